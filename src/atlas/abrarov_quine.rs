@@ -4,7 +4,7 @@
 //! and the authors' program `fadf.m` of 2014–2016: that within `|z| ≤ 8`, Laplace's continued fraction beyond, and
 //! for `Im z < 0.005` the same series with `cos τz` and `e^{−z²}` in place of `e^{iτz}`.
 
-use crate::algorithm::{Algorithm, Parts, Plane};
+use crate::algorithm::{Algorithm, UPPER, WHOLE};
 use crate::elementary::{SQRT_PI, exp, gaussian, quotient, times_i};
 use crate::laplace::convergent;
 use num_complex::{Complex, Complex64};
@@ -18,22 +18,17 @@ pub const ALGORITHMS: [Algorithm; 2] = [
         title: "Fourier expansion of e^(-t²/4), τ = 12, 23 terms",
         source: "S. M. Abrarov, B. M. Quine, Appl. Math. Comput. 218 (2011) 1894-1902, eq. (14)",
         read_from: "fexp in the authors' fadf.m",
-        plane: Plane::Upper,
-        parts: Parts::Both,
         w: |z| AT_12.integrated(z),
-        single: None,
-        formula: None,
+        ..UPPER
     },
     Algorithm {
         name: "abrarov-quine-2016",
         title: "The authors' fadf.m: series, continued fraction, a narrow band of its own",
         source: "S. M. Abrarov, B. M. Quine, program fadf.m (2014, July 2016), after the same and arXiv:1205.1768",
         read_from: "fadf.m",
-        plane: Plane::Whole,
-        parts: Parts::Both,
         w: fadf,
-        single: None,
         formula: Some(|z| formula(upper(z))),
+        ..WHOLE
     },
 ];
 

@@ -43,6 +43,25 @@ pub struct Algorithm {
     pub formula: Option<fn(Complex64) -> u8>,
 }
 
+/// What most have in common, to be completed: both parts in the upper half-plane, by one formula and in double
+/// precision alone.
+pub(crate) const UPPER: Algorithm = Algorithm {
+    name: "",
+    title: "",
+    source: "",
+    read_from: "",
+    plane: Plane::Upper,
+    parts: Parts::Both,
+    w: |z| z,
+    single: None,
+    formula: None,
+};
+/// The same in the whole plane.
+pub(crate) const WHOLE: Algorithm = Algorithm {
+    plane: Plane::Whole,
+    ..UPPER
+};
+
 /// A published algorithm that could not be written here.
 #[derive(Clone, Copy, Debug)]
 pub struct NotAtHand {

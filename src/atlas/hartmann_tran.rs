@@ -9,7 +9,7 @@
 //! HAPI, HITRAN's own program, has the same with `schreier-2011-hum1wei24` for CPF and √Y = `1/(2cC̃₂)`.
 //! F. Schreier, P. Hochstaffl, JQSRT 258 (2021) 107385: `Z₋ = X/Z₊` and a single rational w, for Γ's alone.
 
-use crate::algorithm::{Algorithm, Parts, Plane};
+use crate::algorithm::{Algorithm, UPPER};
 use crate::elementary::{FRAC_1_SQRT_PI, SQRT_PI, quotient, times_i};
 use crate::humlicek_1979::twelve_poles;
 use crate::schreier;
@@ -22,11 +22,9 @@ pub const ALGORITHMS: [Algorithm; 1] = [Algorithm {
     title: "Humlíček's twelve poles, 15 asymptotic terms beyond |z| = 8 (CPF of the Hartmann-Tran profile)",
     source: "H. Tran, N. H. Ngo, J.-M. Hartmann, JQSRT 129 (2013) 199-203",
     read_from: "the authors' subroutine as NCAR's sfit-core-code carries it",
-    plane: Plane::Upper,
-    parts: Parts::Both,
     w: cpf,
-    single: None,
     formula: Some(region),
+    ..UPPER
 }];
 
 /// A line: all in one unit, but η.

@@ -3,7 +3,7 @@
 
 #![allow(clippy::excessive_precision)] // Constants as printed.
 
-use crate::algorithm::{Algorithm, Parts, Plane};
+use crate::algorithm::{Algorithm, UPPER};
 use crate::elementary::{horner, quotient};
 use crate::real::Real;
 use num_complex::Complex;
@@ -14,11 +14,9 @@ pub const ALGORITHMS: [Algorithm; 1] = [Algorithm {
     title: "One rational function, p = 6",
     source: "A. K. Hui, B. H. Armstrong, A. A. Wray, JQSRT 19 (1978) 509-516",
     read_from: "coefficients as printed, in public codes of solar physics (SIR, fvoigt)",
-    plane: Plane::Upper,
-    parts: Parts::Both,
     w: p6::<f64>,
     single: Some(p6::<f32>),
-    formula: None,
+    ..UPPER
 }];
 
 /// From the highest power.

@@ -4,7 +4,7 @@
 //! `w(z) ≈ (i/π) Σ_k W_k e^{y₀²} e^{2i t_k y₀}/(z + i y₀ − t_k)`, t_k and W_k the nodes and weights of the
 //! twelve-point Gauss–Hermite formula; near the real axis the real part is `e^{−x²}` and y times a sum.
 
-use crate::algorithm::{Algorithm, Parts, Plane};
+use crate::algorithm::{Algorithm, UPPER};
 use num_complex::{Complex, Complex64};
 
 /// The algorithm.
@@ -14,11 +14,9 @@ pub const ALGORITHMS: [Algorithm; 1] = [Algorithm {
     source: "J. Humlíček, JQSRT 21 (1979) 309-313",
     read_from: "constants and regions as in HAPI's cpf and in the copies of the paper's subroutine CPF12 in public \
                 codes; compared with Gauss-Hermite nodes and weights",
-    plane: Plane::Upper,
-    parts: Parts::Both,
     w: cpf12,
-    single: None,
     formula: Some(formula),
+    ..UPPER
 }];
 
 /// Nodes of the twelve-point Gauss–Hermite formula, as printed.

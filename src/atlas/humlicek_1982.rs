@@ -3,7 +3,7 @@
 //! With `t = y − ix`, `s = |x| + y`: one, two and five poles farther out, and near the real axis
 //! `e^{t²} − t P(t²)/Q(t²)`.
 
-use crate::algorithm::{Algorithm, Parts, Plane};
+use crate::algorithm::{Algorithm, UPPER};
 use crate::elementary::{exp, horner, quotient};
 use crate::real::Real;
 use num_complex::Complex;
@@ -14,11 +14,10 @@ pub const ALGORITHMS: [Algorithm; 1] = [Algorithm {
     title: "Humlíček's four regions (w4)",
     source: "J. Humlíček, JQSRT 27 (1982) 437-444",
     read_from: "constants and regions as in the copies of the paper's function W4 in public codes",
-    plane: Plane::Upper,
-    parts: Parts::Both,
     w: w4::<f64>,
     single: Some(w4::<f32>),
     formula: Some(region::<f64>),
+    ..UPPER
 }];
 
 /// Region IV: numerator and denominator in powers of `−t²`, from the highest.
@@ -45,6 +44,14 @@ pub fn one_pole<T: Real>(t: Complex<T>) -> Complex<T> {
     quotient(t * T::of(0.5641896), t * t + T::of(0.5))
 }
 
+/// Region III.
+pub fn five_poles<T: Real>(t: Complex<T>) -> Complex<T> {
+    quotient(
+        horner(t, &[0.5642236, 3.778987, 11.96482, 20.20933, 16.4955]),
+        horner(t, &[1.0, 6.699398, 21.69274, 39.27121, 38.82363, 16.4955]),
+    )
+}
+
 fn w4<T: Real>(z: Complex<T>) -> Complex<T> {
     let t = Complex::new(z.im, -z.re);
     match region(z) {
@@ -56,10 +63,7 @@ fn w4<T: Real>(z: Complex<T>) -> Complex<T> {
                 u * (u + T::of(3.0)) + T::of(0.75),
             )
         }
-        3 => quotient(
-            horner(t, &[0.5642236, 3.778987, 11.96482, 20.20933, 16.4955]),
-            horner(t, &[1.0, 6.699398, 21.69274, 39.27121, 38.82363, 16.4955]),
-        ),
+        3 => five_poles(t),
         _ => {
             let u = t * t;
             exp(u) - quotient(t * horner(-u, &P4), horner(-u, &Q4))

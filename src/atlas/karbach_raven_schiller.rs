@@ -2,7 +2,7 @@
 //! form of equation (14), Taylor expansions about its removable poles `nπ/τ`, Laplace's continued fraction for
 //! `|z| > τ`. RooFit's `faddeeva` (τ = 12, 24 terms) and `faddeeva_fast` (τ = 8, 11 terms).
 
-use crate::algorithm::{Algorithm, Parts, Plane};
+use crate::algorithm::{Algorithm, WHOLE};
 use crate::elementary::{
     FRAC_1_SQRT_PI, FRAC_2_SQRT_PI, SQRT_PI, exp, gaussian, quotient, times_i,
 };
@@ -39,11 +39,9 @@ const fn with(
         source: "T. M. Karbach, G. Raven, M. Schiller, arXiv:1407.0748 (2014)",
         read_from: "borders and numbers of terms as in RooFit's faddeeva_impl.h; its Taylor coefficients computed by \
                     w' = -2 z w + 2i/sqrt(pi)",
-        plane: Plane::Whole,
-        parts: Parts::Both,
         w,
-        single: None,
         formula: Some(formula),
+        ..WHOLE
     }
 }
 

@@ -1,7 +1,7 @@
 //! A. B. McLean, C. E. J. Mitchell, D. M. Swanston, J. Electron Spectrosc. Relat. Phenom. 69 (1994) 125–132: four
 //! generalised Lorentzians, `K(x, y) ≈ Σ_k (C_k (y − A_k) + D_k (x − B_k))/((y − A_k)² + (x − B_k)²)`.
 
-use crate::algorithm::{Algorithm, Parts, Plane};
+use crate::algorithm::{Algorithm, Parts, UPPER};
 use num_complex::{Complex, Complex64};
 
 /// The algorithm.
@@ -11,11 +11,9 @@ pub const ALGORITHMS: [Algorithm; 1] = [Algorithm {
     source: "A. B. McLean, C. E. J. Mitchell, D. M. Swanston, J. Electron Spectrosc. Relat. Phenom. 69 (1994) 125-132",
     read_from: "coefficients as in GRINS and in codes for gamma-ray and Mössbauer spectra, where the profile is \
                 K(x, y) with x and y in units of half the Doppler width times sqrt(ln 2)",
-    plane: Plane::Upper,
     parts: Parts::Real,
     w: four,
-    single: None,
-    formula: None,
+    ..UPPER
 }];
 
 const A: [f64; 4] = [-1.2150, -1.3509, -1.2150, -1.3509];

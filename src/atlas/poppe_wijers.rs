@@ -1,8 +1,9 @@
 //! G. P. M. Poppe, C. M. J. Wijers, ACM TOMS 16 (1990) 38–46 and 47, algorithm 680: the Maclaurin series near
 //! the origin, Gautschi's expansion with fewer terms around it, Laplace's continued fraction beyond.
 
-use crate::algorithm::{Algorithm, Parts, Plane};
+use crate::algorithm::{Algorithm, WHOLE};
 use crate::elementary::{FRAC_2_SQRT_PI, continued_below, gaussian, mirrored};
+use crate::laplace::expansion;
 use num_complex::{Complex, Complex64};
 
 /// The algorithm.
@@ -11,11 +12,9 @@ pub const ALGORITHMS: [Algorithm; 1] = [Algorithm {
     title: "Algorithm 680: Maclaurin series, Taylor expansion, continued fraction",
     source: "G. P. M. Poppe, C. M. J. Wijers, ACM TOMS 16 (1990) 38-46, 47",
     read_from: "parameters as in the paper's WOFZ and its translation by A. Shterenlikht (errfun.f90)",
-    plane: Plane::Whole,
-    parts: Parts::Both,
     w: wofz,
-    single: None,
     formula: Some(formula),
+    ..WHOLE
 }];
 
 fn rho2(z: Complex64) -> f64 {
@@ -38,35 +37,22 @@ fn wofz(z: Complex64) -> Complex64 {
 fn quadrant(z: Complex64) -> Complex64 {
     let (x, y) = (z.re, z.im);
     let (rho2, low) = (rho2(z), y / 4.4);
-    let (h, terms, levels) = match formula(z) {
+    let w = match formula(z) {
         0 => {
             let rho = (1.0 - 0.85 * low) * rho2.sqrt();
             return maclaurin(z, (6.0 + 72.0 * rho).round() as i32);
         }
         2 => {
             let levels = 3.0 + 1442.0 / (26.0 * rho2.sqrt() + 77.0);
-            (0.0, 0, levels as i32)
+            expansion(z, levels as i32, None)
         }
         _ => {
             let rho = (1.0 - low) * (1.0 - rho2).max(0.0).sqrt();
             let count = |a: f64, b: f64| (a + b * rho).round() as i32;
-            (1.88 * rho, count(7.0, 34.0), count(16.0, 26.0))
+            let about = (1.88 * rho, count(7.0, 34.0));
+            expansion(z, count(16.0, 26.0), (rho > 0.0).then_some(about))
         }
     };
-    let expanded = h > 0.0;
-    let mut power = if expanded { (2.0 * h).powi(terms) } else { 0.0 };
-    let (mut r, mut s) = (Complex::new(0.0, 0.0), Complex::new(0.0, 0.0));
-    for n in (0..=levels).rev() {
-        let m = f64::from(n + 1);
-        let t = Complex::new(y + h + m * r.re, x - m * r.im);
-        let c = 0.5 / (t.re * t.re + t.im * t.im);
-        r = Complex::new(c * t.re, c * t.im);
-        if expanded && n <= terms {
-            s = r * (s + power);
-            power /= 2.0 * h;
-        }
-    }
-    let w = FRAC_2_SQRT_PI * if expanded { s } else { r };
     match y == 0.0 {
         true => Complex::new(libm::exp(-x * x), w.im),
         false => w,

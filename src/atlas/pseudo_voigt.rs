@@ -5,7 +5,7 @@
 //!
 //! As K(x, y): the Gaussian `e^{−t²}` has `g = 2 √ln 2`, the Lorentzian `l = 2y`, and K is √π times the profile.
 
-use crate::algorithm::{Algorithm, Parts, Plane};
+use crate::algorithm::{Algorithm, Parts, UPPER};
 use crate::elementary::SQRT_PI;
 use num_complex::{Complex, Complex64};
 use std::f64::consts::{LN_2, PI};
@@ -16,11 +16,9 @@ pub const ALGORITHMS: [Algorithm; 1] = [Algorithm {
     title: "The pseudo-Voigt profile of powder diffraction",
     source: "P. Thompson, D. E. Cox, J. B. Hastings, J. Appl. Cryst. 20 (1987) 79-83",
     read_from: "the formulas as every Rietveld code has them",
-    plane: Plane::Upper,
     parts: Parts::Real,
     w: pseudo_voigt,
-    single: None,
-    formula: None,
+    ..UPPER
 }];
 
 fn pseudo_voigt(z: Complex64) -> Complex64 {

@@ -7,7 +7,7 @@
 
 #![allow(clippy::excessive_precision)] // Constants as printed.
 
-use crate::algorithm::{Algorithm, Parts, Plane};
+use crate::algorithm::{Algorithm, UPPER};
 use crate::elementary::{FRAC_1_SQRT_PI, horner, quotient, times_i};
 use crate::gauss_hermite::positive;
 use crate::real::Real;
@@ -23,33 +23,26 @@ pub const ALGORITHMS: [Algorithm; 5] = [
         title: "Weideman N = 24 inside |x| + y < 15, one pole outside (HAPI's default)",
         source: "F. Schreier, JQSRT 112 (2011) 1010-1025",
         read_from: "HAPI's hum1_wei",
-        plane: Plane::Upper,
-        parts: Parts::Both,
         w: hum1wei24::<f64>,
         single: Some(hum1wei24::<f32>),
         formula: Some(|z| u8::from(z.re.abs() + z.im < 15.0)),
+        ..UPPER
     },
     Algorithm {
         name: "schreier-2018-16",
         title: "Humlíček's poles, n = 16, shift 1.35",
         source: "F. Schreier, MNRAS 479 (2018) 3068-3075",
         read_from: "the shift as in zpf16P of the paper's supplement cpfX.py; nodes and weights of Gauss's formula computed",
-        plane: Plane::Upper,
-        parts: Parts::Both,
         w: |z| N16.at(z),
-        single: None,
-        formula: None,
+        ..UPPER
     },
     Algorithm {
         name: "schreier-2018-16-1.31183",
         title: "Humlíček's poles, n = 16, shift 1.31183",
         source: "F. Schreier, MNRAS 479 (2018) 3068-3075",
         read_from: "the shift as in zpf16p of the paper's supplement cpfX.py and of Py4CAtS; nodes and weights of Gauss's formula computed",
-        plane: Plane::Upper,
-        parts: Parts::Both,
         w: shifted_16,
-        single: None,
-        formula: None,
+        ..UPPER
     },
     Algorithm {
         name: "schreier-2018-20",
@@ -57,22 +50,18 @@ pub const ALGORITHMS: [Algorithm; 5] = [
         source: "F. Schreier, MNRAS 479 (2018) 3068-3075",
         read_from: "cpfX of the paper's supplement, where the shift is the caller's and 1.5 unless given; 1.55 is ours: \
                     from 1.35 to 1.8 all reach what the abstract states for 0 < x < 25, 1e-4 < y < 100 (tested)",
-        plane: Plane::Upper,
-        parts: Parts::Both,
         w: |z| N20.at(z),
-        single: None,
-        formula: None,
+        ..UPPER
     },
     Algorithm {
         name: "schreier-2018-hum2zpf16",
         title: "Poles n = 16 as one fraction inside |x| + y < 10, two poles outside (astropy's Humlicek2)",
         source: "F. Schreier, MNRAS 479 (2018) 3068-3075",
         read_from: "coefficients as in astropy's Voigt1D._hum2zpf16c",
-        plane: Plane::Upper,
-        parts: Parts::Both,
         w: hum2zpf16::<f64>,
         single: Some(hum2zpf16::<f32>),
         formula: Some(|z| u8::from(z.re.abs() + z.im < 10.0)),
+        ..UPPER
     },
 ];
 

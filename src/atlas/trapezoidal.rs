@@ -8,7 +8,7 @@
 //! pole from the nodes. M. Al Azah, S. N. Chandler-Wilde, SIAM J. Numer. Anal. 59 (2021) 2346–2367 prove
 //! `|w − w_N| ≤ 0.7 e^{−πN}` for `h = √(π/(N+1))` and their choice of the rule.
 
-use crate::algorithm::{Algorithm, Parts, Plane};
+use crate::algorithm::{Algorithm, UPPER, WHOLE};
 use crate::elementary::{continued_below, exp, gaussian, mirrored, quotient, times_i};
 use num_complex::{Complex, Complex64};
 use std::f64::consts::PI;
@@ -21,11 +21,9 @@ pub const MATTA_REICHEL: [Algorithm; 1] = [Algorithm {
     source: "F. Matta, A. Reichel, Math. Comp. 25 (1971) 339-344",
     read_from: "K. Eriksson's function of 1981 in public codes of stellar atmospheres, which has the real part: its step, its twelve \
                 terms, the pole's term for Im z <= 2 pi; the imaginary part by the same formula",
-    plane: Plane::Upper,
-    parts: Parts::Both,
     w: matta_reichel,
-    single: None,
     formula: Some(|z| u8::from(z.im > PI / HALF.h)),
+    ..UPPER
 }];
 
 /// The step and the number of terms of Matta and Reichel's.
@@ -34,11 +32,9 @@ pub const HUNTER_REGAN: [Algorithm; 1] = [Algorithm {
     title: "Trapezoidal rule with pole correction, h = 1/2, 12 terms",
     source: "D. B. Hunter, T. Regan, Math. Comp. 26 (1972) 539-541, after F. Matta and A. Reichel 1971",
     read_from: "the formulas, derived at the head of the file; h and the number of terms as matta-reichel-1971: e^(-(pi/h)²) = 7e-18",
-    plane: Plane::Whole,
-    parts: Parts::Both,
     w: hunter_regan,
-    single: None,
     formula: Some(formula_of_hunter_regan),
+    ..WHOLE
 }];
 
 /// N = 11.
@@ -48,11 +44,9 @@ pub const AL_AZAH_CHANDLER_WILDE: [Algorithm; 1] = [Algorithm {
     source: "M. Al Azah, S. N. Chandler-Wilde, SIAM J. Numer. Anal. 59 (2021) 2346-2367",
     read_from: "the authors' wTrap.m and wTrapWCP.m; the pole's term as 2e^(-z²)/(…), because e^(z²), by which the program \
                 divides, overflows from Re z = 26.7 on",
-    plane: Plane::Whole,
-    parts: Parts::Both,
     w: w_11,
-    single: None,
     formula: Some(|z| N11.choice(quadrant(z))),
+    ..WHOLE
 }];
 
 /// A rule with its nodes.

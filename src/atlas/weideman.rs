@@ -4,7 +4,7 @@
 //! The coefficients are computed as in the paper, by the trapezoidal rule with `2M = 4N` points for the
 //! Fourier coefficients of `(L² + t²) e^{−t²}`, `t = L tan(θ/2)`.
 
-use crate::algorithm::{Algorithm, Parts, Plane};
+use crate::algorithm::{Algorithm, UPPER};
 use crate::elementary::{FRAC_1_SQRT_PI, horner, quotient};
 use crate::real::Real;
 use num_complex::{Complex, Complex64};
@@ -23,11 +23,9 @@ const fn with(
         source: "J. A. C. Weideman, SIAM J. Numer. Anal. 31 (1994) 1497-1518",
         read_from: "equation (38) and the eight lines of Matlab of table I, as reproduced in HAPI's cef; coefficients \
                     computed from them",
-        plane: Plane::Upper,
-        parts: Parts::Both,
         w,
         single: Some(single),
-        formula: None,
+        ..UPPER
     }
 }
 

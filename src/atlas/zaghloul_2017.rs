@@ -1,7 +1,7 @@
 //! M. R. Zaghloul, ACM TOMS 44 (2017) article 22, algorithm 985: one to four convergents of Laplace's continued
 //! fraction outside, region IV of Humlíček's w4 beside the real axis, Hui, Armstrong and Wray's p = 6 inside.
 
-use crate::algorithm::{Algorithm, Parts, Plane};
+use crate::algorithm::{Algorithm, UPPER};
 use crate::elementary::{exp, horner, quotient, times_i};
 use crate::real::Real;
 use num_complex::Complex;
@@ -12,11 +12,10 @@ pub const ALGORITHMS: [Algorithm; 1] = [Algorithm {
     title: "Algorithm 985: continued fraction, w4's region IV, p = 6",
     source: "M. R. Zaghloul, ACM TOMS 44 (2017) article 22",
     read_from: "constants and borders as in Faddeyeva985.jl, M. Baum's translation",
-    plane: Plane::Upper,
-    parts: Parts::Both,
     w: algorithm_985::<f64>,
     single: Some(algorithm_985::<f32>),
     formula: Some(region::<f64>),
+    ..UPPER
 }];
 
 /// `1/√π`.

@@ -3,7 +3,7 @@
 //! `Σ₁ = Σ e^{−a²n²}/d_n`, `Σ₂,₃ = Σ e^{−(an ± x)²}/d_n`, `Σ₄,₅ = Σ n e^{−(an ± x)²}/d_n`, `d_n = a²n² + y²`, and
 //! erfcx(y). Accuracy is chosen by `tiny`.
 
-use crate::algorithm::{Algorithm, Parts, Plane};
+use crate::algorithm::{Algorithm, WHOLE};
 use crate::elementary::{FRAC_1_SQRT_PI, continued_below, mirrored};
 use mechaudit_solvers::faddeeva::erfcx_real;
 use num_complex::{Complex, Complex64};
@@ -36,11 +36,9 @@ const fn with(name: &'static str, title: &'static str, w: fn(Complex64) -> Compl
         source: "M. R. Zaghloul, A. N. Ali, ACM TOMS 38 (2011) article 15",
         read_from: "equations (13)-(19) and borders as in A. Shterenlikht's translation (errfun.f90); terms are summed \
                     while e^(-(an - x)²) exceeds tiny, each exponential for itself",
-        plane: Plane::Whole,
-        parts: Parts::Both,
         w,
-        single: None,
         formula: Some(formula),
+        ..WHOLE
     }
 }
 

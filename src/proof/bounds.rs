@@ -2,8 +2,8 @@
 
 use crate::interval::{product_up, quotient_up, sqrt_up, sum_up};
 use mechaudit_reference::Ball;
-use rug::Float;
 use rug::float::Round;
+use rug::{Float, Rational};
 
 /// π/2, rounded up.
 pub(crate) const HALF_PI: f64 = 1.570_796_326_794_896_8;
@@ -75,6 +75,11 @@ pub(crate) fn remainder_slope(n: u32, r: f64) -> f64 {
         |m| slope_alone(m, r),
         |k| product_up(2.0 * f64::from(k) + 1.0, t(k, r)),
     )
+}
+
+/// A finite number, exactly.
+pub(crate) fn rational(x: f64) -> Rational {
+    Rational::from_f64(x).expect("finite")
 }
 
 /// An upper bound of the absolute value of any number of a ball.

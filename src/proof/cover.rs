@@ -1,6 +1,8 @@
 //! Rectangles of `f64`s, and whether they cover the quadrant.
 
+use crate::form::{exponent, power_of_two};
 use mechaudit_solvers::faddeeva::SEAMS;
+use std::ops::RangeInclusive;
 
 /// The points `a + i b` of `f64`s with `a[0] ≤ a ≤ a[1]`, `b[0] ≤ b ≤ b[1]`, none negative.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,16 +50,13 @@ impl Rectangle {
 
     /// Divided by the power of two of its largest coordinate, for rectangles within one shell: as the code scales z.
     pub(crate) fn scaled(&self) -> Option<Rectangle> {
-        let most = |r: f64, s: f64| crate::form::exponent(r.max(s).max(f64::MIN_POSITIVE));
+        let most = |r: f64, s: f64| exponent(r.max(s).max(f64::MIN_POSITIVE));
         let k = most(self.a[0], self.b[0]);
         if k != most(self.a[1], self.b[1]) {
             return None;
         }
         // Two steps, as 2^{−1023} is subnormal.
-        let (p, q) = (
-            crate::form::power_of_two(-(k / 2)),
-            crate::form::power_of_two(k / 2 - k),
-        );
+        let (p, q) = (power_of_two(-(k / 2)), power_of_two(k / 2 - k));
         let down = |x: f64| x * p * q;
         let ends = |[lo, hi]: [f64; 2]| {
             let (s, t) = (down(lo), down(hi));
@@ -160,51 +159,49 @@ pub(crate) fn pieces<T: PartialEq + Copy>(
     }
 }
 
-/// The quadrant of finite positive `Re z` and finite `Im z ≥ 0` as shells `2^k ≤ max(Re z, Im z) < 2^{k+1}`, each cut
-/// into rectangles, and a square about zero; then the half-axis `Re z = 0`.
+/// The numbers from `2^k` up to `2^{k+1}`.
+fn binade(k: i32) -> [f64; 2] {
+    let end = match k {
+        1023 => f64::MAX,
+        _ => power_of_two(k + 1).next_down(),
+    };
+    [power_of_two(k), end]
+}
+
+/// A square about zero, and shells `2^k ≤ max(Re z, |Im z|) < 2^{k+1}` around it, each cut into rectangles, with so many
+/// binades of the smaller coordinate cut apart at once; from the least coordinates on.
+pub(crate) fn shells(
+    binades: RangeInclusive<i32>,
+    beside: i32,
+    [least_a, least_b]: [f64; 2],
+) -> Vec<Rectangle> {
+    let [_, square] = binade(binades.start() - 1);
+    let mut all = vec![Rectangle {
+        a: [least_a, square],
+        b: [least_b, square],
+    }];
+    for k in binades {
+        let mut add = |a, b| all.push(Rectangle { a, b });
+        let long = binade(k);
+        let [_, rest] = binade(k - beside - 1);
+        add(long, [least_b, rest]);
+        add([least_a, rest], long);
+        for short in (k - beside..k).map(binade) {
+            add(long, short);
+            add(short, long);
+        }
+        add(long, long);
+    }
+    all
+}
+
+/// The quadrant of finite positive `Re z` and finite `Im z ≥ 0` as shells; then the half-axis `Re z = 0`.
 pub(crate) fn roots() -> Vec<Rectangle> {
     const FIRST: i32 = -9;
-    /// Binades of the smaller coordinate that are cut apart at once.
-    const BESIDE: i32 = 5;
-    let start = |k: i32| crate::form::power_of_two(k);
-    let end = |k: i32| match k {
-        1023 => f64::MAX,
-        _ => start(k + 1).next_down(),
-    };
-    let least = f64::from_bits(1);
-    let square = end(FIRST - 1);
-    let mut all = vec![Rectangle {
-        a: [least, square],
-        b: [0.0, square],
-    }];
-    for k in FIRST..1024 {
-        let long = [start(k), end(k)];
-        let rest = end(k - BESIDE - 1);
-        all.push(Rectangle {
-            a: long,
-            b: [0.0, rest],
-        });
-        all.push(Rectangle {
-            a: [least, rest],
-            b: long,
-        });
-        for j in k - BESIDE..k {
-            let short = [start(j), end(j)];
-            all.push(Rectangle { a: long, b: short });
-            all.push(Rectangle { a: short, b: long });
-        }
-        all.push(Rectangle { a: long, b: long });
-    }
-    all.push(Rectangle {
-        a: [0.0; 2],
-        b: [0.0, square],
-    });
-    for k in FIRST..1024 {
-        all.push(Rectangle {
-            a: [0.0; 2],
-            b: [start(k), end(k)],
-        });
-    }
+    let mut all = shells(FIRST..=1023, 5, [f64::from_bits(1), 0.0]);
+    let [_, square] = binade(FIRST - 1);
+    let axis = std::iter::once([0.0, square]).chain((FIRST..=1023).map(binade));
+    all.extend(axis.map(|b| Rectangle { a: [0.0; 2], b }));
     all
 }
 

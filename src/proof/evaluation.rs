@@ -41,7 +41,19 @@ pub(crate) struct Setting<'a> {
     pub rounding: Rounding,
 }
 
+impl<'a> Setting<'a> {
+    /// Without a small coordinate.
+    pub fn new(constants: &'a [Constant], rounding: Rounding) -> Setting<'a> {
+        Setting {
+            sigma: Exact::ZERO,
+            constants,
+            rounding,
+        }
+    }
+}
+
 /// The evaluation of this thread.
+#[derive(Default)]
 pub(crate) struct Evaluation {
     pub sigma: Exact,
     pub constants: Vec<Constant>,
@@ -61,20 +73,7 @@ pub(crate) struct Evaluation {
 }
 
 thread_local! {
-    static HERE: RefCell<Evaluation> = const {
-        RefCell::new(Evaluation {
-            sigma: Exact::ZERO,
-            constants: Vec::new(),
-            rounding: Rounding { fma_rounds_twice: false, truncates: None },
-            forms: Vec::new(),
-            operations: 0,
-            script: Vec::new(),
-            taken: 0,
-            failure: None,
-            multiples: Vec::new(),
-            products: Vec::new(),
-        })
-    };
+    static HERE: RefCell<Evaluation> = RefCell::default();
 }
 
 /// Decisions of one evaluation more than which are not followed.
@@ -313,19 +312,13 @@ impl Evaluation {
         if ways > WAYS {
             return self.fail("too many integers");
         }
-        let k = match ways {
-            1 => 0,
-            _ => self.choose(ways),
-        };
+        let k = if ways == 1 { 0 } else { self.choose(ways) };
         self.push(Form::point(ROUND + (least + k as f64)))
     }
 
     /// Whether `x < y`.
     pub fn below(&mut self, x: Tracked, y: Tracked) -> bool {
-        let (p, q) = (
-            self.form(x).range(self.sigma),
-            self.form(y).range(self.sigma),
-        );
+        let [p, q] = [x, y].map(|t| self.form(t).range(self.sigma));
         if p.hi < q.lo {
             return true;
         }

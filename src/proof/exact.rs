@@ -6,7 +6,7 @@ use crate::interval::{Interval, product_up, quotient_up, sum_up, up};
 use std::ops::{Add, Mul, Neg};
 
 /// `centre + slopes · ξ`, `ξ ∈ [−1, 1]²`, within `radius`, and within `range`.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Exact {
     /// Where the value lies.
     pub range: Interval,
@@ -71,19 +71,28 @@ impl Exact {
         }
     }
 
+    /// `centre + slopes · ξ` within the radius, which lies in the range too.
+    fn linear(range: Interval, centre: f64, slopes: [f64; 2], radius: f64) -> Exact {
+        let linear = Exact {
+            range,
+            centre,
+            slopes,
+            radius,
+        };
+        linear.tightened(range)
+    }
+
     /// Both enclosures in one.
     fn tightened(mut self, range: Interval) -> Exact {
         let spread = sum_up(self.spread(), self.radius);
         let linear = Interval::point(self.centre).widened(spread);
-        let lo = if linear.lo > range.lo {
-            linear.lo
-        } else {
-            range.lo
+        let lo = match linear.lo > range.lo {
+            true => linear.lo,
+            false => range.lo,
         };
-        let hi = if linear.hi < range.hi {
-            linear.hi
-        } else {
-            range.hi
+        let hi = match linear.hi < range.hi {
+            true => linear.hi,
+            false => range.hi,
         };
         // Both hold the value, so that they meet; what is not a number is not believed.
         self.range = if lo <= hi {
@@ -92,14 +101,10 @@ impl Exact {
             range
         };
         let known = self.centre.is_finite() && self.radius.is_finite() && spread.is_finite();
-        if !known {
-            let wide = Exact::within(self.range);
-            return Exact {
-                range: self.range,
-                ..wide
-            };
+        match known {
+            true => self,
+            false => Exact::within(self.range),
         }
-        self
     }
 
     fn spread(&self) -> f64 {
@@ -119,15 +124,9 @@ impl Exact {
         let mut radius = product_up(self.radius, by.abs());
         let centre = counted(self.centre * by, &mut radius);
         let slopes = self.slopes.map(|s| counted(s * by, &mut radius));
-        let linear = Exact {
-            range,
-            centre,
-            slopes,
-            radius,
-        };
         match range.is_point() {
             true => Exact::point(range.lo),
-            false => linear.tightened(range),
+            false => Exact::linear(range, centre, slopes, radius),
         }
     }
 
@@ -151,13 +150,7 @@ impl Exact {
         let first = counted(n.centre / y.centre, &mut radius);
         let centre = counted(c + first, &mut radius);
         let slopes = n.slopes.map(|s| counted(s / y.centre, &mut radius));
-        Exact {
-            range,
-            centre,
-            slopes,
-            radius,
-        }
-        .tightened(range)
+        Exact::linear(range, centre, slopes, radius)
     }
 }
 
@@ -190,13 +183,7 @@ impl Add for Exact {
             (s, t) => counted(s + t, radius),
         };
         let slopes = [slope(0, &mut radius), slope(1, &mut radius)];
-        Exact {
-            range,
-            centre,
-            slopes,
-            radius,
-        }
-        .tightened(range)
+        Exact::linear(range, centre, slopes, radius)
     }
 }
 
@@ -227,13 +214,7 @@ impl Mul for Exact {
             counted(a + b, radius)
         };
         let slopes = [slope(0, &mut radius), slope(1, &mut radius)];
-        Exact {
-            range,
-            centre,
-            slopes,
-            radius,
-        }
-        .tightened(range)
+        Exact::linear(range, centre, slopes, radius)
     }
 }
 

@@ -158,10 +158,9 @@ impl Form {
             terms: mapped(&self.terms, two),
             rest: self.rest * 2.0,
             tiny: self.tiny * 2.0,
-            small: self.small,
             grain: self.grain.saturating_add(1),
             deviation: self.deviation * 2.0,
-            share: self.share,
+            ..*self
         }
     }
 }
@@ -214,14 +213,12 @@ pub(crate) fn sum(x: &Form, y: &Form) -> Form {
         false => f64::INFINITY,
     };
     Form {
-        main: x.main + y.main,
         terms: merged(&x.terms, &y.terms, both),
         rest: sum_up(x.rest, y.rest),
         tiny: sum_up(x.tiny, y.tiny),
         small: x.small,
-        grain: x.grain.min(y.grain),
-        deviation: 0.0,
         share,
+        ..Form::exact(x.main + y.main, x.grain.min(y.grain))
     }
     .summed()
 }
@@ -231,10 +228,9 @@ pub(crate) fn sum(x: &Form, y: &Form) -> Form {
 /// `(X + Σ x_k ε_k + r)(Y + Σ y_k ε_k + q) = XY + Σ (X y_k + Y x_k) ε_k + …`, what is left out at most
 /// `|X| q + |Y| r` and the product of the deviations.
 pub(crate) fn product(x: &Form, y: &Form, sigma: Exact, square: bool) -> Form {
-    let main = if square {
-        x.main.square()
-    } else {
-        x.main * y.main
+    let main = match square {
+        true => x.main.square(),
+        false => x.main * y.main,
     };
     let (p, q) = (x.main.range, y.main.range);
     let (rx, ry) = (x.relative(), y.relative());
@@ -255,14 +251,12 @@ pub(crate) fn product(x: &Form, y: &Form, sigma: Exact, square: bool) -> Form {
         ),
     };
     Form {
-        main,
         terms: merged(&x.terms, &y.terms, both),
         rest: sum_up(cross, product_up(x.deviation, y.deviation)),
         tiny,
         small: x.small || y.small,
-        grain: x.grain.saturating_add(y.grain),
-        deviation: 0.0,
         share: sum_up(sum_up(rx, ry), product_up(rx, ry)),
+        ..Form::exact(main, x.grain.saturating_add(y.grain))
     }
     .summed()
 }
@@ -287,19 +281,14 @@ pub(crate) fn quotient(x: &Form, y: &Form) -> Option<Form> {
     let first = quotient_up(sum_up(x.rest, product_up(size, y.rest)), low);
     let all = sum_up(x.deviation, product_up(size, y.deviation));
     let second = quotient_up(product_up(quotient_up(all, low), y.deviation), least);
-    Some(
-        Form {
-            main,
-            terms: merged(&x.terms, &y.terms, both),
-            rest: sum_up(first, second),
-            tiny: quotient_up(x.tiny, least),
-            small: x.small,
-            grain: i32::MIN,
-            deviation: 0.0,
-            share: f64::INFINITY,
-        }
-        .summed(),
-    )
+    let quotient = Form {
+        terms: merged(&x.terms, &y.terms, both),
+        rest: sum_up(first, second),
+        tiny: quotient_up(x.tiny, least),
+        small: x.small,
+        ..Form::exact(main, i32::MIN)
+    };
+    Some(quotient.summed())
 }
 
 /// The exponent of the spacing of numbers from `x ≥ 0` on: all of them are multiples of `2^` of it.

@@ -6,7 +6,7 @@ use crate::exact::Exact;
 use crate::form::{TINIEST, exponent, grain_of, power_of_two};
 use crate::interval::{Interval, hypot_down, hypot_up, larger, product_up, quotient_up, sum_up};
 use crate::tables::Tables;
-use crate::tracked::{Constant, Result as Tracks, Rounding, Setting, Tracked, Tracking, evaluate};
+use crate::tracked::{Result as Tracks, Rounding, Setting, Tracked, Tracking, evaluate};
 use crate::truncation::{self, OfSum, Truncation};
 use mechaudit_solvers::faddeeva::{Branch, proof as code};
 use std::sync::PoisonError;
@@ -233,34 +233,21 @@ fn run(
     rounding: Rounding,
 ) -> Result<(Ways, Truncation), &'static str> {
     let [small_re, small_im] = small(formula, at);
-    let setting = |constants: &'static [Constant]| Setting {
-        sigma: match small_re {
-            true => Exact::coordinate(sigma(formula, at), 0),
-            false => Exact::coordinate(sigma(formula, at), 1),
-        },
-        constants,
-        rounding,
+    let setting = |constants| Setting {
+        sigma: Exact::coordinate(sigma(formula, at), usize::from(!small_re)),
+        ..Setting::new(constants, rounding)
     };
-    let point = || {
-        let a = if small_re {
-            Tracked::sigma()
-        } else {
-            Tracked::input(0, at.a)
-        };
-        let b = if small_im {
-            Tracked::sigma()
-        } else {
-            Tracked::input(1, at.b)
-        };
-        (a, b)
+    let coordinate = |small: bool, i: usize, ends: [f64; 2]| match small {
+        true => Tracked::sigma(),
+        false => Tracked::input(i, ends),
     };
     let both = |(re, im): (Tracked, Tracked)| [re.result(), im.result()];
     let real = |re: Tracked| [re.result(), Tracked::entry(0.0).result()];
     let far = hypot_up(at.a[1], at.b[1]);
     let series = |setting, f: fn(Tracked, Tracked) -> (Tracked, Tracked)| {
         evaluate(setting, || {
-            let (a, b) = point();
-            both(f(a, b))
+            let a = coordinate(small_re, 0, at.a);
+            both(f(a, coordinate(small_im, 1, at.b)))
         })
     };
     Ok(match formula {
@@ -411,23 +398,16 @@ impl Evaluated {
         if size > FAR_ABOVE {
             norm = sum_up(norm, quotient_up(lost, size) * TWO_52).next_up();
         }
-        let part = |r: &Tracks, truncated, tiny: f64| {
-            let (units, least) = component(r, truncated, t.norm, sigma);
-            match least > FAR_ABOVE {
-                true => (sum_up(units, lost_units(tiny, least)), 0.0),
-                false => (units, tiny),
-            }
+        let part = |(units, least): (f64, f64), tiny: f64| match least > FAR_ABOVE {
+            true => (sum_up(units, lost_units(tiny, least)), 0.0),
+            false => (units, tiny),
         };
-        let (im, q) = part(im, t.im, im_tiny);
-        let (re, p) = match t.sum {
-            None => part(re, t.re, re_tiny),
-            Some(sum) => match of_sum(re, &sum, sigma) {
-                (units, least) if least > FAR_ABOVE => {
-                    (sum_up(units, lost_units(re_tiny, least)), 0.0)
-                }
-                (units, _) => (units, re_tiny),
-            },
+        let re = match t.sum {
+            None => component(re, t.re, t.norm, sigma),
+            Some(sum) => of_sum(re, &sum, sigma),
         };
+        let (re, p) = part(re, re_tiny);
+        let (im, q) = part(component(im, t.im, t.norm, sigma), im_tiny);
         Bound {
             norm,
             re,
@@ -442,10 +422,8 @@ pub(crate) const FAR_ABOVE: f64 = f64::from_bits((1023 - 960) << 52);
 
 /// What underflows, in units in the last place of the least value.
 pub(crate) fn lost_units(tiny: f64, least: f64) -> f64 {
-    quotient_up(
-        product_up(tiny, TINIEST),
-        power_of_two(exponent(least) - 52),
-    )
+    let ulp = power_of_two(exponent(least) - 52);
+    quotient_up(product_up(tiny, TINIEST), ulp)
 }
 
 pub(crate) const TWO_52: f64 = 4_503_599_627_370_496.0;

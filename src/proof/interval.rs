@@ -6,7 +6,7 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The numbers from `lo` to `hi`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Interval {
     /// The least.
     pub lo: f64,
@@ -108,16 +108,27 @@ impl Interval {
         Interval { lo: x, hi: x }
     }
 
+    /// All numbers.
+    const ALL: Interval = Interval {
+        lo: f64::NEG_INFINITY,
+        hi: f64::INFINITY,
+    };
+
     /// From one number to another; everything if that is not an interval.
     pub fn new(lo: f64, hi: f64) -> Interval {
-        if lo <= hi {
-            Interval { lo, hi }
-        } else {
-            Interval {
-                lo: f64::NEG_INFINITY,
-                hi: f64::INFINITY,
-            }
+        match lo <= hi {
+            true => Interval { lo, hi },
+            false => Interval::ALL,
         }
+    }
+
+    /// The least and the largest that an operation makes of the ends; none where a bound is lost: zero times infinity.
+    fn extremes(self, other: Interval, f: impl Fn(f64, f64) -> f64) -> Option<[f64; 2]> {
+        let (x, y) = (self, other);
+        let p = [f(x.lo, y.lo), f(x.lo, y.hi), f(x.hi, y.lo), f(x.hi, y.hi)];
+        let lo = p.into_iter().fold(f64::INFINITY, f64::min);
+        let hi = p.into_iter().fold(f64::NEG_INFINITY, f64::max);
+        (!p.iter().any(|x| x.is_nan())).then_some([lo, hi])
     }
 
     /// Whether it is one number, known exactly.
@@ -200,18 +211,9 @@ impl Mul for Interval {
         if self.is_zero() || other.is_zero() {
             return Interval::ZERO;
         }
-        let p = [
-            self.lo * other.lo,
-            self.lo * other.hi,
-            self.hi * other.lo,
-            self.hi * other.hi,
-        ];
-        // Zero times infinity: the bound is lost.
-        if p.iter().any(|x| x.is_nan()) {
-            return Interval::new(f64::NEG_INFINITY, f64::INFINITY);
-        }
-        let lo = p.iter().copied().fold(f64::INFINITY, f64::min);
-        let hi = p.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let Some([lo, hi]) = self.extremes(other, f64::mul) else {
+            return Interval::ALL;
+        };
         let positive = self.lo >= 0.0 && other.lo >= 0.0;
         let lo = if positive {
             down(lo).max(0.0)
@@ -226,23 +228,13 @@ impl Div for Interval {
     type Output = Interval;
     fn div(self, other: Interval) -> Interval {
         if other.lo <= 0.0 && other.hi >= 0.0 {
-            return Interval::new(f64::NEG_INFINITY, f64::INFINITY);
+            return Interval::ALL;
         }
         if self.is_zero() {
             return self;
         }
-        let p = [
-            self.lo / other.lo,
-            self.lo / other.hi,
-            self.hi / other.lo,
-            self.hi / other.hi,
-        ];
-        if p.iter().any(|x| x.is_nan()) {
-            return Interval::new(f64::NEG_INFINITY, f64::INFINITY);
-        }
-        let lo = p.iter().copied().fold(f64::INFINITY, f64::min);
-        let hi = p.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        Interval::new(down(lo), up(hi))
+        let ends = self.extremes(other, f64::div);
+        ends.map_or(Interval::ALL, |[lo, hi]| Interval::new(down(lo), up(hi)))
     }
 }
 

@@ -15,12 +15,26 @@ fn key((x, y): (f64, f64)) -> Key {
     (x.to_bits(), y.to_bits())
 }
 
+/// A row and its errors.
+type WithErrors<R> = (R, RowErrors);
+
+/// Rows by their centres with their errors, each on a core of its own.
+fn with_errors<R: Copy + Send + Sync + 'static>(
+    rows: impl Iterator<Item = ((f64, f64), &'static R)>,
+    errors: impl Fn(&R, (f64, f64)) -> Result<RowErrors, ProofError> + Sync,
+) -> Result<HashMap<Key, WithErrors<R>>, ProofError> {
+    let rows: Vec<_> = rows.collect();
+    let each = rows.into_par_iter();
+    each.map(|(centre, row)| Ok((key(centre), (*row, errors(row, centre)?))))
+        .collect()
+}
+
 /// Rows by their centres.
 #[derive(Clone)]
 pub struct Tables {
-    cells: HashMap<Key, (Row, RowErrors)>,
-    real_axis: HashMap<Key, (Row, RowErrors)>,
-    imaginary_axis: HashMap<Key, (AxisRow, RowErrors)>,
+    cells: HashMap<Key, WithErrors<Row>>,
+    real_axis: HashMap<Key, WithErrors<Row>>,
+    imaginary_axis: HashMap<Key, WithErrors<AxisRow>>,
     pub(crate) real_line: [f64; 2],
     /// What the exponential beside the real axis is wrong by without rounding.
     pub(crate) exponential: f64,
@@ -80,27 +94,20 @@ impl Tables {
             let (centre, row) = cell_at(a, b);
             cells.insert(key(centre), (centre, row));
         }
-        let cells = cells.into_values().collect::<Vec<_>>();
-        let rows = |c: Vec<((f64, f64), &'static Row)>| {
-            c.into_par_iter()
-                .map(|(centre, row)| Ok((key(centre), (*row, RowErrors::of(row, centre)?))))
-                .collect::<Result<HashMap<_, _>, ProofError>>()
-        };
         let real = on_real_axis().map(|a| {
             let (centre, row) = real_axis_at(a);
             ((centre, 0.0), row)
         });
-        let imaginary: Vec<_> = on_imaginary_axis().map(imaginary_axis_at).collect();
-        let imaginary_axis = imaginary
-            .into_par_iter()
-            .map(|(s, row)| Ok((key((0.0, s)), (*row, RowErrors::on_axis(row, s)?))))
-            .collect::<Result<HashMap<_, _>, ProofError>>()?;
+        let imaginary = on_imaginary_axis().map(|b| {
+            let (centre, row) = imaginary_axis_at(b);
+            ((0.0, centre), row)
+        });
         let line = code::real_line_polynomials();
         let (coefficients, ln_2) = code::exponential();
         Ok(Tables {
-            cells: rows(cells)?,
-            real_axis: rows(real.collect())?,
-            imaginary_axis,
+            cells: with_errors(cells.into_values(), RowErrors::of)?,
+            real_axis: with_errors(real, RowErrors::of)?,
+            imaginary_axis: with_errors(imaginary, |row, (_, s)| RowErrors::on_axis(row, s))?,
             real_line: [
                 polynomial_error(&line[0], false),
                 polynomial_error(&line[1], true),
@@ -110,28 +117,18 @@ impl Tables {
         })
     }
 
-    pub(crate) fn cell(&self, centre: (f64, f64)) -> Result<(&Row, &RowErrors), &'static str> {
-        let found = self.cells.get(&key(centre)).ok_or("no such cell")?;
-        Ok((&found.0, &found.1))
+    pub(crate) fn cell(&self, centre: (f64, f64)) -> Result<&WithErrors<Row>, &'static str> {
+        self.cells.get(&key(centre)).ok_or("no such cell")
     }
 
-    pub(crate) fn real_axis(&self, centre: f64) -> Result<(&Row, &RowErrors), &'static str> {
-        let found = self
-            .real_axis
-            .get(&key((centre, 0.0)))
-            .ok_or("no such centre")?;
-        Ok((&found.0, &found.1))
+    pub(crate) fn real_axis(&self, centre: f64) -> Result<&WithErrors<Row>, &'static str> {
+        let key = key((centre, 0.0));
+        self.real_axis.get(&key).ok_or("no such centre")
     }
 
-    pub(crate) fn imaginary_axis(
-        &self,
-        centre: f64,
-    ) -> Result<(&AxisRow, &RowErrors), &'static str> {
-        let found = self
-            .imaginary_axis
-            .get(&key((0.0, centre)))
-            .ok_or("no such centre")?;
-        Ok((&found.0, &found.1))
+    pub(crate) fn imaginary_axis(&self, centre: f64) -> Result<&WithErrors<AxisRow>, &'static str> {
+        let key = key((0.0, centre));
+        self.imaginary_axis.get(&key).ok_or("no such centre")
     }
 
     /// A cell's row changed: its errors are computed anew.

@@ -53,3 +53,11 @@ pub struct Undecided {
     /// What stayed open.
     pub reason: String,
 }
+
+impl Undecided {
+    /// At a precision, for a reason.
+    pub fn new(bits: u32, reason: impl Into<String>) -> Undecided {
+        let reason = reason.into();
+        Undecided { bits, reason }
+    }
+}

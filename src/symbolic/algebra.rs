@@ -1,5 +1,6 @@
 //! Square roots adjoined to the rational functions, the antiderivative of `e^{z²}`, derivations.
 
+use super::error::unsupported;
 use super::gcd::{coprime, squarefree};
 use super::{ExpSum, Fraction, Gauss, Poly, Symbol, SymbolicError};
 use rug::{Integer, Rational};
@@ -24,10 +25,6 @@ pub struct Algebra {
     antiderivatives: Vec<(Symbol, Fraction)>,
     /// Symbols that stand for values of any sign at present, as often as they are bound.
     unsigned: Vec<Symbol>,
-}
-
-fn generated(name: &str) -> Result<Symbol, SymbolicError> {
-    Symbol::new(name).ok_or_else(|| SymbolicError::Name(name.into()))
 }
 
 impl Algebra {
@@ -187,7 +184,7 @@ impl Algebra {
             return Err(SymbolicError::Root(radicand.to_string()));
         }
         let name = name.unwrap_or_else(|| format!("r#{}", self.roots.len() + 1));
-        let s = generated(&name)?;
+        let s = Symbol::named(&name)?;
         self.roots.push((s, radicand));
         Ok(Fraction::symbol(s))
     }
@@ -203,7 +200,7 @@ impl Algebra {
             return Ok(Fraction::zero());
         }
         if f.den().terms().count() != 1 || !self.is_positive(f.den()) {
-            return Err(SymbolicError::Unsupported(format!("the root of {f}")));
+            return unsupported(format!("the root of {f}"));
         }
         // √(num/den) = √(num den)/den, den > 0.
         let p = f.num() * f.den();
@@ -212,9 +209,7 @@ impl Algebra {
             .into_iter()
             .find(|x| !self.is_positive_symbol(*x))
         {
-            return Err(SymbolicError::Unsupported(format!(
-                "a root of {x}, which may have any sign"
-            )));
+            return unsupported(format!("a root of {x}, which may have any sign"));
         }
         let mut out = f.inverse_of_denominator();
         let lead = p.leading();
@@ -297,7 +292,7 @@ impl Algebra {
         if let Some((g, _)) = self.antiderivatives.iter().find(|(_, y)| *y == z) {
             return Ok(Fraction::symbol(*g));
         }
-        let g = generated(&format!("G:{}", self.antiderivatives.len() + 1))?;
+        let g = Symbol::named(&format!("G:{}", self.antiderivatives.len() + 1))?;
         self.antiderivatives.push((g, z));
         Ok(Fraction::symbol(g))
     }
@@ -339,14 +334,12 @@ impl Algebra {
     pub fn conj(&self, e: &ExpSum) -> Result<ExpSum, SymbolicError> {
         let complex = |(s, p): &&(Symbol, Poly)| e.contains(*s) && !self.is_positive(p);
         if let Some((_, p)) = self.roots.iter().find(complex) {
-            return Err(SymbolicError::Unsupported(format!(
+            return unsupported(format!(
                 "the conjugate of the root of {p}, which may be negative"
-            )));
+            ));
         }
         if self.antiderivatives.iter().any(|(g, _)| e.contains(*g)) {
-            return Err(SymbolicError::Unsupported(
-                "the conjugate of an integral".into(),
-            ));
+            return unsupported("the conjugate of an integral");
         }
         Ok(e.conj())
     }

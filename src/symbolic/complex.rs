@@ -88,7 +88,7 @@ pub(super) fn antiderivative(z: &ComplexBall) -> Result<ComplexBall, SymbolicErr
         let term = power.magnitude();
         if r * r <= f64::from(k + 2) / 2.0 && term < small {
             let tail = term.shift(1);
-            return Ok(ComplexBall::new(sum.re.widened(tail), sum.im.widened(tail)));
+            return Ok(sum.widened(tail));
         }
     }
     Err(SymbolicError::Wide("an integral of e^(s^2)".into()))

@@ -87,12 +87,8 @@ fn node_edits(e: &Expr, family: &Family, out: &mut Edited) {
             for other in groups.flatten().filter(|o| *o != name) {
                 push(out, "symbol or index", e, Expr::Sym(other.clone()));
             }
-            push(
-                out,
-                "missing exponent",
-                e,
-                Expr::Pow(Box::new(e.clone()), 2),
-            );
+            let square = Expr::Pow(Box::new(e.clone()), 2);
+            push(out, "missing exponent", e, square);
         }
         Expr::Num(n) if n == "0" => {
             for name in &family.missing {
@@ -124,26 +120,15 @@ fn node_edits(e: &Expr, family: &Family, out: &mut Edited) {
                 push(out, "exponent", e, power);
             }
         }
-        Expr::Mul(factors) => {
-            for k in 0..factors.len() {
-                let mut rest = factors.clone();
+        Expr::Mul(parts) | Expr::Add(parts) => {
+            let (kind, of): (_, fn(_) -> _) = match e {
+                Expr::Mul(_) => ("superfluous factor", Expr::Mul),
+                _ => ("superfluous term", Expr::Add),
+            };
+            for k in 0..parts.len() {
+                let mut rest = parts.clone();
                 rest.remove(k);
-                let rest = match rest.len() {
-                    1 => rest.remove(0),
-                    _ => Expr::Mul(rest),
-                };
-                push(out, "superfluous factor", e, rest);
-            }
-        }
-        Expr::Add(terms) => {
-            for k in 0..terms.len() {
-                let mut rest = terms.clone();
-                rest.remove(k);
-                let rest = match rest.len() {
-                    1 => rest.remove(0),
-                    _ => Expr::Add(rest),
-                };
-                push(out, "superfluous term", e, rest);
+                push(out, kind, e, Expr::joined(rest, of));
             }
         }
         Expr::Div(a, b) => {

@@ -1,6 +1,7 @@
 //! Expressions in balls, straight from the data and without the algebra; normal forms in balls.
 
 use super::complex;
+use super::error::unsupported;
 use super::exact::Exact;
 use super::expr::{Bound, Expr, Func};
 use super::jet::Jets;
@@ -39,10 +40,6 @@ impl Point {
         let above = below / 2 + (hash >> 8) % below;
         Rational::from((above, below))
     }
-}
-
-fn gauss(c: &Gauss) -> ComplexBall {
-    ComplexBall::new(Ball::rational(BITS, &c.re), Ball::rational(BITS, &c.im))
 }
 
 /// Values of definitions and integrals at one point, for the many candidates of a search that
@@ -123,26 +120,23 @@ impl Enclosures<'_> {
     ) -> Result<ComplexBall, SymbolicError> {
         let mut jets = Jets { point: self.point };
         let mut inner = scope.with_values(|v| vec![v.clone()]);
-        inner
-            .bound
-            .push((bound.var.clone(), vec![from.clone(), step.clone()]));
-        let series = walk(&mut jets, &mut inner, &bound.body)?;
+        let path = vec![from.clone(), step.clone()];
+        let series = inner.binding(&bound.var, path, |scope| {
+            walk(&mut jets, scope, &bound.body)
+        })?;
         let mut sum = ComplexBall::zero(BITS);
         for (k, c) in series.iter().enumerate() {
             sum = &sum + &c.scaled(&Ball::integer(BITS, k as i64 + 1).recip());
         }
         let reach = Mag::from_f64(complex::size(step) * CIRCLE as f64);
-        let disc = ComplexBall::new(from.re.widened(reach), from.im.widened(reach));
-        scope.bound.push((bound.var.clone(), disc));
-        let on_disc = walk(self, scope, &bound.body);
-        scope.bound.pop();
+        let disc = from.widened(reach);
+        let on_disc = scope.binding(&bound.var, disc, |scope| walk(self, scope, &bound.body));
         let largest = on_disc?.magnitude();
         // Σ_{k≥N} R^{-k}/(k+1) ≤ R^{-N} (4/3)/(N+1).
         let n = Jets::ORDER as i64;
         let share = Mag::from_f64(4.0).div(Mag::from_f64(3.0 * (n + 1) as f64));
         let tail = largest.mul(share).shift(-n * i64::from(CIRCLE.ilog2()));
-        let out = ComplexBall::new(sum.re.widened(tail), sum.im.widened(tail));
-        Ok(&out * step)
+        Ok(&sum.widened(tail) * step)
     }
 }
 
@@ -150,7 +144,7 @@ impl Domain for Enclosures<'_> {
     type V = ComplexBall;
 
     fn constant(&mut self, c: &Gauss) -> ComplexBall {
-        gauss(c)
+        ComplexBall::rational(BITS, &c.re, &c.im)
     }
 
     fn symbol(&mut self, name: &str) -> Result<ComplexBall, SymbolicError> {
@@ -191,10 +185,8 @@ impl Domain for Enclosures<'_> {
                 let re = x.re.atan2(&Ball::integer(BITS, 1)).widened(off);
                 Ok(ComplexBall::new(re, Ball::integer(BITS, 0).widened(off)))
             }
-            Func::Arctan => Err(SymbolicError::Unsupported(
-                "arctan of a complex number".into(),
-            )),
-            Func::Sin | Func::Cos => Err(SymbolicError::Unsupported(f.name().into())),
+            Func::Arctan => unsupported("arctan of a complex number"),
+            Func::Sin | Func::Cos => unsupported(f.name()),
         }
     }
 
@@ -203,16 +195,11 @@ impl Domain for Enclosures<'_> {
         scope: &mut Scope<ComplexBall>,
         bound: &Bound,
     ) -> Result<ComplexBall, SymbolicError> {
-        let key = match (self.cache, scope.bound.is_empty()) {
-            (Some(cache), true) => {
-                let key = Expr::Int(Box::new(bound.clone())).to_string();
-                if let Some(found) = cache.get(&key) {
-                    return Ok(found);
-                }
-                Some(key)
-            }
-            _ => None,
-        };
+        let whole = Expr::Int(Box::new(bound.clone()));
+        let cache = self.cache.filter(|_| scope.bound.is_empty());
+        if let Some(found) = cache.and_then(|cache| cache.get(&whole.to_string())) {
+            return Ok(found);
+        }
         let a = walk(self, scope, &bound.from)?;
         let b = walk(self, scope, &bound.to)?;
         let step = &b - &a;
@@ -232,9 +219,8 @@ impl Domain for Enclosures<'_> {
                 break;
             }
         }
-        if let (Some(cache), Some(key), Ok(value)) = (self.cache, key, &found) {
-            let whole = Expr::Int(Box::new(bound.clone()));
-            cache.keep(scope.definitions, &whole, key, value);
+        if let (Some(cache), Ok(value)) = (cache, &found) {
+            cache.keep(scope.definitions, &whole, whole.to_string(), value);
         }
         found
     }
@@ -248,35 +234,11 @@ impl Domain for Enclosures<'_> {
             cache.keep(definitions, &Expr::Sym(name.into()), name.into(), value);
         }
     }
-
-    fn derivative(
-        &mut self,
-        _: &mut Scope<ComplexBall>,
-        _: &Expr,
-        by: &str,
-    ) -> Result<ComplexBall, SymbolicError> {
-        Err(SymbolicError::Unsupported(format!(
-            "a derivative by {by} in balls"
-        )))
-    }
 }
 
 /// Whether a derivative occurs, definitions followed.
 pub fn has_derivative(definitions: &Definitions, e: &Expr) -> bool {
-    fn look(definitions: &Definitions, e: &Expr, seen: &mut Vec<String>) -> bool {
-        if matches!(e, Expr::Diff(..)) {
-            return true;
-        }
-        if let Expr::Sym(name) = e
-            && let Some(body) = definitions.names.get(name)
-            && !seen.contains(name)
-        {
-            seen.push(name.clone());
-            return look(definitions, body, seen);
-        }
-        e.children().into_iter().any(|c| look(definitions, c, seen))
-    }
-    look(definitions, e, &mut Vec::new())
+    definitions.any(e, |e| matches!(e, Expr::Diff(..)))
 }
 
 /// An enclosure of an expression: straight from the data, or through the normal form where there is
@@ -332,7 +294,7 @@ fn enclose_poly(algebra: &Algebra, p: &Poly, point: &Point) -> Result<ComplexBal
     let mut values: BTreeMap<Symbol, ComplexBall> = BTreeMap::new();
     let mut sum = ComplexBall::zero(BITS);
     for (m, c) in p.terms() {
-        let mut product = gauss(c);
+        let mut product = ComplexBall::rational(BITS, &c.re, &c.im);
         for (x, k) in m {
             if !values.contains_key(x) {
                 values.insert(*x, enclose_symbol(algebra, *x, point)?);

@@ -30,3 +30,8 @@ pub enum SymbolicError {
     #[error("an enclosure is too wide for {0}")]
     Wide(String),
 }
+
+/// What is outside the algebra.
+pub(super) fn unsupported<T>(what: impl Into<String>) -> Result<T, SymbolicError> {
+    Err(SymbolicError::Unsupported(what.into()))
+}

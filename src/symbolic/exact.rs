@@ -1,5 +1,6 @@
 //! Expressions in the algebra: the normal form.
 
+use super::error::unsupported;
 use super::expr::{Bound, Expr, Func};
 use super::walk::{Definitions, Domain, Scope, walk};
 use super::{Algebra, Derivation, ExpSum, Fraction, Gauss, Poly, Symbol, SymbolicError};
@@ -42,7 +43,7 @@ impl Exact {
                 .into_iter()
                 .any(|q| self.algebra.hides(q, x));
             if p.den().contains(x) || parts.len() > 3 || c.den().contains(x) || hidden {
-                return Err(SymbolicError::Unsupported(format!("the integral of {f}")));
+                return unsupported(format!("the integral of {f}"));
             }
             let part = |k: usize| {
                 let over = parts.get(k).unwrap_or(&zero).clone();
@@ -60,7 +61,7 @@ impl Exact {
                 }
                 self.algebra.product(&sum.into(), &unit(&p0))
             } else if c.contains(x) {
-                return Err(SymbolicError::Unsupported(format!("the integral of {f}")));
+                return unsupported(format!("the integral of {f}"));
             } else if p2.is_zero() {
                 let ends = &unit(&(&p1 * b)) - &unit(&(&p1 * a));
                 let ends = self.algebra.quotient(&ends, &p1.into())?;
@@ -97,9 +98,7 @@ impl Exact {
                 let hidden = |q: &Poly| q.contains(x) || self.algebra.hides(q, x);
                 let mut roots = roots.filter(|(r, q)| r == s && hidden(q));
                 if roots.next().is_some() {
-                    return Err(SymbolicError::Unsupported(format!(
-                        "a value of {x} under a root"
-                    )));
+                    return unsupported(format!("a value of {x} under a root"));
                 }
                 let integrals = self.algebra.antiderivatives();
                 let found = integrals.iter().find(|(g, _)| g == s).cloned();
@@ -144,9 +143,7 @@ impl Exact {
             !own && (v.contains(x) || v.terms().any(|(p, c)| hides(p) || hides(c)))
         });
         match captured {
-            true => Err(SymbolicError::Unsupported(format!(
-                "{x} inside of what is bound to a value of it"
-            ))),
+            true => unsupported(format!("{x} inside of what is bound to a value of it")),
             false => Ok(()),
         }
     }
@@ -165,7 +162,7 @@ impl Domain for Exact {
     }
 
     fn symbol(&mut self, name: &str) -> Result<ExpSum, SymbolicError> {
-        let x = Symbol::new(name).ok_or_else(|| SymbolicError::Name(name.into()))?;
+        let x = Symbol::named(name)?;
         Ok(ExpSum::symbol(x))
     }
 
@@ -221,12 +218,10 @@ impl Domain for Exact {
                     let theta = p * &minus_i;
                     (positive && theta == theta.conj()).then_some(theta)
                 });
-                found
-                    .map(ExpSum::from)
-                    .ok_or_else(|| SymbolicError::Unsupported("an argument".into()))
+                found.map_or_else(|| unsupported("an argument"), |theta| Ok(theta.into()))
             }
-            Func::Arctan => Err(SymbolicError::Unsupported("an arc tangent".into())),
-            Func::Sin | Func::Cos => Err(SymbolicError::Unsupported(f.name().into())),
+            Func::Arctan => unsupported("an arc tangent"),
+            Func::Sin | Func::Cos => unsupported(f.name()),
         }
     }
 
@@ -240,10 +235,10 @@ impl Domain for Exact {
         let (a, b) = (self.fraction(&a, "a limit")?, self.fraction(&b, "a limit")?);
         // A name that cannot be typed and differs by depth, so that no limit is caught.
         let name = format!("${}", scope.bound.len());
-        let x = Symbol::new(&name).ok_or(SymbolicError::Name(name))?;
-        scope.bound.push((bound.var.clone(), ExpSum::symbol(x)));
-        let f = Algebra::unsigned(self, x, |exact| walk(exact, scope, &bound.body));
-        scope.bound.pop();
+        let x = Symbol::named(&name)?;
+        let f = scope.binding(&bound.var, ExpSum::symbol(x), |scope| {
+            Algebra::unsigned(self, x, |exact| walk(exact, scope, &bound.body))
+        });
         self.definite(&f?, x, &a, &b)
     }
 
@@ -253,24 +248,22 @@ impl Domain for Exact {
         body: &Expr,
         by: &str,
     ) -> Result<ExpSum, SymbolicError> {
-        let x = Symbol::new(by).ok_or_else(|| SymbolicError::Name(by.into()))?;
+        let x = Symbol::named(by)?;
         let mut d = Derivation::from([(x, ExpSum::integer(1))]);
         let definitions = scope.definitions;
         for (symbol, image) in definitions.derivations.get(by).into_iter().flatten() {
             let image = walk(self, scope, image)?;
-            let s = Symbol::new(symbol).ok_or_else(|| SymbolicError::Name(symbol.clone()))?;
+            let s = Symbol::named(symbol)?;
             d.insert(s, image);
         }
         d.keys().try_for_each(|s| self.is_free(scope, *s))?;
         let bound = scope.bound.iter().rev().find(|b| b.0 == by);
         if bound.is_some_and(|b| b.1 != ExpSum::symbol(x)) {
-            return Err(SymbolicError::Unsupported(format!(
+            return unsupported(format!(
                 "a derivative by {by}, which is bound outside of it"
-            )));
+            ));
         }
-        scope.bound.push((by.into(), ExpSum::symbol(x)));
-        let f = walk(self, scope, body);
-        scope.bound.pop();
+        let f = scope.binding(by, ExpSum::symbol(x), |scope| walk(self, scope, body));
         self.algebra.derive(&f?, &d)
     }
 
@@ -284,16 +277,13 @@ impl Domain for Exact {
         value: ExpSum,
     ) -> Result<ExpSum, SymbolicError> {
         let Some(value) = value.as_fraction() else {
-            scope.bound.push((symbol.into(), value));
-            let out = walk(self, scope, body);
-            scope.bound.pop();
-            return out;
+            return scope.binding(symbol, value, |scope| walk(self, scope, body));
         };
-        let x = Symbol::new(symbol).ok_or_else(|| SymbolicError::Name(symbol.into()))?;
+        let x = Symbol::named(symbol)?;
         self.is_free(scope, x)?;
-        scope.bound.push((symbol.into(), ExpSum::symbol(x)));
-        let f = Algebra::unsigned(self, x, |exact| walk(exact, scope, body));
-        scope.bound.pop();
+        let f = scope.binding(symbol, ExpSum::symbol(x), |scope| {
+            Algebra::unsigned(self, x, |exact| walk(exact, scope, body))
+        });
         let mut out = ExpSum::zero();
         for (p, c) in f?.terms() {
             let p = self.fraction_at(p, x, &value)?;

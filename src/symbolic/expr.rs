@@ -103,6 +103,14 @@ pub const HARMONICS: i64 = 3;
 pub(super) const EACH: &str = "each";
 
 impl Expr {
+    /// A sum or a product, or its only part.
+    pub(super) fn joined(mut parts: Vec<Expr>, of: fn(Vec<Expr>) -> Expr) -> Expr {
+        match parts.len() {
+            1 => parts.remove(0),
+            _ => of(parts),
+        }
+    }
+
     /// The children, in order.
     pub fn children(&self) -> Vec<&Expr> {
         match self {

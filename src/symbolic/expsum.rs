@@ -52,22 +52,15 @@ impl ExpSum {
     }
 
     pub(super) fn accumulate(&mut self, c: Fraction, p: Fraction) {
-        use std::collections::btree_map::Entry;
-        if c.is_zero() {
+        let Some(old) = self.terms.get_mut(&p) else {
+            if !c.is_zero() {
+                self.terms.insert(p, c);
+            }
             return;
-        }
-        match self.terms.entry(p) {
-            Entry::Vacant(v) => {
-                v.insert(c);
-            }
-            Entry::Occupied(mut o) => {
-                let sum = o.get() + &c;
-                if sum.is_zero() {
-                    o.remove();
-                } else {
-                    *o.get_mut() = sum;
-                }
-            }
+        };
+        *old = &*old + &c;
+        if old.is_zero() {
+            self.terms.remove(&p);
         }
     }
 
@@ -91,12 +84,11 @@ impl ExpSum {
 
     /// Its value if no exponential is left.
     pub fn as_fraction(&self) -> Option<Fraction> {
-        match self.terms.len() {
-            0 => Some(Fraction::zero()),
-            _ => self
-                .as_single()
-                .and_then(|(p, c)| p.is_zero().then(|| c.clone())),
+        if self.is_zero() {
+            return Some(Fraction::zero());
         }
+        let (p, c) = self.as_single()?;
+        p.is_zero().then(|| c.clone())
     }
 
     /// The inverse of a single term; `None` of zero and of proper sums, whose inverses are not

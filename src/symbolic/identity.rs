@@ -58,41 +58,35 @@ impl Identity {
         let mut exact = Exact::default();
         let form = exact.value(definitions, &difference);
         let residual = form.as_ref().ok().map(|f| exact.algebra.text(f));
-        if form.as_ref().is_ok_and(ExpSum::is_zero) {
-            return Identity {
-                outcome: Outcome::Proved,
-                residual,
-                witness: None,
-                error: None,
-            };
-        }
-        for turn in 0..POINTS {
+        let proved = form.as_ref().is_ok_and(ExpSum::is_zero);
+        let points = if proved { 0 } else { POINTS };
+        let witness = (0..points).find_map(|turn| {
             let point = Point {
                 turn,
                 ..point.clone()
             };
-            let Ok(value) = enclose_either(definitions, &difference, &form, &exact.algebra, &point)
-            else {
-                continue;
+            let value = match &form {
+                Ok(form) if has_derivative(definitions, &difference) => {
+                    enclose_form(&exact.algebra, form, &point)
+                }
+                _ => enclose(definitions, &difference, &point),
             };
-            if excludes_zero(&value) {
-                let witness = Witness {
-                    point: coordinates(definitions, &difference, &point),
-                    residual: exactly(&form, &exact.algebra, &point)
-                        .unwrap_or_else(|| digits(&value)),
-                };
-                return Identity {
-                    outcome: Outcome::Refuted,
-                    residual,
-                    witness: Some(witness),
-                    error: form.err(),
-                };
-            }
-        }
+            let value = value.ok().filter(excludes_zero)?;
+            let exactly = exactly(&form, &exact.algebra, &point);
+            Some(Witness {
+                point: coordinates(definitions, &difference, &point),
+                residual: exactly.unwrap_or_else(|| digits(&value)),
+            })
+        });
+        let outcome = match &witness {
+            _ if proved => Outcome::Proved,
+            Some(_) => Outcome::Refuted,
+            None => Outcome::Undecided,
+        };
         Identity {
-            outcome: Outcome::Undecided,
+            outcome,
             residual,
-            witness: None,
+            witness,
             error: form.err(),
         }
     }
@@ -107,19 +101,6 @@ fn difference(equation: &Equation) -> Expr {
 
 fn excludes_zero(z: &ComplexBall) -> bool {
     !z.re.contains_zero() || !z.im.contains_zero()
-}
-
-fn enclose_either(
-    definitions: &Definitions,
-    difference: &Expr,
-    form: &Result<ExpSum, SymbolicError>,
-    algebra: &Algebra,
-    point: &Point,
-) -> Result<ComplexBall, SymbolicError> {
-    match form {
-        Ok(form) if has_derivative(definitions, difference) => enclose_form(algebra, form, point),
-        _ => enclose(definitions, difference, point),
-    }
 }
 
 /// The exact value at the point, if nothing but rational numbers enters.
@@ -189,10 +170,9 @@ fn coordinates(definitions: &Definitions, e: &Expr, point: &Point) -> Vec<(Strin
         }
         match e {
             Expr::Int(b) | Expr::Sum(b) => {
-                inner.remove(&b.var);
-                inner.remove("inf");
-                inner.remove("each");
-                inner.remove("n_num");
+                for bound in [&b.var, "inf", "each", "n_num"] {
+                    inner.remove(bound);
+                }
             }
             Expr::At(_, s, _) => {
                 inner.remove(s);

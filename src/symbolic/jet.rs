@@ -2,7 +2,8 @@
 
 use super::complex;
 use super::enclosure::{BITS, Enclosures, Point};
-use super::expr::{Bound, Expr, Func};
+use super::error::unsupported;
+use super::expr::{Bound, Func};
 use super::walk::{Domain, Scope};
 use super::{Gauss, SymbolicError};
 use mechaudit_reference::{Ball, ComplexBall};
@@ -23,9 +24,7 @@ type Series = Vec<ComplexBall>;
 fn number<'a>(x: &'a Series, what: &str) -> Result<&'a ComplexBall, SymbolicError> {
     match x.as_slice() {
         [c] => Ok(c),
-        _ => Err(SymbolicError::Unsupported(format!(
-            "{what} under an integral"
-        ))),
+        _ => unsupported(format!("{what} under an integral")),
     }
 }
 
@@ -93,20 +92,7 @@ impl Domain for Jets<'_> {
     }
 
     fn integral(&mut self, _: &mut Scope<Series>, _: &Bound) -> Result<Series, SymbolicError> {
-        Err(SymbolicError::Unsupported(
-            "an integral under an integral".into(),
-        ))
-    }
-
-    fn derivative(
-        &mut self,
-        _: &mut Scope<Series>,
-        _: &Expr,
-        by: &str,
-    ) -> Result<Series, SymbolicError> {
-        Err(SymbolicError::Unsupported(format!(
-            "a derivative by {by} in balls"
-        )))
+        unsupported("an integral under an integral")
     }
 }
 

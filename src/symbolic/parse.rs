@@ -61,6 +61,15 @@ impl Parser {
         found
     }
 
+    /// The characters from here on that are so.
+    fn run(&mut self, is_so: impl Fn(&char) -> bool) -> String {
+        let start = self.at;
+        while self.text.get(self.at).is_some_and(&is_so) {
+            self.at += 1;
+        }
+        self.text[start..self.at].iter().collect()
+    }
+
     fn failed<T>(&self, reason: impl Into<String>) -> Result<T, SymbolicError> {
         Err(SymbolicError::Parse {
             at: self.at,
@@ -103,10 +112,7 @@ impl Parser {
             }
         }
         self.depth -= 1;
-        Ok(match terms.len() {
-            1 => terms.remove(0),
-            _ => Expr::Add(terms),
-        })
+        Ok(Expr::joined(terms, Expr::Add))
     }
 
     fn signed(&mut self) -> Result<Expr, SymbolicError> {
@@ -119,20 +125,17 @@ impl Parser {
     fn product(&mut self) -> Result<Expr, SymbolicError> {
         let depth = self.depth;
         let mut factors = vec![self.power()?];
-        let joined = |mut f: Vec<Expr>| match f.len() {
-            1 => f.remove(0),
-            _ => Expr::Mul(f),
-        };
         loop {
             if self.taken('*') {
                 factors.push(self.power()?);
             } else if self.taken('/') {
                 self.deeper("too many quotients")?;
                 let below = self.power()?;
-                factors = vec![Expr::Div(Box::new(joined(factors)), Box::new(below))];
+                let above = Expr::joined(factors, Expr::Mul);
+                factors = vec![Expr::Div(Box::new(above), Box::new(below))];
             } else {
                 self.depth = depth;
-                return Ok(joined(factors));
+                return Ok(Expr::joined(factors, Expr::Mul));
             }
         }
     }
@@ -145,12 +148,7 @@ impl Parser {
         let bracket = self.taken('(');
         let sign = if bracket && self.taken('-') { -1 } else { 1 };
         self.peek();
-        let start = self.at;
-        while self.text.get(self.at).is_some_and(char::is_ascii_digit) {
-            self.at += 1;
-        }
-        let digits: String = self.text[start..self.at].iter().collect();
-        let Ok(k) = digits.parse::<i32>() else {
+        let Ok(k) = self.run(char::is_ascii_digit).parse::<i32>() else {
             return self.failed("expected an integer exponent");
         };
         if k > 1000 {
@@ -166,16 +164,9 @@ impl Parser {
         if !self.peek().is_some_and(|c| c.is_ascii_alphabetic()) {
             return self.failed("expected a name");
         }
-        let start = self.at;
-        let part = |c: &char| c.is_ascii_alphanumeric() || matches!(c, '_' | '\'');
-        while self.text.get(self.at).is_some_and(part) {
-            self.at += 1;
-        }
-        let name: String = self.text[start..self.at].iter().collect();
-        match Symbol::new(&name) {
-            Some(_) => Ok(name),
-            None => Err(SymbolicError::Name(name)),
-        }
+        let name = self.run(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '\''));
+        Symbol::named(&name)?;
+        Ok(name)
     }
 
     fn atom(&mut self) -> Result<Expr, SymbolicError> {
@@ -187,12 +178,7 @@ impl Parser {
                 Ok(inner)
             }
             Some(c) if c.is_ascii_digit() => {
-                let start = self.at;
-                let part = |c: &char| c.is_ascii_digit() || *c == '.';
-                while self.text.get(self.at).is_some_and(part) {
-                    self.at += 1;
-                }
-                let digits: String = self.text[start..self.at].iter().collect();
+                let digits = self.run(|c| c.is_ascii_digit() || *c == '.');
                 if digits.matches('.').count() > 1 || digits.ends_with('.') {
                     return self.failed("expected a decimal number");
                 }
@@ -207,6 +193,12 @@ impl Parser {
         }
     }
 
+    /// An argument that is not the first.
+    fn next(&mut self) -> Result<Expr, SymbolicError> {
+        self.expect(',')?;
+        self.sum()
+    }
+
     fn named(&mut self, name: String) -> Result<Expr, SymbolicError> {
         if let Some((f, _)) = Func::ALL.iter().find(|f| f.1 == name) {
             self.expect('(')?;
@@ -219,13 +211,8 @@ impl Parser {
             "int" | "sum" => {
                 self.expect('(')?;
                 let var = self.name()?;
-                let mut parts = Vec::new();
-                for _ in 0..3 {
-                    self.expect(',')?;
-                    parts.push(self.sum()?);
-                }
+                let [from, to, body] = [self.next()?, self.next()?, self.next()?];
                 self.expect(')')?;
-                let [from, to, body] = parts.try_into().unwrap_or([Expr::I, Expr::I, Expr::I]);
                 let bound = Box::new(Bound {
                     var,
                     from,
@@ -240,8 +227,7 @@ impl Parser {
             "series" => {
                 self.expect('(')?;
                 let var = self.name()?;
-                self.expect(',')?;
-                let body = self.sum()?;
+                let body = self.next()?;
                 self.expect(')')?;
                 Ok(Expr::Sum(Box::new(Bound {
                     var,
@@ -262,8 +248,7 @@ impl Parser {
                 let x = self.sum()?;
                 self.expect(',')?;
                 let symbol = self.name()?;
-                self.expect(',')?;
-                let value = self.sum()?;
+                let value = self.next()?;
                 self.expect(')')?;
                 Ok(Expr::At(Box::new(x), symbol, Box::new(value)))
             }

@@ -72,22 +72,15 @@ impl Poly {
     }
 
     fn accumulate(&mut self, m: Monomial, c: &Gauss) {
-        use std::collections::btree_map::Entry;
-        if c.is_zero() {
+        let Some(old) = self.terms.get_mut(&m) else {
+            if !c.is_zero() {
+                self.terms.insert(m, c.clone());
+            }
             return;
-        }
-        match self.terms.entry(m) {
-            Entry::Vacant(v) => {
-                v.insert(c.clone());
-            }
-            Entry::Occupied(mut o) => {
-                let sum = o.get() + c;
-                if sum.is_zero() {
-                    o.remove();
-                } else {
-                    *o.get_mut() = sum;
-                }
-            }
+        };
+        *old = &*old + c;
+        if old.is_zero() {
+            self.terms.remove(&m);
         }
     }
 
@@ -133,15 +126,20 @@ impl Poly {
         self.terms.keys().flatten().any(|(y, _)| *y == x)
     }
 
+    /// With other coefficients, none of which is zero.
+    fn mapped(&self, f: impl Fn(&Gauss) -> Gauss) -> Poly {
+        let terms = self.terms.iter().map(|(m, c)| (m.clone(), f(c)));
+        Poly {
+            terms: terms.collect(),
+        }
+    }
+
     /// Multiplied by a constant.
     pub fn scaled(&self, c: &Gauss) -> Poly {
         if c.is_zero() {
             return Poly::zero();
         }
-        let terms = self.terms.iter();
-        Poly {
-            terms: terms.map(|(m, a)| (m.clone(), a * c)).collect(),
-        }
+        self.mapped(|a| a * c)
     }
 
     /// `self^k`.
@@ -199,10 +197,7 @@ impl Poly {
 
     /// Conjugated, all symbols being real.
     pub fn conj(&self) -> Poly {
-        let terms = self.terms.iter();
-        Poly {
-            terms: terms.map(|(m, c)| (m.clone(), c.conj())).collect(),
-        }
+        self.mapped(Gauss::conj)
     }
 
     /// The quotient if `d` divides exactly; `None` otherwise or for `d = 0`.
@@ -282,14 +277,11 @@ impl fmt::Display for Poly {
             return f.write_str("0");
         }
         for (k, (m, c)) in self.terms.iter().enumerate() {
-            let factors: Vec<String> = m
-                .iter()
-                .map(|(x, e)| match e {
-                    1 => x.name(),
-                    e => format!("{x}^{e}"),
-                })
-                .collect();
-            let product = factors.join("*");
+            let power = |(x, e): &(Symbol, u32)| match e {
+                1 => x.name(),
+                e => format!("{x}^{e}"),
+            };
+            let product = m.iter().map(power).collect::<Vec<_>>().join("*");
             let text = match (c.to_string().as_str(), product.as_str()) {
                 (c, "") => c.to_string(),
                 ("1", p) => p.to_string(),

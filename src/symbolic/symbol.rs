@@ -1,5 +1,6 @@
 //! Names of indeterminates.
 
+use super::SymbolicError;
 use std::fmt;
 
 /// An indeterminate. Names have up to 16 ASCII characters and are ordered as text, so that normal
@@ -20,6 +21,14 @@ impl Symbol {
             bytes[..name.len()].copy_from_slice(name.as_bytes());
             Symbol(u128::from_be_bytes(bytes))
         })
+    }
+
+    /// The symbol of that name.
+    ///
+    /// # Errors
+    /// [`SymbolicError::Name`] if there is none.
+    pub(super) fn named(name: &str) -> Result<Symbol, SymbolicError> {
+        Symbol::new(name).ok_or_else(|| SymbolicError::Name(name.into()))
     }
 
     /// Its name.

@@ -1,5 +1,6 @@
 //! One way through an expression for every kind of value.
 
+use super::error::unsupported;
 use super::expr::{Bound, EACH, Expr, Func, HARMONICS};
 use super::{Gauss, SymbolicError, parse};
 use rug::Rational;
@@ -22,15 +23,23 @@ impl Definitions {
 
     /// Whether one of the names occurs in the expression, definitions and derivations followed.
     pub fn reaches(&self, e: &Expr, names: &[&str]) -> bool {
+        self.any(
+            e,
+            |e| matches!(e, Expr::Sym(name) if names.contains(&name.as_str())),
+        )
+    }
+
+    /// Whether something is so of a part of the expression, definitions and derivations followed.
+    pub(super) fn any(&self, e: &Expr, is_so: impl Fn(&Expr) -> bool) -> bool {
         let mut open = vec![e];
         let mut seen: BTreeSet<&str> = BTreeSet::new();
         while let Some(e) = open.pop() {
+            if is_so(e) {
+                return true;
+            }
             if let Expr::Sym(name) = e
                 && seen.insert(name)
             {
-                if names.contains(&name.as_str()) {
-                    return true;
-                }
                 open.extend(self.names.get(name));
             }
             if let Expr::Diff(_, by) = e {
@@ -91,6 +100,19 @@ impl<'a, V> Scope<'a, V> {
         }
     }
 
+    /// What is made where a name is bound.
+    pub(super) fn binding<T>(
+        &mut self,
+        name: &str,
+        value: V,
+        f: impl FnOnce(&mut Scope<'a, V>) -> T,
+    ) -> T {
+        self.bound.push((name.into(), value));
+        let out = f(self);
+        self.bound.pop();
+        out
+    }
+
     /// The same scope with other values.
     pub fn with_values<U>(&self, f: impl Fn(&V) -> U) -> Scope<'a, U> {
         Scope {
@@ -127,13 +149,15 @@ pub trait Domain: Sized {
         scope: &mut Scope<Self::V>,
         bound: &Bound,
     ) -> Result<Self::V, SymbolicError>;
-    /// A derivative.
+    /// A derivative; of balls there is none.
     fn derivative(
         &mut self,
-        scope: &mut Scope<Self::V>,
-        body: &Expr,
+        _scope: &mut Scope<Self::V>,
+        _body: &Expr,
         by: &str,
-    ) -> Result<Self::V, SymbolicError>;
+    ) -> Result<Self::V, SymbolicError> {
+        unsupported(format!("a derivative by {by} in balls"))
+    }
     /// The value of a definition that was kept before.
     fn recall(&mut self, _name: &str) -> Option<Self::V> {
         None
@@ -148,10 +172,7 @@ pub trait Domain: Sized {
         symbol: &str,
         value: Self::V,
     ) -> Result<Self::V, SymbolicError> {
-        scope.bound.push((symbol.into(), value));
-        let out = walk(self, scope, body);
-        scope.bound.pop();
-        out
+        scope.binding(symbol, value, |scope| walk(self, scope, body))
     }
 }
 
@@ -194,7 +215,7 @@ pub fn walk<D: Domain>(
         Expr::Index(name, index) => match (integer(scope, index), &**index) {
             (Some(k), _) => named(d, scope, &format!("{name}_{k}")),
             (None, Expr::Sym(s)) => named(d, scope, &format!("{name}_{s}")),
-            _ => Err(SymbolicError::Unsupported(format!("the index {index}"))),
+            _ => unsupported(format!("the index {index}")),
         },
         Expr::Neg(x) => {
             let x = walk(d, scope, x)?;
@@ -257,16 +278,14 @@ pub fn walk<D: Domain>(
         Expr::Sum(bound) => {
             let limits = (integer(scope, &bound.from), integer(scope, &bound.to));
             let (Some(from), Some(to)) = limits else {
-                return Err(SymbolicError::Unsupported("the limits of a sum".into()));
+                return unsupported("the limits of a sum");
             };
             let mut sum = d.constant(&Gauss::default());
             for k in from..=to {
                 let value = d.constant(&Gauss::real(k));
-                scope.bound.push((bound.var.clone(), value));
                 scope.indices.push((bound.var.clone(), k));
-                let x = walk(d, scope, &bound.body);
+                let x = scope.binding(&bound.var, value, |scope| walk(d, scope, &bound.body));
                 scope.indices.pop();
-                scope.bound.pop();
                 sum = d.add(&sum, &x?);
             }
             Ok(sum)

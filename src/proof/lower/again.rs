@@ -38,10 +38,10 @@
 
 use super::exponential::U;
 use super::phase::REDUCED;
-use super::reflection::TWO_52;
 use crate::ProofError;
-use crate::bounds::{above, exp_up, power_up};
+use crate::bounds::{above, exp_up, power_up, rational};
 use crate::form::power_of_two;
+use crate::formula::TWO_52;
 use crate::interval::{down, hypot_up, larger, product_up, quotient_up, sum_up, up};
 use mechaudit_reference::{Ball, Mag};
 use mechaudit_solvers::faddeeva::proof::lower as code;
@@ -72,9 +72,8 @@ pub struct Again {
     pub long: f64,
 }
 
-fn rational([hi, lo]: [f64; 2]) -> Rational {
-    let part = |x| Rational::from_f64(x).expect("finite");
-    part(hi) + part(lo)
+fn pair([hi, lo]: [f64; 2]) -> Rational {
+    rational(hi) + rational(lo)
 }
 
 /// `|stored − exact|`.
@@ -108,7 +107,7 @@ fn series(c: &[([f64; 2], Rational)], y: f64, dy: f64) -> [f64; 2] {
                 if j + 1 == PAIRS {
                     error = quotient_up(error, U);
                 }
-                let constant = Rational::from(&rational(*stored) - exact).abs();
+                let constant = Rational::from(&pair(*stored) - exact).abs();
                 error = sum(&[
                     error,
                     product_up(dy, before),
@@ -140,7 +139,7 @@ fn left_out(y: f64, n: u32, m: u32) -> f64 {
 /// `e^x` in pairs without the error of x, as a part of it, in units of u².
 fn exponential(c: &code::Again) -> f64 {
     let ln_2 = Ball::integer(BITS, 2).ln();
-    let parts = rational([c.ln_2[0], c.ln_2[1]]) + rational([c.ln_2[2], 0.0]);
+    let parts: Rational = c.ln_2.into_iter().map(rational).sum();
     let reduction = product_up(HALF_LN_2, sum(&[ADD, ADD, ADD_F]));
     let reduction = sum_up(reduction, units(product_up(2200.0, off(&parts, &ln_2))));
     let (y, dy) = (up(HALF_LN_2 / 8.0), up(reduction / 8.0));
@@ -189,8 +188,7 @@ fn circle(c: &code::Again, dr: f64) -> f64 {
 
 /// A phase of at most that many quarters less a multiple of π/2, in units of u².
 fn reduction(half_pi: [f64; 3], quarters: f64) -> f64 {
-    let [p, q, r] = half_pi;
-    let parts = rational([p, q]) + rational([r, 0.0]);
+    let parts: Rational = half_pi.into_iter().map(rational).sum();
     let left = product_up(quarters, off(&parts, &Ball::pi(BITS).shift(-1)));
     sum_up(product_up(REDUCED, sum(&[ADD, ADD, ADD_F])), units(left))
 }
@@ -219,7 +217,7 @@ fn sums(c: &code::Again) -> Result<f64, ProofError> {
             let exact = &(&exact * &Ball::rational(BITS, &step)) * &Ball::pi(BITS).recip();
             let [hi, lo] = c.weights[rule].map(|part| part[k]);
             let weight = above(&exact);
-            let missing = units(quotient_up(off(&rational([hi, lo]), &exact), down(weight)));
+            let missing = units(quotient_up(off(&pair([hi, lo]), &exact), down(weight)));
             let t = up(t.to_f64());
             let by = sum_up(1.0, quotient_up(t, distance));
             let factor = sum(&[product_up(9.03, by), 80.0, product_up(1.01, missing)]);
@@ -296,10 +294,10 @@ impl Again {
         let of_two_pi: Vec<f64> = [pi, part]
             .iter()
             .zip(c.two_pi)
-            .map(|(exact, (hi, lo))| units(quotient_up(off(&rational([hi, lo]), exact), down(hi))))
+            .map(|(exact, (hi, lo))| units(quotient_up(off(&pair([hi, lo]), exact), down(hi))))
             .collect();
         let (hi, lo) = c.inverse_sqrt_pi;
-        let of_root = units(2.0 * off(&rational([hi, lo]), &Ball::pi(BITS).sqrt().recip()));
+        let of_root = units(2.0 * off(&pair([hi, lo]), &Ball::pi(BITS).sqrt().recip()));
         if !(are_pairs(&of_two_pi) && are_pairs(&[of_root])) {
             return Err("2π or 1/√π in pairs are wrong".into());
         }

@@ -12,13 +12,12 @@
 //!   leaves w(−z) out, below 10⁻¹⁰⁰.
 
 use super::exponential::Exponential;
-use super::reflection::TWO_52;
 use crate::ProofError;
 use crate::bounds::exp_up;
 use crate::certificate::Watch;
 use crate::code::Code;
 use crate::cover::Rectangle;
-use crate::formula::Formula;
+use crate::formula::{Formula, TWO_52};
 use crate::interval::{self, down, larger, quotient_up, up};
 use crate::prove::{self, Certificate, Target};
 use mechaudit_solvers::faddeeva::proof::lower::Limits;

@@ -20,7 +20,7 @@
 use super::phase::{self, Phase};
 use crate::ProofError;
 use crate::exact::Exact;
-use crate::form::{exponent, power_of_two};
+use crate::form::{Form, exponent, power_of_two};
 use crate::interval::{Interval, hypot_up, larger, product_up, quotient_up, sum_up, up};
 use crate::tracked::{Rounding, Setting, Tracked, evaluate};
 use crate::truncation::exponential_error;
@@ -154,25 +154,14 @@ fn relative(error: f64, exact: Interval) -> f64 {
 
 /// Any number within `r` of zero.
 pub(super) fn around_zero(r: f64) -> Tracked {
-    use crate::form::Form;
-    Tracked::of(Form::exact(
-        Exact::within(Interval::new(-r, r)),
-        i32::MIN / 4,
-    ))
-}
-
-fn setting(rounding: Rounding) -> Setting<'static> {
-    Setting {
-        sigma: Exact::ZERO,
-        constants: &[],
-        rounding,
-    }
+    let any = Exact::within(Interval::new(-r, r));
+    Tracked::of(Form::exact(any, i32::MIN / 4))
 }
 
 /// `e^x` over an interval of its leading part, each error as a part of it.
 fn of_exp(f: &Factors, at: [f64; 2]) -> Result<Errors, &'static str> {
     let relative = |r: crate::tracked::Result| relative(r.error, r.exact);
-    let both = evaluate(setting(f.rounding), || {
+    let both = evaluate(Setting::new(&[], f.rounding), || {
         let h = Tracked::input(0, at);
         let l = around_zero(if f.low_part { low(at) } else { 0.0 });
         let ((hi, lo), _) = code::exp((h, l));
@@ -182,7 +171,7 @@ fn of_exp(f: &Factors, at: [f64; 2]) -> Result<Errors, &'static str> {
             ..Errors::default()
         }
     })?;
-    let short = evaluate(setting(f.rounding), || Errors {
+    let short = evaluate(Setting::new(&[], f.rounding), || Errors {
         short: relative(code::exp_short(Tracked::input(0, at)).0.result()),
         ..Errors::default()
     })?;
@@ -234,7 +223,7 @@ fn of_circle(
 ) -> Result<Errors, &'static str> {
     let (x, l) = (Interval::new(at[0], at[1]).magnitude(), low(at));
     let error = |s: crate::tracked::Result, c: crate::tracked::Result| [s.error, c.error];
-    let both = evaluate(setting(f.rounding), || {
+    let both = evaluate(Setting::new(&[], f.rounding), || {
         let r = (Tracked::input(0, at), around_zero(l));
         let [(sh, sl), (ch, cl)] = code::sin_cos(r);
         let (s, c) = code::sin_cos_rounded(r);

@@ -11,7 +11,7 @@
 
 use super::exponential::{U, around_zero};
 use crate::ProofError;
-use crate::bounds::above;
+use crate::bounds::{above, power_up, rational};
 use crate::exact::Exact;
 use crate::form::{Form, power_of_two};
 use crate::interval::{Interval, hypot_up, larger, product_up, sum_up, up};
@@ -36,15 +36,9 @@ pub(super) struct Phase {
     pub boxes: usize,
 }
 
-fn rational(x: f64) -> Rational {
-    Rational::from_f64(x).expect("finite")
-}
-
 /// `|π/2 − Σ parts|`.
 fn left_of_half_pi(parts: &[f64]) -> f64 {
-    let sum = parts
-        .iter()
-        .fold(Rational::new(), |sum, x| sum + rational(*x));
+    let sum: Rational = parts.iter().copied().map(rational).sum();
     above(&(&Ball::pi(BITS).shift(-1) - &Ball::rational(BITS, &sum)))
 }
 
@@ -89,14 +83,6 @@ fn pieces() -> impl Iterator<Item = [f64; 2]> {
     (0..PIECES).map(move |i| [at(i), at(i + 1)])
 }
 
-fn setting(rounding: Rounding) -> Setting<'static> {
-    Setting {
-        sigma: Exact::ZERO,
-        constants: &[],
-        rounding,
-    }
-}
-
 /// 0, 1, and the binades from 2 on below `most`.
 fn binades(most: f64) -> Vec<[f64; 2]> {
     let mut all = vec![[0.0; 2], [1.0; 2]];
@@ -119,7 +105,7 @@ impl Phase {
         let mut error: f64 = power_of_two(-100);
         let mut boxes = 0;
         for k in binades(quarters) {
-            let ways = evaluate(setting(rounding), || {
+            let ways = evaluate(Setting::new(&[], rounding), || {
                 let (theta, k) = reducible(h0, k, reduced());
                 let (hi, lo) = code::without_quarters(theta, k);
                 hi.exact_sum(lo).error
@@ -133,7 +119,7 @@ impl Phase {
         let mut short: f64 = 0.0;
         for k in binades(SHORT) {
             for rest in pieces() {
-                let ways = evaluate(setting(rounding), || {
+                let ways = evaluate(Setting::new(&[], rounding), || {
                     let (theta, k) = reducible(h0, k, rest);
                     let (s, c) = code::sin_cos_short(theta, k);
                     hypot_up(s.result().error, c.result().error)
@@ -193,19 +179,13 @@ fn difference(c: &[Rational], first: u32, sign: i32) -> f64 {
     let (mut sum, mut n) = (0.0, first);
     for stored in c {
         let off = Rational::from(stored - &exact).abs();
-        sum = sum_up(
-            sum,
-            product_up(up(off.to_f64()), crate::bounds::power_up(REDUCED, n)),
-        );
+        sum = sum_up(sum, product_up(up(off.to_f64()), power_up(REDUCED, n)));
         exact /= -Rational::from((n + 1) * (n + 2));
         n += 2;
     }
     sum_up(
         sum,
-        product_up(
-            up(exact.abs().to_f64()),
-            crate::bounds::power_up(REDUCED, n),
-        ),
+        product_up(up(exact.abs().to_f64()), power_up(REDUCED, n)),
     )
 }
 

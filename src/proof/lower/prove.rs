@@ -2,8 +2,7 @@
 
 use super::regions::{Code, Region, bound, regions};
 use crate::certificate::{self, Open, Watch};
-use crate::cover::Rectangle;
-use crate::form::power_of_two;
+use crate::cover::{Rectangle, shells};
 
 /// What a rectangle is not halved below.
 #[derive(Clone, Copy, Debug)]
@@ -39,33 +38,8 @@ pub type Certificate = certificate::Certificate<Leaf>;
 
 /// The quadrant `a ≥ 0`, `b > 0` up to the shell in which z begins to be scaled, as shells of rectangles.
 pub fn roots() -> Vec<Rectangle> {
-    const FIRST: i32 = -9;
-    /// 2³³² < 10¹⁰⁰ < 2³³³.
-    const LAST: i32 = 332;
-    /// Binades of the smaller coordinate that are cut apart at once.
-    const BESIDE: i32 = 2;
-    let start = power_of_two;
-    let end = |k: i32| start(k + 1).next_down();
-    let least = f64::from_bits(1);
-    let square = end(FIRST - 1);
-    let mut all = vec![Rectangle {
-        a: [0.0, square],
-        b: [least, square],
-    }];
-    for k in FIRST..=LAST {
-        let long = [start(k), end(k)];
-        let rest = end(k - BESIDE - 1);
-        let mut add = |a, b| all.push(Rectangle { a, b });
-        add(long, [least, rest]);
-        add([0.0, rest], long);
-        for j in k - BESIDE..k {
-            let short = [start(j), end(j)];
-            add(long, short);
-            add(short, long);
-        }
-        add(long, long);
-    }
-    all
+    // 2³³² < 10¹⁰⁰ < 2³³³.
+    shells(-9..=332, 2, [0.0, f64::from_bits(1)])
 }
 
 /// Proves what can be proved on the rectangles of the partition that `wanted` keeps; `None` if it was stopped.

@@ -4,6 +4,7 @@ use super::exponential::LEAST;
 use crate::bounds::{above, exp_up};
 use crate::cover::Rectangle;
 use crate::form::TINIEST;
+use crate::formula::TWO_52;
 use crate::interval::{
     Interval, down, hypot_down, hypot_up, larger, product_up, quotient_up, sum_up, up,
 };
@@ -11,7 +12,6 @@ use crate::tracked::Result as Tracks;
 use mechaudit_reference::Ball;
 use mechaudit_reference::faddeeva::w_f64;
 
-pub(super) const TWO_52: f64 = 4_503_599_627_370_496.0;
 /// The last rounding, and what is left out, in units of 2⁻⁵².
 const ROUNDINGS: f64 = 0.5 + 1e-4 + 1e-9;
 /// `e^710.48 > 2^1025`: from here on a component of w overflows.

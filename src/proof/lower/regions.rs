@@ -7,11 +7,10 @@ use crate::ProofError;
 use crate::choice::{SEVERAL, by_centre, choices};
 use crate::constants::{ASYMPTOTIC, MACLAURIN};
 use crate::cover::Rectangle;
-use crate::exact::Exact;
 use crate::formula::offsets;
 use crate::interval::{down, hypot_up, worst};
 use crate::tables::{Tables, cell_at, real_axis_at};
-use crate::tracked::{Constant, Result as Tracks, Rounding, Setting, Tracked, Tracking, evaluate};
+use crate::tracked::{Result as Tracks, Rounding, Setting, Tracked, Tracking, evaluate};
 use crate::truncation;
 use mechaudit_solvers::faddeeva::Branch;
 use mechaudit_solvers::faddeeva::proof::{self as upper, lower as code};
@@ -237,11 +236,7 @@ fn used(limits: &code::Limits) -> f64 {
 /// What the formula gives, on each way through its decisions; of the reflected ones w(−z).
 fn values(code: &Code, region: Region, at: &Rectangle) -> Result<Vec<Value>, &'static str> {
     let y = [-at.b[1], -at.b[0]];
-    let setting = |constants: &'static [Constant]| Setting {
-        sigma: Exact::ZERO,
-        constants,
-        rounding: code.rounding,
-    };
+    let setting = |constants| Setting::new(constants, code.rounding);
     let of = |truncated: f64| move |parts: [Tracks; 2]| Value::of(parts, truncated);
     let both = |(re, im): (Tracked, Tracked)| [re.result(), im.result()];
     let pairs = |[(p, q), (r, s)]: [(Tracked, Tracked); 2]| [p.exact_sum(q), r.exact_sum(s)];

@@ -1,18 +1,13 @@
 //! Taylor rows as the lower half-plane uses them.
 
 use crate::ProofError;
-use crate::bounds::{above, power_up};
-use crate::interval::{hypot_up, product_up, quotient_up, sum_up};
+use crate::interval::{product_up, sum_up};
 use crate::tables::{cell_at, in_cells, on_real_axis, real_axis_at};
-use mechaudit_reference::{Ball, faddeeva};
+use crate::truncation::RowErrors;
+use crate::truncation::rows::tail;
 use mechaudit_solvers::faddeeva::proof::{Row, lower as code};
 use rayon::prelude::*;
-use rug::Rational;
 use std::collections::HashMap;
-
-const BITS: u32 = 300;
-const STORED: usize = 18;
-const TERMS: usize = 41;
 
 /// Which rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -33,43 +28,15 @@ pub(crate) struct RowWithErrors {
     most: f64,
 }
 
-fn rational(x: f64) -> Rational {
-    Rational::from_f64(x).expect("finite")
-}
-
-/// Places of a coefficient's parts in a row: real, its low part, imaginary, its low part.
-fn places(n: usize) -> [Option<usize>; 4] {
-    match n {
-        0 => [0, 1, 2, 3].map(Some),
-        1 => [4, 5, 6, 7].map(Some),
-        _ => {
-            let at = 8 + 8 * ((n - 2) / 4) + (n - 2) % 4;
-            [Some(at), None, Some(at + 4), None]
-        }
-    }
-}
-
 impl RowWithErrors {
     /// # Errors
     /// If the reference is undecided.
     pub fn of(row: &Row, centre: (f64, f64), kind: Kind) -> Result<RowWithErrors, ProofError> {
-        let c = faddeeva::taylor(&rational(centre.0), &rational(centre.1), TERMS - 1, BITS)?;
-        let errors = c.iter().enumerate().map(|(n, c)| {
-            if n >= STORED {
-                return hypot_up(above(&c.re), above(&c.im));
-            }
-            let [p, q, r, s] =
-                places(n).map(|at| at.map_or_else(Rational::new, |at| rational(row[at])));
-            let off = |stored: Rational, exact: &Ball| {
-                above(&(&Ball::rational(4 * BITS, &stored) - exact))
-            };
-            hypot_up(off(p + q, &c.re), off(r + s, &c.im))
-        });
         // erfcx(Im z) ≤ 2e^{(Im z)²} on the circle of radius 3, down to Im z = −3, or −4: 2e⁹ and 2e¹⁶.
         let most = if kind == Kind::Disc { 1.78e7 } else { 16207.0 };
         Ok(RowWithErrors {
             row: *row,
-            errors: errors.collect(),
+            errors: RowErrors::of(row, centre)?.sizes().collect(),
             most,
         })
     }
@@ -84,11 +51,7 @@ impl RowWithErrors {
             sum = sum_up(sum, product_up(*e, power));
             power = product_up(power, d);
         }
-        let q = quotient_up(d, 3.0);
-        sum_up(
-            sum,
-            product_up(100.0 * self.most, power_up(q, TERMS as u32 - 1)),
-        )
+        sum_up(sum, tail(d, self.most))
     }
 }
 

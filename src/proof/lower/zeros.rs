@@ -14,12 +14,12 @@
 //!   lower parts are any numbers that they may be. A rectangle on which the code surely gives up is none of these.
 
 use super::exponential::{U, around_zero};
-use super::reflection::{TWO_52, Value};
+use super::reflection::Value;
 use crate::ProofError;
-use crate::bounds::{above, exp_up, power_up};
+use crate::bounds::{above, exp_up, power_up, rational};
 use crate::constants::TWO_OVER_SQRT_PI;
 use crate::cover::Rectangle;
-use crate::exact::Exact;
+use crate::formula::TWO_52;
 use crate::interval::{hypot_up, larger, product_up, sum_up, up};
 use crate::tracked::{Rounding, Setting, Tracked, Tracking, evaluate};
 use mechaudit_reference::{Ball, ComplexBall, faddeeva};
@@ -56,10 +56,6 @@ pub struct AroundZeros {
     pub boxes: usize,
     /// Where it is attained, the centre of the rectangle as `Re z` and `−Im z`.
     pub at: Option<Rectangle>,
-}
-
-fn rational(x: f64) -> Rational {
-    Rational::from_f64(x).expect("finite")
 }
 
 /// Places of the real and the imaginary part of `g_n` in a row.
@@ -192,11 +188,7 @@ fn most([lo, hi]: [f64; 2]) -> f64 {
 
 /// The bound of the norm over a rectangle of δ₁, zero where the code surely gives up.
 fn bound(zero: &Zero, rounding: Rounding, at: &Signed) -> Result<f64, &'static str> {
-    let setting = Setting {
-        sigma: Exact::ZERO,
-        constants: &TWO_OVER_SQRT_PI,
-        rounding,
-    };
+    let setting = Setting::new(&TWO_OVER_SQRT_PI, rounding);
     let [x, y] = at.map(most);
     let d = farthest(x, y);
     let ways = evaluate(setting, || {

@@ -132,11 +132,7 @@ pub(super) fn bound(
     rounding: Rounding,
 ) -> Result<(Formula, f64), &'static str> {
     let ends = at.ends;
-    let setting = |constants| Setting {
-        sigma: Exact::ZERO,
-        constants,
-        rounding,
-    };
+    let setting = |constants| Setting::new(constants, rounding);
     let x = || Tracked::input(0, ends);
     let [two_over_root, half_root, inverse_root] = tables.constants;
     let exponential = tables.exponential;

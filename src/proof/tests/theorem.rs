@@ -170,7 +170,7 @@ fn products_rounded_before_the_sum_show() {
 #[test]
 fn a_wrong_centre_shows() {
     let mut code = CODE.clone();
-    let other = *CODE.tables.cell((1.5, 1.75)).expect("a cell").0;
+    let other = CODE.tables.cell((1.5, 1.75)).expect("a cell").0;
     code.tables.change_cell(CENTRE, |row| *row = other);
     assert!(worst(&code, CELL, &cell()) > 1e12);
 }

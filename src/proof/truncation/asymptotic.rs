@@ -1,7 +1,7 @@
 //! The asymptotic series, and what is added to it beside the real axis.
 
 use super::{OfSum, Truncation};
-use crate::bounds::{HALF_PI, above, exp_up, remainder, remainder_slope};
+use crate::bounds::{HALF_PI, above, exp_up, rational, remainder, remainder_slope};
 use crate::cover::Rectangle;
 use crate::form::TINIEST;
 use crate::interval::{hypot_down, hypot_up, product_up, quotient_up, sum_up, up};
@@ -46,11 +46,10 @@ pub(crate) fn asymptotic(terms: u32, at: &Rectangle) -> Truncation {
         };
     }
     Truncation {
-        norm: whole,
         re,
         im,
         tiny,
-        sum: None,
+        ..Truncation::all(whole)
     }
 }
 
@@ -98,14 +97,7 @@ fn beside(n: u32, at: &Rectangle) -> f64 {
 pub(crate) fn on_real_line(at: &Rectangle, [p0, p1]: [f64; 2], exponential: f64) -> Truncation {
     let (a, b) = (at.a[0], at.b[1]);
     if !(a >= 8.9) {
-        let norm = f64::INFINITY;
-        return Truncation {
-            norm,
-            re: norm,
-            im: norm,
-            tiny: 0.0,
-            sum: None,
-        };
+        return Truncation::all(f64::INFINITY);
     }
     let curved = product_up(0.0115, product_up(b, b));
     let v = quotient_up(quotient_up(1.0, a), a);
@@ -120,10 +112,7 @@ pub(crate) fn on_real_line(at: &Rectangle, [p0, p1]: [f64; 2], exponential: f64)
     let phase = product_up(2.0 * at.a[1], b);
     let turned = sum_up(product_up(1.01 * b, b), product_up(phase, phase));
     Truncation {
-        norm,
         re: f64::INFINITY,
-        im: norm,
-        tiny: 0.0,
         sum: Some(OfSum {
             slope: sum_up(
                 sum_up(beside(25, at), cubed),
@@ -133,6 +122,7 @@ pub(crate) fn on_real_line(at: &Rectangle, [p0, p1]: [f64; 2], exponential: f64)
             most: e,
             least: 0.564 * (1.0 - 1e-9) / (at.a[1] * at.a[1]),
         }),
+        ..Truncation::all(norm)
     }
 }
 
@@ -156,8 +146,7 @@ fn exponentials_of_line(a: f64, b: f64) -> f64 {
 pub(crate) fn exponential_error(coefficients: &[f64], ln_2: [f64; 2], most: f64) -> f64 {
     const BITS: u32 = 300;
     const MOST: f64 = 0.348;
-    let parts =
-        Rational::from_f64(ln_2[0]).expect("finite") + Rational::from_f64(ln_2[1]).expect("finite");
+    let parts: Rational = ln_2.into_iter().map(rational).sum();
     let reduced = above(&(&Ball::integer(BITS, 2).ln() - &Ball::rational(BITS, &parts)));
     let mut sum = product_up(most, product_up(reduced, 1.01));
     let mut exact = Rational::from(1);
@@ -165,7 +154,7 @@ pub(crate) fn exponential_error(coefficients: &[f64], ln_2: [f64; 2], most: f64)
     for (j, c) in coefficients.iter().enumerate() {
         exact /= Rational::from(j + 2);
         power = product_up(power, MOST);
-        let off = (Rational::from_f64(*c).expect("finite") - &exact).abs();
+        let off = (rational(*c) - &exact).abs();
         sum = sum_up(sum, product_up(up(off.to_f64().next_up()), power));
     }
     let next = exact / Rational::from(coefficients.len() + 2);
@@ -184,7 +173,7 @@ pub(crate) fn polynomial_error(stored: &[f64; 10], slope: bool) -> f64 {
         c.push(-(&a * Rational::from(factor)));
     }
     for (k, s) in stored.iter().enumerate() {
-        c[k] += Rational::from_f64(*s).expect("finite");
+        c[k] += rational(*s);
     }
     let mut most = Rational::new();
     let (centres, half) = pieces();
@@ -220,14 +209,7 @@ fn shifted(c: &[Rational], centre: &Rational) -> Vec<Rational> {
 
 /// One term, `|z| ≥ 10^100`, divided by the first term's scale: below `2⁻⁶⁰⁰`.
 pub(crate) fn huge() -> Truncation {
-    let norm = 1e-180;
-    Truncation {
-        norm,
-        re: norm,
-        im: norm,
-        tiny: 0.0,
-        sum: None,
-    }
+    Truncation::all(1e-180)
 }
 
 #[cfg(test)]

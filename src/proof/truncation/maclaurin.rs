@@ -22,11 +22,8 @@ pub(crate) fn maclaurin(last: u32, r: f64) -> Truncation {
     let slope = quotient_up(power_up(r, last), gamma);
     let im = product_up(2.0 * f64::from(last + 1), slope);
     Truncation {
-        norm,
-        re: norm,
         im,
-        tiny: 0.0,
-        sum: None,
+        ..Truncation::all(norm)
     }
 }
 

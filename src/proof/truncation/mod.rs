@@ -3,7 +3,7 @@
 mod asymptotic;
 mod maclaurin;
 mod odd;
-mod rows;
+pub(crate) mod rows;
 
 pub(crate) use asymptotic::{
     asymptotic, exponential_error, huge, on_real_line, polynomial_error, strip,
@@ -25,6 +25,19 @@ pub(crate) struct Truncation {
     pub tiny: f64,
     /// Of the real part beside the real axis, where `e^{−z²}` is added.
     pub sum: Option<OfSum>,
+}
+
+impl Truncation {
+    /// One bound for all.
+    pub fn all(norm: f64) -> Truncation {
+        Truncation {
+            norm,
+            re: norm,
+            im: norm,
+            tiny: 0.0,
+            sum: None,
+        }
+    }
 }
 
 /// `Re w = y U + E` beside the real axis, `E = Re e^{−z²}`, both terms positive: bounds of what each of the two that

@@ -1,13 +1,9 @@
 //! Maclaurin series of erf and of Dawson's function.
 
-use crate::bounds::{above, power_up};
+use crate::bounds::{above, power_up, rational};
 use crate::interval::{product_up, quotient_up, sum_up, up};
 use mechaudit_reference::Ball;
 use rug::Rational;
-
-fn rational(x: f64) -> Rational {
-    Rational::from_f64(x).expect("finite")
-}
 
 /// The coefficients of a series `x (1 + c₁x² + c₂x⁴ + …)` from the one before.
 pub(crate) type Next = fn(n: u32, before: Rational) -> Rational;

@@ -12,15 +12,14 @@
 
 use super::Truncation;
 use crate::ProofError;
-use crate::bounds::{above, power_up};
-use crate::interval::{product_up, quotient_up, sum_up};
+use crate::bounds::{above, power_up, rational};
+use crate::interval::{hypot_up, product_up, quotient_up, sum_up};
 use mechaudit_reference::{Ball, ComplexBall, faddeeva};
 use mechaudit_solvers::faddeeva::proof::{AxisRow, Row};
-use rug::Rational;
 
 const BITS: u32 = 300;
-const STORED: usize = 18;
-const TERMS: usize = 41;
+pub(crate) const STORED: usize = 18;
+pub(crate) const TERMS: usize = 41;
 const RADIUS: f64 = 3.0;
 /// Above `2e⁹`.
 const MOST: f64 = 16207.0;
@@ -33,27 +32,28 @@ pub(crate) struct RowErrors {
     parts: Vec<[f64; 2]>,
 }
 
-fn rational(x: f64) -> Rational {
-    Rational::from_f64(x).expect("finite")
-}
-
 /// `stored − exact`.
 fn difference(stored: [f64; 2], exact: &Ball) -> f64 {
     let sum = rational(stored[0]) + rational(stored[1]);
     above(&(&Ball::rational(4 * BITS, &sum) - exact))
 }
 
-/// The stored coefficient as the formula takes it: high and low parts, real and imaginary.
-fn stored(row: &Row, n: usize) -> [[f64; 2]; 2] {
+/// Places of a coefficient's parts in a row: real, its low part, imaginary, its low part.
+pub(crate) fn places(n: usize) -> [Option<usize>; 4] {
     match n {
-        0 => [[row[0], row[1]], [row[2], row[3]]],
-        1 => [[row[4], row[5]], [row[6], row[7]]],
+        0 => [0, 1, 2, 3].map(Some),
+        1 => [4, 5, 6, 7].map(Some),
         _ => {
-            let (block, place) = ((n - 2) / 4, (n - 2) % 4);
-            let at = 8 + 8 * block + place;
-            [[row[at], 0.0], [row[at + 4], 0.0]]
+            let at = 8 + 8 * ((n - 2) / 4) + (n - 2) % 4;
+            [Some(at), None, Some(at + 4), None]
         }
     }
+}
+
+/// The stored coefficient as the formula takes it: high and low parts, real and imaginary.
+fn stored(row: &Row, n: usize) -> [[f64; 2]; 2] {
+    let [p, q, r, s] = places(n).map(|at| at.map_or(0.0, |at| row[at]));
+    [[p, q], [r, s]]
 }
 
 impl RowErrors {
@@ -113,27 +113,25 @@ impl RowErrors {
         Ok(RowErrors { centre, parts })
     }
 
+    /// Of the absolute values.
+    pub fn sizes(&self) -> impl Iterator<Item = f64> {
+        self.parts.iter().map(|e| hypot_up(e[0], e[1]))
+    }
+
     /// For `|Re δ| ≤ dx`, `|Im δ| ≤ dy`.
     ///
     /// The real part about a real centre: `Re Σ e_n δⁿ` is at most `Σ |Re e_n| Dⁿ + dy Σ n |Im e_n| D^{n−1}`, since
     /// `|Im δⁿ| ≤ n |Im δ| |δ|^{n−1}`. The imaginary part about a centre on the imaginary axis, where `iⁿ e_n` is
     /// real, divided by `Re δ`: at most `Σ n |e_n| D^{n−1}`, by the same for `−iδ`.
     pub fn within(&self, dx: f64, dy: f64) -> Truncation {
-        let d = crate::interval::hypot_up(dx, dy);
+        let d = hypot_up(dx, dy);
         if !(d <= 1.0) {
-            let norm = f64::INFINITY;
-            return Truncation {
-                norm,
-                re: norm,
-                im: norm,
-                tiny: 0.0,
-                sum: None,
-            };
+            return Truncation::all(f64::INFINITY);
         }
         let (mut norm, mut re, mut im) = (0.0, 0.0, 0.0);
         let (mut power, mut before) = (1.0, 0.0);
         for (n, e) in self.parts.iter().enumerate() {
-            let size = crate::interval::hypot_up(e[0], e[1]);
+            let size = hypot_up(e[0], e[1]);
             let slope = product_up(n as f64, before);
             norm = sum_up(norm, product_up(size, power));
             let turned = product_up(dy, product_up(e[1], slope));
@@ -142,19 +140,15 @@ impl RowErrors {
             before = power;
             power = product_up(power, d);
         }
-        // Σ_{n>40} n q^{n−1} ≤ 41 q⁴⁰/(1 − q)² ≤ 100 q⁴⁰, q = D/ρ ≤ 1/3; the sum without n is less.
-        let q = quotient_up(d, RADIUS);
-        let tail = product_up(100.0 * MOST, power_up(q, TERMS as u32 - 1));
+        let tail = tail(d, MOST);
         norm = sum_up(norm, tail);
         re = sum_up(re, tail);
         im = sum_up(im, tail);
         let (on_real, on_imaginary) = (self.centre.1 == 0.0, self.centre.0 == 0.0);
         Truncation {
-            norm,
             re: if on_real { re } else { norm },
             im: if on_imaginary { im } else { norm },
-            tiny: 0.0,
-            sum: None,
+            ..Truncation::all(norm)
         }
     }
 
@@ -166,6 +160,12 @@ impl RowErrors {
                 _ => e[0] == 0.0,
             })
     }
+}
+
+/// `Σ_{n>40} n q^{n−1} ≤ 41 q⁴⁰/(1 − q)² ≤ 100 q⁴⁰`, `q = D/ρ ≤ 1/3`, times M; the sum without n is less.
+pub(crate) fn tail(d: f64, most: f64) -> f64 {
+    let q = quotient_up(d, RADIUS);
+    product_up(100.0 * most, power_up(q, TERMS as u32 - 1))
 }
 
 fn certified(centre: (f64, f64)) -> Result<Vec<ComplexBall>, ProofError> {

@@ -10,8 +10,9 @@
 use super::mag::Mag;
 use gmp_mpfr_sys::gmp::LIMB_BITS;
 use rug::float::{Constant, Round};
-use rug::ops::{AddAssignRound, NegAssign};
+use rug::ops::{AddAssignRound, AssignRound, NegAssign};
 use rug::{Float, Rational};
+use std::borrow::Borrow;
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -56,6 +57,15 @@ impl Ball {
         Ball::new(mid, rad)
     }
 
+    /// A value rounded to nearest with what was propagated from the operands.
+    pub(super) fn nearest<T>(prec: u32, value: T, propagated: Mag) -> Ball
+    where
+        Float: AssignRound<T, Round = Round, Ordering = Ordering>,
+    {
+        let rounded = Float::with_val_round(prec, value, Round::Nearest);
+        Ball::rounded(rounded, propagated)
+    }
+
     /// An exact integer (at least 64 bits are kept, so it is exact).
     pub fn integer(prec: u32, n: i64) -> Ball {
         Ball::new(Float::with_val(prec.max(BITS), n), Mag::ZERO)
@@ -68,15 +78,12 @@ impl Ball {
 
     /// The ball around an exact rational, rounded to `prec` bits.
     pub fn rational(prec: u32, q: &Rational) -> Ball {
-        Ball::rounded(Float::with_val_round(prec, q, Round::Nearest), Mag::ZERO)
+        Ball::nearest(prec, q, Mag::ZERO)
     }
 
     /// π to `prec` bits.
     pub fn pi(prec: u32) -> Ball {
-        Ball::rounded(
-            Float::with_val_round(prec, Constant::Pi, Round::Nearest),
-            Mag::ZERO,
-        )
+        Ball::nearest(prec, Constant::Pi, Mag::ZERO)
     }
 
     /// The midpoint.
@@ -106,24 +113,18 @@ impl Ball {
 
     /// The same number at another precision (a superset when bits are dropped).
     pub fn with_prec(&self, prec: u32) -> Ball {
-        Ball::rounded(
-            Float::with_val_round(prec, &self.mid, Round::Nearest),
-            self.rad,
-        )
+        Ball::nearest(prec, &self.mid, self.rad)
     }
 
     /// Bounds on the distance of this number from an exact and finite `x`: at least, at most.
     pub fn distance_from(&self, x: f64) -> (Mag, Mag) {
         if let Some(([low, high], e)) = self.mid_from(x) {
-            let (low, high) = (
-                Mag::of_integer(low, e, false),
-                Mag::of_integer(high, e, true),
-            );
+            let low = Mag::of_integer(low, e, false);
+            let high = Mag::of_integer(high, e, true);
             return (low.sub_below(self.rad), high.add(self.rad));
         }
         let p = self.prec().max(BITS);
-        let difference = Float::with_val_round(p, x - &self.mid, Round::Nearest);
-        let difference = Ball::rounded(difference, self.rad);
+        let difference = Ball::nearest(p, x - &self.mid, self.rad);
         (difference.mignitude(), difference.magnitude())
     }
 
@@ -217,14 +218,9 @@ impl Ball {
 
     /// The smallest ball that holds both.
     pub fn union(&self, other: &Ball) -> Ball {
-        let (a, b) = (self.lower(), other.lower());
-        let (c, d) = (self.upper(), other.upper());
-        let prec = self.prec().max(other.prec());
-        Ball::between(
-            prec,
-            if a < b { &a } else { &b },
-            if c > d { &c } else { &d },
-        )
+        let low = lesser(self.lower(), other.lower());
+        let high = greater(self.upper(), other.upper());
+        Ball::between(self.prec().max(other.prec()), &low, &high)
     }
 
     /// Whether the exact number `x` lies in the ball.
@@ -239,25 +235,19 @@ impl Ball {
 
     /// Whether every point of `other` lies in the ball.
     pub fn contains_ball(&self, other: &Ball) -> bool {
-        if !self.is_finite() {
-            return true;
-        }
-        if !other.is_finite() {
-            return false;
-        }
-        let q = |f: &Float| f.to_rational().expect("finite");
-        let gap = (q(&self.mid) - q(&other.mid)).abs();
-        gap + q(&other.rad.to_float()) <= q(&self.rad.to_float())
+        !self.is_finite() || self.exactly(other).is_some_and(|[gap, r, s]| gap + s <= r)
     }
 
     /// Whether the two balls share a point.
     pub fn overlaps(&self, other: &Ball) -> bool {
-        if !self.is_finite() || !other.is_finite() {
-            return true;
-        }
-        let q = |f: &Float| f.to_rational().expect("finite");
-        let gap = (q(&self.mid) - q(&other.mid)).abs();
-        gap <= q(&self.rad.to_float()) + q(&other.rad.to_float())
+        self.exactly(other).is_none_or(|[gap, r, s]| gap <= r + s)
+    }
+
+    /// The distance of the midpoints and the two radii; none unless both balls are bounded.
+    fn exactly(&self, other: &Ball) -> Option<[Rational; 3]> {
+        let [r, s] = [self.rad, other.rad].map(|rad| rad.to_float().to_rational());
+        let gap = self.mid.to_rational()? - other.mid.to_rational()?;
+        Some([gap.abs(), r?, s?])
     }
 
     /// Bits of relative accuracy: `log2(|mid| / rad)`, rounded down. An exact ball has as many as
@@ -322,18 +312,14 @@ impl Ball {
 
     /// `x²`, never negative at its midpoint; radius `2|m| r + r²`.
     pub fn square(&self) -> Ball {
-        let mid = Float::with_val_round(self.prec(), self.mid.square_ref(), Round::Nearest);
         let m = Mag::above(&self.mid);
         let propagated = m.shift(1).mul(self.rad).add(self.rad.mul(self.rad));
-        Ball::rounded(mid, propagated)
+        Ball::nearest(self.prec(), self.mid.square_ref(), propagated)
     }
 
     /// `|x|`.
     pub fn abs(&self) -> Ball {
-        Ball {
-            mid: self.mid.clone().abs(),
-            rad: self.rad,
-        }
+        Ball::new(self.mid.clone().abs(), self.rad)
     }
 
     /// `x · 2^k`; exact.
@@ -347,6 +333,14 @@ impl Ball {
     }
 }
 
+pub(crate) fn lesser(a: Float, b: Float) -> Float {
+    if a < b { a } else { b }
+}
+
+pub(crate) fn greater(a: Float, b: Float) -> Float {
+    if a > b { a } else { b }
+}
+
 /// Sum of products, `Σ a_i b_i`.
 pub fn dot<'a>(prec: u32, terms: impl IntoIterator<Item = (&'a Ball, &'a Ball)>) -> Ball {
     let mut sum = Ball::integer(prec, 0);
@@ -358,31 +352,24 @@ pub fn dot<'a>(prec: u32, terms: impl IntoIterator<Item = (&'a Ball, &'a Ball)>)
 
 fn add(a: &Ball, b: &Ball) -> Ball {
     let p = a.prec().max(b.prec());
-    Ball::rounded(
-        Float::with_val_round(p, &a.mid + &b.mid, Round::Nearest),
-        a.rad.add(b.rad),
-    )
+    Ball::nearest(p, &a.mid + &b.mid, a.rad.add(b.rad))
 }
 
 fn sub(a: &Ball, b: &Ball) -> Ball {
     let p = a.prec().max(b.prec());
-    Ball::rounded(
-        Float::with_val_round(p, &a.mid - &b.mid, Round::Nearest),
-        a.rad.add(b.rad),
-    )
+    Ball::nearest(p, &a.mid - &b.mid, a.rad.add(b.rad))
 }
 
 /// Radius `|a| r_b + |b| r_a + r_a r_b`.
 fn mul(a: &Ball, b: &Ball) -> Ball {
     let p = a.prec().max(b.prec());
-    let mid = Float::with_val_round(p, &a.mid * &b.mid, Round::Nearest);
     let propagated = if a.rad.is_zero() && b.rad.is_zero() {
         Mag::ZERO
     } else {
         let (x, y) = (Mag::above(&a.mid), Mag::above(&b.mid));
         x.add(a.rad).mul(b.rad).add(y.mul(a.rad))
     };
-    Ball::rounded(mid, propagated)
+    Ball::nearest(p, &a.mid * &b.mid, propagated)
 }
 
 /// Radius `(|a| r_b + |b| r_a) / (|b| (|b| − r_b))`; the whole line if the divisor may be zero.
@@ -393,7 +380,6 @@ fn div(a: &Ball, b: &Ball) -> Ball {
     if reach.is_zero() {
         return Ball::new(Float::new(p), Mag::INFINITY);
     }
-    let mid = Float::with_val_round(p, &a.mid / &b.mid, Round::Nearest);
     let propagated = if a.rad.is_zero() && b.rad.is_zero() {
         Mag::ZERO
     } else {
@@ -401,41 +387,29 @@ fn div(a: &Ball, b: &Ball) -> Ball {
         let (x, r) = (Mag::above(&a.mid), b.rad);
         x.mul(r).div(low).add(a.rad).div(reach)
     };
-    Ball::rounded(mid, propagated)
+    Ball::nearest(p, &a.mid / &b.mid, propagated)
 }
 
 macro_rules! operator {
-    ($trait:ident, $method:ident, $f:ident) => {
-        impl $trait<&Ball> for &Ball {
+    ($trait:ident, $method:ident) => {
+        impl<B: Borrow<Ball>> $trait<B> for &Ball {
             type Output = Ball;
-            fn $method(self, other: &Ball) -> Ball {
-                $f(self, other)
+            fn $method(self, other: B) -> Ball {
+                $method(self, other.borrow())
             }
         }
-        impl $trait<Ball> for &Ball {
+        impl<B: Borrow<Ball>> $trait<B> for Ball {
             type Output = Ball;
-            fn $method(self, other: Ball) -> Ball {
-                $f(self, &other)
-            }
-        }
-        impl $trait<&Ball> for Ball {
-            type Output = Ball;
-            fn $method(self, other: &Ball) -> Ball {
-                $f(&self, other)
-            }
-        }
-        impl $trait<Ball> for Ball {
-            type Output = Ball;
-            fn $method(self, other: Ball) -> Ball {
-                $f(&self, &other)
+            fn $method(self, other: B) -> Ball {
+                $method(&self, other.borrow())
             }
         }
     };
 }
-operator!(Add, add, add);
-operator!(Sub, sub, sub);
-operator!(Mul, mul, mul);
-operator!(Div, div, div);
+operator!(Add, add);
+operator!(Sub, sub);
+operator!(Mul, mul);
+operator!(Div, div);
 
 impl Neg for &Ball {
     type Output = Ball;

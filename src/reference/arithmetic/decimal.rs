@@ -34,6 +34,10 @@ pub enum DecimalError {
     },
 }
 
+fn syntax(text: &str) -> DecimalError {
+    DecimalError::Syntax { text: text.into() }
+}
+
 /// Precision of what is rounded up to a bound.
 const BITS: u32 = 64;
 
@@ -64,15 +68,14 @@ impl<'a> Written<'a> {
             && digits(fraction)
             && digits(power)
             && (mantissa.len() == t.len() || !power.is_empty());
-        match good {
-            true => Ok(Written {
-                negative: mantissa.starts_with('-'),
-                whole,
-                fraction,
-                exponent,
-            }),
-            false => Err(DecimalError::Syntax { text: text.into() }),
-        }
+        let negative = mantissa.starts_with('-');
+        let written = Written {
+            negative,
+            whole,
+            fraction,
+            exponent,
+        };
+        good.then_some(written).ok_or_else(|| syntax(text))
     }
 }
 
@@ -100,8 +103,7 @@ impl Decimal {
             return Err(beyond());
         }
         let all = [written.whole, written.fraction].concat();
-        let syntax = |_| DecimalError::Syntax { text: text.into() };
-        let mut n: Integer = all.parse().map_err(syntax)?;
+        let mut n: Integer = all.parse().map_err(|_| syntax(text))?;
         if written.negative {
             n = -n;
         }
@@ -134,8 +136,7 @@ impl Decimal {
     pub fn nearest(text: &str) -> Result<f64, DecimalError> {
         Written::read(text)?;
         // Rust's conversion rounds correctly.
-        let syntax = |_| DecimalError::Syntax { text: text.into() };
-        text.trim().parse().map_err(syntax)
+        text.trim().parse().map_err(|_| syntax(text))
     }
 
     /// One unit in the last written digit.
@@ -280,15 +281,11 @@ pub fn fixed(n: &Rational, places: u32) -> String {
 
 /// Turns `1.234e-2` into `0.01234` while the exponent is small; leaves the rest alone.
 fn plain(text: &str) -> String {
-    let Some((mantissa, exponent)) = text.split_once('e') else {
+    let parts = text.split_once('e');
+    let parts = parts.and_then(|(mantissa, e)| Some((mantissa, e.parse::<i32>().ok()?)));
+    let Some((mantissa, e)) = parts.filter(|(_, e)| (-7..=20).contains(e)) else {
         return text.into();
     };
-    let Ok(e) = exponent.parse::<i32>() else {
-        return text.into();
-    };
-    if !(-7..=20).contains(&e) {
-        return text.into();
-    }
     let (sign, m) = match mantissa.strip_prefix('-') {
         Some(m) => ("-", m),
         None => ("", mantissa),

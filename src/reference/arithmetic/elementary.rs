@@ -36,9 +36,8 @@ impl Ball {
         if !self.is_positive() {
             return Ball::new(self.mid().clone(), Mag::INFINITY);
         }
-        let value = Float::with_val_round(self.prec(), self.mid().ln_ref(), Round::Nearest);
         let propagated = self.rad().div(self.mignitude());
-        Ball::rounded(value, propagated)
+        Ball::nearest(self.prec(), self.mid().ln_ref(), propagated)
     }
 }
 

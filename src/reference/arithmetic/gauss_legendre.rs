@@ -43,10 +43,7 @@ impl GaussLegendre {
         debug_assert!(n >= 2);
         // The recurrence in balls may lose as many as (1 + √2)^n.
         let work = bits + 2 * n as u32 + 32;
-        let undecided = |reason: &str| Undecided {
-            bits,
-            reason: reason.into(),
-        };
+        let undecided = |reason: &str| Undecided::new(bits, reason);
         let mut nodes = Vec::with_capacity(n);
         for i in 0..n {
             // Tricomi's approximation; by MPFR, so that the last bits are the same on every machine.

@@ -67,6 +67,12 @@ impl TaylorModel {
         TaylorModel { c, rad: Mag::ZERO }
     }
 
+    /// From coefficients each rounded once, by at most u times its rounded value (1 + u), and the bound on the rest.
+    fn rounded(c: Vec<Float>, bits: u32, rad: Mag) -> TaylorModel {
+        let rad = rad.add(gamma(1, bits).mul(norm(&c).shift(1)));
+        TaylorModel { c, rad }
+    }
+
     /// From balls.
     pub(crate) fn from_balls(c: &[Ball]) -> TaylorModel {
         TaylorModel {
@@ -117,11 +123,8 @@ impl TaylorModel {
 
     /// At another working precision.
     pub(crate) fn with_prec(&self, bits: u32) -> TaylorModel {
-        let c: Vec<Float> = self.c.iter().map(|x| Float::with_val(bits, x)).collect();
-        TaylorModel {
-            rad: self.rad.add(gamma(1, bits).mul(norm(&c).shift(1))),
-            c,
-        }
+        let c = self.c.iter().map(|x| Float::with_val(bits, x));
+        TaylorModel::rounded(c.collect(), bits, self.rad)
     }
 
     /// The value at a point of X.
@@ -139,13 +142,8 @@ impl TaylorModel {
         let zero = Float::new(bits);
         let n = self.c.len().max(other.c.len());
         let at = |m: &'_ TaylorModel, k: usize| m.c.get(k).cloned().unwrap_or_else(|| zero.clone());
-        let c: Vec<Float> = (0..n).map(|k| f(&at(self, k), &at(other, k))).collect();
-        // Each sum is rounded once, by at most u times its rounded value (1 + u).
-        let rounding = gamma(1, bits).mul(norm(&c).shift(1));
-        TaylorModel {
-            rad: self.rad.add(other.rad).add(rounding),
-            c,
-        }
+        let c = (0..n).map(|k| f(&at(self, k), &at(other, k)));
+        TaylorModel::rounded(c.collect(), bits, self.rad.add(other.rad))
     }
 
     /// Sum.
@@ -169,17 +167,10 @@ impl TaylorModel {
     pub(crate) fn scaled(&self, k: &Ball) -> TaylorModel {
         let bits = self.bits();
         let k = k.with_prec(bits);
-        let c: Vec<Float> = self
-            .c
-            .iter()
-            .map(|x| Float::with_val(bits, x * k.mid()))
-            .collect();
-        let rad = self
-            .rad
-            .mul(k.magnitude())
-            .add(norm(&self.c).mul(k.rad()))
-            .add(gamma(1, bits).mul(norm(&c).shift(1)));
-        TaylorModel { c, rad }
+        let c = self.c.iter().map(|x| Float::with_val(bits, x * k.mid()));
+        let rad = self.rad.mul(k.magnitude());
+        let rad = rad.add(norm(&self.c).mul(k.rad()));
+        TaylorModel::rounded(c.collect(), bits, rad)
     }
 
     /// Product, powers above `order` moved into the bound.
@@ -194,13 +185,11 @@ impl TaylorModel {
             };
         }
         let top = (a.len() + b.len() - 2).min(order);
-        let c: Vec<Float> = if std::ptr::eq(self, other) {
-            (0..=top).map(|k| square_coefficient(a, k, bits)).collect()
-        } else {
-            (0..=top)
-                .map(|k| convolution(a, b, k, 0, k, bits))
-                .collect()
+        let coefficient = |k: usize| match std::ptr::eq(self, other) {
+            true => square_coefficient(a, k, bits),
+            false => convolution(a, b, k, 0, k, bits),
         };
+        let c = (0..=top).map(coefficient).collect();
         let (na, nb) = (norm(a), norm(b));
         let mut rad = na
             .mul(other.rad)
@@ -291,9 +280,8 @@ impl TaylorModel {
 
     /// `x f(x)`.
     pub(crate) fn times_x(&self) -> TaylorModel {
-        let mut c = Vec::with_capacity(self.c.len() + 1);
-        c.push(Float::new(self.bits()));
-        c.extend(self.c.iter().cloned());
+        let mut c = vec![Float::new(self.bits())];
+        c.extend_from_slice(&self.c);
         TaylorModel { c, rad: self.rad }
     }
 
@@ -305,38 +293,23 @@ impl TaylorModel {
     /// The derivative of the polynomial; `tail` bounds the derivative of the rest.
     pub(crate) fn derivative(&self, tail: Mag) -> TaylorModel {
         let bits = self.bits();
-        let c: Vec<Float> = self
-            .c
-            .iter()
-            .enumerate()
-            .skip(1)
+        let terms = self.c.iter().enumerate().skip(1);
+        let mut c: Vec<Float> = terms
             .map(|(k, x)| Float::with_val(bits, x * k as u32))
             .collect();
-        let c = if c.is_empty() {
-            vec![Float::new(bits)]
-        } else {
-            c
-        };
-        TaylorModel {
-            rad: tail.add(gamma(1, bits).mul(norm(&c).shift(1))),
-            c,
+        if c.is_empty() {
+            c.push(Float::new(bits));
         }
+        TaylorModel::rounded(c, bits, tail)
     }
 
     /// `∫_0^x`.
     pub(crate) fn integral(&self) -> TaylorModel {
         let bits = self.bits();
         let mut c = vec![Float::new(bits)];
-        c.extend(
-            self.c
-                .iter()
-                .enumerate()
-                .map(|(k, x)| Float::with_val(bits, x / (k as u32 + 1))),
-        );
-        TaylorModel {
-            rad: self.rad.add(gamma(1, bits).mul(norm(&c).shift(1))),
-            c,
-        }
+        let terms = self.c.iter().zip(1u32..);
+        c.extend(terms.map(|(x, k)| Float::with_val(bits, x / k)));
+        TaylorModel::rounded(c, bits, self.rad)
     }
 
     /// `e^{i(φ + h x)}` as (cosine, sine), for `h ≤ 1`.

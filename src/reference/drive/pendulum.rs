@@ -77,10 +77,7 @@ impl Turning {
     }
 
     fn undecided(&self, reason: &str) -> Undecided {
-        Undecided {
-            bits: self.bits,
-            reason: reason.into(),
-        }
+        Undecided::new(self.bits, reason)
     }
 
     fn step(&mut self) {

@@ -137,7 +137,11 @@ pub fn solve_sparse(n: usize, equations: Vec<Equation>) -> Option<Vec<Vec<Ration
     Some(x)
 }
 
-fn equation(entries: impl IntoIterator<Item = (usize, Rational)>, rhs: Vec<Rational>) -> Equation {
+/// Entries that fall on one place are added.
+pub(crate) fn equation(
+    entries: impl IntoIterator<Item = (usize, Rational)>,
+    rhs: Vec<Rational>,
+) -> Equation {
     let mut row: BTreeMap<usize, Rational> = BTreeMap::new();
     for (j, v) in entries {
         *row.entry(j).or_default() += v;

@@ -19,7 +19,7 @@
 //! decide its sign at some precision. For the angle zero it is computed exactly.
 
 use crate::ball::{Ball, dot};
-use crate::{Mag, Undecided};
+use crate::{ComplexBall, Mag, Undecided};
 use rug::{Float, Rational};
 use std::cmp::Ordering;
 
@@ -69,33 +69,16 @@ pub struct SliderCrankBalls {
     pub transmission: Ball,
 }
 
-type Vector = [Ball; 2];
-
-fn sub(a: &Vector, b: &Vector) -> Vector {
-    [&a[0] - &b[0], &a[1] - &b[1]]
+fn scaled(k: &Ball, v: &ComplexBall) -> ComplexBall {
+    ComplexBall::new(k * &v.re, k * &v.im)
 }
 
-fn scaled(k: &Ball, v: &Vector) -> Vector {
-    [k * &v[0], k * &v[1]]
-}
-
-fn inner(a: &Vector, b: &Vector) -> Ball {
-    dot(a[0].prec(), a.iter().zip(b))
-}
-
-fn cross(a: &Vector, b: &Vector) -> Ball {
-    &a[0] * &b[1] - &a[1] * &b[0]
-}
-
-fn square(v: &Vector) -> Ball {
-    v[0].square() + v[1].square()
+fn inner(a: &ComplexBall, b: &ComplexBall) -> Ball {
+    dot(a.re.prec(), [(&a.re, &b.re), (&a.im, &b.im)])
 }
 
 fn undecided(bits: u32, reason: &str) -> DyadRefusal {
-    DyadRefusal::Undecided(Undecided {
-        bits,
-        reason: reason.into(),
-    })
+    DyadRefusal::Undecided(Undecided::new(bits, reason))
 }
 
 /// The sign of a ball that is known not to hold zero exactly.
@@ -187,12 +170,11 @@ pub fn four_bar(
         }
     }
     let zero = Ball::integer(bits, 0);
-    let end = [&a * &cos, &a * &sin];
-    let end1 = [-(&a * &sin), end[0].clone()];
-    let end2 = [-&end[0], -&end[1]];
-    let pivot = [d, zero.clone()];
-    let span = sub(&pivot, &end);
-    let q = square(&span);
+    let end = ComplexBall::new(&a * &cos, &a * &sin);
+    let (end1, end2) = (end.turned(), -&end);
+    let pivot = ComplexBall::new(d, zero.clone());
+    let span = &pivot - &end;
+    let q = span.norm_sqr();
     let outer = ball(&most) - &q;
     let inside = &q - ball(&least);
     for (x, what) in [(&outer, "(b+c)² − |AB|²"), (&inside, "|AB|² − (b−c)²")] {
@@ -205,52 +187,41 @@ pub fn four_bar(
     let u = &(&q + &b2 - &c2) / &twice;
     let v = &(&outer * &inside).sqrt() / &twice;
     let v = if left { v } else { -v };
-    let normal = [-&span[1], span[0].clone()];
-    let along = scaled(&u, &span);
-    let across = scaled(&v, &normal);
-    let joint = [0, 1].map(|i| &end[i] + &along[i] + &across[i]);
-    let coupler = sub(&joint, &end);
-    let rocker = sub(&joint, &pivot);
-    let determinant = cross(&coupler, &rocker);
+    let joint = &(&end + &scaled(&u, &span)) + &scaled(&v, &span.turned());
+    let coupler = &joint - &end;
+    let rocker = &joint - &pivot;
+    let determinant = coupler.cross(&rocker);
 
-    let solve = |r1: &Ball, r2: &Ball| -> Vector {
-        [
-            &(r1 * &rocker[1] - r2 * &coupler[1]) / &determinant,
-            &(r2 * &coupler[0] - r1 * &rocker[0]) / &determinant,
-        ]
+    let solve = |r1: &Ball, r2: &Ball| {
+        let x = (r1 * &rocker.im - r2 * &coupler.im) / &determinant;
+        let y = (r2 * &coupler.re - r1 * &rocker.re) / &determinant;
+        ComplexBall::new(x, y)
     };
     let joint1 = solve(&inner(&coupler, &end1), &zero);
-    let relative1 = sub(&joint1, &end1);
-    let r1 = inner(&coupler, &end2) - square(&relative1);
-    let joint2 = solve(&r1, &-square(&joint1));
-    let relative2 = sub(&joint2, &end2);
+    let relative1 = &joint1 - &end1;
+    let r1 = inner(&coupler, &end2) - relative1.norm_sqr();
+    let joint2 = solve(&r1, &-joint1.norm_sqr());
+    let relative2 = &joint2 - &end2;
 
     let one = Ball::integer(bits, 1);
     let (near2, near3) = if ra <= rd {
-        let theta = span[1].atan2(&span[0]);
+        let theta = span.arg();
         (&theta + v.atan2(&u), &theta + v.atan2(&(&u - &one)))
     } else {
-        let principal = (-&span[1]).atan2(&-&span[0]);
-        let eta = lifted(&principal, &ball(phi), bits)?;
+        let eta = lifted(&(-&span).arg(), &ball(phi), bits)?;
         let minus = -&v;
         (&eta + minus.atan2(&-&u), &eta + minus.atan2(&(&one - &u)))
     };
     all_finite([&near2, &near3], bits)?;
-    let phi2 = lifted(&coupler[1].atan2(&coupler[0]), &near2, bits)?;
-    let phi3 = lifted(&rocker[1].atan2(&rocker[0]), &near3, bits)?;
+    let phi2 = lifted(&coupler.arg(), &near2, bits)?;
+    let phi3 = lifted(&rocker.arg(), &near3, bits)?;
+    let [coupler1, coupler2] = [relative1, relative2].map(|v| coupler.cross(&v) / &b2);
+    let [rocker1, rocker2] = [joint1, joint2].map(|v| rocker.cross(&v) / &c2);
     let out = FourBarBalls {
-        coupler: [
-            phi2,
-            &cross(&coupler, &relative1) / &b2,
-            &cross(&coupler, &relative2) / &b2,
-        ],
-        rocker: [
-            phi3,
-            &cross(&rocker, &joint1) / &c2,
-            &cross(&rocker, &joint2) / &c2,
-        ],
+        coupler: [phi2, coupler1, coupler2],
+        rocker: [phi3, rocker1, rocker2],
         transmission: determinant.abs().atan2(&inner(&coupler, &rocker)),
-        joint,
+        joint: [joint.re, joint.im],
         determinant,
     };
     let all = out.joint.iter().chain(&out.coupler).chain(&out.rocker);
@@ -303,11 +274,10 @@ pub fn slider_crank(
     let (a, b, e) = (ball(ra), ball(rb), ball(re));
     let (sin, cos) = ball(phi).sin_cos();
     let (sd, cd) = ball(delta).sin_cos();
-    let t = [cd.clone(), sd.clone()];
-    let n = [-sd, cd];
-    let end = [&a * &cos, &a * &sin];
-    let end1 = [-&end[1], end[0].clone()];
-    let end2 = [-&end[0], -&end[1]];
+    let t = ComplexBall::new(cd, sd);
+    let n = t.turned();
+    let end = ComplexBall::new(&a * &cos, &a * &sin);
+    let (end1, end2) = (end.turned(), -&end);
     let (p, q) = (inner(&end, &t), inner(&end, &n));
     // A quarter of the discriminant; (A·t)² + (A·n)² = |A|² = a².
     let b2 = b.square();
@@ -319,13 +289,12 @@ pub fn slider_crank(
     let root = quarter.sqrt();
     let root = if ahead { root } else { -root };
     let x = &p + &root;
-    let slider = [0, 1].map(|i| &x * &t[i] + &e * &n[i]);
-    let rod = sub(&slider, &end);
+    let rod = &(&scaled(&x, &t) + &scaled(&e, &n)) - &end;
     let reach = inner(&rod, &t);
     let x1 = &inner(&rod, &end1) / &reach;
-    let relative1 = sub(&scaled(&x1, &t), &end1);
-    let x2 = &(inner(&rod, &end2) - square(&relative1)) / &reach;
-    let relative2 = sub(&scaled(&x2, &t), &end2);
+    let relative1 = &scaled(&x1, &t) - &end1;
+    let x2 = &(inner(&rod, &end2) - relative1.norm_sqr()) / &reach;
+    let relative2 = &scaled(&x2, &t) - &end2;
     let height = inner(&rod, &n);
     let tilt = height.atan2(&reach.abs());
     let near = if ahead {
@@ -333,14 +302,11 @@ pub fn slider_crank(
     } else {
         ball(delta) + Ball::pi(bits) - &tilt
     };
-    all_finite([&near, &rod[0], &rod[1]], bits)?;
-    let angle = lifted(&rod[1].atan2(&rod[0]), &near, bits)?;
+    all_finite([&near, &rod.re, &rod.im], bits)?;
+    let angle = lifted(&rod.arg(), &near, bits)?;
+    let [rod1, rod2] = [relative1, relative2].map(|v| rod.cross(&v) / &b2);
     let out = SliderCrankBalls {
-        rod: [
-            angle,
-            &cross(&rod, &relative1) / &b2,
-            &cross(&rod, &relative2) / &b2,
-        ],
+        rod: [angle, rod1, rod2],
         transmission: reach.abs().atan2(&height.abs()),
         slider: [x, x1, x2],
     };

@@ -125,19 +125,24 @@ fn a_four_bar_is_closed_and_moves_as_it_says() {
             seen += 1;
             let (sin, cos) = Ball::rational(BITS, &phi).sin_cos();
             let a = Ball::rational(BITS, &l[0]);
-            let end = [&a * &cos, &a * &sin];
-            let pivot = [Ball::rational(BITS, &l[3]), Ball::integer(BITS, 0)];
-            let links = [sub(&m.joint, &end), sub(&m.joint, &pivot)];
+            let end = ComplexBall::new(&a * &cos, &a * &sin);
+            let pivot = ComplexBall::new(Ball::rational(BITS, &l[3]), Ball::integer(BITS, 0));
+            let [x, y] = m.joint.clone();
+            let joint = ComplexBall::new(x, y);
+            let links = [&joint - &end, &joint - &pivot];
             for (link, (length, angle)) in
                 links.iter().zip([(&l[1], &m.coupler), (&l[2], &m.rocker)])
             {
-                assert!(square(link).contains(&Rational::from(length.square_ref())));
+                assert!(
+                    link.norm_sqr()
+                        .contains(&Rational::from(length.square_ref()))
+                );
                 let (sin, cos) = angle[0].sin_cos();
                 let length = Ball::rational(BITS, length);
-                assert!((&length * &cos).overlaps(&link[0]) && (&length * &sin).overlaps(&link[1]));
+                assert!((&length * &cos).overlaps(&link.re) && (&length * &sin).overlaps(&link.im));
             }
             assert_eq!(m.determinant.is_positive(), left);
-            assert!(m.determinant.overlaps(&cross(&links[0], &links[1])));
+            assert!(m.determinant.overlaps(&links[0].cross(&links[1])));
             let transmission = &m.coupler[0] - &m.rocker[0];
             assert!(
                 transmission
@@ -219,11 +224,11 @@ fn a_slider_crank_is_closed_and_moves_as_it_says() {
             let [a, b, e] = [0, 1, 2].map(|n| Ball::rational(BITS, &l[n]));
             // P = x t + e n.
             let x = &m.slider[0];
-            let p = [x * &cd - &e * &sd, x * &sd + &e * &cd];
-            let rod = sub(&p, &[&a * &cos, &a * &sin]);
-            assert!(square(&rod).contains(&Rational::from(l[1].square_ref())));
+            let p = ComplexBall::new(x * &cd - &e * &sd, x * &sd + &e * &cd);
+            let rod = &p - &ComplexBall::new(&a * &cos, &a * &sin);
+            assert!(rod.norm_sqr().contains(&Rational::from(l[1].square_ref())));
             let (sin, cos) = m.rod[0].sin_cos();
-            assert!((&b * &cos).overlaps(&rod[0]) && (&b * &sin).overlaps(&rod[1]));
+            assert!((&b * &cos).overlaps(&rod.re) && (&b * &sin).overlaps(&rod.im));
             // From the guide's direction, or from the opposite one, at most a quarter turn.
             let turned = (m.rod[0].to_f64() - delta.to_f64()) / std::f64::consts::PI;
             let due = if ahead { -0.5..0.5 } else { 0.5..1.5 };

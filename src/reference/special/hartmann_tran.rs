@@ -25,7 +25,7 @@
 //! `C̃₂(X + Y)` and `C̃₂`, that is the root of `X + Y` in the right half-plane. `Z₋ = X/Z₊` loses nothing.
 //! For `C̃₂ = 0`: `A = √π c w(iZ)`, `B = √π c ((1 − Z²) w(iZ) + Z/√π)`, `Z = c(C̃₀ − iδ)`.
 
-use super::faddeeva::w_ball;
+use super::faddeeva::{first, w_ball};
 use crate::{Ball, ComplexBall, Undecided};
 use rug::Rational;
 
@@ -101,10 +101,7 @@ fn tilded(p: &Parameters) -> [Rational; 2] {
 /// zero at `16 bits + 4096` bits.
 pub fn hartmann_tran(p: &Parameters, bits: u32) -> Result<ComplexBall, Undecided> {
     if let Some(rule) = refused(p) {
-        return Err(Undecided {
-            bits,
-            reason: rule.into(),
-        });
+        return Err(Undecided::new(bits, rule));
     }
     // Conjugate parameters give the conjugate profile; at the middle of a line that is but shifted they are real: C̃₀ − iδ has
     // no imaginary part where η = 0 and δ = Δ₀.
@@ -112,25 +109,15 @@ pub fn hartmann_tran(p: &Parameters, bits: u32) -> Result<ComplexBall, Undecided
     let shifted = *at_rest != 0 && p.correlation != 0;
     let real = *by_speed == 0 && p.detuning == *at_rest && !shifted;
     let cap = bits.saturating_mul(16).saturating_add(4096);
-    let mut prec = bits + 64;
-    loop {
-        if let Some(mut found) = once(p, prec) {
-            if real {
-                found.im = Ball::integer(prec, 0);
-            }
-            let enough = |part: &Ball| part.is_zero() || part.accuracy_bits() >= i64::from(bits);
-            if enough(&found.re) && enough(&found.im) {
-                return Ok(found);
-            }
+    let open = "a component of the profile cannot be told from zero";
+    first(bits + 64, 1, cap, open, |prec| {
+        let mut found = once(p, prec)?;
+        if real {
+            found.im = Ball::integer(prec, 0);
         }
-        if prec == cap {
-            return Err(Undecided {
-                bits: prec,
-                reason: "a component of the profile cannot be told from zero".into(),
-            });
-        }
-        prec = prec.saturating_mul(2).min(cap);
-    }
+        let enough = |part: &Ball| part.is_zero() || part.accuracy_bits() >= i64::from(bits);
+        (enough(&found.re) && enough(&found.im)).then_some(found)
+    })
 }
 
 fn once(p: &Parameters, prec: u32) -> Option<ComplexBall> {

@@ -13,9 +13,8 @@
 //! [`Spline`] is exact. [`periodic_uniform`] takes balls as ordinates.
 
 use crate::ball::Ball;
-use crate::tridiagonal::{Equation, solve_sparse};
+use crate::tridiagonal::{Equation, equation, solve_sparse};
 use rug::Rational;
-use std::collections::BTreeMap;
 
 /// Why there is no spline.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -46,16 +45,6 @@ pub struct Spline {
     y: Vec<Rational>,
     /// Slopes at the knots.
     s: Vec<Rational>,
-}
-
-type Entry = (usize, Rational);
-
-fn equation(entries: impl IntoIterator<Item = Entry>, rhs: Rational) -> Equation {
-    let mut row: BTreeMap<usize, Rational> = BTreeMap::new();
-    for (j, v) in entries {
-        *row.entry(j).or_default() += v;
-    }
-    (row, vec![rhs])
 }
 
 struct Data {
@@ -100,7 +89,7 @@ impl Data {
         };
         let middle = Rational::from(&p + &q) * 2;
         let rhs = (Rational::from(&p * &self.delta[a]) + Rational::from(&q * &self.delta[b])) * 3;
-        equation([(i, p), (j, middle), (k, q)], rhs)
+        equation([(i, p), (j, middle), (k, q)], vec![rhs])
     }
 
     /// Equal third derivatives of segments `a` and `a + 1`.
@@ -110,7 +99,7 @@ impl Data {
         let rhs =
             (Rational::from(&p * &self.delta[a]) - Rational::from(&q * &self.delta[a + 1])) * 2;
         let middle = Rational::from(&p - &q);
-        equation([(a, p), (a + 1, middle), (a + 2, -q)], rhs)
+        equation([(a, p), (a + 1, middle), (a + 2, -q)], vec![rhs])
     }
 
     fn open(&self, first: Equation, last: Equation) -> Vec<Rational> {
@@ -150,7 +139,8 @@ impl Spline {
         let d = Data::new(x, y)?;
         let n = d.h.len();
         let row = |own: usize, other: usize, rhs: Rational| {
-            equation([(own, Rational::from(2)), (other, Rational::from(1))], rhs)
+            let entries = [(own, Rational::from(2)), (other, Rational::from(1))];
+            equation(entries, vec![rhs])
         };
         let left = Rational::from(&d.delta[0] * 3) - Rational::from(&d.h[0] * first) / 2;
         let right = Rational::from(&d.delta[n - 1] * 3) + Rational::from(&d.h[n - 1] * last) / 2;
@@ -178,7 +168,7 @@ impl Spline {
     ) -> Result<Spline, SplineError> {
         let d = Data::new(x, y)?;
         let n = d.h.len();
-        let row = |i: usize, v: &Rational| equation([(i, Rational::from(1))], v.clone());
+        let row = |i: usize, v: &Rational| equation([(i, Rational::from(1))], vec![v.clone()]);
         let s = d.open(row(0, first), row(n, last));
         Ok(Spline::new(x, y, s))
     }
@@ -326,10 +316,10 @@ pub fn periodic_uniform(values: &[Ball], h: &Ball) -> Result<PeriodicUniform, Sp
     let spread = |i: usize, middle: i32| {
         [((i + n - 1) % n, 1), (i, middle), ((i + 1) % n, 1)].map(|(j, v)| (j, Rational::from(v)))
     };
-    let (difference, _) = equation(spread(0, -2), Rational::new());
+    let (difference, _) = equation(spread(0, -2), Vec::new());
     let row = |i: usize| {
         let rhs = difference.get(&i).cloned().unwrap_or_default();
-        equation(spread(i, 4), rhs)
+        equation(spread(i, 4), vec![rhs])
     };
     Ok(PeriodicUniform {
         y: values.to_vec(),
@@ -340,13 +330,8 @@ pub fn periodic_uniform(values: &[Ball], h: &Ball) -> Result<PeriodicUniform, Sp
 
 impl PeriodicUniform {
     fn prec(&self) -> u32 {
-        self.y
-            .iter()
-            .map(Ball::prec)
-            .max()
-            .unwrap_or(64)
-            .max(self.h.prec())
-            + 32
+        let ordinates = self.y.iter().map(Ball::prec);
+        ordinates.fold(self.h.prec(), u32::max) + 32
     }
 
     /// `Σ_j f(j) y_j` with exact weights.

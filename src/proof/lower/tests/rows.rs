@@ -1,5 +1,6 @@
 use super::*;
 use crate::pinned::{bit_by_bit, counted, largest};
+use crate::truncation::rows::{STORED, TERMS, places};
 
 /// Each entry of a row is compared with its coefficient.
 #[test]

@@ -80,10 +80,10 @@ pub fn response(problem: &Problem, bits: u32) -> Result<Response, Undecided> {
             return Ok(found);
         }
         if prec >= cap {
-            return Err(Undecided {
-                bits: prec,
-                reason: "a component of the response cannot be told from zero".into(),
-            });
+            return Err(Undecided::new(
+                prec,
+                "a component of the response cannot be told from zero",
+            ));
         }
         guard = (3 * guard).min(cap - bits);
     }

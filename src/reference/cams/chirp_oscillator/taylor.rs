@@ -56,10 +56,10 @@ fn convolution(p: &Problem, prec: u32) -> Result<(ComplexBall, ComplexBall), Und
     let phase = (f64::from(prec) * 0.12).clamp(4.0, 200.0);
     let panels = (rate * about(&p.t) / (2.0 * phase)).ceil().max(1.0);
     if !(panels <= PANELS) {
-        return Err(Undecided {
-            bits: prec,
-            reason: format!("{panels} Taylor panels are too many"),
-        });
+        return Err(Undecided::new(
+            prec,
+            format!("{panels} Taylor panels are too many"),
+        ));
     }
     let panels = panels as u32;
     let half = Rational::from(&p.t / (2 * panels));

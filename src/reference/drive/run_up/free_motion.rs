@@ -53,10 +53,7 @@ pub fn free_motion_factor(
                     parts.push((centre + by, depth + 1));
                 }
                 None => {
-                    return Err(Undecided {
-                        bits,
-                        reason: "I_n + I_1 cannot be told from zero".into(),
-                    });
+                    return Err(Undecided::new(bits, "I_n + I_1 cannot be told from zero"));
                 }
             }
         }

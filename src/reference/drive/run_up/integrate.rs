@@ -102,10 +102,7 @@ pub(super) fn integrate_within(
     most_steps: usize,
 ) -> Result<Motion, Undecided> {
     let bits = model.bits;
-    let undecided = |reason: &str| Undecided {
-        bits,
-        reason: reason.into(),
-    };
+    let undecided = |reason: &str| Undecided::new(bits, reason);
     if let Some(fault) = run.motor.fault() {
         return Err(undecided(fault));
     }
@@ -185,10 +182,7 @@ impl Walk<'_> {
         order: usize,
     ) -> Result<Walk<'a>, Undecided> {
         let bits = model.bits;
-        let undecided = |reason: &str| Undecided {
-            bits,
-            reason: reason.into(),
-        };
+        let undecided = |reason: &str| Undecided::new(bits, reason);
         let place = model.place(&run.angle);
         let below = place.lower().floor();
         let exact = place.rad().is_zero() && place.mid().is_integer();
@@ -256,10 +250,10 @@ impl Walk<'_> {
             }
             longest *= 0.5;
         }
-        Err(Undecided {
-            bits: self.set.bits,
-            reason: format!("at t = {:.6} s: {reason}", self.time.to_f64()),
-        })
+        Err(Undecided::new(
+            self.set.bits,
+            format!("at t = {:.6} s: {reason}", self.time.to_f64()),
+        ))
     }
 
     /// The motion at a time within a step.
@@ -320,11 +314,8 @@ impl Walk<'_> {
     pub(super) fn state_at(mut self, x: &Float) -> Result<(Ball, Ball), Undecided> {
         loop {
             let panel = self.model.panel(self.index)?;
-            let piece =
-                step(&self.set, &panel, &self.here, x, LONGEST).map_err(|reason| Undecided {
-                    bits: self.set.bits,
-                    reason: reason.into(),
-                })?;
+            let piece = step(&self.set, &panel, &self.here, x, LONGEST)
+                .map_err(|reason| Undecided::new(self.set.bits, reason))?;
             let end = &self.time + &piece.duration;
             if piece.x1 == *x {
                 return Ok((piece.speed, end));

@@ -1,7 +1,7 @@
 //! The exact coefficient functions of a linkage, panel by panel along its branch.
 
 use super::linkage_panel::{Mechanism, Panel};
-use crate::class_iii::{Configuration, ExactAngle, Geometry, Linkage, Masses};
+use crate::class_iii::{Configuration, ExactAngle, Geometry, Linkage, Masses, Mode};
 use crate::{Ball, Undecided};
 use rug::Rational;
 use std::sync::{Arc, Mutex};
@@ -63,10 +63,7 @@ impl LinkageCurve {
     }
 
     pub(super) fn undecided(&self, reason: impl Into<String>) -> Undecided {
-        Undecided {
-            bits: self.bits,
-            reason: reason.into(),
-        }
+        Undecided::new(self.bits, reason)
     }
 
     /// `offset + π k/panels`.
@@ -102,24 +99,15 @@ impl LinkageCurve {
     /// Whether the configuration after one turn touches that of the start and no other of all
     /// assembly modes, which are disjoint.
     fn is_back(&self, end: &Configuration) -> Result<bool, Undecided> {
-        let touches = |a: &Configuration, b: &Configuration| {
-            let pairs = [
-                (&a.c.re, &b.c.re),
-                (&a.c.im, &b.c.im),
-                (&a.d.re, &b.d.re),
-                (&a.d.im, &b.d.im),
-            ];
-            pairs.iter().all(|(x, y)| x.overlaps(y))
-        };
         let modes = self.linkage.modes(&self.offset.to_ball(self.bits))?;
-        let own: Vec<bool> = modes
-            .iter()
-            .map(|m| touches(&m.configuration, &self.start))
-            .collect();
-        let there: Vec<bool> = modes
-            .iter()
-            .map(|m| touches(&m.configuration, end))
-            .collect();
+        let touched = |by: &Configuration| -> Vec<bool> {
+            let touches = |m: &Mode| {
+                let mut pairs = m.configuration.balls().into_iter().zip(by.balls());
+                pairs.all(|(x, y)| x.overlaps(y))
+            };
+            modes.iter().map(touches).collect()
+        };
+        let (own, there) = (touched(&self.start), touched(end));
         let one = |v: &[bool]| v.iter().filter(|&&x| x).count() == 1;
         Ok(one(&own) && own == there)
     }

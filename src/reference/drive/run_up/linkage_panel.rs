@@ -180,8 +180,7 @@ impl Mechanism {
         let order = cx.coefficients().len() - 1;
         let a = crank(order);
         let (c, d) = (Vector([cx, cy]), Vector([dx, dy]));
-        let joints = [&at.c.re, &at.c.im, &at.d.re, &at.d.im];
-        let known = joints.iter().fold(Mag::ZERO, |m, b| m.max(b.rad()));
+        let known = at.balls().iter().fold(Mag::ZERO, |m, b| m.max(b.rad()));
         let r = self.contraction(&a, &c, &d, order, known)?;
         Some(self.reduced(&a, &c, &d, r, &disc, order))
     }
@@ -232,13 +231,8 @@ impl Mechanism {
                 }
             }
         };
-        push(
-            &mut p,
-            link([&z[0][0], &z[1][0], &z[2][0], &z[3][0]], true),
-            0,
-        );
+        push(&mut p, link(z.each_ref().map(|z| &z[0]), true), 0);
         let q = |e: usize, i: usize| p[e][i][0].clone();
-        let neg = |x: Float| -x;
         let conj = |k: &[Float; 2]| {
             [
                 Float::with_val(bits, &k[0] * q(3, 0)) + Float::with_val(bits, &k[1] * q(3, 1)),
@@ -249,8 +243,8 @@ impl Mechanism {
         let jacobian = vec![
             vec![q(0, 0), q(0, 1), zero(), zero()],
             vec![zero(), zero(), q(1, 0), q(1, 1)],
-            vec![neg(q(2, 0)), neg(q(2, 1)), q(2, 0), q(2, 1)],
-            vec![gc[0].clone(), gc[1].clone(), gd[0].clone(), gd[1].clone()],
+            vec![-q(2, 0), -q(2, 1), q(2, 0), q(2, 1)],
+            [gc, gd].concat(),
         ];
         let inverse = invert(jacobian, bits)?;
         let small = Float::with_val(BITS, 1) >> (bits + 2);
@@ -280,15 +274,10 @@ impl Mechanism {
                 largest.max_mut(&Float::with_val(BITS, x.abs_ref()));
                 z.push(x);
             }
-            push(
-                &mut p,
-                link([&z[0][j], &z[1][j], &z[2][j], &z[3][j]], false),
-                j,
-            );
-            quiet = if largest < Float::with_val(BITS, &scale * &small) {
-                quiet + 1
-            } else {
-                0
+            push(&mut p, link(z.each_ref().map(|z| &z[j]), false), j);
+            quiet = match largest < Float::with_val(BITS, &scale * &small) {
+                true => quiet + 1,
+                false => 0,
             };
             if quiet == 3 {
                 return Some(z);
@@ -317,9 +306,8 @@ impl Mechanism {
         if !y.iter().all(|x| x.is_finite()) {
             return None;
         }
-        let size = (0..4).fold(Mag::ZERO, |m, i| {
-            m.max(combined(&y, i, |m| residual[m].clone(), self.bits).norm())
-        });
+        let row = |i: usize| combined(&y, i, |m| residual[m].clone(), self.bits).norm();
+        let size = (0..4).map(row).fold(Mag::ZERO, Mag::max);
         let (off, rows) = norms(&y, &jacobian);
         // At least as wide as the enclosure at the centre, so that its zero is the one found here.
         let r = size.shift(1).max(known);
@@ -331,8 +319,8 @@ impl Mechanism {
     /// G_z at 64 bits over the disc, from the links' vectors.
     fn jacobian(&self, links: &[Vector; 4]) -> [[TaylorModel; 4]; 4] {
         let low: Vec<Vector> = links.iter().map(|v| v.map(|t| t.with_prec(BITS))).collect();
-        let gc = low[3].turned(&self.one_minus_kappa.conj());
-        let gd = low[3].turned(&self.kappa.conj());
+        let Vector([gx, gy]) = low[3].turned(&self.one_minus_kappa.conj());
+        let Vector([hx, hy]) = low[3].turned(&self.kappa.conj());
         let zero = || TaylorModel::constant(&Ball::integer(BITS, 0));
         let [u, v, w] = [&low[0].0, &low[1].0, &low[2].0];
         let negative = |t: &TaylorModel| t.scaled(&Ball::integer(BITS, -1));
@@ -340,23 +328,18 @@ impl Mechanism {
             [u[0].clone(), u[1].clone(), zero(), zero()],
             [zero(), zero(), v[0].clone(), v[1].clone()],
             [negative(&w[0]), negative(&w[1]), w[0].clone(), w[1].clone()],
-            [
-                gc.0[0].clone(),
-                gc.0[1].clone(),
-                gd.0[0].clone(),
-                gd.0[1].clone(),
-            ],
+            [gx, gy, hx, hy],
         ]
     }
 
     /// What an entry of G_z, linear in z, changes by per change of z: at most max(2, s²) with
     /// s = |Re κ| + |Im κ| + |Re (1 − κ)| + |Im (1 − κ)|.
     fn lipschitz(&self) -> Mag {
-        let s = [&self.kappa, &self.one_minus_kappa]
-            .into_iter()
-            .fold(Mag::ZERO, |s, k| {
-                s.add(k.re.magnitude()).add(k.im.magnitude())
-            });
+        let s = [&self.kappa, &self.one_minus_kappa].map(|k| [&k.re, &k.im]);
+        let s = s
+            .iter()
+            .flatten()
+            .fold(Mag::ZERO, |s, x| s.add(x.magnitude()));
         s.mul(s).max(Mag::from_f64(2.0))
     }
 
@@ -382,25 +365,20 @@ impl Mechanism {
         let a1 = Vector([a1.0[1].scaled(&Ball::integer(bits, -1)), a1.0[0].clone()]);
         let b1 = self.joint_b(&c1, &d1);
         // Vectors of links 1 to 5 and the velocities of their origins.
-        let none = || {
-            let zero = TaylorModel::constant(&Ball::integer(bits, 0));
-            Vector([zero.clone(), zero])
-        };
+        let zero = TaylorModel::constant(&Ball::integer(bits, 0));
+        let none = Vector([zero.clone(), zero.clone()]);
+        let [l3, l5, l4, l2] = &self.length;
         let frames = [
-            (None, a1.clone(), self.crank.clone()),
-            (Some(a1.clone()), b1.minus(&a1), self.length[3].clone()),
-            (None, c1.clone(), self.length[0].clone()),
-            (Some(c1.clone()), d1.minus(&c1), self.length[2].clone()),
-            (None, d1.clone(), self.length[1].clone()),
+            (&none, &a1, &self.crank),
+            (&a1, &b1.minus(&a1), l2),
+            (&none, &c1, l3),
+            (&c1, &d1.minus(&c1), l4),
+            (&none, &d1, l5),
         ];
-        let mut inertia = TaylorModel::constant(&Ball::integer(bits, 0));
-        let mut height = TaylorModel::constant(&Ball::integer(bits, 0));
-        for (body, (origin, vector, length)) in self.bodies.iter().zip(&frames) {
+        let (mut inertia, mut height) = (zero.clone(), zero);
+        for (body, (origin, vector, length)) in self.bodies.iter().zip(frames) {
             let (m, j, about_pivot, share) = body;
-            let centre = origin
-                .clone()
-                .unwrap_or_else(none)
-                .plus(&vector.turned(share));
+            let centre = origin.plus(&vector.turned(share));
             if !about_pivot && !m.is_zero() {
                 inertia = inertia.plus(&centre.squared(order).scaled(m));
             }

@@ -75,17 +75,14 @@ impl Motor {
     pub(super) fn at(&self, bits: u32) -> Characteristic {
         let b = |q: &Rational| Ball::rational(bits, q);
         let zero = Ball::integer(bits, 0);
+        let polynomial = |numerator| Characteristic {
+            numerator,
+            denominator: None,
+            kloss: None,
+        };
         match self {
-            Motor::Constant { torque } => Characteristic {
-                numerator: [b(torque), zero],
-                denominator: None,
-                kloss: None,
-            },
-            Motor::Linear { standstill, slope } => Characteristic {
-                numerator: [b(standstill), -b(slope)],
-                denominator: None,
-                kloss: None,
-            },
+            Motor::Constant { torque } => polynomial([b(torque), zero]),
+            Motor::Linear { standstill, slope } => polynomial([b(standstill), -b(slope)]),
             Motor::Kloss {
                 breakdown_torque,
                 breakdown_slip,
@@ -122,17 +119,11 @@ impl Characteristic {
 
     /// The characteristic for the motion in the direction `−φ`: speeds and torques change sign.
     pub(super) fn reversed(&self) -> Characteristic {
-        let [n0, n1] = &self.numerator;
+        let [n0, n1] = self.numerator.clone();
         Characteristic {
-            numerator: [-n0, n1.clone()],
-            denominator: self
-                .denominator
-                .as_ref()
-                .map(|[a, b, c]| [a.clone(), -b, c.clone()]),
-            kloss: self
-                .kloss
-                .as_ref()
-                .map(|[n, s, w]| [n.clone(), s.clone(), -w]),
+            numerator: [-n0, n1],
+            denominator: self.denominator.clone().map(|[a, b, c]| [a, -b, c]),
+            kloss: self.kloss.clone().map(|[n, s, w]| [n, s, -w]),
         }
     }
 
@@ -168,12 +159,9 @@ impl Characteristic {
     /// Midpoints of numerator and denominator.
     pub(super) fn midpoints(&self) -> ([Float; 2], Option<[Float; 3]>) {
         let mid = |b: &Ball| b.mid().clone();
-        let n = [mid(&self.numerator[0]), mid(&self.numerator[1])];
-        let d = self
-            .denominator
-            .as_ref()
-            .map(|d| [mid(&d[0]), mid(&d[1]), mid(&d[2])]);
-        (n, d)
+        let d = self.denominator.as_ref();
+        let n = self.numerator.each_ref().map(mid);
+        (n, d.map(|d| d.each_ref().map(mid)))
     }
 }
 

@@ -63,26 +63,20 @@ fn speeds(tube: &Ball, rest: bool) -> Ball {
 }
 
 fn growth(rest: bool, rate: f64, start: Mag, defect: Mag) -> Growth {
+    let all = |most: Mag| Growth {
+        end: most,
+        most,
+        mean: most,
+    };
     if rest {
         // |e|/u².
-        let all = defect.shift(-1).mul(exp_above(rate.max(0.0)));
-        return Growth {
-            end: all,
-            most: all,
-            mean: all,
-        };
+        return all(defect.shift(-1).mul(exp_above(rate.max(0.0))));
     }
     if rate > 0.0 {
-        let all = start.add(defect).mul(exp_above(rate));
-        return Growth {
-            end: all,
-            most: all,
-            mean: all,
-        };
+        return all(start.add(defect).mul(exp_above(rate)));
     }
     let one = Mag::from_f64(1.0);
-    let share = one.div(Mag::from_f64(rate));
-    let share = if share < one { share } else { one };
+    let share = one.div(Mag::from_f64(rate)).min(one);
     let added = defect.mul(share);
     Growth {
         end: start.mul(exp_above(rate)).add(added),
@@ -179,17 +173,11 @@ impl Proof<'_> {
         let speeds = speeds(&tube, self.rest);
         let m = self.set.motor.slope(&speeds).with_prec(64).upper();
         let point = |x: Float| Ball::new(x, Mag::ZERO);
-        let (jm, cm) = if m < 0 {
-            (j.upper(), tube.upper())
-        } else {
-            (j.lower(), tube.lower())
+        let (jm, cm, s1) = match m < 0 {
+            true => (j.upper(), tube.upper(), self.s1.lower()),
+            false => (j.lower(), tube.lower(), self.s1.upper()),
         };
-        let s1 = if m < 0 {
-            self.s1.lower()
-        } else {
-            self.s1.upper()
-        };
-        let motor = point(m) * point(s1.clone()) / (point(jm) * point(cm));
+        let motor = point(m) * point(s1) / (point(jm) * point(cm));
         let j_u = centre.derivative(Mag::ZERO);
         let g = if self.rest {
             self.slope.times_x()

@@ -91,10 +91,7 @@ pub(super) fn follow_from(
     legs: &[Leg],
 ) -> Result<[Ball; 2], Undecided> {
     let bits = model.bits();
-    let undecided = |reason: &str| Undecided {
-        bits,
-        reason: reason.into(),
-    };
+    let undecided = |reason: &str| Undecided::new(bits, reason);
     if let Some(fault) = run.motor.fault() {
         return Err(undecided(fault));
     }
@@ -224,17 +221,14 @@ impl Coefficients {
         let whole = |x: Float| {
             index(x)
                 .and_then(|(i, _): (Integer, _)| i.to_i64())
-                .ok_or_else(|| Undecided {
-                    bits: self.bits,
-                    reason: "the crank angle is too large".into(),
-                })
+                .ok_or_else(|| Undecided::new(self.bits, "the crank angle is too large"))
         };
         let (first, last) = (whole(over.lower())?, whole(over.upper())?);
         if last - first > 1 {
-            return Err(Undecided {
-                bits: self.bits,
-                reason: "the error of the steps outgrows a panel".into(),
-            });
+            return Err(Undecided::new(
+                self.bits,
+                "the error of the steps outgrows a panel",
+            ));
         }
         let per_radian = self.half_width().recip();
         let panels = (first..=last).map(|i| Ok((i, self.panel(i)?)));

@@ -35,23 +35,17 @@ const HALVINGS: u32 = 20;
 /// Coordinates (Cx, Cy, Dx, Dy).
 pub(super) type Point4 = [Float; 4];
 
-fn exact(z: &Point4) -> (ComplexBall, ComplexBall) {
-    let b = |x: &Float| Ball::new(x.clone(), Mag::ZERO);
-    (
-        ComplexBall::new(b(&z[0]), b(&z[1])),
-        ComplexBall::new(b(&z[2]), b(&z[3])),
-    )
+/// Joints C and D.
+fn joints(z: &Point4, part: impl Fn(&Float) -> Ball) -> (ComplexBall, ComplexBall) {
+    let [cx, cy, dx, dy] = z.each_ref().map(part);
+    (ComplexBall::new(cx, cy), ComplexBall::new(dx, dy))
 }
 
-fn boxed(z: &Point4, r: Mag, bits: u32) -> (ComplexBall, ComplexBall) {
-    let b = |x: &Float| Ball::new(x.clone(), r).with_prec(bits);
-    (
-        ComplexBall::new(b(&z[0]), b(&z[1])),
-        ComplexBall::new(b(&z[2]), b(&z[3])),
-    )
+fn boxed(z: &Point4, r: Mag) -> (ComplexBall, ComplexBall) {
+    joints(z, |x| Ball::new(x.clone(), r).with_prec(BITS))
 }
 
-/// The largest upper bound of `|Y v|`, with each component.
+/// `Y v`.
 fn apply(y: &Matrix4<f64>, v: &[Ball; 4]) -> [Ball; 4] {
     std::array::from_fn(|i| {
         let mut sum = Ball::integer(BITS, 0);
@@ -60,10 +54,6 @@ fn apply(y: &Matrix4<f64>, v: &[Ball; 4]) -> [Ball; 4] {
         }
         sum
     })
-}
-
-fn largest(v: &[Ball; 4]) -> Mag {
-    v.iter().fold(Mag::ZERO, |m, x| m.max(x.magnitude()))
 }
 
 impl Linkage {
@@ -106,7 +96,7 @@ impl Linkage {
     }
 
     pub(super) fn approximate_inverse(&self, a: &ComplexBall, z: &Point4) -> Option<Matrix4<f64>> {
-        let (c, d) = boxed(z, Mag::ZERO, BITS);
+        let (c, d) = boxed(z, Mag::ZERO);
         let j = self.jacobian(a, &c, &d);
         let m = Matrix4::from_fn(|i, k| j[i][k].mid().to_f64());
         m.try_inverse().filter(|y| y.iter().all(|x| x.is_finite()))
@@ -121,38 +111,33 @@ impl Linkage {
         d: &ComplexBall,
     ) -> Mag {
         let j = self.jacobian(a, c, d);
-        let mut norm = Mag::ZERO;
-        for i in 0..4 {
-            let mut row = Mag::ZERO;
-            for k in 0..4 {
-                let mut e = Ball::integer(BITS, i64::from(i == k));
-                for (m, jm) in j.iter().enumerate() {
-                    e = e - &Ball::exact(BITS, y[(i, m)]) * &jm[k];
-                }
-                row = row.add(e.magnitude());
-            }
-            norm = norm.max(row);
-        }
-        norm
+        let entry = |i: usize, k: usize| {
+            let one = Ball::integer(BITS, i64::from(i == k));
+            let terms = (0..4).map(|m| Ball::exact(BITS, y[(i, m)]) * &j[m][k]);
+            terms.fold(one, |e, term| e - term).magnitude()
+        };
+        let row = |i: usize| (0..4).fold(Mag::ZERO, |sum, k| sum.add(entry(i, k)));
+        (0..4).fold(Mag::ZERO, |norm, i| norm.max(row(i)))
     }
 
-    /// Crank pin for a crank direction.
-    fn pin(&self, e1: &ComplexBall) -> ComplexBall {
-        e1.scaled(&self.l1)
+    /// `Y F(z)`, and the largest upper bound of a component.
+    fn step(&self, y: &Matrix4<f64>, a: &ComplexBall, z: &Point4) -> ([Ball; 4], Mag) {
+        let (c, d) = joints(z, |x| Ball::new(x.clone(), Mag::ZERO));
+        let step = apply(y, &self.residual(a, &c, &d));
+        let size = step.iter().fold(Mag::ZERO, |m, x| m.max(x.magnitude()));
+        (step, size)
     }
 
     /// The joints for the crank direction `e1`, enclosed around the zero that the chord method
     /// finds from `guess`; `None` if Krawczyk's test fails at this precision.
     pub(super) fn enclose(&self, e1: &ComplexBall, guess: &Point4) -> Option<Configuration> {
-        let a = self.pin(e1);
+        let a = e1.scaled(&self.l1);
         let mut z: Point4 = std::array::from_fn(|i| Float::with_val(self.bits, &guess[i]));
         let mut y = self.approximate_inverse(&a, &z)?;
         let mut last = Mag::INFINITY;
         // Each round gains some 40 bits or more; the count is only a guard.
         for round in 0..self.bits {
-            let (c, d) = exact(&z);
-            let step = apply(&y, &self.residual(&a, &c, &d));
-            let size = largest(&step);
+            let (step, size) = self.step(&y, &a, &z);
             // Settled: the step is rounding, or not finite, and no longer shrinks.
             if round > 1 && size >= last.shift(-1) {
                 break;
@@ -165,15 +150,13 @@ impl Linkage {
             }
             last = size;
         }
-        let (c, d) = exact(&z);
-        let step = apply(&y, &self.residual(&a, &c, &d));
-        let size = largest(&step);
+        let (step, size) = self.step(&y, &a, &z);
         // Where the zero is hit exactly, any box shows that it is alone.
         let r = match size.is_zero() {
             true => Mag::power_of_two(-i64::from(self.bits)),
             false => size.shift(2),
         };
-        let (bc, bd) = boxed(&z, r, BITS);
+        let (bc, bd) = boxed(&z, r);
         let contraction = self.contraction(&y, &a, &bc, &bd);
         let reach = size.add(contraction.mul(r));
         if !(reach < r) {
@@ -186,23 +169,13 @@ impl Linkage {
         };
         let c = ComplexBall::new(ball(0), ball(1));
         let d = ComplexBall::new(ball(2), ball(3));
-        Some(self.configuration(e1, a, c, d))
-    }
-
-    fn configuration(
-        &self,
-        e1: &ComplexBall,
-        a: ComplexBall,
-        c: ComplexBall,
-        d: ComplexBall,
-    ) -> Configuration {
-        Configuration {
+        Some(Configuration {
             e1: e1.clone(),
             b: self.joint_b(&c, &d),
             a,
             c,
             d,
-        }
+        })
     }
 
     /// Whether two enclosed configurations lie on one branch over the crank angles between them:
@@ -214,24 +187,18 @@ impl Linkage {
         from: &Configuration,
         to: &Configuration,
     ) -> bool {
-        let a = self.pin(arc);
-        let hull = |x: &Ball, y: &Ball| x.with_prec(BITS).union(&y.with_prec(BITS));
-        let ends = [
-            hull(&from.c.re, &to.c.re),
-            hull(&from.c.im, &to.c.im),
-            hull(&from.d.re, &to.d.re),
-            hull(&from.d.im, &to.d.im),
-        ];
+        let a = arc.scaled(&self.l1);
+        let [p, q] = [from, to].map(|at| at.balls().map(|b| b.with_prec(BITS)));
+        let ends: [Ball; 4] = std::array::from_fn(|i| p[i].union(&q[i]));
         let z: Point4 = std::array::from_fn(|i| ends[i].mid().clone());
         let Some(y) = self.approximate_inverse(&a, &z) else {
             return false;
         };
-        let (c, d) = exact(&z);
-        let size = largest(&apply(&y, &self.residual(&a, &c, &d)));
+        let (_, size) = self.step(&y, &a, &z);
         let need = ends.iter().fold(size, |m, e| m.max(e.rad()));
         // Room for the curvature of the path and for the contraction.
         let r = need.mul(Mag::from_f64(1.5));
-        let (bc, bd) = boxed(&z, r, BITS);
+        let (bc, bd) = boxed(&z, r);
         let contraction = self.contraction(&y, &a, &bc, &bd);
         size.add(contraction.mul(r)) < r
     }
@@ -254,11 +221,10 @@ impl Linkage {
         from: &Configuration,
         phi_from: &Ball,
         phi_to: &Ball,
-        guess: Option<[Float; 4]>,
+        mut guess: Option<[Float; 4]>,
     ) -> Option<Configuration> {
         let mut here = from.clone();
         let mut at = phi_from.clone();
-        let mut guess = guess;
         loop {
             let mut next = phi_to.clone();
             let mut left = HALVINGS;
@@ -295,6 +261,11 @@ impl Linkage {
 impl Configuration {
     /// Midpoints of (Cx, Cy, Dx, Dy).
     pub fn coordinates(&self) -> [Float; 4] {
-        [&self.c.re, &self.c.im, &self.d.re, &self.d.im].map(|b| b.mid().clone())
+        self.balls().map(|b| b.mid().clone())
+    }
+
+    /// Cx, Cy, Dx, Dy.
+    pub(crate) fn balls(&self) -> [&Ball; 4] {
+        [&self.c.re, &self.c.im, &self.d.re, &self.d.im]
     }
 }

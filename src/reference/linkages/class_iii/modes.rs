@@ -51,13 +51,11 @@ impl Resultant {
         let dd = delta.mul(&delta.conj());
         let scaled = Laurent::new(dd.offset, dd.c.iter().map(|x| x.scaled(&l3)).collect());
         let t = nn.sub(&scaled);
-        let c: Vec<ComplexBall> = (0..=3)
-            .map(|k| t.at(k).cloned().unwrap_or_else(|| zero.clone()))
-            .collect();
+        let c = (0..=3).map(|k| t.at(k).cloned().unwrap_or_else(|| zero.clone()));
         Resultant {
             n,
             delta,
-            t: Trigonometric::new(bits, c),
+            t: Trigonometric::new(bits, c.collect()),
         }
     }
 
@@ -105,10 +103,7 @@ impl Linkage {
         resultant: &Resultant,
         zeros: Vec<(Float, Float, Float)>,
     ) -> Result<Vec<Mode>, Undecided> {
-        let undecided = |reason: &str| Undecided {
-            bits: self.bits,
-            reason: reason.into(),
-        };
+        let undecided = |reason: &str| Undecided::new(self.bits, reason);
         let mut modes = Vec::new();
         for (theta, lo, hi) in zeros {
             let tau = ComplexBall::unit(&Ball::new(theta, Mag::ZERO).with_prec(self.bits));
@@ -141,10 +136,7 @@ impl Linkage {
 fn within(phi: &Ball, lo: &Float, hi: &Float) -> bool {
     let bits = phi.prec();
     let turn = Ball::pi(bits).shift(1);
-    let (lo, hi) = (
-        Ball::new(lo.clone(), Mag::ZERO),
-        Ball::new(hi.clone(), Mag::ZERO),
-    );
+    let [lo, hi] = [lo, hi].map(|x| Ball::new(x.clone(), Mag::ZERO));
     [-1, 0, 1].iter().any(|&k| {
         let x = phi + &(&turn * &Ball::integer(bits, k));
         (&x - &lo).is_positive() && (&hi - &x).is_positive()

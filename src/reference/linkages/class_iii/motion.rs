@@ -43,28 +43,17 @@ impl Jet {
         }
     }
 
+    /// An operation that is applied to each derivative.
+    fn with(&self, o: &Jet, f: impl Fn(&ComplexBall, &ComplexBall) -> ComplexBall) -> Jet {
+        Jet {
+            r: f(&self.r, &o.r),
+            first: f(&self.first, &o.first),
+            second: f(&self.second, &o.second),
+        }
+    }
+
     fn minus(&self, o: &Jet) -> Jet {
-        Jet {
-            r: &self.r - &o.r,
-            first: &self.first - &o.first,
-            second: &self.second - &o.second,
-        }
-    }
-
-    fn plus(&self, o: &Jet) -> Jet {
-        Jet {
-            r: &self.r + &o.r,
-            first: &self.first + &o.first,
-            second: &self.second + &o.second,
-        }
-    }
-
-    fn times(&self, k: &ComplexBall) -> Jet {
-        Jet {
-            r: &self.r * k,
-            first: &self.first * k,
-            second: &self.second * k,
-        }
+        self.with(o, |a, b| a - b)
     }
 }
 
@@ -111,9 +100,11 @@ impl Linkage {
     /// # Errors
     /// [`Undecided`] when the matrix cannot be told from a singular one.
     pub fn kinematics(&self, q: &Configuration) -> Result<Kinematics, Undecided> {
-        let singular = || Undecided {
-            bits: self.bits,
-            reason: "the velocity matrix cannot be told from a singular one".into(),
+        let singular = || {
+            Undecided::new(
+                self.bits,
+                "the velocity matrix cannot be told from a singular one",
+            )
         };
         let matrix = self.velocity_matrix(q).ok_or_else(singular)?;
         let joints = self.joints(q, &matrix);
@@ -134,10 +125,8 @@ impl Linkage {
         let a2 = -&q.a;
         let arm = &q.b - &q.a;
         let point = |x: &[Ball]| {
-            (
-                ComplexBall::new(x[0].clone(), x[1].clone()),
-                ComplexBall::new(x[2].clone(), x[3].clone()),
-            )
+            let part = |i: usize| ComplexBall::new(x[i].clone(), x[i + 1].clone());
+            (part(0), part(2))
         };
         let (c1, d1) = point(&matrix.solve(&[zero(), zero(), zero(), arm.dot(&a1)]));
         let b1 = self.joint_b(&c1, &d1);
@@ -196,7 +185,7 @@ impl Linkage {
         let turns = self.centre_turns(masses);
         std::array::from_fn(|i| {
             let (from, to) = ends[i];
-            from.plus(&to.minus(from).times(&turns[i]))
+            from.with(&to.minus(from), |from, link| from + &(link * &turns[i]))
         })
     }
 

@@ -141,7 +141,8 @@ impl<'a> Base<'a> {
         for j in 0..=order {
             // What the links change by while C and D stay.
             let arm = &(&d.kappa * &self.links[2][j]) - &d.pin[j];
-            let own = (j == 0).then(|| [-&d.o3, -&d.o5]);
+            let pivots = [-&d.o3, -&d.o5];
+            let [u, v] = pivots.each_ref().map(|own| (j == 0).then_some(own));
             let right = |link: usize, own: Option<&ComplexBall>| {
                 let p = &self.links[link];
                 let mut sum = match j {
@@ -157,10 +158,6 @@ impl<'a> Base<'a> {
                 }
                 sum
             };
-            let [u, v] = match &own {
-                Some([u, v]) => [Some(u), Some(v)],
-                None => [None, None],
-            };
             // Rows as in the Jacobian.
             let rows = [
                 right(1, u),
@@ -171,9 +168,8 @@ impl<'a> Base<'a> {
             let x = self.matrix.solve(&rows);
             let c = ComplexBall::new(x[0].clone(), x[1].clone());
             let e = ComplexBall::new(x[2].clone(), x[3].clone());
-            let plus = |z: &ComplexBall, own: Option<&ComplexBall>| match own {
-                Some(own) => z + own,
-                None => z.clone(),
+            let plus = |z: &ComplexBall, own: Option<&ComplexBall>| {
+                own.map_or_else(|| z.clone(), |own| z + own)
             };
             let links = [&l.joint_b(&c, &e) + &arm, plus(&c, u), &e - &c, plus(&e, v)];
             found.c.push(c);

@@ -19,12 +19,6 @@ pub(super) struct Trigonometric {
     curvature: Mag,
 }
 
-struct Interval {
-    lo: Float,
-    hi: Float,
-    depth: u32,
-}
-
 /// How many zeros an interval can hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Zeros {
@@ -86,10 +80,7 @@ impl Trigonometric {
     }
 
     fn undecided(&self, reason: &str) -> Undecided {
-        Undecided {
-            bits: self.bits,
-            reason: reason.into(),
-        }
+        Undecided::new(self.bits, reason)
     }
 
     /// `(T, T')` at an exact angle.
@@ -120,13 +111,7 @@ impl Trigonometric {
             let turn = Float::with_val(self.bits, rug::float::Constant::Pi) << 1u32;
             turn * k / parts - 2.71875
         };
-        let mut open: Vec<Interval> = (0..parts)
-            .map(|k| Interval {
-                lo: cut(k),
-                hi: cut(k + 1),
-                depth: 0,
-            })
-            .collect();
+        let mut open: Vec<_> = (0..parts).map(|k| (cut(k), cut(k + 1), 0)).collect();
         // The turn is closed by an overlap so small that the first interval's lower end, moved
         // down by it, decides nothing new: T keeps its sign there or the case is undecided.
         let ends = [cut(parts), cut(0)].map(|x| Ball::new(x, Mag::ZERO));
@@ -136,33 +121,22 @@ impl Trigonometric {
         }
         let deepest = self.bits / 2;
         let mut found = Vec::new();
-        while let Some(i) = open.pop() {
-            let mid = Float::with_val(self.bits, &i.lo + &i.hi) >> 1u32;
+        while let Some((lo, hi, depth)) = open.pop() {
+            let mid = Float::with_val(self.bits, &lo + &hi) >> 1u32;
             let (t, slope) = self.value(&mid);
-            match zeros_within(&t, &slope, self.curvature, half_width(&i.lo, &mid, &i.hi)) {
+            match zeros_within(&t, &slope, self.curvature, half_width(&lo, &mid, &hi)) {
                 Zeros::None => {}
-                Zeros::AtMostOne => {
-                    match changes_sign(&self.value(&i.lo).0, &self.value(&i.hi).0) {
-                        Some(true) => found.push((i.lo, i.hi)),
-                        Some(false) => {}
-                        None => return Err(self.undecided(ON_A_CUT)),
-                    }
-                }
-                Zeros::Unknown if i.depth == deepest => {
+                Zeros::AtMostOne => match changes_sign(&self.value(&lo).0, &self.value(&hi).0) {
+                    Some(true) => found.push((lo, hi)),
+                    Some(false) => {}
+                    None => return Err(self.undecided(ON_A_CUT)),
+                },
+                Zeros::Unknown if depth == deepest => {
                     return Err(self.undecided("two assembly modes are too close to tell apart"));
                 }
                 Zeros::Unknown => {
-                    let depth = i.depth + 1;
-                    open.push(Interval {
-                        lo: i.lo,
-                        hi: mid.clone(),
-                        depth,
-                    });
-                    open.push(Interval {
-                        lo: mid,
-                        hi: i.hi,
-                        depth,
-                    });
+                    open.push((lo, mid.clone(), depth + 1));
+                    open.push((mid, hi, depth + 1));
                 }
             }
         }

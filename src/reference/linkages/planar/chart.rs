@@ -22,41 +22,39 @@ struct Row {
     pivot: usize,
 }
 
-fn minus(row: &mut (Vec<Rational>, Ball), factor: &Rational, other: &Row, bits: u32) {
-    for (a, b) in row.0.iter_mut().zip(&other.k) {
-        *a -= Rational::from(factor * b);
+impl Row {
+    /// Takes an equation away as often as it makes the coefficient of its pivot zero.
+    fn reduce(&mut self, by: &Row, bits: u32) {
+        let factor = self.k[by.pivot].clone();
+        for (a, b) in self.k.iter_mut().zip(&by.k) {
+            *a -= Rational::from(&factor * b);
+        }
+        self.right = &self.right - &(&Ball::rational(bits, &factor) * &by.right);
     }
-    row.1 = &row.1 - &(&Ball::rational(bits, factor) * &other.right);
 }
 
 /// The equations solved for one angle each; one that follows from the others is left out.
 fn solved(equations: &[Equation], n: usize, bits: u32) -> Vec<Row> {
     let mut rows: Vec<Row> = Vec::new();
     for (terms, right) in equations {
-        let mut row = (vec![Rational::new(); n], right.clone());
+        let mut row = Row {
+            k: vec![Rational::new(); n],
+            right: right.clone(),
+            pivot: 0,
+        };
         for (i, k) in terms {
-            row.0[*i] += k;
+            row.k[*i] += k;
         }
-        for other in &rows {
-            let factor = row.0[other.pivot].clone();
-            minus(&mut row, &factor, other, bits);
-        }
-        let Some(pivot) = row.0.iter().position(|k| !k.is_zero()) else {
+        rows.iter().for_each(|other| row.reduce(other, bits));
+        let Some(pivot) = row.k.iter().position(|k| !k.is_zero()) else {
             continue;
         };
-        let lead = row.0[pivot].clone();
-        let new = Row {
-            k: row.0.into_iter().map(|k| k / &lead).collect(),
-            right: row.1 / &Ball::rational(bits, &lead),
-            pivot,
-        };
-        for other in &mut rows {
-            let factor = other.k[pivot].clone();
-            let mut old = (std::mem::take(&mut other.k), other.right.clone());
-            minus(&mut old, &factor, &new, bits);
-            (other.k, other.right) = old;
-        }
-        rows.push(new);
+        let lead = row.k[pivot].clone();
+        row.k.iter_mut().for_each(|k| *k /= &lead);
+        row.right = row.right / &Ball::rational(bits, &lead);
+        row.pivot = pivot;
+        rows.iter_mut().for_each(|other| other.reduce(&row, bits));
+        rows.push(row);
     }
     rows
 }

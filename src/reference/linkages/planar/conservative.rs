@@ -115,14 +115,27 @@ impl Path<'_> {
     /// The time of the first panel, whose length is a square: `∫ 2 √(I x²/2W) dx`.
     fn starting(&self, panel: &Panel, width: &Float) -> Result<Ball, Undecided> {
         let half = exact(&width.clone().sqrt()).shift(-1);
-        let mut sum = Ball::integer(self.bits, 0);
-        for (node, weight) in &self.rule.nodes {
-            let square = (&half + &(&half * node)).square();
+        self.quadrature(&half, panel.most.shift(1), |off| {
+            let square = (&half + off).square();
             let drive = &panel.from + &square;
             let slowness = self.loaded.slowness(&panel.branch, &drive, &square)?;
-            sum = sum + (weight * &slowness).shift(1);
+            Ok(slowness.shift(1))
+        })
+    }
+
+    /// The integral over an interval of half-length `half` of a function of the distance from its middle, which on the
+    /// ellipse about it is at most `most`.
+    fn quadrature(
+        &self,
+        half: &Ball,
+        most: Mag,
+        f: impl Fn(Ball) -> Result<Ball, Undecided>,
+    ) -> Result<Ball, Undecided> {
+        let mut sum = Ball::integer(self.bits, 0);
+        for (node, weight) in &self.rule.nodes {
+            sum = sum + weight * f(half * node)?;
         }
-        Ok(&half * &sum.widened(self.rule.error(panel.most.shift(1), RHO)))
+        Ok(half * sum.widened(self.rule.error(most, RHO)))
     }
 
     /// `∫ √(I/2W) db` from the panel's left end to `to`, which lies in the panel or next to its ends.
@@ -136,12 +149,9 @@ impl Path<'_> {
             return Err(self.undecided("the end of an integral lies outside its panel"));
         }
         let one = Ball::integer(self.bits, 1);
-        let mut sum = Ball::integer(self.bits, 0);
-        for (node, weight) in &self.rule.nodes {
-            let drive = &middle + &(&half * node);
-            sum = sum + weight * &self.loaded.slowness(&panel.branch, &drive, &one)?;
-        }
-        Ok(&half * &sum.widened(self.rule.error(panel.most, RHO)))
+        self.quadrature(&half, panel.most, |off| {
+            self.loaded.slowness(&panel.branch, &(&middle + off), &one)
+        })
     }
 
     /// The longest first panel that is found and ends before the first time.
@@ -246,7 +256,7 @@ impl Path<'_> {
         let square = energy.shift(1) / &inertia[0];
         let force = &load.drive - &load.potential_series(&series)[1];
         let acceleration = (force - (&inertia[1] * &square).shift(-1)) / &inertia[0];
-        let rates = linkage.in_time(&position, &square.sqrt(), &acceleration)?;
+        let rates = series.in_time(&square.sqrt(), &acceleration);
         Ok(Moment {
             time: time.clone(),
             multipliers: linkage.multipliers(&position, &rates, self.forces)?,

@@ -9,7 +9,7 @@
 //! What follows from the same κ: the zero lies within `‖Y F(x; b)‖/(1 − κ)` of any x of X; and from `F' x' = e` with
 //! `E = I − Y F'`, hence `x' = Y e + E x'`, that `‖x'‖ ≤ ‖Y e‖/(1 − κ)` and `|x' − Y e|_i ≤ Σ_k |E|_ik r_k ‖x'‖`.
 
-use super::enclosure::{Linkage, Position, apply, defect, exact, reach};
+use super::enclosure::{Linkage, Position, apply, defect, exact, largest, reach};
 use super::scalar::Round;
 use super::series::Series;
 use super::system::Pose;
@@ -56,10 +56,8 @@ impl Linkage {
         let discs = Round(drive.with_prec(64).widened(radius));
         let step = apply(&y, &balls(&system.residual(&middle, &discs)));
         let needs: Vec<Mag> = step.iter().map(Ball::magnitude).collect();
-        let mut r: Vec<Mag> = needs
-            .iter()
-            .map(|s| s.mul(Mag::from_f64(1.25)).max(radius.shift(-20)))
-            .collect();
+        let first = |s: &Mag| s.mul(Mag::from_f64(1.25)).max(radius.shift(-20));
+        let mut r: Vec<Mag> = needs.iter().map(first).collect();
         for _ in 0..ROUNDS {
             let wide = at.iter().zip(&r).map(|(x, r)| Round(x.widened(*r)));
             let pose = system.pose(wide.collect::<Vec<_>>());
@@ -115,18 +113,14 @@ impl Linkage {
         if !disc.drive.contains_ball(drive) {
             return None;
         }
-        let mut z: Vec<Float> = guess
-            .iter()
-            .map(|x| Float::with_val(self.bits(), x))
-            .collect();
+        let rounded = |x| Float::with_val(self.bits(), x);
+        let mut z: Vec<Float> = guess.iter().map(rounded).collect();
         let y = self.coarse.approximate_inverse(&z)?;
         let mut last = Mag::INFINITY;
         loop {
-            let residual = self
-                .fine
-                .residual(&self.fine.pose(exact(&z, self.bits())), drive);
+            let residual = self.residual(&z, drive);
             let step = apply(&y, &residual);
-            let size = step.iter().fold(Mag::ZERO, |m, s| m.max(s.magnitude()));
+            let size = largest(&step);
             if !size.is_finite() {
                 return None;
             }

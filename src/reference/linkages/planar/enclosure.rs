@@ -109,7 +109,7 @@ pub(super) fn reach(e: &[Mag], r: &[Mag]) -> Mag {
         .fold(Mag::ZERO, |s, (e, r)| s.add(e.mul(*r)))
 }
 
-fn largest(v: &[Ball]) -> Mag {
+pub(super) fn largest(v: &[Ball]) -> Mag {
     v.iter().fold(Mag::ZERO, |m, x| m.max(x.magnitude()))
 }
 
@@ -144,10 +144,7 @@ impl Linkage {
     }
 
     pub(super) fn undecided(&self, reason: &str) -> Undecided {
-        Undecided {
-            bits: self.bits(),
-            reason: reason.into(),
-        }
+        Undecided::new(self.bits(), reason)
     }
 
     /// The position with the drive at `drive`, enclosed around the zero that Newton's method finds from `guess`.
@@ -183,7 +180,7 @@ impl Linkage {
         }
         let mut z: Vec<Float> = x.iter().map(|x| Float::with_val(bits, *x)).collect();
         let mut last = Mag::INFINITY;
-        let mut step = apply(&y, &self.at(&self.fine, &z, drive));
+        let mut step = apply(&y, &self.residual(&z, drive));
         for round in 0..10 + bits / 16 {
             let size = largest(&step);
             if !size.is_finite() {
@@ -197,13 +194,15 @@ impl Linkage {
                 *z -= s.mid();
             }
             last = size;
-            step = apply(&y, &self.at(&self.fine, &z, drive));
+            step = apply(&y, &self.residual(&z, drive));
         }
         self.krawczyk(&y, &z, &step)
     }
 
-    fn at(&self, system: &System, z: &[Float], drive: &Ball) -> Vec<Ball> {
-        system.residual(&system.pose(exact(z, system.bits)), drive)
+    /// `F(z)`.
+    pub(super) fn residual(&self, z: &[Float], drive: &Ball) -> Vec<Ball> {
+        let pose = self.fine.pose(exact(z, self.bits()));
+        self.fine.residual(&pose, drive)
     }
 
     /// Krawczyk's test around z with `step = Y F(z)`.

@@ -1,6 +1,7 @@
 //! Masses and conservative forces: reduced inertia, work, potential.
 
 use super::enclosure::{Linkage, Position};
+use super::loops::difference;
 use super::mechanism::{Attachment, Body, Mechanism, Point};
 use super::scalar::Scalar;
 use super::series::{Series, product};
@@ -22,7 +23,7 @@ pub struct Spring {
 }
 
 /// Forces whose work depends on the position alone.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Forces {
     /// Constant force on the drive's form: a torque where it is an angle.
     pub drive: Rational,
@@ -63,20 +64,16 @@ impl Load {
     pub(super) fn new(mechanism: &Mechanism, forces: &Forces, bits: u32) -> Load {
         let ball = |q: &Rational| Ball::rational(bits, q);
         let loops = &mechanism.loops;
+        let centre = |i: usize, body: &Body| Attachment::body(i, body.centre.clone());
         let heavy = |(angle, body): (usize, &Body)| Heavy {
-            centre: BallForm::new(
-                &loops.point(&Attachment::body(angle, body.centre.clone())),
-                bits,
-            ),
+            centre: BallForm::new(&loops.point(&centre(angle, body)), bits),
             mass: ball(&body.mass),
             inertia: ball(&body.inertia),
             angle,
         };
+        let ends = |s: &Spring| difference(&loops.point(&s.a), &loops.point(&s.b));
         let stretch = |s: &Spring| Stretch {
-            ends: BallForm::new(
-                &super::loops::difference(&loops.point(&s.a), &loops.point(&s.b)),
-                bits,
-            ),
+            ends: BallForm::new(&ends(s), bits),
             stiffness: ball(&s.stiffness),
             length: ball(&s.length),
         };
@@ -84,7 +81,7 @@ impl Load {
             bits,
             bodies: mechanism.bodies.iter().enumerate().map(heavy).collect(),
             springs: forces.springs.iter().map(stretch).collect(),
-            gravity: [ball(&forces.gravity[0]), ball(&forces.gravity[1])],
+            gravity: forces.gravity.each_ref().map(ball),
             drive: ball(&forces.drive),
         }
     }
@@ -148,9 +145,7 @@ impl Load {
         }
         out
     }
-}
 
-impl Load {
     /// Taylor coefficients of the potential. A spring's length is the root of `|D|²`:
     /// `2 L_0 L_n = (|D|²)_n − Σ_{k=1}^{n−1} L_k L_{n−k}`.
     pub(super) fn potential_series(&self, series: &Series) -> Vec<Ball> {
@@ -192,12 +187,7 @@ impl Load {
 impl Linkage {
     /// Taylor coefficients of the reduced inertia `Σ m |dS/db|² + J (dψ/db)²`, one order less than the series has.
     pub fn reduced_inertia(&self, series: &Series) -> Vec<Ball> {
-        let nothing = Forces {
-            drive: Rational::new(),
-            springs: Vec::new(),
-            gravity: [Rational::new(), Rational::new()],
-        };
-        Load::new(&self.mechanism, &nothing, self.bits()).inertia_series(series)
+        Load::new(&self.mechanism, &Forces::default(), self.bits()).inertia_series(series)
     }
 
     /// What forces do for a unit of the drive, `Q − dV/db`, and its derivative.

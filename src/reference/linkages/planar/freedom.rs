@@ -113,11 +113,8 @@ impl Drawing {
     /// to itself.
     pub fn new(bodies: usize, pins: Vec<DrawnPin>) -> Result<Drawing, MechanismError> {
         for (joint, pin) in pins.iter().enumerate() {
-            if pin
-                .frames
-                .iter()
-                .any(|f| column(*f).is_some_and(|k| k >= bodies))
-            {
+            let exists = |f: &Frame| f.body().is_none_or(|k| k < bodies);
+            if !pin.frames.iter().all(exists) {
                 return Err(MechanismError::Missing { joint });
             }
             if pin.frames[0] == pin.frames[1] {
@@ -175,7 +172,7 @@ impl Drawing {
     /// Body k's points at p go to `T_k(θ) + e^{iω_kθ} p`; from body a to b at a pin, `T_b = T_a + (e^{iω_aθ} − e^{iω_bθ}) p`.
     fn turns(&self, motion: &[Rational]) -> bool {
         let zero = Rational::new();
-        let omega = |frame: Frame| column(frame).map_or(&zero, |k| &motion[3 * k + 2]);
+        let omega = |frame: Frame| frame.body().map_or(&zero, |k| &motion[3 * k + 2]);
         if (0..self.bodies).all(|k| motion[3 * k + 2].is_zero()) {
             return false;
         }
@@ -187,7 +184,7 @@ impl Drawing {
         };
         // The ground, then the bodies.
         let mut shifts: Vec<Option<Sum>> = vec![None; self.bodies + 1];
-        let place = |frame: Frame| column(frame).map_or(0, |k| k + 1);
+        let place = |frame: Frame| frame.body().map_or(0, |k| k + 1);
         shifts[0] = Some(Sum::default());
         let mut open: Vec<&DrawnPin> = self.pins.iter().collect();
         loop {
@@ -248,18 +245,11 @@ impl Sum {
     }
 }
 
-fn column(frame: Frame) -> Option<usize> {
-    match frame {
-        Frame::Ground => None,
-        Frame::Body(k) => Some(k),
-    }
-}
-
 /// The two rows of a pin, in `(v_x, v_y, ω)` of every body.
 fn rows_of(pin: &DrawnPin, bodies: usize) -> [Vec<Rational>; 2] {
     let mut rows = [0, 1].map(|_| vec![Rational::new(); 3 * bodies]);
     for (frame, sign) in pin.frames.into_iter().zip([1, -1]) {
-        let Some(k) = column(frame) else { continue };
+        let Some(k) = frame.body() else { continue };
         let [x, y]: Point = pin.at.clone().map(|c| c * sign);
         rows[0][3 * k] = sign.into();
         rows[1][3 * k + 1] = sign.into();

@@ -57,13 +57,6 @@ fn add(form: &mut Form, term: Term) {
     form.retain(|t| t.z.iter().any(|x| !x.is_zero()));
 }
 
-fn direction(frame: Frame) -> Option<usize> {
-    match frame {
-        Frame::Ground => None,
-        Frame::Body(i) => Some(i),
-    }
-}
-
 /// `a − b`.
 pub(super) fn difference(a: &Form, b: &Form) -> Form {
     let mut out = a.clone();
@@ -76,9 +69,9 @@ pub(super) fn difference(a: &Form, b: &Form) -> Form {
 
 /// The point, from the origins known so far; none if its body's is not.
 fn located(origins: &[Option<Form>], at: &Attachment) -> Option<Form> {
-    let origin = match at.frame {
-        Frame::Ground => Form::new(),
-        Frame::Body(i) => origins[i].clone()?,
+    let origin = match at.frame.body() {
+        None => Form::new(),
+        Some(i) => origins[i].clone()?,
     };
     Some(attached(origin, at))
 }
@@ -88,7 +81,7 @@ fn attached(mut origin: Form, at: &Attachment) -> Form {
     let arm = Term {
         z: at.point.clone(),
         slide: None,
-        body: direction(at.frame),
+        body: at.frame.body(),
     };
     add(&mut origin, arm);
     origin
@@ -116,16 +109,8 @@ impl Link<'_> {
                 let z = t.z.clone().map(|x| x * sign);
                 add(&mut form, Term { z, ..t.clone() });
             }
-            let z = to.point.clone().map(|x| -x);
-            add(
-                &mut form,
-                Term {
-                    z,
-                    slide: None,
-                    body: Some(new),
-                },
-            );
-            origins[new] = Some(form);
+            let back = Attachment::body(new, to.point.clone().map(|x| -x));
+            origins[new] = Some(attached(form, &back));
             return true;
         }
         false
@@ -143,13 +128,9 @@ impl Loops {
                 coordinates += 1;
             }
         }
-        let links: Vec<Option<Link>> = joints
-            .iter()
-            .enumerate()
-            .map(|(i, j)| link(j, slides[i]))
-            .collect();
+        let links = joints.iter().zip(&slides);
+        let mut open: Vec<Link> = links.filter_map(|(j, slide)| link(j, *slide)).collect();
         let mut origins: Vec<Option<Form>> = vec![None; bodies.len()];
-        let mut open: Vec<&Link> = links.iter().flatten().collect();
         loop {
             let before = open.len();
             open.retain(|l| !l.locate(&mut origins));
@@ -186,11 +167,8 @@ impl Loops {
 
     /// The point of an attachment.
     pub(super) fn point(&self, at: &Attachment) -> Form {
-        let origin = match at.frame {
-            Frame::Ground => Form::new(),
-            Frame::Body(i) => self.origins[i].clone(),
-        };
-        attached(origin, at)
+        let body = at.frame.body();
+        attached(body.map_or_else(Form::new, |i| self.origins[i].clone()), at)
     }
 }
 
@@ -206,7 +184,7 @@ fn link(joint: &Joint, slide: Option<usize>) -> Option<Link<'_>> {
             travel: Some(Term {
                 z: d.clone(),
                 slide,
-                body: direction(a.frame),
+                body: a.frame.body(),
             }),
         }),
         Joint::Gear { .. } | Joint::Rack { .. } => None,
@@ -218,8 +196,7 @@ fn relation(joint: &Joint, slides: &[Option<usize>]) -> Option<Relation> {
     match joint {
         Joint::Pin { .. } | Joint::Slot { .. } => None,
         Joint::Slide { a, b, turn, .. } => {
-            let side =
-                |at: &Attachment, k: i32| direction(at.frame).map(|body| (body, Rational::from(k)));
+            let side = |at: &Attachment, k: i32| Some((at.frame.body()?, Rational::from(k)));
             Some(Relation {
                 terms: [side(b, 1), side(a, -1)].into_iter().flatten().collect(),
                 constant: turn.clone(),

@@ -15,6 +15,16 @@ pub enum Frame {
     Body(usize),
 }
 
+impl Frame {
+    /// The index of a moving body.
+    pub(super) fn body(self) -> Option<usize> {
+        match self {
+            Frame::Ground => None,
+            Frame::Body(i) => Some(i),
+        }
+    }
+}
+
 /// A point of a body or of the ground.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Attachment {
@@ -43,7 +53,7 @@ impl Attachment {
 }
 
 /// A moving body. Mass and inertia are zero where only positions are asked for.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Body {
     /// Its name in messages.
     pub name: String,
@@ -60,9 +70,7 @@ impl Body {
     pub fn massless(name: &str) -> Body {
         Body {
             name: name.into(),
-            mass: Rational::new(),
-            inertia: Rational::new(),
-            centre: [Rational::new(), Rational::new()],
+            ..Body::default()
         }
     }
 }
@@ -255,11 +263,7 @@ impl Mechanism {
     pub(super) fn check_drive(&self, drive: &Drive) -> Result<(), MechanismError> {
         let known = drive.0.iter().all(|(i, _)| *i < self.coordinates());
         let some = drive.0.iter().any(|(_, k)| !k.is_zero());
-        if known && some {
-            Ok(())
-        } else {
-            Err(MechanismError::Drive)
-        }
+        (known && some).then_some(()).ok_or(MechanismError::Drive)
     }
 }
 
@@ -269,7 +273,7 @@ fn check(bodies: &[Body], joints: &[Joint]) -> Result<(), MechanismError> {
             return Err(MechanismError::Negative(body.name.clone()));
         }
     }
-    let exists = |f: &Frame| !matches!(f, Frame::Body(i) if *i >= bodies.len());
+    let exists = |f: &Frame| f.body().is_none_or(|i| i < bodies.len());
     for (joint, j) in joints.iter().enumerate() {
         let (frames, direction) = match j {
             Joint::Pin { a, b } => ([a.frame, b.frame], None),

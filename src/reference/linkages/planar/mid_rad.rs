@@ -38,6 +38,10 @@ impl MidRad {
         MidRad { mid, rad }
     }
 
+    fn to_ball(self) -> Ball {
+        Ball::exact(64, self.mid).widened(Mag::from_f64(self.rad))
+    }
+
     fn is_zero(self) -> bool {
         self.mid == 0.0 && self.rad == 0.0
     }
@@ -94,12 +98,6 @@ impl Scalar for MidRad {
     }
     fn size(&self) -> Mag {
         Mag::from_f64(above(self.mid.abs() + self.rad))
-    }
-}
-
-impl MidRad {
-    fn to_ball(self) -> Ball {
-        Ball::exact(64, self.mid).widened(Mag::from_f64(self.rad))
     }
 }
 

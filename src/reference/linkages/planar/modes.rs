@@ -8,6 +8,7 @@
 
 use super::chart::Equation;
 use super::enclosure::{Linkage, Position, apply, defect, exact, reach};
+use crate::ball::{greater, lesser};
 use crate::{Ball, Mag, Undecided};
 use rug::{Float, Rational};
 
@@ -31,16 +32,8 @@ enum Look {
 }
 
 pub(super) fn intersection(a: &Ball, b: &Ball) -> Option<Ball> {
-    let low = if a.lower() > b.lower() {
-        a.lower()
-    } else {
-        b.lower()
-    };
-    let high = if a.upper() < b.upper() {
-        a.upper()
-    } else {
-        b.upper()
-    };
+    let low = greater(a.lower(), b.lower());
+    let high = lesser(a.upper(), b.upper());
     (low <= high).then(|| Ball::between(64, &low, &high))
 }
 
@@ -84,12 +77,10 @@ impl Linkage {
                         left += 1;
                         continue;
                     };
-                    for (low, high) in [
-                        (x[i].lower(), x[i].mid().clone()),
-                        (x[i].mid().clone(), x[i].upper()),
-                    ] {
+                    let mid = x[i].mid();
+                    for (low, high) in [(&x[i].lower(), mid), (mid, &x[i].upper())] {
                         let mut half = x.clone();
-                        half[i] = Ball::between(64, &low, &high);
+                        half[i] = Ball::between(64, low, high);
                         boxes.push(half);
                     }
                 }

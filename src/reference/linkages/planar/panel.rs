@@ -5,6 +5,7 @@ use super::enclosure::{Linkage, Position};
 use super::energy::Load;
 use super::scalar::Scalar;
 use super::series::Series;
+use super::system::Pose;
 use crate::{Ball, Mag, Undecided};
 use rug::float::Round;
 use rug::{Float, Rational};
@@ -137,8 +138,11 @@ impl<'a> Loaded<'a> {
 
     /// W at a position.
     pub(super) fn work(&self, drive: &Ball, position: &Position) -> Ball {
-        let pose = self.linkage.fine.pose(position.x.clone());
-        &self.fine.drive * &(drive - &self.start) - self.fine.potential(&pose) + &self.potential
+        self.work_of(drive, &self.linkage.fine.pose(position.x.clone()))
+    }
+
+    fn work_of(&self, drive: &Ball, pose: &Pose<Ball>) -> Ball {
+        &self.fine.drive * &(drive - &self.start) - self.fine.potential(pose) + &self.potential
     }
 
     /// `I/2W` at a drive and the position there, times `factor`.
@@ -146,9 +150,7 @@ impl<'a> Loaded<'a> {
         let pose = self.linkage.fine.pose(position.x.clone());
         let rates = self.linkage.rates(position).ok()?;
         let inertia = self.fine.inertia(&pose, &rates);
-        let work = &self.fine.drive * &(drive - &self.start) - self.fine.potential(&pose)
-            + &self.potential;
-        Some(factor * &inertia / work.shift(1))
+        Some(factor * &inertia / self.work_of(drive, &pose).shift(1))
     }
 
     /// The position at a drive of a branch.
@@ -170,9 +172,8 @@ impl<'a> Loaded<'a> {
     ) -> Result<Ball, Undecided> {
         let position = self.on(branch, drive)?;
         let ratio = self.ratio(drive, &position, factor);
-        ratio
-            .map(|r| r.sqrt())
-            .ok_or_else(|| self.linkage.undecided("the Jacobian may be singular"))
+        let singular = || self.linkage.undecided("the Jacobian may be singular");
+        Ok(ratio.ok_or_else(singular)?.sqrt())
     }
 
     /// The branch of a position over a disc that exceeds `reach`.

@@ -128,15 +128,6 @@ impl BallForm {
     }
 }
 
-impl BallRelation {
-    fn new(r: &Relation, bits: u32) -> BallRelation {
-        BallRelation {
-            terms: linear(&r.terms, bits),
-            constant: r.constant.to_ball(bits),
-        }
-    }
-}
-
 fn linear(terms: &[(usize, rug::Rational)], bits: u32) -> Vec<(usize, Ball)> {
     let term = |(i, k): &(usize, rug::Rational)| (*i, Ball::rational(bits, k));
     terms.iter().map(term).collect()
@@ -152,18 +143,15 @@ fn combination<T: Scalar>(terms: &[(usize, Ball)], x: &[T], zero: &T) -> T {
 impl System {
     pub(super) fn new(mechanism: &Mechanism, drive: &Drive, bits: u32) -> System {
         let loops = &mechanism.loops;
+        let closure = |f: &Form| BallForm::new(f, bits);
+        let relation = |r: &Relation| BallRelation {
+            terms: linear(&r.terms, bits),
+            constant: r.constant.to_ball(bits),
+        };
         System {
             bits,
-            closures: loops
-                .closures
-                .iter()
-                .map(|f| BallForm::new(f, bits))
-                .collect(),
-            relations: loops
-                .relations
-                .iter()
-                .map(|r| BallRelation::new(r, bits))
-                .collect(),
+            closures: loops.closures.iter().map(closure).collect(),
+            relations: loops.relations.iter().map(relation).collect(),
             drive: linear(&drive.0, bits),
             bodies: mechanism.bodies.len(),
             coordinates: mechanism.coordinates(),

@@ -83,6 +83,11 @@ impl Real {
     }
 }
 
+/// Bits needed to write both down.
+pub(super) fn length(x: &Real, y: &Real) -> u32 {
+    x.length().saturating_add(y.length())
+}
+
 /// A point of the plane with some bounds on its size.
 pub(super) struct Argument {
     pub x: Real,

@@ -170,8 +170,8 @@ pub(super) fn parts(z: &Argument, member: Member, prec: u32) -> Option<[Scaled; 
     // Above the diagonal e^{−z²} is no part of w, however large it is.
     if member == Member::W && !lower && (!near_real || plain <= absent.mul(re_size)) {
         return Some([
-            plain_scaled(re.widened(plain)),
-            plain_scaled(im.widened(im_error)),
+            Scaled::from(re.widened(plain)),
+            Scaled::from(im.widened(im_error)),
         ]);
     }
     let e = if !z.y.is_zero() && negligible(z) <= absent.mul(re_size) {
@@ -185,9 +185,9 @@ pub(super) fn parts(z: &Argument, member: Member, prec: u32) -> Option<[Scaled; 
         // S_N and the remainder contribute nothing to Re w. Im e^{−z²} is zero.
         let re = match member {
             Member::W => Scaled::new(e.c, e.k),
-            Member::Dawson => plain_scaled(re),
+            Member::Dawson => Scaled::from(re),
         };
-        return Some([re, plain_scaled(im.widened(im_error))]);
+        return Some([re, Scaled::from(im.widened(im_error))]);
     }
     let zero = Integer::new();
     let by = (&e.k).max(&zero);
@@ -226,10 +226,6 @@ fn negligible(z: &Argument) -> Mag {
         return Mag::INFINITY;
     }
     Mag::power_of_two(-((gap.mignitude().to_f64().min(3e8) * 1.44) as i64))
-}
-
-fn plain_scaled(b: Ball) -> Scaled {
-    Scaled::new(b, Integer::new())
 }
 
 fn power(log2: f64) -> Mag {

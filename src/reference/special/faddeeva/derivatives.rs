@@ -10,10 +10,10 @@
 //! In the upper half-plane c_n is the minimal solution (repeated integrals of erfc) and the
 //! recurrence loses digits; it is run in balls, which know how many, at a rising precision.
 
-use super::argument::Real;
+use super::argument::{Real, length};
 use super::choice::once;
 use super::scaled::{Scaled, aligned};
-use super::ziv::{balls, cap, decide};
+use super::ziv::{balls, cap, decide, first};
 use crate::{Ball, ComplexBall, Undecided};
 use rug::{Integer, Rational};
 
@@ -57,28 +57,16 @@ pub fn taylor(
     bits: u32,
 ) -> Result<Vec<ComplexBall>, Undecided> {
     let (x, y) = (Real::of(re), Real::of(im));
-    let length = x.length().saturating_add(y.length());
     let order = n.min(MOST) as u32;
-    let cap = cap(bits, length.saturating_add(LOST * order));
-    let mut prec = bits + 32 + 2 * order;
-    loop {
-        if let Some(c) = coefficients(&x, &y, n, prec) {
-            let good = |c: &ComplexBall| {
-                let r = c.radius();
-                r.is_zero() || r <= c.mignitude().shift(-i64::from(bits))
-            };
-            if c.iter().all(good) {
-                return Ok(c);
-            }
-        }
-        if prec == cap {
-            return Err(Undecided {
-                bits: prec,
-                reason: "a Taylor coefficient of w cannot be told from zero".into(),
-            });
-        }
-        prec = prec.saturating_add(prec / 2).min(cap);
-    }
+    let cap = cap(bits, length(&x, &y).saturating_add(LOST * order));
+    let good = |c: &ComplexBall| {
+        let r = c.radius();
+        r.is_zero() || r <= c.mignitude().shift(-i64::from(bits))
+    };
+    let open = "a Taylor coefficient of w cannot be told from zero";
+    first(bits + 32 + 2 * order, 2, cap, open, |prec| {
+        coefficients(&x, &y, n, prec).filter(|c| c.iter().all(good))
+    })
 }
 
 /// The n-th derivative of w, each component with a relative radius of at most 2^-bits or exactly
@@ -96,19 +84,15 @@ pub fn w_derivative(
         return balls(w_derivative_scaled(re, im, bits)?, bits);
     }
     let (x, y) = (Real::of(re), Real::of(im));
-    let length = x.length().saturating_add(y.length());
+    let length = length(&x, &y);
     let factorial = Integer::from(Integer::factorial(u32::try_from(n).unwrap_or(u32::MAX)));
     let parts = decide("the derivative of w", bits, length, |prec| {
         let c = coefficients(&x, &y, n, prec)?.pop()?;
         let f = Ball::rational(prec, &Rational::from(&factorial));
-        let part = |b: &Ball| Scaled::new(b * &f, Integer::new());
+        let part = |b: &Ball| Scaled::from(b * &f);
         Some([part(&c.re), part(&c.im)])
     })?;
     balls(parts, bits)
-}
-
-fn real(q: &Rational) -> Real {
-    Real::of(q)
 }
 
 /// `a + b`
@@ -126,8 +110,8 @@ pub fn w_derivative_scaled(
     im: &Rational,
     bits: u32,
 ) -> Result<[Scaled; 2], Undecided> {
-    let (x, y) = (real(re), real(im));
-    let length = x.length().saturating_add(y.length());
+    let (x, y) = (Real::of(re), Real::of(im));
+    let length = length(&x, &y);
     decide("the derivative of w", bits, length, |prec| {
         let [u, v] = once(x.clone(), y.clone(), prec)?;
         let (p, q) = (x.ball(prec).shift(1), y.ball(prec).shift(1));
@@ -136,7 +120,7 @@ pub fn w_derivative_scaled(
         let turned = sum(&times(&v, &p), &times(&u, &q));
         Some([
             sum(&times(&v, &q), &-times(&u, &p)),
-            sum(&Scaled::new(slope, Integer::new()), &-turned),
+            sum(&Scaled::from(slope), &-turned),
         ])
     })
 }

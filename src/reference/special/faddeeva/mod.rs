@@ -50,6 +50,7 @@ pub use related::{
 pub use scaled::Scaled;
 pub use voigt_hwhm::voigt_hwhm;
 pub use zeros::{zero, zero_of_erf};
+pub(crate) use ziv::first;
 
 /// w(z) for z = re + i im, each component with a relative radius of at most 2^-bits.
 ///
@@ -76,10 +77,10 @@ pub fn w(re: &Rational, im: &Rational, bits: u32) -> Result<ComplexBall, Undecid
 /// See the [module](self).
 pub fn w_f64(re: f64, im: f64, bits: u32) -> Result<ComplexBall, Undecided> {
     if !(re.is_finite() && im.is_finite()) {
-        return Err(Undecided {
+        return Err(Undecided::new(
             bits,
-            reason: format!("w at the argument ({re}, {im}), which is not finite"),
-        });
+            format!("w at the argument ({re}, {im}), which is not finite"),
+        ));
     }
     value(Real::Double(re), Real::Double(im), bits)
 }
@@ -90,10 +91,10 @@ pub fn w_f64(re: f64, im: f64, bits: u32) -> Result<ComplexBall, Undecided> {
 /// See the [module](self). A NaN or an infinity is refused.
 pub fn w_float(re: &Float, im: &Float, bits: u32) -> Result<ComplexBall, Undecided> {
     if !(re.is_finite() && im.is_finite()) {
-        return Err(Undecided {
+        return Err(Undecided::new(
             bits,
-            reason: format!("w at the argument ({re}, {im}), which is not finite"),
-        });
+            format!("w at the argument ({re}, {im}), which is not finite"),
+        ));
     }
     value(Real::Float(re.clone()), Real::Float(im.clone()), bits)
 }

@@ -13,7 +13,7 @@
 //!
 //! Each function comes with a variant `…_scaled`, whose exponents may have any size.
 
-use super::argument::{Argument, Real};
+use super::argument::{Argument, Real, length};
 use super::choice::{at, once, once_dawson};
 use super::gaussian::Gaussian;
 use super::pair::Member;
@@ -21,15 +21,7 @@ use super::scaled::{Scaled, aligned};
 use super::value::scaled;
 use super::ziv::{balls, decide};
 use crate::{Ball, ComplexBall, Undecided};
-use rug::{Integer, Rational};
-
-fn real(q: &Rational) -> Real {
-    Real::of(q)
-}
-
-fn length(x: &Real, y: &Real) -> u32 {
-    x.length().saturating_add(y.length())
-}
+use rug::Rational;
 
 /// Digits of z beyond the working precision that `e^{−z²}` needs.
 fn extra(x: &Real, y: &Real) -> u32 {
@@ -55,14 +47,14 @@ fn erfc_right(x: &Real, y: &Real, prec: u32) -> Option<[Scaled; 2]> {
     let [re, im] = times_gaussian(&w, x, y, prec + 8);
     if x.is_zero() {
         // erfc(iy) = 1 − i erfi(y).
-        return Some([Scaled::new(Ball::integer(prec, 1), Integer::new()), im]);
+        return Some([Scaled::from(Ball::integer(prec, 1)), im]);
     }
     Some([re, im])
 }
 
 /// `n − s`.
 fn integer_minus(n: i64, s: &Scaled, prec: u32) -> Scaled {
-    let one = Scaled::new(Ball::integer(prec, n), Integer::new());
+    let one = Scaled::from(Ball::integer(prec, n));
     let (a, b, k) = aligned(&one, s);
     Scaled::new(a - &b, k)
 }
@@ -110,7 +102,7 @@ pub fn erf(re: &Rational, im: &Rational, bits: u32) -> Result<ComplexBall, Undec
 /// # Errors
 /// As [`erf`], but not for the size of the result.
 pub fn erf_scaled(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], Undecided> {
-    let (x, y) = (real(re), real(im));
+    let (x, y) = (Real::of(re), Real::of(im));
     decide("erf", bits, length(&x, &y), |p| erf_once(&x, &y, p))
 }
 
@@ -128,7 +120,7 @@ pub fn erfc(re: &Rational, im: &Rational, bits: u32) -> Result<ComplexBall, Unde
 /// # Errors
 /// As [`erfc`], but not for the size of the result.
 pub fn erfc_scaled(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], Undecided> {
-    let (x, y) = (real(re), real(im));
+    let (x, y) = (Real::of(re), Real::of(im));
     decide("erfc", bits, length(&x, &y), |p| erfc_once(&x, &y, p))
 }
 
@@ -145,7 +137,7 @@ pub fn erfcx(re: &Rational, im: &Rational, bits: u32) -> Result<ComplexBall, Und
 /// # Errors
 /// As [`erfcx`], but not for the size of the result.
 pub fn erfcx_scaled(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], Undecided> {
-    scaled(real(im).negated(), real(re), bits)
+    scaled(Real::of(im).negated(), Real::of(re), bits)
 }
 
 /// The imaginary error function `erfi z = −i erf(iz)`.
@@ -178,7 +170,7 @@ pub fn dawson(re: &Rational, im: &Rational, bits: u32) -> Result<ComplexBall, Un
 /// # Errors
 /// As [`dawson`], but not for the size of the result.
 pub fn dawson_scaled(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], Undecided> {
-    let (x, y) = (real(re), real(im));
+    let (x, y) = (Real::of(re), Real::of(im));
     decide("Dawson's function", bits, length(&x, &y), |p| {
         let [a, b] = once_dawson(&x, &y, p + 8)?;
         let half = Ball::pi(p + 8).sqrt().shift(-1);
@@ -198,7 +190,7 @@ pub fn voigt(
     gamma: &Rational,
     bits: u32,
 ) -> Result<Ball, Undecided> {
-    let zero = Scaled::new(Ball::integer(64, 0), Integer::new());
+    let zero = Scaled::from(Ball::integer(64, 0));
     Ok(balls([voigt_scaled(x, sigma, gamma, bits)?, zero], bits)?.re)
 }
 
@@ -213,16 +205,16 @@ pub fn voigt_scaled(
     bits: u32,
 ) -> Result<Scaled, Undecided> {
     if *sigma < 0 || *gamma < 0 || (*sigma == 0 && *gamma == 0) {
-        return Err(Undecided {
+        return Err(Undecided::new(
             bits,
-            reason: "the Voigt profile needs σ ≥ 0 and γ ≥ 0, not both zero".into(),
-        });
+            "the Voigt profile needs σ ≥ 0 and γ ≥ 0, not both zero",
+        ));
     }
     let p = bits + 8;
     if *sigma == 0 {
         let n = Rational::from(x.square_ref()) + Rational::from(gamma.square_ref());
         let value = Ball::rational(p, &(gamma.clone() / n)) / &Ball::pi(p);
-        return Ok(Scaled::new(value, Integer::new()));
+        return Ok(Scaled::from(value));
     }
     let over = |q: &Rational| {
         let t = Rational::from(q / sigma);
@@ -233,7 +225,7 @@ pub fn voigt_scaled(
     let all = length(&z.x, &z.y);
     let [re, _] = decide("the Voigt profile", bits + 4, all, |p| {
         let [re, _] = at(&z, Member::W, p)?;
-        Some([re, Scaled::new(Ball::integer(64, 0), Integer::new())])
+        Some([re, Scaled::from(Ball::integer(64, 0))])
     })?;
     let root = Ball::rational(p, &Rational::from(sigma.square_ref())) * &Ball::pi(p).shift(1);
     Ok(Scaled::new(re.ball / &root.sqrt(), re.exponent))

@@ -1,6 +1,6 @@
 //! w, decided: by the fast evaluation where it serves, else by Ziv's loop.
 
-use super::argument::{Argument, Real};
+use super::argument::{Argument, Real, length};
 use super::choice::general;
 use super::fast;
 use super::pair::Member;
@@ -20,7 +20,7 @@ pub(super) fn scaled(x: Real, y: Real, bits: u32) -> Result<[Scaled; 2], Undecid
     {
         return Ok([w.re, w.im].map(Scaled::from));
     }
-    let length = x.length().saturating_add(y.length());
+    let length = length(&x, &y);
     let mirrored = x.is_negative();
     let z = Argument::new(if mirrored { x.negated() } else { x }, y);
     let [re, im] = decide("w", bits, length, |prec| general(&z, Member::W, prec))?;

@@ -26,13 +26,15 @@
 use super::argument::{Argument, Real};
 use super::choice::at;
 use super::pair::Member;
-use super::ziv::cap;
+use super::ziv::{cap, first};
 use crate::{Ball, Undecided};
 use rug::ops::Pow;
 use rug::{Float, Rational};
 
 /// Newton's steps at one precision; five are used.
 const STEPS: usize = 40;
+
+const OPEN: &str = "no certificate for the width of the Voigt profile";
 
 /// The equation at one working precision.
 struct Equation {
@@ -141,10 +143,10 @@ impl Equation {
 /// [`Undecided`]: σ or γ is negative, or no certificate at `4 (bits + length of the input) + 4096` bits.
 pub fn voigt_hwhm(sigma: &Rational, gamma: &Rational, bits: u32) -> Result<Ball, Undecided> {
     if *sigma < 0 || *gamma < 0 {
-        return Err(Undecided {
+        return Err(Undecided::new(
             bits,
-            reason: "the width of the Voigt profile needs σ ≥ 0 and γ ≥ 0".into(),
-        });
+            "the width of the Voigt profile needs σ ≥ 0 and γ ≥ 0",
+        ));
     }
     let bits = bits.max(16);
     let p = bits + 16;
@@ -158,7 +160,7 @@ pub fn voigt_hwhm(sigma: &Rational, gamma: &Rational, bits: u32) -> Result<Ball,
     let ratio = Rational::from(gamma / sigma);
     let y = Real::Root(false, Rational::from(ratio.square_ref()) / 2u32);
     let cap = cap(bits, y.length());
-    decided(bits + 64, cap, |prec| {
+    first(bits + 64, 1, cap, OPEN, |prec| {
         let equation = Equation::new(y.clone(), prec)?;
         // A step of half the digits leaves an error of all of them.
         let t = equation.approached(bits.div_ceil(2) + 6)?;
@@ -166,22 +168,6 @@ pub fn voigt_hwhm(sigma: &Rational, gamma: &Rational, bits: u32) -> Result<Ball,
         let root = Ball::integer(prec, 2).sqrt();
         Some(t * &(Ball::rational(prec, sigma) * &root))
     })
-}
-
-/// The first that is found at a precision, which is doubled up to the cap.
-fn decided(mut prec: u32, cap: u32, once: impl Fn(u32) -> Option<Ball>) -> Result<Ball, Undecided> {
-    loop {
-        if let Some(found) = once(prec) {
-            return Ok(found);
-        }
-        if prec == cap {
-            return Err(Undecided {
-                bits: prec,
-                reason: "no certificate for the width of the Voigt profile".into(),
-            });
-        }
-        prec = prec.saturating_mul(2).min(cap);
-    }
 }
 
 #[cfg(test)]
@@ -249,7 +235,7 @@ mod tests {
         let asked = std::cell::RefCell::new(Vec::new());
         let until = |least: u32| {
             asked.take();
-            decided(100, 900, |prec| {
+            first(100, 1, 900, OPEN, |prec| {
                 asked.borrow_mut().push(prec);
                 (prec >= least).then(|| Ball::integer(64, 7))
             })

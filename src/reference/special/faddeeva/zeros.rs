@@ -109,10 +109,8 @@ fn start(k: u32, factor: f64) -> (f64, f64) {
 /// # Errors
 /// k = 0, or no certificate at `4 bits + 4096` bits.
 pub fn zero(k: u32, bits: u32) -> Result<ComplexBall, Undecided> {
-    counted(k, "w", bits)?;
     let (lambda, part) = start(k, 2.0);
-    refined(&W, (lambda + part, part - lambda), bits)
-        .map_err(|(at, why)| open(at, format!("zero {k} of w: {why}")))
+    numbered(k, ("w", &W), (lambda + part, part - lambda), bits)
 }
 
 /// The k-th zero of erf (k = 1, 2, …) in the first quadrant, counted and proved as for [`zero`]. Its
@@ -121,24 +119,23 @@ pub fn zero(k: u32, bits: u32) -> Result<ComplexBall, Undecided> {
 /// # Errors
 /// As [`zero`].
 pub fn zero_of_erf(k: u32, bits: u32) -> Result<ComplexBall, Undecided> {
-    counted(k, "erf", bits)?;
     let (lambda, part) = start(k, 1.0);
-    refined(&ERF, (lambda - part, lambda + part), bits)
-        .map_err(|(at, why)| open(at, format!("zero {k} of erf: {why}")))
+    numbered(k, ("erf", &ERF), (lambda - part, lambda + part), bits)
 }
 
-fn open(bits: u32, reason: String) -> Undecided {
-    Undecided { bits, reason }
-}
-
-fn counted(k: u32, name: &str, bits: u32) -> Result<(), Undecided> {
-    match k {
-        0 => Err(open(
-            bits,
-            format!("the zeros of {name} are counted from one"),
-        )),
-        _ => Ok(()),
+/// The zero of that number, from where it nearly is.
+fn numbered(
+    k: u32,
+    (name, f): (&str, &Function),
+    start: (f64, f64),
+    bits: u32,
+) -> Result<ComplexBall, Undecided> {
+    if k == 0 {
+        let reason = format!("the zeros of {name} are counted from one");
+        return Err(Undecided::new(bits, reason));
     }
+    refined(f, start, bits)
+        .map_err(|(at, why)| Undecided::new(at, format!("zero {k} of {name}: {why}")))
 }
 
 /// Whether either component of what is within r of z has so many bits.

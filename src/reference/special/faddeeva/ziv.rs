@@ -23,6 +23,25 @@ pub(super) fn cap(bits: u32, length: u32) -> u32 {
         .saturating_add(4096)
 }
 
+/// What is found first at a working precision that grows by a part of itself up to the cap.
+pub(crate) fn first<T>(
+    mut prec: u32,
+    part: u32,
+    cap: u32,
+    open: &str,
+    once: impl Fn(u32) -> Option<T>,
+) -> Result<T, Undecided> {
+    loop {
+        if let Some(found) = once(prec) {
+            return Ok(found);
+        }
+        if prec == cap {
+            return Err(Undecided::new(prec, open));
+        }
+        prec = prec.saturating_add(prec / part).min(cap);
+    }
+}
+
 /// Ziv's loop: `once` at rising precision until both components have a relative radius of at most
 /// 2^-bits or are exactly zero.
 pub(super) fn decide(
@@ -44,10 +63,10 @@ pub(super) fn decide(
             }
         }
         if prec == cap {
-            return Err(Undecided {
-                bits: prec,
-                reason: format!("a component of {name} is zero or cannot be told from zero"),
-            });
+            return Err(Undecided::new(
+                prec,
+                format!("a component of {name} is zero or cannot be told from zero"),
+            ));
         }
         prec = prec.saturating_add(more).min(cap);
     }
@@ -57,13 +76,13 @@ pub(super) fn decide(
 pub(super) fn balls(parts: [Scaled; 2], bits: u32) -> Result<ComplexBall, Undecided> {
     for (name, part) in ["real", "imaginary"].iter().zip(&parts) {
         if !part.to_ball().is_finite() {
-            return Err(Undecided {
+            return Err(Undecided::new(
                 bits,
-                reason: format!(
+                format!(
                     "the {name} part has a binary exponent of {} bits, beyond what a ball holds",
                     part.exponent.significant_bits()
                 ),
-            });
+            ));
         }
     }
     let [re, im] = parts;
