@@ -61,6 +61,40 @@ impl Draw {
         if self.0.next_u64() >> 63 == 0 { x } else { -x }
     }
 
+    /// [`log_uniform`](Draw::log_uniform) of either sign.
+    pub fn log_signed(&mut self, lo: f64, hi: f64) -> f64 {
+        let x = self.log_uniform(lo, hi);
+        self.signed(x)
+    }
+
+    /// Zero with probability `p`, log-uniform otherwise.
+    pub fn zero_or_log(&mut self, p: f64, lo: f64, hi: f64) -> f64 {
+        if self.chance(p) {
+            0.0
+        } else {
+            self.log_uniform(lo, hi)
+        }
+    }
+
+    /// Uniform on the first range with probability `p`, log-uniform on the second otherwise.
+    pub fn uniform_or_log(&mut self, p: f64, [a, b]: [f64; 2], [lo, hi]: [f64; 2]) -> f64 {
+        match self.chance(p) {
+            true => self.uniform(a, b),
+            false => self.log_uniform(lo, hi),
+        }
+    }
+
+    /// A random element.
+    pub fn one_of<T: Copy>(&mut self, all: &[T]) -> T {
+        all[self.integer(0, all.len() - 1)]
+    }
+
+    /// Any bits: zeros, infinities, NaN and subnormal numbers among them.
+    pub fn any_bits(&mut self) -> f64 {
+        let mut half = || self.integer(0, u32::MAX as usize) as u64;
+        f64::from_bits(half() << 32 | half())
+    }
+
     /// True with probability `p`.
     pub fn chance(&mut self, p: f64) -> bool {
         self.unit() < p

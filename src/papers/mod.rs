@@ -17,7 +17,7 @@ pub use report::{
 
 use crate::motion::Motion;
 use crate::reference::Undecided;
-use report::{figure, figures, recorded};
+use report::{Draft, decided, figure, figures, known, recorded, shown};
 
 /// Called now and then with the phase, how much of it is done, and its whole.
 pub type Progress<'a> = &'a (dyn Fn(&str, u64, u64) + Sync);

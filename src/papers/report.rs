@@ -1,5 +1,6 @@
 //! What an audit of a paper reports.
 
+use crate::reference::Ball;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -129,6 +130,24 @@ macro_rules! figures {
 }
 pub(super) use figures;
 
+/// What stands for a value that is not known to the digits asked for.
+const UNDECIDED: &str = "undecided";
+
+/// A value to so many digits.
+pub(super) fn shown(value: &Ball, digits: usize) -> String {
+    decided(value.to_decimal(digits))
+}
+
+/// A value in digits, if it is known to as many.
+pub(super) fn decided(digits: Option<String>) -> String {
+    digits.unwrap_or_else(|| UNDECIDED.into())
+}
+
+/// Whether all figures are known.
+pub(super) fn known(figures: &[Figure]) -> bool {
+    figures.iter().all(|f| f.value != UNDECIDED)
+}
+
 /// Whether the figures have these values and there are no others.
 pub(super) fn recorded(figures: &[Figure], values: &[&str]) -> bool {
     figures
@@ -156,6 +175,61 @@ pub struct Finding {
     pub figures: Vec<Figure>,
     /// Whether this run found what earlier runs recorded. False makes the program exit with 1.
     pub as_recorded: bool,
+}
+
+/// A finding in the making: without an end that says what was recorded there is none.
+pub(super) struct Draft(Finding);
+
+impl Draft {
+    pub(super) fn new(id: &'static str, subject: Subject, place: &'static str) -> Draft {
+        Draft(Finding {
+            id,
+            subject,
+            place,
+            title: String::new(),
+            verdict: FindingVerdict::Unexplained,
+            text: String::new(),
+            figures: Vec::new(),
+            as_recorded: true,
+        })
+    }
+
+    pub(super) fn verdict(mut self, verdict: FindingVerdict) -> Draft {
+        self.0.verdict = verdict;
+        self
+    }
+
+    pub(super) fn titled(mut self, title: impl Into<String>) -> Draft {
+        self.0.title = title.into();
+        self
+    }
+
+    pub(super) fn text(mut self, text: impl Into<String>) -> Draft {
+        self.0.text = text.into();
+        self
+    }
+
+    pub(super) fn figures(mut self, figures: impl IntoIterator<Item = Figure>) -> Draft {
+        self.0.figures = figures.into_iter().collect();
+        self
+    }
+
+    /// As recorded on that condition, among others.
+    pub(super) fn only_if(mut self, condition: bool) -> Draft {
+        self.0.as_recorded &= condition;
+        self
+    }
+
+    /// As recorded if the condition holds.
+    pub(super) fn as_recorded(self, condition: bool) -> Finding {
+        self.only_if(condition).0
+    }
+
+    /// As recorded if the figures have these values and there are no others.
+    pub(super) fn recorded(self, values: &[&str]) -> Finding {
+        let same = recorded(&self.0.figures, values);
+        self.as_recorded(same)
+    }
 }
 
 /// What is made of a printed entry.
@@ -238,6 +312,17 @@ mod tests {
         ] {
             assert!(!recorded(&figures, other), "{other:?}");
         }
+    }
+
+    #[test]
+    fn what_is_not_known_to_so_many_digits_is_undecided() {
+        let third = &Ball::integer(64, 1) / &Ball::integer(64, 3);
+        let of = |digits| [figure("a third", shown(&third, digits), "1")];
+        assert_eq!((of(5)[0].value.as_str(), known(&of(5))), ("0.33333", true));
+        assert_eq!(
+            (of(30)[0].value.as_str(), known(&of(30))),
+            ("undecided", false)
+        );
     }
 
     #[test]

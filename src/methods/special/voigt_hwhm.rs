@@ -3,8 +3,9 @@
 use super::faddeeva::asked;
 use super::faddeeva::regions::beside;
 use super::relatives::laws::{U, same};
+use super::voigt::regions::any_bits;
 use crate::audit::{
-    Budget, CheckPoint, Domain, Due, Law, Limit, Output, Proof, ReferenceAnswer, Region,
+    Budget, CheckPoint, Domain, Draw, Due, Law, Limit, Output, Proof, ReferenceAnswer, Region,
     Uncertified,
 };
 use crate::methods::common::{held, output, point, region};
@@ -151,7 +152,7 @@ fn pure(width: impl Fn(f64, f64) -> f64, input: &[f64]) -> Option<f64> {
 }
 
 /// Where `γ/(σ√2)` is p and σ about 1.
-fn ratio(d: &mut crate::audit::Draw, p: f64) -> Vec<f64> {
+fn ratio(p: f64, d: &mut Draw) -> Vec<f64> {
     let sigma = d.log_uniform(1e-3, 1e3);
     vec![sigma, p * sigma * SQRT_2]
 }
@@ -164,22 +165,15 @@ fn regions() -> Vec<Region> {
         region(
             "any-ratio",
             "gamma = 1e-20..1e20 sigma, sigma = 1e-3..1e3",
-            |d| {
-                let p = d.log_uniform(1e-20, 1e20);
-                ratio(d, p)
-            },
+            |d| ratio(d.log_uniform(1e-20, 1e20), d),
         ),
         region(
             "narrow-lorentz",
             "gamma = 1e-20..1 times sigma sqrt 2",
-            |d| {
-                let p = d.log_uniform(1e-20, 1.0);
-                ratio(d, p)
-            },
+            |d| ratio(d.log_uniform(1e-20, 1.0), d),
         ),
         region("narrow-gauss", "gamma = 1..1e5 times sigma sqrt 2", |d| {
-            let p = d.log_uniform(1.0, 1e5);
-            ratio(d, p)
+            ratio(d.log_uniform(1.0, 1e5), d)
         }),
         region("normal", "gamma = 0, sigma = 1e-308..1e308", |d| {
             vec![d.log_uniform(1e-308, 1e308), 0.0]
@@ -204,19 +198,16 @@ fn regions() -> Vec<Region> {
                     4.8125,
                     6.92820323,
                 ];
-                let edge = edges[d.integer(0, edges.len() - 1)];
+                let edge = d.one_of(&edges);
                 let p = match d.chance(0.5) {
-                    true => beside(d, edge),
+                    true => beside(edge, d),
                     false => edge * d.uniform(0.6, 1.1),
                 };
-                ratio(d, p)
+                ratio(p, d)
             },
         ),
         region("subnormal", "sigma and gamma 5e-324..1e-300 or zero", |d| {
-            let mut tiny = || match d.chance(0.25) {
-                true => 0.0,
-                false => d.log_uniform(5e-324, 1e-300),
-            };
+            let mut tiny = || d.zero_or_log(0.25, 5e-324, 1e-300);
             vec![tiny(), tiny()]
         }),
         region("overflow", "sigma and gamma 1e306..1.7e308", |d| {
@@ -228,14 +219,7 @@ fn regions() -> Vec<Region> {
         region(
             "any-bits",
             "any bit patterns, widths seldom negative",
-            |d| {
-                let mut any = || {
-                    let mut half = || d.integer(0, u32::MAX as usize) as u64;
-                    let x = f64::from_bits(half() << 32 | half());
-                    if d.chance(0.05) { x } else { x.abs() }
-                };
-                vec![any(), any()]
-            },
+            |d| vec![any_bits(0.05, d), any_bits(0.05, d)],
         ),
     ]
 }

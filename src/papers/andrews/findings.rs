@@ -4,7 +4,7 @@ use super::entries::certified;
 use super::motion::{BITS, DIGITS, Motion, TIMES};
 use super::printed::{Printed, QUANTITIES, kind, unit};
 use crate::papers::ledger::{Ledger, Verdict};
-use crate::papers::{Figure, Finding, FindingVerdict, Subject, figure, figures, recorded};
+use crate::papers::{Draft, Finding, FindingVerdict, Subject, figure, figures, known, shown};
 use crate::reference::{Ball, Mag};
 
 pub(super) fn all(ledger: &Ledger, printed: &[Printed], motion: &Motion) -> Vec<Finding> {
@@ -23,19 +23,18 @@ pub(super) fn all(ledger: &Ledger, printed: &[Printed], motion: &Motion) -> Vec<
 
 fn equations(ledger: &Ledger) -> Finding {
     let proved = ledger.count(Verdict::Proved);
-    Finding {
-        id: "equations",
-        subject: Subject::Formula,
-        place: "M, f, g, G",
-        title: format!("{proved} printed equations are proved"),
-        verdict: FindingVerdict::Confirmed,
-        text: "The constraints are the loops of the bodies, G their Jacobian, M and f what \
-               Lagrange's equations give for the kinetic energy of the seven bodies and the spring. \
-               The ledger lists every one."
-            .into(),
-        figures: vec![figure("entries of the ledger", ledger.entries.len(), "1")],
-        as_recorded: ledger.as_recorded(),
-    }
+    Draft::new("equations", Subject::Formula, "M, f, g, G")
+        .verdict(FindingVerdict::Confirmed)
+        .titled(format!("{proved} printed equations are proved"))
+        .text(
+            "The constraints are the loops of the bodies, G their Jacobian, M and f what \
+             Lagrange's equations give for the kinetic energy of the seven bodies and the spring. \
+             The ledger lists every one.",
+        )
+        .figures(figures! {
+            "entries of the ledger": "{}", ledger.entries.len() => "1";
+        })
+        .as_recorded(ledger.as_recorded())
 }
 
 /// The one whose last digit at t = 0 is wrong.
@@ -47,30 +46,24 @@ fn start_values(start: &[&Printed], values: &[Vec<Ball>]) -> Finding {
     let off: Vec<&&Printed> = start.iter().filter(|p| !right(p)).collect();
     let units = |p: &Printed| p.number.units_off(certified(values, p));
     let figures = off.iter().map(|p| {
-        let name = format!(
-            "{} off by, in units of the last digit",
-            QUANTITIES[p.quantity]
-        );
+        let name = QUANTITIES[p.quantity];
+        let name = format!("{name} off by, in units of the last digit");
         figure(name, format!("{:.2}", units(p)), "1")
     });
-    let figures: Vec<Figure> = figures.collect();
-    let only = recorded(&figures, &["-1.79"]) && off.iter().all(|p| p.quantity == LAMBDA_1);
-    Finding {
-        id: "start-values",
-        subject: Subject::Data,
-        place: "t = 0",
-        title: format!(
+    Draft::new("start-values", Subject::Data, "t = 0")
+        .verdict(FindingVerdict::Confirmed)
+        .titled(format!(
             "{agree} of {} consistent values at t = 0 are right to the last digit",
             start.len()
-        ),
-        verdict: FindingVerdict::Confirmed,
-        text: "The start is the position with Θ = 0 at rest, enclosed from the constraints alone; \
-               accelerations and multipliers follow. Of the 30 digits and more that are printed \
-               only those of lambda_1 end in a wrong one."
-            .into(),
-        figures,
-        as_recorded: only,
-    }
+        ))
+        .text(
+            "The start is the position with Θ = 0 at rest, enclosed from the constraints alone; \
+             accelerations and multipliers follow. Of the 30 digits and more that are printed \
+             only those of lambda_1 end in a wrong one.",
+        )
+        .figures(figures)
+        .only_if(off.iter().all(|p| p.quantity == LAMBDA_1))
+        .recorded(&["-1.79"])
 }
 
 /// Least and largest number of digits that are right among some values.
@@ -92,30 +85,23 @@ fn reference_solution(end: &[&Printed], values: &[Vec<Ball>]) -> Finding {
         .iter()
         .filter(|p| p.number.within(certified(values, p), 1.0))
         .count();
-    Finding {
-        id: "reference-solution",
-        subject: Subject::Tables,
-        place: "t = 0.03 s",
-        title: format!(
+    Draft::new("reference-solution", Subject::Tables, "t = 0.03 s")
+        .verdict(FindingVerdict::ErrorOfPaper)
+        .titled(format!(
             "The reference solution is right to {q} of its 16 digits in the angles, to fewer in the rest"
-        ),
-        verdict: FindingVerdict::ErrorOfPaper,
-        text: format!(
+        ))
+        .text(format!(
             "Printed with 16 digits from one run of PSIDE at tolerances 1e-14. Of the angles {q} \
              digits are right, of the rates {v}, of the accelerations {w}, of the multipliers {l}; \
              {agree} of {} values lie within a unit of the last digit. Below, all digits before the \
              bar are right and the next one is wrong.",
             end.len(),
-        ),
-        figures: end
-            .iter()
-            .map(|p| {
-                let shown = p.number.marked(certified(values, p));
-                figure(QUANTITIES[p.quantity], shown, unit(p.quantity))
-            })
-            .collect(),
-        as_recorded: agree == 0 && spans == RIGHT,
-    }
+        ))
+        .figures(end.iter().map(|p| {
+            let shown = p.number.marked(certified(values, p));
+            figure(QUANTITIES[p.quantity], shown, unit(p.quantity))
+        }))
+        .as_recorded(agree == 0 && spans == RIGHT)
 }
 
 /// Shifts of the seven angles in ps, and what is left of the rates.
@@ -153,55 +139,41 @@ fn later(end: &[&Printed], values: &[Vec<Ball>]) -> Finding {
         let name = format!("(printed - certified)/rate, {}", QUANTITIES[p.quantity]);
         figure(name, format!("{s:.4}"), "ps")
     });
-    let mut figures: Vec<Figure> = named.collect();
-    figures.push(figure(
-        "largest relative difference that is left in the rates after that time",
-        format!("{worst:.1e}"),
-        "1",
-    ));
-    Finding {
-        id: "later",
-        subject: Subject::Tables,
-        place: "t = 0.03 s",
-        title: format!("The printed angles are those of a moment {crank:.3} ps later"),
-        verdict: FindingVerdict::Recovered,
-        text: "All seven differ from the certified ones by the same time times their rates, as far as \
-               16 digits tell: the run kept to the constraints and is ahead by 3e-11 of the time. \
-               That sets the limit of what agreement with this reference can show."
-            .into(),
-        as_recorded: fits && recorded(&figures, &LATER),
-        figures,
-    }
+    let left = figures! {
+        "largest relative difference that is left in the rates after that time": "{worst:.1e}" => "1";
+    };
+    Draft::new("later", Subject::Tables, "t = 0.03 s")
+        .verdict(FindingVerdict::Recovered)
+        .titled(format!("The printed angles are those of a moment {crank:.3} ps later"))
+        .text(
+            "All seven differ from the certified ones by the same time times their rates, as far as \
+             16 digits tell: the run kept to the constraints and is ahead by 3e-11 of the time. \
+             That sets the limit of what agreement with this reference can show.",
+        )
+        .figures(named.chain(left))
+        .only_if(fits)
+        .recorded(&LATER)
 }
 
 fn mirrored(end: &[&Printed], values: &[Vec<Ball>]) -> Finding {
     let printed = |quantity: usize| end.iter().find(|p| p.quantity == quantity);
     let texts = [17, 19].map(|k| printed(k).map_or("", |p| p.number.text.as_str()));
     let differ = texts[0].trim_start_matches('-') != texts[1].trim_start_matches('-');
-    let mut figures = figures! {
-        "Phi_ddot as printed": "{}", texts[0] => "rad/s^2";
-        "Omega_ddot as printed": "{}", texts[1] => "rad/s^2";
-    };
-    figures.push(figure(
-        "Phi_ddot = -Omega_ddot, certified",
-        values[TIMES.len()][17]
-            .to_decimal(DIGITS)
-            .unwrap_or_default(),
-        "rad/s^2",
-    ));
-    Finding {
-        id: "mirrored",
-        subject: Subject::Tables,
-        place: "t = 0.03 s",
-        title: "Phi'' and Omega'' are opposite; the print contradicts itself in the last two digits".into(),
-        verdict: FindingVerdict::ErrorOfPaper,
-        text: "With e = zf and zt = u the chains K5-K4 and K7-K6 between A and P are mirror images, so \
-               that Φ = -Ω at all times (ledger, an-mirror). The printed Φ'' and Ω'' differ by 9e-10; \
-               both are wrong long before."
-            .into(),
-        figures,
-        as_recorded: differ && opposite(values),
-    }
+    let certified = values[TIMES.len()][17].to_decimal(DIGITS);
+    Draft::new("mirrored", Subject::Tables, "t = 0.03 s")
+        .verdict(FindingVerdict::ErrorOfPaper)
+        .titled("Phi'' and Omega'' are opposite; the print contradicts itself in the last two digits")
+        .text(
+            "With e = zf and zt = u the chains K5-K4 and K7-K6 between A and P are mirror images, so \
+             that Φ = -Ω at all times (ledger, an-mirror). The printed Φ'' and Ω'' differ by 9e-10; \
+             both are wrong long before.",
+        )
+        .figures(figures! {
+            "Phi_ddot as printed": "{}", texts[0] => "rad/s^2";
+            "Omega_ddot as printed": "{}", texts[1] => "rad/s^2";
+            "Phi_ddot = -Omega_ddot, certified": "{}", certified.unwrap_or_default() => "rad/s^2";
+        })
+        .as_recorded(differ && opposite(values))
 }
 
 /// Whether Φ and Ω, their rates and their accelerations are opposite at all times.
@@ -227,25 +199,22 @@ fn never_stops(motion: &Motion) -> Finding {
     let turns = course.moments.last().map_or(f64::NAN, |m| {
         (&m.drive - &course.start.x[0]).to_f64() / std::f64::consts::TAU
     });
-    Finding {
-        id: "never-stops",
-        subject: Subject::Claim,
-        place: "0 to 0.03 s",
-        title: "The crank turns one way all the time, proved; energy gives the time as an integral".into(),
-        verdict: FindingVerdict::Confirmed,
-        text: "Torque and spring are conservative, so ½ I(β) β'² = mom (β - β0) - V(β) + V(β0). The \
-               right side over β - β0 stays above the bound given, and the mechanism has one position \
-               for every β on the way. The moment that is left over in the equations of motion at the \
-               three times, which has to vanish, does so within its enclosure."
-            .into(),
-        figures: figures! {
+    Draft::new("never-stops", Subject::Claim, "0 to 0.03 s")
+        .verdict(FindingVerdict::Confirmed)
+        .titled("The crank turns one way all the time, proved; energy gives the time as an integral")
+        .text(
+            "Torque and spring are conservative, so ½ I(β) β'² = mom (β - β0) - V(β) + V(β0). The \
+             right side over β - β0 stays above the bound given, and the mechanism has one position \
+             for every β on the way. The moment that is left over in the equations of motion at the \
+             three times, which has to vanish, does so within its enclosure.",
+        )
+        .figures(figures! {
             "turns of the crank in 0.03 s": "{turns:.6}" => "1";
             "lower bound of (mom (β - β0) - V + V0)/(β - β0)": "{:.5}", course.least_force => "N·m";
             "panels": "{}", course.panels => "1";
             "largest moment that can be left over": "{largest:.1e}" => "N·m";
-        },
-        as_recorded: turned(&rests, turns, course.least_force),
-    }
+        })
+        .as_recorded(turned(&rests, turns, course.least_force))
 }
 
 /// Whether nothing is left over, and turns and bound are those recorded.
@@ -255,34 +224,24 @@ fn turned(rests: &[Ball], turns: f64, least_force: f64) -> bool {
 
 fn certified_motion(values: &[Vec<Ball>]) -> Finding {
     let mut figures = Vec::new();
-    let mut whole = true;
     for (time, row) in TIMES.iter().zip(&values[1..]) {
         for (k, value) in row.iter().enumerate() {
-            let text = value.to_decimal(DIGITS);
-            whole &= text.is_some();
             let name = format!("t = {time} s, {}", QUANTITIES[k]);
-            figures.push(figure(
-                name,
-                text.unwrap_or_else(|| "undecided".into()),
-                unit(k),
-            ));
+            figures.push(figure(name, shown(value, DIGITS), unit(k)));
         }
     }
-    Finding {
-        id: "certified-motion",
-        subject: Subject::Tables,
-        place: "t = 0.01, 0.02, 0.03 s",
-        title: format!("All angles, rates, accelerations and multipliers to {DIGITS} digits"),
-        verdict: FindingVerdict::Recovered,
-        text: format!(
+    let whole = known(&figures) && figures_are(values);
+    Draft::new("certified-motion", Subject::Tables, "t = 0.01, 0.02, 0.03 s")
+        .verdict(FindingVerdict::Recovered)
+        .titled(format!("All angles, rates, accelerations and multipliers to {DIGITS} digits"))
+        .text(format!(
             "Enclosed at {BITS} bits: positions by a contraction over complex discs of β, the time by \
              Gauss and Legendre's rule with a proved bound, its inverse by an interval Newton step, the \
              rest from the equations at that position. `reference/values/andrews-motion.csv` holds \
              them."
-        ),
-        figures,
-        as_recorded: whole && figures_are(values),
-    }
+        ))
+        .figures(figures)
+        .as_recorded(whole)
 }
 
 fn figures_are(values: &[Vec<Ball>]) -> bool {

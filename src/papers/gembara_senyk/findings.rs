@@ -2,8 +2,7 @@
 
 use super::amplitude::{Formula, Passage};
 use super::charts::{self, Law, Programme};
-use crate::papers::report::recorded;
-use crate::papers::{Finding, FindingVerdict, Subject, figure, figures};
+use crate::papers::{Draft, Finding, FindingVerdict, Subject, figure, figures};
 use crate::reference::Ball;
 use crate::solvers::chirp_chart::{BeatZone, Chart, ChartPoint, ChirpChartError};
 
@@ -63,43 +62,35 @@ pub(super) fn formulas() -> Vec<Finding> {
             "worst found, t = 0.1 … 5 s": "{}", percent(worst) => "%";
         }
     };
-    let of_18 = of(Formula::Printed18, worst18);
-    let of_19 = of(Formula::Printed19, worst19);
     let given = "w = 10 rad/s, n = 0.5 rad/s, ε = 4 rad/s², k = 2";
     vec![
-        Finding {
-            id: "amplitude-as-printed",
-            subject: Subject::Formula,
-            place: "(12), (18)",
-            title: "With U_n as printed the amplitude (18) is wrong by tens of per cent".into(),
-            verdict: FindingVerdict::ErrorOfPaper,
-            text: format!(
+        Draft::new("amplitude-as-printed", Subject::Formula, "(12), (18)")
+            .verdict(FindingVerdict::ErrorOfPaper)
+            .titled("With U_n as printed the amplitude (18) is wrong by tens of per cent")
+            .text(format!(
                 "(12) prints −i n in U_n where U_n0 rightly has +i n. At {given} the modulus of (18) \
                  is then off by {} % at t = 1.5 s, just after the resonance, and by {} % at \
                  t = {t18:.1} s, the worst of t = 0.1, 0.2 … 5 s. With +i n it is the convolution \
                  (10) at all fifty times, to the 20 digits enclosed.",
                 percent(error(Formula::Printed18)),
                 percent(worst18),
-            ),
-            as_recorded: holds && sharp18 && recorded(&of_18, &["32.10", "4575.17"]),
-            figures: of_18,
-        },
-        Finding {
-            id: "chart-formula-as-printed",
-            subject: Subject::Formula,
-            place: "(19)",
-            title: "W(V_n0) for W(U_n0) in (19) shows until the start has died away".into(),
-            verdict: FindingVerdict::ErrorOfPaper,
-            text: format!(
+            ))
+            .figures(of(Formula::Printed18, worst18))
+            .only_if(holds && sharp18)
+            .recorded(&["32.10", "4575.17"]),
+        Draft::new("chart-formula-as-printed", Subject::Formula, "(19)")
+            .verdict(FindingVerdict::ErrorOfPaper)
+            .titled("W(V_n0) for W(U_n0) in (19) shows until the start has died away")
+            .text(format!(
                 "(19) repeats W(V_n0) where (18) has W(U_n0). At {given} the modulus is off by {} % \
                  at t = 1.5 s and by {} % at t = {t19:.1} s, the worst of fifty times: the term \
                  belongs to the start and decays with e^(−nt). The prefactor has a 4 too many besides.",
                 percent(error(Formula::Printed19)),
                 percent(worst19),
-            ),
-            as_recorded: holds && sharp19 && recorded(&of_19, &["0.60", "7.36"]),
-            figures: of_19,
-        },
+            ))
+            .figures(of(Formula::Printed19, worst19))
+            .only_if(holds && sharp19)
+            .recorded(&["0.60", "7.36"]),
         stationary(),
     ]
 }
@@ -115,19 +106,15 @@ fn stationary() -> Finding {
         let off = middle(&p.modulus(Formula::Corrected, PREC)) / due - 1.0;
         figure(name, format!("{off:.2e}"), "1")
     });
-    Finding {
-        id: "stationary-limit",
-        subject: Subject::Formula,
-        place: "(18)",
-        title: "Corrected, (18) goes over into the textbook's magnification as ε goes to zero"
-            .into(),
-        verdict: FindingVerdict::Confirmed,
-        text: "At w = 10 rad/s, n = 0.5 rad/s and ω = 8 rad/s the modulus approaches \
-               w²/√((w² − ω²)² + 4n²ω²) = 2.71163 in proportion to ε."
-            .into(),
-        as_recorded: recorded(&figures, &["-1.12e-2", "-1.07e-4", "-1.07e-6"]),
-        figures: figures.into(),
-    }
+    Draft::new("stationary-limit", Subject::Formula, "(18)")
+        .verdict(FindingVerdict::Confirmed)
+        .titled("Corrected, (18) goes over into the textbook's magnification as ε goes to zero")
+        .text(
+            "At w = 10 rad/s, n = 0.5 rad/s and ω = 8 rad/s the modulus approaches \
+             w²/√((w² − ω²)² + 4n²ω²) = 2.71163 in proportion to ε.",
+        )
+        .figures(figures)
+        .recorded(&["-1.12e-2", "-1.07e-4", "-1.07e-6"])
 }
 
 /// Charts of both laws, run-up and run-down.
@@ -163,29 +150,25 @@ fn shifts(a: &[BeatZone], b: &[BeatZone]) -> Vec<f64> {
 
 /// What the charts say about the paper's comparison.
 pub(super) fn comparison() -> Vec<Finding> {
-    let both = [Law::K, Law::Constant].map(|law| -> Result<Charts, ChirpChartError> {
+    let of = |law| -> Result<Charts, ChirpChartError> {
         Ok(Charts {
             law,
             up: charts::chart(law, Programme::RunUp)?,
             down: charts::chart(law, Programme::RunDown)?,
         })
-    });
-    let [k, constant] = both;
-    match (k, constant) {
+    };
+    match (of(Law::K), of(Law::Constant)) {
         (Ok(k), Ok(constant)) => {
             let charts = [k, constant];
             vec![sum_of_moduli(&charts), run_up_for_run_down(&charts)]
         }
-        _ => vec![Finding {
-            id: "charts",
-            subject: Subject::Claim,
-            place: "Fig. 5",
-            title: "The charts could not be computed".into(),
-            verdict: FindingVerdict::Unexplained,
-            text: "A response of the example's oscillator was refused.".into(),
-            figures: Vec::new(),
-            as_recorded: false,
-        }],
+        _ => vec![
+            Draft::new("charts", Subject::Claim, "Fig. 5")
+                .verdict(FindingVerdict::Unexplained)
+                .titled("The charts could not be computed")
+                .text("A response of the example's oscillator was refused.")
+                .as_recorded(false),
+        ],
     }
 }
 
@@ -203,36 +186,25 @@ fn sum_of_moduli(charts: &[Charts; 2]) -> Finding {
         let formula = c.up.beats(|p| p.bound).len();
         let true_peaks = c.up.beats(|p| p.displacement).len();
         let accelerations = c.up.beats(|p| p.acceleration).len();
-        figures.push(figure(
-            format!("Σ|A_n| over the true peak of |φ − a_0|, law {name}, least and largest"),
-            format!("{least:.3}, {most:.3}"),
-            "1",
-        ));
-        figures.push(figure(
-            format!("maxima of Σ|A_n|, of |φ − a_0|, of the acceleration, law {name}"),
-            format!("{formula}, {true_peaks}, {accelerations}"),
-            "1",
-        ));
+        figures.extend(figures! {
+            "Σ|A_n| over the true peak of |φ − a_0|, law {name}, least and largest":
+                "{least:.3}, {most:.3}" => "1";
+            "maxima of Σ|A_n|, of |φ − a_0|, of the acceleration, law {name}":
+                "{formula}, {true_peaks}, {accelerations}" => "1";
+        });
     }
-    Finding {
-        id: "sum-of-moduli",
-        subject: Subject::Claim,
-        place: "(19), Fig. 5",
-        title: "(19) bounds the displacement and says nothing of the acceleration".into(),
-        verdict: FindingVerdict::Refuted,
-        text: format!(
+    Draft::new("sum-of-moduli", Subject::Claim, "(19), Fig. 5")
+        .verdict(FindingVerdict::Refuted)
+        .titled("(19) bounds the displacement and says nothing of the acceleration")
+        .text(format!(
             "(19) adds moduli as if all harmonics peaked at once, and is compared in Fig. 5 with \
              measured accelerations. For {EXAMPLE}, running up from rest, it exceeds the true peak \
              of the displacement in the turn everywhere; how often its curve has a maximum where \
              the true peaks have one is below: the lesser maxima that the paper misses in its \
              analysis are lost in the sum."
-        ),
-        as_recorded: recorded(
-            &figures,
-            &["1.309, 1.386", "16, 28, 17", "1.327, 1.468", "15, 28, 17"],
-        ),
-        figures,
-    }
+        ))
+        .figures(figures)
+        .recorded(&["1.309, 1.386", "16, 28, 17", "1.327, 1.468", "15, 28, 17"])
 }
 
 fn run_up_for_run_down(charts: &[Charts; 2]) -> Finding {
@@ -244,26 +216,17 @@ fn run_up_for_run_down(charts: &[Charts; 2]) -> Finding {
         let height = largest(differences(&c.up, &c.down, curve));
         let place = largest(shifts(&c.down.beats(curve), &c.up.beats(curve)));
         most = (most.0.max(height.abs()), most.1.max(place.abs()));
-        figures.push(figure(
-            format!("peak acceleration, run-up against run-down, law {name}, largest difference"),
-            format!("{:+.2}", 100.0 * height),
-            "%",
-        ));
-        figures.push(figure(
-            format!(
-                "place of a beat zone, run-up against run-down, law {name}, largest shift of ξ"
-            ),
-            format!("{:+.2}", 100.0 * place),
-            "%",
-        ));
+        figures.extend(figures! {
+            "peak acceleration, run-up against run-down, law {name}, largest difference":
+                "{:+.2}", 100.0 * height => "%";
+            "place of a beat zone, run-up against run-down, law {name}, largest shift of ξ":
+                "{:+.2}", 100.0 * place => "%";
+        });
     }
-    Finding {
-        id: "run-up-for-run-down",
-        subject: Subject::Claim,
-        place: "conclusions",
-        title: "A run-up formula for a measured run-down: part of the 16 % and the 10 %".into(),
-        verdict: FindingVerdict::Confirmed,
-        text: format!(
+    Draft::new("run-up-for-run-down", Subject::Claim, "conclusions")
+        .verdict(FindingVerdict::Confirmed)
+        .titled("A run-up formula for a measured run-down: part of the 16 % and the 10 %")
+        .text(format!(
             "The paper computes a run-up from rest and measures a run-down; it blames the \
              difference, up to 16 % in the maxima and 10 % in the place of the beat zones, on the \
              formula's law of the speed. For {EXAMPLE}, with the same equation solved both ways, \
@@ -271,10 +234,9 @@ fn run_up_for_run_down(charts: &[Charts; 2]) -> Finding {
              apart. At the paper's own, unstated rates it may be more or less.",
             100.0 * most.0,
             100.0 * most.1,
-        ),
-        as_recorded: recorded(&figures, &["-37.31", "-2.93", "+46.35", "+4.54"]),
-        figures,
-    }
+        ))
+        .figures(figures)
+        .recorded(&["-37.31", "-2.93", "+46.35", "+4.54"])
 }
 
 #[cfg(test)]

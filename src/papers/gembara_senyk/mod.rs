@@ -11,7 +11,7 @@ mod findings;
 mod ledger;
 
 use super::ledger::{Item, Ledger, Verdict};
-use super::{Citation, Finding, FindingVerdict, PaperReport, Progress, Subject, figure};
+use super::{Citation, Draft, Finding, FindingVerdict, PaperReport, Progress, Subject, figures};
 use crate::reference::Undecided;
 
 /// The name used on the command line.
@@ -56,23 +56,18 @@ pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
 }
 
 fn of_the_ledger(ledger: &Ledger) -> Vec<Finding> {
-    let mut out: Vec<Finding> = ledger
-        .entries
-        .iter()
-        .filter_map(super::ledger::finding)
-        .collect();
     let proved = ledger.count(Verdict::Proved);
-    out.push(Finding {
-        id: "ledger-proved",
-        subject: Subject::Formula,
-        place: "(1)-(19)",
-        title: format!("{proved} formulas and steps are proved as printed"),
-        verdict: FindingVerdict::Confirmed,
-        text: "The difference of both sides has the normal form zero in the exact algebra. The \
-               ledger lists every entry with its requirements."
-            .into(),
-        figures: vec![figure("entries of the ledger", ledger.entries.len(), "1")],
-        as_recorded: ledger.as_recorded(),
-    });
-    out
+    let proved = Draft::new("ledger-proved", Subject::Formula, "(1)-(19)")
+        .verdict(FindingVerdict::Confirmed)
+        .titled(format!("{proved} formulas and steps are proved as printed"))
+        .text(
+            "The difference of both sides has the normal form zero in the exact algebra. The \
+             ledger lists every entry with its requirements.",
+        )
+        .figures(figures! {
+            "entries of the ledger": "{}", ledger.entries.len() => "1";
+        })
+        .as_recorded(ledger.as_recorded());
+    let wrong = ledger.entries.iter().filter_map(super::ledger::finding);
+    wrong.chain([proved]).collect()
 }

@@ -72,12 +72,8 @@ fn evaluate(item: &Item) -> Result<LedgerEntry, SymbolicError> {
         Some(e) => bound(&definitions, e, e),
         None => definitions.clone(),
     };
-    let parsed = |t: &&str| Requirement::parse(t);
-    let requirements: Vec<Requirement> = item
-        .requirements
-        .iter()
-        .map(parsed)
-        .collect::<Result<_, _>>()?;
+    let parsed = item.requirements.iter().map(|t| Requirement::parse(t));
+    let requirements: Vec<Requirement> = parsed.collect::<Result<_, _>>()?;
     let mut obligations: Vec<Obligation> = requirements
         .iter()
         .map(|r| obligation(r, r.decide(&with), None))

@@ -22,7 +22,7 @@ pub struct Item {
     /// Definitions that its requirements need, `name = expression` or `t: x = expression`.
     pub definitions: Vec<&'static str>,
     /// What the printed form has to satisfy.
-    pub requirements: Vec<&'static str>,
+    pub requirements: Vec<String>,
     /// Further statements with the outcome on record; they do not enter the verdict.
     pub facts: Vec<(&'static str, Outcome)>,
     /// Where a repair is looked for.
@@ -86,8 +86,9 @@ impl Item {
 
     /// What has to hold.
     #[must_use]
-    pub fn requires(mut self, requirements: &[&'static str]) -> Item {
-        self.requirements.extend(requirements);
+    pub fn requires(mut self, requirements: &[impl ToString]) -> Item {
+        let texts = requirements.iter().map(ToString::to_string);
+        self.requirements.extend(texts);
         self
     }
 

@@ -17,6 +17,12 @@ fn finish(d: &mut Draw, [w, zeta, kappa, nu, t]: [f64; 5]) -> Vec<f64> {
     vec![w, w * zeta, kappa / k, nu / k, k, delta, y0, v0, t]
 }
 
+/// [`finish`], the sweep and the speed of either sign.
+fn finish_signed(d: &mut Draw, [w, zeta, kappa, nu, t]: [f64; 5]) -> Vec<f64> {
+    let (kappa, nu) = (d.signed(kappa), d.signed(nu));
+    finish(d, [w, zeta, kappa, nu, t])
+}
+
 fn frequency(d: &mut Draw) -> f64 {
     d.log_uniform(0.3, 30.0)
 }
@@ -35,11 +41,10 @@ fn ratio(d: &mut Draw) -> f64 {
 
 /// 1, exactly or off by 1e-16 to 0.3.
 fn near_one(d: &mut Draw) -> f64 {
-    if d.chance(0.1) {
-        return 1.0;
+    match d.chance(0.1) {
+        true => 1.0,
+        false => 1.0 + d.log_signed(1e-16, 0.3),
     }
-    let off = d.log_uniform(1e-16, 0.3);
-    1.0 + d.signed(off)
 }
 
 fn sweep(d: &mut Draw) -> f64 {
@@ -52,10 +57,7 @@ fn time(d: &mut Draw) -> f64 {
 
 /// Light to moderate damping.
 fn light(d: &mut Draw) -> f64 {
-    match d.chance(0.2) {
-        true => 0.0,
-        false => d.log_uniform(1e-6, 0.5),
-    }
+    d.zero_or_log(0.2, 1e-6, 0.5)
 }
 
 /// `ν` such that ω at time t is a few resonance widths from ±w₃, or at a multiple of `√κ`.
@@ -74,8 +76,7 @@ pub(super) fn all() -> Vec<Region> {
             |d| {
                 let (w, zeta, kappa, t) = (frequency(d), ratio(d), sweep(d), time(d));
                 let nu = d.log_uniform(1e-3, 1e2);
-                let (kappa, nu) = (d.signed(kappa), d.signed(nu));
-                finish(d, [w, zeta, kappa, nu, t])
+                finish_signed(d, [w, zeta, kappa, nu, t])
             },
         ),
         region(
@@ -124,25 +125,20 @@ pub(super) fn all() -> Vec<Region> {
                 let (w, zeta, t) = (frequency(d), ratio(d), time(d));
                 let nu = w * d.log_uniform(1e-9, 0.03);
                 let kappa = w / t * d.log_uniform(1e-9, 0.03);
-                let (kappa, nu) = (d.signed(kappa), d.signed(nu));
-                finish(d, [w, zeta, kappa, nu, t])
+                finish_signed(d, [w, zeta, kappa, nu, t])
             },
         ),
         region("stationary-limit", "|k eps| = 1e-300..1e-9", |d| {
             let (w, zeta, t) = (frequency(d), ratio(d), time(d));
             let kappa = d.log_uniform(1e-300, 1e-9);
             let nu = w * d.log_uniform(1e-3, 30.0);
-            let (kappa, nu) = (d.signed(kappa), d.signed(nu));
-            finish(d, [w, zeta, kappa, nu, t])
+            finish_signed(d, [w, zeta, kappa, nu, t])
         }),
         region("stationary", "eps = 0, resonance included", |d| {
             let (w, zeta, t) = (frequency(d), ratio(d), time(d));
             let nu = match d.integer(0, 3) {
                 0 => w,
-                1 => {
-                    let off = d.log_uniform(1e-15, 1e-1);
-                    w * (1.0 + d.signed(off))
-                }
+                1 => w * (1.0 + d.log_signed(1e-15, 1e-1)),
                 2 => 0.0,
                 _ => w * d.log_uniform(1e-3, 30.0),
             };
@@ -163,8 +159,7 @@ pub(super) fn all() -> Vec<Region> {
         region("critical", "n/w = 1 exactly or off by 1e-16..0.3", |d| {
             let (w, zeta, kappa, t) = (frequency(d), near_one(d), sweep(d), time(d));
             let nu = w * d.log_uniform(1e-2, 30.0);
-            let (kappa, nu) = (d.signed(kappa), d.signed(nu));
-            finish(d, [w, zeta, kappa, nu, t])
+            finish_signed(d, [w, zeta, kappa, nu, t])
         }),
         region(
             "critical-passage",
@@ -182,22 +177,19 @@ pub(super) fn all() -> Vec<Region> {
             let (w, kappa, t) = (frequency(d), sweep(d), time(d));
             let zeta = d.log_uniform(1.0, 1e3);
             let nu = w * d.log_uniform(1e-3, 30.0);
-            let (kappa, nu) = (d.signed(kappa), d.signed(nu));
-            finish(d, [w, zeta, kappa, nu, t])
+            finish_signed(d, [w, zeta, kappa, nu, t])
         }),
         region("small-t", "w t = 1e-12..10", |d| {
             let (w, zeta) = (frequency(d), ratio(d));
             let t = d.log_uniform(1e-12, 10.0) / w;
             let (kappa, nu) = (sweep(d), w * d.log_uniform(1e-3, 30.0));
-            let (kappa, nu) = (d.signed(kappa), d.signed(nu));
-            finish(d, [w, zeta, kappa, nu, t])
+            finish_signed(d, [w, zeta, kappa, nu, t])
         }),
         region("first-moments", "w t = 1e-90..1e-9, n/w = 0..30", |d| {
             let (w, zeta) = (frequency(d), ratio(d));
             let t = d.log_uniform(1e-90, 1e-9) / w;
             let (kappa, nu) = (sweep(d), w * d.log_uniform(1e-3, 30.0));
-            let (kappa, nu) = (d.signed(kappa), d.signed(nu));
-            finish(d, [w, zeta, kappa, nu, t])
+            finish_signed(d, [w, zeta, kappa, nu, t])
         }),
         region("fast-sweep", "|k eps|/w^2 = 1..1e6", |d| {
             let (w, zeta) = (frequency(d), ratio(d));
@@ -224,10 +216,7 @@ pub(super) fn all() -> Vec<Region> {
             "n/w up to 1e-3, beside times when force and free vibration have made whole half-turns",
             |d| {
                 let w = frequency(d);
-                let zeta = match d.chance(0.5) {
-                    true => 0.0,
-                    false => d.log_uniform(1e-16, 1e-3),
-                };
+                let zeta = d.zero_or_log(0.5, 1e-16, 1e-3);
                 let free = d.integer(2, 30) as f64;
                 // Of the same parity, but not in resonance.
                 let forced = free - 2.0 * d.integer(1, 40) as f64;
@@ -240,8 +229,7 @@ pub(super) fn all() -> Vec<Region> {
                 };
                 let kappa = d.signed(kappa);
                 let nu = PI * forced / end - 0.5 * kappa * end;
-                let off = d.log_uniform(1e-12, 1e-1);
-                let t = end * (1.0 + d.signed(off));
+                let t = end * (1.0 + d.log_signed(1e-12, 1e-1));
                 finish(d, [w, zeta, kappa, nu, t])
             },
         ),
@@ -259,8 +247,7 @@ fn seam(d: &mut Draw) -> Vec<f64> {
     let kappa = w * w * d.log_uniform(1e-6, 1e2);
     let n = w * zeta;
     let w3 = w * (1.0 - zeta * zeta).max(0.0).sqrt();
-    let off = d.log_uniform(1e-16, 1e-2);
-    let beside = 1.0 + d.signed(off);
+    let beside = 1.0 + d.log_signed(1e-16, 1e-2);
     let t = match d.chance(0.3) {
         true => d.log_uniform(0.1, 30.0) / w,
         false => time(d),
@@ -269,7 +256,7 @@ fn seam(d: &mut Draw) -> Vec<f64> {
         0 => (w3 + n) * beside,
         1 => n * beside,
         _ => {
-            let z2 = [1.0, 49.0, 64.0, 100.0, 1e3, 1e5][d.integer(0, 5)] * beside;
+            let z2 = d.one_of(&[1.0, 49.0, 64.0, 100.0, 1e3, 1e5]) * beside;
             let x = (2.0 * kappa * z2 - n * n).max(0.0).sqrt();
             let side = d.signed(w3);
             side + d.signed(x)
@@ -278,7 +265,7 @@ fn seam(d: &mut Draw) -> Vec<f64> {
     if d.chance(0.3) {
         let nu = d.uniform(-4.0, 4.0) * w;
         let size = libm::hypot(n, nu.abs().max((nu + kappa * t).abs()) + d.signed(w3)).max(w * 0.1);
-        let t = [4.0, 16.0][d.integer(0, 1)] / size * beside;
+        let t = d.one_of(&[4.0, 16.0]) / size * beside;
         return finish(d, [w, zeta, kappa, nu, t]);
     }
     finish(d, [w, zeta, kappa, omega - kappa * t, t])

@@ -440,8 +440,8 @@ fn from_rest(d: &mut Draw) -> RunUpInput<'static> {
 }
 
 fn moving(d: &mut Draw) -> RunUpInput<'static> {
-    let coefficients = [EXACT, SPLINES, HYBRID][d.integer(0, 2)];
-    let nodes = [12.0, 24.0, 48.0][d.integer(0, 2)];
+    let coefficients = d.one_of(&[EXACT, SPLINES, HYBRID]);
+    let nodes = d.one_of(&[12.0, 24.0, 48.0]);
     let mut i = sand_screen(coefficients, nodes, d.log_uniform(1e-5, 2e-3));
     any_motor(d, &mut i, 200.0, 10.0);
     i.phi0 = d.uniform(1.0, 12.0);

@@ -17,29 +17,66 @@ pub(in crate::methods::special) fn whole(d: &mut Draw) -> f64 {
 }
 
 /// `x` moved by a relative 1e-17 to 1e-3, to either side, or by nothing.
-pub(in crate::methods::special) fn beside(d: &mut Draw, x: f64) -> f64 {
-    if d.chance(0.05) {
-        return x;
+pub(in crate::methods::special) fn beside(x: f64, d: &mut Draw) -> f64 {
+    match d.chance(0.05) {
+        true => x,
+        false => x + x * d.log_signed(1e-17, 1e-3),
     }
-    let shift = d.log_uniform(1e-17, 1e-3);
-    x + x * d.signed(shift)
 }
 
-/// A random element.
-pub(in crate::methods::special) fn one_of(d: &mut Draw, all: &[f64]) -> f64 {
-    all[d.integer(0, all.len() - 1)]
-}
-
-pub(in crate::methods::special) fn both_signs(d: &mut Draw, x: f64, y: f64) -> Vec<f64> {
+pub(in crate::methods::special) fn both_signs(x: f64, y: f64, d: &mut Draw) -> Vec<f64> {
     vec![d.signed(x), d.signed(y)]
 }
 
 /// [`both_signs`], with the two exchanged in half of the cases.
-pub(in crate::methods::special) fn in_either_order(d: &mut Draw, x: f64, y: f64) -> Vec<f64> {
+pub(in crate::methods::special) fn in_either_order(x: f64, y: f64, d: &mut Draw) -> Vec<f64> {
     match d.chance(0.5) {
-        true => both_signs(d, x, y),
-        false => both_signs(d, y, x),
+        true => both_signs(x, y, d),
+        false => both_signs(y, x, d),
     }
+}
+
+/// Regions of W and of its relatives alike.
+pub(in crate::methods::special) fn small() -> Region {
+    region("small", "|z| = 1e-300..1, every direction", |d| {
+        polar(d.log_uniform(1e-300, 1.0), whole(d))
+    })
+}
+
+pub(in crate::methods::special) fn huge() -> Region {
+    region("huge", "|z| = 1e8..1.7e308, every direction", |d| {
+        polar(d.log_uniform(1e8, 1.7e308), whole(d))
+    })
+}
+
+pub(in crate::methods::special) fn diagonals() -> Region {
+    region(
+        "diagonal-rays",
+        "|z| = 0.01..1e8 on the four diagonals, exactly or off by 1e-17..1e-3",
+        |d| {
+            let x = d.log_uniform(0.007, 7e7);
+            both_signs(x, beside(x, d), d)
+        },
+    )
+}
+
+/// Two numbers of any exponents.
+pub(in crate::methods::special) fn any_exponents(d: &mut Draw) -> Vec<f64> {
+    let (x, y) = (d.log_uniform(1e-308, 1e308), d.log_uniform(1e-308, 1e308));
+    both_signs(x, y, d)
+}
+
+/// The coordinate nearer to an axis where the exponential leaves its range.
+pub(in crate::methods::special) fn nearer(d: &mut Draw) -> f64 {
+    match d.chance(0.7) {
+        true => d.log_uniform(1e-3, 1e7),
+        false => d.log_uniform(1e-300, 1e-3),
+    }
+}
+
+/// Along an axis, near to the origin and far.
+pub(in crate::methods::special) fn along_axis(d: &mut Draw) -> f64 {
+    d.uniform_or_log(0.7, [0.0, 30.0], [1e-3, 1e5])
 }
 
 /// Named arguments, and the first zeros of so many.
@@ -85,14 +122,10 @@ pub(in crate::methods::special) fn listed(seams: &[f64]) -> String {
 }
 
 /// Within 1e-17 to 0.1 of the k-th zero or its mirror image.
-fn near_zero(d: &mut Draw, k: usize) -> Vec<f64> {
-    let r = d.log_uniform(1e-17, 0.1);
-    let theta = whole(d);
+fn near_zero(k: usize, d: &mut Draw) -> Vec<f64> {
+    let off = polar(d.log_uniform(1e-17, 0.1), whole(d));
     let z = curves::zero(k);
-    vec![
-        d.signed(z[0] + r * libm::cos(theta)),
-        z[1] + r * libm::sin(theta),
-    ]
+    vec![d.signed(z[0] + off[0]), z[1] + off[1]]
 }
 
 static ON_CIRCLES: LazyLock<String> = LazyLock::new(|| {
@@ -120,42 +153,26 @@ static ON_CELLS: LazyLock<String> = LazyLock::new(|| {
 /// The regions.
 pub(in crate::methods::special) fn all() -> Vec<Region> {
     vec![
-        region("small", "|z| = 1e-300..1, every direction", |d| {
-            let r = d.log_uniform(1e-300, 1.0);
-            polar(r, whole(d))
-        }),
+        small(),
         region("mid", "0 <= Im z < 8, |Re z| < 8", |d| {
             vec![d.uniform(-8.0, 8.0), d.uniform(0.0, 8.0)]
         }),
         region("far", "|z| = 7..1e8, Im z >= 0", |d| {
-            let r = d.log_uniform(7.0, 1e8);
-            polar(r, d.uniform(0.0, PI))
+            polar(d.log_uniform(7.0, 1e8), d.uniform(0.0, PI))
         }),
-        region("huge", "|z| = 1e8..1.7e308, every direction", |d| {
-            let r = d.log_uniform(1e8, 1.7e308);
-            polar(r, whole(d))
-        }),
+        huge(),
         region("lower", "-6 <= Im z < 0, |Re z| < 8", |d| {
             vec![d.uniform(-8.0, 8.0), d.uniform(-6.0, 0.0)]
         }),
         region("lower-wide", "-28 <= Im z < 0, |Re z| < 40", |d| {
             vec![d.uniform(-40.0, 40.0), d.uniform(-28.0, 0.0)]
         }),
-        region(
-            "diagonal-rays",
-            "|z| = 0.01..1e8 on the four diagonals, exactly or off by 1e-17..1e-3",
-            |d| {
-                let x = d.log_uniform(0.007, 7e7);
-                let y = beside(d, x);
-                both_signs(d, x, y)
-            },
-        ),
+        diagonals(),
         region(
             "chirp-rays",
             "z = (1 - i)(X + i n), |X| = 0.01..1e8, n = 0, +-1, ... +-20 or |n| = 1e-3..1e3",
             |d| {
-                let x = d.log_uniform(0.01, 1e8);
-                let x = d.signed(x);
+                let x = d.log_signed(0.01, 1e8);
                 let n = match d.chance(0.5) {
                     true => d.integer(0, 20) as f64,
                     false => d.log_uniform(1e-3, 1e3),
@@ -168,48 +185,31 @@ pub(in crate::methods::special) fn all() -> Vec<Region> {
             "beside-real-axis",
             "|Re z| = 1e-3..1e5 or 0..30, |Im z| = 1e-300..0.2 on both sides",
             |d| {
-                let x = match d.chance(0.7) {
-                    true => d.uniform(0.0, 30.0),
-                    false => d.log_uniform(1e-3, 1e5),
-                };
-                let y = d.log_uniform(1e-300, 0.2);
-                both_signs(d, x, y)
+                let x = along_axis(d);
+                both_signs(x, d.log_uniform(1e-300, 0.2), d)
             },
         ),
         region(
             "near-real-axis",
             "|Re z| < 30, |Im z| = 1e-20..0.3 on both sides",
-            |d| {
-                let x = d.uniform(0.0, 30.0);
-                let y = d.log_uniform(1e-20, 0.3);
-                both_signs(d, x, y)
-            },
+            |d| both_signs(d.uniform(0.0, 30.0), d.log_uniform(1e-20, 0.3), d),
         ),
         region(
             "real-axis",
             "Im z = 0, |Re z| = 0..28 or 1e-300..1e300",
             |d| {
-                let x = match d.chance(0.7) {
-                    true => d.uniform(0.0, 28.0),
-                    false => d.log_uniform(1e-300, 1e300),
-                };
-                both_signs(d, x, 0.0)
+                let x = d.uniform_or_log(0.7, [0.0, 28.0], [1e-300, 1e300]);
+                both_signs(x, 0.0, d)
             },
         ),
         region(
             "beside-imaginary-axis",
             "|Re z| = 1e-300..0.5, or 0, Im z = -27..30 or |Im z| = 1e-3..1e5",
             |d| {
-                let x = match d.chance(0.1) {
-                    true => 0.0,
-                    false => d.log_uniform(1e-300, 0.5),
-                };
+                let x = d.zero_or_log(0.1, 1e-300, 0.5);
                 let y = match d.chance(0.7) {
                     true => d.uniform(-27.0, 30.0),
-                    false => {
-                        let y = d.log_uniform(1e-3, 1e5);
-                        d.signed(y)
-                    }
+                    false => d.log_signed(1e-3, 1e5),
                 };
                 vec![d.signed(x), y]
             },
@@ -217,18 +217,12 @@ pub(in crate::methods::special) fn all() -> Vec<Region> {
         region(
             "near-zeros",
             "within 1e-17..0.1 of one of the first 12 zeros or its mirror image",
-            |d| {
-                let k = d.integer(1, 12);
-                near_zero(d, k)
-            },
+            |d| near_zero(d.integer(1, 12), d),
         ),
         region(
             "far-zeros",
             "within 1e-17..0.1 of one of the zeros 13 to 400",
-            |d| {
-                let k = d.log_uniform(13.0, 400.0) as usize;
-                near_zero(d, k)
-            },
+            |d| near_zero(d.log_uniform(13.0, 400.0) as usize, d),
         ),
         region(
             "zero-curves-of-re",
@@ -251,10 +245,7 @@ pub(in crate::methods::special) fn all() -> Vec<Region> {
             "overflow-edge",
             "Im z < 0 where |W| is 1e303..1e313, |Re z| = 1e-300..1e7",
             |d| {
-                let a = match d.chance(0.7) {
-                    true => d.log_uniform(1e-3, 1e7),
-                    false => d.log_uniform(1e-300, 1e-3),
-                };
+                let a = nearer(d);
                 let b = a.mul_add(a, 709.0 + d.uniform(-12.0, 12.0)).sqrt();
                 vec![d.signed(a), -b]
             },
@@ -267,7 +258,7 @@ pub(in crate::methods::special) fn all() -> Vec<Region> {
                 let a = match d.integer(0, 3) {
                     0 => 0.0,
                     1 => b * d.uniform(0.0, 1.0),
-                    2 => beside(d, b),
+                    2 => beside(b, d),
                     _ => d.log_uniform(1e-300, 1e300),
                 };
                 vec![d.signed(a), -b]
@@ -277,15 +268,10 @@ pub(in crate::methods::special) fn all() -> Vec<Region> {
             "underflow-of-re",
             "Re W subnormal: |Re z| = 26.4..27.4 beside the axis, or 1e-3..1e150 with Im z = 1e-323..",
             |d| match d.chance(0.5) {
-                true => {
-                    let x = d.uniform(26.4, 27.4);
-                    let y = d.log_uniform(1e-323, 1e-290);
-                    both_signs(d, x, y)
-                }
+                true => both_signs(d.uniform(26.4, 27.4), d.log_uniform(1e-323, 1e-290), d),
                 false => {
                     let x = d.log_uniform(30.0, 1e150);
-                    let y = d.log_uniform(1e-323, 1e-300) * x;
-                    both_signs(d, x, y)
+                    both_signs(x, d.log_uniform(1e-323, 1e-300) * x, d)
                 }
             },
         ),
@@ -300,12 +286,9 @@ pub(in crate::methods::special) fn all() -> Vec<Region> {
                     false => t,
                 };
                 match d.integer(0, 2) {
-                    0 => both_signs(d, r, y),
+                    0 => both_signs(r, y, d),
                     1 => vec![d.signed(y), r],
-                    _ => {
-                        let x = d.log_uniform(5e-324, 10.0);
-                        both_signs(d, x, t)
-                    }
+                    _ => both_signs(d.log_uniform(5e-324, 10.0), t, d),
                 }
             },
         ),
@@ -313,46 +296,35 @@ pub(in crate::methods::special) fn all() -> Vec<Region> {
             let (tiny, other) = tiny_part(d);
             match d.chance(0.7) {
                 true => vec![d.signed(tiny), -other],
-                false => both_signs(d, other, tiny),
+                false => both_signs(other, tiny, d),
             }
         }),
         region("seam-circles", &ON_CIRCLES, |d| {
-            let r = one_of(d, SEAMS.circles).sqrt();
-            let r = beside(d, r);
+            let r = beside(d.one_of(SEAMS.circles).sqrt(), d);
             // A third each: everywhere, beside the real axis, beside the diagonals.
             let theta = match d.integer(0, 2) {
                 0 => whole(d),
                 1 => d.log_uniform(1e-20, 0.05),
-                _ => {
-                    let t = d.log_uniform(1e-17, 1e-2);
-                    PI / 4.0 + d.signed(t)
-                }
+                _ => PI / 4.0 + d.log_signed(1e-17, 1e-2),
             };
             let z = polar(r, theta);
-            both_signs(d, z[0], z[1])
+            both_signs(z[0], z[1], d)
         }),
         region("seam-strips", &ON_LINES, |d| {
-            let other = match d.chance(0.5) {
-                true => d.uniform(0.0, 10.0),
-                false => d.log_uniform(1e-3, 40.0),
-            };
+            let other = d.uniform_or_log(0.5, [0.0, 10.0], [1e-3, 40.0]);
             if d.chance(0.6) {
-                let y = one_of(d, SEAMS.im);
+                let y = d.one_of(SEAMS.im);
                 // Next to the real axis the strip alone tells distances apart.
                 let other = match y < 1e-3 {
                     true => d.uniform(8.0, 28.0),
                     false => other,
                 };
-                let y = beside(d, y);
-                return both_signs(d, other, y);
+                return both_signs(other, beside(y, d), d);
             }
-            let x = one_of(d, SEAMS.re);
-            let x = beside(d, x);
-            both_signs(d, x, other)
+            both_signs(beside(d.one_of(SEAMS.re), d), other, d)
         }),
         region("seam-hyperbolas", &ON_HYPERBOLAS, |d| {
-            let decay = one_of(d, SEAMS.hyperbolas);
-            let decay = beside(d, decay);
+            let decay = beside(d.one_of(SEAMS.hyperbolas), d);
             let t = d.log_uniform(0.01, 40.0);
             let s = t.mul_add(t, decay).sqrt();
             match d.chance(0.5) {
@@ -361,23 +333,17 @@ pub(in crate::methods::special) fn all() -> Vec<Region> {
             }
         }),
         region("seam-cells", &ON_CELLS, |d| {
-            let step = one_of(d, SEAMS.pitches) / 2.0;
+            let step = d.one_of(SEAMS.pitches) / 2.0;
             let most = (7.5 / step) as usize / 2;
             let edge = step * (2 * d.integer(0, most) + 1) as f64;
-            let edge = beside(d, edge);
-            let other = match d.chance(0.8) {
-                true => d.uniform(0.0, 7.5),
-                false => d.log_uniform(1e-6, 0.3),
-            };
-            in_either_order(d, edge, other)
+            let edge = beside(edge, d);
+            let other = d.uniform_or_log(0.8, [0.0, 7.5], [1e-6, 0.3]);
+            in_either_order(edge, other, d)
         }),
         region(
             "any-bits",
             "both components with any exponent: 1e-308..1e308",
-            |d| {
-                let (x, y) = (d.log_uniform(1e-308, 1e308), d.log_uniform(1e-308, 1e308));
-                both_signs(d, x, y)
-            },
+            any_exponents,
         ),
         region(
             "phase",

@@ -10,8 +10,8 @@ use crate::methods::special::faddeeva::curves::{
     Along, BITS_OF_ZEROS, Beside, FEW_BITS, Line, Part, w_roughly, zero as zero_of_w,
 };
 use crate::methods::special::faddeeva::regions::{
-    TINY_PART, beside, both_signs, in_either_order, listed, named_points, one_of, polar, tiny_part,
-    whole,
+    TINY_PART, along_axis, any_exponents, beside, both_signs, diagonals, huge, in_either_order,
+    listed, named_points, nearer, polar, small, tiny_part, whole,
 };
 use crate::reference::faddeeva::zero_of_erf as certified;
 use crate::solvers::faddeeva::{SEAMS, SEAMS_OF_RELATIVES, Seams};
@@ -71,17 +71,16 @@ fn beside_curve<F: Relative>(d: &mut Draw, part: Part) -> Vec<f64> {
     let along = if d.chance(0.5) { Along::Re } else { Along::Im };
     let (x, y) = (d.uniform(0.0, 7.0), d.uniform(0.0, 7.0));
     let (x, y) = (d.signed(x), d.signed(y));
-    // The phase of e^{-z^2} turns by a quarter within one step.
     let v = match along {
         Along::Re => y,
         Along::Im => x,
     };
-    let turn = PI / (4.0 * v.abs().max(1.0));
     let line = Line {
         part,
         along,
         z: C::new(x, y),
-        most: turn,
+        // The phase of e^{-z^2} turns by a quarter within one step.
+        most: PI / (4.0 * v.abs().max(1.0)),
     };
     let rough = |z| {
         let value = F::from_w(w_roughly, z);
@@ -98,26 +97,17 @@ fn beside_curve<F: Relative>(d: &mut Draw, part: Part) -> Vec<f64> {
 /// A zero between two of them, moved by `least` to 0.1, in any of its mirror images.
 fn near<F: Relative>(d: &mut Draw, (first, last): (usize, usize), least: f64) -> Vec<f64> {
     let z = (F::ZEROS.at)(d.integer(first, last));
-    let (r, theta) = (d.log_uniform(least, 0.1), whole(d));
-    let z = [z[0] + r * libm::cos(theta), z[1] + r * libm::sin(theta)];
-    let [re, im] = F::ZEROS.mirrored;
-    let x = if re { d.signed(z[0]) } else { z[0] };
-    vec![x, if im { d.signed(z[1]) } else { z[1] }]
-}
-
-/// Any bits: zeros, infinities, NaN and subnormal numbers among them.
-fn any_bits(d: &mut Draw) -> f64 {
-    let mut half = || d.integer(0, u32::MAX as usize) as u64;
-    f64::from_bits(half() << 32 | half())
+    let off = polar(d.log_uniform(least, 0.1), whole(d));
+    let one = |j: usize| {
+        let x = z[j] + off[j];
+        if F::ZEROS.mirrored[j] { d.signed(x) } else { x }
+    };
+    [0, 1].map(one).to_vec()
 }
 
 /// Small in one coordinate, anything in the other, in either order.
-fn beside_axis(d: &mut Draw, imaginary: bool, small: f64) -> Vec<f64> {
-    let t = match d.chance(0.7) {
-        true => d.uniform(0.0, 30.0),
-        false => d.log_uniform(1e-3, 1e5),
-    };
-    let z = both_signs(d, t, small);
+fn beside_axis(imaginary: bool, small: f64, d: &mut Draw) -> Vec<f64> {
+    let z = both_signs(along_axis(d), small, d);
     if imaginary { vec![z[1], z[0]] } else { z }
 }
 
@@ -132,13 +122,9 @@ fn seams_of_either(d: &mut Draw) -> Seams {
 /// The regions.
 pub(super) fn all<F: Relative>() -> Vec<Region> {
     let mut regions = vec![
-        region("small", "|z| = 1e-300..1, every direction", |d| {
-            let r = d.log_uniform(1e-300, 1.0);
-            polar(r, whole(d))
-        }),
+        small(),
         region("disc", "|z| < 1.5", |d| {
-            let r = d.uniform(0.0, 1.5);
-            polar(r, whole(d))
+            polar(d.uniform(0.0, 1.5), whole(d))
         }),
         region("mid", "|Re z|, |Im z| < 8", |d| {
             vec![d.uniform(-8.0, 8.0), d.uniform(-8.0, 8.0)]
@@ -147,69 +133,44 @@ pub(super) fn all<F: Relative>() -> Vec<Region> {
             vec![d.uniform(-28.0, 28.0), d.uniform(-28.0, 28.0)]
         }),
         region("far", "|z| = 7..1e8, every direction", |d| {
-            let r = d.log_uniform(7.0, 1e8);
-            polar(r, whole(d))
+            polar(d.log_uniform(7.0, 1e8), whole(d))
         }),
-        region("huge", "|z| = 1e8..1.7e308, every direction", |d| {
-            let r = d.log_uniform(1e8, 1.7e308);
-            polar(r, whole(d))
-        }),
+        huge(),
         region(
             "beside-real-axis",
             "|Re z| = 0..30 or 1e-3..1e5, |Im z| = 1e-300..0.3",
-            |d| {
-                let small = d.log_uniform(1e-300, 0.3);
-                beside_axis(d, false, small)
-            },
+            |d| beside_axis(false, d.log_uniform(1e-300, 0.3), d),
         ),
         region(
             "beside-imaginary-axis",
             "|Im z| = 0..30 or 1e-3..1e5, |Re z| = 1e-300..0.3",
-            |d| {
-                let small = d.log_uniform(1e-300, 0.3);
-                beside_axis(d, true, small)
-            },
+            |d| beside_axis(true, d.log_uniform(1e-300, 0.3), d),
         ),
         region("near-real-axis", "likewise with |Im z| = 1e-20..0.3", |d| {
-            let small = d.log_uniform(1e-20, 0.3);
-            beside_axis(d, false, small)
+            beside_axis(false, d.log_uniform(1e-20, 0.3), d)
         }),
         region(
             "near-imaginary-axis",
             "likewise with |Re z| = 1e-20..0.3",
-            |d| {
-                let small = d.log_uniform(1e-20, 0.3);
-                beside_axis(d, true, small)
-            },
+            |d| beside_axis(true, d.log_uniform(1e-20, 0.3), d),
         ),
         region("real-axis", "Im z = 0, |Re z| = 0..30 or 1e-3..1e5", |d| {
-            beside_axis(d, false, 0.0)
+            beside_axis(false, 0.0, d)
         }),
         region(
             "imaginary-axis",
             "Re z = 0, |Im z| = 0..30 or 1e-3..1e5",
-            |d| beside_axis(d, true, 0.0),
+            |d| beside_axis(true, 0.0, d),
         ),
-        region(
-            "diagonal-rays",
-            "|z| = 0.01..1e8 on the four diagonals, exactly or off by 1e-17..1e-3",
-            |d| {
-                let x = d.log_uniform(0.007, 7e7);
-                let y = beside(d, x);
-                both_signs(d, x, y)
-            },
-        ),
+        diagonals(),
         region(
             "edges-of-the-range",
             "|Re z^2| = 690..760, where the exponential overflows or underflows, \
              the smaller coordinate 1e-300..1e7",
             |d| {
-                let a = match d.chance(0.7) {
-                    true => d.log_uniform(1e-3, 1e7),
-                    false => d.log_uniform(1e-300, 1e-3),
-                };
+                let a = nearer(d);
                 let b = a.mul_add(a, d.uniform(690.0, 760.0)).sqrt();
-                in_either_order(d, a, b)
+                in_either_order(a, b, d)
             },
         ),
         region(
@@ -218,8 +179,7 @@ pub(super) fn all<F: Relative>() -> Vec<Region> {
              exponential overflows or underflows",
             |d| {
                 let a = d.log_uniform(5e-324, 1e-290);
-                let b = d.uniform(680.0, 1480.0).sqrt();
-                in_either_order(d, a, b)
+                in_either_order(a, d.uniform(680.0, 1480.0).sqrt(), d)
             },
         ),
         region(
@@ -232,12 +192,12 @@ pub(super) fn all<F: Relative>() -> Vec<Region> {
                     1 => d.log_uniform(1e-3, 30.0),
                     _ => d.log_uniform(1e290, 1.7e308),
                 };
-                in_either_order(d, a, b)
+                in_either_order(a, b, d)
             },
         ),
         region("tiny-part", TINY_PART, |d| {
             let (tiny, other) = tiny_part(d);
-            in_either_order(d, tiny, other)
+            in_either_order(tiny, other, d)
         }),
         region(
             "phase",
@@ -245,25 +205,19 @@ pub(super) fn all<F: Relative>() -> Vec<Region> {
             |d| {
                 let a = d.log_uniform(1e2, 1e15);
                 let b = a + d.uniform(-700.0, 700.0) / (2.0 * a);
-                both_signs(d, a, b)
+                both_signs(a, b, d)
             },
         ),
         region("seam-circles", &ON_CIRCLES, |d| {
             let seams = seams_of_either(d);
-            let r = one_of(d, seams.circles).sqrt();
-            let r = beside(d, r);
-            let z = polar(r, whole(d));
-            both_signs(d, z[0], z[1])
+            let z = polar(beside(d.one_of(seams.circles).sqrt(), d), whole(d));
+            both_signs(z[0], z[1], d)
         }),
         region("seam-lines", &ON_LINES, |d| {
             let seams = seams_of_either(d);
-            let t = one_of(d, seams.im);
-            let t = beside(d, t);
-            let other = match d.chance(0.5) {
-                true => d.uniform(0.0, 10.0),
-                false => d.log_uniform(1e-6, 40.0),
-            };
-            in_either_order(d, t, other)
+            let t = beside(d.one_of(seams.im), d);
+            let other = d.uniform_or_log(0.5, [0.0, 10.0], [1e-6, 40.0]);
+            in_either_order(t, other, d)
         }),
         region(
             "zero-curves-of-re",
@@ -280,18 +234,19 @@ pub(super) fn all<F: Relative>() -> Vec<Region> {
             "within 1e-17..0.1 of a zero beyond those the solver stores, up to the 60th",
             |d| near::<F>(d, (F::ZEROS.stored + 1, ZEROS), 1e-17),
         ),
-        region("any-exponent", "both coordinates 1e-308..1e308", |d| {
-            let (x, y) = (d.log_uniform(1e-308, 1e308), d.log_uniform(1e-308, 1e308));
-            both_signs(d, x, y)
-        }),
+        region(
+            "any-exponent",
+            "both coordinates 1e-308..1e308",
+            any_exponents,
+        ),
         region("any-bits", "any pair of bit patterns", |d| {
-            vec![any_bits(d), any_bits(d)]
+            vec![d.any_bits(), d.any_bits()]
         }),
         region(
             "one-any-bits",
             "any bit pattern in one coordinate, the other within 8",
             |d| {
-                let (x, y) = (any_bits(d), d.uniform(-8.0, 8.0));
+                let (x, y) = (d.any_bits(), d.uniform(-8.0, 8.0));
                 match d.chance(0.5) {
                     true => vec![x, y],
                     false => vec![y, x],

@@ -1,6 +1,6 @@
 //! The Voigt profile.
 
-mod regions;
+pub(super) mod regions;
 
 use super::faddeeva::{asked, due};
 use super::relatives::laws::{U, same};

@@ -5,16 +5,15 @@ use crate::methods::common::{point, region};
 use crate::methods::special::faddeeva::regions::beside;
 
 /// Half the widths, normalised: `σ`, and x and γ in units of `σ√2`.
-fn in_widths(d: &mut Draw, p: f64, q: f64) -> Vec<f64> {
+fn in_widths(p: f64, q: f64, d: &mut Draw) -> Vec<f64> {
     let sigma = d.log_uniform(1e-3, 1e3);
     let unit = sigma * std::f64::consts::SQRT_2;
     vec![d.signed(p * unit), sigma, q * unit]
 }
 
 /// Any bits, mostly not negative.
-fn any_bits(d: &mut Draw, negative: f64) -> f64 {
-    let mut half = || d.integer(0, u32::MAX as usize) as u64;
-    let x = f64::from_bits(half() << 32 | half());
+pub(in crate::methods::special) fn any_bits(negative: f64, d: &mut Draw) -> f64 {
+    let x = d.any_bits();
     if d.chance(negative) { x } else { x.abs() }
 }
 
@@ -51,22 +50,19 @@ pub(super) fn all() -> Vec<Region> {
             },
         ),
         region("normal", "gamma = 0, |x| < 40 sigma", |d| {
-            let p = d.uniform(0.0, 28.3);
-            in_widths(d, p, 0.0)
+            in_widths(d.uniform(0.0, 28.3), 0.0, d)
         }),
         region("cauchy", "sigma = 0, x and gamma 1e-308..1e308", |d| {
             let (x, g) = (d.log_uniform(1e-308, 1e308), d.log_uniform(1e-308, 1e308));
-            let x = if d.chance(0.5) { x } else { beside(d, g) };
+            let x = if d.chance(0.5) { x } else { beside(g, d) };
             vec![d.signed(x), 0.0, g]
         }),
         region("centre", "x = 0, sigma and gamma 1e-300..1e300", |d| {
             let (s, g) = (d.log_uniform(1e-300, 1e300), d.log_uniform(1e-300, 1e300));
-            let g = if d.chance(0.5) {
-                g
-            } else {
-                s * d.uniform(0.0, 9.0)
-            };
-            vec![0.0, s, g]
+            match d.chance(0.5) {
+                true => vec![0.0, s, g],
+                false => vec![0.0, s, s * d.uniform(0.0, 9.0)],
+            }
         }),
         region(
             "where-the-wings-meet",
@@ -75,31 +71,24 @@ pub(super) fn all() -> Vec<Region> {
                 let p = d.uniform(1.5, 26.0);
                 let ratio = d.log_uniform(1e-4, 1e4);
                 let q = std::f64::consts::PI.sqrt() * p * p * libm::exp(-p * p) * ratio;
-                in_widths(d, p, q)
+                in_widths(p, q, d)
             },
         ),
         region(
             "wings",
             "|x| = 7..1e12 sigma, gamma = 1e-300..1e12 sigma",
-            |d| {
-                let (p, q) = (d.log_uniform(5.0, 1e12), d.log_uniform(1e-300, 1e12));
-                in_widths(d, p, q)
-            },
+            |d| in_widths(d.log_uniform(5.0, 1e12), d.log_uniform(1e-300, 1e12), d),
         ),
         region(
             "seams",
             "x or gamma is 7, 10, 1/8, 1/4, 2^27 or 2^-400 times sigma sqrt 2, exactly or nearly",
             |d| {
-                let edge = [7.0, 10.0, 0.125, 0.25, 134_217_728.0, 2f64.powi(-400)];
-                let edge = edge[d.integer(0, 5)];
-                let edge = beside(d, edge);
-                let other = match d.chance(0.5) {
-                    true => d.uniform(0.0, 30.0),
-                    false => d.log_uniform(1e-20, 1e9),
-                };
+                let edges = [7.0, 10.0, 0.125, 0.25, 134_217_728.0, 2f64.powi(-400)];
+                let edge = beside(d.one_of(&edges), d);
+                let other = d.uniform_or_log(0.5, [0.0, 30.0], [1e-20, 1e9]);
                 match d.chance(0.5) {
-                    true => in_widths(d, edge, other),
-                    false => in_widths(d, other, edge),
+                    true => in_widths(edge, other, d),
+                    false => in_widths(other, edge, d),
                 }
             },
         ),
@@ -108,21 +97,14 @@ pub(super) fn all() -> Vec<Region> {
             "|x| = 37..39.5 sigma, where the normal part underflows, gamma = 0 or 1e-323..1e-290",
             |d| {
                 let p = d.uniform(26.2, 28.0);
-                let q = match d.chance(0.3) {
-                    true => 0.0,
-                    false => d.log_uniform(1e-323, 1e-290),
-                };
-                in_widths(d, p, q)
+                in_widths(p, d.zero_or_log(0.3, 1e-323, 1e-290), d)
             },
         ),
         region(
             "overflow",
             "sigma and gamma 5e-324..1e-304 or zero, |x| likewise",
             |d| {
-                let mut tiny = || match d.chance(0.25) {
-                    true => 0.0,
-                    false => d.log_uniform(5e-324, 1e-304),
-                };
+                let mut tiny = || d.zero_or_log(0.25, 5e-324, 1e-304);
                 let (x, s, g) = (tiny(), tiny(), tiny());
                 vec![d.signed(x), s, g]
             },
@@ -140,7 +122,7 @@ pub(super) fn all() -> Vec<Region> {
         region(
             "any-bits",
             "any bit patterns, widths seldom negative",
-            |d| vec![any_bits(d, 1.0), any_bits(d, 0.05), any_bits(d, 0.05)],
+            |d| vec![any_bits(1.0, d), any_bits(0.05, d), any_bits(0.05, d)],
         ),
     ]
 }

@@ -1,6 +1,6 @@
 //! g and its Jacobian G.
 
-use super::POINTS;
+use super::{ANGLES, POINTS, places};
 use crate::papers::ledger::Item;
 use crate::papers::ledger::Kind::{Formula, Statement};
 
@@ -42,116 +42,38 @@ fn loops() -> Vec<Item> {
 
 /// The printed elements of G that are not zero.
 fn jacobian() -> Vec<Item> {
-    let element = |id, printed, derivative: &'static [&'static str]| {
+    let element = |id, printed| {
+        let [i, j] = places(printed);
+        let angle = ANGLES[j - 1];
         Item::new(id, "G", Formula)
             .printed(printed)
             .claims("An element of the Jacobian of g.")
             .with(&CONSTRAINTS)
-            .requires(derivative)
+            .requires(&[format!("G_{i}{j} = D(g_{i}, {angle})")])
     };
     vec![
-        element(
-            "an-g11",
-            "G_11 = -rr*sin(beta) + d*sin(beta + Theta)",
-            &["G_11 = D(g_1, beta)"],
-        ),
-        element(
-            "an-g12",
-            "G_12 = d*sin(beta + Theta)",
-            &["G_12 = D(g_1, Theta)"],
-        ),
-        element("an-g13", "G_13 = -ss*cos(gamma)", &["G_13 = D(g_1, gamma)"]),
-        element(
-            "an-g21",
-            "G_21 = rr*cos(beta) - d*cos(beta + Theta)",
-            &["G_21 = D(g_2, beta)"],
-        ),
-        element(
-            "an-g22",
-            "G_22 = -d*cos(beta + Theta)",
-            &["G_22 = D(g_2, Theta)"],
-        ),
-        element("an-g23", "G_23 = -ss*sin(gamma)", &["G_23 = D(g_2, gamma)"]),
-        element(
-            "an-g31",
-            "G_31 = -rr*sin(beta) + d*sin(beta + Theta)",
-            &["G_31 = D(g_3, beta)"],
-        ),
-        element(
-            "an-g32",
-            "G_32 = d*sin(beta + Theta)",
-            &["G_32 = D(g_3, Theta)"],
-        ),
-        element(
-            "an-g34",
-            "G_34 = -e*cos(Phi + delta)",
-            &["G_34 = D(g_3, Phi)"],
-        ),
-        element(
-            "an-g35",
-            "G_35 = -e*cos(Phi + delta) + zt*sin(delta)",
-            &["G_35 = D(g_3, delta)"],
-        ),
-        element(
-            "an-g41",
-            "G_41 = rr*cos(beta) - d*cos(beta + Theta)",
-            &["G_41 = D(g_4, beta)"],
-        ),
-        element(
-            "an-g42",
-            "G_42 = -d*cos(beta + Theta)",
-            &["G_42 = D(g_4, Theta)"],
-        ),
-        element(
-            "an-g44",
-            "G_44 = -e*sin(Phi + delta)",
-            &["G_44 = D(g_4, Phi)"],
-        ),
-        element(
-            "an-g45",
-            "G_45 = -e*sin(Phi + delta) - zt*cos(delta)",
-            &["G_45 = D(g_4, delta)"],
-        ),
-        element(
-            "an-g51",
-            "G_51 = -rr*sin(beta) + d*sin(beta + Theta)",
-            &["G_51 = D(g_5, beta)"],
-        ),
-        element(
-            "an-g52",
-            "G_52 = d*sin(beta + Theta)",
-            &["G_52 = D(g_5, Theta)"],
-        ),
-        element(
-            "an-g56",
-            "G_56 = zf*sin(Omega + epsilon)",
-            &["G_56 = D(g_5, Omega)"],
-        ),
-        element(
-            "an-g57",
-            "G_57 = zf*sin(Omega + epsilon) - u*cos(epsilon)",
-            &["G_57 = D(g_5, epsilon)"],
-        ),
-        element(
-            "an-g61",
-            "G_61 = rr*cos(beta) - d*cos(beta + Theta)",
-            &["G_61 = D(g_6, beta)"],
-        ),
-        element(
-            "an-g62",
-            "G_62 = -d*cos(beta + Theta)",
-            &["G_62 = D(g_6, Theta)"],
-        ),
-        element(
-            "an-g66",
-            "G_66 = -zf*cos(Omega + epsilon)",
-            &["G_66 = D(g_6, Omega)"],
-        ),
-        element(
-            "an-g67",
-            "G_67 = -zf*cos(Omega + epsilon) - u*sin(epsilon)",
-            &["G_67 = D(g_6, epsilon)"],
-        ),
+        element("an-g11", "G_11 = -rr*sin(beta) + d*sin(beta + Theta)"),
+        element("an-g12", "G_12 = d*sin(beta + Theta)"),
+        element("an-g13", "G_13 = -ss*cos(gamma)"),
+        element("an-g21", "G_21 = rr*cos(beta) - d*cos(beta + Theta)"),
+        element("an-g22", "G_22 = -d*cos(beta + Theta)"),
+        element("an-g23", "G_23 = -ss*sin(gamma)"),
+        element("an-g31", "G_31 = -rr*sin(beta) + d*sin(beta + Theta)"),
+        element("an-g32", "G_32 = d*sin(beta + Theta)"),
+        element("an-g34", "G_34 = -e*cos(Phi + delta)"),
+        element("an-g35", "G_35 = -e*cos(Phi + delta) + zt*sin(delta)"),
+        element("an-g41", "G_41 = rr*cos(beta) - d*cos(beta + Theta)"),
+        element("an-g42", "G_42 = -d*cos(beta + Theta)"),
+        element("an-g44", "G_44 = -e*sin(Phi + delta)"),
+        element("an-g45", "G_45 = -e*sin(Phi + delta) - zt*cos(delta)"),
+        element("an-g51", "G_51 = -rr*sin(beta) + d*sin(beta + Theta)"),
+        element("an-g52", "G_52 = d*sin(beta + Theta)"),
+        element("an-g56", "G_56 = zf*sin(Omega + epsilon)"),
+        element("an-g57", "G_57 = zf*sin(Omega + epsilon) - u*cos(epsilon)"),
+        element("an-g61", "G_61 = rr*cos(beta) - d*cos(beta + Theta)"),
+        element("an-g62", "G_62 = -d*cos(beta + Theta)"),
+        element("an-g66", "G_66 = -zf*cos(Omega + epsilon)"),
+        element("an-g67", "G_67 = -zf*cos(Omega + epsilon) - u*sin(epsilon)"),
     ]
 }
 

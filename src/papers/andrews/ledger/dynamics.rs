@@ -1,5 +1,6 @@
 //! Mass matrix and forces from the energies.
 
+use super::places;
 use crate::papers::ledger::Item;
 use crate::papers::ledger::Kind::Formula;
 
@@ -42,63 +43,39 @@ pub(super) fn items() -> Vec<Item> {
 }
 
 fn masses() -> Vec<Item> {
-    let element = |id, printed, derivative: &'static [&'static str]| {
+    let element = |id, printed| {
+        let [i, j] = places(printed);
         Item::new(id, "M", Formula)
             .printed(printed)
             .claims("A second derivative of the kinetic energy by two rates.")
             .with(&ENERGY)
-            .requires(derivative)
+            .requires(&[format!("M_{i}{j} = D(D(T, v_{j}), v_{i})")])
     };
     vec![
         element(
             "an-m11",
             "M_11 = m1*ra^2 + m2*(rr^2 - 2*da*rr*cos(Theta) + da^2) + i1 + i2",
-            &["M_11 = D(D(T, v_1), v_1)"],
         ),
-        element(
-            "an-m21",
-            "M_21 = m2*(da^2 - da*rr*cos(Theta)) + i2",
-            &["M_21 = D(D(T, v_1), v_2)"],
-        ),
-        element(
-            "an-m22",
-            "M_22 = m2*da^2 + i2",
-            &["M_22 = D(D(T, v_2), v_2)"],
-        ),
-        element(
-            "an-m33",
-            "M_33 = m3*(sa^2 + sb^2) + i3",
-            &["M_33 = D(D(T, v_3), v_3)"],
-        ),
-        element(
-            "an-m44",
-            "M_44 = m4*(e - ea)^2 + i4",
-            &["M_44 = D(D(T, v_4), v_4)"],
-        ),
+        element("an-m21", "M_21 = m2*(da^2 - da*rr*cos(Theta)) + i2"),
+        element("an-m22", "M_22 = m2*da^2 + i2"),
+        element("an-m33", "M_33 = m3*(sa^2 + sb^2) + i3"),
+        element("an-m44", "M_44 = m4*(e - ea)^2 + i4"),
         element(
             "an-m54",
             "M_54 = m4*((e - ea)^2 + zt*(e - ea)*sin(Phi)) + i4",
-            &["M_54 = D(D(T, v_4), v_5)"],
         ),
         element(
             "an-m55",
             "M_55 = m4*(zt^2 + 2*zt*(e - ea)*sin(Phi) + (e - ea)^2) + m5*(ta^2 + tb^2) + i4 + i5",
-            &["M_55 = D(D(T, v_5), v_5)"],
         ),
-        element(
-            "an-m66",
-            "M_66 = m6*(zf - fa)^2 + i6",
-            &["M_66 = D(D(T, v_6), v_6)"],
-        ),
+        element("an-m66", "M_66 = m6*(zf - fa)^2 + i6"),
         element(
             "an-m76",
             "M_76 = m6*((zf - fa)^2 - u*(zf - fa)*sin(Omega)) + i6",
-            &["M_76 = D(D(T, v_6), v_7)"],
         ),
         element(
             "an-m77",
             "M_77 = m6*((zf - fa)^2 - 2*u*(zf - fa)*sin(Omega) + u^2) + m7*(ua^2 + ub^2) + i6 + i7",
-            &["M_77 = D(D(T, v_7), v_7)"],
         ),
     ]
 }

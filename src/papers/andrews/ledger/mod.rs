@@ -17,6 +17,14 @@ const POINTS: [&str; 6] = [
     "P_6 = E_7 + zf*exp(i*(Omega + epsilon))",
 ];
 
+/// The angles, as their numbers in M, f and G count them.
+const ANGLES: [&str; 7] = ["beta", "Theta", "gamma", "Phi", "delta", "Omega", "epsilon"];
+
+/// Row and column of a printed element, `G_12 = …`.
+fn places(printed: &str) -> [usize; 2] {
+    [2, 3].map(|at| usize::from(printed.as_bytes()[at] - b'0'))
+}
+
 /// All entries in the order of the print.
 pub(super) fn items() -> Vec<Item> {
     let mut all = dynamics::items();

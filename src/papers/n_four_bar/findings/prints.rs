@@ -2,8 +2,8 @@
 
 use super::super::data::{State, gravity};
 use super::super::motion::Motion;
-use crate::papers::number::Number;
-use crate::papers::{Figure, Finding, FindingVerdict, Subject, figure, figures, recorded};
+use super::super::printed::{Copied, Row};
+use crate::papers::{Draft, Figure, Finding, FindingVerdict, Subject, figure, figures, recorded};
 use crate::reference::{Ball, Decimal};
 use rug::Rational;
 
@@ -45,7 +45,7 @@ pub(super) fn library(motion: &Motion) -> Finding {
     let least = numbers().skip(1).map(|(p, v)| p.right_digits(v).0).min();
     let least = least.unwrap_or(0);
     // Late by this: the distance over the speed, from the angle.
-    let late = |(row, due): &(super::super::printed::Row, State)| {
+    let late = |(row, due): &(Row, State)| {
         let [x, y] = [0, 1].map(|k| row.place[k].difference(&due.values[k]));
         let [vx, vy] = [&due.values[2], &due.values[3]];
         ((x * vx + y * vy) / (vx.square() + vy.square())).to_f64()
@@ -57,22 +57,20 @@ pub(super) fn library(motion: &Motion) -> Finding {
         "ahead in time at the end": "{:.2}", last * 1e6 => "µs";
         "fewest right digits, but for x at t = 0": "{least}" => "1";
     };
-    Finding {
-        id: "library-reference",
-        subject: Subject::Tables,
-        place: "A02_solution_data.txt",
-        title: format!(
+    Draft::new("library-reference", Subject::Tables, "A02_solution_data.txt")
+        .verdict(FindingVerdict::Confirmed)
+        .titled(format!(
             "The library's reference for N = 40 is right: within {worst:.1e} m over 20 s, {half} of {all} numbers \
              to the last of 6 digits"
-        ),
-        verdict: FindingVerdict::Confirmed,
-        text: "One run of a commercial code printed with 6 digits. It drifts off in time, by no more than the figure below, \
-               and serves as a reference where a thousandth is asked for. x at t = 0 is printed as -1.03833E-13, the \
-               code's error of assembly; it is 0."
-            .into(),
-        as_recorded: (half, all) == LIBRARY.0 && recorded(&figures, &LIBRARY.1),
-        figures,
-    }
+        ))
+        .text(
+            "One run of a commercial code printed with 6 digits. It drifts off in time, by no more than the figure below, \
+             and serves as a reference where a thousandth is asked for. x at t = 0 is printed as -1.03833E-13, the \
+             code's error of assembly; it is 0.",
+        )
+        .figures(figures)
+        .only_if((half, all) == LIBRARY.0)
+        .recorded(&LIBRARY.1)
 }
 
 pub(super) fn tolerances(motion: &Motion) -> Finding {
@@ -83,20 +81,17 @@ pub(super) fn tolerances(motion: &Motion) -> Finding {
         "the same, relative at the threshold": "{:.2}", worst / 1e-3 / 1e-3 => "1";
         "time in which B0 moves 1E-3 m at its fastest": "{:.3}", 1e-3 / bottom * 1e3 => "ms";
     };
-    Finding {
-        id: "tolerances",
-        subject: Subject::Claim,
-        place: "specification",
-        title: "Which error the limits 1E-1 and 1E-3 are of cannot be decided from the specification".into(),
-        verdict: FindingVerdict::Unexplained,
-        text: "It names the largest allowed errors, 400 output steps and a threshold of 1E-3, and no formula that joins \
-               them: a relative error with the threshold as its least divisor would be a thousand times as strict near \
-               the axes as an absolute one. The reference is good enough for the absolute one and, at the threshold, is \
-               not for the relative one."
-            .into(),
-        as_recorded: recorded(&figures, &["0.0041", "4.09", "0.149"]),
-        figures,
-    }
+    Draft::new("tolerances", Subject::Claim, "specification")
+        .verdict(FindingVerdict::Unexplained)
+        .titled("Which error the limits 1E-1 and 1E-3 are of cannot be decided from the specification")
+        .text(
+            "It names the largest allowed errors, 400 output steps and a threshold of 1E-3, and no formula that joins \
+             them: a relative error with the threshold as its least divisor would be a thousand times as strict near \
+             the axes as an absolute one. The reference is good enough for the absolute one and, at the threshold, is \
+             not for the relative one.",
+        )
+        .figures(figures)
+        .recorded(&["0.0041", "4.09", "0.149"])
 }
 
 /// How far N = 2 and N = 40 are apart in the 10 s of the page, and when.
@@ -114,75 +109,68 @@ pub(super) fn opensim(motion: &Motion) -> Finding {
         "at": "{when:.2}" => "s";
         "difference of the periods": "{:.6}", (&motion.of(40).period - &motion.of(2).period).to_f64() => "s";
     };
-    Finding {
-        id: "opensim",
-        subject: Subject::Claim,
-        place: "MBSbenchmarksInOpenSim",
-        title: "A run with N = 2 cannot match the reference perfectly, which is for N = 40".into(),
-        verdict: FindingVerdict::Refuted,
-        text: "The page gives N = 2 in its table, 10 s, and says that the simulation perfectly matches the reference values. \
-               The period depends on N, so that B0 of the two mechanisms is apart by the figure below; the poster of the \
-               same authors gives N = 40. One of the two is wrong, and the curves are pictures, from which it cannot be \
-               decided which."
-            .into(),
-        as_recorded: recorded(&figures, &["0.6866", "8.80", "0.023087"]),
-        figures,
-    }
+    Draft::new("opensim", Subject::Claim, "MBSbenchmarksInOpenSim")
+        .verdict(FindingVerdict::Refuted)
+        .titled("A run with N = 2 cannot match the reference perfectly, which is for N = 40")
+        .text(
+            "The page gives N = 2 in its table, 10 s, and says that the simulation perfectly matches the reference values. \
+             The period depends on N, so that B0 of the two mechanisms is apart by the figure below; the poster of the \
+             same authors gives N = 40. One of the two is wrong, and the curves are pictures, from which it cannot be \
+             decided which.",
+        )
+        .figures(figures)
+        .recorded(&["0.6866", "8.80", "0.023087"])
+}
+
+/// Steps of EXUDYN's runs in s.
+const STEPS: [&str; 4] = ["0.001", "0.0005", "0.00025", "0.000125"];
+
+/// A number of one of them, with what is due.
+fn copied<'a>(
+    motion: &'a Motion,
+    step: &str,
+    quantity: &str,
+) -> Option<&'a (Copied, Option<Ball>)> {
+    let mut all = motion.exudyn.iter();
+    all.find(|(c, _)| c.step == step && c.quantity == quantity)
 }
 
 pub(super) fn exudyn(motion: &Motion) -> Finding {
-    let due = |step: &str, quantity: &str| {
-        let at = |(c, _): &&(super::super::printed::Copied, Option<Ball>)| {
-            c.step == step && c.quantity == quantity
-        };
-        let (copied, due) = motion.exudyn.iter().find(at)?;
-        Some((&copied.number, due.as_ref()?))
+    let error = |step: &&str| {
+        let (copied, due) = copied(motion, step, "B0_x")?;
+        Some(copied.number.difference(due.as_ref()?).to_f64())
     };
-    let error = |step: &str| {
-        let (p, v) = due(step, "B0_x")?;
-        Some(p.difference(v).to_f64())
-    };
-    let steps = ["0.001", "0.0005", "0.00025", "0.000125"];
-    let errors: Vec<f64> = steps.iter().filter_map(|s| error(s)).collect();
+    let errors: Vec<f64> = STEPS.iter().filter_map(error).collect();
     let ratios: Vec<f64> = errors.windows(2).map(|e| e[0] / e[1]).collect();
-    let mut figures: Vec<Figure> = Vec::new();
-    for (copied, due) in &motion.exudyn {
-        let Some(due) = due else { continue };
-        let name = format!(
-            "h = {} s, t = {} s, {}",
-            copied.step, copied.time, copied.quantity
-        );
-        let unit = match copied.quantity.contains("_v") {
+    let marked = motion.exudyn.iter().filter_map(|(c, due)| {
+        let name = format!("h = {} s, t = {} s, {}", c.step, c.time, c.quantity);
+        let unit = match c.quantity.contains("_v") {
             true => "m/s",
             false => "m",
         };
-        figures.push(figure(name, copied.number.marked(due), unit));
-    }
-    let halved = steps.iter().skip(1).zip(ratios).map(|(step, ratio)| {
+        Some(figure(name, c.number.marked(due.as_ref()?), unit))
+    });
+    let halved = STEPS.iter().skip(1).zip(ratios).map(|(step, ratio)| {
         let name = format!("error of x at 10 s, twice the step over h = {step} s");
         figure(name, format!("{ratio:.3}"), "1")
     });
     let halved: Vec<Figure> = halved.collect();
     let second_order = recorded(&halved, &RATIOS);
-    figures.extend(halved);
     let right = || {
         let all = motion.exudyn.iter();
         all.filter_map(|(c, v)| Some(c.number.right_digits(v.as_ref()?).0))
     };
     let [least, most] = [right().min(), right().max()].map(Option::unwrap_or_default);
-    Finding {
-        id: "exudyn",
-        subject: Subject::Tables,
-        place: "fourBarMechanismIftomm.py",
-        title: format!("EXUDYN's runs for N = 2 are right to {least} to {most} of their 10 digits and more"),
-        verdict: FindingVerdict::Confirmed,
-        text: "Printed from four steps of one run each and kept as the test's reference. They converge to the certified \
-               state with the second order of the method: halving the step quarters the error. Before the bar all digits \
-               are right, the next one is wrong."
-            .into(),
-        figures,
-        as_recorded: second_order && (least, most) == RIGHT,
-    }
+    Draft::new("exudyn", Subject::Tables, "fourBarMechanismIftomm.py")
+        .verdict(FindingVerdict::Confirmed)
+        .titled(format!("EXUDYN's runs for N = 2 are right to {least} to {most} of their 10 digits and more"))
+        .text(
+            "Printed from four steps of one run each and kept as the test's reference. They converge to the certified \
+             state with the second order of the method: halving the step quarters the error. Before the bar all digits \
+             are right, the next one is wrong.",
+        )
+        .figures(marked.chain(halved))
+        .as_recorded(second_order && (least, most) == RIGHT)
 }
 
 /// By what halving the step divides the error: four, as far as the first digits tell.
@@ -199,50 +187,39 @@ fn energy([y, vx, vy]: [&Decimal; 3]) -> Rational {
 }
 
 pub(super) fn drift(motion: &Motion) -> Finding {
-    let find = |step: &str, quantity: &str| -> Option<&Number> {
-        let at = |(c, _): &&(super::super::printed::Copied, Option<Ball>)| {
-            c.step == step && c.quantity == quantity
-        };
-        motion.exudyn.iter().find(at).map(|(c, _)| &c.number)
-    };
+    let find = |step, quantity| copied(motion, step, quantity).map(|(c, _)| &c.number);
     let mut figures = Vec::new();
     let mut within = Vec::new();
-    for step in ["0.001", "0.0005", "0.00025", "0.000125"] {
+    for step in STEPS {
         let state = ["B0_y", "B0_vx", "B0_vy"].map(|q| find(step, q));
         let ([Some(y), Some(vx), Some(vy)], Some(drift)) = (state, find(step, "drift")) else {
             continue;
         };
         let energy = energy([&y.value, &vx.value, &vy.value]);
         within.push(Rational::from(energy.abs_ref()) < drift.value.value);
-        let name = |what: &str| format!("h = {step} s, {what}");
-        figures.push(figure(name("largest drift, printed"), &drift.text, "J"));
-        let shown = format!("{:.4e}", energy.to_f64());
-        figures.push(figure(
-            name("drift of the printed state at 10 s, exact"),
-            shown,
-            "J",
-        ));
+        figures.extend(figures! {
+            "h = {step} s, largest drift, printed": "{}", drift.text => "J";
+            "h = {step} s, drift of the printed state at 10 s, exact": "{:.4e}", energy.to_f64() => "J";
+        });
     }
-    Finding {
-        id: "drift",
-        subject: Subject::Claim,
-        place: "fourBarMechanismIftomm.py",
-        title: "Largest energy errors of a run cannot be decided; they do not contradict the printed states".into(),
-        verdict: FindingVerdict::Unexplained,
-        text: "The energy of the motion is constant (ledger, nb-drift); an energy error is of a run and of all its steps, \
-               of which the last state is printed. The energy of that state, computed exactly from its decimals, lies far \
-               below the largest error: the error is not left behind but comes and goes with the speed. A small drift at \
-               the end says little of a run."
-            .into(),
-        as_recorded: within == [true; 4],
-        figures,
-    }
+    Draft::new("drift", Subject::Claim, "fourBarMechanismIftomm.py")
+        .verdict(FindingVerdict::Unexplained)
+        .titled("Largest energy errors of a run cannot be decided; they do not contradict the printed states")
+        .text(
+            "The energy of the motion is constant (ledger, nb-drift); an energy error is of a run and of all its steps, \
+             of which the last state is printed. The energy of that state, computed exactly from its decimals, lies far \
+             below the largest error: the error is not left behind but comes and goes with the speed. A small drift at \
+             the end says little of a run.",
+        )
+        .figures(figures)
+        .as_recorded(within == [true; 4])
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::papers::n_four_bar::motion::{BITS, motion};
+    use crate::papers::number::Number;
 
     #[test]
     fn the_larger_coordinate_counts() {

@@ -1,24 +1,22 @@
 //! Findings about the motion that the tables were made for.
 
 use crate::papers::zinchenko::run_up::{Against, Figures, MOMENTS, ROTOR, SYNCHRONOUS};
-use crate::papers::{Figure, Finding, FindingVerdict, Subject, figure, figures};
+use crate::papers::{Draft, Figure, Finding, FindingVerdict, Subject, figure, figures};
 
 /// The verdict on leaving out the exact derivative, as the motion sees it.
 pub(in crate::papers::zinchenko) fn run_up(f: Option<&Figures>) -> Vec<Finding> {
     match f {
         Some(f) => vec![under_a_motor(f), in_free_motion(f), the_saving(f)],
-        None => vec![Finding {
-            id: "run-up",
-            subject: Subject::Claim,
-            place: "conclusions",
-            title: "The motion could not be computed".into(),
-            verdict: FindingVerdict::Unexplained,
-            text: "One of the motions with exact coefficients, splines or both did not come to \
-                   its end."
-                .into(),
-            figures: Vec::new(),
-            as_recorded: false,
-        }],
+        None => vec![
+            Draft::new("run-up", Subject::Claim, "conclusions")
+                .verdict(FindingVerdict::Unexplained)
+                .titled("The motion could not be computed")
+                .text(
+                    "One of the motions with exact coefficients, splines or both did not come to \
+                     its end.",
+                )
+                .as_recorded(false),
+        ],
     }
 }
 
@@ -64,23 +62,14 @@ fn under_a_motor(f: &Figures) -> Finding {
         "1",
         |a| format!("{:+.2e}", a.fluctuation),
     ));
-    figures.push(figure(
-        "time to 9.5 rad/s, I_1 = 0",
-        format!("{bare:.4}"),
-        "ms",
-    ));
-    figures.push(figure(
-        format!("time to 9.5 rad/s, I_1 = {ROTOR} kg·m²"),
-        format!("{rotor:.3}"),
-        "ms",
-    ));
-    Finding {
-        id: "run-up-motor",
-        subject: Subject::Claim,
-        place: "(1), (2); conclusions",
-        title: "Under a stiff motor the missing derivative hardly shows: the paper's conclusion holds there".into(),
-        verdict: FindingVerdict::Confirmed,
-        text: format!(
+    figures.extend(figures! {
+        "time to 9.5 rad/s, I_1 = 0": "{bare:.4}" => "ms";
+        "time to 9.5 rad/s, I_1 = {ROTOR} kg·m²": "{rotor:.3}" => "ms";
+    });
+    Draft::new("run-up-motor", Subject::Claim, "(1), (2); conclusions")
+        .verdict(FindingVerdict::Confirmed)
+        .titled("Under a stiff motor the missing derivative hardly shows: the paper's conclusion holds there")
+        .text(format!(
             "Equations (1) and (2) with an induction motor at the crank (the paper names none; \
              here ω_c = {SYNCHRONOUS} rad/s, M_n = 200 N·m, k = 2.2, s_n = 0.05), from rest at row 0 \
              over 3 s, compared at {MOMENTS} moments. With the exact I_n and S'_In from 12 nodes \
@@ -95,15 +84,14 @@ fn under_a_motor(f: &Figures) -> Finding {
             percent(&h48),
             h12.work,
             h48.work,
-        ),
-        figures,
-        as_recorded: (1.1e-2..1.3e-2).contains(&h12.run_up)
+        ))
+        .figures(figures)
+        .as_recorded((1.1e-2..1.3e-2).contains(&h12.run_up)
             && (1.1e-2..1.3e-2).contains(&h12.steady)
             && h48.run_up.max(h48.steady) < 2e-4
             && f.exact.work[0].abs() < 1e-8
             && format!("{:.5} {:.5}", h12.work, f.exact.fluctuation) == "0.19983 0.14103"
-            && format!("{bare:.1} {rotor:.0}") == "1.2 54",
-    }
+            && format!("{bare:.1} {rotor:.0}") == "1.2 54")
 }
 
 fn in_free_motion(f: &Figures) -> Finding {
@@ -122,23 +110,16 @@ fn in_free_motion(f: &Figures) -> Finding {
         |a| format!("{:.10}", a.free),
     ));
     for a in &f.splines {
-        figures.push(figure(
-            format!(
-                "worst difference during a free turn found, spline pair, {} nodes",
-                a.nodes
-            ),
-            format!("{:.5}", a.within),
-            "of the speed",
-        ));
+        let nodes = a.nodes;
+        figures.extend(figures! {
+            "worst difference during a free turn found, spline pair, {nodes} nodes":
+                "{:.5}", a.within => "of the speed";
+        });
     }
-    Finding {
-        id: "run-up-free",
-        subject: Subject::Claim,
-        place: "conclusions",
-        title: "In free motion the paper's mixture destroys energy; one spline for both does not"
-            .into(),
-        verdict: FindingVerdict::Refuted,
-        text: format!(
+    Draft::new("run-up-free", Subject::Claim, "conclusions")
+        .verdict(FindingVerdict::Refuted)
+        .titled("In free motion the paper's mixture destroys energy; one spline for both does not")
+        .text(format!(
             "The equation of motion integrated over a turn without motor and weights, where \
              ½ I_n ω² is constant. The exact I_n with S'_In from 12 nodes, the paper's \
              recommendation, loses {:.2} % of the energy in a turn (ω is multiplied by {:.10}), \
@@ -151,17 +132,16 @@ fn in_free_motion(f: &Figures) -> Finding {
             lost(&h48),
             100.0 * s12.within,
             100.0 * s48.within,
-        ),
-        figures,
-        as_recorded: shown
+        ))
+        .figures(figures)
+        .as_recorded(shown
             == [
                 "1.000000000",
                 "1.000000000",
                 "1.000000000",
                 "0.880234867",
                 "0.999868956",
-            ],
-    }
+            ])
 }
 
 fn the_saving(f: &Figures) -> Finding {
@@ -173,13 +153,10 @@ fn the_saving(f: &Figures) -> Finding {
     figures.extend(named(f, "evaluations of (1)", "1", |a| {
         a.evaluations.to_string()
     }));
-    Finding {
-        id: "run-up-cost",
-        subject: Subject::Claim,
-        place: "conclusions",
-        title: "Leaving out the exact derivative saves no time in the run-up".into(),
-        verdict: FindingVerdict::Refuted,
-        text: format!(
+    Draft::new("run-up-cost", Subject::Claim, "conclusions")
+        .verdict(FindingVerdict::Refuted)
+        .titled("Leaving out the exact derivative saves no time in the run-up")
+        .text(format!(
             "The accelerations have the matrix of the velocities: with its factors at hand they \
              cost one back-substitution more (`cargo bench --bench run_up` measures it beside the \
              positions, velocities and sums that stay). And S'_In is not smooth: a step has to end \
@@ -189,8 +166,7 @@ fn the_saving(f: &Figures) -> Finding {
              linkage out of the integration, and that keeps the energy too.",
             more(&h12),
             more(&h48),
-        ),
-        figures,
-        as_recorded: more(&h12) > 5.0 && more(&h48) > 20.0,
-    }
+        ))
+        .figures(figures)
+        .as_recorded(more(&h12) > 5.0 && more(&h48) > 20.0)
 }

@@ -6,7 +6,7 @@ use crate::papers::zinchenko::hidden_recipe::{Alias, Projection};
 use crate::papers::zinchenko::moment_residual::MomentResidual;
 use crate::papers::zinchenko::tables::{Column, ROWS};
 use crate::papers::{
-    Entry, EntryVerdict, Finding, FindingVerdict, Subject, Tally, figure, figures, recorded,
+    Draft, Entry, EntryVerdict, Finding, FindingVerdict, Subject, Tally, figure, figures, shown,
 };
 
 /// Entries that agree with exact nodes, and with fitted M_o nodes: (within half a unit, within
@@ -54,47 +54,31 @@ pub(in crate::papers::zinchenko) fn hidden_recipe(
         .map(|p| p.ratio)
         .fold(f64::INFINITY, f64::min);
     let twelve = most(12, 0);
-    let shown = clear
-        .iter()
-        .filter(|a| a.column == Column::Inertia)
-        .map(|a| {
-            figure(
-                format!("I_n: harmonic {} / harmonic {}", a.alias.abs(), a.harmonic),
-                format!("{:.4e} (law {:.4e})", a.observed, a.predicted),
-                "1",
-            )
-        });
+    let of_inertia = clear.iter().filter(|a| a.column == Column::Inertia);
+    let of_inertia = of_inertia.map(|a| {
+        let name = format!("I_n: harmonic {} / harmonic {}", a.alias.abs(), a.harmonic);
+        let ratio = format!("{:.4e} (law {:.4e})", a.observed, a.predicted);
+        figure(name, ratio, "1")
+    });
     let worst_column = projections
         .iter()
         .filter(|p| (p.nodes, p.offset) == (12, 0))
         .max_by(|a, b| a.ratio.total_cmp(&b.ratio))
         .map_or("none", |p| p.column.name());
-    let mut figures = figures! {
+    let figures = figures! {
         "column with the worst residual, 12 nodes": "{}", worst_column => "1";
         "worst rms residual over rounding, 12 nodes at rows 0, 4, 8, …": "{twelve:.2}" => "1";
         "best of 6, 8, 16 nodes and of 12 shifted nodes": "{next_best:.0}" => "1";
         "farthest clear alias from the law, in deviations of rounding (S'_dIn left out for its misprint)":
             "{off_law:.1}" => "1";
         "clear aliases within 20 % of the law": "{on_law} of {}", clear.len() => "1";
+        "worst deviation of S'_In, periodic ends": "{periodic:.4}" => "kg m^2";
+        "worst deviation of S'_In, natural ends (17)": "{natural:.4}" => "kg m^2";
     };
-    figures.push(figure(
-        "worst deviation of S'_In, periodic ends",
-        format!("{periodic:.4}"),
-        "kg m^2",
-    ));
-    figures.push(figure(
-        "worst deviation of S'_In, natural ends (17)",
-        format!("{natural:.4}"),
-        "kg m^2",
-    ));
-    figures.extend(shown);
-    Finding {
-        id: "hidden-recipe",
-        subject: Subject::Tables,
-        place: "Tables 2 and 3",
-        title: "The columns are periodic splines through only 12 nodes, read every 7.5°".into(),
-        verdict: FindingVerdict::Recovered,
-        text: format!(
+    Draft::new("hidden-recipe", Subject::Tables, "Tables 2 and 3")
+        .verdict(FindingVerdict::Recovered)
+        .titled("The columns are periodic splines through only 12 nodes, read every 7.5°")
+        .text(format!(
             "The paper does not say where its splines have their nodes. The tables do: up to \
              rounding, each printed column lies in the 12-dimensional space of periodic cubic \
              splines with nodes at rows 0, 4, 8, … (residual {twelve:.2} times rounding at most), \
@@ -105,10 +89,9 @@ pub(in crate::papers::zinchenko) fn hidden_recipe(
              fourth row. The ends are periodic: through the printed I_n of every fourth row, periodic ends give \
              S'_In within {periodic:.3} (the nodes are rounded), the natural ends that the paper \
              calls most usual are off by {natural:.2}.",
-        ),
-        as_recorded: recorded(&figures, &RECIPE),
-        figures,
-    }
+        ))
+        .figures(figures.into_iter().chain(of_inertia))
+        .recorded(&RECIPE)
 }
 
 /// How many entries are reproduced.
@@ -118,28 +101,28 @@ pub(in crate::papers::zinchenko) fn reproduction(tallies: &[Tally], entries: &[E
     let (fitted_half, fitted_one) = totals(tallies, "recovered_fitted_nodes");
     let (as_half, as_one) = totals(tallies, "as_printed");
     let of = |a: usize, b: usize| format!("{a} / {b} of {total}");
-    Finding {
-        id: "reproduction",
-        subject: Subject::Tables,
-        place: "Tables 2 and 3",
-        title: format!("{fitted_half} of {total} printed entries are reproduced to the last digit"),
-        verdict: FindingVerdict::Confirmed,
-        text: format!(
+    Draft::new("reproduction", Subject::Tables, "Tables 2 and 3")
+        .verdict(FindingVerdict::Confirmed)
+        .titled(format!(
+            "{fitted_half} of {total} printed entries are reproduced to the last digit"
+        ))
+        .text(format!(
             "With the recovered centres of mass and exact nodes {half} entries agree with the \
              correct rounding and {one} within one unit of the last digit. What is left is nearly \
              all in the two columns of M_o: with its twelve nodes fitted, {fitted_half} agree and \
              {fitted_one} are within one unit. With the data as printed {as_half} agree.",
-        ),
-        figures: figures! {
+        ))
+        .figures(figures! {
             "exact nodes: within ½ / 1 unit": "{}", of(half, one) => "entries";
             "M_o nodes fitted: within ½ / 1 unit": "{}", of(fitted_half, fitted_one) => "entries";
             "data as printed: within ½ / 1 unit": "{}", of(as_half, as_one) => "entries";
-        },
-        as_recorded: half >= RECORDED_EXACT.0
-            && one >= RECORDED_EXACT.1
-            && fitted_half >= RECORDED_FITTED.0
-            && fitted_one >= RECORDED_FITTED.1,
-    }
+        })
+        .as_recorded(
+            half >= RECORDED_EXACT.0
+                && one >= RECORDED_EXACT.1
+                && fitted_half >= RECORDED_FITTED.0
+                && fitted_one >= RECORDED_FITTED.1,
+        )
 }
 
 /// Misprints.
@@ -149,44 +132,38 @@ pub(in crate::papers::zinchenko) fn misprints(entries: &[Entry]) -> Finding {
         .iter()
         .filter(|e| e.variants[variant].verdict >= EntryVerdict::Misprint)
         .collect();
-    let figures = off
-        .iter()
-        .map(|e| {
-            let v = &e.variants[variant];
-            let note = v.note.as_deref().unwrap_or("no explanation");
-            let short: String = v.recomputed.chars().take(10).collect();
-            figure(
-                format!("Table {} row {} {}", e.table, e.row, e.column),
-                format!("{} printed, {short}… recomputed; {note}", e.printed),
-                "1",
-            )
-        })
-        .collect();
+    let figures = off.iter().map(|e| {
+        let v = &e.variants[variant];
+        let note = v.note.as_deref().unwrap_or("no explanation");
+        let short: String = v.recomputed.chars().take(10).collect();
+        let name = format!("Table {} row {} {}", e.table, e.row, e.column);
+        let found = format!("{} printed, {short}… recomputed; {note}", e.printed);
+        figure(name, found, "1")
+    });
     let explained = off
         .iter()
         .all(|e| e.variants[variant].verdict == EntryVerdict::Misprint);
     let place = |e: &&Entry| (e.table, e.row, e.column);
     let found: Vec<(u32, u32, &str)> = off.iter().map(place).collect();
     let recorded = [(2, 11, "S1_dI_n"), (3, 14, "dI_n_dphi"), (3, 41, "M_o")];
-    Finding {
-        id: "misprints",
-        subject: Subject::Tables,
-        place: "Tables 2 and 3",
-        title: format!(
+    Draft::new("misprints", Subject::Tables, "Tables 2 and 3")
+        .verdict(FindingVerdict::PrintOrScan)
+        .titled(format!(
             "{} entries are off by more than one unit, and look like misprints",
             off.len()
-        ),
-        verdict: FindingVerdict::PrintOrScan,
-        text: "Everything else agrees within one unit of the last digit, so these stand out. One \
-               wrong or superfluous digit, or the other table's print of the same quantity, \
-               explains each; whether the paper or the scan is to blame cannot be told from one \
-               scan."
-            .into(),
-        as_recorded: explained
-            && recorded.iter().all(|r| found.contains(r))
-            && found.len() == recorded.len(),
-        figures,
-    }
+        ))
+        .text(
+            "Everything else agrees within one unit of the last digit, so these stand out. One \
+             wrong or superfluous digit, or the other table's print of the same quantity, \
+             explains each; whether the paper or the scan is to blame cannot be told from one \
+             scan.",
+        )
+        .figures(figures)
+        .as_recorded(
+            explained
+                && recorded.iter().all(|r| found.contains(r))
+                && found.len() == recorded.len(),
+        )
 }
 
 /// The residual of M_o.
@@ -194,10 +171,7 @@ pub(in crate::papers::zinchenko) fn moment(
     residual: &MomentResidual,
     fitted: &FittedMoment,
 ) -> Finding {
-    let mean = residual
-        .exact_mean
-        .to_decimal(3)
-        .unwrap_or_else(|| "undecided".into());
+    let mean = shown(&residual.exact_mean, 3);
     let sigmas = residual.printed_mean / residual.mean_deviation;
     let worst = residual.errors.iter().fold(0.0f64, |m, e| m.max(e.abs()));
     let deviation = fitted.deviations.iter().fold(0.0f64, |m, e| m.max(*e));
@@ -214,13 +188,10 @@ pub(in crate::papers::zinchenko) fn moment(
         "entries left out of the fit as misprints": "{}", fitted.left_out.len() => "entries";
         "standard deviation of a fitted node": "{:.1}", deviation * 1e4 => "1e-4 N m";
     };
-    Finding {
-        id: "moment-residual",
-        subject: Subject::Tables,
-        place: "Table 3, M_o and S'_Mo",
-        title: "The twelve M_o nodes carry an error that no masses can produce".into(),
-        verdict: FindingVerdict::Unexplained,
-        text: format!(
+    Draft::new("moment-residual", Subject::Tables, "Table 3, M_o and S'_Mo")
+        .verdict(FindingVerdict::Unexplained)
+        .titled("The twelve M_o nodes carry an error that no masses can produce")
+        .text(format!(
             "The weights of fixed mass points do no work over a turn, so the mean of M_o is zero \
              whatever the masses and centres are; the exact twelve nodes average {mean} N·m \
              (certified). The printed ones average {:.2e}, {sigmas:.0} standard deviations of \
@@ -240,18 +211,14 @@ pub(in crate::papers::zinchenko) fn moment(
             residual.errors[9] * 1e4,
             residual.errors[4] * 1e4,
             residual.errors[8] * 1e4,
-        ),
-        as_recorded: fitted.worst_units < 0.5
-            && recorded(
-                &figures,
-                &[
+        ))
+        .figures(figures)
+        .only_if(fitted.worst_units < 0.5)
+        .recorded(&[
                     "3.66e-9",
                     "1.417e-3 ± 8.3e-5",
                     "1.4 -0.6 4.5 9.3 47.6 40.1 0.9 1.2 10.0 39.6 14.5 1.3",
                     "1",
                     "0.7",
-                ],
-            ),
-        figures,
-    }
+                ])
 }

@@ -1,8 +1,8 @@
 //! The extreme position printed in the paper.
 
 use super::sample::{self, Dimensions, Sample, degrees, number, row_angle, row_zero};
-use super::{Draft, Outcome, decimals};
-use crate::papers::{Finding, FindingVerdict};
+use super::{Outcome, agree, decimals, draft, greatest};
+use crate::papers::{Finding, FindingVerdict, figures};
 use crate::reference::class_iii::{Configuration, Kinematics, Linkage};
 use crate::reference::{Ball, ComplexBall};
 use rug::{Float, Rational};
@@ -150,12 +150,9 @@ fn between(brackets: [(&str, &str); 2], printed: &Printed, sample: &Sample) -> F
         };
         checks.push((Outcome::of(dead.is(i == 0)), Outcome::Holds));
         if i == 1 {
-            figures.push(decimals(
-                "phi_1 of the second dead position",
-                &dead.crank,
-                20,
-                "deg",
-            ));
+            figures.extend(figures! {
+                "phi_1 of the second dead position": "{}", decimals(&dead.crank, 20) => "deg";
+            });
             continue;
         }
         let [phi2, phi3, phi4, phi5] = angles(&dead);
@@ -171,41 +168,35 @@ fn between(brackets: [(&str, &str); 2], printed: &Printed, sample: &Sample) -> F
             let rounded = rounds_to(exact, text);
             (Outcome::of(rounded), Outcome::Holds)
         }));
-        figures.push(decimals("phi_1 = phi_2", &dead.crank, 20, "deg"));
-        figures.push(decimals("phi_3", &phi3, 20, "deg"));
-        figures.push(decimals("phi_4", &phi4, 20, "deg"));
-        figures.push(decimals("phi_5", &phi5, 20, "deg"));
+        figures.extend(figures! {
+            "phi_1 = phi_2": "{}", decimals(&dead.crank, 20) => "deg";
+            "phi_3": "{}", decimals(&phi3, 20) => "deg";
+            "phi_4": "{}", decimals(&phi4, 20) => "deg";
+            "phi_5": "{}", decimals(&phi5, 20) => "deg";
+        });
     }
     let gap = closure(printed, &sample.dimensions);
     checks.extend(gap.each_ref().map(|g| {
         let close = g.abs().upper() <= 4e-4;
         (Outcome::of(close), Outcome::Holds)
     }));
-    let worst = gap.iter().map(Ball::abs);
-    let worst = worst.fold(Ball::integer(sample::BITS, 0), |a, b| {
-        if (&b - &a).is_positive() { b } else { a }
+    let worst = greatest(&gap, sample::BITS);
+    figures.extend(figures! {
+        "largest closure error with the printed angles": "{}", decimals(&worst, 7) => "cm";
     });
-    figures.push(decimals(
-        "largest closure error with the printed angles",
-        &worst,
-        7,
-        "cm",
-    ));
-    Draft {
-        id: "extreme-position",
-        place: "extreme position",
-        title: "The printed extreme position is right to the last digit",
-        verdict: FindingVerdict::Confirmed,
-        text: "Crank and link 2 are in one line at φ_1 = φ_2 = 14.4260375°, where links 3, 4 and 5 are \
-               momentarily at rest. The position was bracketed by a proved change of sign of \
-               sin(φ_2 − φ_1) and is the only one between 14.42° and 14.43°; all five printed angles are its correct \
-               roundings and close both loops to 4·10⁻⁴ cm. Row 0 of the tables starts at the rounded \
-               14.426°, 3.7·10⁻⁵° before it. A second dead position, with link 2 folded back over the \
-               crank, lies at 196.0140594°.",
-        figures,
-        checks,
-    }
-    .finding()
+    draft("extreme-position", "extreme position")
+        .verdict(FindingVerdict::Confirmed)
+        .titled("The printed extreme position is right to the last digit")
+        .text(
+            "Crank and link 2 are in one line at φ_1 = φ_2 = 14.4260375°, where links 3, 4 and 5 are \
+             momentarily at rest. The position was bracketed by a proved change of sign of \
+             sin(φ_2 − φ_1) and is the only one between 14.42° and 14.43°; all five printed angles are its correct \
+             roundings and close both loops to 4·10⁻⁴ cm. Row 0 of the tables starts at the rounded \
+             14.426°, 3.7·10⁻⁵° before it. A second dead position, with link 2 folded back over the \
+             crank, lies at 196.0140594°.",
+        )
+        .figures(figures)
+        .as_recorded(agree(&checks))
 }
 
 #[cfg(test)]

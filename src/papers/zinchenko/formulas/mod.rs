@@ -18,7 +18,7 @@ mod sample;
 mod spline;
 mod sweep;
 
-use crate::papers::{Figure, Finding, FindingVerdict, Subject, figure};
+use crate::papers::{Draft, Finding, FindingVerdict, Subject, decided};
 use crate::reference::{Ball, Undecided};
 
 /// What a check found out about a formula.
@@ -96,37 +96,26 @@ fn rounded_up(x: f64) -> String {
 }
 
 /// A certified number with `places` decimals.
-fn decimals(name: impl Into<String>, value: &Ball, places: u32, unit: &'static str) -> Figure {
-    let text = value.to_fixed(places);
-    figure(name, text.unwrap_or_else(|| "undecided".into()), unit)
+fn decimals(value: &Ball, places: u32) -> String {
+    decided(value.to_fixed(places))
 }
 
-/// A finding about a formula, recorded with the outcomes that it rests on.
-struct Draft {
-    id: &'static str,
-    place: &'static str,
-    title: &'static str,
-    verdict: FindingVerdict,
-    text: &'static str,
-    figures: Vec<Figure>,
-    /// Pairs of what was found and what is recorded.
-    checks: Vec<(Outcome, Outcome)>,
+/// The largest size of some residuals.
+fn greatest<'a>(residuals: impl IntoIterator<Item = &'a Ball>, bits: u32) -> Ball {
+    let sizes = residuals.into_iter().map(Ball::abs);
+    sizes.fold(Ball::integer(bits, 0), |a, b| {
+        if (&b - &a).is_positive() { b } else { a }
+    })
 }
 
-impl Draft {
-    fn finding(self) -> Finding {
-        let as_recorded = !self.checks.is_empty() && self.checks.iter().all(|(a, b)| a == b);
-        Finding {
-            id: self.id,
-            subject: Subject::Formula,
-            place: self.place,
-            title: self.title.into(),
-            verdict: self.verdict,
-            text: self.text.into(),
-            figures: self.figures,
-            as_recorded,
-        }
-    }
+/// A finding about a formula.
+fn draft(id: &'static str, place: &'static str) -> Draft {
+    Draft::new(id, Subject::Formula, place)
+}
+
+/// Whether every outcome, of which there has to be one, is the one beside it that is recorded.
+fn agree(checks: &[(Outcome, Outcome)]) -> bool {
+    !checks.is_empty() && checks.iter().all(|(a, b)| a == b)
 }
 
 /// Everything found about the paper's formulas, in the order of the paper.
@@ -159,16 +148,12 @@ pub fn findings() -> Vec<Finding> {
 
 /// Takes the place of findings that need certified positions when there are none.
 fn undecided(id: &'static str, place: &'static str, error: &Undecided) -> Finding {
-    Finding {
-        id,
-        subject: Subject::Formula,
-        place,
-        title: "Not checked".into(),
-        verdict: FindingVerdict::Unexplained,
-        text: format!("The certified positions could not be computed: {error}."),
-        figures: Vec::new(),
-        as_recorded: false,
-    }
+    let text = format!("The certified positions could not be computed: {error}.");
+    draft(id, place)
+        .verdict(FindingVerdict::Unexplained)
+        .titled("Not checked")
+        .text(text)
+        .as_recorded(false)
 }
 
 /// The formulas with a fault planted change the findings of these names and no others.
@@ -242,16 +227,8 @@ mod tests {
     fn a_draft_is_recorded_with_all_its_checks() {
         let (holds, fails) = (Outcome::Holds, Outcome::Fails);
         let recorded = |checks: &[(Outcome, Outcome)]| {
-            let draft = Draft {
-                id: "",
-                place: "",
-                title: "",
-                verdict: FindingVerdict::Confirmed,
-                text: "",
-                figures: Vec::new(),
-                checks: checks.to_vec(),
-            };
-            draft.finding().as_recorded
+            let draft = draft("", "").verdict(FindingVerdict::Confirmed);
+            draft.as_recorded(agree(checks)).as_recorded
         };
         assert!(recorded(&[(holds, holds), (fails, fails)]));
         assert!(!recorded(&[(holds, holds), (fails, holds)]));

@@ -1,8 +1,8 @@
 //! The equation of motion (1) and Kloss's formula (2).
 
 use super::exact::{Grid, Identity, Q, q};
-use super::{Draft, Outcome, decimals};
-use crate::papers::{Finding, FindingVerdict, figure, figures};
+use super::{Outcome, agree, decimals, draft};
+use crate::papers::{Finding, FindingVerdict, figures};
 use crate::reference::{Ball, Decimal};
 
 /// `dψ/dt` from I_n, dI_n/dφ, ψ, M_d, M_o.
@@ -29,27 +29,25 @@ pub(super) fn equation_of_motion(form: Acceleration) -> Finding {
     let signed = balance(form, false, 0);
     let unsigned = balance(form, true, 0);
     let exactly = balance(form, true, 2);
-    Draft {
-        id: "formula-1",
-        place: "(1)",
-        title: "The equation of motion is right when M_o carries its sign",
-        verdict: FindingVerdict::Confirmed,
-        text: "Formula (1) is the power balance d(½ I_n ψ²)/dt = (M_d + M_o) ψ solved for dψ/dt; \
-               the identity was proved exactly. It asks for M_o as a moment with a sign, which is \
-               what formula (7) delivers: negative while the sieve is being lifted. Entering a \
-               resisting moment as a positive number breaks the balance by 2 M_o ψ.",
-        figures: figures! {
+    draft("formula-1", "(1)")
+        .verdict(FindingVerdict::Confirmed)
+        .titled("The equation of motion is right when M_o carries its sign")
+        .text(
+            "Formula (1) is the power balance d(½ I_n ψ²)/dt = (M_d + M_o) ψ solved for dψ/dt; \
+             the identity was proved exactly. It asks for M_o as a moment with a sign, which is \
+             what formula (7) delivers: negative while the sieve is being lifted. Entering a \
+             resisting moment as a positive number breaks the balance by 2 M_o ψ.",
+        )
+        .figures(figures! {
             "grid points of the exact identity": "{}", signed.points => "1";
             "imbalance at the first point with M_o taken as a positive resistance":
                 "{}", unsigned .failure .as_ref() .map_or("none".into(), |f| f.1.to_string()) => "W";
-        },
-        checks: vec![
+        })
+        .as_recorded(agree(&[
             (signed.outcome(), Outcome::Holds),
             (unsigned.outcome(), Outcome::Fails),
             (exactly.outcome(), Outcome::Holds),
-        ],
-    }
-    .finding()
+        ]))
 }
 
 /// `a + b r` with `r² = k² − 1`, exactly.
@@ -151,31 +149,29 @@ pub(super) fn kloss(motor: &Motor) -> Finding {
     let above = (&ratio - &Ball::integer(128, 1)).is_positive();
     let rated_slip = Decimal::parse("0.05").map_or_else(|_| Q::from(0), |d| Q(d.value));
     let example = &ratio * &Ball::rational(128, &rated_slip.0);
-    Draft {
-        id: "formula-2",
-        place: "(2), slip and critical slip",
-        title: "Kloss's formula and the critical slip are right",
-        verdict: FindingVerdict::Confirmed,
-        text: "With S_k = S_n (k + √(k² − 1)) the formula returns exactly the rated torque M_k/k at \
-               the rated slip; this was proved in exact algebra with r² = k² − 1. Of the two roots \
-               the paper takes the right one: the other is its reciprocal and would put the rated \
-               point on the unstable side of the maximum. M_k is the largest torque, reached at \
-               S_k, and the slip runs from 1 at standstill to 0 at synchronous speed. The legend of \
-               the scan has a Greek index for the rated values and M_φ twice; that looks like noise \
-               of its text layer.",
-        figures: vec![
-            decimals("S_k/S_n for k = 2.2", &ratio, 12, "1"),
-            decimals("S_k for k = 2.2 and S_n = 0.05", &example, 12, "1"),
-            figure("grid points of the exact identity", breakdown.points, "1"),
-        ],
-        checks: vec![
+    draft("formula-2", "(2), slip and critical slip")
+        .verdict(FindingVerdict::Confirmed)
+        .titled("Kloss's formula and the critical slip are right")
+        .text(
+            "With S_k = S_n (k + √(k² − 1)) the formula returns exactly the rated torque M_k/k at \
+             the rated slip; this was proved in exact algebra with r² = k² − 1. Of the two roots \
+             the paper takes the right one: the other is its reciprocal and would put the rated \
+             point on the unstable side of the maximum. M_k is the largest torque, reached at \
+             S_k, and the slip runs from 1 at standstill to 0 at synchronous speed. The legend of \
+             the scan has a Greek index for the rated values and M_φ twice; that looks like noise \
+             of its text layer.",
+        )
+        .figures(figures! {
+            "S_k/S_n for k = 2.2": "{}", decimals(&ratio, 12) => "1";
+            "S_k for k = 2.2 and S_n = 0.05": "{}", decimals(&example, 12) => "1";
+            "grid points of the exact identity": "{}", breakdown.points => "1";
+        })
+        .as_recorded(agree(&[
             (rated(motor), Outcome::Holds),
             (breakdown.outcome(), Outcome::Holds),
             (Outcome::of(ends), Outcome::Holds),
             (Outcome::of(reciprocal && above), Outcome::Holds),
-        ],
-    }
-    .finding()
+        ]))
 }
 
 #[cfg(test)]

@@ -1,12 +1,13 @@
 //! The velocity system and the acceleration system, four scalar equations each.
 
 use super::sample::{BITS, Dimensions, Position, Sample};
-use super::{Draft, Outcome, largest};
-use crate::papers::{Finding, FindingVerdict, figure};
+use super::{Outcome, agree, draft, largest};
+use crate::papers::{Finding, FindingVerdict, figures};
 use crate::reference::Ball;
 
 /// Everything that stands in the two systems. Arrays are indexed by the link's number; entry 0 is
 /// unused and zero.
+#[derive(Clone)]
 pub(super) struct Motion {
     pub l: [Ball; 6],
     pub lb: Ball,
@@ -136,22 +137,20 @@ const SPEEDS: [i64; 2] = [1, -3];
 /// The velocity system.
 pub(super) fn velocities(system: System, sample: &Sample) -> Finding {
     let r = residuals(system, sample, &SPEEDS, 0);
-    Draft {
-        id: "velocity-system",
-        place: "velocity system",
-        title: "All four velocity equations are right",
-        verdict: FindingVerdict::Confirmed,
-        text: "The printed system is the time derivative of the two loop equations. Link rates that \
-               were certified without it, from the rigid distances between the joints, satisfy all \
-               four equations at every row tried, with crank speeds 1 and −3 rad/s: each residual is \
-               enclosed in an interval around zero.",
-        figures: vec![
-            figure("equations evaluated", r.len(), "1"),
-            figure("largest possible residual", largest(&r), "cm/s"),
-        ],
-        checks: vec![(Outcome::enclosed(&r), Outcome::Holds)],
-    }
-    .finding()
+    draft("velocity-system", "velocity system")
+        .verdict(FindingVerdict::Confirmed)
+        .titled("All four velocity equations are right")
+        .text(
+            "The printed system is the time derivative of the two loop equations. Link rates that \
+             were certified without it, from the rigid distances between the joints, satisfy all \
+             four equations at every row tried, with crank speeds 1 and −3 rad/s: each residual is \
+             enclosed in an interval around zero.",
+        )
+        .figures(figures! {
+            "equations evaluated": "{}", r.len() => "1";
+            "largest possible residual": "{}", largest(&r) => "cm/s";
+        })
+        .as_recorded(agree(&[(Outcome::enclosed(&r), Outcome::Holds)]))
 }
 
 /// The coefficients of link j's unknown in both systems: the residual for that unknown equal to
@@ -161,14 +160,9 @@ fn coefficients(system: System, at: &Motion, link: usize) -> [Ball; 4] {
     let unit: [Ball; 6] = std::array::from_fn(|i| Ball::integer(BITS, i64::from(i == link)));
     let rest: [Ball; 6] = std::array::from_fn(|_| Ball::integer(BITS, 0));
     let with = |psi: &[Ball; 6], eps: &[Ball; 6]| Motion {
-        l: at.l.clone(),
-        lb: at.lb.clone(),
-        sin: at.sin.clone(),
-        cos: at.cos.clone(),
-        sin_b: at.sin_b.clone(),
-        cos_b: at.cos_b.clone(),
         psi: psi.clone(),
         eps: eps.clone(),
+        ..at.clone()
     };
     let v = VELOCITIES(&with(&unit, &rest));
     let a = system(&with(&rest, &unit));
@@ -195,31 +189,29 @@ pub(super) fn accelerations(system: System, sample: &Sample) -> Finding {
         };
         exactly.extend((0..4).map(rest));
     }
-    Draft {
-        id: "acceleration-system",
-        place: "acceleration system",
-        title: "All four acceleration equations are right, for a crank at constant speed",
-        verdict: FindingVerdict::Confirmed,
-        text: "Certified angular accelerations satisfy all four printed equations, the third and \
-               fourth included, at every row tried. There is no term with the crank's own \
-               acceleration: with ε_1 = 1 rad/s² the equations no longer hold. That is enough for \
-               dI_n/dφ, which depends on the position only. The unknowns have the same coefficients \
-               as in the velocity system, checked one by one, so the accelerations cost one more \
-               right-hand side on a matrix that is already factored.",
-        figures: vec![
-            figure("equations evaluated", r.len(), "1"),
-            figure("largest possible residual", largest(&r), "cm/s^2"),
-            figure("largest residual with eps_1 = 1 rad/s^2", largest(&uneven), "cm/s^2"),
-            figure("coefficients compared with the velocity system", differences.len(), "1"),
-        ],
-        checks: vec![
+    draft("acceleration-system", "acceleration system")
+        .verdict(FindingVerdict::Confirmed)
+        .titled("All four acceleration equations are right, for a crank at constant speed")
+        .text(
+            "Certified angular accelerations satisfy all four printed equations, the third and \
+             fourth included, at every row tried. There is no term with the crank's own \
+             acceleration: with ε_1 = 1 rad/s² the equations no longer hold. That is enough for \
+             dI_n/dφ, which depends on the position only. The unknowns have the same coefficients \
+             as in the velocity system, checked one by one, so the accelerations cost one more \
+             right-hand side on a matrix that is already factored.",
+        )
+        .figures(figures! {
+            "equations evaluated": "{}", r.len() => "1";
+            "largest possible residual": "{}", largest(&r) => "cm/s^2";
+            "largest residual with eps_1 = 1 rad/s^2": "{}", largest(&uneven) => "cm/s^2";
+            "coefficients compared with the velocity system": "{}", differences.len() => "1";
+        })
+        .as_recorded(agree(&[
             (Outcome::enclosed(&r), Outcome::Holds),
             (Outcome::enclosed(&uneven), Outcome::Fails),
             (Outcome::enclosed(&exactly), Outcome::Holds),
             (Outcome::enclosed(&differences), Outcome::Holds),
-        ],
-    }
-    .finding()
+        ]))
 }
 
 #[cfg(test)]

@@ -4,8 +4,8 @@ use super::exact::{Grid, Identity, Q};
 use super::sample::{
     BITS, Dimensions, Loads, Position, ROWS, Rockers, Sample, ball, masses, number,
 };
-use super::{Draft, Outcome, decimals, largest};
-use crate::papers::{Finding, FindingVerdict, figure};
+use super::{Outcome, agree, decimals, draft, greatest, largest};
+use crate::papers::{Finding, FindingVerdict, figures};
 use crate::reference::class_iii::{Masses, Reduced};
 use crate::reference::{Ball, ComplexBall, Mag};
 use rug::Rational;
@@ -224,40 +224,33 @@ fn energy(f: &Forms, sample: &Sample) -> Finding {
     };
     let konig = against(&steiner);
     let other = against(&centre);
-    let gap = other
-        .iter()
-        .map(|x| x.abs())
-        .fold(Ball::integer(BITS, 0), |a, b| {
-            if (&b - &a).is_positive() { b } else { a }
-        });
+    let gap = greatest(&other, BITS);
     let small = (ball("0.02") - &gap).is_positive();
     let same_energy = same_energy(f);
-    Draft {
-        id: "formula-3",
-        place: "(3)",
-        title: "The kinetic energy is right if I_3 and I_5 are about the fixed pivots",
-        verdict: FindingVerdict::Confirmed,
-        text: "Links 3 and 5 appear in (3) with I ω² alone, so their moments of inertia have to be \
-               taken about O_3 and O_5; I_2 and I_4 are about the centres of mass. Read so, the braces \
-               of (3) agree with the reduced moment of inertia of the certified motion, and with \
-               König's sum over centres of mass after Steiner's theorem. Read as moments about the \
-               centres of mass they would leave out m s² ω² of both rockers, less than \
-               0.02 kg·m² on the rows tried. The paper does not say which is meant. The reduced mass \
-               m_n = I_n/l_1² that follows is right, too.",
-        figures: vec![
-            figure("largest possible residual", largest(pivot.iter().chain(&konig)), "kg m^2"),
-            decimals("largest part left out by the other reading", &gap, 6, "kg m^2"),
-        ],
-        checks: vec![
+    draft("formula-3", "(3)")
+        .verdict(FindingVerdict::Confirmed)
+        .titled("The kinetic energy is right if I_3 and I_5 are about the fixed pivots")
+        .text(
+            "Links 3 and 5 appear in (3) with I ω² alone, so their moments of inertia have to be \
+             taken about O_3 and O_5; I_2 and I_4 are about the centres of mass. Read so, the braces \
+             of (3) agree with the reduced moment of inertia of the certified motion, and with \
+             König's sum over centres of mass after Steiner's theorem. Read as moments about the \
+             centres of mass they would leave out m s² ω² of both rockers, less than \
+             0.02 kg·m² on the rows tried. The paper does not say which is meant. The reduced mass \
+             m_n = I_n/l_1² that follows is right, too.",
+        )
+        .figures(figures! {
+            "largest possible residual": "{}", largest(pivot.iter().chain(&konig)) => "kg m^2";
+            "largest part left out by the other reading": "{}", decimals(&gap, 6) => "kg m^2";
+        })
+        .as_recorded(agree(&[
             (Outcome::enclosed(&pivot), Outcome::Holds),
             (Outcome::enclosed(&konig), Outcome::Holds),
             (Outcome::of(positive), Outcome::Holds),
             (Outcome::enclosed(&other), Outcome::Fails),
             (Outcome::of(small), Outcome::Holds),
             (same_energy.outcome(), Outcome::Holds),
-        ],
-    }
-    .finding()
+        ]))
 }
 
 fn reduced_inertia(f: &Forms, sample: &Sample) -> Finding {
@@ -272,35 +265,30 @@ fn reduced_inertia(f: &Forms, sample: &Sample) -> Finding {
     // What is lost is I_1, nothing else.
     let crank = Ball::rational(BITS, &some_crank());
     let exactly: Vec<Ball> = lost.iter().map(|r| r + &crank).collect();
-    Draft {
-        id: "formula-4",
-        place: "(4)",
-        title: "(4) drops I_1, and its speeds have to be in metres per second",
-        verdict: FindingVerdict::ErrorOfPaper,
-        text: "Formula (4) is the braces of (3) without I_1. The data have I_1 = 0, so the tables do \
-               not suffer, but a real crank with its motor would be forgotten. The lengths are given \
-               without a unit and are centimetres, while the inertias are in kg·m²: put in as they \
-               stand the speeds have to be multiplied by 0.01. The paper does not say so; its tables \
-               have it.",
-        figures: vec![
-            decimals(format!("I_n at row {FIRST}, lengths in metres"), &paper.value(f.inertia, 0, 1, &m), 6, "kg m^2"),
-            decimals(
-                format!("I_n at row {FIRST}, lengths as printed"),
-                &paper.value(f.inertia, 0, 1, &cm),
-                3,
-                "mixed units",
-            ),
-            figure("largest possible residual with I_1 = 0, metres", largest(&crankless), "kg m^2"),
-        ],
-        checks: vec![
+    draft("formula-4", "(4)")
+        .verdict(FindingVerdict::ErrorOfPaper)
+        .titled("(4) drops I_1, and its speeds have to be in metres per second")
+        .text(
+            "Formula (4) is the braces of (3) without I_1. The data have I_1 = 0, so the tables do \
+             not suffer, but a real crank with its motor would be forgotten. The lengths are given \
+             without a unit and are centimetres, while the inertias are in kg·m²: put in as they \
+             stand the speeds have to be multiplied by 0.01. The paper does not say so; its tables \
+             have it.",
+        )
+        .figures(figures! {
+            "I_n at row {FIRST}, lengths in metres":
+                "{}", decimals(&paper.value(f.inertia, 0, 1, &m), 6) => "kg m^2";
+            "I_n at row {FIRST}, lengths as printed":
+                "{}", decimals(&paper.value(f.inertia, 0, 1, &cm), 3) => "mixed units";
+            "largest possible residual with I_1 = 0, metres": "{}", largest(&crankless) => "kg m^2";
+        })
+        .as_recorded(agree(&[
             (Outcome::enclosed(&crankless), Outcome::Holds),
             (Outcome::enclosed(&lost), Outcome::Fails),
             (Outcome::enclosed(&exactly), Outcome::Holds),
             (Outcome::enclosed(&centimetres), Outcome::Fails),
             (Outcome::enclosed(&right), Outcome::Holds),
-        ],
-    }
-    .finding()
+        ]))
 }
 
 /// Width of the arc of the mean value test: 2^-ARC radians.
@@ -346,49 +334,37 @@ fn inertia_derivative(f: &Forms, sample: &Sample) -> Finding {
     let corrected = c.residuals(divided, derivative, FAST, &m);
     let mean = mean_value(sample);
     let consistent = mean.as_ref().map_or(Outcome::Undecided, consistent);
-    let mut figures = vec![
-        decimals(
-            format!("dI_n/dφ at row {FIRST}, omega_1 = 1"),
-            &c.value(f.derivative, 0, 1, &m),
-            9,
-            "kg m^2/rad",
-        ),
-        decimals(
-            "the same as printed, omega_1 = 2",
-            &c.value(f.derivative, 0, FAST, &m),
-            9,
-            "kg m^2/rad",
-        ),
-        figure(
-            "largest possible residual at omega_1 = 1",
-            largest(&unit_speed),
-            "kg m^2/rad",
-        ),
-    ];
+    let mut figures = figures! {
+        "dI_n/dφ at row {FIRST}, omega_1 = 1":
+            "{}", decimals(&c.value(f.derivative, 0, 1, &m), 9) => "kg m^2/rad";
+        "the same as printed, omega_1 = 2":
+            "{}", decimals(&c.value(f.derivative, 0, FAST, &m), 9) => "kg m^2/rad";
+        "largest possible residual at omega_1 = 1": "{}", largest(&unit_speed) => "kg m^2/rad";
+    };
     if let Some((quotient, _)) = &mean {
-        let name = format!("difference quotient of I_n at row {FIRST} over 2^-100 rad");
-        figures.push(decimals(name, quotient, 20, "kg m^2/rad"));
+        figures.extend(figures! {
+            "difference quotient of I_n at row {FIRST} over 2^-100 rad":
+                "{}", decimals(quotient, 20) => "kg m^2/rad";
+        });
     }
-    Draft {
-        id: "formula-5",
-        place: "(5)",
-        title: "The derivative of I_n lacks the factor 1/ω_1²",
-        verdict: FindingVerdict::ErrorOfPaper,
-        text: "All terms of the derivative of (4) are there, but the factor 1/ω_1² in front of (4) is \
-               lost. At ω_1 = 1, the paper's value, (5) agrees with the certified derivative; at \
-               ω_1 = 2 it gives four times too much, and divided by ω_1² it is right again. That the \
-               reference is the derivative of I_n was checked through the mean value theorem over \
-               an arc of 2⁻¹⁰⁰ rad. The scan prints part of the formula twice, the first time as noise.",
-        figures,
-        checks: vec![
+    draft("formula-5", "(5)")
+        .verdict(FindingVerdict::ErrorOfPaper)
+        .titled("The derivative of I_n lacks the factor 1/ω_1²")
+        .text(
+            "All terms of the derivative of (4) are there, but the factor 1/ω_1² in front of (4) is \
+             lost. At ω_1 = 1, the paper's value, (5) agrees with the certified derivative; at \
+             ω_1 = 2 it gives four times too much, and divided by ω_1² it is right again. That the \
+             reference is the derivative of I_n was checked through the mean value theorem over \
+             an arc of 2⁻¹⁰⁰ rad. The scan prints part of the formula twice, the first time as noise.",
+        )
+        .figures(figures)
+        .as_recorded(agree(&[
             (Outcome::enclosed(&unit_speed), Outcome::Holds),
             (Outcome::enclosed(&printed), Outcome::Fails),
             (Outcome::enclosed(&fourfold), Outcome::Holds),
             (Outcome::enclosed(&corrected), Outcome::Holds),
             (consistent, Outcome::Holds),
-        ],
-    }
-    .finding()
+        ]))
 }
 
 /// (6) with the weights as forces.
@@ -406,21 +382,19 @@ fn power(f: &Forms, sample: &Sample) -> Finding {
         .iter()
         .flat_map(|&omega| c.residuals(|s, b| by_power(f, s, b), moment, omega, &m))
         .collect::<Vec<_>>();
-    Draft {
-        id: "formula-6",
-        place: "(6)",
-        title: "The reduction of forces by equal power is right",
-        verdict: FindingVerdict::Confirmed,
-        text: "With the weights as forces, (6) gives −dU/dφ_1, the reduced moment that follows from \
-               the potential energy of the certified positions; tried with crank speeds 1 and \
-               −2 rad/s, so for both senses of rotation. No moments M_j act on the links here, so only the first sum was tried.",
-        figures: vec![
-            figure("rows and crank speeds tried", r.len(), "1"),
-            figure("largest possible residual", largest(&r), "N m"),
-        ],
-        checks: vec![(Outcome::enclosed(&r), Outcome::Holds)],
-    }
-    .finding()
+    draft("formula-6", "(6)")
+        .verdict(FindingVerdict::Confirmed)
+        .titled("The reduction of forces by equal power is right")
+        .text(
+            "With the weights as forces, (6) gives −dU/dφ_1, the reduced moment that follows from \
+             the potential energy of the certified positions; tried with crank speeds 1 and \
+             −2 rad/s, so for both senses of rotation. No moments M_j act on the links here, so only the first sum was tried.",
+        )
+        .figures(figures! {
+            "rows and crank speeds tried": "{}", r.len() => "1";
+            "largest possible residual": "{}", largest(&r) => "N m";
+        })
+        .as_recorded(agree(&[(Outcome::enclosed(&r), Outcome::Holds)]))
 }
 
 fn reduced_moment(f: &Forms, sample: &Sample) -> Finding {
@@ -431,34 +405,30 @@ fn reduced_moment(f: &Forms, sample: &Sample) -> Finding {
     let centimetres = c.residuals(f.moment, moment, 1, &cm);
     let divided = |s: &Speeds, b: &Loads| &(f.moment)(s, b) / &s.omega1 * per_centimetre();
     let corrected = c.residuals(divided, moment, FAST, &cm);
-    Draft {
-        id: "formula-7",
-        place: "(7)",
-        title: "M_o lacks the factor 1/ω_1 that (6) has, and the factor 0.01 for centimetres",
-        verdict: FindingVerdict::ErrorOfPaper,
-        text: "Signs and angles of (7) are right with y upwards: a rising centre of mass gives a \
-               negative share, −m g V sin θ. Compared with (6) the division by ω_1 is missing, which \
-               does not matter at the paper's ω_1 = 1, and speeds in cm/s make the moment a hundred \
-               times too large. With both factors it equals −dU/dφ_1 at every row tried.",
-        figures: vec![
-            decimals(format!("M_o at row {FIRST} with both factors"), &c.value(divided, 0, FAST, &cm), 6, "N m"),
-            decimals(format!("M_o at row {FIRST} with omega_1 = 2, metres"), &c.value(f.moment, 0, FAST, &m), 6, "N m"),
-            decimals(
-                format!("M_o at row {FIRST} with omega_1 = 1, centimetres"),
-                &c.value(f.moment, 0, 1, &cm),
-                4,
-                "N cm",
-            ),
-            figure("largest possible residual with both factors", largest(&corrected), "N m"),
-        ],
-        checks: vec![
+    draft("formula-7", "(7)")
+        .verdict(FindingVerdict::ErrorOfPaper)
+        .titled("M_o lacks the factor 1/ω_1 that (6) has, and the factor 0.01 for centimetres")
+        .text(
+            "Signs and angles of (7) are right with y upwards: a rising centre of mass gives a \
+             negative share, −m g V sin θ. Compared with (6) the division by ω_1 is missing, which \
+             does not matter at the paper's ω_1 = 1, and speeds in cm/s make the moment a hundred \
+             times too large. With both factors it equals −dU/dφ_1 at every row tried.",
+        )
+        .figures(figures! {
+            "M_o at row {FIRST} with both factors":
+                "{}", decimals(&c.value(divided, 0, FAST, &cm), 6) => "N m";
+            "M_o at row {FIRST} with omega_1 = 2, metres":
+                "{}", decimals(&c.value(f.moment, 0, FAST, &m), 6) => "N m";
+            "M_o at row {FIRST} with omega_1 = 1, centimetres":
+                "{}", decimals(&c.value(f.moment, 0, 1, &cm), 4) => "N cm";
+            "largest possible residual with both factors": "{}", largest(&corrected) => "N m";
+        })
+        .as_recorded(agree(&[
             (Outcome::enclosed(&unit_speed), Outcome::Holds),
             (Outcome::enclosed(&printed), Outcome::Fails),
             (Outcome::enclosed(&centimetres), Outcome::Fails),
             (Outcome::enclosed(&corrected), Outcome::Holds),
-        ],
-    }
-    .finding()
+        ]))
 }
 
 /// The findings on the reduction.

@@ -1,10 +1,11 @@
 //! The cubic spline: formulas (8) to (17) and the inline right-hand sides.
 
 use super::exact::{Grid, Identity, Q};
-use super::{Draft, Outcome};
-use crate::papers::{Finding, FindingVerdict, figure};
+use super::{Outcome, agree, draft};
+use crate::papers::{Finding, FindingVerdict, figures};
 
 /// One section of the spline, between nodes i and i + 1.
+#[derive(Clone)]
 pub(super) struct Section {
     /// Dimensionless argument.
     k: Q,
@@ -102,15 +103,8 @@ pub(super) const PRINTED: Forms = Forms {
 
 /// `∫ f dk` from 0 to k by Simpson's rule, which is exact for cubics.
 fn simpson(s: &Section, f: impl Fn(&Section) -> Q) -> Q {
-    let at = |k: Q| {
-        f(&Section {
-            k,
-            m: s.m.clone(),
-            y: s.y.clone(),
-            h: s.h.clone(),
-        })
-    };
-    &s.k / 6 * (at(Q::from(0)) + at(&s.k / 2) * 4 + at(s.k.clone()))
+    let value = |k: Q| f(&at(s, k));
+    &s.k / 6 * (value(Q::from(0)) + value(&s.k / 2) * 4 + value(s.k.clone()))
 }
 
 /// Degrees at most 4 in k, 1 in every m and y, and 4 in h after multiplication by h.
@@ -137,12 +131,10 @@ fn on_nodes(f: impl Fn(&Nodes) -> Q) -> Identity {
 }
 
 /// The same section at another k.
-fn at(s: &Section, k: i32) -> Section {
+fn at(s: &Section, k: impl Into<Q>) -> Section {
     Section {
-        k: Q::from(k),
-        m: s.m.clone(),
-        y: s.y.clone(),
-        h: s.h.clone(),
+        k: k.into(),
+        ..s.clone()
     }
 }
 
@@ -165,22 +157,20 @@ fn construction(f: &Forms) -> Finding {
         on_sections(|s| (f.value_collected)(s) - value(s)),
     ];
     let (outcome, points) = Identity::all(&identities);
-    Draft {
-        id: "formula-8-12",
-        place: "(8)-(12), C1, C2",
-        title: "The spline on one section is right, including (12)",
-        verdict: FindingVerdict::Confirmed,
-        text: "Integrating (8) twice gives (9) and (10); the printed C1 and C2 make the section pass \
-               through its two nodes; (11), the unnumbered line after it, and (12) are the same \
-               polynomials collected differently. Each step was proved as an identity of \
-               polynomials in k, h and the nodal values, in exact rationals.",
-        figures: vec![
-            figure("identities proved", identities.len(), "1"),
-            figure("exact evaluations", points, "1"),
-        ],
-        checks: vec![(outcome, Outcome::Holds)],
-    }
-    .finding()
+    draft("formula-8-12", "(8)-(12), C1, C2")
+        .verdict(FindingVerdict::Confirmed)
+        .titled("The spline on one section is right, including (12)")
+        .text(
+            "Integrating (8) twice gives (9) and (10); the printed C1 and C2 make the section pass \
+             through its two nodes; (11), the unnumbered line after it, and (12) are the same \
+             polynomials collected differently. Each step was proved as an identity of \
+             polynomials in k, h and the nodal values, in exact rationals.",
+        )
+        .figures(figures! {
+            "identities proved": "{}", identities.len() => "1";
+            "exact evaluations": "{}", points => "1";
+        })
+        .as_recorded(agree(&[(outcome, Outcome::Holds)]))
 }
 
 /// The sections left and right of the middle node.
@@ -205,21 +195,19 @@ fn continuity(f: &Forms) -> Finding {
         on_nodes(|n| gap(n) - &n.h / 6 * ((f.moments.1)(n) - (f.moments.0)(n))),
     ];
     let (outcome, points) = Identity::all(&identities);
-    Draft {
-        id: "formula-13-16",
-        place: "(13)-(16)",
-        title: "The continuity of the slope leads to (16) as printed",
-        verdict: FindingVerdict::Confirmed,
-        text: "(13) and (14) are formula (11) at the end of one section and at the start of the next, \
-               (15) equates them, and (16) is (15) multiplied by 6/h. All signs are right, also the \
-               two minus signs in the bracket of (13). Proved as identities in exact rationals.",
-        figures: vec![
-            figure("identities proved", identities.len(), "1"),
-            figure("exact evaluations", points, "1"),
-        ],
-        checks: vec![(outcome, Outcome::Holds)],
-    }
-    .finding()
+    draft("formula-13-16", "(13)-(16)")
+        .verdict(FindingVerdict::Confirmed)
+        .titled("The continuity of the slope leads to (16) as printed")
+        .text(
+            "(13) and (14) are formula (11) at the end of one section and at the start of the next, \
+             (15) equates them, and (16) is (15) multiplied by 6/h. All signs are right, also the \
+             two minus signs in the bracket of (13). Proved as identities in exact rationals.",
+        )
+        .figures(figures! {
+            "identities proved": "{}", identities.len() => "1";
+            "exact evaluations": "{}", points => "1";
+        })
+        .as_recorded(agree(&[(outcome, Outcome::Holds)]))
 }
 
 fn inline(f: &Forms) -> Finding {
@@ -235,26 +223,24 @@ fn inline(f: &Forms) -> Finding {
         h: Q::from(1),
     };
     let (due, fragment) = ((f.inline)(&simple), (f.table)(&simple) * 3);
-    Draft {
-        id: "inline-d",
-        place: "text after (17), table 1",
-        title: "The right-hand sides d_i are right; a garbled copy stands before them in the scan",
-        verdict: FindingVerdict::Confirmed,
-        text: "The d_i of the text and the column d_i h²/6 of Table 1 are both the right-hand side of \
-               (16), proved exactly. The text layer of the scan has a broken copy of the same line \
-               in front of it that reads m_1 = 6/2 (m_2 = 2m + m_2). It is no formula, and a factor \
-               6/2 in place of 6/h² would be wrong for every step but √2.",
-        figures: vec![
-            figure("exact evaluations", points, "1"),
-            figure("d_i for y = 0, 0, 1 and h = 1", &due, "1"),
-            figure("the same with the factor 6/2", &fragment, "1"),
-        ],
-        checks: vec![
+    draft("inline-d", "text after (17), table 1")
+        .verdict(FindingVerdict::Confirmed)
+        .titled("The right-hand sides d_i are right; a garbled copy stands before them in the scan")
+        .text(
+            "The d_i of the text and the column d_i h²/6 of Table 1 are both the right-hand side of \
+             (16), proved exactly. The text layer of the scan has a broken copy of the same line \
+             in front of it that reads m_1 = 6/2 (m_2 = 2m + m_2). It is no formula, and a factor \
+             6/2 in place of 6/h² would be wrong for every step but √2.",
+        )
+        .figures(figures! {
+            "exact evaluations": "{}", points => "1";
+            "d_i for y = 0, 0, 1 and h = 1": "{}", due => "1";
+            "the same with the factor 6/2": "{}", fragment => "1";
+        })
+        .as_recorded(agree(&[
             (outcome, Outcome::Holds),
             (Outcome::of(fragment == due), Outcome::Fails),
-        ],
-    }
-    .finding()
+        ]))
 }
 
 /// Longest chain of sections that (17) is tried on.
@@ -292,27 +278,25 @@ fn ends(f: &Forms) -> Finding {
     {
         gain.push(next(&none, a, b));
     }
-    Draft {
-        id: "formula-17",
-        place: "(17)",
-        title: "Prescribed end values close the system, for functions that are not periodic",
-        verdict: FindingVerdict::Confirmed,
-        text: "The n − 1 equations (16) leave exactly two values free, and prescribing m_0 and m_n \
-               fixes them: with m_0 given, m_n depends on m_1 through a factor that is not zero, \
-               computed exactly for every n up to 200. \
-               The paper itself reserves (17) for functions that are not periodic. I_n, dI_n/dφ and \
-               M_o are periodic in the crank angle, so its own tables call for the other kind of \
-               end conditions; see the finding on the tables.",
-        figures: vec![
-            figure("numbers of sections tried, from 2 to", LONGEST, "1"),
-            figure("factor of m_1 in m_n for n = 12", &gain[12], "1"),
-        ],
-        checks: vec![
+    draft("formula-17", "(17)")
+        .verdict(FindingVerdict::Confirmed)
+        .titled("Prescribed end values close the system, for functions that are not periodic")
+        .text(
+            "The n − 1 equations (16) leave exactly two values free, and prescribing m_0 and m_n \
+             fixes them: with m_0 given, m_n depends on m_1 through a factor that is not zero, \
+             computed exactly for every n up to 200. \
+             The paper itself reserves (17) for functions that are not periodic. I_n, dI_n/dφ and \
+             M_o are periodic in the crank angle, so its own tables call for the other kind of \
+             end conditions; see the finding on the tables.",
+        )
+        .figures(figures! {
+            "numbers of sections tried, from 2 to": "{}", LONGEST => "1";
+            "factor of m_1 in m_n for n = 12": "{}", gain[12] => "1";
+        })
+        .as_recorded(agree(&[
             (free.outcome(), Outcome::Holds),
             (Outcome::of(closed(&gain)), Outcome::Holds),
-        ],
-    }
-    .finding()
+        ]))
 }
 
 /// The findings on the spline.

@@ -1,8 +1,8 @@
 //! The tridiagonal system and its sweep: (18), table 1, (19), λ1 = η1 = 0, (20).
 
 use super::exact::{Grid, Identity, Q, q};
-use super::{Draft, Outcome};
-use crate::papers::{Finding, FindingVerdict, figure, figures};
+use super::{Outcome, agree, draft};
+use crate::papers::{Finding, FindingVerdict, figures};
 
 /// One equation of the tridiagonal system.
 #[derive(Clone, Debug)]
@@ -165,29 +165,27 @@ fn canonical(f: &Forms) -> Finding {
     let m = [6, 12, 18].map(Q::from);
     let [a, b, c] = f.table[1].map(Q::from);
     let [left, right] = [f, &CORRECTED].map(|f| (f.canonical)(&a, &b, &c, &m));
-    Draft {
-        id: "formula-18",
-        place: "(18)",
-        title: "The index of the middle term of (18) is wrong",
-        verdict: FindingVerdict::PrintOrScan,
-        text: "Printed is a_i m_{i-1} − b_i m_{i-1} + c_i m_{i+1} = d_i, with m_{i-1} twice; the \
-               middle term has to be b_i m_i, and then the coefficients of Table 1 give (16) exactly. \
-               For y = x³ at x = 1, 2, 3 the printed left side is 48 where (16) asks for 72. The \
-               sweep (19) belongs to the correct form, so nothing computed with it is affected. The \
-               scan alone does not tell whether the paper or its text layer has the wrong index.",
-        figures: vec![
-            figure("left side as printed, y = x^3", &left, "1"),
-            figure("right side d_i, y = x^3", &right, "1"),
-            figure("residual", &left - &right, "1"),
-        ],
-        checks: vec![
+    draft("formula-18", "(18)")
+        .verdict(FindingVerdict::PrintOrScan)
+        .titled("The index of the middle term of (18) is wrong")
+        .text(
+            "Printed is a_i m_{i-1} − b_i m_{i-1} + c_i m_{i+1} = d_i, with m_{i-1} twice; the \
+             middle term has to be b_i m_i, and then the coefficients of Table 1 give (16) exactly. \
+             For y = x³ at x = 1, 2, 3 the printed left side is 48 where (16) asks for 72. The \
+             sweep (19) belongs to the correct form, so nothing computed with it is affected. The \
+             scan alone does not tell whether the paper or its text layer has the wrong index.",
+        )
+        .figures(figures! {
+            "left side as printed, y = x^3": "{}", left => "1";
+            "right side d_i, y = x^3": "{}", right => "1";
+            "residual": "{}", &left - &right => "1";
+        })
+        .as_recorded(agree(&[
             (printed.outcome(), Outcome::Fails),
             (corrected.outcome(), Outcome::Holds),
             (Outcome::of(left == Q::from(48)), Outcome::Holds),
             (Outcome::of(right == Q::from(72)), Outcome::Holds),
-        ],
-    }
-    .finding()
+        ]))
 }
 
 fn last_row(f: &Forms) -> Finding {
@@ -220,32 +218,30 @@ fn last_row(f: &Forms) -> Finding {
         .sweep_to(&forms, n)
         .is_some_and(|m| all_zero(&level.residuals(&m)));
     let shown = |m: &[Q], i: usize| m.get(i).map_or("undecided".into(), Q::to_string);
-    Draft {
-        id: "table-1-last-row",
-        place: "Table 1, last row",
-        title: "b_n has to be −1, as b_0 is",
-        verdict: FindingVerdict::PrintOrScan,
-        text: "Table 1 prints b_0 = −1 and b_n = 1. With the signs of (18) the last row then says \
-               m_n = −U_n: in the test with U_n = −5 the sweep returns 5, and the wrong end value \
-               reaches inwards, shrinking by about 3.7 per node. With b_n = −1 every equation is \
-               satisfied exactly. It does no harm if the way back is started with m_n = U_n, as the \
-               text says, because the row is then never read; nor if U_n = 0.",
-        figures: vec![
-            figure("m_n with the printed row, U_n = -5", shown(&printed, n), "1"),
-            figure("m_n with b_n = -1", shown(&corrected, n), "1"),
-            figure("m_(n-1) with the printed row", shown(&printed, n - 1), "1"),
-            figure("m_(n-1) with b_n = -1", shown(&corrected, n - 1), "1"),
-        ],
-        checks: vec![
+    draft("table-1-last-row", "Table 1, last row")
+        .verdict(FindingVerdict::PrintOrScan)
+        .titled("b_n has to be −1, as b_0 is")
+        .text(
+            "Table 1 prints b_0 = −1 and b_n = 1. With the signs of (18) the last row then says \
+             m_n = −U_n: in the test with U_n = −5 the sweep returns 5, and the wrong end value \
+             reaches inwards, shrinking by about 3.7 per node. With b_n = −1 every equation is \
+             satisfied exactly. It does no harm if the way back is started with m_n = U_n, as the \
+             text says, because the row is then never read; nor if U_n = 0.",
+        )
+        .figures(figures! {
+            "m_n with the printed row, U_n = -5": "{}", shown(&printed, n) => "1";
+            "m_n with b_n = -1": "{}", shown(&corrected, n) => "1";
+            "m_(n-1) with the printed row": "{}", shown(&printed, n - 1) => "1";
+            "m_(n-1) with b_n = -1": "{}", shown(&corrected, n - 1) => "1";
+        })
+        .as_recorded(agree(&[
             (Outcome::of(solves(&printed)), Outcome::Fails),
             (Outcome::of(mirrored), Outcome::Holds),
             (Outcome::of(solves(&corrected)), Outcome::Holds),
             (Outcome::of(bypassed), Outcome::Holds),
             (Outcome::of(fades), Outcome::Holds),
             (Outcome::of(harmless), Outcome::Holds),
-        ],
-    }
-    .finding()
+        ]))
 }
 
 /// `m_{i−1} = λ m_i + η` and `m_i = λ' m_{i+1} + η'` put into the corrected (18). Times `b − a λ`
@@ -272,25 +268,23 @@ fn forward(f: &Forms) -> Finding {
     let solved = problem
         .sweep(&forms)
         .is_some_and(|m| all_zero(&problem.residuals(&m)));
-    Draft {
-        id: "formula-19",
-        place: "(19)",
-        title: "The forward sweep is right for the corrected (18)",
-        verdict: FindingVerdict::Confirmed,
-        text: "Put into (18) with the middle index corrected, m_i = λ_{i+1} m_{i+1} + η_{i+1} with the \
-               printed λ and η satisfies the equation identically; this was proved exactly. A test \
-               with six sections and end values 3 and −5 then leaves no residual at all in any \
-               equation, inner or at the ends.",
-        figures: vec![
-            figure("grid points of the exact identity", identity.points, "1"),
-            figure("equations solved without residual", problem.nodes() + 1, "1"),
-        ],
-        checks: vec![
+    draft("formula-19", "(19)")
+        .verdict(FindingVerdict::Confirmed)
+        .titled("The forward sweep is right for the corrected (18)")
+        .text(
+            "Put into (18) with the middle index corrected, m_i = λ_{i+1} m_{i+1} + η_{i+1} with the \
+             printed λ and η satisfies the equation identically; this was proved exactly. A test \
+             with six sections and end values 3 and −5 then leaves no residual at all in any \
+             equation, inner or at the ends.",
+        )
+        .figures(figures! {
+            "grid points of the exact identity": "{}", identity.points => "1";
+            "equations solved without residual": "{}", problem.nodes() + 1 => "1";
+        })
+        .as_recorded(agree(&[
             (identity.outcome(), Outcome::Holds),
             (Outcome::of(solved), Outcome::Holds),
-        ],
-    }
-    .finding()
+        ]))
 }
 
 /// Whether m_0 = 0 in place of U_0, and all other equations hold.
@@ -318,33 +312,31 @@ fn start(f: &Forms) -> Finding {
     let Row { a, b, c, d } = given.rows(f).swap_remove(0);
     let by_19 = (CORRECTED.forward)(&[a, b, c, d, Q::from(0), Q::from(0)]);
     let shown = |m: &[Q], i: usize| m.get(i).map_or("undecided".into(), Q::to_string);
-    Draft {
-        id: "lambda-1-eta-1",
-        place: "text after (19)",
-        title: "λ_1 = 0 is right, η_1 has to be U_0",
-        verdict: FindingVerdict::ErrorOfPaper,
-        text: "The paper takes λ_1 = η_1 = 0 because a_0 and c_0 are zero. Formula (19) at i = 0 gives \
-               λ_1 = 0 but η_1 = −d_0/b_0 = U_0. With η_1 = 0 the given end value is ignored: in the \
-               test with U_0 = 3 the sweep returns m_0 = 0, and since all other equations are \
-               satisfied exactly nothing looks wrong. Right only for U_0 = 0, the case the paper \
-               calls the most frequent.",
-        figures: figures! {
+    draft("lambda-1-eta-1", "text after (19)")
+        .verdict(FindingVerdict::ErrorOfPaper)
+        .titled("λ_1 = 0 is right, η_1 has to be U_0")
+        .text(
+            "The paper takes λ_1 = η_1 = 0 because a_0 and c_0 are zero. Formula (19) at i = 0 gives \
+             λ_1 = 0 but η_1 = −d_0/b_0 = U_0. With η_1 = 0 the given end value is ignored: in the \
+             test with U_0 = 3 the sweep returns m_0 = 0, and since all other equations are \
+             satisfied exactly nothing looks wrong. Right only for U_0 = 0, the case the paper \
+             calls the most frequent.",
+        )
+        .figures(figures! {
             "m_0 with eta_1 = 0, U_0 = 3": "{}", shown(&printed, 0) => "1";
             "m_0 with eta_1 = U_0": "{}", shown(&corrected, 0) => "1";
             "m_1 with eta_1 = 0": "{}", shown(&printed, 1) => "1";
             "m_1 with eta_1 = U_0": "{}", shown(&corrected, 1) => "1";
             "largest residual of the other equations with eta_1 = 0":
                 "{}", r[1..].iter().map(Q::abs).fold(Q::from(0), Q::max) => "1";
-        },
-        checks: vec![
+        })
+        .as_recorded(agree(&[
             (Outcome::of(all_zero(&r)), Outcome::Fails),
             (Outcome::of(only_the_end), Outcome::Holds),
             (Outcome::of(by_19 == (CORRECTED.start)(&given.u0)), Outcome::Holds),
             (Outcome::of(all_zero(&rest(&given, &corrected))), Outcome::Holds),
             (Outcome::of(all_zero(&rest(&natural, &harmless))), Outcome::Holds),
-        ],
-    }
-    .finding()
+        ]))
 }
 
 fn backward(f: &Forms) -> Finding {
@@ -366,27 +358,25 @@ fn backward(f: &Forms) -> Finding {
     // As printed, i = n asks for m_{n+1}, and for λ_{n+1} and η_{n+1}, which (19) does not make.
     let printed = from(f.first);
     let corrected = from(CORRECTED.first);
-    Draft {
-        id: "formula-20",
-        place: "(20)",
-        title: "The way back starts at i = n − 1, not at n",
-        verdict: FindingVerdict::ErrorOfPaper,
-        text: "The formula is right, but the text lets i run from n to 0. At i = n it would need \
-               m_{n+1}, λ_{n+1} and η_{n+1}: there is no such node, and (19) stops at i = n − 1. The \
-               way back has to start at i = n − 1 from m_n = U_n, and then it solves the test system \
-               exactly. A slip of one in the range, without consequence for anybody who notices that \
-               m_n is already known.",
-        figures: vec![
-            figure("sections of the test", n, "1"),
-            figure("first index as printed", n - f.first, "1"),
-            figure("first index for which all terms exist", n - 1, "1"),
-        ],
-        checks: vec![
+    draft("formula-20", "(20)")
+        .verdict(FindingVerdict::ErrorOfPaper)
+        .titled("The way back starts at i = n − 1, not at n")
+        .text(
+            "The formula is right, but the text lets i run from n to 0. At i = n it would need \
+             m_{n+1}, λ_{n+1} and η_{n+1}: there is no such node, and (19) stops at i = n − 1. The \
+             way back has to start at i = n − 1 from m_n = U_n, and then it solves the test system \
+             exactly. A slip of one in the range, without consequence for anybody who notices that \
+             m_n is already known.",
+        )
+        .figures(figures! {
+            "sections of the test": "{}", n => "1";
+            "first index as printed": "{}", n - f.first => "1";
+            "first index for which all terms exist": "{}", n - 1 => "1";
+        })
+        .as_recorded(agree(&[
             (Outcome::of(printed.is_some()), Outcome::Fails),
             (Outcome::of(corrected == Some(true)), Outcome::Holds),
-        ],
-    }
-    .finding()
+        ]))
 }
 
 /// The findings on the sweep.
