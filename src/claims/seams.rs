@@ -16,7 +16,7 @@ const SEGMENTS: u64 = 3000;
 pub const LEAST: f64 = 1e-14;
 
 /// The largest jump between two formulas that was found.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Jump {
     /// The numbers of the formulas; nothing where they are not known and the jump was searched for.
     pub between: Option<[u8; 2]>,
@@ -53,10 +53,9 @@ pub fn jumps(a: &Algorithm, seed: u64) -> Vec<Jump> {
             Parts::Real => re,
         };
         // From the inner to the outer point.
-        let (inner, outer) = if p.re.abs() < q.re.abs() {
-            (w, v)
-        } else {
-            (v, w)
+        let (inner, outer) = match p.re.abs() < q.re.abs() {
+            true => (w, v),
+            false => (v, w),
         };
         let rises = level && rises(inner.re, outer.re, inner.re.abs());
         let (f, g) = (formula(p), formula(q));
@@ -67,9 +66,7 @@ pub fn jumps(a: &Algorithm, seed: u64) -> Vec<Jump> {
                 between,
                 norm: Some(0.0),
                 re: -1.0,
-                at: [0.0; 2],
-                crossings: 0,
-                rising: 0,
+                ..Jump::default()
             });
             found.len() - 1
         });
@@ -78,8 +75,7 @@ pub fn jumps(a: &Algorithm, seed: u64) -> Vec<Jump> {
         jump.rising += u64::from(rises);
         jump.norm = jump.norm.map(|n| n.max(norm));
         if re > jump.re {
-            jump.re = re;
-            jump.at = [p.re, p.im];
+            (jump.re, jump.at) = (re, [p.re, p.im]);
         }
     }
     found.sort_by_key(|j| j.between);

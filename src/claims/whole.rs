@@ -7,6 +7,7 @@ use super::findings::{Finding, findings};
 use super::speed::{nanoseconds, nanoseconds_of_lines};
 use super::survey::{Row, survey, survey_lines};
 use super::{NOT_AT_HAND, claims};
+use crate::audit::Settings;
 use mechaudit_atlas::{Algorithm, Profile};
 use serde::Serialize;
 
@@ -17,6 +18,17 @@ pub struct Effort {
     pub cases: u64,
     /// Key of the random stream.
     pub seed: u64,
+}
+
+impl Effort {
+    /// The settings of an audit with so many times the points.
+    pub(super) fn settings(&self, times: u64) -> Settings {
+        Settings {
+            seed: self.seed,
+            cases_per_region: self.cases * times,
+            ..Settings::default()
+        }
+    }
 }
 
 /// An algorithm that is missing.
@@ -62,20 +74,12 @@ pub fn atlas(
     let chosen =
         |name: &str| codes.iter().any(|c| c.name == name) || lines.iter().any(|p| p.name == name);
     if timed {
-        let own: Vec<(usize, Algorithm)> = rows
-            .iter()
-            .enumerate()
-            .filter(|(_, r)| !r.single)
-            .filter_map(|(k, r)| {
-                let code = codes.iter().find(|c| c.name == r.name)?;
-                Some((k, code.algorithm?))
-            })
-            .collect();
-        let algorithms: Vec<Algorithm> = own.iter().map(|o| o.1).collect();
-        for ((k, _), ns) in own.iter().zip(nanoseconds(&algorithms)) {
-            rows[*k].nanoseconds = Some(ns);
-        }
-        for (row, ns) in profiles.iter_mut().zip(nanoseconds_of_lines(lines)) {
+        let algorithm = |row: &Row| codes.iter().find(|c| c.name == row.name)?.algorithm;
+        let double = rows.iter_mut().filter(|r| !r.single);
+        let (own, algorithms): (Vec<&mut Row>, Vec<Algorithm>) =
+            double.filter_map(|r| algorithm(r).map(|a| (r, a))).unzip();
+        let of_w = own.into_iter().zip(nanoseconds(&algorithms));
+        for (row, ns) in of_w.chain(profiles.iter_mut().zip(nanoseconds_of_lines(lines))) {
             row.nanoseconds = Some(ns);
         }
         step("speed");
