@@ -6,7 +6,6 @@
 //! which are rounding.
 
 use super::code::Code;
-use super::regions::log_uniform;
 use super::rounded;
 use super::seams::{Jump, LEAST, rises};
 use crate::audit::{Draw, SolverAnswer};
@@ -38,7 +37,7 @@ impl Segment {
         let mut d = Draw::new(seed, "atlas", "breaks", k);
         let level = k.is_multiple_of(2);
         let (other, ends) = match level {
-            true => (log_uniform(&mut d, 1e-12, 30.0), [0.01, 40.0]),
+            true => (d.log_uniform(1e-12, 30.0), [0.01, 40.0]),
             false => (d.uniform(0.0, 20.0), [1e-12, 40.0]),
         };
         Segment { level, other, ends }

@@ -4,7 +4,7 @@
 
 use super::claim::{Claim, Measure, Place, Statistic};
 use super::lines;
-use super::regions::{either_side, log_uniform};
+use super::regions::either_side;
 use crate::audit::Draw;
 use crate::reference::faddeeva::zero;
 use Measure::{Absolute, AbsoluteRe, Norm, RelativeIm, RelativeParts, RelativeRe};
@@ -15,14 +15,14 @@ use std::sync::LazyLock;
 fn any_height(d: &mut Draw) -> f64 {
     match d.chance(0.5) {
         true => d.uniform(0.0, 8.0),
-        false => log_uniform(d, 1e-12, 10.0),
+        false => d.log_uniform(1e-12, 10.0),
     }
 }
 
 fn any_real(d: &mut Draw) -> f64 {
     match d.chance(0.7) {
         true => d.uniform(0.0, 12.0),
-        false => log_uniform(d, 1e-3, 1e4),
+        false => d.log_uniform(1e-3, 1e4),
     }
 }
 
@@ -100,7 +100,7 @@ const MEASURED: Place = Place {
 const PROFILES: Place = Place {
     words: "|Re z| < 12, Im z = 1e-3..1e3",
     draw: |d| {
-        let y = log_uniform(d, 1e-3, 1e3);
+        let y = d.log_uniform(1e-3, 1e3);
         either_side(d.uniform(0.0, 12.0) * (1.0 + y), y, d)
     },
     holds: |z| z[0].abs() < 12.0 * (1.0 + z[1]) && (1e-3..=1e3).contains(&z[1]),
@@ -108,7 +108,7 @@ const PROFILES: Place = Place {
 
 const SCHREIER: Place = Place {
     words: "0 < Re z < 25, 1e-8 < Im z < 100",
-    draw: |d| vec![d.uniform(0.0, 25.0), log_uniform(d, 1e-8, 100.0)],
+    draw: |d| vec![d.uniform(0.0, 25.0), d.log_uniform(1e-8, 100.0)],
     holds: |z| z[0] > 0.0 && z[0] < 25.0 && z[1] > 1e-8 && z[1] < 100.0,
 };
 

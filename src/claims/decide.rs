@@ -4,7 +4,6 @@ use super::claim::{Claim, Measure, Place, Statistic, Verdict};
 use super::code::{self, answer};
 use super::lines::{self, HartmannTran};
 use super::mean::{Mean, mean};
-use super::placed::Placed;
 use super::whole::Effort;
 use super::{at, rounded};
 use crate::audit::{
@@ -171,7 +170,6 @@ impl Tested {
         };
         let holds =
             move |z: &[f64]| (z[1] >= floor || floor == f64::NEG_INFINITY) && (self.place.holds)(z);
-        let placed = Placed::new(&*self.method, vec![region], holds);
         let part = match self.measure {
             Measure::RelativeIm => 1..2,
             Measure::RelativeRe | Measure::AbsoluteRe => 0..1,
@@ -183,7 +181,8 @@ impl Tested {
             SolverAnswer::Values(v) if v.len() == 2 => SolverAnswer::Values(v[part.clone()].into()),
             other => other,
         };
-        let variant = Variant::new(&placed).solver(solve);
+        let placed = Variant::new(&*self.method).placed(vec![region], holds);
+        let variant = placed.solver(solve);
         let variant = match self.measure {
             Measure::Norm => variant.norm_limit(self.bound),
             Measure::Absolute | Measure::AbsoluteRe => variant.limit(Limit::Absolute(self.bound)),

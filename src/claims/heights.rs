@@ -34,12 +34,12 @@ fn points(k: i32, effort: &Effort) -> Vec<Vec<f64>> {
             let x = match d.uniform(0.0, 1.0) {
                 u if u < 0.5 => d.uniform(0.0, 30.0),
                 u if u < 0.75 => regions::fourth(&mut d, 64.0),
-                _ => regions::log_uniform(&mut d, 1e-3, 1e5),
+                _ => d.log_uniform(1e-3, 1e5),
             };
             let y = match k < LOW {
                 true if d.chance(0.5) => 0.0,
-                true => regions::log_uniform(&mut d, 1e-300, 1e-20),
-                false => 10f64.powi(k) * regions::log_uniform(&mut d, 1.0, 10.0),
+                true => d.log_uniform(1e-300, 1e-20),
+                false => 10f64.powi(k) * d.log_uniform(1.0, 10.0),
             };
             regions::either_side(x, y, &mut d)
         })
@@ -119,7 +119,9 @@ fn of_bands(bands: &[[f64; 2]]) -> Vec<Height> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::audit::{Limit, Variant};
     use crate::solvers::faddeeva::faddeeva;
+    use mechaudit_atlas::Parts;
     use mechaudit_atlas::Plane;
     use num_complex::Complex;
 

@@ -76,6 +76,7 @@ pub fn map(code: &Code) -> Map {
 mod tests {
     use super::*;
     use crate::solvers::faddeeva::faddeeva;
+    use mechaudit_atlas::Parts;
     use mechaudit_atlas::Plane;
     use num_complex::Complex;
 

@@ -23,7 +23,6 @@ mod heights;
 mod lines;
 mod maps;
 mod mean;
-mod placed;
 mod regions;
 mod seams;
 mod speed;

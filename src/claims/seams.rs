@@ -4,7 +4,7 @@
 //! A segment whose ends have different formulas is halved until its ends are neighbours among the floats; w
 //! itself changes there by a few ulps at most.
 
-use super::{regions, rounded};
+use super::rounded;
 use crate::audit::Draw;
 use mechaudit_atlas::{Algorithm, Parts};
 use num_complex::{Complex, Complex64};
@@ -94,8 +94,8 @@ pub(super) fn rises(inner: f64, outer: f64, size: f64) -> bool {
 /// A segment of the right upper quadrant, level or upright.
 fn segment(d: &mut Draw, level: bool) -> (Complex64, Complex64) {
     let mut side = |small: bool| match small {
-        true => regions::log_uniform(d, 1e-12, 1.0),
-        false => regions::log_uniform(d, 0.1, 300.0),
+        true => d.log_uniform(1e-12, 1.0),
+        false => d.log_uniform(0.1, 300.0),
     };
     let (a, b) = (side(false), side(false));
     let other = side(a > b);

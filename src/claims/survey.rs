@@ -4,7 +4,6 @@ use super::breaks::breaks;
 use super::code::Code;
 use super::heights::{Height, heights};
 use super::lines::{self, HartmannTran};
-use super::placed::Placed;
 use super::seams::{Jump, jumps};
 use super::whole::Effort;
 use super::{WHOLE, measured, regions, rounded};
@@ -198,8 +197,7 @@ fn judged(
     turned: &Turned,
 ) -> Vec<(MethodReport, Vec<(&'static str, u64)>)> {
     const CHUNK: usize = 4096;
-    let placed = Placed::new(method, regions.to_vec(), |_| true);
-    let variant = measured(&placed, codes.first().copied());
+    let variant = measured(method, codes.first().copied()).placed(regions.to_vec(), |_| true);
     let cases = Cases::new(&variant, settings);
     let mut tallies = vec![Tally::new(&variant, settings); codes.len()];
     let mut negative: Vec<Vec<(&'static str, u64)>> = vec![Vec::new(); codes.len()];
