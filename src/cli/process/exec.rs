@@ -3,7 +3,7 @@
 //! For each program one thread writes all inputs and one reads answers ahead ([`Answers`]); answers are
 //! judged batch by batch, those of several programs to a case together.
 
-use crate::cli::answers::{Answers, Batch, Form, Header, Next, Silence};
+use crate::cli::answers::{Answers, Batch, End, Form, Header};
 use crate::cli::args::ProgramArgs;
 use crate::cli::failure::Failure;
 use crate::cli::process::candidate::{BATCH, judge_batch};
@@ -66,8 +66,8 @@ impl Fed {
             let here = batch.len();
             let taken = self.answers.take(left, self.timeout, batch);
             self.answered += batch.len() - here;
-            if let Err(silence) = taken {
-                return Some(silence.into());
+            if let Err(end) = taken {
+                return Some(end);
             }
         }
         None
@@ -78,13 +78,13 @@ impl Fed {
         let start = Instant::now();
         loop {
             match self.answers.next(Some(POLL)) {
-                Next::Answer(_) => return End::TooMany,
-                Next::End(Silence::Silent) if start.elapsed() <= self.timeout => {
+                Ok(_) => return End::TooMany,
+                Err(End::Silent) if start.elapsed() <= self.timeout => {
                     if self.child.has_ended() {
                         self.child.end_group();
                     }
                 }
-                Next::End(silence) => return silence.into(),
+                Err(end) => return end,
             }
         }
     }
@@ -226,31 +226,6 @@ pub fn unanswered(
         let (region, end) = inputs.region_of(at);
         tally.unanswered(region, (end - at) as u64);
         at = end;
-    }
-}
-
-/// Why there are no more answers to judge.
-pub enum End {
-    /// Its output has ended.
-    Closed,
-    /// One answer more than there are inputs.
-    TooMany,
-    /// Nothing came for so long.
-    Silent,
-    /// Its output cannot be read.
-    Unreadable(std::io::Error),
-    /// The user has asked to stop.
-    Interrupted,
-}
-
-impl From<Silence> for End {
-    fn from(silence: Silence) -> End {
-        match silence {
-            Silence::Closed => End::Closed,
-            Silence::Unreadable(why) => End::Unreadable(why),
-            Silence::Silent => End::Silent,
-            Silence::Interrupted => End::Interrupted,
-        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! A four-bar linkage or slider-crank given in a file, computed over the turn of its crank.
 
-use super::{dyad_facts as facts, shown};
+use super::{dyad_facts as facts, shown, undecided_in};
 use crate::cli::args::LinkageArgs;
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
@@ -101,7 +101,7 @@ fn all_rows(
             let Some(values) = values else { continue };
             let mut cells = vec![shown, Cell::Count(number(assembly))];
             cells.extend(values);
-            undecided += cells.iter().filter(|c| **c == Cell::Undecided).count();
+            undecided += undecided_in(&cells);
             rows.row(&cells)?;
             *count += 1;
         }
