@@ -78,7 +78,7 @@ pub fn compare(args: &CompareArgs) -> Result<Outcome, Failure> {
             Ok(())
         })?,
         CompareFormat::Json => write_json(output, &json::comparison(&found, changes.as_ref()))?,
-        CompareFormat::Html => output.text(&html::audit::comparison(&found, changes.as_ref()))?,
+        CompareFormat::Html => output.text(html::audit::comparison(&found, changes.as_ref()))?,
         CompareFormat::Csv => output.write(|out| Ok(csv::comparison(&found, out)?))?,
     }
     Ok(Outcome::unless_interrupted(

@@ -227,7 +227,7 @@ fn report(args: &CampaignReportArgs) -> Result<Outcome, Failure> {
     let parts = sum.finish(missing == 0);
     let shards = folder.deal.shards();
     let done = (shards - missing, shards);
-    output.text(&html::audit::campaign(&folder.plan, done, &parts))?;
+    output.text(html::audit::campaign(&folder.plan, done, &parts))?;
     if missing > 0 {
         complain(&format!(
             "{} of {} not done",

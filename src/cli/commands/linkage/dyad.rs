@@ -40,7 +40,7 @@ pub fn linkage(args: &LinkageArgs, dyad: &Dyad) -> Result<Outcome, Failure> {
     let output = Output::open(args.output.as_deref())?;
     if let (Some(folder), [assembly]) = (&args.svg, &assemblies[..]) {
         let drawing = Output::within(folder, "mechanism.svg")?;
-        drawing.text(&drawn::dyad(dyad, *assembly))?;
+        drawing.text(drawn::dyad(dyad, *assembly))?;
     }
     if let (Some(cad), [assembly]) = (shown::Cad::open(args)?, &assemblies[..]) {
         let motion = shown::dyad(args, dyad, *assembly, None);

@@ -83,7 +83,7 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
     let branch = branch.map_err(in_file)?;
     if let Some(folder) = &args.svg {
         let drawing = Output::within(folder, "mechanism.svg")?;
-        drawing.text(&drawn::planar(machine, &branch))?;
+        drawing.text(drawn::planar(machine, &branch))?;
     }
     if let Some(cad) = shown::Cad::open(args)? {
         let motion = shown::planar(args, machine, &branch, None);
