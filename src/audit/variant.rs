@@ -2,7 +2,7 @@
 
 use super::answer::{Reference, ReferenceAnswer, SolverAnswer};
 use super::budget::{Budget, Limit, NormBudget};
-use super::domain::Domain;
+use super::domain::{Domain, Region};
 use super::due::Due;
 use super::hard::HardCase;
 use super::method::{BranchAt, Input, Law, Method, Output, ProvedBound, Rows};
@@ -14,6 +14,8 @@ use rug::Rational;
 
 type Solver<'a> = Box<dyn Fn(&[f64]) -> SolverAnswer + Sync + 'a>;
 
+type Admits<'a> = Box<dyn Fn(&[f64]) -> bool + Sync + 'a>;
+
 /// The reason for a budget of one's own.
 const AS_ASKED: &str = "as asked for";
 
@@ -22,6 +24,7 @@ pub struct Variant<'a> {
     method: &'a dyn Method,
     solver: Option<Solver<'a>>,
     regions: Option<Vec<&'static str>>,
+    place: Option<(Vec<Region>, Admits<'a>)>,
     ordinary: bool,
     sampling: Sampling,
     norm: Option<f64>,
@@ -41,6 +44,7 @@ impl<'a> Variant<'a> {
             method,
             solver: None,
             regions: None,
+            place: None,
             ordinary: false,
             sampling: Sampling::Domain,
             norm: None,
@@ -80,6 +84,19 @@ impl<'a> Variant<'a> {
         self.regions.get_or_insert_default().push(found);
         self.check_points = false;
         Ok(self)
+    }
+
+    /// Regions of one's own in place of the domain's, without check points, hard cases, laws and what is proved of the
+    /// domain; a hunt stays where `admits` holds.
+    #[must_use]
+    pub fn placed(
+        mut self,
+        regions: Vec<Region>,
+        admits: impl Fn(&[f64]) -> bool + Sync + 'a,
+    ) -> Variant<'a> {
+        self.place = Some((regions, Box::new(admits)));
+        self.check_points = false;
+        self.without_laws()
     }
 
     /// Without the regions at the ends of the range of floating-point numbers, and without check points and
@@ -223,6 +240,9 @@ impl Method for Variant<'_> {
     }
     fn domain(&self) -> Domain {
         let mut domain = self.method.domain();
+        if let Some((regions, _)) = &self.place {
+            domain.regions.clone_from(regions);
+        }
         if let Some(names) = &self.regions {
             domain.regions.retain(|r| names.contains(&r.name));
         }
@@ -302,7 +322,7 @@ impl Method for Variant<'_> {
         hard
     }
     fn admits(&self, input: &[f64]) -> bool {
-        self.method.admits(input)
+        self.method.admits(input) && self.place.as_ref().is_none_or(|(_, admits)| admits(input))
     }
     fn laws(&self) -> Vec<Law> {
         match self.laws {

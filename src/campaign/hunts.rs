@@ -83,13 +83,11 @@ impl HuntTally {
         self.first_failures.sort();
         self.first_failures.truncate(FAILURES);
         for (output, found) in other.worst {
-            let at = match self.worst.binary_search_by_key(&output, |w| w.0) {
-                Ok(at) => at,
-                Err(at) => {
-                    self.worst.insert(at, (output, Vec::new()));
-                    at
-                }
-            };
+            let at = self.worst.binary_search_by_key(&output, |w| w.0);
+            let at = at.unwrap_or_else(|at| {
+                self.worst.insert(at, (output, Vec::new()));
+                at
+            });
             let own = &mut self.worst[at].1;
             own.extend(found);
             own.sort();

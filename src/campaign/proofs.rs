@@ -170,17 +170,15 @@ impl ProofTally {
 
     /// C: of each component, in units in its last place; 0 of nothing.
     pub fn component(&self) -> f64 {
-        let parts = [self.most(|f| &f.re), self.most(|f| &f.im)];
-        parts
-            .into_iter()
-            .flatten()
-            .min()
-            .map_or(0.0, Attained::bound)
+        self.worse_part().map_or(0.0, Attained::bound)
+    }
+
+    fn worse_part(&self) -> Option<&Attained> {
+        self.formulas.values().flat_map(|f| [&f.re, &f.im]).min()
     }
 
     /// All of it.
     pub fn json(&self) -> Value {
-        let parts = [self.most(|f| &f.re), self.most(|f| &f.im)];
         let tiny = self.most(|f| &f.tiny).map(Attained::bound);
         let formulas = self.formulas.iter().map(|(name, f)| {
             json!({
@@ -201,7 +199,7 @@ impl ProofTally {
             "proved": self.open == 0,
             "rectangles": self.parts,
             "norm": self.most(|f| &f.norm).map(Attained::json),
-            "component": parts.into_iter().flatten().min().map(Attained::json),
+            "component": self.worse_part().map(Attained::json),
             "tiny": tiny,
             "boxes": self.boxes(),
             "formulas": formulas.collect::<Vec<Value>>(),

@@ -6,7 +6,6 @@
 //! which are rounding.
 
 use super::code::Code;
-use super::regions::log_uniform;
 use super::rounded;
 use super::seams::{Jump, LEAST, rises};
 use crate::audit::{Draw, SolverAnswer};
@@ -38,16 +37,16 @@ impl Segment {
         let mut d = Draw::new(seed, "atlas", "breaks", k);
         let level = k.is_multiple_of(2);
         let (other, ends) = match level {
-            true => (log_uniform(&mut d, 1e-12, 30.0), [0.01, 40.0]),
+            true => (d.log_uniform(1e-12, 30.0), [0.01, 40.0]),
             false => (d.uniform(0.0, 20.0), [1e-12, 40.0]),
         };
         Segment { level, other, ends }
     }
 
-    fn point(&self, s: f64) -> Vec<f64> {
+    fn place(&self, s: f64) -> [f64; 2] {
         match self.level {
-            true => vec![s, self.other],
-            false => vec![self.other, s],
+            true => [s, self.other],
+            false => [self.other, s],
         }
     }
 
@@ -57,7 +56,7 @@ impl Segment {
         let before = std::iter::successors(Some(a), |s| Some(s.next_down()));
         let after = std::iter::successors(Some(b), |s| Some(s.next_up()));
         let all = before.take(BESIDE).chain(after.take(BESIDE));
-        all.map(|s| self.point(s)).collect()
+        all.map(|s| self.place(s).to_vec()).collect()
     }
 
     fn points(&self) -> Vec<Vec<f64>> {
@@ -73,7 +72,7 @@ impl Segment {
                     (_, true) => a * libm::exp(t * libm::log(b / a)),
                     (_, false) => a + (b - a) * t,
                 };
-                self.point(s)
+                self.place(s).to_vec()
             })
             .collect()
     }
@@ -112,11 +111,8 @@ fn on(code: &Code, mut segments: Vec<Segment>) -> Vec<Jump> {
     for _ in 0..ROUNDS {
         let points: Vec<Vec<f64>> = segments.iter().flat_map(Segment::points).collect();
         let values = values(code, &points);
-        let errors: Vec<Option<f64>> = points
-            .par_iter()
-            .zip(&values)
-            .map(|(z, re)| error(z, *re))
-            .collect();
+        let both = points.par_iter().zip(&values);
+        let errors: Vec<Option<f64>> = both.map(|(z, re)| error(z, *re)).collect();
         last = Vec::new();
         for (k, segment) in segments.iter_mut().enumerate() {
             let own = k * (PARTS + 1)..(k + 1) * (PARTS + 1);
@@ -135,19 +131,12 @@ fn on(code: &Code, mut segments: Vec<Segment>) -> Vec<Jump> {
         }
     }
     let beside: Vec<Vec<f64>> = segments.iter().flat_map(Segment::beside).collect();
-    let nearby: Vec<Option<f64>> = values(code, &beside)
-        .into_iter()
-        .zip(&beside)
-        .map(|(re, z)| error(z, re))
-        .collect();
+    let both = beside.iter().zip(values(code, &beside));
+    let nearby: Vec<Option<f64>> = both.map(|(z, re)| error(z, re)).collect();
     let mut found: Option<Jump> = None;
     let nearby = nearby.chunks(2 * BESIDE);
     for ((segment, [inner, outer]), nearby) in segments.iter().zip(last).zip(nearby) {
-        let a = segment.ends[0];
-        let place = match segment.level {
-            true => [a, segment.other],
-            false => [segment.other, a],
-        };
+        let place = segment.place(segment.ends[0]);
         let Some([due, size]) = due(place) else {
             continue;
         };
@@ -156,14 +145,7 @@ fn on(code: &Code, mut segments: Vec<Segment>) -> Vec<Jump> {
         if !re.is_finite() || re <= least {
             continue;
         }
-        let jump = found.get_or_insert(Jump {
-            between: None,
-            norm: None,
-            re: 0.0,
-            at: place,
-            crossings: 0,
-            rising: 0,
-        });
+        let jump = found.get_or_insert_default();
         jump.crossings += u64::from(segment.level);
         jump.rising += u64::from(segment.level && rises(inner, outer, due));
         if re > jump.re {
@@ -188,7 +170,7 @@ fn values(code: &Code, points: &[Vec<f64>]) -> Vec<Option<f64>> {
 
 /// Relative, of Re w; nothing where there is no number.
 fn error(z: &[f64], re: Option<f64>) -> Option<f64> {
-    let due = w_f64(z[0], z[1], BITS).ok()?.re.mid().to_f64();
+    let [due, _] = due([z[0], z[1]])?;
     Some((re? - due) / due)
 }
 

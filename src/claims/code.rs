@@ -32,16 +32,11 @@ pub struct Code<'a> {
 impl<'a> Code<'a> {
     /// An algorithm in double precision.
     pub fn double(a: Algorithm) -> Code<'a> {
+        let source = (a.name.into(), a.title.into(), a.source.into());
+        let answers = move |inputs: &[Vec<f64>]| inputs.iter().map(|z| answer(&a, z)).collect();
         Code {
-            name: a.name.into(),
-            title: a.title.into(),
-            source: a.source.into(),
-            plane: a.plane,
-            parts: a.parts,
-            single: false,
             algorithm: Some(a),
-            nanoseconds: None,
-            answers: Box::new(move |inputs| inputs.iter().map(|z| answer(&a, z)).collect()),
+            ..Code::other(source, a.plane, a.parts, answers)
         }
     }
 

@@ -4,7 +4,7 @@
 
 use super::claim::{Claim, Measure, Place, Statistic};
 use super::lines;
-use super::regions::{either_side, log_uniform};
+use super::regions::either_side;
 use crate::audit::Draw;
 use crate::reference::faddeeva::zero;
 use Measure::{Absolute, AbsoluteRe, Norm, RelativeIm, RelativeParts, RelativeRe};
@@ -15,27 +15,21 @@ use std::sync::LazyLock;
 fn any_height(d: &mut Draw) -> f64 {
     match d.chance(0.5) {
         true => d.uniform(0.0, 8.0),
-        false => log_uniform(d, 1e-12, 10.0),
+        false => d.log_uniform(1e-12, 10.0),
     }
 }
 
 fn any_real(d: &mut Draw) -> f64 {
     match d.chance(0.7) {
         true => d.uniform(0.0, 12.0),
-        false => log_uniform(d, 1e-3, 1e4),
+        false => d.log_uniform(1e-3, 1e4),
     }
 }
 
 const HALF_PLANE: Place = Place {
     words: "Im z >= 0; tried up to |Re z| = 4e4, Im z = 40, down to 1e-12",
-    draw: |d| {
-        let (x, y) = (any_real(d), any_height(d));
-        either_side(d, x, y)
-    },
-    holds: |z| {
-        let (x, y) = (z[0], z[1]);
-        y >= 0.0 && x.abs() < 4e4 && y < 40.0
-    },
+    draw: |d| either_side(any_real(d), any_height(d), d),
+    holds: |z| z[1] >= 0.0 && z[0].abs() < 4e4 && z[1] < 40.0,
 };
 
 const SQUARE_8: Place = Place {
@@ -44,10 +38,7 @@ const SQUARE_8: Place = Place {
         let y = d.uniform(0.0, 8.0);
         vec![d.uniform(-8.0, 8.0), d.signed(y)]
     },
-    holds: |z| {
-        let (x, y) = (z[0], z[1]);
-        x.abs() <= 8.0 && y.abs() <= 8.0
-    },
+    holds: |z| z[0].abs() <= 8.0 && z[1].abs() <= 8.0,
 };
 
 const FIRST_QUADRANTS: Place = Place {
@@ -61,10 +52,7 @@ const LOWER_QUADRANTS: Place = Place {
         let y = -d.uniform(0.0, 6.0);
         vec![d.uniform(-8.0, 8.0), y]
     },
-    holds: |z| {
-        let (x, y) = (z[0], z[1]);
-        (-6.0..0.0).contains(&y) && x.abs() <= 8.0 && off_zeros(x.abs(), y)
-    },
+    holds: |z| (-6.0..0.0).contains(&z[1]) && z[0].abs() <= 8.0 && off_zeros(z[0].abs(), z[1]),
 };
 
 /// The zeros of w with Re z > 0, Im z > −6.7.
@@ -84,10 +72,7 @@ fn off_zeros(x: f64, y: f64) -> bool {
 const ABRAROV: Place = Place {
     words: "0 < Re z < 40000, 1e-4 < Im z < 100, both uniform",
     draw: |d| vec![d.uniform(0.0, 4e4), d.uniform(1e-4, 100.0)],
-    holds: |z| {
-        let (x, y) = (z[0], z[1]);
-        x > 0.0 && x < 4e4 && y > 1e-4 && y < 100.0
-    },
+    holds: |z| z[0] > 0.0 && z[0] < 4e4 && z[1] > 1e-4 && z[1] < 100.0,
 };
 
 const PLANE: Place = Place {
@@ -96,54 +81,35 @@ const PLANE: Place = Place {
         let y = any_height(d) * 0.5;
         vec![d.uniform(-8.0, 8.0), d.signed(y)]
     },
-    holds: |z| {
-        let (x, y) = (z[0], z[1]);
-        x.abs() <= 8.0 && y.abs() <= 4.0
-    },
+    holds: |z| z[0].abs() <= 8.0 && z[1].abs() <= 4.0,
 };
 
 const ORDINARY: Place = Place {
     words: "-60 <= Re z <= 60, 0 <= Im z <= 100",
-    draw: |d| {
-        let (x, y) = (d.uniform(0.0, 60.0), any_height(d) * 12.0);
-        either_side(d, x, y)
-    },
-    holds: |z| {
-        let (x, y) = (z[0], z[1]);
-        x.abs() <= 60.0 && (0.0..=100.0).contains(&y)
-    },
+    draw: |d| either_side(d.uniform(0.0, 60.0), any_height(d) * 12.0, d),
+    holds: |z| z[0].abs() <= 60.0 && (0.0..=100.0).contains(&z[1]),
 };
 
 const MEASURED: Place = Place {
     words: "Re z = -8..8, Im z = 0.1..8",
     draw: |d| vec![d.uniform(-8.0, 8.0), d.uniform(0.1, 8.0)],
-    holds: |z| {
-        let (x, y) = (z[0], z[1]);
-        x.abs() <= 8.0 && (0.1..=8.0).contains(&y)
-    },
+    holds: |z| z[0].abs() <= 8.0 && (0.1..=8.0).contains(&z[1]),
 };
 
 /// Of widths: sigma = 1/√2, gamma = y.
 const PROFILES: Place = Place {
     words: "|Re z| < 12, Im z = 1e-3..1e3",
     draw: |d| {
-        let y = log_uniform(d, 1e-3, 1e3);
-        let x = d.uniform(0.0, 12.0) * (1.0 + y);
-        either_side(d, x, y)
+        let y = d.log_uniform(1e-3, 1e3);
+        either_side(d.uniform(0.0, 12.0) * (1.0 + y), y, d)
     },
-    holds: |z| {
-        let (x, y) = (z[0], z[1]);
-        x.abs() < 12.0 * (1.0 + y) && (1e-3..=1e3).contains(&y)
-    },
+    holds: |z| z[0].abs() < 12.0 * (1.0 + z[1]) && (1e-3..=1e3).contains(&z[1]),
 };
 
 const SCHREIER: Place = Place {
     words: "0 < Re z < 25, 1e-8 < Im z < 100",
-    draw: |d| vec![d.uniform(0.0, 25.0), log_uniform(d, 1e-8, 100.0)],
-    holds: |z| {
-        let (x, y) = (z[0], z[1]);
-        x > 0.0 && x < 25.0 && y > 1e-8 && y < 100.0
-    },
+    draw: |d| vec![d.uniform(0.0, 25.0), d.log_uniform(1e-8, 100.0)],
+    holds: |z| z[0] > 0.0 && z[0] < 25.0 && z[1] > 1e-8 && z[1] < 100.0,
 };
 
 const LINES: Place = Place {

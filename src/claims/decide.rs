@@ -5,11 +5,10 @@ use super::code::{self, answer};
 use super::effort::Effort;
 use super::lines::{self, HartmannTran};
 use super::mean::{Mean, mean};
-use super::placed::Placed;
 use super::{at, rounded};
 use crate::audit::{
-    Cases, HuntSettings, Limit, Method, Region, Settings, SolverAnswer, Variant, audit_method,
-    hunt, judge_case_briefly,
+    Cases, HuntSettings, Limit, Method, Region, Settings, SolverAnswer, Variant, Verdict as Judged,
+    audit_method, hunt, judge_case_briefly,
 };
 use crate::methods::find;
 use mechaudit_atlas::{Algorithm, PROFILES, Profile, find as find_algorithm};
@@ -83,11 +82,8 @@ pub fn decide(claim: &Claim, effort: &Effort) -> Decided {
     match statistic {
         Statistic::Maximum => {
             decided.measure = measure.words().into();
-            maximum(
-                &mut decided,
-                &Tested::new(subject, place, measure, bound),
-                effort,
-            );
+            let tested = Tested::new(subject, place, measure, bound);
+            maximum(&mut decided, &tested, effort);
         }
         Statistic::Mean => {
             decided.measure = format!("mean, {}", measure.words());
@@ -103,10 +99,8 @@ pub fn decide(claim: &Claim, effort: &Effort) -> Decided {
             decided.verdict = of_mean(&m, bound);
         }
     }
-    decided.reproduce = decided
-        .at
-        .as_ref()
-        .map(|z| format!("mechaudit {}", code::at(claim.algorithm, z)));
+    let shown = |z: &Vec<f64>| format!("mechaudit {}", code::at(claim.algorithm, z));
+    decided.reproduce = decided.at.as_ref().map(shown);
     decided
 }
 
@@ -127,10 +121,9 @@ pub(super) enum Subject {
 
 impl Subject {
     pub(super) fn of(name: &str) -> Option<Subject> {
-        let profile = PROFILES.iter().find(|p| p.name == name);
-        find_algorithm(name)
-            .map(Subject::W)
-            .or(profile.map(|p| Subject::Line(*p)))
+        let profile = PROFILES.into_iter().find(|p| p.name == name);
+        let algorithm = find_algorithm(name).map(Subject::W);
+        algorithm.or(profile.map(Subject::Line))
     }
 
     pub(super) fn method(&self) -> Box<dyn Method> {
@@ -177,7 +170,6 @@ impl Tested {
         };
         let holds =
             move |z: &[f64]| (z[1] >= floor || floor == f64::NEG_INFINITY) && (self.place.holds)(z);
-        let placed = Placed::new(&*self.method, vec![region], holds);
         let part = match self.measure {
             Measure::RelativeIm => 1..2,
             Measure::RelativeRe | Measure::AbsoluteRe => 0..1,
@@ -189,7 +181,8 @@ impl Tested {
             SolverAnswer::Values(v) if v.len() == 2 => SolverAnswer::Values(v[part.clone()].into()),
             other => other,
         };
-        let variant = Variant::new(&placed).solver(solve);
+        let placed = Variant::new(&*self.method).placed(vec![region], holds);
+        let variant = placed.solver(solve);
         let variant = match self.measure {
             Measure::Norm => variant.norm_limit(self.bound),
             Measure::Absolute | Measure::AbsoluteRe => variant.limit(Limit::Absolute(self.bound)),
@@ -204,28 +197,16 @@ impl Tested {
 
     /// The error at a point in units of the bound, and whether it certainly is over it.
     fn share(&self, method: &dyn Method, z: &[f64]) -> (f64, bool) {
-        let answer = method.solve(z);
-        let report = judge_case_briefly(
-            method,
-            at(self.method.name(), z),
-            answer,
-            &Settings::default(),
-        );
+        let (case, answer) = (at(self.method.name(), z), method.solve(z));
+        let report = judge_case_briefly(method, case, answer, &Settings::default());
         let j = &report.judgement;
-        let over = matches!(
-            j.verdict,
-            crate::audit::Verdict::Over | crate::audit::Verdict::WrongKind
-        );
+        let over = matches!(j.verdict, Judged::Over | Judged::WrongKind);
         // Of a norm the components' shares are of the same bound and no larger.
         (j.share(), over)
     }
 
     fn mean(&self, effort: &Effort) -> Option<Mean> {
-        let settings = Settings {
-            seed: effort.seed,
-            cases_per_region: effort.cases * AVERAGED,
-            ..Settings::default()
-        };
+        let settings = effort.settings(AVERAGED);
         self.over(f64::NEG_INFINITY, |method| {
             let cases = Cases::new(method, &settings);
             let errors: Vec<f64> = (0..cases.len())
@@ -260,11 +241,6 @@ impl Search {
 }
 
 fn searched(tested: &Tested, floor: f64, effort: &Effort) -> Search {
-    let settings = Settings {
-        seed: effort.seed,
-        cases_per_region: effort.cases * AUDITED,
-        ..Settings::default()
-    };
     let mut search = Search {
         worst: None,
         ceiling: f64::NEG_INFINITY,
@@ -272,7 +248,7 @@ fn searched(tested: &Tested, floor: f64, effort: &Effort) -> Search {
     };
     tested.over(floor, |method| {
         if floor == f64::NEG_INFINITY {
-            let report = audit_method(method, &settings, &|| ());
+            let report = audit_method(method, &effort.settings(AUDITED), &|| ());
             search.points += report.cases;
             let found = report.failures.iter().chain(&report.worst);
             for case in found.chain(&report.wrong) {
@@ -286,11 +262,9 @@ fn searched(tested: &Tested, floor: f64, effort: &Effort) -> Search {
         };
         let found = hunt(method, &hunted, &|_| ());
         search.points += found.evaluations;
-        for worst in &found.worst {
-            search.offer(tested.share(method, &worst.input), &worst.input);
-        }
-        for failure in &found.failures {
-            search.offer(tested.share(method, &failure.input), &failure.input);
+        let worst = found.worst.iter().map(|w| &w.input);
+        for z in worst.chain(found.failures.iter().map(|f| &f.input)) {
+            search.offer(tested.share(method, z), z);
         }
     });
     search

@@ -160,7 +160,7 @@ const NEAR: Place = Place {
     draw: |d| {
         let y = match d.chance(0.5) {
             true => d.uniform(0.0, 4.0),
-            false => super::super::regions::log_uniform(d, 1e-8, 1.0),
+            false => d.log_uniform(1e-8, 1.0),
         };
         vec![d.uniform(-4.0, 4.0), y]
     },

@@ -1,5 +1,6 @@
 //! How much of an atlas is done.
 
+use crate::audit::Settings;
 use serde::Serialize;
 
 /// How much is done.
@@ -9,4 +10,15 @@ pub struct Effort {
     pub cases: u64,
     /// Key of the random stream.
     pub seed: u64,
+}
+
+impl Effort {
+    /// The settings of an audit with so many times the points.
+    pub(super) fn settings(&self, times: u64) -> Settings {
+        Settings {
+            seed: self.seed,
+            cases_per_region: self.cases * times,
+            ..Settings::default()
+        }
+    }
 }

@@ -2,10 +2,9 @@
 
 use super::code::Code;
 use super::effort::Effort;
-use super::{WHOLE, at, regions};
-use crate::audit::{Draw, Format, Judge, Limit, Method, Settings, SolverAnswer, Variant};
+use super::{WHOLE, at, measured, regions};
+use crate::audit::{Draw, Judge, Method, Settings, SolverAnswer};
 use crate::methods::find;
-use mechaudit_atlas::Parts;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -35,14 +34,14 @@ fn points(k: i32, effort: &Effort) -> Vec<Vec<f64>> {
             let x = match d.uniform(0.0, 1.0) {
                 u if u < 0.5 => d.uniform(0.0, 30.0),
                 u if u < 0.75 => regions::fourth(&mut d, 64.0),
-                _ => regions::log_uniform(&mut d, 1e-3, 1e5),
+                _ => d.log_uniform(1e-3, 1e5),
             };
             let y = match k < LOW {
                 true if d.chance(0.5) => 0.0,
-                true => regions::log_uniform(&mut d, 1e-300, 1e-20),
-                false => 10f64.powi(k) * regions::log_uniform(&mut d, 1.0, 10.0),
+                true => d.log_uniform(1e-300, 1e-20),
+                false => 10f64.powi(k) * d.log_uniform(1.0, 10.0),
             };
-            regions::either_side(&mut d, x, y)
+            regions::either_side(x, y, &mut d)
         })
         .collect()
 }
@@ -50,24 +49,14 @@ fn points(k: i32, effort: &Effort) -> Vec<Vec<f64>> {
 /// For each code, its heights.
 pub fn heights(codes: &[&Code], effort: &Effort) -> Vec<Vec<Height>> {
     let method = find("faddeeva").expect("a method of the registry");
-    let mut variant = Variant::new(&*method).limit(Limit::Relative(WHOLE));
-    let first = codes.first().map(|c| (c.parts, c.single));
-    if let Some((Parts::Real, _)) = first {
-        variant = variant.outputs(&["Re W"]).expect("an output of W");
-    }
-    if let Some((_, true)) = first {
-        variant = variant.format(Format::Single);
-    }
+    let variant = measured(&*method, codes.first().copied());
+    let single = codes.first().is_some_and(|c| c.single);
     // Of each code and band the worst, of the norm and of a part.
     let mut worst: Vec<Vec<[f64; 2]>> = vec![Vec::new(); codes.len()];
     for k in LOW - 1..HIGH {
-        let inputs: Vec<Vec<f64>> = points(k, effort)
-            .into_iter()
-            .map(|z| match first {
-                Some((_, true)) => z.iter().map(|x| f64::from(*x as f32)).collect(),
-                _ => z,
-            })
-            .collect();
+        let mut inputs = points(k, effort);
+        let numbers = inputs.iter_mut().flatten().filter(|_| single);
+        numbers.for_each(|x| *x = f64::from(*x as f32));
         let answers: Vec<Vec<SolverAnswer>> = codes.iter().map(|c| c.answers(&inputs)).collect();
         let found: Vec<Vec<[f64; 2]>> = (0..inputs.len())
             .into_par_iter()
@@ -130,7 +119,9 @@ fn of_bands(bands: &[[f64; 2]]) -> Vec<Height> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::audit::{Limit, Variant};
     use crate::solvers::faddeeva::faddeeva;
+    use mechaudit_atlas::Parts;
     use mechaudit_atlas::Plane;
     use num_complex::Complex;
 

@@ -1,6 +1,6 @@
 //! The Hartmann–Tran profile as a method: input the eight parameters of a line, output the complex profile.
 
-use super::regions::log_uniform;
+use super::regions::region;
 use crate::audit::{
     Budget, Domain, Draw, Due, Input, Limit, Method, Output, Proof, ReferenceAnswer, Region,
     SolverAnswer,
@@ -54,8 +54,8 @@ pub fn physical(p: &[f64]) -> bool {
 }
 
 /// A line whose Lorentzian width is so many Doppler widths, `far` widths from its centre.
-fn drawn(d: &mut Draw, ratio: f64, far: f64) -> Vec<f64> {
-    let gd = log_uniform(d, 1e-3, 0.1);
+fn drawn(ratio: f64, far: f64, d: &mut Draw) -> Vec<f64> {
+    let gd = d.log_uniform(1e-3, 0.1);
     let g0 = gd * ratio;
     let delta = far * (gd + g0);
     vec![
@@ -76,12 +76,12 @@ fn drawn(d: &mut Draw, ratio: f64, far: f64) -> Vec<f64> {
 
 /// Any of them.
 pub fn any(d: &mut Draw) -> Vec<f64> {
-    let ratio = log_uniform(d, 1e-5, 1e3);
+    let ratio = d.log_uniform(1e-5, 1e3);
     let far = match d.chance(0.7) {
         true => d.uniform(0.0, 8.0),
-        false => log_uniform(d, 8.0, 1e4),
+        false => d.log_uniform(8.0, 1e4),
     };
-    drawn(d, ratio, far)
+    drawn(ratio, far, d)
 }
 
 /// One without shifts and correlation.
@@ -95,46 +95,30 @@ pub fn any_simple(d: &mut Draw) -> Vec<f64> {
 
 /// Where the profiles are surveyed.
 pub fn regions() -> Vec<Region> {
-    let region = |name, description, sample| Region {
-        name,
-        description,
-        sample,
-    };
     vec![
         region(
             "doppler",
             "Gamma_0 = 1e-5..0.1 Doppler widths, within 8 widths",
-            |d| {
-                let (ratio, far) = (log_uniform(d, 1e-5, 0.1), d.uniform(0.0, 8.0));
-                drawn(d, ratio, far)
-            },
+            |d| drawn(d.log_uniform(1e-5, 0.1), d.uniform(0.0, 8.0), d),
         ),
         region(
             "mixed",
             "Gamma_0 = 0.1..10 Doppler widths, within 8 widths",
-            |d| {
-                let (ratio, far) = (log_uniform(d, 0.1, 10.0), d.uniform(0.0, 8.0));
-                drawn(d, ratio, far)
-            },
+            |d| drawn(d.log_uniform(0.1, 10.0), d.uniform(0.0, 8.0), d),
         ),
         region(
             "collisions",
             "Gamma_0 = 10..1000 Doppler widths, within 8 widths",
-            |d| {
-                let (ratio, far) = (log_uniform(d, 10.0, 1e3), d.uniform(0.0, 8.0));
-                drawn(d, ratio, far)
-            },
+            |d| drawn(d.log_uniform(10.0, 1e3), d.uniform(0.0, 8.0), d),
         ),
         region("wings", "any ratio, 8..1e4 widths from the centre", |d| {
-            let (ratio, far) = (log_uniform(d, 1e-5, 1e3), log_uniform(d, 8.0, 1e4));
-            drawn(d, ratio, far)
+            drawn(d.log_uniform(1e-5, 1e3), d.log_uniform(8.0, 1e4), d)
         }),
         region(
             "no-quadratic",
             "Gamma_2 = Delta_2 = 0, any ratio, within 8 widths",
             |d| {
-                let (ratio, far) = (log_uniform(d, 1e-5, 1e3), d.uniform(0.0, 8.0));
-                let mut p = drawn(d, ratio, far);
+                let mut p = drawn(d.log_uniform(1e-5, 1e3), d.uniform(0.0, 8.0), d);
                 (p[2], p[4]) = (0.0, 0.0);
                 p
             },

@@ -1,11 +1,10 @@
 //! Errors beside the real axis: |Re z| against the logarithm of Im z.
 
-use super::WHOLE;
 use super::code::Code;
 use super::heights::errors;
-use crate::audit::{Limit, SolverAnswer, Variant};
+use super::measured;
+use crate::audit::SolverAnswer;
 use crate::methods::find;
-use mechaudit_atlas::Parts;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -54,10 +53,7 @@ pub fn map(code: &Code) -> Map {
         })
         .collect();
     let method = find("faddeeva").expect("a method of the registry");
-    let mut variant = Variant::new(&*method).limit(Limit::Relative(WHOLE));
-    if code.parts == Parts::Real {
-        variant = variant.outputs(&["Re W"]).expect("an output of W");
-    }
+    let variant = measured(&*method, Some(code));
     let answers: Vec<SolverAnswer> = code.answers(&points);
     let found: Vec<[f64; 2]> = points
         .par_iter()
@@ -80,6 +76,7 @@ pub fn map(code: &Code) -> Map {
 mod tests {
     use super::*;
     use crate::solvers::faddeeva::faddeeva;
+    use mechaudit_atlas::Parts;
     use mechaudit_atlas::Plane;
     use num_complex::Complex;
 

@@ -24,7 +24,6 @@ mod heights;
 mod lines;
 mod maps;
 mod mean;
-mod placed;
 mod regions;
 mod seams;
 mod speed;
@@ -50,13 +49,25 @@ pub use mechaudit_atlas::{
     Algorithm, NOT_AT_HAND, NotAtHand, PROFILES, Parts, Plane, Profile, all, find,
 };
 
-use crate::audit::{Case, Origin};
+use crate::audit::{Case, Format, Limit, Method, Origin, Variant};
 
 /// The relative limit that measured errors are judged by: an answer is off by exactly that much by no
 /// accident that happens, as zero for a value is by 1.
 const WHOLE: f64 = 3.0;
 
-/// A case of the method `faddeeva` at a point.
+/// The method with errors measured, as the code answers, or all of one kind whose first it is.
+fn measured<'a>(method: &'a dyn Method, code: Option<&Code>) -> Variant<'a> {
+    let mut variant = Variant::new(method).limit(Limit::Relative(WHOLE));
+    if code.is_some_and(|c| c.parts == Parts::Real) {
+        variant = variant.outputs(&["Re W"]).expect("an output of W");
+    }
+    if code.is_some_and(|c| c.single) {
+        variant = variant.format(Format::Single);
+    }
+    variant
+}
+
+/// A case of a method at a point.
 fn at(method: &'static str, input: &[f64]) -> Case {
     Case {
         method,

@@ -5,13 +5,8 @@
 use crate::audit::{Draw, Region};
 use std::f64::consts::PI;
 
-/// Log-uniform on `[lo, hi)`.
-pub fn log_uniform(d: &mut Draw, lo: f64, hi: f64) -> f64 {
-    libm::exp(d.uniform(libm::log(lo), libm::log(hi)))
-}
-
 /// With either sign of the real part.
-pub fn either_side(d: &mut Draw, x: f64, y: f64) -> Vec<f64> {
+pub fn either_side(x: f64, y: f64, d: &mut Draw) -> Vec<f64> {
     vec![d.signed(x), y]
 }
 
@@ -25,7 +20,8 @@ fn polar(r: f64, angle: f64) -> Vec<f64> {
     vec![r * cos, r * sin]
 }
 
-fn region(
+/// A region of that name.
+pub fn region(
     name: &'static str,
     description: &'static str,
     sample: fn(&mut Draw) -> Vec<f64>,
@@ -41,49 +37,37 @@ fn region(
 pub fn upper() -> Vec<Region> {
     vec![
         region("ordinary", "|Re z| < 8, Im z = 0.1..8", |d| {
-            let (x, y) = (d.uniform(0.0, 8.0), d.uniform(0.1, 8.0));
-            either_side(d, x, y)
+            either_side(d.uniform(0.0, 8.0), d.uniform(0.1, 8.0), d)
         }),
         region("beside-axis", "|Re z| < 8, Im z = 1e-8..0.1", |d| {
-            let (x, y) = (d.uniform(0.0, 8.0), log_uniform(d, 1e-8, 0.1));
-            either_side(d, x, y)
+            either_side(d.uniform(0.0, 8.0), d.log_uniform(1e-8, 0.1), d)
         }),
         region("at-axis", "|Re z| < 8, Im z = 1e-300..1e-8", |d| {
-            let (x, y) = (d.uniform(0.0, 8.0), log_uniform(d, 1e-300, 1e-8));
-            either_side(d, x, y)
+            either_side(d.uniform(0.0, 8.0), d.log_uniform(1e-300, 1e-8), d)
         }),
         region("on-axis", "|Re z| < 8, Im z = 0", |d| {
-            let x = d.uniform(0.0, 8.0);
-            either_side(d, x, 0.0)
+            either_side(d.uniform(0.0, 8.0), 0.0, d)
         }),
         region("grid", "|Re z| = 1/4, 1/2, .. 8, Im z = 1e-12..0.1", |d| {
             // Nodes of quadrature, points of tables, and what users ask for.
-            let (x, y) = (fourth(d, 32.0), log_uniform(d, 1e-12, 0.1));
-            either_side(d, x, y)
+            either_side(fourth(d, 32.0), d.log_uniform(1e-12, 0.1), d)
         }),
         region("wings", "|Re z| = 8..1e4, Im z = 1e-8..0.1", |d| {
-            let (x, y) = (log_uniform(d, 8.0, 1e4), log_uniform(d, 1e-8, 0.1));
-            either_side(d, x, y)
+            either_side(d.log_uniform(8.0, 1e4), d.log_uniform(1e-8, 0.1), d)
         }),
         region("far", "|z| = 8..1e8, every direction above the axis", |d| {
-            let r = log_uniform(d, 8.0, 1e8);
-            polar(r, d.uniform(0.0, PI))
+            polar(d.log_uniform(8.0, 1e8), d.uniform(0.0, PI))
         }),
         region("origin", "|z| = 1e-8..0.1, likewise", |d| {
-            let r = log_uniform(d, 1e-8, 0.1);
-            polar(r, d.uniform(0.0, PI))
+            polar(d.log_uniform(1e-8, 0.1), d.uniform(0.0, PI))
         }),
         region("imaginary-axis", "|Re z| = 1e-8..0.1, Im z = 0..30", |d| {
-            let (x, y) = (log_uniform(d, 1e-8, 0.1), d.uniform(0.0, 30.0));
-            either_side(d, x, y)
+            either_side(d.log_uniform(1e-8, 0.1), d.uniform(0.0, 30.0), d)
         }),
         region(
             "huge",
             "|z| = 1e8..1e300, every direction above the axis",
-            |d| {
-                let r = log_uniform(d, 1e8, 1e300);
-                polar(r, d.uniform(0.0, PI))
-            },
+            |d| polar(d.log_uniform(1e8, 1e300), d.uniform(0.0, PI)),
         ),
     ]
 }
@@ -91,8 +75,7 @@ pub fn upper() -> Vec<Region> {
 /// Below the axis, for algorithms of the whole plane.
 pub fn lower() -> Vec<Region> {
     vec![region("lower", "|Re z| < 8, -6 <= Im z < 0", |d| {
-        let (x, y) = (d.uniform(0.0, 8.0), -d.uniform(0.0, 6.0));
-        either_side(d, x, y)
+        either_side(d.uniform(0.0, 8.0), -d.uniform(0.0, 6.0), d)
     })]
 }
 

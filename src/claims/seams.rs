@@ -4,7 +4,7 @@
 //! A segment whose ends have different formulas is halved until its ends are neighbours among the floats; w
 //! itself changes there by a few ulps at most.
 
-use super::{regions, rounded};
+use super::rounded;
 use crate::audit::Draw;
 use mechaudit_atlas::{Algorithm, Parts};
 use num_complex::{Complex, Complex64};
@@ -16,7 +16,7 @@ const SEGMENTS: u64 = 3000;
 pub const LEAST: f64 = 1e-14;
 
 /// The largest jump between two formulas that was found.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Jump {
     /// The numbers of the formulas; nothing where they are not known and the jump was searched for.
     pub between: Option<[u8; 2]>,
@@ -53,10 +53,9 @@ pub fn jumps(a: &Algorithm, seed: u64) -> Vec<Jump> {
             Parts::Real => re,
         };
         // From the inner to the outer point.
-        let (inner, outer) = if p.re.abs() < q.re.abs() {
-            (w, v)
-        } else {
-            (v, w)
+        let (inner, outer) = match p.re.abs() < q.re.abs() {
+            true => (w, v),
+            false => (v, w),
         };
         let rises = level && rises(inner.re, outer.re, inner.re.abs());
         let (f, g) = (formula(p), formula(q));
@@ -67,9 +66,7 @@ pub fn jumps(a: &Algorithm, seed: u64) -> Vec<Jump> {
                 between,
                 norm: Some(0.0),
                 re: -1.0,
-                at: [0.0; 2],
-                crossings: 0,
-                rising: 0,
+                ..Jump::default()
             });
             found.len() - 1
         });
@@ -78,8 +75,7 @@ pub fn jumps(a: &Algorithm, seed: u64) -> Vec<Jump> {
         jump.rising += u64::from(rises);
         jump.norm = jump.norm.map(|n| n.max(norm));
         if re > jump.re {
-            jump.re = re;
-            jump.at = [p.re, p.im];
+            (jump.re, jump.at) = (re, [p.re, p.im]);
         }
     }
     found.sort_by_key(|j| j.between);
@@ -98,8 +94,8 @@ pub(super) fn rises(inner: f64, outer: f64, size: f64) -> bool {
 /// A segment of the right upper quadrant, level or upright.
 fn segment(d: &mut Draw, level: bool) -> (Complex64, Complex64) {
     let mut side = |small: bool| match small {
-        true => regions::log_uniform(d, 1e-12, 1.0),
-        false => regions::log_uniform(d, 0.1, 300.0),
+        true => d.log_uniform(1e-12, 1.0),
+        false => d.log_uniform(0.1, 300.0),
     };
     let (a, b) = (side(false), side(false));
     let other = side(a > b);

@@ -5,12 +5,11 @@ use super::code::Code;
 use super::effort::Effort;
 use super::heights::{Height, heights};
 use super::lines::{self, HartmannTran};
-use super::placed::Placed;
 use super::seams::{Jump, jumps};
-use super::{WHOLE, regions, rounded};
+use super::{WHOLE, measured, regions, rounded};
 use crate::audit::{
-    Case, Cases, Format, Limit, Method, MethodReport, RegionReport, Settings, SolverAnswer, Tally,
-    Variant, judge_together,
+    Case, Cases, Method, MethodReport, Region, RegionReport, Settings, SolverAnswer, Tally,
+    judge_together,
 };
 use crate::methods::find;
 use mechaudit_atlas::{Parts, Plane};
@@ -84,6 +83,23 @@ pub struct Row {
 }
 
 impl Row {
+    /// Of a code, with nothing but what was found in regions.
+    fn new(code: &Code, parts: Vec<Part>) -> Row {
+        Row {
+            name: code.name.clone(),
+            title: code.title.clone(),
+            source: code.source.clone(),
+            whole_plane: code.plane == Plane::Whole,
+            real_part_only: code.parts == Parts::Real,
+            single: code.single,
+            parts,
+            derivative: None,
+            heights: Vec::new(),
+            jumps: Vec::new(),
+            nanoseconds: code.nanoseconds,
+        }
+    }
+
     /// What was found in a region.
     pub fn part(&self, region: &str) -> Option<&Part> {
         self.parts.iter().find(|p| p.region == region)
@@ -92,11 +108,7 @@ impl Row {
 
 /// Surveys them. `step` is called when something is done, with a word for it.
 pub fn survey(codes: &[Code], effort: &Effort, step: &dyn Fn(&str)) -> Vec<Row> {
-    let settings = Settings {
-        seed: effort.seed,
-        cases_per_region: effort.cases,
-        ..Settings::default()
-    };
+    let settings = effort.settings(1);
     let mut rows: Vec<Option<Row>> = codes.iter().map(|_| None).collect();
     for (parts, single) in [
         (Parts::Both, false),
@@ -131,8 +143,6 @@ pub fn survey(codes: &[Code], effort: &Effort, step: &dyn Fn(&str)) -> Vec<Row> 
         let all = own.iter().zip(group).zip(judged).zip(slopes).zip(heights);
         for ((((&k, code), (report, negative)), slope), heights) in all {
             let unit = if single { U_SINGLE } else { U };
-            let parts = figures(&report, &negative, unit);
-            let slope = slope.and_then(|r| norm(&r.total, unit));
             let known = code.algorithm.filter(|a| a.formula.is_some());
             let jumps = match known {
                 _ if single => Vec::new(),
@@ -140,17 +150,10 @@ pub fn survey(codes: &[Code], effort: &Effort, step: &dyn Fn(&str)) -> Vec<Row> 
                 None => breaks(code, effort.seed),
             };
             rows[k] = Some(Row {
-                name: code.name.clone(),
-                title: code.title.clone(),
-                source: code.source.clone(),
-                whole_plane: code.plane == Plane::Whole,
-                real_part_only: code.parts == Parts::Real,
-                single,
-                parts,
-                derivative: slope,
+                derivative: slope.and_then(|r| norm(&r.total, unit)),
                 heights,
                 jumps,
-                nanoseconds: code.nanoseconds,
+                ..Row::new(code, figures(&report, &negative, unit))
             });
         }
         step("seams");
@@ -165,11 +168,7 @@ fn above(code: &Code, z: &[f64]) -> bool {
 
 /// The same of profiles, over lines.
 pub fn survey_lines(codes: &[Code], effort: &Effort) -> Vec<Row> {
-    let settings = Settings {
-        seed: effort.seed,
-        cases_per_region: effort.cases,
-        ..Settings::default()
-    };
+    let settings = effort.settings(1);
     let group: Vec<&Code> = codes.iter().collect();
     let own = |code: &Code, p: &[f64]| code.plane == Plane::Whole || lines::simple(p);
     let judged = judged(
@@ -181,20 +180,8 @@ pub fn survey_lines(codes: &[Code], effort: &Effort) -> Vec<Row> {
         &|_, w| w,
     );
     let rows = codes.iter().zip(judged);
-    rows.map(|(code, (report, negative))| Row {
-        name: code.name.clone(),
-        title: code.title.clone(),
-        source: code.source.clone(),
-        whole_plane: code.plane == Plane::Whole,
-        real_part_only: false,
-        single: false,
-        parts: figures(&report, &negative, U),
-        derivative: None,
-        heights: Vec::new(),
-        jumps: Vec::new(),
-        nanoseconds: None,
-    })
-    .collect()
+    rows.map(|(code, (report, negative))| Row::new(code, figures(&report, &negative, U)))
+        .collect()
 }
 
 /// What a point and the code's w make its answer.
@@ -204,21 +191,13 @@ type Turned<'a> = dyn Fn(&[f64], SolverAnswer) -> SolverAnswer + 'a;
 fn judged(
     method: &dyn Method,
     codes: &[&Code],
-    regions: &[crate::audit::Region],
+    regions: &[Region],
     settings: &Settings,
     own: &dyn Fn(&Code, &[f64]) -> bool,
     turned: &Turned,
 ) -> Vec<(MethodReport, Vec<(&'static str, u64)>)> {
     const CHUNK: usize = 4096;
-    let placed = Placed::new(method, regions.to_vec(), |_| true);
-    let mut variant = Variant::new(&placed).limit(Limit::Relative(WHOLE));
-    // All of them are of one kind.
-    if codes.iter().any(|c| matches!(c.parts, Parts::Real)) {
-        variant = variant.outputs(&["Re W"]).expect("an output of W");
-    }
-    if codes.iter().any(|c| c.single) {
-        variant = variant.format(Format::Single);
-    }
+    let variant = measured(method, codes.first().copied()).placed(regions.to_vec(), |_| true);
     let cases = Cases::new(&variant, settings);
     let mut tallies = vec![Tally::new(&variant, settings); codes.len()];
     let mut negative: Vec<Vec<(&'static str, u64)>> = vec![Vec::new(); codes.len()];
@@ -235,13 +214,8 @@ fn judged(
                 .collect();
             let mut answers = code.answers(&inputs).into_iter();
             for (case, all) in &mut batch {
-                let answer =
-                    match own(&case.input) {
-                        true => Some(answers.next().unwrap_or(SolverAnswer::Unanswered(
-                            "the program ended before".into(),
-                        ))),
-                        false => None,
-                    };
+                let missing = || SolverAnswer::Unanswered("the program ended before".into());
+                let answer = own(&case.input).then(|| answers.next().unwrap_or_else(missing));
                 if let Some(SolverAnswer::Values(w)) = &answer
                     && case.input[1] >= 0.0
                     && w.first().is_some_and(|re| *re < 0.0)
@@ -261,11 +235,7 @@ fn judged(
 }
 
 /// Of the derivative by the identity.
-fn judged_slopes(
-    codes: &[&Code],
-    regions: Vec<crate::audit::Region>,
-    settings: &Settings,
-) -> Vec<MethodReport> {
+fn judged_slopes(codes: &[&Code], regions: Vec<Region>, settings: &Settings) -> Vec<MethodReport> {
     let single = codes.first().is_some_and(|c| c.single);
     let slope = move |z: &[f64], answer: SolverAnswer| match answer {
         SolverAnswer::Values(w) if w.len() == 2 => SolverAnswer::Values(if single {
@@ -302,10 +272,8 @@ fn figures(report: &MethodReport, negative: &[(&'static str, u64)], unit: f64) -
             Some(rounded(o.max_of_budget * WHOLE))
         };
         let counted = negative.iter().filter(|n| name == "all" || n.0 == name);
-        let largest = region
-            .outputs
-            .iter()
-            .max_by(|a, b| a.max_of_budget.total_cmp(&b.max_of_budget));
+        let outputs = region.outputs.iter();
+        let largest = outputs.max_by(|a, b| a.max_of_budget.total_cmp(&b.max_of_budget));
         let at = largest.and_then(|o| o.worst.as_ref());
         Part {
             region: name,

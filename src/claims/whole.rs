@@ -54,20 +54,12 @@ pub fn atlas(
     let chosen =
         |name: &str| codes.iter().any(|c| c.name == name) || lines.iter().any(|p| p.name == name);
     if timed {
-        let own: Vec<(usize, Algorithm)> = rows
-            .iter()
-            .enumerate()
-            .filter(|(_, r)| !r.single)
-            .filter_map(|(k, r)| {
-                let code = codes.iter().find(|c| c.name == r.name)?;
-                Some((k, code.algorithm?))
-            })
-            .collect();
-        let algorithms: Vec<Algorithm> = own.iter().map(|o| o.1).collect();
-        for ((k, _), ns) in own.iter().zip(nanoseconds(&algorithms)) {
-            rows[*k].nanoseconds = Some(ns);
-        }
-        for (row, ns) in profiles.iter_mut().zip(nanoseconds_of_lines(lines)) {
+        let algorithm = |row: &Row| codes.iter().find(|c| c.name == row.name)?.algorithm;
+        let double = rows.iter_mut().filter(|r| !r.single);
+        let (own, algorithms): (Vec<&mut Row>, Vec<Algorithm>) =
+            double.filter_map(|r| algorithm(r).map(|a| (r, a))).unzip();
+        let of_w = own.into_iter().zip(nanoseconds(&algorithms));
+        for (row, ns) in of_w.chain(profiles.iter_mut().zip(nanoseconds_of_lines(lines))) {
             row.nanoseconds = Some(ns);
         }
         step("speed");

@@ -72,19 +72,16 @@ pub struct Answers {
     header: Arc<Mutex<Header>>,
 }
 
-/// What came of waiting for one.
-pub enum Next {
-    Answer(SolverAnswer),
-    End(Silence),
-}
-
-/// Why there is no answer.
-pub enum Silence {
+/// Why there are no more answers to judge.
+pub enum End {
     /// There are no more.
     Closed,
-    Unreadable(std::io::Error),
+    /// One more than there are inputs; whoever knows how many inputs there are says so.
+    TooMany,
     /// Nothing came in time.
     Silent,
+    /// They cannot be read.
+    Unreadable(std::io::Error),
     /// The user has asked to stop.
     Interrupted,
 }
@@ -114,26 +111,20 @@ impl Answers {
     }
 
     /// The next one, waited for as long as that, or for ever.
-    pub fn next(&mut self, patience: Option<Duration>) -> Next {
-        match self.wait(patience) {
-            Ok(_) => {
-                self.taken += 1;
-                Next::Answer(self.here.0.get(self.taken - 1))
-            }
-            Err(end) => Next::End(end),
-        }
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn next(&mut self, patience: Option<Duration>) -> Result<SolverAnswer, End> {
+        self.wait(patience)?;
+        self.taken += 1;
+        Ok(self.here.0.get(self.taken - 1))
     }
 
     /// Takes the next one, waited for likewise, and what is here of those after it, so many at most.
     ///
     /// # Errors
     /// Why there is none.
-    pub fn take(
-        &mut self,
-        most: usize,
-        patience: Duration,
-        into: &mut Batch,
-    ) -> Result<(), Silence> {
+    pub fn take(&mut self, most: usize, patience: Duration, into: &mut Batch) -> Result<(), End> {
         let some = self.wait(Some(patience))?.min(most);
         into.extend(&self.here.0, self.taken..self.taken + some);
         self.taken += some;
@@ -141,28 +132,28 @@ impl Answers {
     }
 
     /// Waits until there are answers here; how many.
-    fn wait(&mut self, patience: Option<Duration>) -> Result<usize, Silence> {
+    fn wait(&mut self, patience: Option<Duration>) -> Result<usize, End> {
         interrupt::flag();
         let start = Instant::now();
         loop {
             if interrupt::asked() {
-                return Err(Silence::Interrupted);
+                return Err(End::Interrupted);
             }
             let here = self.here.0.len() - self.taken;
             if here > 0 {
                 return Ok(here);
             }
             if let Some(why) = self.here.1.take() {
-                return Err(Silence::Unreadable(why));
+                return Err(End::Unreadable(why));
             }
             let left = patience.map(|p| p.saturating_sub(start.elapsed()));
             let wait = left.map_or(interrupt::POLL, |l| l.min(interrupt::POLL));
             match self.from.recv_timeout(wait) {
                 Ok(heard) => (self.here, self.taken) = (heard, 0),
-                Err(RecvTimeoutError::Disconnected) => return Err(Silence::Closed),
+                Err(RecvTimeoutError::Disconnected) => return Err(End::Closed),
                 Err(RecvTimeoutError::Timeout) => {
                     if left.is_some_and(|l| l <= wait) {
-                        return Err(Silence::Silent);
+                        return Err(End::Silent);
                     }
                 }
             }
@@ -254,7 +245,7 @@ mod tests {
     fn header(bytes: &'static [u8], form: Form) -> (Header, usize) {
         let mut answers = Answers::of(bytes, form);
         let mut count = 0;
-        while let Next::Answer(_) = answers.next(None) {
+        while answers.next(None).is_ok() {
             count += 1;
         }
         (answers.header(), count)
@@ -327,7 +318,7 @@ mod tests {
         }
         for due in [4.0, 5.0] {
             match answers.next(Some(patience)) {
-                Next::Answer(SolverAnswer::Values(v)) => assert_eq!(v, [due]),
+                Ok(SolverAnswer::Values(v)) => assert_eq!(v, [due]),
                 _ => panic!("{due}"),
             }
         }
@@ -336,10 +327,10 @@ mod tests {
         for _ in 0..2 {
             assert!(matches!(
                 answers.take(9, patience, &mut all),
-                Err(Silence::Closed)
+                Err(End::Closed)
             ));
         }
-        assert!(matches!(answers.next(None), Next::End(Silence::Closed)));
+        assert!(matches!(answers.next(None), Err(End::Closed)));
     }
 
     /// What comes before it is handed over.
@@ -351,12 +342,12 @@ mod tests {
         bytes.truncate(bytes.len() - 1);
         let mut answers = Answers::of(std::io::Cursor::new(bytes), Form::Frames);
         match answers.next(None) {
-            Next::Answer(SolverAnswer::Values(v)) => assert_eq!(v, [7.0]),
+            Ok(SolverAnswer::Values(v)) => assert_eq!(v, [7.0]),
             _ => panic!("an answer"),
         }
         // The last one is cut off, which is an answer of its own or none at all.
         let ends: Vec<bool> = (0..3)
-            .map(|_| matches!(answers.next(None), Next::End(Silence::Closed)))
+            .map(|_| matches!(answers.next(None), Err(End::Closed)))
             .collect();
         assert!(ends[2], "{ends:?}");
         // Nothing but what cannot be read.
@@ -368,10 +359,10 @@ mod tests {
         }
         let mut answers = Answers::of(Broken, Form::Lines);
         match answers.next(None) {
-            Next::End(Silence::Unreadable(why)) => assert_eq!(why.to_string(), "broken"),
+            Err(End::Unreadable(why)) => assert_eq!(why.to_string(), "broken"),
             _ => panic!("an error"),
         }
-        assert!(matches!(answers.next(None), Next::End(Silence::Closed)));
+        assert!(matches!(answers.next(None), Err(End::Closed)));
     }
 
     /// As long as asked for, be it shorter or longer than the time between two looks for Ctrl-C.
@@ -390,13 +381,13 @@ mod tests {
         for patience in [Duration::ZERO, interrupt::POLL / 4, interrupt::POLL * 5 / 2] {
             let start = Instant::now();
             let end = answers.next(Some(patience));
-            assert!(matches!(end, Next::End(Silence::Silent)), "{patience:?}");
+            assert!(matches!(end, Err(End::Silent)), "{patience:?}");
             assert!(start.elapsed() >= patience);
         }
         sender.send(b"4\n".to_vec()).unwrap();
-        assert!(matches!(answers.next(None), Next::Answer(_)));
+        assert!(answers.next(None).is_ok());
         drop(sender);
-        assert!(matches!(answers.next(None), Next::End(Silence::Closed)));
+        assert!(matches!(answers.next(None), Err(End::Closed)));
     }
 
     /// Names and versions are short, and those in frames count as well.

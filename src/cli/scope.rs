@@ -1,10 +1,10 @@
 //! What is judged, where and how strictly, as the arguments ask for it.
 
-use crate::cli::args::{ScopeArgs, WhereArgs};
+use crate::cli::args::{ProgramArgs, ScopeArgs, WhereArgs};
 use crate::cli::commands::hunt::hard_folder;
 use crate::cli::failure::Failure;
 use mechaudit::audit::{
-    Case, Cases, Format, Limit, Method, Near, SampleBox, Sampling, Settings, Variant,
+    Case, Cases, Format, Limit, Method, Near, Origin, SampleBox, Sampling, Settings, Variant,
 };
 
 /// The limit for each output that is asked for, if one is.
@@ -39,12 +39,11 @@ pub fn judged<'a>(method: &'a dyn Method, scope: &ScopeArgs) -> Result<Variant<'
 /// The method over the part of its domain asked for, but for regions: [`regions`] comes after a case of
 /// one was looked for.
 pub fn placed<'a>(
-    variant: Variant<'a>,
+    mut variant: Variant<'a>,
     place: &WhereArgs,
     settings: &Settings,
     alone: bool,
 ) -> Result<Variant<'a>, Failure> {
-    let mut variant = variant;
     if let Some(folder) = &place.hard {
         let cases = match alone {
             true => hard_folder::of_method(folder, &variant)?,
@@ -57,10 +56,7 @@ pub fn placed<'a>(
     }
     if let Some(text) = &place.sides {
         // Other inputs come from the regions asked for.
-        let named = place.regions.iter();
-        variant = named
-            .into_iter()
-            .try_fold(variant, |v, name| v.region(name))?;
+        variant = named(variant, place)?;
         let sides = SampleBox::read(&variant, text).map_err(Failure::caused)?;
         variant = variant.sampling(Sampling::Box(sides));
     }
@@ -73,9 +69,13 @@ pub fn placed<'a>(
 
 /// Only the regions asked for.
 pub fn regions<'a>(variant: Variant<'a>, place: &WhereArgs) -> Result<Variant<'a>, Failure> {
-    if place.sides.is_some() {
-        return Ok(variant);
+    match place.sides {
+        Some(_) => Ok(variant),
+        None => named(variant, place),
     }
+}
+
+fn named<'a>(variant: Variant<'a>, place: &WhereArgs) -> Result<Variant<'a>, Failure> {
     let mut named = place.regions.iter();
     Ok(named.try_fold(variant, |v, name| v.region(name))?)
 }
@@ -108,14 +108,31 @@ pub fn one_case(
     }
 }
 
-/// The options that a command needs besides the place of a case to judge it again.
-pub fn words(scope: &ScopeArgs, place: &WhereArgs) -> Vec<String> {
+/// A case of an input that is given by itself.
+pub fn given(method: &'static str, input: Vec<f64>) -> Case {
+    Case {
+        method,
+        region: "given",
+        input,
+        origin: Origin::Given,
+    }
+}
+
+/// The options that a command needs besides the place of a case to judge it again, with the program that answered.
+pub fn again(
+    program: Option<(&str, &ProgramArgs)>,
+    scope: &ScopeArgs,
+    place: &WhereArgs,
+) -> String {
     let mut words: Vec<String> = Vec::new();
-    let mut pair = |name: &str, value: String| {
-        words.extend([name.to_string(), shell_words::quote(&value).into_owned()]);
-    };
+    let pair = |name: &str, value: &str| format!("{name} {}", shell_words::quote(value));
+    if let Some((command, spoken)) = program {
+        words.push(pair("--exec", command));
+        words.extend(spoken.decimal.then(|| "--decimal".into()));
+        words.extend(spoken.binary.then(|| "--binary".into()));
+    }
     if let Some(names) = &scope.outputs {
-        pair("--outputs", names.join(","));
+        words.push(pair("--outputs", &names.join(",")));
     }
     let numbers = [
         ("--ulps", scope.ulps),
@@ -123,25 +140,18 @@ pub fn words(scope: &ScopeArgs, place: &WhereArgs) -> Vec<String> {
         ("--absolute", scope.absolute),
         ("--normwise", scope.normwise),
     ];
-    for (name, value) in numbers {
-        if let Some(x) = value {
-            pair(name, format!("{x:?}"));
-        }
-    }
+    words.extend(
+        numbers
+            .iter()
+            .filter_map(|(name, x)| Some(format!("{name} {:?}", (*x)?))),
+    );
     // A box draws what it does not name from them, one after the other.
     if place.sides.is_some() {
-        place
-            .regions
-            .iter()
-            .for_each(|r| pair("--region", r.clone()));
-        if place.ordinary {
-            words.push("--ordinary".into());
-        }
+        words.extend(place.regions.iter().map(|r| pair("--region", r)));
+        words.extend(place.ordinary.then(|| "--ordinary".into()));
     }
-    if scope.single {
-        words.push("--single".into());
-    }
-    words
+    words.extend(scope.single.then(|| "--single".into()));
+    words.iter().map(|w| format!(" {w}")).collect()
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Several programs at the same cases, side by side.
 
-use crate::cli::answers::Batch;
+use crate::cli::answers::{Batch, End};
 use crate::cli::args::{CompareArgs, CompareFormat, ProgramArgs};
 use crate::cli::asked::{find, settings};
 use crate::cli::commands::audit::written::{self, POINTS};
@@ -9,7 +9,6 @@ use crate::cli::files::output::{Output, write_json};
 use crate::cli::process::exec::{Fed, unanswered};
 use crate::cli::process::inputs::Inputs;
 use crate::cli::process::interrupt;
-use crate::cli::process::program::End;
 use crate::cli::progress::Progress;
 use crate::cli::scope;
 use crate::cli::terminal::width;
@@ -48,28 +47,17 @@ pub fn compare(args: &CompareArgs) -> Result<Outcome, Failure> {
         None => scope::regions(variant, &args.place)?,
     };
     let inputs = Inputs::of(&variant, one, &settings)?;
-    let mut reports = judged(&variant, args, &inputs, &settings)?;
+    let reports = judged(&variant, args, &inputs, &settings)?;
     let stopped = reports.iter().any(|r| r.interrupted);
-    let words = scope::words(&args.scope, &args.place);
-    let tail: String = words.iter().map(|w| format!(" {w}")).collect();
-    for report in &mut reports {
-        let command = report.candidate.as_ref().and_then(|c| c.command.clone());
-        report.reproduce.tail = match command {
-            Some(command) => format!(
-                " --exec {}{}{tail}",
-                shell_words::quote(&command),
-                form(&args.program)
-            ),
-            None => tail.clone(),
-        };
-    }
     let timed: Vec<(MethodReport, Option<Speed>)> = reports
         .into_iter()
-        .map(|report| {
-            let command = report.candidate.as_ref().and_then(|c| c.command.clone());
+        .map(|mut report| {
+            let command = report.candidate.as_ref().and_then(|c| c.command.as_deref());
+            let program = command.map(|c| (c, &args.program));
+            report.reproduce.tail = scope::again(program, &args.scope, &args.place);
             let speed = match command {
                 _ if args.no_speed || stopped => None,
-                Some(command) => speed(|n| timed(&command, &args.program, &inputs, n)),
+                Some(command) => speed(|n| timed(command, &args.program, &inputs, n)),
                 None => Some(called(&variant, &inputs)),
             };
             (report, speed)
@@ -86,19 +74,13 @@ pub fn compare(args: &CompareArgs) -> Result<Outcome, Failure> {
             Ok(())
         })?,
         CompareFormat::Json => write_json(output, &json::comparison(&found, changes.as_ref()))?,
-        CompareFormat::Html => output.text(&html::audit::comparison(&found, changes.as_ref()))?,
+        CompareFormat::Html => output.text(html::audit::comparison(&found, changes.as_ref()))?,
         CompareFormat::Csv => output.write(|out| Ok(csv::comparison(&found, out)?))?,
     }
-    let outcome = Outcome::unless_interrupted(found.interrupted(), found.passed());
-    Ok(outcome)
-}
-
-fn form(program: &ProgramArgs) -> &'static str {
-    match (program.decimal, program.binary) {
-        (true, _) => " --decimal",
-        (_, true) => " --binary",
-        _ => "",
-    }
+    Ok(Outcome::unless_interrupted(
+        found.interrupted(),
+        found.passed(),
+    ))
 }
 
 /// Runs all programs over all cases, one batch of cases after the other.
@@ -366,10 +348,9 @@ mod tests {
             ("--decimal", " --decimal"),
             ("--binary", " --binary"),
         ] {
-            assert_eq!(
-                form(&compared(&format!("erf --exec cat {more}")).program),
-                due
-            );
+            let args = compared(&format!("erf --exec cat {more}"));
+            let again = scope::again(Some(("cat", &args.program)), &args.scope, &args.place);
+            assert_eq!(again, format!(" --exec cat{due}"));
         }
     }
 

@@ -36,7 +36,7 @@ pub fn converge(args: &ConvergeArgs) -> Result<Outcome, Failure> {
         done += 1;
         progress.clear();
         match args.format {
-            TextOrJson::Text => write_to(None, |out| Ok(writeln!(out, "{}", text(&report))?))?,
+            TextOrJson::Text => write_to(|out| Ok(writeln!(out, "{}", text(&report))?))?,
             TextOrJson::Json => reports.push(report),
         }
     }
@@ -51,7 +51,7 @@ pub fn converge(args: &ConvergeArgs) -> Result<Outcome, Failure> {
     }
     if interrupted && args.format == TextOrJson::Text {
         let text = format!("Interrupted: {done} of {total} approximations.");
-        write_to(None, |out| Ok(writeln!(out, "{}", paint(BAD, &text))?))?;
+        write_to(|out| Ok(writeln!(out, "{}", paint(BAD, &text))?))?;
     }
     Ok(Outcome::unless_interrupted(interrupted, true))
 }
@@ -59,21 +59,14 @@ pub fn converge(args: &ConvergeArgs) -> Result<Outcome, Failure> {
 fn text(report: &ConvergenceReport) -> String {
     let mut out = format!("{}\n", paint(BOLD, report.name));
     out.push_str(&paragraph(report.summary, 2, width()));
-    let twin = report
-        .levels
-        .iter()
-        .flat_map(|l| &l.errors)
-        .any(|e| e.method.is_some());
+    let errors = || report.levels.iter().flat_map(|l| &l.errors);
+    let twin = errors().any(|e| e.method.is_some());
+    let regular = errors().any(|e| e.order.is_some());
     for (o, name) in report.outputs.iter().enumerate() {
         let mut header = vec![*name, report.work_unit, "total"];
         if twin {
             header.extend(["method", "rounding"]);
         }
-        let regular = report
-            .levels
-            .iter()
-            .flat_map(|l| &l.errors)
-            .any(|e| e.order.is_some());
         if regular {
             header.extend(["order", "Richardson"]);
         }

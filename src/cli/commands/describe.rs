@@ -1,9 +1,9 @@
 //! A method described to whoever writes a candidate, from the layout that the judge reads answers by.
 
-use crate::cli::args::{DescribeArgs, TextOrJson};
+use crate::cli::args::DescribeArgs;
 use crate::cli::asked::find;
 use crate::cli::failure::{Failure, Outcome};
-use crate::cli::files::output::{print_json, write_to};
+use crate::cli::files::output::print_as;
 use crate::cli::process::wire;
 use crate::cli::terminal::width;
 use mechaudit::audit::{Case, Cases, Layout, Method, Settings, SolverAnswer, answer_of, hex_float};
@@ -16,13 +16,7 @@ use serde_json::{Value, json};
 /// Describes it.
 pub fn describe(args: &DescribeArgs) -> Result<Outcome, Failure> {
     let method = find(&args.method)?;
-    match args.format {
-        TextOrJson::Text => {
-            let text = text(&*method, width());
-            write_to(None, |out| Ok(write!(out, "{text}")?))?;
-        }
-        TextOrJson::Json => print_json(&json(&*method))?,
-    }
+    print_as(args.format, || text(&*method, width()), || json(&*method))?;
     Ok(Outcome::AsExpected)
 }
 

@@ -3,7 +3,7 @@
 use crate::cli::args::{ListArgs, TextOrJson};
 use crate::cli::asked::find;
 use crate::cli::failure::{Failure, Outcome};
-use crate::cli::files::output::{print_json, write_to};
+use crate::cli::files::output::{print_as, print_json, write_to};
 use crate::cli::terminal::width;
 use mechaudit::audit::{Budget, Layout, Method};
 use mechaudit::report::text::style::{BOLD, paint, paragraph, wrap};
@@ -16,17 +16,11 @@ use serde_json::{Value, json};
 pub fn list(args: &ListArgs) -> Result<Outcome, Failure> {
     if let Some(name) = &args.method {
         let method = find(name)?;
-        match args.format {
-            TextOrJson::Text => {
-                let text = text(&*method, width());
-                write_to(None, |out| Ok(write!(out, "{text}")?))?;
-            }
-            TextOrJson::Json => print_json(&json(&*method))?,
-        }
+        print_as(args.format, || text(&*method, width()), || json(&*method))?;
         return Ok(Outcome::AsExpected);
     }
     match args.format {
-        TextOrJson::Text => write_to(None, |out| {
+        TextOrJson::Text => write_to(|out| {
             for method in methods::registry() {
                 writeln!(out, "{}", text(method.as_ref(), width()))?;
             }

@@ -5,9 +5,9 @@ mod real;
 #[cfg(test)]
 mod tests;
 
-use crate::cli::args::{Part, ProveArgs, TextOrJson};
+use crate::cli::args::{Part, ProveArgs};
 use crate::cli::failure::{Failure, Outcome};
-use crate::cli::files::output::{Output, print_json, write_to};
+use crate::cli::files::output::{Output, print_as};
 use crate::cli::process::interrupt;
 use crate::cli::progress::Progress;
 use mechaudit::audit::hex_float;
@@ -38,11 +38,7 @@ pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
         Some(Part::Real) => return real::prove(&Function::ALL, args),
         Some(Part::Upper) | None => {}
     }
-    let boxes = args
-        .boxes
-        .as_deref()
-        .map(|p| Output::open(Some(p)))
-        .transpose()?;
+    let boxes = boxes(args)?;
     let begin = Instant::now();
     let target = Target {
         norm: args.norm.unwrap_or(UPPER_HALF_PLANE.norm),
@@ -59,17 +55,18 @@ pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
         .summary()
         .ok_or_else(|| Failure::new("nothing was proved"))?;
     let seconds = begin.elapsed().as_secs_f64();
-    match args.format {
-        TextOrJson::Text => write_to(None, |out| {
-            Ok(write!(
-                out,
-                "{}",
-                text(&found, &summary, args.within, seconds)
-            )?)
-        })?,
-        TextOrJson::Json => print_json(&document(&found, &summary, args.within, seconds))?,
-    }
+    print_as(
+        args.format,
+        || text(&found, &summary, args.within, seconds),
+        || document(&found, &summary, args.within, seconds),
+    )?;
     Ok(Outcome::of(found.open.is_empty()))
+}
+
+/// The file of boxes, if one is asked for.
+fn boxes(args: &ProveArgs) -> Result<Option<Output>, Failure> {
+    let path = args.boxes.as_deref();
+    path.map(|p| Output::open(Some(p))).transpose()
 }
 
 /// The closed upper half-plane; nothing if the user ends it.

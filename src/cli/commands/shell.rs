@@ -2,7 +2,7 @@
 
 use crate::cli::args::{Args, CompletionsArgs, ManArgs};
 use crate::cli::failure::{Failure, Outcome};
-use crate::cli::files::output::write_to;
+use crate::cli::files::output::Output;
 use clap::CommandFactory;
 
 const NAME: &str = "mechaudit";
@@ -11,7 +11,7 @@ const NAME: &str = "mechaudit";
 pub fn completions(args: &CompletionsArgs) -> Result<Outcome, Failure> {
     let mut text = Vec::new();
     clap_complete::generate(args.shell, &mut Args::command(), NAME, &mut text);
-    write_to(None, |out| Ok(out.write_all(&text)?))?;
+    Output::open(None)?.text(text)?;
     Ok(Outcome::AsExpected)
 }
 
@@ -20,8 +20,7 @@ pub fn man(args: &ManArgs) -> Result<Outcome, Failure> {
     let mut command = Args::command();
     command.build();
     let Some(folder) = &args.output else {
-        let page = render(command)?;
-        write_to(None, |out| Ok(out.write_all(&page)?))?;
+        Output::open(None)?.text(render(command)?)?;
         return Ok(Outcome::AsExpected);
     };
     std::fs::create_dir_all(folder).map_err(|e| Failure::cannot("make", folder, e))?;
@@ -30,13 +29,9 @@ pub fn man(args: &ManArgs) -> Result<Outcome, Failure> {
         let name = format!("{NAME}-{}", part.get_name());
         // clap keeps names for the lifetime of the program.
         let page = render(part.name(name.clone().leak() as &'static str))?;
-        let path = folder.join(format!("{name}.1"));
-        write_to(Some(&path), |out| Ok(out.write_all(&page)?))?;
+        Output::within(folder, &format!("{name}.1"))?.text(page)?;
     }
-    let page = render(command)?;
-    write_to(Some(&folder.join(format!("{NAME}.1"))), |out| {
-        Ok(out.write_all(&page)?)
-    })?;
+    Output::within(folder, &format!("{NAME}.1"))?.text(render(command)?)?;
     Ok(Outcome::AsExpected)
 }
 

@@ -1,9 +1,11 @@
 //! Where reports go: standard output, a plain file that appears whole or not at all, or anything else
 //! that can be written to.
 
+use crate::cli::args::TextOrJson;
 use crate::cli::failure::Failure;
 use crate::cli::files::temporary::Temporary;
 use anstream::StripStream;
+use serde::Serialize;
 use serde_json::Value;
 use std::fs::{File, Metadata, OpenOptions};
 use std::io::{self, BufWriter, Seek, Write};
@@ -27,16 +29,18 @@ enum Target {
     Content(File, Temporary),
 }
 
-/// [`Output::open`] and [`Output::write`], where there is no work before.
-pub fn write_to(
-    target: Option<&Path>,
-    write: impl FnOnce(&mut dyn Write) -> Result<(), Failure>,
-) -> Result<(), Failure> {
-    Output::open(target)?.write(write)
+/// Lets `write` write to standard output.
+pub fn write_to(write: impl FnOnce(&mut dyn Write) -> Result<(), Failure>) -> Result<(), Failure> {
+    Output::open(None)?.write(write)
+}
+
+/// A text to standard output.
+pub fn print(text: &str) -> Result<(), Failure> {
+    Output::open(None)?.text(text)
 }
 
 /// JSON to standard output or a file.
-pub fn write_json(output: Output, value: &Value) -> Result<(), Failure> {
+pub fn write_json(output: Output, value: &impl Serialize) -> Result<(), Failure> {
     output.write(|out| {
         serde_json::to_writer_pretty(&mut *out, value)?;
         Ok(writeln!(out)?)
@@ -45,6 +49,18 @@ pub fn write_json(output: Output, value: &Value) -> Result<(), Failure> {
 
 pub fn print_json(value: &Value) -> Result<(), Failure> {
     write_json(Output::open(None)?, value)
+}
+
+/// What is said in the form asked for.
+pub fn print_as(
+    format: TextOrJson,
+    text: impl FnOnce() -> String,
+    json: impl FnOnce() -> Value,
+) -> Result<(), Failure> {
+    match format {
+        TextOrJson::Text => print(&text()),
+        TextOrJson::Json => print_json(&json()),
+    }
 }
 
 impl Output {
@@ -72,8 +88,8 @@ impl Output {
     }
 
     /// Fills it with that text.
-    pub fn text(self, text: &str) -> Result<(), Failure> {
-        self.write(|out| Ok(out.write_all(text.as_bytes())?))
+    pub fn text(self, text: impl AsRef<[u8]>) -> Result<(), Failure> {
+        self.write(|out| Ok(out.write_all(text.as_ref())?))
     }
 
     /// Lets `write` fill it; gives what `write` gives.
@@ -87,18 +103,8 @@ impl Output {
             _ => Failure::cannot("write", &self.name, e),
         };
         match self.target {
-            Target::Standard => {
-                let mut out = BufWriter::new(anstream::stdout().lock());
-                let outcome = write(&mut out)?;
-                out.flush()?;
-                Ok(outcome)
-            }
-            Target::Stream(file) => {
-                let mut out = BufWriter::new(StripStream::new(file));
-                let outcome = write(&mut out)?;
-                out.flush().map_err(refused)?;
-                Ok(outcome)
-            }
+            Target::Standard => filled(anstream::stdout().lock(), write, Failure::from),
+            Target::Stream(file) => filled(StripStream::new(file), write, refused),
             Target::Whole(temporary, path) => {
                 let outcome = fill(&temporary, write)?;
                 temporary.persist(&path).map_err(refused)?;
@@ -125,9 +131,18 @@ fn fill<T>(
     write: impl FnOnce(&mut dyn Write) -> Result<T, Failure>,
 ) -> Result<T, Failure> {
     let file = temporary.file().try_clone()?;
-    let mut out = BufWriter::new(StripStream::new(file));
+    filled(StripStream::new(file), write, Failure::from)
+}
+
+/// Lets `write` fill it to its end, which is `refused` if it cannot be written.
+fn filled<T>(
+    to: impl Write,
+    write: impl FnOnce(&mut dyn Write) -> Result<T, Failure>,
+    refused: impl FnOnce(io::Error) -> Failure,
+) -> Result<T, Failure> {
+    let mut out = BufWriter::new(to);
     let outcome = write(&mut out)?;
-    out.flush()?;
+    out.flush().map_err(refused)?;
     Ok(outcome)
 }
 

@@ -3,13 +3,13 @@
 //! For each program one thread writes all inputs and one reads answers ahead ([`Answers`]); answers are
 //! judged batch by batch, those of several programs to a case together.
 
-use crate::cli::answers::{Answers, Batch, Form, Header, Next, Silence};
+use crate::cli::answers::{Answers, Batch, End, Form, Header};
 use crate::cli::args::ProgramArgs;
 use crate::cli::failure::Failure;
 use crate::cli::process::candidate::{BATCH, judge_batch};
 use crate::cli::process::inputs::Inputs;
 use crate::cli::process::interrupt::POLL;
-use crate::cli::process::program::{End, Program};
+use crate::cli::process::program::Program;
 use crate::cli::process::{frames, wire};
 use crate::cli::progress::Progress;
 use mechaudit::audit::{
@@ -66,8 +66,8 @@ impl Fed {
             let here = batch.len();
             let taken = self.answers.take(left, self.timeout, batch);
             self.answered += batch.len() - here;
-            if let Err(silence) = taken {
-                return Some(silence.into());
+            if let Err(end) = taken {
+                return Some(end);
             }
         }
         None
@@ -78,13 +78,13 @@ impl Fed {
         let start = Instant::now();
         loop {
             match self.answers.next(Some(POLL)) {
-                Next::Answer(_) => return End::TooMany,
-                Next::End(Silence::Silent) if start.elapsed() <= self.timeout => {
+                Ok(_) => return End::TooMany,
+                Err(End::Silent) if start.elapsed() <= self.timeout => {
                     if self.child.has_ended() {
                         self.child.end_group();
                     }
                 }
-                Next::End(silence) => return silence.into(),
+                Err(end) => return end,
             }
         }
     }

@@ -12,7 +12,6 @@ enum Source {
     All(Cases),
     /// Those of a shard.
     Dealt(Cases, Stride),
-    One(Case),
     Listed(Vec<Case>),
 }
 
@@ -81,7 +80,7 @@ impl Inputs {
         settings: &Settings,
     ) -> Result<Arc<Inputs>, Failure> {
         let inputs = Inputs::new(match one {
-            Some(case) => Source::One(case),
+            Some(case) => Source::Listed(vec![case]),
             None => Source::All(Cases::new(method, settings)),
         });
         match inputs.len() {
@@ -104,7 +103,6 @@ impl Inputs {
         match &self.source {
             Source::All(cases) => cases.len(),
             Source::Dealt(_, stride) => stride.len() as usize,
-            Source::One(_) => 1,
             Source::Listed(cases) => cases.len(),
         }
     }
@@ -113,7 +111,6 @@ impl Inputs {
         match &self.source {
             Source::All(cases) => cases.get(i),
             Source::Dealt(cases, stride) => cases.get(stride.at(i as u64) as usize),
-            Source::One(case) => case.clone(),
             Source::Listed(cases) => cases[i].clone(),
         }
     }
@@ -160,7 +157,6 @@ impl Inputs {
         match &self.source {
             Source::All(cases) => cases.region_of(i),
             Source::Dealt(..) => (self.draw(i).region, i + 1),
-            Source::One(case) => (case.region, 1),
             Source::Listed(cases) => (cases[i].region, i + 1),
         }
     }
@@ -181,7 +177,7 @@ mod tests {
         let cases = || Cases::new(&*method, &settings);
         let all: Vec<Case> = (0..cases().len()).map(|i| cases().get(i)).collect();
         let last = all.len() - 1;
-        let one = Inputs::new(Source::One(all[last].clone()));
+        let one = Inputs::of(&*method, Some(all[last].clone()), &settings).unwrap();
         assert_eq!(one.region_of(0), (all[last].region, 1));
         let listed = Inputs::listed(vec![all[0].clone(), all[last].clone()]);
         assert_eq!(listed.region_of(0), (all[0].region, 1));

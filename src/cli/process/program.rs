@@ -1,7 +1,7 @@
 //! A running program and all that it starts: its process group, which ends with the audit, however the
 //! audit ends.
 
-use crate::cli::answers::Silence;
+use crate::cli::answers::End;
 use crate::cli::failure::Failure;
 #[cfg(unix)]
 use crate::cli::process::guard::Guard;
@@ -9,31 +9,6 @@ use std::io;
 use std::process::{Child, ChildStdin, ChildStdout, Command, ExitStatus, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
-
-/// Why there are no more answers to judge.
-pub enum End {
-    /// Its output has ended.
-    Closed,
-    /// One answer more than there are inputs.
-    TooMany,
-    /// Nothing came for so long.
-    Silent,
-    /// Its output cannot be read.
-    Unreadable(std::io::Error),
-    /// The user has asked to stop.
-    Interrupted,
-}
-
-impl From<Silence> for End {
-    fn from(silence: Silence) -> End {
-        match silence {
-            Silence::Closed => End::Closed,
-            Silence::Unreadable(why) => End::Unreadable(why),
-            Silence::Silent => End::Silent,
-            Silence::Interrupted => End::Interrupted,
-        }
-    }
-}
 
 /// It is ended, with all it started, when this goes.
 pub struct Program {

@@ -49,7 +49,7 @@ pub fn atlas(args: &AtlasArgs) -> Result<Outcome, Failure> {
             };
             Ok(written?)
         })?,
-        AtlasFormat::Html => output.text(&html::atlas::page(&found, &maps))?,
+        AtlasFormat::Html => output.text(html::atlas::page(&found, &maps))?,
     }
     Ok(Outcome::AsExpected)
 }

@@ -1,12 +1,12 @@
 //! Algorithms at one point, beside the certified value.
 
 use crate::cli::failure::{Failure, Outcome};
-use crate::cli::files::output::write_to;
+use crate::cli::files::output::print;
+use crate::cli::process::wire;
+use crate::cli::scope::given;
 use crate::cli::terminal::width;
 use anstyle::Style;
-use mechaudit::audit::{
-    Case, Judge, Limit, Method, Origin, Settings, SolverAnswer, Variant, hex_float,
-};
+use mechaudit::audit::{Judge, Limit, Method, Settings, SolverAnswer, Variant};
 use mechaudit::claims::{Algorithm, HartmannTran, Parts, Plane, Profile, answer};
 use mechaudit::methods;
 use mechaudit::reference::{Decimal, HexFloat};
@@ -19,18 +19,13 @@ type Answer = Result<Vec<f64>, &'static str>;
 
 /// Shows them: at a point of the plane, or at a line of eight parameters.
 pub fn show(chosen: &[Algorithm], profiles: &[Profile], text: &str) -> Result<Outcome, Failure> {
-    let shown = shown(chosen, profiles, text)?;
-    write_to(None, |out| Ok(write!(out, "{shown}")?))?;
+    print(&shown(chosen, profiles, text)?)?;
     Ok(Outcome::AsExpected)
 }
 
 fn shown(chosen: &[Algorithm], profiles: &[Profile], text: &str) -> Result<String, Failure> {
     let at = read(text)?;
-    let place = at
-        .iter()
-        .map(|x| hex_float(*x))
-        .collect::<Vec<_>>()
-        .join(",");
+    let place = wire::line(&at, false);
     match at[..] {
         [x, y] => {
             if chosen.is_empty() {
@@ -53,13 +48,8 @@ fn shown(chosen: &[Algorithm], profiles: &[Profile], text: &str) -> Result<Strin
                 "Gamma_D, Gamma_0, Gamma_2, Delta_0, Delta_2, nu_VC, eta, detuning = {}\n  ({place})",
                 at.iter().map(f64::to_string).collect::<Vec<_>>().join(", ")
             );
-            Ok(table(
-                &HartmannTran,
-                "hartmann-tran",
-                &at,
-                &head,
-                answers.collect(),
-            ))
+            let answers = answers.collect();
+            Ok(table(&HartmannTran, "hartmann-tran", &at, &head, answers))
         }
     }
 }
@@ -94,14 +84,8 @@ fn table(
 ) -> String {
     let variant = Variant::new(method).limit(Limit::Relative(1e-300));
     let settings = Settings::default();
-    let case = Case {
-        method: name,
-        region: "given",
-        input: at.to_vec(),
-        origin: Origin::Given,
-    };
     let judge = Judge::new(&variant, &settings);
-    let mut referee = judge.referee(case);
+    let mut referee = judge.referee(given(name, at.to_vec()));
     let [re, im]: [&'static str; 2] = match name {
         "faddeeva" => ["Re W", "Im W"],
         _ => ["Re HT", "Im HT"],

@@ -5,7 +5,8 @@ use crate::cli::args::{AtlasArgs, ProgramArgs};
 use crate::cli::failure::Failure;
 use crate::cli::process::exec::Fed;
 use crate::cli::process::inputs::Inputs;
-use mechaudit::audit::{Case, Origin, SolverAnswer};
+use crate::cli::scope::given;
+use mechaudit::audit::SolverAnswer;
 use mechaudit::claims::{Code, Missing, Parts, Plane};
 use std::process::{Command, Stdio};
 use std::sync::Arc;
@@ -118,25 +119,8 @@ impl Library {
 
 /// What a program says of itself before it answers a first input.
 fn header(command: &str) -> Header {
-    let one = Inputs::listed(vec![case(vec![1.0, 1.0])]);
-    match Fed::start(command, &HOW, &Arc::new(one), 1) {
-        Err(_) => Header::default(),
-        Ok(mut fed) => {
-            let end = fed.collect(1, &mut Batch::default());
-            let end = end.unwrap_or_else(|| fed.rest());
-            fed.end(end);
-            fed.header()
-        }
-    }
-}
-
-fn case(input: Vec<f64>) -> Case {
-    Case {
-        method: "faddeeva",
-        region: "given",
-        input,
-        origin: Origin::Given,
-    }
+    let answered = answered(command, vec![vec![1.0, 1.0]]);
+    answered.map_or_else(|_| Header::default(), |(fed, ..)| fed.header())
 }
 
 const HOW: ProgramArgs = ProgramArgs {
@@ -145,18 +129,24 @@ const HOW: ProgramArgs = ProgramArgs {
     timeout: PATIENCE,
 };
 
+/// A program that has ended, with its answers and what went wrong, if anything did.
+fn answered(command: &str, inputs: Vec<Vec<f64>>) -> Result<(Fed, Batch, Option<String>), Failure> {
+    let total = inputs.len();
+    let cases = inputs.into_iter().map(|z| given("faddeeva", z));
+    let listed = Arc::new(Inputs::listed(cases.collect()));
+    let mut fed = Fed::start(command, &HOW, &listed, total)?;
+    let mut batch = Batch::default();
+    let end = fed.collect(total, &mut batch);
+    let end = end.unwrap_or_else(|| fed.rest());
+    let trouble = fed.end(end);
+    Ok((fed, batch, trouble))
+}
+
 /// What the program answers; what does not come is unanswered.
 fn answers(command: &str, inputs: &[Vec<f64>]) -> Vec<SolverAnswer> {
-    let listed = inputs.iter().map(|z| case(z.clone()));
-    let listed = Arc::new(Inputs::listed(listed.collect()));
-    let mut batch = Batch::default();
-    let trouble = match Fed::start(command, &HOW, &listed, inputs.len()) {
-        Err(e) => Some(e.to_string()),
-        Ok(mut fed) => {
-            let end = fed.collect(inputs.len(), &mut batch);
-            let end = end.unwrap_or_else(|| fed.rest());
-            fed.end(end)
-        }
+    let (batch, trouble) = match answered(command, inputs.to_vec()) {
+        Err(e) => (Batch::default(), Some(e.to_string())),
+        Ok((_, batch, trouble)) => (batch, trouble),
     };
     let why = trouble.unwrap_or("nothing came".into());
     let unanswered = || SolverAnswer::Unanswered(why.clone());

@@ -6,13 +6,13 @@ use self::written::Besides;
 use crate::cli::args::{AuditArgs, AuditFormat, Numbers, RunArgs};
 use crate::cli::asked::{find, settings};
 use crate::cli::failure::{Failure, Outcome};
-use crate::cli::files::output::{Output, write_to};
+use crate::cli::files::output::{Output, print, write_to};
 use crate::cli::progress::Progress;
 use crate::cli::terminal::width;
 use crate::cli::{complain, forecast, process::exec, process::interrupt, scope};
 use mechaudit::audit::{
-    Case, Cases, ConvergenceReport, Layout, Method, MethodReport, Origin, Settings, Uncertified,
-    Variant, answer_of, audit_method_until, audit_one, convergence, map_points,
+    Case, Cases, ConvergenceReport, Layout, Method, MethodReport, Settings, Uncertified, Variant,
+    answer_of, audit_method_until, audit_one, convergence, map_points,
 };
 use mechaudit::papers::PaperReport;
 use mechaudit::reference::Undecided;
@@ -69,7 +69,7 @@ pub fn everything(args: &RunArgs, verbose: bool) -> Result<Outcome, Failure> {
     let seconds = started.elapsed().as_secs_f64();
     let time = format!("{seconds:.1} s, {}", rate(&reports, judging));
     let width = width();
-    write_to(None, |out| {
+    write_to(|out| {
         let end = (end(outcome), time.as_str());
         let text = summary::everything(end, &papers_read, &reports, width);
         write!(out, "{text}")?;
@@ -78,8 +78,7 @@ pub fn everything(args: &RunArgs, verbose: bool) -> Result<Outcome, Failure> {
                 write!(out, "\n{}", text::paper::paper(report, width))?;
             }
             for report in &reports {
-                let text = text::method::method(report, width);
-                write!(out, "\n{text}")?;
+                write!(out, "\n{}", text::method::method(report, width))?;
             }
         }
         Ok(())
@@ -189,10 +188,10 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
         .map(|m| scoped(m.as_ref(), args, &settings))
         .collect();
     let chosen = chosen?;
-    let mut one = None;
-    if let (Some(_), [method]) = (&args.method, chosen.as_slice()) {
-        one = one_case(method, args, &settings)?;
-    }
+    let one = match (&args.method, chosen.as_slice()) {
+        (Some(_), [method]) => one_case(method, args, &settings)?,
+        _ => None,
+    };
     let tail = tail(args);
     let finish = |mut report: MethodReport| {
         report.reproduce.tail.clone_from(&tail);
@@ -219,8 +218,7 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
     for method in &chosen {
         let report = finish(run(method, &settings, &progress, &mut judging));
         if args.format == AuditFormat::Text && output.is_standard() {
-            let text = text::method::method(&report, width());
-            write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
+            print(&format!("{}\n", text::method::method(&report, width())))?;
         }
         stopped = report.interrupted;
         reports.push(report);
@@ -233,10 +231,8 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
         let how = [settings_line(&settings), rate(&reports, judging)];
         let mut text = summary::verdict(end(outcome), &totals(&reports), &how, width());
         if let Some(before) = &besides.baseline {
-            text.push_str(&text::comparison::changes(
-                &before.changes(&reports),
-                width(),
-            ));
+            let changes = before.changes(&reports);
+            text += &text::comparison::changes(&changes, width());
         }
         output.text(&text)?;
         return Ok(outcome);
@@ -257,16 +253,9 @@ fn stopped_before(besides: &Besides, reports: &mut [MethodReport]) {
 
 /// The options that a command needs besides to judge a case of this audit again.
 fn tail(args: &AuditArgs) -> String {
-    let mut words = Vec::new();
-    if let Some(command) = &args.program.exec {
-        words.extend(["--exec".to_string(), shell_words::quote(command).into()]);
-    }
-    let program = &args.program.program;
-    for (asked, word) in [(program.decimal, "--decimal"), (program.binary, "--binary")] {
-        words.extend(asked.then(|| word.to_string()));
-    }
-    words.extend(scope::words(&args.scope, &args.place));
-    words.iter().map(|w| format!(" {w}")).collect()
+    let command = args.program.exec.as_deref();
+    let program = command.map(|c| (c, &args.program.program));
+    scope::again(program, &args.scope, &args.place)
 }
 
 /// The convergence of all approximations, unless the user asks to stop.
@@ -299,14 +288,8 @@ fn given(method: &dyn Method, input: &[f64]) -> Result<Case, Failure> {
             "--at: {n} cannot be an input of {name}, which is: {layout}"
         )));
     }
-    Ok(Case {
-        method: method.name(),
-        region: "given",
-        input: (input.iter())
-            .map(|x| method.format().representable(*x))
-            .collect(),
-        origin: Origin::Given,
-    })
+    let held = input.iter().map(|x| method.format().representable(*x));
+    Ok(scope::given(method.name(), held.collect()))
 }
 
 #[cfg(test)]

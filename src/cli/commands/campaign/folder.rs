@@ -141,7 +141,7 @@ impl Folder {
         struct Schema {
             campaign: u32,
         }
-        let bad = |e: serde_json::Error| Failure::caused(e).about(file.display());
+        let bad = |e: serde_json::Error| Failure::in_file(&file, e);
         let schema: Schema = serde_json::from_slice(&bytes).map_err(bad)?;
         if schema.campaign != SCHEMA {
             let (file, other) = (file.display(), schema.campaign);
@@ -150,9 +150,8 @@ impl Folder {
             )));
         }
         let read: PlanFile = serde_json::from_slice(&bytes).map_err(bad)?;
-        read.plan
-            .check()
-            .map_err(|e| Failure::caused(e).about(file.display()))?;
+        let checked = read.plan.check();
+        checked.map_err(|e| Failure::in_file(&file, e))?;
         if read.plan.digest() != read.digest || read.shards == 0 {
             let file = file.display();
             return Err(Failure::new(format!(

@@ -6,11 +6,11 @@ mod run;
 
 use self::folder::{Folder, State};
 use crate::cli::args::{
-    CampaignArgs, CampaignReportArgs, CampaignStep, MergeArgs, PlanArgs, StatusArgs, TextOrJson,
+    CampaignArgs, CampaignReportArgs, CampaignStep, MergeArgs, PlanArgs, StatusArgs,
 };
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
-use crate::cli::files::output::{Output, print_json, write_json, write_to};
+use crate::cli::files::output::{Output, print, print_as, write_json, write_to};
 use crate::cli::files::source;
 use mechaudit::audit::Method;
 use mechaudit::campaign::{PartSum, Plan, Sum, document};
@@ -38,13 +38,10 @@ fn plan(args: &PlanArgs) -> Result<Outcome, Failure> {
     let (name, shards) = (&folder.plan.name, folder.deal.shards());
     let parts = count(folder.plan.parts.len(), "part");
     let work = folder.deal.work();
-    write_to(None, |out| {
-        let shards = count(shards as usize, "shard");
-        Ok(writeln!(
-            out,
-            "{name}: {parts}, {work} judgements in {shards}."
-        )?)
-    })?;
+    let shards = count(shards as usize, "shard");
+    print(&format!(
+        "{name}: {parts}, {work} judgements in {shards}.\n"
+    ))?;
     Ok(Outcome::AsExpected)
 }
 
@@ -52,16 +49,13 @@ fn status(args: &StatusArgs) -> Result<Outcome, Failure> {
     let folder = Folder::open(&args.folder)?;
     let status = Status::of(&folder)?;
     if args.missing {
-        write_to(None, |out| {
+        write_to(|out| {
             let mut missing = status.missing.iter();
             Ok(missing.try_for_each(|k| writeln!(out, "{k}"))?)
         })?;
-    } else if args.format == TextOrJson::Json {
-        print_json(&status.document())?;
     } else {
-        write_to(None, |out| {
-            Ok(write!(out, "{}", status.text(&|k| folder.file(k)))?)
-        })?;
+        let text = || status.text(&|k| folder.file(k));
+        print_as(args.format, text, || status.document())?;
     }
     if let Some((k, why)) = status.refused.first() {
         let file = folder.file(*k);
@@ -233,7 +227,7 @@ fn report(args: &CampaignReportArgs) -> Result<Outcome, Failure> {
     let parts = sum.finish(missing == 0);
     let shards = folder.deal.shards();
     let done = (shards - missing, shards);
-    output.text(&html::audit::campaign(&folder.plan, done, &parts))?;
+    output.text(html::audit::campaign(&folder.plan, done, &parts))?;
     if missing > 0 {
         complain(&format!(
             "{} of {} not done",

@@ -24,9 +24,8 @@ const PATIENCE: Duration = Duration::from_millis(200);
 pub fn run(args: &CampaignRunArgs) -> Result<Outcome, Failure> {
     let folder = Folder::open(&args.folder)?;
     folder.same_program()?;
-    let asked = asked(&args.shards, folder.deal.shards())?;
+    let mut left = asked(&args.shards, folder.deal.shards())?;
     let mut run = Run::new(folder, args.jobs)?;
-    let mut left: Vec<u64> = asked;
     while !left.is_empty() && !interrupt::asked() {
         let before = left.len();
         let mut others = Vec::new();
@@ -178,7 +177,7 @@ impl Run {
         self.progress.clear();
         let stopped = interrupt::asked();
         let text = done(stopped, self.own, self.before);
-        write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
+        write_to(|out| Ok(writeln!(out, "{text}")?))?;
         outcome(stopped, &self.failed)
     }
 }
@@ -217,15 +216,15 @@ fn answers(
     };
     let inputs = Inputs::dealt(cases, stride);
     let found = exec::gather(panel, inputs, &program.exec, &spoken, progress);
-    match found? {
-        None => Ok(None),
-        Some(report) => match report.trouble {
-            Some(why) => Err(why.into()),
-            None => Ok(Some(Who {
-                name: report.name,
-                version: report.version,
-            })),
-        },
+    let Some(report) = found? else {
+        return Ok(None);
+    };
+    match report.trouble {
+        Some(why) => Err(why.into()),
+        None => Ok(Some(Who {
+            name: report.name,
+            version: report.version,
+        })),
     }
 }
 

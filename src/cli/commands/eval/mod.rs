@@ -79,7 +79,7 @@ pub fn eval(args: &EvalArgs) -> Result<Outcome, Failure> {
         .build()
         .map_err(|e| Failure::caused(e).about(format!("cannot start {threads} threads")))?;
     let mut outcome = Outcome::AsExpected;
-    write_to(None, |out| {
+    write_to(|out| {
         let input = BufReader::with_capacity(BUFFER, std::io::stdin().lock());
         outcome = stream(&*method, args.digits, &pool, input, out)?;
         Ok(())
@@ -88,7 +88,7 @@ pub fn eval(args: &EvalArgs) -> Result<Outcome, Failure> {
 }
 
 fn list() -> Result<Outcome, Failure> {
-    write_to(None, |out| {
+    write_to(|out| {
         for m in evaluable() {
             writeln!(out, "{:<31} {}", m.name(), m.summary())?;
         }

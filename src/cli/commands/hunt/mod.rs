@@ -48,7 +48,7 @@ pub fn hunt(args: &HuntArgs) -> Result<Outcome, Failure> {
     };
     let numbers = added.iter().flatten().flatten();
     let numbers: Vec<(usize, &HardCase)> = numbers.map(|(n, case)| (*n, case)).collect();
-    write_to(None, |out| {
+    write_to(|out| {
         write!(out, "{}", report(&method, &found, &new, args.evals))?;
         write!(out, "{}", inputs(&method, &found, &numbers, args))?;
         let folder = args.hard.display();

@@ -2,7 +2,7 @@
 
 pub mod published;
 
-use crate::cli::answers::{Answers, Form, Next, Silence};
+use crate::cli::answers::{Answers, End, Form};
 use crate::cli::args::{AuditFormat, JudgeArgs, WhereArgs};
 use crate::cli::asked::find;
 use crate::cli::commands::audit::written::{self, Besides};
@@ -47,19 +47,14 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
     let unreadable = |e| Failure::cannot("read", values_path, e);
     let panel = Panel::new(&method, &settings);
     let mut next = || match values.next(None) {
-        Next::End(Silence::Unreadable(e)) => Err(unreadable(e)),
+        Err(End::Unreadable(e)) => Err(unreadable(e)),
         next => Ok(next),
-    };
-    let given = Given {
-        inputs: &mut inputs,
-        line: args.line,
-        total,
     };
     let Judged {
         answered,
         open,
         interrupted,
-    } = given.judge(&panel, method.name(), &mut next)?;
+    } = judged(&mut inputs, (args.line, total), &panel, &mut next)?;
     let mut tally = panel.into_tally();
     if interrupted {
         tally.interrupt();
@@ -79,11 +74,11 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
         trouble = Some(format!("{why}; {left} inputs are left"));
     } else {
         match next()? {
-            Next::Answer(_) => {
+            Ok(_) => {
                 trouble = Some(format!("there are more values than the {answered} inputs"));
             }
-            Next::End(Silence::Interrupted) => tally.interrupt(),
-            Next::End(_) => {}
+            Err(End::Interrupted) => tally.interrupt(),
+            Err(_) => {}
         }
     }
     let mut report = tally.finish(&method);
@@ -110,24 +105,13 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
             file(inputs_path),
             file(values_path)
         ),
-        tail: scope::words(&args.scope, &WhereArgs::default())
-            .iter()
-            .map(|w| format!(" {w}"))
-            .collect(),
+        tail: scope::again(None, &args.scope, &WhereArgs::default()),
     };
     written::write(&[report], args.format, output, &Besides::default())
 }
 
-/// What is judged.
-struct Given<'a> {
-    inputs: &'a mut Inputs,
-    /// The input on this line alone.
-    line: Option<u64>,
-    /// How many inputs there are, if that is known.
-    total: Option<u64>,
-}
-
 /// How far it came.
+#[derive(Default)]
 struct Judged {
     answered: u64,
     /// The first input without an answer.
@@ -136,51 +120,45 @@ struct Judged {
     interrupted: bool,
 }
 
-impl Given<'_> {
-    /// Judges answers as long as there are some.
-    fn judge(
-        self,
-        panel: &Panel,
-        name: &str,
-        next: &mut dyn FnMut() -> Result<Next, Failure>,
-    ) -> Result<Judged, Failure> {
-        let progress = Progress::new();
-        let mut judged = Judged {
-            answered: 0,
-            open: None,
-            interrupted: false,
-        };
-        let mut batch = Vec::new();
-        while let Some(case) = self.inputs.read()? {
-            let answer = match next()? {
-                Next::Answer(answer) => answer,
-                Next::End(Silence::Interrupted) => {
-                    judged.interrupted = true;
-                    break;
-                }
-                Next::End(_) => {
-                    judged.open = Some(case);
-                    break;
-                }
-            };
-            judged.answered += 1;
-            let wanted = |n: u64| matches!(case.origin, Origin::Line { number } if number == n);
-            if self.line.is_none_or(wanted) {
-                batch.push((case, answer));
-            }
-            if batch.len() == BATCH {
-                judged.interrupted = !judge_batch(panel, BATCH, &|some| batch[some].to_vec());
-                batch.clear();
-                let done = judged.answered;
-                progress.show(name, done, self.total.unwrap_or(done));
-            }
-            if judged.interrupted {
+/// Judges answers as long as there are some: of all inputs or that on a line, of so many if that is known.
+fn judged(
+    inputs: &mut Inputs,
+    (line, total): (Option<u64>, Option<u64>),
+    panel: &Panel,
+    next: &mut dyn FnMut() -> Result<Result<SolverAnswer, End>, Failure>,
+) -> Result<Judged, Failure> {
+    let progress = Progress::new();
+    let mut judged = Judged::default();
+    let mut batch = Vec::new();
+    while let Some(case) = inputs.read()? {
+        let answer = match next()? {
+            Ok(answer) => answer,
+            Err(End::Interrupted) => {
+                judged.interrupted = true;
                 break;
             }
+            Err(_) => {
+                judged.open = Some(case);
+                break;
+            }
+        };
+        judged.answered += 1;
+        let wanted = |n: u64| matches!(case.origin, Origin::Line { number } if number == n);
+        if line.is_none_or(wanted) {
+            batch.push((case, answer));
         }
-        judged.interrupted |= !judge_batch(panel, batch.len(), &|some| batch[some].to_vec());
-        Ok(judged)
+        if batch.len() == BATCH {
+            judged.interrupted = !judge_batch(panel, BATCH, &|some| batch[some].to_vec());
+            batch.clear();
+            let done = judged.answered;
+            progress.show(inputs.method, done, total.unwrap_or(done));
+        }
+        if judged.interrupted {
+            break;
+        }
     }
+    judged.interrupted |= !judge_batch(panel, batch.len(), &|some| batch[some].to_vec());
+    Ok(judged)
 }
 
 /// Inputs of a file, for the progress; nothing is known of a pipe.

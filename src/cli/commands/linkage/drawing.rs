@@ -29,7 +29,7 @@ impl Drawings {
     pub fn draw(self, linkage: &Linkage, branch: &Branch) -> Result<(), Failure> {
         let path = path(linkage, branch, SAMPLES).map_err(Failure::caused)?;
         self.mechanism
-            .text(&drawn::class_iii(linkage, branch, &path))?;
+            .text(drawn::class_iii(linkage, branch, &path))?;
         let (Some(masses), Some(drawing)) = (&linkage.masses, self.reduced) else {
             complain("reduced.svg is not drawn: the file gives no masses");
             return Ok(());

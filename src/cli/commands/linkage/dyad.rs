@@ -1,6 +1,6 @@
 //! A four-bar linkage or slider-crank given in a file, computed over the turn of its crank.
 
-use super::{dyad_facts as facts, shown};
+use super::{dyad_facts as facts, shown, undecided_in};
 use crate::cli::args::LinkageArgs;
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
@@ -40,7 +40,7 @@ pub fn linkage(args: &LinkageArgs, dyad: &Dyad) -> Result<Outcome, Failure> {
     let output = Output::open(args.output.as_deref())?;
     if let (Some(folder), [assembly]) = (&args.svg, &assemblies[..]) {
         let drawing = Output::within(folder, "mechanism.svg")?;
-        drawing.text(&drawn::dyad(dyad, *assembly))?;
+        drawing.text(drawn::dyad(dyad, *assembly))?;
     }
     if let (Some(cad), [assembly]) = (shown::Cad::open(args)?, &assemblies[..]) {
         let motion = shown::dyad(args, dyad, *assembly, None);
@@ -101,7 +101,7 @@ fn all_rows(
             let Some(values) = values else { continue };
             let mut cells = vec![shown, Cell::Count(number(assembly))];
             cells.extend(values);
-            undecided += cells.iter().filter(|c| **c == Cell::Undecided).count();
+            undecided += undecided_in(&cells);
             rows.row(&cells)?;
             *count += 1;
         }

@@ -157,10 +157,7 @@ fn of_class_iii(args: &LinkageArgs, linkage: &Linkage) -> Result<Outcome, Failur
         };
         let facts = facts::of_branch(linkage, &branch);
         let mut rows = Rows::begin(out, form, columns, &facts)?;
-        let outcome = match args.digits {
-            None => floating(linkage, &branch, plan, &mut rows)?,
-            Some(digits) => certified_rows(linkage, &branch, plan, digits, &mut rows)?,
-        };
+        let outcome = one_branch(linkage, &branch, plan, args.digits, &mut rows)?;
         rows.end()?;
         Ok(outcome)
     })?;
@@ -171,56 +168,46 @@ fn of_class_iii(args: &LinkageArgs, linkage: &Linkage) -> Result<Outcome, Failur
     Ok(outcome)
 }
 
-fn floating(
-    linkage: &Linkage,
-    branch: &Branch,
-    plan: Plan,
-    rows: &mut Rows,
-) -> Result<Outcome, Failure> {
-    let progress = Progress::new();
-    let mut here = branch.start;
-    let total = plan.count();
-    for (done, (shown, at)) in plan.angles().enumerate() {
-        here = linkage
-            .solver
-            .follow(&here, Angle::from_deg(nearest_f64(&at)))
-            .map_err(Failure::caused)?;
-        rows.row(&floating_row(linkage, &shown, branch.mode, &here))?;
-        progress.reach("rows", done as u64, total);
-    }
-    Ok(Outcome::AsExpected)
+fn undecided_in(cells: &[Cell]) -> usize {
+    cells.iter().filter(|c| **c == Cell::Undecided).count()
 }
 
-fn certified_rows(
+/// The rows of a branch; certified, they end where it cannot be proved any further.
+fn one_branch(
     linkage: &Linkage,
     branch: &Branch,
     plan: Plan,
-    digits: u32,
+    digits: Option<u32>,
     rows: &mut Rows,
 ) -> Result<Outcome, Failure> {
     let progress = Progress::new();
-    let mut certifier = Certifier::new(linkage, digits);
-    let mut here = branch.start;
-    let mut undecided = 0;
+    let mut certifier = digits.map(|d| Certifier::new(linkage, d));
+    let (mut here, mut undecided) = (branch.start, 0);
     let total = plan.count();
     for (done, (shown, at)) in plan.angles().enumerate() {
-        here = linkage
-            .solver
-            .follow(&here, Angle::from_deg(nearest_f64(&at)))
-            .map_err(Failure::caused)?;
-        let Some(q) = certifier.advance(&at, &here) else {
-            complain(&format!(
-                "undecided: the reference cannot prove the branch up to phi1 = {} deg; rows end before it",
-                nearest_f64(&shown)
-            ));
-            return Ok(Outcome::Finding);
+        let to = Angle::from_deg(nearest_f64(&at));
+        here = linkage.solver.follow(&here, to).map_err(Failure::caused)?;
+        let cells = match &mut certifier {
+            None => floating_row(linkage, &shown, branch.mode, &here),
+            Some(certifier) => {
+                let Some(q) = certifier.advance(&at, &here) else {
+                    complain(&format!(
+                        "undecided: the reference cannot prove the branch up to phi1 = {} deg; rows end before it",
+                        nearest_f64(&shown)
+                    ));
+                    return Ok(Outcome::Finding);
+                };
+                certified_row(&shown, branch.mode, certifier.values(&at, &q))
+            }
         };
-        let cells = certified_row(&shown, branch.mode, certifier.values(&at, &q));
-        undecided += cells.iter().filter(|c| **c == Cell::Undecided).count();
+        undecided += undecided_in(&cells);
         rows.row(&cells)?;
-        progress.show("certified rows", done as u64, total);
+        match digits {
+            None => progress.reach("rows", done as u64, total),
+            Some(_) => progress.show("certified rows", done as u64, total),
+        }
     }
-    Ok(Outcome::decided(undecided, digits))
+    Ok(Outcome::decided(undecided, digits.unwrap_or(0)))
 }
 
 fn all_branches(
@@ -297,7 +284,7 @@ fn branch_rows(
                     certified_row(at, s.branch, certifier.values(at, &q))
                 }
             };
-            undecided += cells.iter().filter(|c| **c == Cell::Undecided).count();
+            undecided += undecided_in(&cells);
             rows.row(&cells)?;
         }
         progress.show("rows", done as u64, degrees.len() as u64);

@@ -1,6 +1,6 @@
 //! A mechanism of bodies and joints given in a file, computed over its drive.
 
-use super::{planar_facts as facts, shown};
+use super::{planar_facts as facts, shown, undecided_in};
 use crate::cli::args::LinkageArgs;
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
@@ -49,7 +49,8 @@ fn displacements([from, to, step]: [f64; 3]) -> impl Iterator<Item = f64> {
 pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure> {
     let in_file = |e| Failure::in_file(&args.file, e);
     let certifier = args.digits.map(|d| Certifier::new(machine, d));
-    let certifier = certifier.transpose().map_err(in_file_of(args))?;
+    let unproved = |e: NotExact| Failure::in_file(&args.file, e);
+    let certifier = certifier.transpose().map_err(unproved)?;
     if args.digits.is_some() && args.reactions {
         let text = "--reactions has no certified digits: leave out --digits";
         return Err(Failure::new(text).about(args.file.display()));
@@ -69,11 +70,11 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
     };
     let shown = args.columns(names, certifier.is_some())?;
     let first = values.0.first().map_or(0.0, |v| v.1);
+    let asked = Asked {
+        columns,
+        certifier: certifier.as_ref(),
+    };
     if args.all_branches {
-        let asked = Asked {
-            columns,
-            certifier: certifier.as_ref(),
-        };
         let outcome = all_branches(args, machine, &values, &asked, shown);
         return outcome.map_err(|f| f.about(args.file.display()));
     }
@@ -82,7 +83,7 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
     let branch = branch.map_err(in_file)?;
     if let Some(folder) = &args.svg {
         let drawing = Output::within(folder, "mechanism.svg")?;
-        drawing.text(&drawn::planar(machine, &branch))?;
+        drawing.text(drawn::planar(machine, &branch))?;
     }
     if let Some(cad) = shown::Cad::open(args)? {
         let motion = shown::planar(args, machine, &branch, None);
@@ -91,10 +92,6 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
     let mut lines = facts::lines(machine);
     lines.push(facts::modes_line(machine, &branch));
     lines.push(facts::range_line(machine, &branch));
-    let asked = Asked {
-        columns,
-        certifier: certifier.as_ref(),
-    };
     let (any, undecided) = output.write(|out| {
         let Some(form) = shown::form(args.format) else {
             let window = shown::Window {
@@ -129,10 +126,6 @@ fn start(args: &LinkageArgs, machine: &Machine, first: f64) -> f64 {
     }
 }
 
-fn in_file_of(args: &LinkageArgs) -> impl Fn(NotExact) -> Failure + '_ {
-    |e| Failure::in_file(&args.file, e)
-}
-
 /// What a row holds, and whether it is certified.
 struct Asked<'a> {
     columns: Columns,
@@ -165,10 +158,6 @@ impl Asked<'_> {
             }
         }
     }
-}
-
-fn undecided_in(cells: &[Cell]) -> usize {
-    cells.iter().filter(|c| **c == Cell::Undecided).count()
 }
 
 /// The rows of a branch: whether there are any, and how many values of them are undecided.

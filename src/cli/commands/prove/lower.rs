@@ -1,9 +1,9 @@
 //! The lower half-plane.
 
-use super::{place, up, watched};
-use crate::cli::args::{ProveArgs, TextOrJson};
+use super::{boxes, place, up, watched};
+use crate::cli::args::ProveArgs;
 use crate::cli::failure::{Failure, Outcome};
-use crate::cli::files::output::{Output, print_json, write_to};
+use crate::cli::files::output::print_as;
 use mechaudit::audit::hex_float;
 use mechaudit::proof::Rectangle;
 use mechaudit::proof::lower::{
@@ -25,11 +25,7 @@ pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
         let why = "is for the upper half-plane: below the axis targets are fixed";
         return Err(Failure::new(format!("{option} {why}")));
     }
-    let boxes = args
-        .boxes
-        .as_deref()
-        .map(|p| Output::open(Some(p)))
-        .transpose()?;
+    let boxes = boxes(args)?;
     let begin = Instant::now();
     let within = args.within;
     let found = watched("faddeeva", move |watch| {
@@ -42,12 +38,11 @@ pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
         output.write(|out| write_boxes(&found, out))?;
     }
     let seconds = begin.elapsed().as_secs_f64();
-    match args.format {
-        TextOrJson::Text => write_to(None, |out| {
-            Ok(write!(out, "{}", text(&found, within, seconds))?)
-        })?,
-        TextOrJson::Json => print_json(&document(&found, within, seconds))?,
-    }
+    print_as(
+        args.format,
+        || text(&found, within, seconds),
+        || document(&found, within, seconds),
+    )?;
     Ok(Outcome::of(found.open.is_empty()))
 }
 

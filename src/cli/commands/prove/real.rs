@@ -1,9 +1,9 @@
 //! Functions of a real argument.
 
-use super::{up, watched};
-use crate::cli::args::{ProveArgs, TextOrJson};
+use super::{boxes, up, watched};
+use crate::cli::args::ProveArgs;
 use crate::cli::failure::{Failure, Outcome};
-use crate::cli::files::output::{Output, print_json, write_to};
+use crate::cli::files::output::print_as;
 use mechaudit::audit::hex_float;
 use mechaudit::proof::real::{
     Certificate, Code, Formula, Function, Interval, Leaf, Summary, hole, real_line,
@@ -30,11 +30,7 @@ pub fn prove(functions: &[Function], args: &ProveArgs) -> Result<Outcome, Failur
             "{name} is for faddeeva alone: {what} is proved for every real argument"
         )));
     }
-    let boxes = args
-        .boxes
-        .as_deref()
-        .map(|p| Output::open(Some(p)))
-        .transpose()?;
+    let boxes = boxes(args)?;
     let mut theorems = Vec::new();
     for &function in functions {
         match Theorem::of(function, args.component.unwrap_or(function.ulps()))? {
@@ -45,23 +41,17 @@ pub fn prove(functions: &[Function], args: &ProveArgs) -> Result<Outcome, Failur
     if let Some(output) = boxes {
         output.write(|out| write_intervals(&theorems, out))?;
     }
-    match args.format {
-        TextOrJson::Text => write_to(None, |out| {
-            Ok(theorems
-                .iter()
-                .try_for_each(|t| write!(out, "{}", t.text()))?)
-        })?,
-        TextOrJson::Json => print_json(&match theorems.as_slice() {
-            [one] => one.document(),
-            all => json!({
-                "schema_version": 1,
-                "mechaudit_version": env!("CARGO_PKG_VERSION"),
-                "part": "real",
-                "proved": all.iter().all(Theorem::is_proved),
-                "functions": all.iter().map(Theorem::document).collect::<Vec<Value>>(),
-            }),
-        })?,
-    }
+    let text = || theorems.iter().map(Theorem::text).collect();
+    print_as(args.format, text, || match theorems.as_slice() {
+        [one] => one.document(),
+        all => json!({
+            "schema_version": 1,
+            "mechaudit_version": env!("CARGO_PKG_VERSION"),
+            "part": "real",
+            "proved": all.iter().all(Theorem::is_proved),
+            "functions": all.iter().map(Theorem::document).collect::<Vec<Value>>(),
+        }),
+    })?;
     Ok(Outcome::of(theorems.iter().all(Theorem::is_proved)))
 }
 

@@ -1,6 +1,6 @@
 //! The enclosed motion of Andrews' squeezing mechanism.
 
-use super::artefact::{Made, MakeError, Outcome};
+use super::artefact::{Made, Outcome, certified};
 use mechaudit::papers::andrews::{BITS, DIGITS, QUANTITIES, TIMES, data, motion, printed, unit};
 use std::fmt::Write as _;
 
@@ -16,10 +16,7 @@ pub fn made() -> Outcome<Made> {
             // Zero at rest and unloaded: an enclosure of zero has no digits.
             let value = match value.contains_zero() && *time == "0" {
                 true => "0".into(),
-                false => value.to_decimal(DIGITS).ok_or(MakeError::Digits {
-                    digits: DIGITS,
-                    bits: BITS,
-                })?,
+                false => certified(value, DIGITS, BITS)?,
             };
             writeln!(body, "{time},{},{},{text},{value}", QUANTITIES[k], unit(k))?;
         }

@@ -1,6 +1,7 @@
 //! A generated file: its header, and the check against it.
 
 use mechaudit::audit::{Origin, Uncertified};
+use mechaudit::reference::Ball;
 use mechaudit::report::words::numbers::clipped;
 use serde_json::{Map, Value};
 use sha2::{Digest, Sha256};
@@ -112,6 +113,12 @@ pub fn document(name: &str, form: Form, made: &Made) -> Outcome<String> {
         .map(|l| format!("{mark} {l}").trim_end().to_string())
         .collect();
     Ok(format!("{}\n{}", header.join("\n"), made.body))
+}
+
+/// That many certified digits of a number known to so many bits.
+pub fn certified(ball: &Ball, digits: usize, bits: u32) -> Result<String, MakeError> {
+    ball.to_decimal(digits)
+        .ok_or(MakeError::Digits { digits, bits })
 }
 
 /// SHA-256 in hexadecimal.

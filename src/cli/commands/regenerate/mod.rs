@@ -162,13 +162,13 @@ pub fn regenerate(args: &RegenerateArgs) -> Result<Outcome, Failure> {
         true => format!("{good} of {total} files are what the references give."),
         false => format!("{good} of {total} files are up to date."),
     };
-    write_to(None, |out| Ok(writeln!(out, "{summary}")?))?;
+    write_to(|out| Ok(writeln!(out, "{summary}")?))?;
     Ok(Outcome::of(good as u64 == total))
 }
 
 fn line(artefact: &Artefact, what: &str) -> Result<(), Failure> {
     let path = artefact.path.display();
-    write_to(None, |out| Ok(writeln!(out, "{path}: {what}")?))
+    write_to(|out| Ok(writeln!(out, "{path}: {what}")?))
 }
 
 /// The first difference of a file, and whether its digest is broken.

@@ -1,6 +1,6 @@
 //! The enclosed motion of the N four-bar mechanism.
 
-use super::artefact::{Made, MakeError, Outcome};
+use super::artefact::{Made, Outcome, certified};
 use mechaudit::papers::n_four_bar::data::{SIZES, inertia, pendulum, squares, state};
 use mechaudit::papers::n_four_bar::{BITS, DIGITS, QUANTITIES};
 use rug::Rational;
@@ -17,10 +17,7 @@ pub fn made() -> Outcome<Made> {
         for t in 1..=LAST {
             let state = state(&turning, &Rational::from(t))?;
             for ((name, unit), value) in QUANTITIES.iter().zip(&state.values) {
-                let value = value.to_decimal(DIGITS).ok_or(MakeError::Digits {
-                    digits: DIGITS,
-                    bits: BITS,
-                })?;
+                let value = certified(value, DIGITS, BITS)?;
                 writeln!(body, "{n},{t},{name},{unit},{value}")?;
             }
         }

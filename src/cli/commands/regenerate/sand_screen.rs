@@ -1,7 +1,7 @@
 //! The enclosed run-up of the sand screen: recovered masses, a motor by Kloss's formula at the
 //! crank, from rest.
 
-use super::artefact::{Made, MakeError, Outcome};
+use super::artefact::{Made, Outcome, certified};
 use mechaudit::papers::zinchenko::data;
 use mechaudit::reference::run_up::{
     Coefficients, LinkageCurve, Motor, Run, free_motion_factor, integrate,
@@ -40,11 +40,7 @@ fn exactly(text: &str) -> Outcome<Rational> {
 }
 
 fn digits(ball: &Ball) -> Outcome<String> {
-    let text = ball.to_decimal(DIGITS);
-    Ok(text.ok_or(MakeError::Digits {
-        digits: DIGITS,
-        bits: BITS,
-    })?)
+    Ok(certified(ball, DIGITS, BITS)?)
 }
 
 /// Angle and speed at [`TIMES`], and the factor of the speed over a turn of free motion.
