@@ -1,9 +1,10 @@
 //! Reports, cases and methods as plain Python data.
 
 use mechaudit::audit::{
-    CaseReport, Layout, MethodReport, Proof, RegionReport, SolverAnswer, Spread, Verdict,
+    CaseReport, Layout, MethodReport, Proof, RegionReport, SolverAnswer, Spread,
 };
 use mechaudit::methods;
+use mechaudit::report::words::audit::of_case;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use std::fmt::Display;
@@ -17,16 +18,6 @@ fn spread<'py>(py: Python<'py>, s: &Spread) -> PyResult<Bound<'py, PyDict>> {
     d.set_item("median", s.median)?;
     d.set_item("rms", s.rms)?;
     Ok(d)
-}
-
-fn word(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::Pass => "pass",
-        Verdict::Undecided => "undecided",
-        Verdict::Over => "over budget",
-        Verdict::WrongKind => "wrong kind",
-        Verdict::OracleError => "reference failed",
-    }
 }
 
 pub fn proof(proof: Option<Proof>) -> Option<String> {
@@ -132,7 +123,7 @@ fn case_facts<'py>(py: Python<'py>, r: &CaseReport, tail: &str) -> PyResult<Boun
     }
     d.set_item("due", r.reference.clone())?;
     d.set_item("radius", r.radii.clone())?;
-    d.set_item("verdict", word(r.judgement.verdict))?;
+    d.set_item("verdict", of_case(r.judgement.verdict).0)?;
     d.set_item("reason", r.judgement.why())?;
     let c = &r.judgement.components;
     d.set_item("outputs", c.iter().map(|c| c.output).collect::<Vec<_>>())?;

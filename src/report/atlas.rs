@@ -1,7 +1,8 @@
 //! The atlas for programs: a document of JSON, and its tables as CSV.
 
+use super::csv::{Column, number, table};
 use crate::audit::hex_float;
-use crate::claims::{Atlas, Figures, Verdict, advice};
+use crate::claims::{Atlas, Decided, Part, Row, Verdict, advice};
 use serde_json::{Value, json};
 use std::io::Write;
 
@@ -30,22 +31,11 @@ pub fn height(h: f64) -> String {
     }
 }
 
-fn number(x: Option<f64>) -> String {
-    x.map_or(String::new(), |x| format!("{x:e}"))
-}
-
-fn spread(f: Option<&Figures>) -> [String; 3] {
-    match f {
-        Some(f) => [f.worst, f.p99, f.median].map(|x| format!("{x:e}")),
-        None => Default::default(),
-    }
-}
-
-/// A point of the plane; a line's eight parameters are in the document.
-fn point(at: Option<&[f64]>) -> [String; 2] {
-    match at {
-        Some([x, y]) => [hex_float(*x), hex_float(*y)],
-        _ => Default::default(),
+/// A coordinate of a point of the plane; a line's eight parameters are in the document.
+fn coordinate(at: &Option<Vec<f64>>, k: usize) -> String {
+    match at.as_deref() {
+        Some(at @ [_, _]) => hex_float(at[k]),
+        _ => String::new(),
     }
 }
 
@@ -54,47 +44,37 @@ fn point(at: Option<&[f64]>) -> [String; 2] {
 /// # Errors
 /// Of writing.
 pub fn rows(atlas: &Atlas, out: &mut dyn Write) -> Result<(), ::csv::Error> {
-    let mut csv = ::csv::Writer::from_writer(out);
-    csv.write_record([
-        "name",
-        "precision",
-        "region",
-        "cases",
-        "worst_norm",
-        "p99_norm",
-        "median_norm",
-        "worst_re",
-        "worst_im",
-        "wrong",
-        "negative_re",
-        "worst_at_re",
-        "worst_at_im",
-        "worst_derivative",
-        "worst_jump_re",
-        "ns",
-    ])?;
-    for row in atlas.rows.iter().chain(&atlas.profiles) {
-        for part in &row.parts {
-            let mut fields = vec![
-                row.name.clone(),
-                if row.single { "single" } else { "double" }.into(),
-                part.region.into(),
-                part.cases.to_string(),
-            ];
-            fields.extend(spread(part.norm.as_ref()));
-            fields.extend([number(part.re), number(part.im)]);
-            fields.extend([part.wrong.to_string(), part.negative.to_string()]);
-            fields.extend(point(part.worst_at.as_deref()));
-            let all = part.region == "all";
-            let once = |x: Option<f64>| number(x.filter(|_| all));
-            fields.push(once(row.derivative.as_ref().map(|d| d.worst)));
-            let jump = row.jumps.iter().map(|j| j.re).reduce(f64::max);
-            fields.push(once(jump));
-            fields.push(once(row.nanoseconds.map(f64::round)));
-            csv.write_record(fields)?;
-        }
-    }
-    Ok(csv.flush()?)
+    let all = atlas.rows.iter().chain(&atlas.profiles);
+    let rows = all.flat_map(|row| row.parts.iter().map(move |part| (row, part)));
+    let columns: [Column<(&Row, &Part)>; 16] = [
+        ("name", |(row, _)| row.name.clone()),
+        ("precision", |(row, _)| {
+            if row.single { "single" } else { "double" }.into()
+        }),
+        ("region", |(_, p)| p.region.into()),
+        ("cases", |(_, p)| p.cases.to_string()),
+        ("worst_norm", |(_, p)| {
+            number(p.norm.as_ref().map(|f| f.worst))
+        }),
+        ("p99_norm", |(_, p)| number(p.norm.as_ref().map(|f| f.p99))),
+        ("median_norm", |(_, p)| {
+            number(p.norm.as_ref().map(|f| f.median))
+        }),
+        ("worst_re", |(_, p)| number(p.re)),
+        ("worst_im", |(_, p)| number(p.im)),
+        ("wrong", |(_, p)| p.wrong.to_string()),
+        ("negative_re", |(_, p)| p.negative.to_string()),
+        ("worst_at_re", |(_, p)| coordinate(&p.worst_at, 0)),
+        ("worst_at_im", |(_, p)| coordinate(&p.worst_at, 1)),
+        ("worst_derivative", |r| {
+            number(whole(r).and_then(|r| Some(r.derivative.as_ref()?.worst)))
+        }),
+        ("worst_jump_re", |r| number(whole(r).and_then(worst_jump))),
+        ("ns", |r| {
+            number(whole(r).and_then(|r| r.nanoseconds.map(f64::round)))
+        }),
+    ];
+    table(&columns, rows, out)
 }
 
 /// A line for each claim.
@@ -102,49 +82,42 @@ pub fn rows(atlas: &Atlas, out: &mut dyn Write) -> Result<(), ::csv::Error> {
 /// # Errors
 /// Of writing.
 pub fn claims(atlas: &Atlas, out: &mut dyn Write) -> Result<(), ::csv::Error> {
-    let mut csv = ::csv::Writer::from_writer(out);
-    csv.write_record([
-        "algorithm",
-        "statement",
-        "source",
-        "reading",
-        "domain",
-        "measure",
-        "bound",
-        "verdict",
-        "part",
-        "points",
-        "found",
-        "within",
-        "at_re",
-        "at_im",
-        "reproduce",
-    ])?;
-    for c in &atlas.claims {
-        let part = match c.verdict {
-            Verdict::NotTestable => c.reading,
-            _ => &c.part,
-        };
-        let [re, im] = point(c.at.as_deref());
-        csv.write_record([
-            c.algorithm,
-            c.statement,
-            c.source,
-            c.reading,
-            c.domain,
-            &c.measure,
-            &number(c.bound),
-            c.verdict.words(),
-            part,
-            &c.points.to_string(),
-            &number(c.found),
-            &number(c.within),
-            &re,
-            &im,
-            c.reproduce.as_deref().unwrap_or(""),
-        ])?;
+    let columns: [Column<&Decided>; 15] = [
+        ("algorithm", |c| c.algorithm.into()),
+        ("statement", |c| c.statement.into()),
+        ("source", |c| c.source.into()),
+        ("reading", |c| c.reading.into()),
+        ("domain", |c| c.domain.into()),
+        ("measure", |c| c.measure.clone()),
+        ("bound", |c| number(c.bound)),
+        ("verdict", |c| c.verdict.words().into()),
+        ("part", |c| part(c).into()),
+        ("points", |c| c.points.to_string()),
+        ("found", |c| number(c.found)),
+        ("within", |c| number(c.within)),
+        ("at_re", |c| coordinate(&c.at, 0)),
+        ("at_im", |c| coordinate(&c.at, 1)),
+        ("reproduce", |c| c.reproduce.clone().unwrap_or_default()),
+    ];
+    table(&columns, &atlas.claims, out)
+}
+
+/// What is about all regions stands in their line.
+fn whole<'a>(&(row, part): &(&'a Row, &Part)) -> Option<&'a Row> {
+    (part.region == "all").then_some(row)
+}
+
+/// The largest relative jump of Re W.
+pub fn worst_jump(row: &Row) -> Option<f64> {
+    row.jumps.iter().map(|j| j.re).reduce(f64::max)
+}
+
+/// Where the claim holds, or why it cannot be tested.
+fn part(c: &Decided) -> &str {
+    match c.verdict {
+        Verdict::NotTestable => c.reading,
+        _ => &c.part,
     }
-    Ok(csv.flush()?)
 }
 
 #[cfg(test)]

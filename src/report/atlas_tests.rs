@@ -1,7 +1,7 @@
 //! Tests of `atlas`, and an atlas for those of other forms.
 
 use super::*;
-use crate::claims::{Decided, Effort, Finding, Height, Jump, Missing, Part, Row};
+use crate::claims::{Decided, Effort, Figures, Finding, Height, Jump, Missing, Part, Row};
 
 /// A part of which nothing is known.
 pub fn part(region: &'static str, cases: u64) -> Part {

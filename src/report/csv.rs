@@ -2,9 +2,33 @@
 //! an audit as CSV, one line for each region and output.
 
 use super::words::paper::entry;
-use crate::audit::{Comparison, Kind, MethodReport, OutputStatistics, RegionReport, Spread};
-use crate::papers::PaperReport;
+use crate::audit::{
+    Compared, Comparison, Kind, MethodReport, OutputStatistics, RegionReport, Spread, Standing,
+};
+use crate::papers::{Entry, PaperReport, VariantJudgement};
 use std::io::Write;
+
+/// A column: its name, and a row's field.
+pub(super) type Column<T> = (&'static str, fn(&T) -> String);
+
+/// Writes a line of names, then one for each row.
+pub(super) fn table<T>(
+    columns: &[Column<T>],
+    rows: impl IntoIterator<Item = T>,
+    out: &mut dyn Write,
+) -> Result<(), ::csv::Error> {
+    let mut csv = ::csv::Writer::from_writer(out);
+    csv.write_record(columns.iter().map(|c| c.0))?;
+    for row in rows {
+        csv.write_record(columns.iter().map(|c| c.1(&row)))?;
+    }
+    Ok(csv.flush()?)
+}
+
+/// A number, or nothing.
+pub(super) fn number(x: Option<f64>) -> String {
+    x.map_or(String::new(), |x| format!("{x:e}"))
+}
 
 /// The columns of [`audit`] before the wrong kinds.
 const AUDIT: [&str; 33] = [
@@ -107,14 +131,12 @@ fn line(
         Some(o) => (o.max_of_budget, o.worst.as_ref()),
         None => (region.max_of_budget, region.worst.as_ref()),
     };
-    fields.push(format!("{:e}", worst.0));
+    fields.push(number(Some(worst.0)));
     let kinds = output.map_or(&region.kinds, |o| &o.kinds);
-    fields.push(output.map_or(String::new(), |o| format!("{:e}", o.max_condition)));
+    fields.push(number(output.map(|o| o.max_condition)));
     fields.push(kinds.total().to_string());
-    let largest = region.outputs.iter().max_by(|a, b| {
-        let share = |o: &OutputStatistics| o.max_of_budget;
-        share(a).total_cmp(&share(b))
-    });
+    let outputs = region.outputs.iter();
+    let largest = outputs.max_by(|a, b| a.max_of_budget.total_cmp(&b.max_of_budget));
     let largest = largest.filter(|_| output.is_none());
     fields.push(largest.map_or(String::new(), |o| o.name.into()));
     fields.push(report.interrupted.to_string());
@@ -127,74 +149,49 @@ fn line(
 
 /// Writes a comparison: a line for each region (`all` last) and candidate.
 pub fn comparison(found: &Comparison, out: &mut dyn Write) -> Result<(), ::csv::Error> {
-    let mut csv = ::csv::Writer::from_writer(out);
-    csv.write_record([
-        "method",
-        "region",
-        "candidate",
-        "best",
-        "cases",
-        "failed",
-        "wrong",
-        "of_budget",
-        "times_the_best",
-        "worst_ulps",
-        "rms_ulps",
-        "ns_per_answer",
-        "start_up_ms",
-    ])?;
-    let number = |x: f64| format!("{x:e}");
-    let some = |x: Option<f64>| x.map_or(String::new(), number);
-    for contest in &found.regions {
-        for (c, s) in found.candidates.iter().zip(&contest.standings) {
-            csv.write_record([
-                found.method.to_string(),
-                contest.region.into(),
-                c.name.clone(),
-                s.best.to_string(),
-                s.cases.to_string(),
-                s.failed.to_string(),
-                s.wrong.to_string(),
-                number(s.of_budget),
-                some(s.ratio),
-                number(s.worst_ulps),
-                number(s.rms_ulps),
-                some(c.speed.map(|s| s.ns_per_answer)),
-                some(c.speed.and_then(|s| s.start_up_ms)),
-            ])?;
-        }
-    }
-    Ok(csv.flush()?)
+    let rows = found.regions.iter().flat_map(|contest| {
+        let each = found.candidates.iter().zip(&contest.standings);
+        each.map(move |(c, s)| ([found.method, contest.region], c, s))
+    });
+    let columns: [Column<([&str; 2], &Compared, &Standing)>; 13] = [
+        ("method", |([method, _], ..)| method.to_string()),
+        ("region", |([_, region], ..)| region.to_string()),
+        ("candidate", |(_, c, _)| c.name.clone()),
+        ("best", |(.., s)| s.best.to_string()),
+        ("cases", |(.., s)| s.cases.to_string()),
+        ("failed", |(.., s)| s.failed.to_string()),
+        ("wrong", |(.., s)| s.wrong.to_string()),
+        ("of_budget", |(.., s)| number(Some(s.of_budget))),
+        ("times_the_best", |(.., s)| number(s.ratio)),
+        ("worst_ulps", |(.., s)| number(Some(s.worst_ulps))),
+        ("rms_ulps", |(.., s)| number(Some(s.rms_ulps))),
+        ("ns_per_answer", |(_, c, _)| {
+            number(c.speed.map(|s| s.ns_per_answer))
+        }),
+        ("start_up_ms", |(_, c, _)| {
+            number(c.speed.and_then(|s| s.start_up_ms))
+        }),
+    ];
+    table(&columns, rows, out)
 }
 
 /// Writes the entries.
 pub fn paper(report: &PaperReport, out: &mut dyn Write) -> Result<(), ::csv::Error> {
-    let mut csv = ::csv::Writer::from_writer(out);
-    csv.write_record([
-        "table",
-        "row",
-        "column",
-        "printed",
-        "variant",
-        "recomputed",
-        "units_in_last_digit",
-        "verdict",
-    ])?;
-    for e in &report.entries {
-        for (variant, r) in &e.variants {
-            csv.write_record([
-                &e.table.to_string(),
-                &e.row.to_string(),
-                e.column,
-                &e.printed,
-                variant,
-                &r.recomputed,
-                &r.units_in_last_digit.to_string(),
-                entry(r.verdict),
-            ])?;
-        }
-    }
-    Ok(csv.flush()?)
+    let entries = report.entries.iter();
+    let rows = entries.flat_map(|e| e.variants.iter().map(move |(variant, r)| (e, variant, r)));
+    let columns: [Column<(&Entry, &&str, &VariantJudgement)>; 8] = [
+        ("table", |(e, ..)| e.table.to_string()),
+        ("row", |(e, ..)| e.row.to_string()),
+        ("column", |(e, ..)| e.column.to_string()),
+        ("printed", |(e, ..)| e.printed.clone()),
+        ("variant", |(_, variant, _)| variant.to_string()),
+        ("recomputed", |(.., r)| r.recomputed.clone()),
+        ("units_in_last_digit", |(.., r)| {
+            r.units_in_last_digit.to_string()
+        }),
+        ("verdict", |(.., r)| entry(r.verdict).into()),
+    ];
+    table(&columns, rows, out)
 }
 
 #[cfg(test)]

@@ -40,31 +40,28 @@ fn suite(report: &MethodReport) -> TestSuite {
     for law in &report.laws {
         let status = match holds(law) {
             true => TestCaseStatus::success(),
-            false => {
-                let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
-                status.set_message(format!("residual {} times what is allowed", law.worst));
-                status
-            }
+            false => failed(format!("residual {} times what is allowed", law.worst)),
         };
         suite.add_test_case(TestCase::new(format!("law {}", law.name), status));
     }
     let trouble = report.candidate.as_ref().and_then(|c| c.trouble.clone());
     if report.cases == 0 && !report.interrupted {
-        let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
-        status.set_message("there are no cases");
-        suite.add_test_case(TestCase::new("some cases", status));
+        suite.add_test_case(TestCase::new("some cases", failed("there are no cases")));
     }
     if let Some(trouble) = trouble {
-        let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
-        status.set_message(trouble);
-        suite.add_test_case(TestCase::new("the program", status));
+        suite.add_test_case(TestCase::new("the program", failed(trouble)));
     }
     if report.interrupted {
-        let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
-        status.set_message(format!("interrupted after {} cases", report.cases));
+        let status = failed(format!("interrupted after {} cases", report.cases));
         suite.add_test_case(TestCase::new("not interrupted", status));
     }
     suite
+}
+
+fn failed(message: impl Into<quick_junit::XmlString>) -> TestCaseStatus {
+    let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
+    status.set_message(message);
+    status
 }
 
 /// What was found in a region, a line for each output.
@@ -86,10 +83,9 @@ fn figures(region: &RegionReport) -> String {
 }
 
 fn failure(report: &MethodReport, region: &RegionReport) -> TestCaseStatus {
-    let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
     let all = failing(report, usize::MAX).into_iter();
-    let failed: Vec<&CaseReport> = all.filter(|f| f.case.region == region.name).collect();
-    let reason = failed.first().and_then(|f| f.judgement.why());
+    let cases: Vec<&CaseReport> = all.filter(|f| f.case.region == region.name).collect();
+    let reason = cases.first().and_then(|f| f.judgement.why());
     let parts = [
         format!("{} of {} cases fail", region.failed(), region.cases),
         kinds(&region.kinds),
@@ -97,8 +93,8 @@ fn failure(report: &MethodReport, region: &RegionReport) -> TestCaseStatus {
         reason.map_or(String::new(), |r| format!("the worst: {r}")),
     ];
     let parts: Vec<String> = parts.into_iter().filter(|p| !p.is_empty()).collect();
-    status.set_message(parts.join("; "));
-    let texts = failed
+    let mut status = failed(parts.join("; "));
+    let texts = cases
         .iter()
         .take(FAILURES_SHOWN)
         .map(|f| plain(&case::text(f, &report.again(&f.case), 100)));

@@ -308,7 +308,11 @@ pub(super) struct DriveMotion {
 }
 
 /// A quantity whose dimension depends on the drive.
-fn quantity<D: Dimension>(source: &Source, at: &str, text: &str) -> Result<f64, Refusal> {
+pub(super) fn quantity<D: Dimension>(
+    source: &Source,
+    at: &str,
+    text: &str,
+) -> Result<f64, Refusal> {
     match Quantity::<D>::from_str(text) {
         Ok(q) => Ok(q.to_f64()),
         Err(e) => Err(source.breach(at, format!("{at} = {e}"))),

@@ -3,14 +3,13 @@
 use super::Machine;
 use super::bodies::Bodies;
 use super::file::File;
-use super::joints::drive_value;
+use super::joints::{drive_value, quantity};
 use crate::machine::quantity::{Dimension, Force, Quantity};
 use crate::machine::source::{Refusal, Source};
 use crate::reference::nearest_f64;
 use crate::solvers::planar::{BodyMass, Course, GROUND, Load, Loads, Mechanism, State};
 use crate::solvers::units::{Inertia, Length, Mass, Torque};
 use std::f64::consts::{PI, TAU};
-use std::str::FromStr;
 
 /// A value or a table over the drive; `offset` is the angle of the driven body's line in its frame.
 struct Courses<'a> {
@@ -20,13 +19,6 @@ struct Courses<'a> {
 }
 
 impl Courses<'_> {
-    fn value<D: Dimension>(&self, at: &str, text: &str) -> Result<f64, Refusal> {
-        match Quantity::<D>::from_str(text) {
-            Ok(q) => Ok(q.to_f64()),
-            Err(e) => Err(self.source.breach(at, format!("{at} = {e}"))),
-        }
-    }
-
     fn read<D: Dimension>(
         &self,
         at: &str,
@@ -34,9 +26,11 @@ impl Courses<'_> {
         table: &Option<Vec<[String; 2]>>,
     ) -> Result<Course, Refusal> {
         match (value, table) {
-            (Some(text), None) => Ok(Course::Constant(
-                self.value::<D>(&format!("{at}.value"), text)?,
-            )),
+            (Some(text), None) => Ok(Course::Constant(quantity::<D>(
+                self.source,
+                &format!("{at}.value"),
+                text,
+            )?)),
             (None, Some(rows)) => {
                 let place = format!("{at}.table");
                 let row = |[drive, value]: &[String; 2]| -> Result<[f64; 2], Refusal> {
@@ -46,7 +40,7 @@ impl Courses<'_> {
                     } else {
                         x
                     };
-                    Ok([x, self.value::<D>(&place, value)?])
+                    Ok([x, quantity::<D>(self.source, &place, value)?])
                 };
                 Ok(Course::Table(
                     rows.iter().map(row).collect::<Result<_, _>>()?,

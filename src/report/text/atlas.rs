@@ -3,6 +3,7 @@
 use super::style::{BAD, BOLD, DIM, DOUBT, GOOD, PLAIN, paint, paragraph, wrap};
 use super::table::Table;
 use crate::claims::{Atlas, Decided, Figures, Row, Verdict, advice};
+use crate::report::atlas::worst_jump;
 use anstyle::Style;
 
 /// Summary, rows, heights, claims, findings, what is missing, advice.
@@ -241,7 +242,7 @@ fn counts(row: &Row) -> Vec<(String, Style)> {
         count(all.map_or(0, |p| p.wrong) - huge),
         count(huge),
         count(all.map_or(0, |p| p.negative)),
-        error(row.jumps.iter().map(|j| j.re).reduce(f64::max)),
+        error(worst_jump(row)),
         count(row.jumps.iter().map(|j| j.rising).sum()),
     ]
 }

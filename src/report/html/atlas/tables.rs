@@ -1,7 +1,7 @@
 //! The tables of the atlas.
 
 use crate::claims::{Atlas, Figures, Row};
-use crate::report::atlas::height;
+use crate::report::atlas::{height, worst_jump};
 use maud::{Markup, html};
 
 /// Worst errors region by region.
@@ -62,7 +62,6 @@ fn line(row: &Row) -> Markup {
     let re = |region: &str| error(row.part(region).and_then(|p| p.re));
     let all = row.part("all");
     let huge = row.part("huge").map_or(0, |p| p.wrong);
-    let jump = row.jumps.iter().map(|j| j.re).reduce(f64::max);
     let rising: u64 = row.jumps.iter().map(|j| j.rising).sum();
     html! {
         tr {
@@ -72,7 +71,7 @@ fn line(row: &Row) -> Markup {
             (of(norm("beside-axis"), |f| f.worst)) (re("beside-axis")) (re("grid")) (re("wings"))
             (of(norm("lower"), |f| f.worst))
             (count(all.map_or(0, |p| p.wrong) - huge)) (count(huge)) (count(all.map_or(0, |p| p.negative)))
-            (error(jump)) (count(rising)) (of(row.derivative.as_ref(), |f| f.worst))
+            (error(worst_jump(row))) (count(rising)) (of(row.derivative.as_ref(), |f| f.worst))
             (time(row))
         } "\n"
     }
