@@ -280,19 +280,14 @@ impl ClassIii {
         start: &State,
         angles: impl IntoIterator<Item = Angle>,
     ) -> Result<Vec<Row>, (Vec<Row>, super::class_iii::ContinuationError)> {
-        let mut rows = Vec::new();
-        let mut here = *start;
-        for phi1 in angles {
-            match self.follow(&here, phi1) {
-                Ok(state) => here = state,
-                Err(e) => return Err((rows, e)),
-            }
-            rows.push(Row {
-                state: here,
-                reduced: masses.reduce(&here),
-            });
-        }
-        Ok(rows)
+        let row = |state: State| Row {
+            state,
+            reduced: masses.reduce(&state),
+        };
+        let rows = |states: Vec<State>| states.into_iter().map(row).collect();
+        self.sweep(start, angles)
+            .map(rows)
+            .map_err(|(states, e)| (rows(states), e))
     }
 }
 

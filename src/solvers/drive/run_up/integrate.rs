@@ -4,7 +4,7 @@
 use super::crossing::{Limits, Pause, crossing};
 use super::equation::{Equation, EquationError};
 use super::record::{Stretch, Taken};
-use super::stepper::{DAMPING, Method, PHI, PSI, State, Stepper, Tolerances, Tried, begin};
+use super::stepper::{DAMPING, Method, PHI, PSI, State, Stepper, Tried, begin};
 use differential_equations::ode::ODE;
 use std::cell::{Cell, RefCell};
 
@@ -64,14 +64,11 @@ impl Settings {
         }
     }
 
-    fn tolerances(&self) -> Tolerances {
+    fn tolerances(&self) -> State {
         let t = self.tolerance;
         // The last component only serves Newton's method of the steady cycle.
         let loose = t.max(1e-7);
-        Tolerances {
-            relative: [t, t, t, t, t, loose],
-            absolute: [t, t, t, t, t, loose],
-        }
+        [t, t, t, t, t, loose]
     }
 }
 
@@ -187,7 +184,7 @@ pub(super) type Watch<'w> = &'w mut dyn FnMut(f64, f64, &mut dyn FnMut(f64) -> S
 pub(super) struct Integrator<'a> {
     rhs: Rhs<'a>,
     settings: Settings,
-    tolerances: Tolerances,
+    tolerances: State,
     /// The method that takes the steps.
     pub method: Method,
     stiffness: Stiffness,

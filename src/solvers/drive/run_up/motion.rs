@@ -39,21 +39,15 @@ impl Plan {
 
     pub(super) fn check(&self) -> Result<(), SettingsError> {
         self.settings.check()?;
-        let finite = |name, value: f64| match value.is_finite() {
+        let number = |good: bool, name, value, rule| match good {
             true => Ok(()),
-            false => Err(SettingsError::Number {
-                name,
-                value,
-                rule: "is not a finite number",
-            }),
+            false => Err(SettingsError::Number { name, value, rule }),
         };
-        let positive = |name, value: f64| match value > 0.0 {
-            true => finite(name, value),
-            false => Err(SettingsError::Number {
-                name,
-                value,
-                rule: "must be greater than zero",
-            }),
+        let finite =
+            |name, value: f64| number(value.is_finite(), name, value, "is not a finite number");
+        let positive = |name, value: f64| {
+            number(value > 0.0, name, value, "must be greater than zero")?;
+            finite(name, value)
         };
         finite("the angle at the start", self.phi)?;
         finite("the speed at the start", self.psi)?;
@@ -67,13 +61,9 @@ impl Plan {
         if let Some(dt) = self.sampling {
             positive("the sampling step", dt)?;
             // Ten million rows are a gigabyte.
-            if !(self.duration / dt <= 1e7) {
-                return Err(SettingsError::Number {
-                    name: "the sampling step",
-                    value: dt,
-                    rule: "gives more than ten million samples",
-                });
-            }
+            let few = self.duration / dt <= 1e7;
+            let rule = "gives more than ten million samples";
+            number(few, "the sampling step", dt, rule)?;
         }
         Ok(())
     }

@@ -191,12 +191,10 @@ struct Run<'a> {
 
 impl<'a> Run<'a> {
     fn begin(equation: &'a Equation<'a>, plan: &'a Plan, sign: f64) -> Result<Run<'a>, RunError> {
-        let mut integrator =
-            Integrator::new(*equation, plan.settings, 0.0, plan.phi, plan.psi, sign);
+        let integrator = Integrator::new(*equation, plan.settings, 0.0, plan.phi, plan.psi, sign);
         let start = sample(equation, 0.0, &integrator.y, sign, 0.0)
             .and_then(|s| sample(equation, 0.0, &integrator.y, sign, s.kinetic_energy))
             .map_err(|e| integrator.error(Stuck::Equation(e)))?;
-        integrator.counts = Counts::default();
         let model = equation.model();
         let mut angles = vec![plan.phi];
         angles.extend_from_slice(model.knots());
@@ -269,8 +267,8 @@ impl<'a> Run<'a> {
             let pause = self.integrator.advance(&limits, &mut |_, _, _| ());
             let pause = pause.map_err(|s| self.integrator.error(s))?;
             if pause == Pause::End {
-                let s = sample(equation, end, &self.integrator.y, sign, energy);
-                samples.push(s.map_err(|e| self.integrator.error(Stuck::Equation(e)))?);
+                let s = self.sample()?;
+                self.samples.push(s);
             }
             return Ok(pause);
         }
@@ -293,6 +291,12 @@ impl<'a> Run<'a> {
             Some(e) => Err(self.integrator.error(Stuck::Equation(e))),
             None => Ok(pause),
         }
+    }
+
+    /// The motion at this moment.
+    fn sample(&self) -> Result<Sample, RunError> {
+        let (i, energy) = (&self.integrator, self.start.kinetic_energy);
+        sample(self.equation, i.t, &i.y, self.sign, energy).map_err(|e| i.error(Stuck::Equation(e)))
     }
 
     fn event(&mut self, kind: EventKind) {
@@ -329,14 +333,7 @@ impl<'a> Run<'a> {
 
     fn turn(&mut self) -> Option<Outcome> {
         let y = self.integrator.y;
-        let balance = sample(
-            self.equation,
-            self.integrator.t,
-            &y,
-            self.sign,
-            self.start.kinetic_energy,
-        )
-        .map_or(f64::NAN, |s| s.balance);
+        let balance = self.sample().map_or(f64::NAN, |s| s.balance);
         let (t0, psi0) = match self.turns.last() {
             Some(last) => (last.t, last.psi),
             None => (0.0, self.plan.psi),
@@ -365,15 +362,7 @@ impl<'a> Run<'a> {
     }
 
     fn end(self, outcome: Outcome) -> Result<Motion, RunError> {
-        let i = &self.integrator;
-        let end = sample(
-            self.equation,
-            i.t,
-            &i.y,
-            self.sign,
-            self.start.kinetic_energy,
-        )
-        .map_err(|e| i.error(Stuck::Equation(e)))?;
+        let end = self.sample()?;
         let mut samples = self.samples;
         if self.plan.sampling.is_some() && samples.last().is_some_and(|s| s.t < end.t) {
             samples.push(end);

@@ -78,17 +78,17 @@ pub(super) trait Stepper {
     fn between(&mut self, t: f64) -> State;
 }
 
-/// The method, ready at `(t, y)`; `h` is the first step.
+/// The method, ready at `(t, y)`; `h` is the first step. The tolerances of the components are relative and absolute ones.
 pub(super) fn begin(
     method: Method,
-    tolerance: &Tolerances,
+    tolerances: &State,
     ode: &dyn ODE<f64, State>,
     (t, y): (f64, &State),
     (end, h): (f64, f64),
 ) -> Result<Box<dyn Stepper>, String> {
     // The budget of steps is kept by the caller.
     const STEPS: usize = usize::MAX;
-    let (rtol, atol) = (tolerance.relative.to_vec(), tolerance.absolute.to_vec());
+    let (rtol, atol) = (tolerances.to_vec(), tolerances.to_vec());
     macro_rules! ready {
         ($method:expr) => {{
             let mut m = $method.rtol(rtol).atol(atol).h0(h).max_steps(STEPS);
@@ -103,13 +103,6 @@ pub(super) fn begin(
         // size of its own dimension necessary: tolerances are given for each component.
         Method::Radau5 => ready!(ImplicitRungeKutta::radau5().newton_tol(0.0)),
     }
-}
-
-/// Tolerances of the components.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Tolerances {
-    pub relative: State,
-    pub absolute: State,
 }
 
 /// The library prints states with `Display`, which arrays do not have.

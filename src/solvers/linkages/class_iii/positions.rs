@@ -37,12 +37,8 @@ impl Positions {
     }
 
     pub(super) fn plus(self, d: [f64; 4]) -> Positions {
-        Positions {
-            phi2: self.phi2 + d[0],
-            phi3: self.phi3 + d[1],
-            phi4: self.phi4 + d[2],
-            phi5: self.phi5 + d[3],
-        }
+        let own = self.to_array();
+        Positions::from_array(std::array::from_fn(|i| own[i] + d[i]))
     }
 
     /// The largest difference of an angle, on the circle.

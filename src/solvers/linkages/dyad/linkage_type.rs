@@ -118,14 +118,17 @@ impl FourBar {
     pub fn crank_range(&self) -> CrankRange {
         let [a, b, c, d] = self.scaled();
         let upper = (sign_of_sum(&[a, d, -b, -c]) > 0.0)
-            .then(|| wide_angle([a, d], b, c))
+            .then(|| angle_opposite([a, d], [b, c], a + d + b + c))
             .map(Angle::from_rad);
         // |b − c| > |a − d|: one of the two differences of b and c exceeds both of a and d.
         let exceeds = |x: f64, y: f64| {
             sign_of_sum(&[x, -y, -a, d]) > 0.0 && sign_of_sum(&[x, -y, a, -d]) > 0.0
         };
         let lower = (exceeds(b, c) || exceeds(c, b))
-            .then(|| narrow_angle([a, d], b.max(c), b.min(c)))
+            .then(|| {
+                let (big, small) = (b.max(c), b.min(c));
+                angle_opposite([a, d], [big, -small], sum4([a, d, big, -small]))
+            })
             .map(Angle::from_rad);
         match (lower, upper) {
             (None, None) => CrankRange::Full,
@@ -143,14 +146,17 @@ impl FourBar {
         let [a, b, c, d] = self.scaled();
         let s = assembly.sign();
         // O–C at the angle ±ω to the frame; rocker at π − (angle at the rocker's pivot).
-        let extended = wide_triangle([a, b], c, d).map(|(omega, rocker)| DeadPosition {
-            crank: Angle::from_rad(s * omega),
-            rocker: Angle::from_rad(s * rocker),
-        });
+        let extended =
+            triangle([a, b], [c, d], a + b + c + d).map(|(omega, rocker)| DeadPosition {
+                crank: Angle::from_rad(s * omega),
+                rocker: Angle::from_rad(s * rocker),
+            });
         let folded = if a == b {
             None
         } else {
-            narrow_triangle(a.max(b), a.min(b), c, d).map(|(omega, rocker)| {
+            let (big, small) = (a.max(b), a.min(b));
+            let sum = sum4([big, -small, c, d]);
+            triangle([big, -small], [c, d], sum).map(|(omega, rocker)| {
                 // b > a: the crank points away from C. a > b: C lies on the crank.
                 let (crank, rocker) = if b > a {
                     (s * (omega - PI), s * rocker)
@@ -168,20 +174,12 @@ impl FourBar {
     }
 }
 
-/// The angle between `p` and `q` opposite the side `b + c`, where the triangle is known to exist.
-fn wide_angle([p, q]: [f64; 2], b: f64, c: f64) -> f64 {
+/// The angle between `p` and `q` opposite the side `b + c`, where the triangle is known to exist; `sum` is that of all four.
+fn angle_opposite([p, q]: [f64; 2], [b, c]: [f64; 2], sum: f64) -> f64 {
     let x = sum4([b, c, -p, q]);
     let y = sum4([b, c, p, -q]);
     let z = sum4([p, q, -b, -c]);
-    HalfAngle::new(x, y, z, p + q + b + c).angle()
-}
-
-/// The angle between `p` and `q` opposite the side `big − small`.
-fn narrow_angle([p, q]: [f64; 2], big: f64, small: f64) -> f64 {
-    let x = sum4([big, -small, -p, q]);
-    let y = sum4([big, -small, p, -q]);
-    let z = sum4([p, q, -big, small]);
-    HalfAngle::new(x, y, z, sum4([p, q, big, -small])).angle()
+    HalfAngle::new(x, y, z, sum).angle()
 }
 
 /// The sum of four, exact in the first two pairs where they nearly cancel; not below zero.
@@ -193,24 +191,10 @@ fn sum4([a, b, c, d]: [f64; 4]) -> f64 {
     (sum3([sum, c, d]) + low).max(0.0)
 }
 
-/// Angle at the crank pivot and exterior angle at the rocker pivot, third side `a + b`.
-fn wide_triangle([a, b]: [f64; 2], c: f64, d: f64) -> Option<(f64, f64)> {
+/// Angle at the crank pivot and exterior angle at the rocker pivot, third side `m = a + b`: from the factors `m − c + d`,
+/// `m + c − d`, `c + d − m` of the triangle, and the sum of all four.
+fn triangle([a, b]: [f64; 2], [c, d]: [f64; 2], sum: f64) -> Option<(f64, f64)> {
     let sides = [[a, b, -c, d], [a, b, c, -d], [c, d, -a, -b]];
-    triangle(sides, a + b + c + d)
-}
-
-/// The same with the third side `big − small`.
-fn narrow_triangle(big: f64, small: f64, c: f64, d: f64) -> Option<(f64, f64)> {
-    let sides = [
-        [big, -small, -c, d],
-        [big, -small, c, -d],
-        [c, d, -big, small],
-    ];
-    triangle(sides, sum4([big, -small, c, d]))
-}
-
-/// From the factors `m − c + d`, `m + c − d`, `c + d − m` of the triangle `m`, `c`, `d`.
-fn triangle(sides: [[f64; 4]; 3], sum: f64) -> Option<(f64, f64)> {
     if sides.iter().any(|f| sign_of_sum(f) < 0.0) {
         return None;
     }

@@ -116,12 +116,8 @@ impl Mechanism {
 
     /// The largest difference of two positions, angles to the nearest turn.
     fn distance(&self, a: &State, b: &State) -> f64 {
-        let pairs = a.pose.u.iter().zip(&b.pose.u).zip(&self.chain.lengths);
-        let apart = pairs.map(|((x, y), length)| match length {
-            true => (x - y).abs(),
-            false => super::isotropic::wrapped(x - y).abs(),
-        });
-        apart.fold(0.0, f64::max)
+        let apart = |k: usize| self.chain.apart(k, a.pose.u[k], b.pose.u[k]);
+        (0..self.chain.unknowns).map(apart).fold(0.0, f64::max)
     }
 
     /// Ends of branches at one singular position each.

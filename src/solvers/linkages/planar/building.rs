@@ -1,7 +1,7 @@
 //! Hangs the bodies, group by group, on joints to those placed before them, and closes the rest.
 
 use super::chain::{Block, Chain, Closure, Entry, Spot, Tie, Travel, Turn, rail, spot};
-use super::model::{Description, Drive, GROUND, Joint, Point};
+use super::model::{Description, Drive, GROUND, Guide, Joint, Point};
 use super::structure::Structure;
 
 /// A joint by which a body may hang, or a closure.
@@ -320,61 +320,52 @@ impl Builder<'_> {
         self.chain.closed.push(joint);
     }
 
+    /// Adds the closure of a joint if its bodies are placed and nothing has taken care of it.
+    fn add_once(&mut self, source: (usize, usize), bodies: &[usize], closure: Closure) {
+        if bodies.iter().all(|&b| self.placed[b]) && !self.used.contains(&source) {
+            self.used.push(source);
+            self.add(Some(source), closure);
+        }
+    }
+
     fn close_joint(&mut self, k: usize) {
         let description = self.description;
         let metres = self.metres;
-        let fresh = |used: &[(usize, usize)], source| !used.contains(&source);
+        let line = |point: &Point, guide: &Guide| Closure::Line {
+            rail: rail(guide, metres),
+            point: spot(point, metres),
+        };
         match &description.joints[k].part {
             Joint::Pin { points } => {
                 let Some((anchor, b)) = self.anchor(points) else {
                     return;
                 };
-                for (i, p) in points.iter().enumerate() {
-                    if i != anchor && self.placed[p.body] && fresh(&self.used, (k, i)) {
-                        self.used.push((k, i));
-                        let a = spot(p, metres);
-                        self.add(Some((k, i)), Closure::Pin { a, b });
-                    }
+                for (i, p) in points.iter().enumerate().filter(|(i, _)| *i != anchor) {
+                    let a = spot(p, metres);
+                    self.add_once((k, i), &[p.body], Closure::Pin { a, b });
                 }
             }
+            // Never the driven slide, which is the entry of the body that is placed last.
             Joint::Slide {
-                slider: point,
-                guide,
-                ..
+                slider: p, guide, ..
             }
             | Joint::Slot {
-                pin: point,
+                pin: p,
                 slot: guide,
-            } => {
-                let both = self.placed[point.body] && self.placed[guide.origin.body];
-                if both && fresh(&self.used, (k, 0)) {
-                    self.used.push((k, 0));
-                    // Never the driven slide, which is the entry of the body that is placed last.
-                    let (rail, point) = (rail(guide, metres), spot(point, metres));
-                    self.add(Some((k, 0)), Closure::Line { rail, point });
-                }
-            }
+            } => self.add_once((k, 0), &[p.body, guide.origin.body], line(p, guide)),
             Joint::Gears {
                 wheels,
                 carrier,
                 ratio,
                 phase,
             } => {
-                let all = [wheels[0], wheels[1], *carrier]
-                    .iter()
-                    .all(|&b| self.placed[b]);
-                if all && fresh(&self.used, (k, 0)) {
-                    self.used.push((k, 0));
-                    self.add(
-                        Some((k, 0)),
-                        Closure::Gears {
-                            wheels: *wheels,
-                            carrier: *carrier,
-                            ratio: *ratio,
-                            phase: phase.rad(),
-                        },
-                    );
-                }
+                let closure = Closure::Gears {
+                    wheels: *wheels,
+                    carrier: *carrier,
+                    ratio: *ratio,
+                    phase: phase.rad(),
+                };
+                self.add_once((k, 0), &[wheels[0], wheels[1], *carrier], closure);
             }
             Joint::Rack {
                 wheel,
@@ -385,22 +376,14 @@ impl Builder<'_> {
                 let Joint::Slide { slider, guide, .. } = &description.joints[*slide].part else {
                     return;
                 };
-                let all = [*wheel, slider.body, guide.origin.body]
-                    .iter()
-                    .all(|&b| self.placed[b]);
-                if all && fresh(&self.used, (k, 0)) {
-                    self.used.push((k, 0));
-                    self.add(
-                        Some((k, 0)),
-                        Closure::Rack {
-                            rail: rail(guide, metres),
-                            point: spot(slider, metres),
-                            wheel: *wheel,
-                            radius: radius.m() / metres,
-                            phase: phase.m() / metres,
-                        },
-                    );
-                }
+                let closure = Closure::Rack {
+                    rail: rail(guide, metres),
+                    point: spot(slider, metres),
+                    wheel: *wheel,
+                    radius: radius.m() / metres,
+                    phase: phase.m() / metres,
+                };
+                self.add_once((k, 0), &[*wheel, slider.body, guide.origin.body], closure);
             }
         }
     }

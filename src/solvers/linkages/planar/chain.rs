@@ -9,6 +9,7 @@
 use super::arms::Arm;
 use super::bounds::Bound;
 use super::check::unit;
+use super::isotropic::wrapped;
 use super::model::{Guide, Point};
 use num_complex::Complex64;
 
@@ -195,6 +196,19 @@ pub(super) fn rail(g: &Guide, metres: f64) -> Rail {
 impl Chain {
     pub(super) fn body_count(&self) -> usize {
         self.entries.len()
+    }
+
+    /// Whether a body is known before another's group.
+    pub(super) fn precedes(&self, body: usize, other: usize) -> bool {
+        self.group[body] < self.group[other]
+    }
+
+    /// The difference of two values of an unknown, of angles to the nearest turn.
+    pub(super) fn apart(&self, unknown: usize, a: f64, b: f64) -> f64 {
+        match self.lengths[unknown] {
+            true => (a - b).abs(),
+            false => wrapped(a - b).abs(),
+        }
     }
 
     /// The column of a displacement; that of the drive is after those of the unknowns.

@@ -184,17 +184,11 @@ pub(super) fn largest(description: &Description) -> Result<f64, MechanismError> 
     let of = |joint: &Joint| -> f64 {
         let points: Vec<&Point> = match joint {
             Joint::Pin { points } => points.iter().collect(),
-            Joint::Slide {
-                slider: p, guide, ..
-            }
-            | Joint::Slot {
-                pin: p,
-                slot: guide,
-            } => {
-                vec![p, &guide.origin]
-            }
-            Joint::Gears { .. } => Vec::new(),
             Joint::Rack { radius, .. } => return size(radius),
+            _ => {
+                let guided = joint.guided();
+                guided.map_or(Vec::new(), |(p, guide)| vec![p, &guide.origin])
+            }
         };
         points
             .iter()

@@ -14,6 +14,17 @@ pub(super) struct Meeting {
     pub same: bool,
 }
 
+impl Meeting {
+    /// Of circles about one centre or parallel lines: everywhere or nowhere.
+    fn parallel(same: bool) -> Meeting {
+        Meeting {
+            same,
+            near: same,
+            ..Meeting::default()
+        }
+    }
+}
+
 /// `a |x|² + 2 Re(b x) + c = 0`.
 #[derive(Clone, Copy, Debug)]
 struct Circle {
@@ -77,10 +88,9 @@ fn line_on_circle(b: Complex64, c: f64, circle: Circle) -> Meeting {
 /// The common points of two circles or lines.
 pub(super) fn meet(forms: &[Bilinear]) -> Meeting {
     let (f, g) = (Circle::new(&forms[0]), Circle::new(&forms[1]));
-    let (round, other) = if f.a.abs() >= g.a.abs() {
-        (f, g)
-    } else {
-        (g, f)
+    let (round, other) = match f.a.abs() >= g.a.abs() {
+        true => (f, g),
+        false => (g, f),
     };
     if round.a.abs() < 1e-14 {
         return lines(f, g);
@@ -92,11 +102,7 @@ pub(super) fn meet(forms: &[Bilinear]) -> Meeting {
     let constant = (other.c * round.a).abs() + (round.c * other.a).abs();
     if b.norm() <= 1e-13 * (size + constant) {
         let same = c.abs() <= 1e-12 * (size + constant);
-        return Meeting {
-            same,
-            near: same,
-            ..Meeting::default()
-        };
+        return Meeting::parallel(same);
     }
     line_on_circle(b, c, round)
 }
@@ -108,11 +114,7 @@ fn lines(f: Circle, g: Circle) -> Meeting {
     if determinant.abs() <= 1e-14 * f.b.norm() * g.b.norm() {
         let same =
             (f.b.re * g.c - g.b.re * f.c).abs() + (f.b.im * g.c - g.b.im * f.c).abs() < 1e-13;
-        return Meeting {
-            same,
-            near: same,
-            ..Meeting::default()
-        };
+        return Meeting::parallel(same);
     }
     let (p, q) = (-0.5 * f.c, -0.5 * g.c);
     let x = (-p * g.b.im + q * f.b.im) / determinant;

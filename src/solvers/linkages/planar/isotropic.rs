@@ -108,18 +108,6 @@ impl Gathering<'_> {
         self.rows.push(row);
     }
 
-    /// A point at a known displacement on a rail.
-    fn travel(&mut self, rail: Rail, point: Spot, s: f64) {
-        let at = rail.at + rail.along * s;
-        self.pin(
-            point,
-            Spot {
-                body: rail.body,
-                at,
-            },
-        );
-    }
-
     fn geared_angle(&mut self, body: usize, angle: f64) {
         let mut row = self.blank();
         let last = row.len() - 1;
@@ -153,7 +141,7 @@ impl Gathering<'_> {
 
     fn on_rail(&mut self, rail: Rail, point: Spot, travel: Travel) {
         match travel {
-            Travel::Drive => self.travel(rail, point, self.pose.drive),
+            Travel::Drive => self.pin(point, rail.at(self.pose.drive)),
             Travel::Unknown(_) => self.lines.push((rail, point)),
         }
     }
@@ -197,7 +185,7 @@ impl Gathering<'_> {
                         let turn = angle(self, wheel) - angle(self, rail.body);
                         self.lines
                             .retain(|(_, p)| p.body != point.body || p.at != point.at);
-                        self.travel(rail, point, radius * turn + phase);
+                        self.pin(point, rail.at(radius * turn + phase));
                     } else {
                         return Err(NoForms::Gears);
                     }
@@ -221,7 +209,7 @@ impl Gathering<'_> {
 
     /// Whether a body is known before this group.
     fn before(&self, body: usize) -> bool {
-        self.chain.group[body] < self.chain.group[self.block.bodies[0]]
+        self.chain.precedes(body, self.block.bodies[0])
     }
 
     /// One body of each set of bodies whose angles are tied to one another and to no known one.
@@ -349,13 +337,7 @@ impl Isotropic {
                 debug_assert!(cross(u, d).is_finite() || !d.is_finite());
             }
         }
-        let placed: Vec<usize> = chain
-            .order
-            .iter()
-            .copied()
-            .filter(|b| block.bodies.contains(b))
-            .collect();
-        pose.place(chain, &placed);
+        pose.place(chain, &block.placed);
     }
 }
 

@@ -86,19 +86,21 @@ impl Mechanism {
         self.chain.linear
     }
 
+    /// Radians or metres of one unit of the chain's drive.
+    fn drive_unit(&self) -> f64 {
+        match self.chain.linear {
+            true => self.chain.metres,
+            false => 1.0,
+        }
+    }
+
     /// The drive in the chain's unit.
     pub(super) fn inner_drive(&self, drive: f64) -> f64 {
-        match self.chain.linear {
-            true => drive / self.chain.metres,
-            false => drive,
-        }
+        drive / self.drive_unit()
     }
 
     /// The drive in radians or metres.
     pub(super) fn outer_drive(&self, drive: f64) -> f64 {
-        match self.chain.linear {
-            true => drive * self.chain.metres,
-            false => drive,
-        }
+        drive * self.drive_unit()
     }
 }

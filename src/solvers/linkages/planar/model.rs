@@ -87,6 +87,17 @@ pub enum Joint {
     },
 }
 
+impl Joint {
+    /// The point and the guide of a slide or slot.
+    pub(super) fn guided(&self) -> Option<(&Point, &Guide)> {
+        match self {
+            Joint::Slide { slider, guide, .. } => Some((slider, guide)),
+            Joint::Slot { pin, slot } => Some((pin, slot)),
+            _ => None,
+        }
+    }
+}
+
 /// What moves the mechanism: the coordinate that everything is a function of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Drive {

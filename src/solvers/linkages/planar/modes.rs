@@ -160,15 +160,7 @@ impl Mechanism {
             }
         };
         let apart = |a: &[f64], b: &[f64]| -> f64 {
-            let of = |k: usize| {
-                let d = a[k] - b[k];
-                let d = if self.chain.lengths[k] {
-                    d
-                } else {
-                    super::isotropic::wrapped(d)
-                };
-                d.abs() / scale(k)
-            };
+            let of = |k: usize| self.chain.apart(k, a[k], b[k]) / scale(k);
             range.clone().map(of).fold(0.0, f64::max)
         };
         if apart(&pose.u, before) > FARTHEST {

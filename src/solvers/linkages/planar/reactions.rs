@@ -277,12 +277,7 @@ fn gathered(mechanism: &Mechanism, all: &mut Wrenches, sizes: &[f64]) -> Vec<Joi
             pin(*joint, b.body, Complex64::new(sizes[row], sizes[row + 1]));
         }
     }
-    if joints
-        .iter()
-        .any(|j| matches!(j.part, Joint::Slide { .. } | Joint::Slot { .. }))
-    {
-        on_rails(chain, all, sizes, &mut found);
-    }
+    on_rails(chain, all, sizes, &mut found);
     found
 }
 

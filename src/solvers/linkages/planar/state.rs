@@ -159,18 +159,8 @@ impl Mechanism {
 
     /// The displacement of a slide or slot; `None` for other joints.
     pub fn joint_displacement(&self, state: &State, joint: usize) -> Option<Displacement> {
-        match &self.description().joints.get(joint)?.part {
-            Joint::Slide {
-                slider: point,
-                guide,
-                ..
-            }
-            | Joint::Slot {
-                pin: point,
-                slot: guide,
-            } => Some(self.displacement(state, point, guide)),
-            _ => None,
-        }
+        let (point, guide) = self.description().joints.get(joint)?.part.guided()?;
+        Some(self.displacement(state, point, guide))
     }
 
     /// The largest distance between the sides of a joint, in metres (gears and racks: radians or
@@ -196,22 +186,11 @@ impl Mechanism {
                 continue;
             };
             let on = |body: usize| points.iter().find(|p| p.body == body);
+            let known = points.iter().any(|p| self.chain.precedes(p.body, a));
             match (on(a), on(b)) {
                 (Some(p), Some(_)) if inner.is_none() => inner = Some(*p),
-                (Some(p), None)
-                    if points
-                        .iter()
-                        .any(|p| self.precedes(p.body, block.bodies[0])) =>
-                {
-                    outer[0] = Some(*p);
-                }
-                (None, Some(p))
-                    if points
-                        .iter()
-                        .any(|p| self.precedes(p.body, block.bodies[0])) =>
-                {
-                    outer[1] = Some(*p);
-                }
+                (Some(p), None) if known => outer[0] = Some(*p),
+                (None, Some(p)) if known => outer[1] = Some(*p),
                 _ => {}
             }
         }
@@ -219,11 +198,6 @@ impl Mechanism {
         let c = at(inner?);
         let (p, q) = (at(outer[0]?) - c, at(outer[1]?) - c);
         Some(Angle::from_rad(cross(p, q).abs().atan2(dot(p, q))))
-    }
-
-    /// Whether a body is known before another's group.
-    fn precedes(&self, body: usize, other: usize) -> bool {
-        self.chain.group[body] < self.chain.group[other]
     }
 }
 
