@@ -221,14 +221,14 @@ impl Draft {
     }
 
     /// As recorded if the condition holds.
-    pub(super) fn as_recorded(self, condition: bool) -> Finding {
+    pub(super) fn recorded_if(self, condition: bool) -> Finding {
         self.only_if(condition).0
     }
 
     /// As recorded if the figures have these values and there are no others.
     pub(super) fn recorded(self, values: &[&str]) -> Finding {
         let same = recorded(&self.0.figures, values);
-        self.as_recorded(same)
+        self.recorded_if(same)
     }
 }
 

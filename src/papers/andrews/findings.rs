@@ -34,7 +34,7 @@ fn equations(ledger: &Ledger) -> Finding {
         .figures(figures! {
             "entries of the ledger": "{}", ledger.entries.len() => "1";
         })
-        .as_recorded(ledger.as_recorded())
+        .recorded_if(ledger.as_recorded())
 }
 
 /// The one whose last digit at t = 0 is wrong.
@@ -101,7 +101,7 @@ fn reference_solution(end: &[&Printed], values: &[Vec<Ball>]) -> Finding {
             let shown = p.number.marked(certified(values, p));
             figure(QUANTITIES[p.quantity], shown, unit(p.quantity))
         }))
-        .as_recorded(agree == 0 && spans == RIGHT)
+        .recorded_if(agree == 0 && spans == RIGHT)
 }
 
 /// Shifts of the seven angles in ps, and what is left of the rates.
@@ -173,7 +173,7 @@ fn mirrored(end: &[&Printed], values: &[Vec<Ball>]) -> Finding {
             "Omega_ddot as printed": "{}", texts[1] => "rad/s^2";
             "Phi_ddot = -Omega_ddot, certified": "{}", certified.unwrap_or_default() => "rad/s^2";
         })
-        .as_recorded(differ && opposite(values))
+        .recorded_if(differ && opposite(values))
 }
 
 /// Whether Φ and Ω, their rates and their accelerations are opposite at all times.
@@ -214,7 +214,7 @@ fn never_stops(motion: &Motion) -> Finding {
             "panels": "{}", course.panels => "1";
             "largest moment that can be left over": "{largest:.1e}" => "N·m";
         })
-        .as_recorded(turned(&rests, turns, course.least_force))
+        .recorded_if(turned(&rests, turns, course.least_force))
 }
 
 /// Whether nothing is left over, and turns and bound are those recorded.
@@ -241,7 +241,7 @@ fn certified_motion(values: &[Vec<Ball>]) -> Finding {
              them."
         ))
         .figures(figures)
-        .as_recorded(whole)
+        .recorded_if(whole)
 }
 
 fn figures_are(values: &[Vec<Ball>]) -> bool {

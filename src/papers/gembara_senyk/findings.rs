@@ -167,7 +167,7 @@ pub(super) fn comparison() -> Vec<Finding> {
                 .verdict(FindingVerdict::Unexplained)
                 .titled("The charts could not be computed")
                 .text("A response of the example's oscillator was refused.")
-                .as_recorded(false),
+                .recorded_if(false),
         ],
     }
 }

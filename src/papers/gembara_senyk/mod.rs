@@ -67,7 +67,7 @@ fn of_the_ledger(ledger: &Ledger) -> Vec<Finding> {
         .figures(figures! {
             "entries of the ledger": "{}", ledger.entries.len() => "1";
         })
-        .as_recorded(ledger.as_recorded());
+        .recorded_if(ledger.as_recorded());
     let wrong = ledger.entries.iter().filter_map(super::ledger::finding);
     wrong.chain([proved]).collect()
 }

@@ -53,7 +53,7 @@ fn equations(ledger: &Ledger) -> Finding {
         .figures(figures! {
             "entries proved": "{}", ledger.count(Verdict::Proved) => "1";
         })
-        .as_recorded(ledger.as_recorded())
+        .recorded_if(ledger.as_recorded())
 }
 
 /// Dead angle of the crank from the frame.

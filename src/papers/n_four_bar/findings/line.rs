@@ -31,7 +31,7 @@ pub(super) fn passages(motion: &Motion) -> Result<Finding, Undecided> {
         .titled("The mechanism goes through a singular position twice a turn, 20 to 21 times in 20 s")
         .text("With all bars on one line, at φ = 90° and 270°; the times follow from the same integral.")
         .figures(figures)
-        .as_recorded(whole))
+        .recorded_if(whole))
 }
 
 /// The integer part, where all of the ball has the same.
@@ -98,7 +98,7 @@ pub(super) fn curves() -> Finding {
              and are curves all the same.",
         )
         .figures(figures)
-        .as_recorded(right)
+        .recorded_if(right)
 }
 
 /// The positions on one line that are looked at, by the number of cranks to the right: all of them, of 40 windows the

@@ -41,7 +41,7 @@ fn equations(ledger: &Ledger) -> Finding {
             "entries of the ledger": "{}", ledger.entries.len() => "1";
             "proved": "{}", ledger.count(Verdict::Proved) => "1";
         })
-        .as_recorded(ledger.as_recorded())
+        .recorded_if(ledger.as_recorded())
 }
 
 fn turns_over(motion: &Motion) -> Finding {
@@ -69,7 +69,7 @@ fn turns_over(motion: &Motion) -> Finding {
              transformation, whose means bound from both sides.",
         )
         .figures(figures)
-        .as_recorded(whole)
+        .recorded_if(whole)
 }
 
 fn certified_motion(motion: &Motion) -> Finding {
@@ -90,7 +90,7 @@ fn certified_motion(motion: &Motion) -> Finding {
             "Enclosed at {BITS} bits. `reference/values/n-four-bar-motion.csv` holds them, at every second of the 20."
         ))
         .figures(figures)
-        .as_recorded(whole)
+        .recorded_if(whole)
 }
 
 #[cfg(test)]

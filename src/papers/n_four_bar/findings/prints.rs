@@ -170,7 +170,7 @@ pub(super) fn exudyn(motion: &Motion) -> Finding {
              are right, the next one is wrong.",
         )
         .figures(marked.chain(halved))
-        .as_recorded(second_order && (least, most) == RIGHT)
+        .recorded_if(second_order && (least, most) == RIGHT)
 }
 
 /// By what halving the step divides the error: four, as far as the first digits tell.
@@ -212,7 +212,7 @@ pub(super) fn drift(motion: &Motion) -> Finding {
              the end says little of a run.",
         )
         .figures(figures)
-        .as_recorded(within == [true; 4])
+        .recorded_if(within == [true; 4])
 }
 
 #[cfg(test)]

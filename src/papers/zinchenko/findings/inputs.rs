@@ -72,7 +72,7 @@ pub(in crate::papers::zinchenko) fn recovered_centres(
             "rank of s2, s3, s4x, s4y, s5 in the I_n columns": "{} of 5", ranks[0] => "1";
             "rank of all 17 mass parameters in all columns": "{} of 17", ranks[1] => "1";
         })
-        .as_recorded(inside(s2.value, 0.5, s2.deviation)
+        .recorded_if(inside(s2.value, 0.5, s2.deviation)
             && inside(radius, 0.25, radius_sd)
             && inside(angle.to_degrees(), -12.0, angle_sd.to_degrees())
             && inside(s3.value, 0.30, s3.deviation)
@@ -116,7 +116,7 @@ pub(in crate::papers::zinchenko) fn identifiability(found: &[Identifiability]) -
              printed masses and inertias, taken as given, make the centres of mass identifiable.",
         )
         .figures(figures)
-        .as_recorded(alone == found.len() && together == ["s2 across the link", "g"])
+        .recorded_if(alone == found.len() && together == ["s2 across the link", "g"])
 }
 
 /// Units.
@@ -145,7 +145,7 @@ pub(in crate::papers::zinchenko) fn units_of_length(
             "worst |I_n| deviation, cm, recovered centres":
                 "{:.2e}", worst("recovered") => "kg m^2";
         })
-        .as_recorded(in_metres_worst > 1e4 && printed < 0.2 && worst("recovered") < 1e-3)
+        .recorded_if(in_metres_worst > 1e4 && printed < 0.2 && worst("recovered") < 1e-3)
 }
 
 #[cfg(test)]

@@ -15,7 +15,7 @@ pub(in crate::papers::zinchenko) fn run_up(f: Option<&Figures>) -> Vec<Finding> 
                     "One of the motions with exact coefficients, splines or both did not come to \
                      its end.",
                 )
-                .as_recorded(false),
+                .recorded_if(false),
         ],
     }
 }
@@ -86,7 +86,7 @@ fn under_a_motor(f: &Figures) -> Finding {
             h48.work,
         ))
         .figures(figures)
-        .as_recorded((1.1e-2..1.3e-2).contains(&h12.run_up)
+        .recorded_if((1.1e-2..1.3e-2).contains(&h12.run_up)
             && (1.1e-2..1.3e-2).contains(&h12.steady)
             && h48.run_up.max(h48.steady) < 2e-4
             && f.exact.work[0].abs() < 1e-8
@@ -134,7 +134,7 @@ fn in_free_motion(f: &Figures) -> Finding {
             100.0 * s48.within,
         ))
         .figures(figures)
-        .as_recorded(shown
+        .recorded_if(shown
             == [
                 "1.000000000",
                 "1.000000000",
@@ -168,5 +168,5 @@ fn the_saving(f: &Figures) -> Finding {
             more(&h48),
         ))
         .figures(figures)
-        .as_recorded(more(&h12) > 5.0 && more(&h48) > 20.0)
+        .recorded_if(more(&h12) > 5.0 && more(&h48) > 20.0)
 }

@@ -117,7 +117,7 @@ pub(in crate::papers::zinchenko) fn reproduction(tallies: &[Tally], entries: &[E
             "M_o nodes fitted: within ½ / 1 unit": "{}", of(fitted_half, fitted_one) => "entries";
             "data as printed: within ½ / 1 unit": "{}", of(as_half, as_one) => "entries";
         })
-        .as_recorded(
+        .recorded_if(
             half >= RECORDED_EXACT.0
                 && one >= RECORDED_EXACT.1
                 && fitted_half >= RECORDED_FITTED.0
@@ -159,7 +159,7 @@ pub(in crate::papers::zinchenko) fn misprints(entries: &[Entry]) -> Finding {
              scan.",
         )
         .figures(figures)
-        .as_recorded(
+        .recorded_if(
             explained
                 && recorded.iter().all(|r| found.contains(r))
                 && found.len() == recorded.len(),

@@ -196,7 +196,7 @@ fn between(brackets: [(&str, &str); 2], printed: &Printed, sample: &Sample) -> F
              crank, lies at 196.0140594°.",
         )
         .figures(figures)
-        .as_recorded(agree(&checks))
+        .recorded_if(agree(&checks))
 }
 
 #[cfg(test)]

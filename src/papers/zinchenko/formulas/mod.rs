@@ -153,7 +153,7 @@ fn undecided(id: &'static str, place: &'static str, error: &Undecided) -> Findin
         .verdict(FindingVerdict::Unexplained)
         .titled("Not checked")
         .text(text)
-        .as_recorded(false)
+        .recorded_if(false)
 }
 
 /// The formulas with a fault planted change the findings of these names and no others.
@@ -228,7 +228,7 @@ mod tests {
         let (holds, fails) = (Outcome::Holds, Outcome::Fails);
         let recorded = |checks: &[(Outcome, Outcome)]| {
             let draft = draft("", "").verdict(FindingVerdict::Confirmed);
-            draft.as_recorded(agree(checks)).as_recorded
+            draft.recorded_if(agree(checks)).as_recorded
         };
         assert!(recorded(&[(holds, holds), (fails, fails)]));
         assert!(!recorded(&[(holds, holds), (fails, holds)]));

@@ -43,7 +43,7 @@ pub(super) fn equation_of_motion(form: Acceleration) -> Finding {
             "imbalance at the first point with M_o taken as a positive resistance":
                 "{}", unsigned .failure .as_ref() .map_or("none".into(), |f| f.1.to_string()) => "W";
         })
-        .as_recorded(agree(&[
+        .recorded_if(agree(&[
             (signed.outcome(), Outcome::Holds),
             (unsigned.outcome(), Outcome::Fails),
             (exactly.outcome(), Outcome::Holds),
@@ -166,7 +166,7 @@ pub(super) fn kloss(motor: &Motor) -> Finding {
             "S_k for k = 2.2 and S_n = 0.05": "{}", decimals(&example, 12) => "1";
             "grid points of the exact identity": "{}", breakdown.points => "1";
         })
-        .as_recorded(agree(&[
+        .recorded_if(agree(&[
             (rated(motor), Outcome::Holds),
             (breakdown.outcome(), Outcome::Holds),
             (Outcome::of(ends), Outcome::Holds),

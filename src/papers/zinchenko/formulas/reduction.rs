@@ -243,7 +243,7 @@ fn energy(f: &Forms, sample: &Sample) -> Finding {
             "largest possible residual": "{}", largest(pivot.iter().chain(&konig)) => "kg m^2";
             "largest part left out by the other reading": "{}", decimals(&gap, 6) => "kg m^2";
         })
-        .as_recorded(agree(&[
+        .recorded_if(agree(&[
             (Outcome::enclosed(&pivot), Outcome::Holds),
             (Outcome::enclosed(&konig), Outcome::Holds),
             (Outcome::of(positive), Outcome::Holds),
@@ -282,7 +282,7 @@ fn reduced_inertia(f: &Forms, sample: &Sample) -> Finding {
                 "{}", decimals(&paper.value(f.inertia, 0, 1, &cm), 3) => "mixed units";
             "largest possible residual with I_1 = 0, metres": "{}", largest(&crankless) => "kg m^2";
         })
-        .as_recorded(agree(&[
+        .recorded_if(agree(&[
             (Outcome::enclosed(&crankless), Outcome::Holds),
             (Outcome::enclosed(&lost), Outcome::Fails),
             (Outcome::enclosed(&exactly), Outcome::Holds),
@@ -358,7 +358,7 @@ fn inertia_derivative(f: &Forms, sample: &Sample) -> Finding {
              an arc of 2⁻¹⁰⁰ rad. The scan prints part of the formula twice, the first time as noise.",
         )
         .figures(figures)
-        .as_recorded(agree(&[
+        .recorded_if(agree(&[
             (Outcome::enclosed(&unit_speed), Outcome::Holds),
             (Outcome::enclosed(&printed), Outcome::Fails),
             (Outcome::enclosed(&fourfold), Outcome::Holds),
@@ -394,7 +394,7 @@ fn power(f: &Forms, sample: &Sample) -> Finding {
             "rows and crank speeds tried": "{}", r.len() => "1";
             "largest possible residual": "{}", largest(&r) => "N m";
         })
-        .as_recorded(agree(&[(Outcome::enclosed(&r), Outcome::Holds)]))
+        .recorded_if(agree(&[(Outcome::enclosed(&r), Outcome::Holds)]))
 }
 
 fn reduced_moment(f: &Forms, sample: &Sample) -> Finding {
@@ -423,7 +423,7 @@ fn reduced_moment(f: &Forms, sample: &Sample) -> Finding {
                 "{}", decimals(&c.value(f.moment, 0, 1, &cm), 4) => "N cm";
             "largest possible residual with both factors": "{}", largest(&corrected) => "N m";
         })
-        .as_recorded(agree(&[
+        .recorded_if(agree(&[
             (Outcome::enclosed(&unit_speed), Outcome::Holds),
             (Outcome::enclosed(&printed), Outcome::Fails),
             (Outcome::enclosed(&centimetres), Outcome::Fails),

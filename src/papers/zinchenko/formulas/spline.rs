@@ -170,7 +170,7 @@ fn construction(f: &Forms) -> Finding {
             "identities proved": "{}", identities.len() => "1";
             "exact evaluations": "{}", points => "1";
         })
-        .as_recorded(agree(&[(outcome, Outcome::Holds)]))
+        .recorded_if(agree(&[(outcome, Outcome::Holds)]))
 }
 
 /// The sections left and right of the middle node.
@@ -207,7 +207,7 @@ fn continuity(f: &Forms) -> Finding {
             "identities proved": "{}", identities.len() => "1";
             "exact evaluations": "{}", points => "1";
         })
-        .as_recorded(agree(&[(outcome, Outcome::Holds)]))
+        .recorded_if(agree(&[(outcome, Outcome::Holds)]))
 }
 
 fn inline(f: &Forms) -> Finding {
@@ -237,7 +237,7 @@ fn inline(f: &Forms) -> Finding {
             "d_i for y = 0, 0, 1 and h = 1": "{}", due => "1";
             "the same with the factor 6/2": "{}", fragment => "1";
         })
-        .as_recorded(agree(&[
+        .recorded_if(agree(&[
             (outcome, Outcome::Holds),
             (Outcome::of(fragment == due), Outcome::Fails),
         ]))
@@ -293,7 +293,7 @@ fn ends(f: &Forms) -> Finding {
             "numbers of sections tried, from 2 to": "{}", LONGEST => "1";
             "factor of m_1 in m_n for n = 12": "{}", gain[12] => "1";
         })
-        .as_recorded(agree(&[
+        .recorded_if(agree(&[
             (free.outcome(), Outcome::Holds),
             (Outcome::of(closed(&gain)), Outcome::Holds),
         ]))

@@ -180,7 +180,7 @@ fn canonical(f: &Forms) -> Finding {
             "right side d_i, y = x^3": "{}", right => "1";
             "residual": "{}", &left - &right => "1";
         })
-        .as_recorded(agree(&[
+        .recorded_if(agree(&[
             (printed.outcome(), Outcome::Fails),
             (corrected.outcome(), Outcome::Holds),
             (Outcome::of(left == Q::from(48)), Outcome::Holds),
@@ -234,7 +234,7 @@ fn last_row(f: &Forms) -> Finding {
             "m_(n-1) with the printed row": "{}", shown(&printed, n - 1) => "1";
             "m_(n-1) with b_n = -1": "{}", shown(&corrected, n - 1) => "1";
         })
-        .as_recorded(agree(&[
+        .recorded_if(agree(&[
             (Outcome::of(solves(&printed)), Outcome::Fails),
             (Outcome::of(mirrored), Outcome::Holds),
             (Outcome::of(solves(&corrected)), Outcome::Holds),
@@ -281,7 +281,7 @@ fn forward(f: &Forms) -> Finding {
             "grid points of the exact identity": "{}", identity.points => "1";
             "equations solved without residual": "{}", problem.nodes() + 1 => "1";
         })
-        .as_recorded(agree(&[
+        .recorded_if(agree(&[
             (identity.outcome(), Outcome::Holds),
             (Outcome::of(solved), Outcome::Holds),
         ]))
@@ -330,7 +330,7 @@ fn start(f: &Forms) -> Finding {
             "largest residual of the other equations with eta_1 = 0":
                 "{}", r[1..].iter().map(Q::abs).fold(Q::from(0), Q::max) => "1";
         })
-        .as_recorded(agree(&[
+        .recorded_if(agree(&[
             (Outcome::of(all_zero(&r)), Outcome::Fails),
             (Outcome::of(only_the_end), Outcome::Holds),
             (Outcome::of(by_19 == (CORRECTED.start)(&given.u0)), Outcome::Holds),
@@ -373,7 +373,7 @@ fn backward(f: &Forms) -> Finding {
             "first index as printed": "{}", n - f.first => "1";
             "first index for which all terms exist": "{}", n - 1 => "1";
         })
-        .as_recorded(agree(&[
+        .recorded_if(agree(&[
             (Outcome::of(printed.is_some()), Outcome::Fails),
             (Outcome::of(corrected == Some(true)), Outcome::Holds),
         ]))
