@@ -4,13 +4,13 @@ use crate::errors::{DomainError, Undecided, value_error};
 use mechaudit::machine::class_iii::{self, Branch, Certifier, Reach};
 use mechaudit::machine::dyad::{self, Dyad, Proved};
 use mechaudit::machine::planar::{self, Columns};
-use mechaudit::machine::run_up::{Coefficients, Machine, Overrides};
+use mechaudit::machine::run_up::{COLUMNS, Machine, Overrides, row};
 use mechaudit::machine::{self, CamOscillator, Source};
 use mechaudit::reference::nearest_f64;
 use mechaudit::report::svg::linkage as drawn;
 use mechaudit::solvers::dyad::Assembly;
 use mechaudit::solvers::planar::{Loads, State};
-use mechaudit::solvers::run_up::{Equation, Hybrid, ReducedModel, Splined, run};
+use mechaudit::solvers::run_up::{Equation, run};
 use mechaudit::solvers::units::Angle;
 use numpy::ndarray::Array2;
 use numpy::{PyArray2, PyReadonlyArray1, ToPyArray};
@@ -347,23 +347,6 @@ impl Linkage {
     }
 }
 
-/// The columns of a run-up.
-const RUN_UP: [&str; 13] = [
-    "t_s",
-    "phi1_deg",
-    "omega_rad_per_s",
-    "epsilon_rad_per_s2",
-    "I_kg_m2",
-    "M_motor_N_m",
-    "M_o_N_m",
-    "M_load_N_m",
-    "kinetic_energy_J",
-    "work_motor_J",
-    "work_weights_J",
-    "work_load_J",
-    "energy_balance_J",
-];
-
 /// Runs the machine of a description; its rows and how the run ended.
 #[pyfunction]
 pub fn run_up<'py>(
@@ -379,42 +362,13 @@ pub fn run_up<'py>(
     let done: Result<_, String> = py.detach(|| {
         let word = |e: &dyn std::fmt::Display| e.to_string();
         let machine = Machine::read(&source(text, is_json), overrides).map_err(|e| word(&e))?;
-        let (exact, first) = (&*machine.model, machine.plan.phi);
-        let (splined, hybrid);
-        let model: &dyn ReducedModel = match machine.coefficients {
-            Coefficients::Exact => exact,
-            Coefficients::Splines => {
-                splined = Splined::new(exact, first, machine.nodes).map_err(|e| word(&e))?;
-                &splined
-            }
-            Coefficients::Hybrid => {
-                hybrid = Hybrid::new(exact, first, machine.nodes).map_err(|e| word(&e))?;
-                &hybrid
-            }
-        };
-        let equation = Equation::new(model, &machine.drive);
+        let model = machine.reduced().map_err(|e| word(&e))?;
+        let equation = Equation::new(&*model, &machine.drive);
         run(&equation, &machine.plan).map_err(|e| word(&e))
     });
     let motion = done.map_err(PyValueError::new_err)?;
-    let row = |s: &mechaudit::solvers::run_up::Sample| {
-        vec![
-            s.t,
-            s.phi.to_degrees(),
-            s.psi,
-            s.acceleration,
-            s.inertia,
-            s.motor,
-            s.weights,
-            s.resistance,
-            s.kinetic_energy,
-            s.work[0],
-            s.work[1],
-            s.work[2],
-            s.balance,
-        ]
-    };
-    let rows = motion.samples.iter().map(row).collect();
-    let names = RUN_UP.map(String::from).to_vec();
+    let rows = motion.samples.iter().map(|s| row(s).to_vec()).collect();
+    let names = COLUMNS.map(String::from).to_vec();
     Ok((table(py, names, rows), format!("{:?}", motion.outcome)))
 }
 

@@ -1,8 +1,10 @@
 //! A machine as its file describes it: the linkage, and the sections of its motor, load and run.
 
+mod columns;
 mod precision;
 mod steady;
 
+pub use columns::{COLUMNS, row};
 pub use precision::{FINEST, MOMENTS, Point, work_precision};
 pub use steady::Steady;
 
@@ -14,8 +16,9 @@ use super::quantity::{QuadraticResistance, Quantity, Time, ViscousResistance};
 use super::source::{Refusal, Source};
 use crate::reference::nearest_f64;
 use crate::solvers::run_up::{
-    ClassIiiModel, Drive, FourBarModel, Kloss, Method, Motor, MotorError, Plan, PlanarModel,
-    ReducedModel, Resistance, Settings, SliderCrankModel, TableReading, TorqueTable,
+    ClassIiiModel, Drive, FourBarModel, Hybrid, Kloss, Method, Motor, MotorError, Plan,
+    PlanarModel, ReducedModel, Resistance, Settings, SliderCrankModel, Splined, SplinedError,
+    TableReading, TorqueTable,
 };
 use crate::solvers::units::{AngularVelocity, Inertia, Torque};
 use serde::Deserialize;
@@ -206,6 +209,20 @@ const NODES: usize = 48;
 const ROWS: f64 = 1000.0;
 
 impl Machine {
+    /// The reduced linkage with coefficients as the file wants them: exact, from splines through nodes of one turn from
+    /// the start, or with the derivative of the inertia alone from splines.
+    ///
+    /// # Errors
+    /// [`SplinedError`].
+    pub fn reduced(&self) -> Result<Box<dyn ReducedModel + '_>, SplinedError> {
+        let (exact, first) = (&*self.model, self.plan.phi);
+        Ok(match self.coefficients {
+            Coefficients::Exact => Box::new(exact),
+            Coefficients::Splines => Box::new(Splined::new(exact, first, self.nodes)?),
+            Coefficients::Hybrid => Box::new(Hybrid::new(exact, first, self.nodes)?),
+        })
+    }
+
     /// Reads the description of a machine.
     ///
     /// ```
@@ -215,7 +232,7 @@ impl Machine {
     ///     env!("CARGO_MANIFEST_DIR"), "/examples/four-bar-run-up.toml"
     /// )));
     /// let machine = run_up::Machine::read(&source, run_up::Overrides::default())?;
-    /// let motion = run(&Equation::new(&*machine.model, &machine.drive), &machine.plan)?;
+    /// let motion = run(&Equation::new(&*machine.reduced()?, &machine.drive), &machine.plan)?;
     /// assert!(motion.end.t > 0.0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

@@ -11,31 +11,14 @@ use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
 use crate::cli::files::source;
 use mechaudit::machine::class_iii::Reach;
-use mechaudit::machine::run_up::{Coefficients, Machine, MachineError, Overrides, Steady};
+use mechaudit::machine::run_up::{
+    COLUMNS, Coefficients, Machine, MachineError, Overrides, Steady, row,
+};
 use mechaudit::report::cell::Cell;
 use mechaudit::report::columns::Columns;
 use mechaudit::report::rows::Rows;
 use mechaudit::report::svg::run_up as drawings;
-use mechaudit::solvers::run_up::{
-    Equation, Hybrid, Motion, Plan, ReducedModel, Sample, Splined, inertia_range, run,
-};
-
-/// The columns of a row with their units.
-const COLUMNS: [&str; 13] = [
-    "t_s",
-    "phi1_deg",
-    "omega_rad_per_s",
-    "epsilon_rad_per_s2",
-    "I_kg_m2",
-    "M_motor_N_m",
-    "M_o_N_m",
-    "M_load_N_m",
-    "kinetic_energy_J",
-    "work_motor_J",
-    "work_weights_J",
-    "work_load_J",
-    "energy_balance_J",
-];
+use mechaudit::solvers::run_up::{Equation, Motion, Plan, inertia_range, run};
 
 /// The machine that the arguments name.
 pub fn machine(args: &RunupArgs) -> Result<Machine, Failure> {
@@ -75,32 +58,18 @@ pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
     };
     let drawing = args.svg.as_ref().map(|f| Output::within(f, drawing));
     let drawing = drawing.transpose()?;
-    let exact = &*machine.model;
-    let (splined, hybrid);
-    let first = machine.plan.phi;
     let in_file = |e| Failure::in_file(&args.file, e);
-    let splines = |e| {
+    let model = machine.reduced().map_err(|e| {
         Failure::caused(e)
             .about("splines")
             .about(args.file.display())
-    };
-    let model: &dyn ReducedModel = match machine.coefficients {
-        Coefficients::Exact => exact,
-        Coefficients::Splines => {
-            splined = Splined::new(exact, first, machine.nodes).map_err(splines)?;
-            &splined
-        }
-        Coefficients::Hybrid => {
-            hybrid = Hybrid::new(exact, first, machine.nodes).map_err(splines)?;
-            &hybrid
-        }
-    };
-    let equation = Equation::new(model, &machine.drive);
+    })?;
+    let equation = Equation::new(&*model, &machine.drive);
     if args.work_precision {
         return precision::table(args, &machine, &equation, columns, output, drawing)
             .map_err(|f| f.about(args.file.display()));
     }
-    let warning = inertia_range(exact, first)
+    let warning = inertia_range(&*machine.model, machine.plan.phi)
         .ok()
         .and_then(|range| facts::light(&machine, &range));
     let motion = run(&equation, &machine.plan).map_err(in_file)?;
@@ -120,7 +89,7 @@ pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
         let about = facts::json(&machine, &motion, &steady, warning.as_deref());
         let mut rows = Rows::begin(out, args.format, columns, &about)?;
         for sample in &motion.samples {
-            rows.row(&row(sample))?;
+            rows.row(&row(sample).map(Cell::Float))?;
         }
         Ok(rows.end()?)
     })?;
@@ -147,25 +116,6 @@ fn lines(machine: &Machine, motion: &Motion, steady: &Steady) -> Vec<String> {
     lines
 }
 
-fn row(s: &Sample) -> Vec<Cell> {
-    let values = [
-        s.t,
-        s.phi.to_degrees(),
-        s.psi,
-        s.acceleration,
-        s.inertia,
-        s.motor,
-        s.weights,
-        s.resistance,
-        s.kinetic_energy,
-        s.work[0],
-        s.work[1],
-        s.work[2],
-        s.balance,
-    ];
-    values.map(Cell::Float).to_vec()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -175,40 +125,6 @@ mod tests {
         let text = include_str!("../../../../examples/four-bar-run-up.toml");
         let text = text.replacen(changed[0], changed[1], 1);
         Machine::read(&Source::toml(text), Overrides::default()).unwrap()
-    }
-
-    #[test]
-    fn a_row_has_the_values_that_its_columns_name() {
-        let sample = Sample {
-            t: 1.0,
-            phi: std::f64::consts::PI,
-            psi: 3.0,
-            acceleration: 4.0,
-            inertia: 5.0,
-            motor: 6.0,
-            weights: 7.0,
-            resistance: 8.0,
-            kinetic_energy: 9.0,
-            work: [10.0, 11.0, 12.0],
-            balance: 13.0,
-        };
-        let due = [
-            ("t_s", 1.0),
-            ("phi1_deg", 180.0),
-            ("omega_rad_per_s", 3.0),
-            ("epsilon_rad_per_s2", 4.0),
-            ("I_kg_m2", 5.0),
-            ("M_motor_N_m", 6.0),
-            ("M_o_N_m", 7.0),
-            ("M_load_N_m", 8.0),
-            ("kinetic_energy_J", 9.0),
-            ("work_motor_J", 10.0),
-            ("work_weights_J", 11.0),
-            ("work_load_J", 12.0),
-            ("energy_balance_J", 13.0),
-        ];
-        let found: Vec<_> = COLUMNS.into_iter().zip(row(&sample)).collect();
-        assert_eq!(found, due.map(|(name, x)| (name, Cell::Float(x))));
     }
 
     #[test]
