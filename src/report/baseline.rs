@@ -124,7 +124,7 @@ impl Baseline {
     /// What is no report of this form.
     pub fn read(text: &str) -> Result<Baseline, BaselineError> {
         let read: Document = serde_json::from_str(text)?;
-        let due = super::json::SCHEMA_VERSION;
+        let due = super::SCHEMA_VERSION;
         if read.schema_version != u64::from(due) {
             let found = read.schema_version;
             return Err(BaselineError::Version { found, due });

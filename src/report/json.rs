@@ -1,12 +1,10 @@
 //! Reports for programs, as `schema/audit.schema.json` describes them.
 
+pub use super::SCHEMA_VERSION;
 use super::baseline::Changes;
 use crate::audit::{CaseReport, Comparison, Layout, MethodReport, SolverAnswer, hex_float};
 use crate::methods;
 use serde_json::{Value, json};
-
-/// Grows when a member is taken away or changes its meaning.
-pub const SCHEMA_VERSION: u32 = 2;
 
 /// The report of an audit of one method or of several.
 pub fn document(reports: &[MethodReport], interrupted: bool) -> Value {

@@ -18,5 +18,8 @@ pub mod svg;
 pub mod text;
 pub mod words;
 
+/// Of reports in JSON: grows when a member is taken away or changes its meaning.
+pub const SCHEMA_VERSION: u32 = 2;
+
 #[cfg(test)]
 mod hostile;

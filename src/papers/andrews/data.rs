@@ -1,11 +1,13 @@
 //! The mechanism as the test set prints it.
 
-use super::motion::BITS;
 use crate::reference::Decimal;
 use crate::reference::planar::{
     Attachment, Body, Drive, Forces, Joint, Mechanism, MechanismError, Point, Spring,
 };
 use rug::{Float, Rational};
+
+/// Working precision in bits.
+pub const BITS: u32 = 160;
 
 /// Parameters in SI units.
 const PARAMETERS: [(&str, &str); 42] = [

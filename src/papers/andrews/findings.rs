@@ -1,7 +1,8 @@
 //! What was found.
 
+use super::data::BITS;
 use super::entries::certified;
-use super::motion::{BITS, DIGITS, Motion, TIMES};
+use super::motion::{DIGITS, Motion, TIMES};
 use super::printed::{Printed, QUANTITIES, kind, unit};
 use crate::papers::ledger::{Ledger, Verdict};
 use crate::papers::{Draft, Finding, FindingVerdict, Subject, figure, figures, known, shown};

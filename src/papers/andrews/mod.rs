@@ -11,7 +11,8 @@ mod ledger;
 mod motion;
 mod printed;
 
-pub use motion::{BITS, DIGITS, Motion, TIMES, motion};
+pub use data::BITS;
+pub use motion::{DIGITS, Motion, TIMES, motion};
 pub use printed::{Printed, QUANTITIES, printed, unit};
 
 use super::ledger::{Item, Ledger};

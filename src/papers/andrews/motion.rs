@@ -7,8 +7,6 @@ use crate::reference::{Ball, Undecided};
 
 /// Times in seconds.
 pub const TIMES: [&str; 3] = ["0.01", "0.02", "0.03"];
-/// Working precision in bits.
-pub const BITS: u32 = 160;
 /// Certified digits that are given.
 pub const DIGITS: usize = 30;
 
