@@ -185,6 +185,35 @@ mod tests {
     }
 
     #[test]
+    fn choices_and_mixtures_of_ranges() {
+        let all = |f: &dyn Fn(&mut Draw) -> f64| -> Vec<f64> {
+            let draw = |i| f(&mut Draw::new(1, "method", "region", i));
+            (0..400).map(draw).collect()
+        };
+        let share = |x: &[f64], f: &dyn Fn(f64) -> bool| {
+            x.iter().filter(|x| f(**x)).count() as f64 / x.len() as f64
+        };
+        let signed = all(&|d| d.log_signed(1e-3, 1e3));
+        assert!(signed.iter().all(|x| (1e-3..=1e3).contains(&x.abs())));
+        assert!((0.4..0.6).contains(&share(&signed, &|x| x < 0.0)));
+        assert!((0.4..0.6).contains(&share(&signed, &|x| x.abs() < 1.0)));
+        let zero = all(&|d| d.zero_or_log(0.25, 1e-3, 1e3));
+        assert!((0.2..0.3).contains(&share(&zero, &|x| x == 0.0)));
+        assert!(zero.iter().all(|x| *x == 0.0 || (1e-3..=1e3).contains(x)));
+        let mixed = all(&|d| d.uniform_or_log(0.25, [-2.0, -1.0], [1e-3, 1e3]));
+        assert!((0.2..0.3).contains(&share(&mixed, &|x| (-2.0..=-1.0).contains(&x))));
+        assert!((0.7..0.8).contains(&share(&mixed, &|x| (1e-3..=1e3).contains(&x))));
+        let one = all(&|d| d.one_of(&[3.0, 5.0, 7.0]));
+        for k in [3.0, 5.0, 7.0] {
+            assert!((0.25..0.42).contains(&share(&one, &|x| x == k)), "{k}");
+        }
+        let bits = all(&|d| d.any_bits());
+        assert!((0.4..0.6).contains(&share(&bits, &|x| x.is_sign_negative())));
+        assert!((0.4..0.6).contains(&share(&bits, &|x| x.abs() < 1.0)));
+        assert!((0.4..0.6).contains(&share(&bits, &|x| x.to_bits() & 1 == 1)));
+    }
+
+    #[test]
     fn a_chance_is_below_its_share() {
         let draw = || Draw::new(1, "method", "region", 0);
         let share = draw().unit();

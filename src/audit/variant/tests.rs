@@ -200,6 +200,32 @@ fn only_regions_asked_for() {
     assert_eq!(e.known, ["near", "far", "next"]);
 }
 
+/// Regions of one's own: the numbers are the method's, nothing that is said of its domain stays.
+#[test]
+fn in_regions_of_ones_own() {
+    let own = method();
+    let elsewhere = region("elsewhere", |d| vec![d.uniform(5.0, 6.0), 0.0]);
+    let right = Variant::new(&own).placed(vec![elsewhere], |x| x[0] > 0.0);
+    assert_eq!(regions(&right), ["elsewhere"]);
+    assert!(points(&right).is_empty() && right.hard().is_empty());
+    assert!(right.laws().is_empty() && right.proved().is_empty());
+    let x = [1.5, 0.0];
+    assert_eq!(right.solve(&x), own.solve(&x));
+    assert_eq!(right.conditions(&x), own.conditions(&x));
+    assert_eq!(right.signs_of_zero(&x), own.signs_of_zero(&x));
+    assert_eq!(limits(&right), limits(&own));
+    // A hunt stays where all admit it.
+    let both = Variant::new(&right).placed(Vec::new(), |x| x[1] > 0.0);
+    for (x, due) in [
+        ([1.0, 1.0], true),
+        ([-1.0, 1.0], false),
+        ([1.0, -1.0], false),
+        ([-1.0, -1.0], false),
+    ] {
+        assert_eq!(both.admits(&x), due, "{x:?}");
+    }
+}
+
 #[test]
 fn ordinary_numbers_alone() {
     let own = method();
