@@ -4,12 +4,11 @@ use crate::errors::{DomainError, Undecided, value_error};
 use mechaudit::machine::class_iii::{self, Branch, Certifier, Reach};
 use mechaudit::machine::dyad::{self, Dyad, Proved};
 use mechaudit::machine::planar::{self, Columns};
-use mechaudit::machine::run_up::{COLUMNS, Machine, Overrides, row};
+use mechaudit::machine::run_up::{Machine, Overrides};
 use mechaudit::machine::{self, CamOscillator, Source};
 use mechaudit::reference::nearest_f64;
 use mechaudit::report::svg::linkage as drawn;
 use mechaudit::solvers::dyad::Assembly;
-use mechaudit::solvers::planar::{Loads, State};
 use mechaudit::solvers::run_up::{Equation, run};
 use mechaudit::solvers::units::Angle;
 use numpy::ndarray::Array2;
@@ -72,15 +71,9 @@ fn drive(linkage: &planar::Machine, given: f64) -> f64 {
     }
 }
 
-fn planar_row(
-    linkage: &planar::Machine,
-    given: f64,
-    number: usize,
-    (loads, state): (Option<&Loads>, &State),
-) -> Vec<f64> {
-    let mut row = vec![given, number as f64];
-    row.extend(planar::values(linkage, loads, state, ALL));
-    row
+/// A row begins with the drive and the branch.
+fn row(given: f64, number: usize, values: impl IntoIterator<Item = f64>) -> Vec<f64> {
+    [given, number as f64].into_iter().chain(values).collect()
 }
 
 fn degrees(x: f64) -> PyResult<Rational> {
@@ -151,39 +144,30 @@ impl Linkage {
     /// The rows of all assembly modes at a value of the drive: degrees, or metres.
     fn modes<'py>(&self, py: Python<'py>, phi_deg: f64) -> PyResult<Table<'py>> {
         let at = degrees(phi_deg)?;
-        let rows = match &self.linkage {
+        let mut rows = Vec::new();
+        match &self.linkage {
             machine::Linkage::ClassIii(l) => {
                 let angle = Angle::from_deg(phi_deg);
                 let modes = l.solver.assembly_modes(angle).modes;
-                let mut rows = Vec::new();
                 for (k, mode) in modes.into_iter().enumerate() {
                     let state = l.solver.state_near(angle, mode).map_err(value_error)?;
-                    let mut row = vec![phi_deg, k as f64];
-                    row.extend(class_iii::values(l, &state));
-                    rows.push(row);
+                    rows.push(row(phi_deg, k, class_iii::values(l, &state)));
                 }
-                rows
             }
             machine::Linkage::Dyad(l) => {
-                let mut rows = Vec::new();
                 for (k, assembly) in dyad::ASSEMBLIES.into_iter().enumerate() {
-                    if let Some(v) = dyad::floating(l, &at, assembly).map_err(value_error)? {
-                        let mut row = vec![phi_deg, k as f64];
-                        row.extend(v);
-                        rows.push(row);
-                    }
+                    let values = dyad::floating(l, &at, assembly).map_err(value_error)?;
+                    rows.extend(values.map(|values| row(phi_deg, k, values)));
                 }
-                rows
             }
             machine::Linkage::Planar(l) => {
                 let modes = l.solver.assembly_modes(l.inner(drive(l, phi_deg)));
-                let row = |(k, state)| {
-                    let loads = l.loads_on(state);
-                    planar_row(l, phi_deg, k, (loads.as_ref(), state))
-                };
-                modes.states.iter().enumerate().map(row).collect()
+                for (k, state) in modes.states.iter().enumerate() {
+                    let values = planar::values(l, l.loads_on(state).as_ref(), state, ALL);
+                    rows.push(row(phi_deg, k, values));
+                }
             }
-        };
+        }
         Ok(table(py, self.columns(), rows))
     }
 
@@ -215,58 +199,42 @@ impl Linkage {
     ) -> PyResult<Table<'py>> {
         let angles = phi_deg.as_slice()?;
         let names = self.columns();
-        let width = names.len();
-        let mut rows = Vec::with_capacity(angles.len());
-        let missing = |phi: f64, number: usize| {
-            let mut row = vec![f64::NAN; width];
-            (row[0], row[1]) = (phi, number as f64);
-            row
+        let missing = vec![f64::NAN; names.len() - 2];
+        let along = |number: usize, values: &mut dyn FnMut(f64) -> PyResult<Option<Vec<f64>>>| {
+            let one = |(k, &phi): (usize, &f64)| {
+                if k % ROWS == 0 {
+                    py.check_signals()?;
+                }
+                degrees(phi)?;
+                let values = values(phi)?.unwrap_or_else(|| missing.clone());
+                Ok(row(phi, number, values))
+            };
+            angles.iter().enumerate().map(one).collect::<PyResult<_>>()
         };
-        match &self.linkage {
+        let rows = match &self.linkage {
             machine::Linkage::ClassIii(l) => {
                 let first = degrees(angles.first().copied().unwrap_or(0.0))?;
                 let (chosen, _) = self.branch(l, first, branch)?;
                 let mut here = chosen.start;
-                for (k, &phi) in angles.iter().enumerate() {
-                    if k % ROWS == 0 {
-                        py.check_signals()?;
-                    }
-                    degrees(phi)?;
+                along(chosen.mode, &mut |phi| {
                     let to = phi.to_radians();
                     if let Reach::Part { low, high } = chosen.reach
                         && !(low.reached <= to && to <= high.reached)
                     {
-                        rows.push(missing(phi, chosen.mode));
-                        continue;
+                        return Ok(None);
                     }
-                    here = l
-                        .solver
-                        .follow(&here, Angle::from_rad(to))
-                        .map_err(value_error)?;
-                    let mut row = vec![phi, chosen.mode as f64];
-                    row.extend(class_iii::values(l, &here));
-                    rows.push(row);
-                }
+                    let to = Angle::from_rad(to);
+                    here = l.solver.follow(&here, to).map_err(value_error)?;
+                    Ok(Some(class_iii::values(l, &here)))
+                })?
             }
             machine::Linkage::Dyad(l) => {
                 let assembly = assembly(l, branch)?;
-                let number = dyad::number(assembly);
-                for (k, &phi) in angles.iter().enumerate() {
-                    if k % ROWS == 0 {
-                        py.check_signals()?;
-                    }
-                    let at = degrees(phi)?;
-                    rows.push(
-                        match dyad::floating(l, &at, assembly).map_err(value_error)? {
-                            None => missing(phi, number),
-                            Some(values) => {
-                                let mut row = vec![phi, number as f64];
-                                row.extend(values);
-                                row
-                            }
-                        },
-                    );
-                }
+                along(dyad::number(assembly), &mut |phi| {
+                    let values =
+                        dyad::floating(l, &degrees(phi)?, assembly).map_err(value_error)?;
+                    Ok(values.map(Vec::from))
+                })?
             }
             machine::Linkage::Planar(l) => {
                 let first = angles.first().copied().unwrap_or(0.0);
@@ -277,21 +245,15 @@ impl Linkage {
                 degrees(start)?;
                 let chosen = planar::choose(l, drive(l, start), branch).map_err(value_error)?;
                 let mut here = chosen.start.clone();
-                for (k, &phi) in angles.iter().enumerate() {
-                    if k % ROWS == 0 {
-                        py.check_signals()?;
-                    }
-                    degrees(phi)?;
+                along(chosen.mode, &mut |phi| {
                     let Some(at) = chosen.turned_to(l, drive(l, phi)) else {
-                        rows.push(missing(phi, chosen.mode));
-                        continue;
+                        return Ok(None);
                     };
                     here = l.solver.follow(&here, l.inner(at)).map_err(value_error)?;
-                    let at = (chosen.loads.as_ref(), &here);
-                    rows.push(planar_row(l, phi, chosen.mode, at));
-                }
+                    Ok(Some(planar::values(l, chosen.loads.as_ref(), &here, ALL)))
+                })?
             }
-        }
+        };
         Ok(table(py, names, rows))
     }
 
@@ -367,8 +329,12 @@ pub fn run_up<'py>(
         run(&equation, &machine.plan).map_err(|e| word(&e))
     });
     let motion = done.map_err(PyValueError::new_err)?;
-    let rows = motion.samples.iter().map(|s| row(s).to_vec()).collect();
-    let names = COLUMNS.map(String::from).to_vec();
+    let rows = motion
+        .samples
+        .iter()
+        .map(|s| machine::run_up::row(s).to_vec())
+        .collect();
+    let names = machine::run_up::COLUMNS.map(String::from).to_vec();
     Ok((table(py, names, rows), format!("{:?}", motion.outcome)))
 }
 
