@@ -2,6 +2,7 @@
 
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::print;
+use crate::cli::number::Number;
 use crate::cli::process::wire;
 use crate::cli::scope::given;
 use crate::cli::terminal::width;
@@ -9,7 +10,6 @@ use anstyle::Style;
 use mechaudit::audit::{Judge, Limit, Method, Settings, SolverAnswer, Variant};
 use mechaudit::claims::{Algorithm, HartmannTran, Parts, Plane, Profile, answer};
 use mechaudit::methods;
-use mechaudit::reference::{Decimal, HexFloat};
 use mechaudit::report::text::style::{BAD, BOLD, PLAIN, paint};
 use mechaudit::report::text::table::Table;
 use num_complex::Complex;
@@ -137,13 +137,8 @@ fn off_by(error: f64) -> (String, Style) {
 
 /// Two numbers, or the eight of a line.
 fn read(text: &str) -> Result<Vec<f64>, Failure> {
-    let number = |text: &str| {
-        let text = text.trim();
-        let hex = text.trim_start_matches(['+', '-']).starts_with("0x");
-        let x = match hex {
-            true => HexFloat::parse(text).ok()?.to_f64(),
-            false => Decimal::nearest(text).ok()?,
-        };
+    let number = |text| {
+        let x = Number::parse(text).ok()?.nearest();
         x.is_finite().then_some(x)
     };
     let parts: Option<Vec<f64>> = text.split(',').map(number).collect();
