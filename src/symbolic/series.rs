@@ -3,7 +3,7 @@
 use super::error::unsupported;
 use super::expr::{EACH, Expr, Func};
 use super::{Definitions, SymbolicError};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Checks that `series(n, f)` occurs in an expression only where the value is linear in it.
 ///
@@ -16,6 +16,7 @@ pub(super) fn check(definitions: &Definitions, e: &Expr) -> Result<(), SymbolicE
     let mut check = Check {
         definitions,
         known: BTreeMap::new(),
+        derivations: BTreeSet::new(),
     };
     check.is_series(e).map(|_| ())
 }
@@ -24,6 +25,8 @@ struct Check<'a> {
     definitions: &'a Definitions,
     /// What definitions are; `None` while one is looked through.
     known: BTreeMap<&'a str, Option<bool>>,
+    /// Derivations whose images are looked through.
+    derivations: BTreeSet<&'a str>,
 }
 
 impl<'a> Check<'a> {
@@ -105,8 +108,9 @@ impl<'a> Check<'a> {
             }
             Expr::Diff(x, by) => {
                 let definitions = self.definitions;
+                let first = self.derivations.insert(by);
                 let images = definitions.derivations.get(by).into_iter().flatten();
-                for (_, image) in images {
+                for (_, image) in images.filter(|_| first) {
                     self.scalar(&[image], "a derivation")?;
                 }
                 self.is_series(x)
