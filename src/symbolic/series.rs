@@ -62,9 +62,15 @@ impl<'a> Check<'a> {
             Expr::Sym(name) => self.definition(name),
             Expr::Index(name, index) => {
                 self.scalar(&[index], "an index")?;
-                let prefix = format!("{name}_");
-                let of_name = self.definitions.names.keys();
-                for member in of_name.filter(|key| key.starts_with(&prefix)) {
+                // The name with that index, or with any number.
+                let is_member = |key: &str| {
+                    let suffix = key.strip_prefix(name.as_str());
+                    suffix
+                        .and_then(|s| s.strip_prefix('_'))
+                        .is_some_and(|k| k.parse::<i64>().is_ok() || **index == Expr::Sym(k.into()))
+                };
+                let definitions = self.definitions;
+                for member in definitions.names.keys().filter(|key| is_member(key)) {
                     if self.definition(member)? {
                         return Ok(true);
                     }
