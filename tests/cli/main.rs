@@ -14,6 +14,7 @@ mod eval;
 mod eval_chirp;
 mod examples;
 mod hunt;
+mod identity;
 mod interrupt;
 #[cfg(unix)]
 mod judge;
