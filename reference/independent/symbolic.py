@@ -36,10 +36,14 @@ APART = mp.mpf("1e-20")
 #: Points tried: their kinds, in turn.
 POINTS = ("middle", "wide", "whole", "near", "middle", "wide")
 CALCULUS_POINTS = ("middle", "near", "whole", "middle")
-#: Lines that the program may refuse before the run is given up.
+#: Lines that the program may refuse to read before the run is given up.
 REFUSALS = 200
-#: Seconds that the program has for all, beside a hundredth for each equation.
-SECONDS = 300
+#: Seconds that the program has for all, beside a twentieth for each equation, and for one alone.
+SECONDS, ALONE = 60, 10
+#: Lines without an answer among which the one is that takes too long.
+TOGETHER = 64
+NOT_READ = {"outcome": "undecided", "reason": "not read", "witness": None}
+NO_ANSWER = {"outcome": "undecided", "reason": f"no answer within {ALONE} s", "witness": None}
 
 OPEN = "open"
 
@@ -96,24 +100,44 @@ def evaluated(left, right, points, until):
     return Values(compared, None, undefined)
 
 
-def answers(binary, lines):
-    """The program's objects, one a line; `None` for a line that it does not read."""
+def run(binary, lines, seconds):
+    """The program's objects for the lines that it answers in this time, and how it ended, `None` for not at all."""
     command = [binary, "identity", "--format", "json"]
     for text in equations.DEFINITIONS:
         command += ["--define", text]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as program:
+        try:
+            out, err = program.communicate("".join(line + "\n" for line in lines).encode(), timeout=seconds)
+            status = program.returncode
+        except subprocess.TimeoutExpired:
+            program.kill()
+            out, err = program.communicate()
+            status = None
+    # The last line of a program that was ended may be half a line.
+    found = [json.loads(line) for line in out.decode().splitlines(keepends=True) if line.endswith("\n")]
+    return found, status, err.decode().strip()
+
+
+def answers(binary, lines):
+    """The program's objects, one a line; NOT_READ and NO_ANSWER in the place of some."""
     out = []
     while len(out) < len(lines):
-        rest = "".join(line + "\n" for line in lines[len(out) :])
-        run = subprocess.run(command, input=rest, capture_output=True, text=True, timeout=SECONDS + len(lines) / 100)
-        found = run.stdout.splitlines()
-        out += map(json.loads, found)
+        rest = lines[len(out) :]
+        found, status, err = run(binary, rest, SECONDS + len(rest) / 20)
+        out += found
         if len(out) == len(lines):
             break
-        if run.returncode == 2 and f"line {len(found) + 1} " in run.stderr and out.count(None) < REFUSALS:
-            out.append(None)
-            continue
-        at = lines[len(out)]
-        sys.exit(f"the program ended with {run.returncode} near {at!r}: {run.stderr.strip()[-500:]}")
+        if status is None:
+            # One of the next is at fault.
+            for line in lines[len(out) : len(out) + TOGETHER]:
+                found, status, err = run(binary, [line], ALONE)
+                out.append(found[0] if found else NO_ANSWER if status is None else NOT_READ)
+        elif status == 2 and f"line {len(found) + 1} " in err:
+            out.append(NOT_READ)
+        else:
+            sys.exit(f"the program ended with {status} near {lines[len(out)]!r}: {err[-500:]}")
+        if out.count(NOT_READ) > REFUSALS:
+            sys.exit(f"{REFUSALS} lines are not read, the last is {lines[len(out) - 1]!r}: {err}")
     return out
 
 
@@ -124,7 +148,7 @@ def judged(number, equation, answer, seed):
     points = [Point(f"{seed}/{number}/{k}", kind) for k, kind in enumerate(kinds)]
     truth = equation.truth
     known = evaluated(left, right, points, 2 if truth == equations.TRUE else 9)
-    outcome = answer["outcome"] if answer else "undecided"
+    outcome = answer["outcome"]
     if truth == equations.TRUE and known.differs and certainly(left, right, known.differs):
         return truth, outcome, f"true by construction, but not at {shown(known.differs)}: a fault of the grammar"
     if known.differs:
@@ -134,7 +158,7 @@ def judged(number, equation, answer, seed):
     elif truth != equations.TRUE:
         # It may be true, or true at these points.
         truth = OPEN
-    wrong = None
+    wrong = NO_ANSWER["reason"] if answer is NO_ANSWER else None
     if outcome == "proved":
         if known.differs and certainly(left, right, known.differs):
             wrong = f"proved, but false at {shown(known.differs)}"
@@ -204,7 +228,7 @@ def main():
         rows.append((equation, truth, outcome))
         if why:
             wrong.append((equation, why))
-        reason = (answer or {}).get("reason") or ("" if answer else "not read")
+        reason = answer["reason"] or ""
         if args.show == outcome == "undecided" and truth == equations.TRUE:
             print(f"{equation.kind}: {lines[number]}: {reason}")
         if args.show == "false" and truth in (equations.FALSE, equations.NO_VALUE) and outcome != "refuted":
