@@ -2,7 +2,7 @@
 """Verdicts of `mechaudit identity` against mpmath at random points, over random equations.
 
     python3 reference/independent/symbolic.py [--count 2000] [--seed 1] [--binary mechaudit]
-        [--show undecided|wrong|kinds] [--equations FILE]
+        [--show undecided|false|kinds] [--equations FILE]
 
 Half of the equations are true by construction, the others are meant to be false or divide by a hidden zero
 (symbolic_equations.py). The program decides all of them in one run; mpmath evaluates both sides in 80 digits (50 where
@@ -209,7 +209,7 @@ def main():
     parser.add_argument("--count", type=int, default=2000)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--binary", default="mechaudit")
-    parser.add_argument("--show", choices=("undecided", "false", "kinds"), default=None)
+    parser.add_argument("--show", choices=("undecided", "false", "kinds"))
     parser.add_argument("--equations", type=pathlib.Path)
     args = parser.parse_args()
     if args.equations:
@@ -229,6 +229,8 @@ def main():
         if why:
             wrong.append((equation, why))
         reason = answer["reason"] or ""
+        if args.equations:
+            print(f"{truth}: {lines[number]}: {outcome} {reason}")
         if args.show == outcome == "undecided" and truth == equations.TRUE:
             print(f"{equation.kind}: {lines[number]}: {reason}")
         if args.show == "false" and truth in (equations.FALSE, equations.NO_VALUE) and outcome != "refuted":

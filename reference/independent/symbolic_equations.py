@@ -208,9 +208,7 @@ def kinks(g):
         (f"abs({r})^2", f"{r}^2"),
         (f"abs({r}*{s})", f"abs({r})*abs({s})"),
         (f"abs(-{r})", f"abs({r})"),
-        (f"abs(abs({r}) + {g.positive(1)})", f"abs({r}) + 0")
-        if False
-        else (f"abs(abs({r}))", f"abs({r})"),
+        (f"abs(abs({r}))", f"abs({r})"),
         (f"sqrt({r}^2*{s}^2)", f"abs({r}*{s})"),
         (f"(abs({r} + {s}) + abs({r} - {s}))^2", f"(2*{r}^2 + 2*{s}^2 + 2*abs({r}^2 - {s}^2))"),
     )
@@ -639,6 +637,24 @@ def tempting(g):
     )
 
 
+def no_zero(g):
+    """A denominator that is not zero, though a conjugate of it is."""
+    x, y = g.symbols
+    _, _, left, right = pair(g, False)
+    n = g.one(f"({left} + {right})", f"({left} + {right} + {x})", f"(2*{left} + {right})")
+    p = g.positive(1)
+    return g.one(
+        (False, f"1/{n}", "0"),
+        (False, f"{p}/{n}", "0"),
+        (False, f"{x}/{n}", f"{y}/{n}"),
+        (False, f"exp(1/{n})", "1"),
+        (False, f"1/(1/{n} + (1 - {x}))", "0"),
+        (False, f"{n}/{n}", "0"),
+        (True, f"D({x}, {x})/{n}", "0"),
+        (True, f"D({x}/{n}, {x})", "0"),
+    )
+
+
 def pair(g, calculus):
     """An instance of a rule: its name and two equal sides."""
     chosen = [r for r in RULES if calculus or not r[1]]
@@ -651,8 +667,8 @@ def pair(g, calculus):
 
 def around(g, calculus, left, right):
     """An operation on both sides."""
-    k = g.rng.randrange(9)
-    p = g.positive(1)
+    k = g.rng.randrange(11 if calculus else 10)
+    p, x = g.positive(1), g.symbol()
     if k == 0:
         _, more, l2, r2 = pair(g, False)
         op = g.one("+", "-", "*")
@@ -673,6 +689,11 @@ def around(g, calculus, left, right):
         return f"(1/({left} - {right} + {p}))", f"(1/{p})"
     if k == 7:
         return f"({left} + {p})", f"({p} + {right})"
+    if k == 8:
+        # Not zero, but a conjugate of it is.
+        return f"({p}/({left} + {right}))", f"({p}/(2*{right}))"
+    if k == 10:
+        return f"(D({x}, {x})*{left})", right
     return left, right
 
 
@@ -761,6 +782,7 @@ def without_value_elsewhere(g):
         (True, f"int(s, 0, {x}, 1/s)*0", "0"),
         (False, "at(exp(2*i*pi), pi, 1)", "1"),
         (False, "a[inf]", "a_3"),
+        (False, "sum(n, 1, n_num, 1)", "3"),
         (False, "inf - inf", "0"),
         (False, f"{x}/inf", "0"),
         (False, f"at(at({x}/z, z, a - b), a, b)", "0"),
@@ -782,9 +804,10 @@ def equation(rng):
         name, is_calculus, left, right = without_value(g, calculus)
         return Equation(name, is_calculus, left, right, NO_VALUE)
     if kind < 0.22:
-        is_calculus, left, right = tempting(g)
+        draw = g.one(tempting, tempting, tempting, no_zero)
+        is_calculus, left, right = draw(g)
         while is_calculus != calculus:
-            is_calculus, left, right = tempting(g)
+            is_calculus, left, right = draw(g)
         for _ in range(rng.choice((0, 0, 0, 1))):
             left, right = around(g, calculus, f"({left})", f"({right})")
         return Equation("tempting", is_calculus, left, right, FALSE)
