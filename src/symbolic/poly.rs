@@ -1,5 +1,6 @@
 //! Multivariate polynomials over the Gaussian rationals.
 
+use super::work::spend;
 use super::{Gauss, Symbol};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -136,7 +137,7 @@ impl Poly {
 
     /// Multiplied by a constant.
     pub fn scaled(&self, c: &Gauss) -> Poly {
-        if c.is_zero() {
+        if c.is_zero() || !spend(c.words() * self.terms.len() as u64) {
             return Poly::zero();
         }
         self.mapped(|a| a * c)
@@ -256,6 +257,11 @@ impl Mul for &Poly {
     fn mul(self, b: &Poly) -> Poly {
         let mut out = Poly::zero();
         for (m, c) in &self.terms {
+            // Past the limit the result is discarded; zero ends whatever loop asked for it.
+            let words = c.words() * b.terms.len() as u64;
+            if !spend(words) {
+                return Poly::zero();
+            }
             for (n, d) in &b.terms {
                 out.accumulate(times(m, n), &(c * d));
             }

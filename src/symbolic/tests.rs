@@ -147,7 +147,7 @@ proptest! {
     #[test]
     fn normal_forms_agree_with_balls(a in text(), turn in 0_u32..4) {
         let definitions = Definitions::default();
-        let point = Point { turn, ..Point::default() };
+        let point = Point::sample(turn);
         let mut exact = Exact::default();
         let e = parse(&a).unwrap();
         let form = exact.value(&definitions, &e).unwrap();
@@ -165,7 +165,7 @@ proptest! {
             let value = |k: i32| {
                 let t = Rational::from((3, 4)) + Rational::from((k, 1 << h));
                 let named = [("t".to_string(), t)].into();
-                let point = Point { named, ..Point::default() };
+                let point = Point { named, sample: Some(0) };
                 let z = Enclosures::new(&point).value(&definitions, &parse(&a).unwrap());
                 let z = z.unwrap();
                 (z.re.to_f64(), z.im.to_f64())
@@ -176,7 +176,7 @@ proptest! {
         };
         let point = Point {
             named: [("t".to_string(), Rational::from((3, 4)))].into(),
-            ..Point::default()
+            sample: Some(0),
         };
         let d = enclose(&definitions, &parse(&format!("D({a}, t)")).unwrap(), &point).unwrap();
         let near = quotient(12);
@@ -216,7 +216,6 @@ fn identities() {
         "at(t^2 - 3*t + x, t, 2) = x - 2",
         "at(exp(t*y) - t*exp(y), t, 1) = 0",
         "abs(r*exp(i*x)) = r",
-        "arg(r*exp(i*x)) = x",
         "1/T*int(t, 0, T, cos(2*pi*3*t/T)^2) = 1/2",
         "0.94*50 = 47",
     ] {
@@ -359,15 +358,14 @@ fn an_arc_tangent_of_what_may_be_complex() {
     assert!(value("arctan(i/2)").is_err());
 }
 
-/// Roots that are not independent are refused: a denominator with both might be zero.
+/// A root that is an element of the field, but with a branch that depends on the symbols, is refused.
 #[test]
 fn dependent_roots_are_refused() {
     let none = Definitions::default();
     for text in [
         "sqrt(x - y) + sqrt(y - x)",
-        "sqrt(x^2 - y^2) + sqrt(x - y)",
-        "sqrt((x + y)^2*(x + 1))",
-        "sqrt(x + y)*sqrt((x + y)*(x + 1))",
+        "sqrt((x - y)^2*(x + 1))/(x + 1) - sqrt((x - y)^2)",
+        "sqrt(x - y)*sqrt(x + y) - sqrt(x^2 - y^2)",
     ] {
         let found = Exact::default().value(&none, &parse(text).unwrap());
         assert!(
@@ -409,9 +407,8 @@ fn what_cannot_be_said_is_undecided_or_an_error() {
         "1/(x - x)",
         "1/(1 + exp(x))",
         "exp(exp(x))",
-        "sqrt(x/(x + y))",
         "int(s, 0, 1, exp(s^3))",
-        "int(s, 0, 1, s*exp(s))",
+        "int(s, 0, 1, 1/(1 + s))",
     ] {
         assert!(e.value(&zero, &parse(text).unwrap()).is_err(), "{text}");
     }
@@ -438,6 +435,7 @@ fn bound_names_end_where_they_are_bound() {
         "sqrt(x) - at(z^2, z, 2) = sqrt(x) - 4",
         "at(sqrt(y)*sqrt(x + y)*z, z, 2) = 2*sqrt(y)*sqrt(x + y)",
         "at(W(z) + W(y), z, x) = W(x) + W(y)",
+        "at(at(u + x, x, 2), u, exp(i*t) + sqrt(x)*exp(-t)) = exp(i*t) + sqrt(x)*exp(-t) + 2",
         "x + D(x^2, x) + x = 4*x",
     ] {
         let found = decided(text);
@@ -452,13 +450,10 @@ fn bound_names_end_where_they_are_bound() {
     let mut form = |text: &str| exact.value(&none, &parse(text).unwrap());
     assert_eq!(form("at(t^2, t, exp(b)) + t"), form("exp(2*b) + t"));
     for text in [
-        "at(sqrt(x)*x, x, 2)",
-        "at(sqrt(1 + sqrt(x)) + x, x, 2)",
         "arg(exp(i*t)*sqrt(x - y))",
         // A denominator may have any sign.
         "arg(x/(y - 1)*exp(i*t))",
         // Only one of the terms of what is bound hides x.
-        "at(at(u + x, x, 2), u, exp(i*t) + sqrt(x)*exp(-t))",
         "at(D(u*x, x), u, exp(i*t) + sqrt(x)*exp(-t))",
     ] {
         let found = form(text);
