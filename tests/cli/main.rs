@@ -18,6 +18,7 @@ mod eval;
 mod eval_chirp;
 mod examples;
 mod hunt;
+mod identity;
 mod interrupt;
 #[cfg(unix)]
 mod judge;
