@@ -152,6 +152,7 @@ impl Poly {
     pub fn coefficients(&self, x: Symbol) -> Vec<Poly> {
         let mut out: Vec<Poly> = Vec::new();
         for (m, c) in &self.terms {
+            spend(1 + m.len() as u64 / 2);
             let k = m.iter().find(|f| f.0 == x).map_or(0, |f| f.1) as usize;
             let rest: Monomial = m.iter().filter(|f| f.0 != x).copied().collect();
             if out.len() <= k {
@@ -171,6 +172,7 @@ impl Poly {
                 k => vec![(x, k as u32)],
             };
             for (m, c) in &p.terms {
+                spend(1 + m.len() as u64 / 2);
                 out.accumulate(times(m, &power), c);
             }
         }
@@ -261,8 +263,8 @@ impl Mul for &Poly {
         let mut out = Poly::zero();
         for (m, c) in &self.terms {
             // Past the limit the result is discarded; zero ends whatever loop asked for it.
-            let words = c.words() * b.terms.len() as u64;
-            if !spend(words) {
+            let each = c.words() + m.len() as u64;
+            if !spend(each * b.terms.len() as u64) {
                 return Poly::zero();
             }
             for (n, d) in &b.terms {

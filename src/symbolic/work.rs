@@ -8,8 +8,8 @@
 use super::SymbolicError;
 use std::cell::Cell;
 
-/// Operations allowed for one decision: products of terms, weighted by the length of their numbers,
-/// and nodes of expressions. A second or two of processor time.
+/// Operations allowed for one decision: products of terms, weighted by their length, and nodes of
+/// expressions. A few seconds of processor time.
 pub(super) const LIMIT: u64 = 4_000_000;
 
 thread_local! {
