@@ -2,6 +2,7 @@
 
 use super::enclosure;
 use super::error::unsupported;
+use super::kernel::Kernel;
 use super::turn::multiple_of_pi;
 use super::work::spend;
 use super::{ExpSum, Fraction, Gauss, Poly, Symbol, SymbolicError};
@@ -28,6 +29,10 @@ pub type Derivation = BTreeMap<Symbol, ExpSum>;
 pub struct Algebra {
     roots: Vec<(Symbol, Poly)>,
     antiderivatives: Vec<(Symbol, Fraction)>,
+    kernels: Vec<(Symbol, Kernel)>,
+    /// Roots whose radicands may be squares, with a branch that is not decided; true for those of
+    /// squares of real values.
+    dependent: Vec<(Symbol, bool)>,
     /// Symbols that stand for values of any sign at present, as often as they are bound, and
     /// true for those whose values may be complex.
     unsigned: Vec<(Symbol, bool)>,
@@ -71,17 +76,43 @@ impl Algebra {
         self.roots.push((s, radicand));
     }
 
+    /// Notes that a root may be an element of the field generated before it.
+    pub(super) fn push_dependent(&mut self, s: Symbol, of_real: bool) {
+        self.dependent.push((s, of_real));
+    }
+
+    /// Returns true if the root may be an element of the field generated before it.
+    pub(super) fn is_dependent(&self, s: Symbol) -> bool {
+        self.dependent.iter().any(|(t, _)| *t == s)
+    }
+
+    /// The kernels in use.
+    pub(super) fn kernels(&self) -> &[(Symbol, Kernel)] {
+        &self.kernels
+    }
+
+    pub(super) fn push_kernel(&mut self, s: Symbol, kernel: Kernel) {
+        self.kernels.push((s, kernel));
+    }
+
+    /// The polynomials that the value of a symbol depends on.
+    fn parts_of(&self, x: Symbol) -> Vec<&Poly> {
+        if let Some((_, radicand)) = self.roots.iter().find(|(s, _)| *s == x) {
+            return vec![radicand];
+        }
+        if let Some((_, z)) = self.antiderivatives.iter().find(|(g, _)| *g == x) {
+            return vec![z.num(), z.den()];
+        }
+        let kernel = self.kernels.iter().find(|(k, _)| *k == x);
+        kernel.map_or_else(Vec::new, |(_, kernel)| kernel.polynomials())
+    }
+
     /// Returns true if a symbol that satisfies the condition is in p, in the radicand of one of its
-    /// roots or in the argument of one of its values of G.
-    fn reaches(&self, p: &Poly, is_so: &impl Fn(Symbol) -> bool) -> bool {
+    /// roots or in the argument of one of its kernels or values of G.
+    pub(super) fn reaches(&self, p: &Poly, is_so: &impl Fn(Symbol) -> bool) -> bool {
         p.symbols().into_iter().any(|y| {
-            let root = self.roots.iter().find(|(s, _)| *s == y);
-            let value = self.antiderivatives.iter().find(|(g, _)| *g == y);
-            is_so(y)
-                || root.is_some_and(|(_, radicand)| self.reaches(radicand, is_so))
-                || value.is_some_and(|(_, z)| {
-                    self.reaches(z.num(), is_so) || self.reaches(z.den(), is_so)
-                })
+            let parts = self.parts_of(y);
+            is_so(y) || parts.into_iter().any(|part| self.reaches(part, is_so))
         })
     }
 
@@ -93,27 +124,34 @@ impl Algebra {
         let refused = || SymbolicError::NotInvertible(self.text(&f.clone().into()));
         let f = self.reduce_fraction(f);
         let inverse = f.inverse().ok_or_else(refused)?;
-        let is_value = |x| self.antiderivatives.iter().any(|(g, _)| *g == x);
-        if self.reaches(f.num(), &is_value) && !enclosure::is_somewhere_not_zero(self, &f) {
-            return Err(refused());
+        // With dependent roots the norm may be zero where the number is not.
+        let out = self.try_reduce(&inverse).ok_or_else(refused)?;
+        let is_named = |x| {
+            self.antiderivatives.iter().any(|(g, _)| *g == x)
+                || self.kernels.iter().any(|(k, _)| *k == x)
+        };
+        let below = Fraction::from(out.den().clone());
+        for divisor in [&f, &below] {
+            if self.reaches(divisor.num(), &is_named)
+                && !enclosure::is_somewhere_not_zero(self, divisor)
+            {
+                return Err(refused());
+            }
         }
         // An identity in an index has to hold for every integer, and a divisor vanish at none.
         let is_index = |x| x == Symbol::INDEX;
         if self.reaches(f.num(), &is_index) && self.signed(&f).is_none() {
             return Err(refused());
         }
-        Ok(self.reduce_fraction(&inverse))
+        Ok(out)
     }
 
     /// Whether p depends on x otherwise than as a polynomial in it: by a root or an integral.
     pub(super) fn hides(&self, p: &Poly, x: Symbol) -> bool {
         let depends = |q: &Poly| q.contains(x) || self.hides(q, x);
-        p.symbols().into_iter().any(|y| {
-            let root = self.roots.iter().find(|(s, _)| *s == y);
-            let value = self.antiderivatives.iter().find(|(g, _)| *g == y);
-            root.is_some_and(|(_, radicand)| depends(radicand))
-                || value.is_some_and(|(_, z)| depends(z.num()) || depends(z.den()))
-        })
+        p.symbols()
+            .into_iter()
+            .any(|y| self.parts_of(y).into_iter().any(depends))
     }
 
     /// With every root to the first power at most.
@@ -142,9 +180,19 @@ impl Algebra {
 
     /// The normal form of a rational function of symbols and roots.
     pub fn reduce_fraction(&self, f: &Fraction) -> Fraction {
+        // A denominator that is zero cannot arise in a field: a² = b² P would make P a square. It
+        // does once the limit on work is passed, and then the result is discarded.
+        self.try_reduce(f).unwrap_or_else(|| {
+            spend(u64::MAX);
+            Fraction::zero()
+        })
+    }
+
+    /// As [`Algebra::reduce_fraction`]; `None` if the denominator is zero.
+    fn try_reduce(&self, f: &Fraction) -> Option<Fraction> {
         let touched = |p: &Poly| self.roots.iter().any(|(s, _)| p.contains(*s));
         if !touched(f.num()) && !touched(f.den()) {
-            return f.clone();
+            return Some(f.clone());
         }
         let mut num = self.reduce_poly(f.num());
         let mut den = self.reduce_poly(f.den());
@@ -161,12 +209,7 @@ impl Algebra {
             num = self.reduce_poly(&(&num * &other));
             den = self.reduce_poly(&(&den * &other));
         }
-        // A denominator that is zero cannot arise in a field: a² = b² P would make P a square. It
-        // does once the limit on work is passed, and then the result is discarded.
-        Fraction::new(num, den).unwrap_or_else(|| {
-            spend(u64::MAX);
-            Fraction::zero()
-        })
+        Fraction::new(num, den)
     }
 
     /// The normal form of a sum of exponentials.
@@ -180,7 +223,14 @@ impl Algebra {
             } else {
                 &c * &Fraction::constant(unit)
             };
-            out.accumulate(c, p);
+            if self.kernels.is_empty() {
+                out.accumulate(c, p);
+                continue;
+            }
+            for (c, q) in self.without_kernels(&c) {
+                let (unit, p) = half_turns(&self.reduce_fraction(&(&p + &q)));
+                out.accumulate(&c * &Fraction::constant(unit), p);
+            }
         }
         out
     }
@@ -193,22 +243,21 @@ impl Algebra {
     /// The quotient in normal form.
     ///
     /// # Errors
-    /// [`SymbolicError::NotInvertible`] if b is zero or a proper sum of exponentials.
-    pub fn quotient(&self, a: &ExpSum, b: &ExpSum) -> Result<ExpSum, SymbolicError> {
-        let (p, c) = b
-            .as_single()
-            .ok_or_else(|| SymbolicError::NotInvertible(self.text(b)))?;
-        Ok(self.product(a, &ExpSum::term(self.inverse(c)?, -p)))
+    /// [`SymbolicError::NotInvertible`] if b is zero or not shown to be anything else.
+    pub fn quotient(&mut self, a: &ExpSum, b: &ExpSum) -> Result<ExpSum, SymbolicError> {
+        let inverse = match b.as_single() {
+            Some((p, c)) => ExpSum::term(self.inverse(c)?, -p),
+            None => self.inverse_of_sum(b)?,
+        };
+        Ok(self.product(a, &inverse))
     }
 
-    /// `e^x` of an x without exponentials.
+    /// `e^x`. Exponentials in x become kernels.
     ///
     /// # Errors
-    /// [`SymbolicError::Unsupported`] for an exponent that is itself a sum of exponentials.
+    /// [`SymbolicError::Work`] past the limit on work.
     pub fn exp(&mut self, x: &ExpSum) -> Result<ExpSum, SymbolicError> {
-        let p = x
-            .as_fraction()
-            .ok_or_else(|| SymbolicError::Unsupported("an exponential of an exponential".into()))?;
+        let p = self.as_kernels(x)?;
         let out = self.unity(&p)?;
         Ok(self.reduce(&out))
     }
@@ -245,7 +294,11 @@ impl Algebra {
         let roots = roots.map(|(s, p)| (s.name(), "sqrt", p.to_string()));
         let values = self.antiderivatives.iter();
         let values = values.map(|(g, z)| (g.name(), "G", z.to_string()));
-        let mut names: Vec<_> = roots.chain(values).collect();
+        let kernels = self.kernels.iter().map(|(k, kernel)| {
+            let (function, inner) = kernel.text();
+            (k.name(), function, inner)
+        });
+        let mut names: Vec<_> = roots.chain(values).chain(kernels).collect();
         // The signs of a series cannot be typed.
         let (index, sum) = (Symbol::INDEX.name(), Symbol::SERIES.name());
         names.extend([(index, "n", String::new()), (sum, "Σ", String::new())]);
@@ -275,7 +328,9 @@ impl Algebra {
     /// [`SymbolicError::Unsupported`] if a value of G is left, whose argument is complex, or a root of what may be
     /// negative.
     pub fn conj(&self, e: &ExpSum) -> Result<ExpSum, SymbolicError> {
-        let complex = |(s, p): &&(Symbol, Poly)| e.contains(*s) && !self.is_positive(p);
+        let complex = |(s, p): &&(Symbol, Poly)| {
+            e.contains(*s) && !self.is_positive(p) && !self.dependent.contains(&(*s, true))
+        };
         if let Some((_, p)) = self.roots.iter().find(complex) {
             return unsupported(format!(
                 "the conjugate of the root of {p}, which may be negative"
@@ -284,13 +339,54 @@ impl Algebra {
         if self.antiderivatives.iter().any(|(g, _)| e.contains(*g)) {
             return unsupported("the conjugate of an integral");
         }
-        if let Some((x, _)) = self.unsigned.iter().find(|(x, c)| *c && e.contains(*x)) {
+        let mut partners = BTreeMap::new();
+        for (x, kernel) in self.kernels.iter().filter(|(x, _)| e.contains(*x)) {
+            let partner = match kernel {
+                Kernel::Exp(p) => self.partner(*x, p)?,
+                Kernel::Inverse(e) if self.is_real(e) => *x,
+                Kernel::Arctan(_) => *x,
+                Kernel::Inverse(_) => return unsupported("the conjugate of a quotient"),
+            };
+            partners.insert(*x, partner);
+        }
+        let reaches = |x: Symbol| {
+            let mut parts = e
+                .terms()
+                .flat_map(|(p, c)| [p.num(), p.den(), c.num(), c.den()]);
+            parts.any(|p| self.reaches(p, &|y| y == x))
+        };
+        if let Some((x, _)) = self.unsigned.iter().find(|(x, c)| *c && reaches(*x)) {
             return unsupported(format!("the conjugate of {x}, which may be complex"));
         }
-        Ok(e.conj())
+        let mut out = ExpSum::zero();
+        for (p, c) in e.conj().terms() {
+            out.accumulate(c.renamed(&partners), p.renamed(&partners));
+        }
+        Ok(out)
     }
 
-    fn derive_fraction(&self, f: &Fraction, d: &Derivation) -> Result<ExpSum, SymbolicError> {
+    /// The kernel of the conjugate exponential.
+    fn partner(&self, x: Symbol, p: &Fraction) -> Result<Symbol, SymbolicError> {
+        let conj = self.conj(&p.clone().into())?;
+        let conj = self.reduce(&conj).as_fraction();
+        if conj.as_ref() == Some(p) {
+            return Ok(x);
+        }
+        let found = self.kernels.iter().find(|(_, kernel)| match kernel {
+            Kernel::Exp(q) => Some(q) == conj.as_ref(),
+            _ => false,
+        });
+        match found {
+            Some((partner, _)) => Ok(*partner),
+            None => unsupported("the conjugate of a complex function of exponentials"),
+        }
+    }
+
+    pub(super) fn derive_fraction(
+        &self,
+        f: &Fraction,
+        d: &Derivation,
+    ) -> Result<ExpSum, SymbolicError> {
         let mut symbols = f.num().symbols();
         symbols.extend(f.den().symbols());
         let mut out = ExpSum::zero();
@@ -298,11 +394,13 @@ impl Algebra {
             let dx = if let Some((_, p)) = self.roots.iter().find(|(s, _)| *s == x) {
                 let dp = self.derive_fraction(&Fraction::from(p.clone()), d)?;
                 let twice = Fraction::from(Poly::symbol(x).scaled(&Gauss::real(2)));
-                self.quotient(&dp, &twice.into())?
+                self.product(&dp, &self.inverse(&twice)?.into())
             } else if let Some((_, z)) = self.antiderivatives.iter().find(|(g, _)| *g == x) {
                 let dz = self.derive_fraction(z, d)?;
                 let square = self.reduce_fraction(&(z * z));
                 self.product(&dz, &ExpSum::term(Fraction::integer(1), square))
+            } else if let Some((_, kernel)) = self.kernels.iter().find(|(k, _)| *k == x) {
+                self.derive_kernel(x, kernel, d)?
             } else if let Some(image) = d.get(&x) {
                 image.clone()
             } else {

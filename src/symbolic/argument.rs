@@ -43,14 +43,13 @@ impl Algebra {
             let size = self.root_of_norm(&c.clone().into())?;
             return Ok(ExpSum::term(size, real));
         }
-        self.root_of_norm(x).map(Into::into)
+        let size = self.root_of_norm(x)?;
+        Ok(self.reduce(&size.into()))
     }
 
     fn root_of_norm(&mut self, x: &ExpSum) -> Result<Fraction, SymbolicError> {
         let square = self.product(x, &self.conj(x)?);
-        let square = square
-            .as_fraction()
-            .ok_or_else(|| SymbolicError::Unsupported("a root with exponentials".into()))?;
+        let square = self.as_kernels(&square)?;
         self.sqrt(&square)
     }
 
@@ -59,15 +58,16 @@ impl Algebra {
         if x.is_zero() {
             return Ok(ExpSum::zero());
         }
-        let Some((p, c)) = x.as_single() else {
-            return unsupported("a root with exponentials");
-        };
-        if !self.is_real(&p.clone().into()) {
-            return unsupported("a root with exponentials");
+        if let Some((p, c)) = x.as_single()
+            && self.is_real(&p.clone().into())
+        {
+            let half = Fraction::constant(Gauss::real((1, 2)));
+            let root = self.sqrt(c)?;
+            return Ok(ExpSum::term(root, p * &half));
         }
-        let half = Fraction::constant(Gauss::real((1, 2)));
-        let root = self.sqrt(c)?;
-        Ok(ExpSum::term(root, p * &half))
+        let f = self.as_kernels(x)?;
+        let root = self.sqrt(&f)?;
+        Ok(self.reduce(&root.into()))
     }
 
     /// The argument in (−π, π] of `c e^p`, if the angle is a number or p is real.
@@ -144,7 +144,13 @@ impl Algebra {
             return unsupported("an arc tangent");
         };
         let up = &Fraction::integer(1) + &(&Fraction::constant(Gauss::i()) * &f);
-        self.angle(&self.reduce_fraction(&up)).map(Into::into)
+        if f.is_zero() {
+            return Ok(ExpSum::zero());
+        }
+        match self.angle(&self.reduce_fraction(&up)) {
+            Err(SymbolicError::Unsupported(_)) => self.arctan_kernel(&f).map(Into::into),
+            found => found.map(Into::into),
+        }
     }
 }
 

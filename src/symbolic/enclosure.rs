@@ -333,6 +333,14 @@ pub(super) fn is_somewhere_not_zero(algebra: &Algebra, f: &Fraction) -> bool {
     })
 }
 
+/// As [`is_somewhere_not_zero`], for a sum of exponentials.
+pub(super) fn is_form_somewhere_not_zero(algebra: &Algebra, form: &ExpSum) -> bool {
+    (0..SAMPLES).any(|turn| {
+        let value = enclose_form(algebra, form, &Point::sample(turn));
+        value.is_ok_and(|z| !z.re.contains_zero() || !z.im.contains_zero())
+    })
+}
+
 /// An enclosure of an element of the field, at a working precision.
 pub(super) fn enclose_fraction(
     algebra: &Algebra,
@@ -383,6 +391,9 @@ fn enclose_symbol(
     }
     if let Some((_, z)) = algebra.antiderivatives().iter().find(|(g, _)| *g == x) {
         return complex::antiderivative(&enclose_fraction(algebra, z, point, bits)?);
+    }
+    if let Some((_, kernel)) = algebra.kernels().iter().find(|(k, _)| *k == x) {
+        return kernel.enclose(algebra, point, bits);
     }
     let re = match x == Symbol::PI {
         true => Ball::pi(bits),

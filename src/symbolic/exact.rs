@@ -31,7 +31,7 @@ impl Exact {
         })
     }
 
-    fn fraction(&self, e: &ExpSum, what: &str) -> Result<Fraction, SymbolicError> {
+    pub(super) fn fraction(&self, e: &ExpSum, what: &str) -> Result<Fraction, SymbolicError> {
         e.as_fraction()
             .ok_or_else(|| SymbolicError::Unsupported(format!("{what} with exponentials")))
     }
@@ -51,6 +51,18 @@ impl Exact {
                 let root = roots.clone().find(|(r, q)| r == s && hidden(q)).cloned();
                 let integrals = self.algebra.antiderivatives();
                 let found = integrals.iter().find(|(g, _)| g == s).cloned();
+                let kernels = self.algebra.kernels().iter();
+                let kernel = kernels.clone().find(|(k, kernel)| {
+                    k == s && kernel.polynomials().into_iter().any(|q| hidden(q))
+                });
+                let kernel = kernel.cloned();
+                if let Some((_, kernel)) = kernel {
+                    let factor = Algebra::kernel_at(self, &kernel, x, value)?;
+                    for _ in 0..*k {
+                        product = &product * &factor;
+                    }
+                    continue;
+                }
                 let factor = match (root, found) {
                     (Some((_, radicand)), _) => {
                         let radicand = self.poly_at(&radicand, x, value)?;
@@ -72,7 +84,7 @@ impl Exact {
         Ok(self.algebra.reduce_fraction(&out))
     }
 
-    fn fraction_at(
+    pub(super) fn fraction_at(
         &mut self,
         f: &Fraction,
         x: Symbol,
@@ -318,7 +330,10 @@ mod tests {
             "9+x"
         );
         assert_eq!(form("at(sqrt(x)^2, x, -3)").unwrap().to_string(), "-3");
-        assert!(form("at(D(sqrt(x^2), x), x, -3)").is_err());
+        assert_eq!(
+            form("at(D(sqrt(x^2), x), x, -3)").unwrap().to_string(),
+            "-1"
+        );
         assert_eq!(form("sqrt(x^2)").unwrap().to_string(), "x");
     }
 }

@@ -4,6 +4,7 @@ use super::enclosure::{Point, enclose, enclose_form, has_derivative};
 use super::exact::Exact;
 use super::expr::{EACH, Equation, Expr};
 use super::walk::Definitions;
+use super::work::{LIMIT, limited};
 use super::{Algebra, ExpSum, SymbolicError};
 use mechaudit_reference::ComplexBall;
 use rug::Rational;
@@ -64,7 +65,11 @@ impl Identity {
         let mut exact = Exact::default();
         let form = exact.value(definitions, &difference);
         let residual = form.as_ref().ok().map(|f| exact.algebra.text(f));
-        let proved = form.as_ref().is_ok_and(ExpSum::is_zero);
+        let vanishes = |form: &ExpSum| {
+            let cleared = limited(LIMIT, || exact.algebra.cleared(form));
+            form.is_zero() || cleared.is_ok_and(|form| form.is_zero())
+        };
+        let proved = form.as_ref().is_ok_and(vanishes);
         let points = if proved { 0 } else { POINTS };
         let through_form = has_derivative(definitions, &difference);
         let witness = (0..points).find_map(|turn| {

@@ -60,6 +60,7 @@ mod gcd;
 mod identity;
 mod integral;
 mod jet;
+mod kernel;
 mod latex;
 #[cfg(test)]
 mod normal_form_tests;

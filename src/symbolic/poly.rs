@@ -198,6 +198,18 @@ impl Poly {
         out
     }
 
+    /// With other symbols in place of some, distinct ones for distinct ones.
+    pub(super) fn renamed(&self, names: &BTreeMap<Symbol, Symbol>) -> Poly {
+        let mut out = Poly::zero();
+        for (m, c) in &self.terms {
+            let name = |(x, k): &(Symbol, u32)| (*names.get(x).unwrap_or(x), *k);
+            let mut renamed: Monomial = m.iter().map(name).collect();
+            renamed.sort();
+            out.accumulate(renamed, c);
+        }
+        out
+    }
+
     /// Conjugated, all symbols being real.
     pub fn conj(&self) -> Poly {
         self.mapped(Gauss::conj)

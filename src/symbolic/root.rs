@@ -2,6 +2,7 @@
 
 use super::enclosure::{Point, enclose_fraction};
 use super::error::unsupported;
+use super::kernel::Kernel;
 use super::{Algebra, Fraction, Gauss, Poly, Symbol, SymbolicError};
 use rug::{Integer, Rational};
 
@@ -9,11 +10,20 @@ use rug::{Integer, Rational};
 /// before.
 const PRECISIONS: [u32; 3] = [128, 512, 2048];
 
+/// Sample points at which the sign of a function is looked for.
+const SAMPLES: u32 = 3;
+
 impl Algebra {
     /// Returns true if the symbol's value is positive for all positive values of the free symbols.
     fn is_positive_symbol(&self, x: Symbol) -> bool {
         if self.is_unsigned(x) || self.antiderivatives().iter().any(|(g, _)| *g == x) {
             return false;
+        }
+        if let Some((_, kernel)) = self.kernels().iter().find(|(k, _)| *k == x) {
+            return match kernel {
+                Kernel::Exp(p) => self.is_real(&p.clone().into()),
+                _ => false,
+            };
         }
         let root = self.roots().iter().find(|(s, _)| *s == x);
         root.is_none_or(|(_, radicand)| self.is_positive(radicand))
@@ -62,8 +72,8 @@ impl Algebra {
     }
 
     /// Returns ±g, whichever has a positive real part, or real part zero and imaginary part ≥ 0,
-    /// for all positive values of the symbols.
-    fn principal(&self, g: &Fraction) -> Result<Fraction, SymbolicError> {
+    /// for all positive values of the symbols; `radicand` is g².
+    fn principal(&self, g: &Fraction, radicand: &Poly) -> Result<Fraction, SymbolicError> {
         let half_plane = |c: &Gauss| c.re > 0 || (c.re.is_zero() && c.im >= 0);
         if let Some(c) = self.signed(g) {
             return Ok(if half_plane(&c) { g.clone() } else { -g });
@@ -84,8 +94,32 @@ impl Algebra {
                 }
             }
         }
-        let square = self.reduce_fraction(&(g * g));
-        Err(SymbolicError::Root(self.text(&square.into())))
+        if self.is_positive(radicand) && self.is_analytic(g) {
+            // g is meromorphic and g² has neither zeros nor poles: g keeps its sign where the
+            // symbols are positive.
+            for number in 0..SAMPLES {
+                let value = enclose_fraction(self, g, &Point::sample(number), PRECISIONS[0]);
+                match value {
+                    Ok(z) if z.re.is_positive() => return Ok(g.clone()),
+                    Ok(z) if z.re.is_negative() => return Ok(-g),
+                    _ => {}
+                }
+            }
+        }
+        Err(SymbolicError::Root(
+            self.text(&Fraction::from(radicand.clone()).into()),
+        ))
+    }
+
+    /// Returns true if f is a quotient of real functions that are analytic where the symbols are
+    /// positive.
+    fn is_analytic(&self, f: &Fraction) -> bool {
+        [f.num(), f.den()].into_iter().all(|p| {
+            let is_apart = |x| self.is_dependent(x);
+            !self.reaches(p, &is_apart)
+                && p.terms().all(|(_, c)| c.im.is_zero())
+                && p.symbols().into_iter().all(|x| self.is_positive_symbol(x))
+        })
     }
 
     /// The principal root of a polynomial: an element of the field if the polynomial is a square
@@ -94,12 +128,19 @@ impl Algebra {
         if let Some((s, _)) = self.roots().iter().find(|(_, p)| *p == radicand) {
             return Ok(Fraction::symbol(*s));
         }
-        if let Some(root) = self.root_within(&Fraction::from(radicand.clone())) {
-            return self.principal(&root);
+        let root = self.root_within(&Fraction::from(radicand.clone()));
+        if let Some(Ok(root)) = root.as_ref().map(|root| self.principal(root, &radicand)) {
+            return Ok(root);
         }
         let name = name
             .and_then(|name| Symbol::new(&name))
             .unwrap_or(Symbol::named(&format!("r#{}", self.roots().len() + 1))?);
+        // √((x − y)²) is x − y or y − x: a root all the same, but its tower is no field.
+        let of_dependent = |x| self.is_dependent(x);
+        if root.is_some() || self.reaches(&radicand, &of_dependent) {
+            let of_real = root.is_some_and(|root| self.is_real(&root.into()));
+            self.push_dependent(name, of_real);
+        }
         self.push_root(name, radicand);
         Ok(Fraction::symbol(name))
     }
@@ -110,7 +151,7 @@ impl Algebra {
     /// radicand is a square already: `√(3 + 2√2) = 1 + √2`.
     ///
     /// # Errors
-    /// [`SymbolicError::Root`] if the root is an element of the field whose sign is not decided;
+    /// [`SymbolicError::Root`] of a number with large prime factors;
     /// [`SymbolicError::Unsupported`] for a denominator that may be negative.
     pub fn sqrt(&mut self, f: &Fraction) -> Result<Fraction, SymbolicError> {
         let f = &self.reduce_fraction(f);
@@ -141,6 +182,19 @@ impl Algebra {
             if k % 2 == 1 {
                 let name = format!("r:{x}");
                 out = &out * &self.adjoin(Some(name), x_poly)?;
+            }
+        }
+        // √(R Q) = √R √Q for positive R, of which there may be a root.
+        let of_positive: Vec<(Symbol, Poly)> = self
+            .roots()
+            .iter()
+            .filter(|(_, r)| !r.symbols().is_empty() && self.is_positive(r))
+            .cloned()
+            .collect();
+        for (s, radicand) in of_positive {
+            if let Some(quotient) = rest.divided_by(&radicand).filter(|_| !rest.is_one()) {
+                rest = quotient;
+                out = &out * &Fraction::symbol(s);
             }
         }
         // √(c P) = √c √P where c or P is positive. Else only |c| comes out: √(y − x) is not

@@ -31,6 +31,13 @@ impl Algebra {
             return rational_function(f);
         };
         let (s, radicand) = &self.roots()[below];
+        if self.is_dependent(*s) {
+            // Nothing is decided with it.
+            return match f.contains(*s) {
+                true => None,
+                false => self.root_in_level(below, f),
+            };
+        }
         let over = |p: &Poly| Fraction::new(p.clone(), f.den().clone());
         let parts = f.num().coefficients(*s);
         let a = over(parts.first()?)?;
