@@ -246,13 +246,19 @@ impl Algebra {
         let values = self.antiderivatives.iter();
         let values = values.map(|(g, z)| (g.name(), "G", z.to_string()));
         let mut names: Vec<_> = roots.chain(values).collect();
+        // The signs of a series cannot be typed.
+        let (index, sum) = (Symbol::INDEX.name(), Symbol::SERIES.name());
+        names.extend([(index, "n", String::new()), (sum, "Σ", String::new())]);
         // G:12 is not G:1.
         names.sort_by_key(|(name, ..)| std::cmp::Reverse(name.len()));
         let (mut out, mut rest) = (String::new(), text);
         while let Some(c) = rest.chars().next() {
             let found = names.iter().find(|(name, ..)| rest.starts_with(name));
             let passed = if let Some((name, function, inner)) = found {
-                out += &format!("{function}({})", self.spelled(inner));
+                out += function;
+                if !inner.is_empty() {
+                    out += &format!("({})", self.spelled(inner));
+                }
                 name.len()
             } else {
                 out.push(c);
@@ -343,19 +349,24 @@ fn half_turns(p: &Fraction) -> (Gauss, Fraction) {
     (unit, &p - &whole)
 }
 
-/// The terms `2πi k n^j`, k an integer and n the index, of an exponent that is a polynomial.
+/// The part `2πi k n` of an exponent, k an integer and n the index, read off as [`multiple_of_pi`]
+/// is.
 fn whole_turns(p: &Fraction) -> Fraction {
-    let mut out = Poly::zero();
-    for (m, c) in p.num().terms().filter(|_| p.den().is_one()) {
-        let of_index = m.contains(&(Symbol::PI, 1))
-            && m.len() == 2
-            && m.iter().any(|(x, _)| *x == Symbol::INDEX);
-        let turns = Rational::from(&c.im / 2u32);
-        if of_index && c.re.is_zero() && *turns.denom() == 1 {
-            out = &out + &Poly::monomial(m).scaled(c);
+    let product = &Poly::symbol(Symbol::PI) * &Poly::symbol(Symbol::INDEX);
+    let Some((lead, _)) = p.den().terms().last() else {
+        return Fraction::zero();
+    };
+    let at = &product * &Poly::monomial(lead);
+    let of_index = at
+        .terms()
+        .next()
+        .and_then(|(m, _)| p.num().terms().find(|t| t.0 == m));
+    match of_index {
+        Some((_, c)) if c.re.is_zero() && *Rational::from(&c.im / 2u32).denom() == 1 => {
+            product.scaled(c).into()
         }
+        _ => Fraction::zero(),
     }
-    out.into()
 }
 
 #[cfg(test)]

@@ -86,11 +86,14 @@ impl Algebra {
     /// The argument of a constant that is a multiple of π/120, times a positive function.
     fn angle(&mut self, c: &Fraction) -> Result<Fraction, SymbolicError> {
         let unknown = || SymbolicError::Unsupported("the argument of such a number".into());
-        let constant = match self.signed(c) {
-            Some(c) => Fraction::constant(c),
-            None if self.is_constant(c.num()) && self.is_constant(c.den()) => c.clone(),
-            None => return Err(unknown()),
-        };
+        let mut constant = c.clone();
+        if !self.is_constant(c.num()) || !self.is_constant(c.den()) {
+            let size = self.root_of_norm(&c.clone().into())?;
+            constant = self.reduce_fraction(&(c * &self.inverse(&size)?));
+        }
+        if !self.is_constant(constant.num()) || !self.is_constant(constant.den()) {
+            return Err(unknown());
+        }
         let value = enclose_fraction(self, &constant, &Point::default(), BITS)?;
         let turn = &value.arg() / &Ball::pi(BITS);
         let parts = turn.mid().to_f64() * f64::from(PARTS);
@@ -169,6 +172,7 @@ mod tests {
             "arg(1 + i) = pi/4",
             "arg(i*sqrt(3) - 1) = 2*pi/3",
             "arg((1 + i)*(x + y)) = pi/4",
+            "arg(r*exp(2*i*pi/3)*sqrt(x)) = 2*pi/3",
             "arg(exp(i)*exp(2*i)) = 3",
             "arg(-exp(3*i)) = 3 - pi",
             "abs(exp(x + i*y)) = exp(x)",

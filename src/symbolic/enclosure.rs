@@ -279,6 +279,13 @@ pub fn has_derivative(definitions: &Definitions, e: &Expr) -> bool {
     definitions.any(e, |e| matches!(e, Expr::Diff(..)))
 }
 
+/// Returns true if the normal form of an expression shows that its value is real.
+pub fn is_real(definitions: &Definitions, e: &Expr) -> bool {
+    let mut exact = Exact::default();
+    let form = exact.value(definitions, e);
+    form.is_ok_and(|form| exact.algebra.is_real(&form))
+}
+
 /// An enclosure of an expression: straight from the data, or through the normal form where there is
 /// a derivative.
 ///

@@ -205,7 +205,7 @@ impl Domain for Exact {
         let mut d = Derivation::from([(x, ExpSum::integer(1))]);
         let definitions = scope.definitions;
         for (symbol, image) in definitions.derivations.get(by).into_iter().flatten() {
-            let image = walk(self, scope, image)?;
+            let image = scope.deeper(symbol, |scope| walk(self, scope, image))?;
             // The derivative of a real value is real: Re f would not be differentiated like f.
             if !self.algebra.is_real(&image) && definitions.any(body, uses_conjugates) {
                 return unsupported(format!(

@@ -79,7 +79,9 @@ mod work;
 
 pub use algebra::{Algebra, Derivation};
 pub use edit::{Edit, Family, edits};
-pub use enclosure::{BITS, Cache, Enclosures, Point, enclose, enclose_form, has_derivative};
+pub use enclosure::{
+    BITS, Cache, Enclosures, Point, enclose, enclose_form, has_derivative, is_real,
+};
 pub use error::SymbolicError;
 pub use exact::Exact;
 pub use expr::{Bound, Equation, Expr, Func};

@@ -233,6 +233,9 @@ impl Poly {
 impl Add for &Poly {
     type Output = Poly;
     fn add(self, b: &Poly) -> Poly {
+        if !spend(1 + (self.terms.len() + b.terms.len()) as u64 / 4) {
+            return Poly::zero();
+        }
         let mut out = self.clone();
         for (m, c) in &b.terms {
             out.accumulate(m.clone(), c);

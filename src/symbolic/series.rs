@@ -3,7 +3,7 @@
 use super::error::unsupported;
 use super::expr::{EACH, Expr, Func};
 use super::{Definitions, SymbolicError};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Checks that `series(n, f)` occurs in an expression only where the value is linear in it.
 ///
@@ -16,6 +16,7 @@ pub(super) fn check(definitions: &Definitions, e: &Expr) -> Result<(), SymbolicE
     let mut check = Check {
         definitions,
         known: BTreeMap::new(),
+        derivations: BTreeSet::new(),
     };
     check.is_series(e).map(|_| ())
 }
@@ -24,6 +25,8 @@ struct Check<'a> {
     definitions: &'a Definitions,
     /// What definitions are; `None` while one is looked through.
     known: BTreeMap<&'a str, Option<bool>>,
+    /// Derivations whose images are looked through.
+    derivations: BTreeSet<&'a str>,
 }
 
 impl<'a> Check<'a> {
@@ -59,9 +62,15 @@ impl<'a> Check<'a> {
             Expr::Sym(name) => self.definition(name),
             Expr::Index(name, index) => {
                 self.scalar(&[index], "an index")?;
-                let prefix = format!("{name}_");
-                let of_name = self.definitions.names.keys();
-                for member in of_name.filter(|key| key.starts_with(&prefix)) {
+                // The name with that index, or with any number.
+                let is_member = |key: &str| {
+                    let suffix = key.strip_prefix(name.as_str());
+                    suffix
+                        .and_then(|s| s.strip_prefix('_'))
+                        .is_some_and(|k| k.parse::<i64>().is_ok() || **index == Expr::Sym(k.into()))
+                };
+                let definitions = self.definitions;
+                for member in definitions.names.keys().filter(|key| is_member(key)) {
                     if self.definition(member)? {
                         return Ok(true);
                     }
@@ -105,8 +114,9 @@ impl<'a> Check<'a> {
             }
             Expr::Diff(x, by) => {
                 let definitions = self.definitions;
+                let first = self.derivations.insert(by);
                 let images = definitions.derivations.get(by).into_iter().flatten();
-                for (_, image) in images {
+                for (_, image) in images.filter(|_| first) {
                     self.scalar(&[image], "a derivation")?;
                 }
                 self.is_series(x)

@@ -521,3 +521,29 @@ fn definitions_and_bound_names() {
         assert_eq!(found, due, "{text}");
     }
 }
+
+/// Whatever grows without bound ends, undecided.
+#[test]
+fn work_has_a_limit() {
+    let doubling: Vec<String> = (0..38)
+        .map(|k| format!("d{k} = d{}*d{}", k + 1, k + 1))
+        .chain(["d38 = x + y".to_string(), "t: u = D(u, t)".to_string()])
+        .collect();
+    let lines: Vec<&str> = doubling.iter().map(String::as_str).collect();
+    let definitions = Definitions::read(&lines).unwrap();
+    let roots = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37].map(|p| format!("sqrt({p})"));
+    for text in [
+        "d0 = x",
+        "D(u, t) = 0",
+        "sum(n, 1, 1000000000, n) = 0",
+        "(((2^1000)^1000)^1000)^1000 = 1",
+        "(x + y + z + 1)^1000 = 1",
+        &format!("1/({}) = 0", roots.join(" + ")),
+        "1/(1/(sqrt(2*x) + sqrt(x + y + 2*sqrt(x*y))) + (1 - x)) = 0",
+    ] {
+        let found = Identity::of(&definitions, &parse_equation(text).unwrap());
+        assert_ne!(found.outcome, Outcome::Proved, "{text}");
+    }
+    let sum = decided("sum(n, 1, 1000000000, n) = 0");
+    assert_eq!(sum.error, Some(SymbolicError::Work));
+}

@@ -33,17 +33,19 @@ impl Definitions {
     /// Whether something is so of a part of the expression, definitions and derivations followed.
     pub(super) fn any(&self, e: &Expr, is_so: impl Fn(&Expr) -> bool) -> bool {
         let mut open = vec![e];
-        let mut seen: BTreeSet<&str> = BTreeSet::new();
+        let (mut seen, mut derived) = (BTreeSet::new(), BTreeSet::new());
         while let Some(e) = open.pop() {
             if is_so(e) {
                 return true;
             }
             if let Expr::Sym(name) = e
-                && seen.insert(name)
+                && seen.insert(name.as_str())
             {
                 open.extend(self.names.get(name));
             }
-            if let Expr::Diff(_, by) = e {
+            if let Expr::Diff(_, by) = e
+                && derived.insert(by.as_str())
+            {
                 let images = self.derivations.get(by).into_iter().flatten();
                 open.extend(images.map(|i| &i.1));
             }
@@ -118,6 +120,24 @@ impl<'a, V> Scope<'a, V> {
         self.bound.push((name.into(), value));
         let out = f(self);
         self.bound.pop();
+        out
+    }
+
+    /// Runs `f` one definition deeper.
+    ///
+    /// # Errors
+    /// [`SymbolicError::Circular`] if definitions are nested too deep.
+    pub(super) fn deeper<T>(
+        &mut self,
+        name: &str,
+        f: impl FnOnce(&mut Scope<'a, V>) -> Result<T, SymbolicError>,
+    ) -> Result<T, SymbolicError> {
+        if self.depth >= DEEPEST {
+            return Err(SymbolicError::Circular(name.into()));
+        }
+        self.depth += 1;
+        let out = f(self);
+        self.depth -= 1;
         out
     }
 
@@ -347,16 +367,11 @@ fn named<D: Domain>(d: &mut D, scope: &mut Scope<D::V>, name: &str) -> Result<D:
             None => d.symbol(name),
         };
     };
-    if scope.depth >= DEEPEST {
-        return Err(SymbolicError::Circular(name.into()));
-    }
     let free = scope.bound.is_empty() && scope.indices.is_empty();
     if let Some(kept) = free.then(|| d.recall(name)).flatten() {
         return Ok(kept);
     }
-    scope.depth += 1;
-    let out = walk(d, scope, e);
-    scope.depth -= 1;
+    let out = scope.deeper(name, |scope| walk(d, scope, e));
     if let (true, Ok(value)) = (free, &out) {
         d.keep(definitions, name, value);
     }

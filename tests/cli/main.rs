@@ -1,6 +1,10 @@
 //! The program as its user meets it: output, messages and exit codes.
 #![cfg(feature = "cli")]
 
+// As in the program.
+#[allow(unused_extern_crates)]
+extern crate mechaudit_cli as mechaudit;
+
 mod atlas;
 #[cfg(unix)]
 mod campaign;

@@ -2,8 +2,8 @@
 
 use crate::reference::Ball;
 use crate::symbolic::{
-    Definitions, Equation, Expr, Identity, Outcome, Point, SymbolicError, Witness, enclose, latex,
-    parse, parse_equation,
+    Definitions, Equation, Expr, Identity, Outcome, Point, SymbolicError, Witness, enclose,
+    is_real, latex, parse, parse_equation,
 };
 
 /// What an entry has to satisfy.
@@ -79,23 +79,28 @@ impl Requirement {
 
     fn decide_at(&self, definitions: &Definitions, point: &Point) -> Identity {
         let minus = |a: &Expr, b: &Expr| Expr::Add(vec![a.clone(), Expr::Neg(Box::new(b.clone()))]);
-        // A number that may be complex is neither near to another nor less.
+        // A number that may be complex is not less than another.
         let real = |e: &Expr| {
             let z = enclose(definitions, e, point)?;
-            match z.im.is_zero() {
+            match z.im.is_zero() || is_real(definitions, e) {
                 true => Ok(z.re),
-                false => Err(SymbolicError::Unsupported(format!("an order of {e}"))),
+                false => Err(SymbolicError::Unsupported(format!("the order of {e}"))),
             }
         };
         // What has to be non-negative, or positive.
         let (difference, slack, strict) = match self {
             Requirement::Equal(e) => return Identity::of(definitions, e),
             Requirement::Near(a, b, bound) => {
-                let difference = real(&minus(a, b));
-                let slack = difference
-                    .clone()
-                    .and_then(|d| real(bound).map(|c| c - d.abs()));
-                (difference, slack, false)
+                let e = minus(a, b);
+                let difference = enclose(definitions, &e, point);
+                let slack = difference.clone().and_then(|d| {
+                    let size = match d.im.is_zero() || is_real(definitions, &e) {
+                        true => d.re.abs(),
+                        false => d.norm_sqr().sqrt(),
+                    };
+                    real(bound).map(|c| c - size)
+                });
+                (difference.map(|d| d.re), slack, false)
             }
             Requirement::Less(a, b) => (real(&minus(a, b)), real(&minus(b, a)), true),
         };
