@@ -68,8 +68,10 @@ NAMES, DERIVATIONS = definitions()
 
 def differ(left, right, point, factor=1, apart=APART):
     """Whether the sides differ at a point."""
-    a = Evaluation(NAMES, DERIVATIONS, point).value(left, factor)
-    b = Evaluation(NAMES, DERIVATIONS, point).value(right, factor)
+    first, second = (Evaluation(NAMES, DERIVATIONS, point) for _ in range(2))
+    a, b = first.value(left, factor), second.value(right, factor)
+    if first.coarse or second.coarse:
+        apart = max(apart, APART)
     return abs(a - b) > apart * max(abs(a), abs(b))
 
 
