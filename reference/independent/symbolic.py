@@ -72,7 +72,7 @@ def differ(left, right, point, factor=1, apart=APART):
     a, b = first.value(left, factor), second.value(right, factor)
     if first.coarse or second.coarse:
         apart = max(apart, APART)
-    return abs(a - b) > apart * max(abs(a), abs(b))
+    return abs(a - b) > max(apart * max(abs(a), abs(b)), first.noise, second.noise)
 
 
 def certainly(left, right, point):

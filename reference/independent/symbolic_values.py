@@ -251,7 +251,7 @@ class Evaluation:
     def __init__(self, names, derivations, point):
         self.names, self.derivations, self.point = names, derivations, point
         self.depth = self.evaluations = 0
-        self.coarse = False
+        self.coarse, self.noise = False, mp.mpf(0)
 
     def value(self, tree, factor=1):
         """The value with `factor` times the digits."""
@@ -525,6 +525,7 @@ class Evaluation:
         largest = max(abs(v) for v in values) * abs(step)
         rough = sum(w * f(start + step * x) for x, w in few) * step
         if abs(whole - rough) <= INTEGRAL * max(largest, floor):
+            self.noise = max(self.noise, 10**4 * INTEGRAL * max(largest, floor))
             return whole, largest
         if depth == 5:
             raise Unclear("an integral that is not found")
