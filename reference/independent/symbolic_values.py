@@ -184,15 +184,15 @@ class Point:
             return 1 + Fraction(rng.randrange(-99, 100), 2000)
         return Fraction(rng.randrange(1, 9), rng.choice((1, 1, 2, 3)))
 
-    def weight(self, name, k):
-        return Fraction(random.Random(f"{self.key}/{name}/{k}").randrange(1, 400), 97)
+    def weight(self, k):
+        return Fraction(random.Random(f"{self.key}/weight {k}").randrange(1, 400), 97)
 
 
 class Given(Point):
-    """The values at the program's own point. There a series is its term at the index as a symbol."""
+    """The values at the program's own point. There a series is its term at the index as a symbol, or nothing."""
 
-    def __init__(self, given):
-        self.given = given
+    def __init__(self, given, terms):
+        self.given, self.terms = given, terms
 
     def value(self, name):
         if name not in self.given:
@@ -251,7 +251,7 @@ class Evaluation:
     def __init__(self, names, derivations, point):
         self.names, self.derivations, self.point = names, derivations, point
         self.depth = self.evaluations = 0
-        self.coarse = False
+        self.coarse, self.noise = False, mp.mpf(0)
 
     def value(self, tree, factor=1):
         """The value with `factor` times the digits."""
@@ -403,9 +403,11 @@ class Evaluation:
         return self.trimmed(out, abs(out) + mp.mpf(10) ** (-digits // 2) * abs(ends[0]))
 
     def of_series(self, env, name, body):
+        if self.point.weight is None and not self.point.terms:
+            return mp.mpf(0)
         if self.point.weight is None:
             return self.of(body, {k: v for k, v in env.items() if k != name})
-        terms = (rational(self.point.weight(name, k)) * self.of(body, {**env, name: mp.mpf(k)}) for k in range(1, 5))
+        terms = (rational(self.point.weight(k)) * self.of(body, {**env, name: mp.mpf(k)}) for k in range(1, 5))
         return sum(terms)
 
     def of_sum(self, env, name, low, high, body):
@@ -523,6 +525,7 @@ class Evaluation:
         largest = max(abs(v) for v in values) * abs(step)
         rough = sum(w * f(start + step * x) for x, w in few) * step
         if abs(whole - rough) <= INTEGRAL * max(largest, floor):
+            self.noise = max(self.noise, 10**4 * INTEGRAL * max(largest, floor))
             return whole, largest
         if depth == 5:
             raise Unclear("an integral that is not found")
