@@ -71,6 +71,7 @@ mod poly;
 mod root;
 mod series;
 mod square;
+mod sums;
 mod symbol;
 #[cfg(test)]
 mod tests;
