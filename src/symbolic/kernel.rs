@@ -166,6 +166,10 @@ impl Algebra {
             return Err(refused(self));
         }
         let s = self.kernel(kernel)?;
+        // The conjugate, so that there is one for it.
+        if let Ok(conj) = self.conj(&unit) {
+            self.kernel(Kernel::Inverse(self.reduce(&conj)))?;
+        }
         Ok(self.product(&first, &ExpSum::symbol(s)))
     }
 
