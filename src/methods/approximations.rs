@@ -1,11 +1,14 @@
 //! Approximations with their refinements: splines of known functions, and run-ups.
 
+#[cfg(feature = "run-up")]
 use super::RunUpInput;
+#[cfg(feature = "run-up")]
 use super::drive::run_up;
 use crate::audit::{Approximation, SolverAnswer, Uncertified};
 use crate::reference::Ball;
 use crate::reference::cubic_spline::Spline as ExactSpline;
 use crate::solvers::cubic_spline::{Boundary, CubicSpline};
+#[cfg(feature = "run-up")]
 use crate::solvers::run_up::Method as Integration;
 use rug::Rational;
 use std::error::Error;
@@ -37,6 +40,7 @@ pub fn approximations() -> Vec<Box<dyn Approximation>> {
             Ends::NotAKnot,
         ),
     ];
+    #[cfg(feature = "run-up")]
     for method in Integration::ALL {
         for machine in [Machine::BareRotor, Machine::SandScreen] {
             all.push(Box::new(RunUp::new(method, machine)));
@@ -186,12 +190,14 @@ fn balls(jets: &[[Rational; 4]]) -> Vec<Ball> {
         .collect()
 }
 
+#[cfg(feature = "run-up")]
 #[derive(Clone, Copy)]
 enum Machine {
     BareRotor,
     SandScreen,
 }
 
+#[cfg(feature = "run-up")]
 /// A run-up at falling tolerances against its enclosure. The twin takes the steps that were accepted,
 /// with the same coefficients, in balls; an implicit method has none.
 struct RunUp {
@@ -200,6 +206,7 @@ struct RunUp {
     truth: OnceLock<Result<Vec<Ball>, Uncertified>>,
 }
 
+#[cfg(feature = "run-up")]
 impl RunUp {
     fn new(method: Integration, machine: Machine) -> RunUp {
         let truth = OnceLock::new();
@@ -222,6 +229,7 @@ impl RunUp {
     }
 }
 
+#[cfg(feature = "run-up")]
 impl Approximation for RunUp {
     fn name(&self) -> &'static str {
         use Integration::{Dop853, Radau5, Verner98};

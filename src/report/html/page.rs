@@ -1,7 +1,10 @@
 //! The frame of every page: bar, contents, text, data and scripts.
 
-use super::assets::{FRAME_CSS, FRAME_JS, MOTION_CSS, PAPER_CSS, source};
+use super::assets::{FRAME_CSS, FRAME_JS, source};
+#[cfg(feature = "report")]
+use super::assets::{MOTION_CSS, PAPER_CSS};
 use super::prose::prose;
+#[cfg(feature = "report")]
 use crate::papers::Citation;
 use crate::report::words::Tone;
 use maud::{Markup, PreEscaped, html};
@@ -113,6 +116,7 @@ pub fn filter(selector: &str, what: &str, verdicts: &[(String, usize)]) -> Marku
     }
 }
 
+#[cfg(feature = "report")]
 /// How often each verdict occurs, in the order of first occurrence.
 pub fn counted<'a>(verdicts: impl Iterator<Item = &'a str>) -> Vec<(String, usize)> {
     let mut all: Vec<(String, usize)> = Vec::new();
@@ -125,6 +129,7 @@ pub fn counted<'a>(verdicts: impl Iterator<Item = &'a str>) -> Vec<(String, usiz
     all
 }
 
+#[cfg(feature = "report")]
 /// What a page about a paper consists of.
 pub struct AboutPaper<'a> {
     /// The paper.
@@ -143,6 +148,7 @@ pub struct AboutPaper<'a> {
     pub scripts: &'a [&'a str],
 }
 
+#[cfg(feature = "report")]
 impl AboutPaper<'_> {
     /// The page.
     pub fn page(self) -> String {

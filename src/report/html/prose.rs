@@ -1,9 +1,12 @@
 //! Prose and formulas as HTML.
 
 use maud::{Markup, PreEscaped, html};
+#[cfg(feature = "report")]
 use pulldown_latex::config::DisplayMode;
+#[cfg(feature = "report")]
 use pulldown_latex::{Parser, RenderConfig, Storage, push_mathml};
 
+#[cfg(feature = "report")]
 /// MathML of a formula in LaTeX; its text if it cannot be typeset.
 pub fn math(latex: &str, text: &str, display: DisplayMode) -> Markup {
     let storage = Storage::new();
@@ -22,9 +25,11 @@ pub fn math(latex: &str, text: &str, display: DisplayMode) -> Markup {
     }
 }
 
+#[cfg(feature = "report")]
 /// Longer expressions stay text, which wraps.
 const LONGEST: usize = 90;
 
+#[cfg(feature = "report")]
 /// An expression of the ledger's own language, typeset.
 pub fn expression(text: &str) -> Markup {
     let short = text.chars().count() <= LONGEST;

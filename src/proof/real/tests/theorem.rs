@@ -9,8 +9,8 @@ use mechaudit_reference::faddeeva as certified;
 use mechaudit_reference::faddeeva::Scaled;
 use mechaudit_solvers::faddeeva::proof::real_line as code;
 use mechaudit_solvers::faddeeva::{dawson_real, erf_real, erfc_real, erfcx_real};
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use rand::rngs::ChaCha8Rng;
+use rand::{Rng, SeedableRng};
 use rug::{Float, Rational};
 
 fn solvers(function: Function) -> Code {

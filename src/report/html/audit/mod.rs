@@ -1,5 +1,6 @@
 //! The report of an audit as one page without outside parts, whosever code was audited.
 
+#[cfg(feature = "report")]
 mod campaign;
 mod comparison;
 mod data;
@@ -12,6 +13,7 @@ use super::assets::{AUDIT_CSS, AUDIT_JS, D3_JS, FIGURES_JS, MAP_JS, PLOT_JS};
 use super::page::{Page, class, verdict};
 use super::{convergence, page::entry_of_contents};
 use crate::audit::{Comparison, ConvergenceReport, MethodReport, Uncertified};
+#[cfg(feature = "report")]
 use crate::campaign::{PartSum, Plan};
 use crate::report::baseline::Changes;
 use crate::report::words::Tone;
@@ -47,6 +49,7 @@ pub fn page(
     parts.page()
 }
 
+#[cfg(feature = "report")]
 /// A campaign as far as it is done, so many of its shards.
 pub fn campaign(plan: &Plan, (done, shards): (u64, u64), found: &[PartSum]) -> String {
     let labels: Vec<String> = plan.parts.iter().map(|p| p.label()).collect();
