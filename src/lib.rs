@@ -10,6 +10,8 @@
 //! | `audit` (`mechaudit-audit`) | domains, cases, budgets, the judge, statistics | feature `oracle` |
 //! | `candidate` | code of one's own in place of a method's solver | feature `oracle` |
 //! | `campaign` | audits and hunts cut into shards, and their exact sum | feature `report` |
+//! | `files` | the writer of files that the program and the Python package share | feature `files` |
+//! | `message` | the words of an error, as a reader meets them | nothing |
 //! | `methods` | one file for each audited method | feature `oracle` |
 //! | `claims` | what is said of published algorithms for W and Voigt (`mechaudit-atlas`), decided | feature `oracle` |
 //! | `machine` | machines as their files describe them: certified rows and branches in the user's units | feature `machine` |
@@ -100,8 +102,11 @@ pub mod campaign;
 pub mod candidate;
 #[cfg(feature = "oracle")]
 pub mod claims;
+#[cfg(feature = "files")]
+pub mod files;
 #[cfg(feature = "machine")]
 pub mod machine;
+pub mod message;
 #[cfg(feature = "oracle")]
 pub mod methods;
 #[cfg(feature = "oracle")]
