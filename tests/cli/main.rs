@@ -2,6 +2,7 @@
 #![cfg(feature = "cli")]
 
 mod atlas;
+mod bounds;
 #[cfg(unix)]
 mod campaign;
 #[cfg(unix)]
