@@ -9,6 +9,8 @@
 //! | `reference` (`mechaudit-reference`) | balls over MPFR, exact rational systems and splines, linkages enclosed by Krawczyk's operator | feature `oracle` |
 //! | `audit` (`mechaudit-audit`) | domains, cases, budgets, the judge, statistics | feature `oracle` |
 //! | `candidate` | your own code in place of a method's solver | feature `oracle` |
+//! | `files` | the writer of files that the program and the Python package share | feature `files` |
+//! | `message` | the words of an error, as a reader meets them | nothing |
 //! | `methods` | one file for each audited method | feature `oracle` |
 //!
 //! The program `mechaudit` is the package `mechaudit-cli`. Files of machines, papers, proofs, campaigns and
@@ -97,6 +99,9 @@
 pub mod book;
 #[cfg(feature = "oracle")]
 pub mod candidate;
+#[cfg(feature = "files")]
+pub mod files;
+pub mod message;
 #[cfg(feature = "oracle")]
 pub mod methods;
 

@@ -29,7 +29,8 @@ pub mod report;
 
 #[doc(no_inline)]
 pub use mechaudit::{
-    Complex64, audit, audit_by_name, book, candidate, compare, methods, reference, solvers,
+    Complex64, audit, audit_by_name, book, candidate, compare, files, message, methods, reference,
+    solvers,
 };
 #[cfg(feature = "report")]
 #[doc(inline)]

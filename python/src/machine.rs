@@ -1,6 +1,7 @@
 //! Machines as their files describe them.
 
 use crate::errors::{DomainError, Undecided, value_error};
+use mechaudit::message::readable;
 use mechaudit::reference::nearest_f64;
 use mechaudit::solvers::dyad::Assembly;
 use mechaudit::solvers::run_up::{Equation, run};
@@ -19,6 +20,7 @@ use pyo3::types::PyDict;
 use rug::Rational;
 
 use crate::certified::rational;
+use crate::interrupt::interruptible;
 
 /// Rows between two looks at pending signals.
 const ROWS: usize = 1024;
@@ -275,7 +277,7 @@ impl Linkage {
                 let state = l
                     .solver
                     .follow(&chosen.start, Angle::from_deg(near))
-                    .map_err(|e| DomainError::new_err(e.to_string()))?;
+                    .map_err(|e| DomainError::new_err(readable(&e.to_string()).into_owned()))?;
                 let values = py.detach(|| {
                     let mut certifier = Certifier::new(l, digits);
                     let q = certifier.advance(&at, &state)?;
@@ -321,14 +323,14 @@ pub fn run_up<'py>(
         tolerance,
         ..Overrides::default()
     };
-    let done: Result<_, String> = py.detach(|| {
+    let done: Result<_, String> = interruptible(py, move || {
         let word = |e: &dyn std::fmt::Display| e.to_string();
         let machine = Machine::read(&source(text, is_json), overrides).map_err(|e| word(&e))?;
         let model = machine.reduced().map_err(|e| word(&e))?;
         let equation = Equation::new(&*model, &machine.drive);
         run(&equation, &machine.plan).map_err(|e| word(&e))
-    });
-    let motion = done.map_err(PyValueError::new_err)?;
+    })?;
+    let motion = done.map_err(value_error)?;
     let rows = motion
         .samples
         .iter()

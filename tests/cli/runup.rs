@@ -282,7 +282,7 @@ fn bad_input_is_one_clear_line() {
     let options = "
         --method euler             | '--method <NAME>' [possible values: verner98, dop853, radau5]
         --coefficients none        | '--coefficients <MODEL>' [possible values: exact, splines, hybrid]
-        --coefficients splines --nodes 2 | at least 3
+        --coefficients splines --nodes 2 | from 3 to 100000
         --tolerance x              | invalid value
         --method radau             | 'radau' for '--method <NAME>' [possible values: verner98, dop853, radau5]; a similar value exists: 'radau5'
         --coefficients spline      | a similar value exists: 'splines'

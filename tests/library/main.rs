@@ -8,6 +8,8 @@ static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 #[cfg(feature = "oracle")]
 mod conditions;
 #[cfg(feature = "oracle")]
+mod documented_accuracy;
+#[cfg(feature = "oracle")]
 mod double_butterfly;
 #[cfg(feature = "oracle")]
 mod faddeeva;

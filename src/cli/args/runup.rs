@@ -4,7 +4,7 @@ use super::{CsvOrJson, UnitsArgs, number};
 use clap::Args as ClapArgs;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use mechaudit::machine::run_up::Coefficients;
-use mechaudit::solvers::run_up::Method;
+use mechaudit::solvers::run_up::{MOST_NODES, Method};
 use std::path::PathBuf;
 
 pub const AFTER_HELP: &str = "\
@@ -57,7 +57,7 @@ pub struct RunupArgs {
     #[arg(long, value_name = "MODEL", value_parser = coefficients())]
     pub coefficients: Option<Coefficients>,
     /// Nodes of the splines, instead of run.nodes; not with exact coefficients
-    #[arg(long, value_name = "N", value_parser = number::index)]
+    #[arg(long, value_name = "N", value_parser = number::within::<usize>(3..=MOST_NODES as u64))]
     pub nodes: Option<usize>,
     /// Tolerance of a step, instead of run.tolerance
     #[arg(long, value_name = "TOL", value_parser = number::positive)]

@@ -8,8 +8,12 @@ use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
 use crate::cli::files::source;
+use crate::cli::forecast;
+use crate::cli::progress::waiting;
 use mechaudit::machine::CamOscillator;
 use mechaudit::report::columns::Columns;
+use mechaudit::solvers::chirp_chart::{CamResponse, Chart, ChirpChartError};
+use std::time::Instant;
 
 /// The oscillator that the arguments name.
 pub fn machine(args: &ChirpArgs) -> Result<CamOscillator, Failure> {
@@ -46,7 +50,12 @@ pub fn chirp(args: &ChirpArgs) -> Result<Outcome, Failure> {
     let chart = drawing("chart.svg", machine.chart.is_some())?;
     let own = machine.response(&machine.drive).map_err(in_file)?;
     let charts = match chart.is_some() || wanted == ChirpRows::Chart {
-        true => machine.charts().map_err(in_file)?,
+        true => {
+            look_ahead(&machine)
+                .map_err(in_file)?
+                .map_err(|f| f.about(args.file.display()))?;
+            waiting("chart", || machine.charts()).map_err(in_file)?
+        }
         false => Vec::new(),
     };
     if let Some(drawing) = spectrum {
@@ -68,6 +77,33 @@ pub fn chirp(args: &ChirpArgs) -> Result<Outcome, Failure> {
         complain(&rows::chart_line(chart));
     }
     Ok(Outcome::AsExpected)
+}
+
+/// Harmonics with which a point of a chart is tried.
+const TRIED: u32 = 64;
+
+/// Estimates the time of the charts from a point with few harmonics: both the samples of a turn and
+/// the terms of each grow with them.
+fn look_ahead(machine: &CamOscillator) -> Result<Result<(), Failure>, ChirpChartError> {
+    let Some(plan) = &machine.chart else {
+        return Ok(Ok(()));
+    };
+    let (Some((_, drive)), Some(&last)) = (plan.drives.first(), plan.grid.last()) else {
+        return Ok(Ok(()));
+    };
+    let few = machine.harmonics.min(TRIED);
+    let response = CamResponse::new(drive.clone(), few, machine.initial)?;
+    let begin = Instant::now();
+    Chart::new(&response, plan.period, &[last])?;
+    let ratio = f64::from(machine.harmonics) / f64::from(few);
+    let points = plan.grid.len() * plan.drives.len();
+    let each = begin.elapsed().as_secs_f64() * ratio.powi(2);
+    let seconds = each * points as f64 / rayon::current_num_threads() as f64;
+    let what = format!(
+        "{points} points of charts with {} harmonics",
+        machine.harmonics
+    );
+    Ok(forecast::work(&what, seconds))
 }
 
 #[cfg(test)]

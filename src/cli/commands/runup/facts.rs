@@ -1,5 +1,6 @@
 //! Outcome, events, steady cycle and flywheel of a run, in words and as JSON.
 
+use crate::cli::failure::said;
 use mechaudit::machine::run_up::{Coefficients, Machine, Steady};
 use mechaudit::solvers::run_up::{Counts, Cycle, Event, EventKind, InertiaRange, Motion, Outcome};
 use serde_json::{Map, Value, json};
@@ -9,7 +10,7 @@ pub fn steady_lines(steady: &Steady) -> Vec<String> {
     let mut lines = Vec::new();
     match &steady.cycle {
         None => {}
-        Some(Err(e)) => lines.push(format!("no steady cycle: {e}")),
+        Some(Err(e)) => lines.push(said("no steady cycle", e)),
         Some(Ok(c)) => lines.push(format!(
             "steady cycle: {:.6} rad/s in the mean, from {:.6} (at {:.2} deg) to {:.6} rad/s (at {:.2} deg), coefficient of fluctuation {:.6}, {:.3e} of a disturbance left after a turn",
             c.mean,
@@ -23,7 +24,7 @@ pub fn steady_lines(steady: &Steady) -> Vec<String> {
     }
     match &steady.flywheel {
         None => {}
-        Some(Err(e)) => lines.push(format!("no flywheel: {e}")),
+        Some(Err(e)) => lines.push(said("no flywheel", e)),
         Some(Ok(f)) if f.inertia == 0.0 => lines.push(format!(
             "flywheel: none is needed for a coefficient of fluctuation of {}",
             steady.wanted

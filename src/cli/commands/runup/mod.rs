@@ -10,6 +10,7 @@ use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
 use crate::cli::files::source;
+use crate::cli::progress::waiting;
 use mechaudit::machine::class_iii::Reach;
 use mechaudit::machine::run_up::{
     COLUMNS, Coefficients, Machine, MachineError, Overrides, Steady, row,
@@ -72,8 +73,8 @@ pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
     let warning = inertia_range(&*machine.model, machine.plan.phi)
         .ok()
         .and_then(|range| facts::light(&machine, &range));
-    let motion = run(&equation, &machine.plan).map_err(in_file)?;
-    let steady = Steady::of(&machine, &equation, &motion);
+    let motion = waiting("run-up", || run(&equation, &machine.plan)).map_err(in_file)?;
+    let steady = waiting("steady cycle", || Steady::of(&machine, &equation, &motion));
     if let Some(drawing) = drawing {
         let start = start::short_start(&motion.samples);
         let start = start

@@ -72,7 +72,7 @@ mod stepper;
 #[cfg(all(test, feature = "run-up"))]
 mod tests;
 
-pub use coefficients::{Hybrid, Splined, SplinedError};
+pub use coefficients::{Hybrid, MOST_NODES, Splined, SplinedError};
 pub use drive::{Drive, Resistance};
 pub use dyad_model::{FourBarModel, SliderCrankModel};
 pub use equation::{Equation, EquationError, Forces};
