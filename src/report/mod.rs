@@ -4,11 +4,13 @@
 //! the same words stands in [`words`]. HTML and SVG are written by `maud`, which escapes every text.
 
 pub mod atlas;
+mod axis;
 pub mod baseline;
 pub mod cell;
 pub mod columns;
 pub mod csv;
 pub mod dxf;
+pub mod glossary;
 pub mod html;
 pub mod json;
 pub mod junit;

@@ -3,10 +3,10 @@
 pub mod chirp;
 pub mod linkage;
 mod mechanism;
-mod panel;
+pub(crate) mod panel;
 pub mod reduced;
 pub mod run_up;
-mod style;
+pub(crate) mod style;
 mod view;
 
 pub use panel::CannotDraw;

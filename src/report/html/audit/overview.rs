@@ -77,7 +77,7 @@ fn row(k: usize, r: &MethodReport, data: &Data) -> Markup {
             td data-v=(sorting(ulps)) { (Worst::of(r).ulps) }
             td data-v=(sorting(r.total.max_of_budget)) { (percent(r.total.max_of_budget)) }
             td.left.strip { @for (i, region) in r.regions.iter().enumerate() {
-                button.heat.(heat(region.failed() > 0, region.max_of_budget)) title=(spoken(region))
+                button.heat.(heat(region.failed() > 0, region.max_of_budget)) aria-label=(spoken(region))
                     data-c=[data.worst_of(k, i)] {
                     (cell(region))
                 }
@@ -96,7 +96,7 @@ pub fn legend() -> Markup {
             ] {
                 span.heat.(class) { (name) } " "
             }
-            span.js { "A cell opens its worst case; ✗ counts answers of the wrong kind." }
+            span.js { "A cell opens its worst case and says what its region is; ✗ counts answers of the wrong kind." }
         } "\n"
     }
 }
