@@ -112,7 +112,7 @@ pub enum Command {
     #[command(after_help = help::text(atlas::AFTER_HELP, &["atlas", "claims"]))]
     Atlas(AtlasArgs),
     /// Describe a method to whoever writes a candidate: inputs, outputs, budgets, domain, protocol
-    #[command(after_help = help::text(compare::AFTER_DESCRIBE, &[]))]
+    #[command(after_help = help::text(compare::AFTER_DESCRIBE, &["describe"]))]
     Describe(DescribeArgs),
     /// List the methods with their domains and budgets, and the papers
     #[command(after_help = help::text(list::AFTER_HELP, &[]))]
@@ -133,7 +133,7 @@ pub enum Command {
     #[command(after_help = help::text(converge::AFTER_HELP, &["converge"]))]
     Converge(ConvergeArgs),
     /// Prove an error bound of a function over a part of the plane, by machine
-    #[command(after_help = help::text(prove::AFTER_HELP, &[]))]
+    #[command(after_help = help::text(prove::AFTER_HELP, &["prove"]))]
     Prove(ProveArgs),
     /// Audit a published paper: its tables, its claims or its formulas
     #[command(after_help = help::text(paper::AFTER_HELP, &["paper"]))]

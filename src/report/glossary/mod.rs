@@ -55,6 +55,8 @@ pub static TOPICS: &[Topic] = &[
     judging::PAPER,
     judging::PUBLISHED,
     judging::HARD,
+    judging::PROOF,
+    judging::DESCRIBE,
     judging::VALUES,
 ];
 
@@ -123,11 +125,16 @@ pub fn help(before: &str, keys: &[&str]) -> String {
     for topic in topics(keys) {
         let _ = write!(out, "\n\n{}:", topic.title);
         for c in topic.columns {
-            let unit = if c.unit.is_empty() { "" } else { " in " };
+            let unit = if c.unit.is_empty() { "" } else { ", in " };
             let text = format!("{}{unit}{}", c.meaning, c.unit);
             let names = c.names.replace(SEPARATOR, ", ");
             let _ = write!(out, "\n  {names:<22}");
-            let mut at = 2 + names.chars().count().max(22);
+            // The meaning of a long name begins below it.
+            let mut at = if names.chars().count() > 22 {
+                WIDTH
+            } else {
+                24
+            };
             for word in text.split(' ') {
                 if at + 1 + word.chars().count() > WIDTH {
                     let _ = write!(out, "\n{:24}", "");

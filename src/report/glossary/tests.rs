@@ -101,6 +101,49 @@ fn every_column_of_every_csv_has_a_meaning() {
     check("values", strs(&heads(&std::fs::read(values).unwrap())));
 }
 
+/// Names between quotes in the lists that are heads of tables for people.
+#[test]
+fn every_head_of_a_table_for_people_has_a_meaning() {
+    let begins = [
+        "Table::new( &[",
+        "Table::new(&[",
+        "let header = [",
+        "header.extend([",
+        "&[\"\", ",
+    ];
+    let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("src")];
+    let mut seen = 0;
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            let name = path.to_string_lossy().into_owned();
+            if path.is_dir() {
+                folders.push(path);
+                continue;
+            }
+            if !name.ends_with(".rs") || name.contains("tests") {
+                continue;
+            }
+            let text = std::fs::read_to_string(&path).unwrap();
+            let text = text
+                .split("#[cfg(test)]")
+                .next()
+                .unwrap()
+                .split_whitespace();
+            let text = text.collect::<Vec<_>>().join(" ");
+            for list in begins.iter().flat_map(|b| text.split(b).skip(1)) {
+                let list = list.split(']').next().unwrap();
+                for head in list.split('"').skip(1).step_by(2).filter(|h| h.len() > 1) {
+                    let known = TOPICS.iter().any(|t| t.find(head).is_some());
+                    assert!(known, "{name}: {head} has no entry");
+                    seen += 1;
+                }
+            }
+        }
+    }
+    assert!(seen > 60, "{seen}");
+}
+
 #[test]
 fn the_special_name_comes_before_the_pattern() {
     let topic = topics(&["linkage"]).next().unwrap();

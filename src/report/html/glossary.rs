@@ -6,10 +6,11 @@ use maud::{Markup, html};
 
 /// The entries of these topics that explain some of the named columns; all of them without names.
 pub fn section(keys: &[&str], names: &[String]) -> Markup {
+    let only = topics(keys).count() == 1;
     html! {
         @if !keys.is_empty() { h2 #columns { "What the columns mean" } "\n" }
         @for topic in topics(keys) {
-            details open[keys.len() == 1] data-topic=(topic.key) { summary { (topic.title) } "\n"
+            details open[only] data-topic=(topic.key) { summary { (topic.title) } "\n"
                 dl.columns { "\n"
                     @for c in topic.shown(names) {
                         @let unit = c.unit();

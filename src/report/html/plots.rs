@@ -39,7 +39,7 @@ pub fn panel(panel: &Panel) -> Markup {
                     " " span { span.(class(c)) { (if c.dashed { "╌╌" } else { "━━" }) } " " (prose(c.name)) }
                 } }
             } "\n"
-            svg viewBox={ "0 0 " (left + w + 16.0) " " (h + below) } role="img"
+            svg viewBox={ "0 0 " (left + w + 28.0) " " (h + below) } role="img"
                 aria-label={ (panel.y) " over " (panel.x) } { "\n"
                 @for y in &up {
                     path.grid d={ "M" (left) " " (tenths(py(*y))) "h" (w) } {}
@@ -66,8 +66,8 @@ fn class(curve: &Curve) -> &'static str {
     }
 }
 
-/// Lines in doubly logarithmic axes, with their names.
-pub fn lines(lines: &[(String, Vec<(f64, f64)>)]) -> Markup {
+/// Lines in doubly logarithmic axes, with their names; the label says what they are.
+pub fn lines(label: &str, lines: &[(String, Vec<(f64, f64)>)]) -> Markup {
     const W: f64 = 330.0;
     const H: f64 = 230.0;
     let shown = |p: &&(f64, f64)| p.0 > 0.0 && p.1 > 0.0;
@@ -92,7 +92,7 @@ pub fn lines(lines: &[(String, Vec<(f64, f64)>)]) -> Markup {
     };
     html! {
         svg viewBox={ "0 0 " (W + 60.0) " " (H + 34.0) } role="img"
-            aria-label="error against work, both logarithmic" {
+            aria-label=(label) {
             @for e in (y0 as i32..=y1 as i32).filter(|e| e % every == 0) {
                 @let y = py(f64::from(e));
                 path.grid d={ "M46 " (tenths(y)) "h" (W) } {}
@@ -108,7 +108,7 @@ pub fn lines(lines: &[(String, Vec<(f64, f64)>)]) -> Markup {
         }
         div.keys {
             @for (k, (name, _)) in lines.iter().enumerate() {
-                span { span.{ "k" (k % 3) } { "▬" } " " (name) } " "
+                span { span.{ "k" (k % 3) } { "▬" } " " (prose(name)) } " "
             }
         }
     }
@@ -133,7 +133,7 @@ mod tests {
         for part in [
             "<b>|y − a<sub>0</sub>|, lifts</b> over time, s",
             "<span class=\"c1\">━━</span> D<sub>n</sub>",
-            "<polyline class=\"c3 dashed\" points=\"64.0,218.0 624.0,18.5\">",
+            "<polyline class=\"c3 dashed\" points=\"64.0,228.0 624.0,18.5\">",
         ] {
             assert!(html.contains(part), "{part} is missing in {html}");
         }
@@ -149,15 +149,15 @@ mod tests {
     #[test]
     fn lines_leave_out_what_has_no_logarithm() {
         let line = vec![(1.0, 1e-3), (10.0, 0.0), (100.0, 1e-5)];
-        let svg = lines(&[("a".into(), line)]).into_string();
+        let svg = lines("", &[("a".into(), line)]).into_string();
         let points = svg.split("points=\"").nth(1).unwrap();
         assert_eq!(points.split('"').next().unwrap().split(' ').count(), 2);
-        assert!(lines(&[]).into_string().contains("no data"));
+        assert!(lines("", &[]).into_string().contains("no data"));
     }
 
     /// The points of the only line.
     fn placed(line: &[(f64, f64)]) -> (String, String) {
-        let svg = lines(&[("a".into(), line.to_vec())]).into_string();
+        let svg = lines("", &[("a".into(), line.to_vec())]).into_string();
         let points = svg.split("points=\"").nth(1).unwrap();
         (points.split('"').next().unwrap().into(), svg)
     }
@@ -211,7 +211,7 @@ mod tests {
     #[test]
     fn the_fourth_line_looks_like_the_first() {
         let line = |name: &str| (name.to_string(), vec![(1.0, 1.0), (10.0, 0.1)]);
-        let svg = lines(&["a", "b", "c", "d"].map(line)).into_string();
+        let svg = lines("", &["a", "b", "c", "d"].map(line)).into_string();
         let classes = between(&svg, "<polyline class=\"", "\"");
         assert_eq!(classes, ["s0", "s1", "s2", "s0"]);
         let keys = between(&svg, "<span class=\"", "\"");

@@ -2,6 +2,7 @@
 
 use super::assets::RUN_CSS;
 use super::page::Page;
+use super::prose::prose;
 use super::{linkage::sentence, plots};
 use crate::report::cell::Cell;
 use crate::report::svg::panel::Panel;
@@ -49,7 +50,7 @@ pub fn page(name: &str, kind: &str, facts: &[String], sections: &[Section]) -> S
             h1 { (name) } "\n"
             @for s in sections { (section(s)) }
             h2 #facts { "In words" } "\n"
-            @for line in facts { p { (sentence(line)) } "\n" }
+            @for line in facts { p { (prose(&sentence(line))) } "\n" }
         },
         columns: (&keys, &[]),
         data: &[],
@@ -72,7 +73,7 @@ fn figure(figure: &Figure) -> Markup {
     match figure {
         Figure::Panel(panel) => plots::panel(panel),
         Figure::Logarithmic(caption, lines) => html! {
-            figure.lines { figcaption { (super::prose::prose(caption)) } (plots::lines(lines)) } "\n"
+            figure.panel { figcaption { (prose(caption)) } div.lines { div { (plots::lines(caption, lines)) } } } "\n"
         },
     }
 }

@@ -99,6 +99,7 @@ const mechaudit = (() => {
   function stack(table) {
     const heads = all("thead th", table).map((th) => th.textContent);
     table.classList.add("stack");
+    if (table.tBodies[0].rows.length > 12) table.parentElement.classList.add("long");
     table.setAttribute("role", "table");
     for (const row of table.rows) row.setAttribute("role", "row");
     for (const th of all("thead th", table)) th.setAttribute("role", "columnheader");

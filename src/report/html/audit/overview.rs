@@ -183,9 +183,9 @@ mod tests {
             "<td>400</td><td>1</td>",
             "<td data-v=\"9.500e0\">9.50</td>",
             "<td data-v=\"1.750e0\">175.0 %</td>",
-            "<button class=\"heat h4\" title=\"wide: 400 of 400 cases pass, worst 175.0 % of its budget\" \
+            "<button class=\"heat h4\" aria-label=\"wide: 400 of 400 cases pass, worst 175.0 % of its budget\" \
              data-c=\"0\">175 %</button>",
-            "<button class=\"heat h5\" title=\"near: 399 of 400 cases pass, worst 175.0 % of its budget\" \
+            "<button class=\"heat h5\" aria-label=\"near: 399 of 400 cases pass, worst 175.0 % of its budget\" \
              data-c=\"0\">✗ 3</button>",
         ] {
             assert!(rows[0].contains(part), "{part} is missing in {}", rows[0]);
