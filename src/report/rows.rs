@@ -17,7 +17,7 @@ pub enum Form {
 }
 
 /// Rows of a table at most.
-const MOST: usize = 50;
+const MOST: usize = 64;
 
 /// A row of cells under the columns' names.
 pub struct Rows<'a> {
@@ -173,8 +173,8 @@ mod tests {
     }
 
     #[test]
-    fn a_table_keeps_at_most_fifty_rows_evenly_spaced() {
-        for (n, every) in [(1, 1), (50, 1), (51, 2), (101, 4), (1000, 32)] {
+    fn a_table_keeps_at_most_64_rows_evenly_spaced() {
+        for (n, every) in [(1, 1), (64, 1), (65, 2), (128, 2), (129, 4), (1000, 16)] {
             let mut out = Vec::new();
             let mut rows = Rows::begin(&mut out, Form::Table, vec!["t_s".to_string()], &Map::new());
             for k in 0..n {

@@ -36,26 +36,26 @@ fn fitted(line: &str) -> String {
     let start = if line.starts_with("  # ") { "  #" } else { "" };
     let indent = format!("{start:<column$}{mark}");
     let mut out = line[..from].to_string();
-    let mut at = from_chars(&out);
+    let mut at = width(&out);
     for (k, word) in line[from..]
         .split(' ')
         .filter(|w| !w.is_empty())
         .enumerate()
     {
-        if k > 0 && at + 1 + from_chars(word) > WIDTH {
+        if k > 0 && at + 1 + width(word) > WIDTH {
             out.push_str(&format!("\n{indent}"));
-            at = from_chars(&indent);
+            at = width(&indent);
         } else if k > 0 {
             out.push(' ');
             at += 1;
         }
         out.push_str(word);
-        at += from_chars(word);
+        at += width(word);
     }
     out
 }
 
-fn from_chars(text: &str) -> usize {
+fn width(text: &str) -> usize {
     text.chars().count()
 }
 

@@ -226,6 +226,9 @@ fn entries(report: &PaperReport) -> Markup {
     }
 }
 
+/// Remarks on a table at most.
+const REMARKS: usize = 20;
+
 /// Lines about entries that do not agree, or that something is said about.
 fn remarks(entries: &[&Entry], variant: &str) -> Markup {
     let judged = entries
@@ -235,7 +238,9 @@ fn remarks(entries: &[&Entry], variant: &str) -> Markup {
         .filter(|(_, r)| r.note.is_some() || wrong(r.verdict))
         .collect();
     html! {
-        @if !told.is_empty() {
+        @if told.len() > REMARKS {
+            p.small { (told.len()) " entries do not agree; their deviations stand under Printed entries." } "\n"
+        } @else if !told.is_empty() {
             ul.small { "\n" @for (e, r) in told {
                 li {
                     "row " (e.row) ", " (prose(e.column)) ": printed " (e.printed) ", recomputed "

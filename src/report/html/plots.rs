@@ -91,7 +91,7 @@ pub fn lines(label: &str, lines: &[(String, Vec<(f64, f64)>)]) -> Markup {
         points.collect::<Vec<String>>().join(" ")
     };
     html! {
-        svg viewBox={ "0 0 " (W + 60.0) " " (H + 34.0) } role="img"
+        svg viewBox={ "0 0 " (W + 70.0) " " (H + 34.0) } role="img"
             aria-label=(label) {
             @for e in (y0 as i32..=y1 as i32).filter(|e| e % every == 0) {
                 @let y = py(f64::from(e));
@@ -197,7 +197,7 @@ mod tests {
     #[test]
     fn axes_have_their_marks_where_they_belong() {
         let (_, svg) = placed(&[(1.6, 1.0), (100.0, 1e-2)]);
-        assert!(svg.contains("viewBox=\"0 0 390 264\""), "{svg}");
+        assert!(svg.contains("viewBox=\"0 0 400 264\""), "{svg}");
         assert!(svg.contains("class=\"axis\" d=\"M46 8V238H376\""), "{svg}");
         let grid = between(&svg, "class=\"grid\" d=\"", "\"");
         assert_eq!(grid, ["M46 238.0h330", "M46 123.0h330", "M46 8.0h330"]);

@@ -45,7 +45,7 @@ pub fn table(
         drawing.text(&work_precision(&machine.name, &works)?)?;
     }
     let note = format!(
-        "error_rad_per_s is the worst difference of the speed at {MOMENTS} moments of the run from verner98 at tolerance {FINEST:e}, which is not itself certified; evaluations are those of the whole run"
+        "the column error_rad_per_s is the worst difference of the speed at {MOMENTS} moments of the run from verner98 at tolerance {FINEST:e}, which is not itself certified; the evaluations are those of the whole run"
     );
     let write = |out: &mut dyn Write, form| -> Result<(), Failure> {
         let mut about = Map::new();

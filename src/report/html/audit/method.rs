@@ -204,7 +204,7 @@ fn first(k: usize, r: &MethodReport, data: &Data) -> Markup {
                     td data-v=(sorting(share)) { (if share.is_nan() { "–".into() } else { percent(share) }) }
                     (number(!ulps.is_nan(), ulps))
                     td.left.wrap {
-                        @if let Some(reason) = &c.judgement.reason { (reason) br; }
+                        @if let Some(reason) = &c.judgement.reason { div.reason { (reason) } }
                         code { (r.again(&c.case)) }
                     }
                 } "\n"
