@@ -58,7 +58,7 @@ def test_size_and_title(page):
 @pytest.mark.parametrize("name", PAGES)
 def test_without_scripts_the_text_is_there(visit, name):
     page = visit(name, java_script_enabled=False)
-    assert len(page.locator("main").inner_text()) > 2000
+    assert len(page.locator("main").inner_text()) > 1500
     assert page.locator(".js:visible").count() == 0
 
 
