@@ -91,16 +91,16 @@ mod tests {
             (
                 format!("  law = 1{blanks}# {}", "word ".repeat(12).trim_end()),
                 format!(
-                    "  law = 1{blanks}# {}\n{:29}# word word word",
-                    "word ".repeat(9).trim_end(),
+                    "  law = 1{blanks}# {}\n{:29}# word word",
+                    "word ".repeat(10).trim_end(),
                     ""
                 ),
             ),
             (
                 format!("  mechaudit list{blanks}{}", "word ".repeat(10).trim_end()),
                 format!(
-                    "  mechaudit list{blanks}{}\n{:36}word word",
-                    "word ".repeat(8).trim_end(),
+                    "  mechaudit list{blanks}{}\n{:36}word",
+                    "word ".repeat(9).trim_end(),
                     ""
                 ),
             ),
