@@ -5,6 +5,7 @@
 
 #[cfg(feature = "report")]
 pub mod atlas;
+mod axis;
 pub mod baseline;
 #[cfg(feature = "report")]
 pub mod cell;
@@ -14,6 +15,7 @@ pub mod columns;
 pub mod csv;
 #[cfg(feature = "report")]
 pub mod dxf;
+pub mod glossary;
 pub mod html;
 #[cfg(feature = "report")]
 pub mod json;

@@ -1,7 +1,7 @@
 //! Arguments of `mechaudit linkage`.
 
-use super::{UnitsArgs, number};
-use clap::{Args as ClapArgs, ValueEnum};
+use super::{RowsFormat, UnitsArgs, number};
+use clap::Args as ClapArgs;
 use mechaudit::reference::Decimal;
 use std::path::PathBuf;
 
@@ -71,7 +71,7 @@ pub struct LinkageArgs {
     pub step_deg: Option<Decimal>,
     /// Form of the rows
     #[arg(long, value_enum, default_value = "csv")]
-    pub format: LinkageFormat,
+    pub format: RowsFormat,
     /// First crank angle in degrees [default: start.phi1 of the file, else 0]
     #[arg(long, value_name = "A", value_parser = Decimal::parse, allow_hyphen_values = true)]
     pub from_deg: Option<Decimal>,
@@ -106,15 +106,4 @@ pub struct LinkageArgs {
     /// Write the rows, or the page, to this file, whole or not at all, or to a device or pipe; - is standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-}
-
-/// The forms of a linkage's rows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum LinkageFormat {
-    /// One line for each row
-    Csv,
-    /// The rows beside all that is known of the whole
-    Json,
-    /// One page without outside parts: the linkage moved by a slider, beside its values
-    Html,
 }

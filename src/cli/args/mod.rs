@@ -7,6 +7,7 @@ mod chirp;
 mod compare;
 mod converge;
 mod eval;
+mod help;
 mod hunt;
 mod identity;
 mod judge;
@@ -35,7 +36,7 @@ pub use eval::EvalArgs;
 pub use hunt::HuntArgs;
 pub use identity::IdentityArgs;
 pub use judge::JudgeArgs;
-pub use linkage::{LinkageArgs, LinkageFormat};
+pub use linkage::LinkageArgs;
 pub use list::ListArgs;
 pub use paper::{PaperArgs, PaperFormat};
 pub use points::PointsArgs;
@@ -47,6 +48,7 @@ pub use shell::{CompletionsArgs, ManArgs};
 pub use units::UnitsArgs;
 
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
+use mechaudit::report::rows::Form;
 
 const AFTER_HELP: &str = "\
 Examples:
@@ -74,7 +76,7 @@ Exit codes:
 #[command(
     name = "mechaudit",
     version,
-    after_help = AFTER_HELP,
+    after_help = help::text(AFTER_HELP, &[]),
     max_term_width = 100,
     args_conflicts_with_subcommands = true
 )]
@@ -103,64 +105,64 @@ pub struct RunArgs {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Audit all methods or one, a region of one or a single case
-    #[command(after_help = audit::AFTER_HELP)]
+    #[command(after_help = help::text(audit::AFTER_HELP, &["audit"]))]
     Audit(AuditArgs),
     /// Judge several programs at the same cases, side by side
-    #[command(after_help = compare::AFTER_HELP)]
+    #[command(after_help = help::text(compare::AFTER_HELP, &["compare"]))]
     Compare(CompareArgs),
     /// Published algorithms for W(z) and Voigt, and what is claimed about them, beside certified values
-    #[command(after_help = atlas::AFTER_HELP)]
+    #[command(after_help = help::text(atlas::AFTER_HELP, &["atlas", "claims"]))]
     Atlas(AtlasArgs),
     /// Describe a method to whoever writes a candidate: inputs, outputs, budgets, domain, protocol
-    #[command(after_help = compare::AFTER_DESCRIBE)]
+    #[command(after_help = help::text(compare::AFTER_DESCRIBE, &["describe"]))]
     Describe(DescribeArgs),
     /// List the methods with their domains and budgets, and the papers
-    #[command(after_help = list::AFTER_HELP)]
+    #[command(after_help = help::text(list::AFTER_HELP, &[]))]
     List(ListArgs),
     /// Write inputs of a method, for programs in any language
-    #[command(after_help = points::AFTER_HELP)]
+    #[command(after_help = help::text(points::AFTER_HELP, &[]))]
     Points(PointsArgs),
     /// Judge answers that somebody's program gave
-    #[command(after_help = judge::AFTER_HELP)]
+    #[command(after_help = help::text(judge::AFTER_HELP, &["audit", "judge"]))]
     Judge(JudgeArgs),
     /// Search a method's domain for its worst inputs
-    #[command(after_help = hunt::AFTER_HELP)]
+    #[command(after_help = help::text(hunt::AFTER_HELP, &["hunt"]))]
     Hunt(HuntArgs),
     /// Judge very many cases in shards, on one machine or many, and add them up exactly
-    #[command(after_help = campaign::AFTER_HELP)]
+    #[command(after_help = help::text(campaign::AFTER_HELP, &["audit", "campaign"]))]
     Campaign(CampaignArgs),
     /// Show where the errors of approximations come from and how fast they fall
-    #[command(after_help = converge::AFTER_HELP)]
+    #[command(after_help = help::text(converge::AFTER_HELP, &["converge"]))]
     Converge(ConvergeArgs),
     /// Prove an error bound of a function over a part of the plane, by machine
-    #[command(after_help = prove::AFTER_HELP)]
+    #[command(after_help = help::text(prove::AFTER_HELP, &["prove"]))]
     Prove(ProveArgs),
     /// Decide equations on standard input, one a line: proved, refuted at a point, or undecided
     #[command(after_help = identity::AFTER_HELP)]
     Identity(IdentityArgs),
     /// Audit a published paper: its tables, its claims or its formulas
-    #[command(after_help = paper::AFTER_HELP)]
+    #[command(after_help = help::text(paper::AFTER_HELP, &["paper"]))]
     Paper(PaperArgs),
     /// Compute a function at the points on standard input, one a line
-    #[command(after_help = eval::AFTER_HELP)]
+    #[command(after_help = help::text(eval::AFTER_HELP, &[]))]
     Eval(EvalArgs),
     /// Compute a linkage given in a file over the crank's turn
-    #[command(after_help = linkage::AFTER_HELP)]
+    #[command(after_help = help::text(linkage::AFTER_HELP, &["linkage"]))]
     Linkage(LinkageArgs),
     /// Compute the run-up of a machine given in a file: its linkage under its motor
-    #[command(after_help = runup::AFTER_HELP)]
+    #[command(after_help = help::text(runup::AFTER_HELP, &["runup", "work-precision"]))]
     Runup(RunupArgs),
     /// Compute a cam-driven oscillator given in a file while its shaft changes speed
-    #[command(after_help = chirp::AFTER_HELP)]
+    #[command(after_help = help::text(chirp::AFTER_HELP, &["history", "chart", "spectrum"]))]
     Chirp(ChirpArgs),
     /// Make generated files anew, or check them
-    #[command(after_help = regenerate::AFTER_HELP)]
+    #[command(after_help = help::text(regenerate::AFTER_HELP, &["values"]))]
     Regenerate(RegenerateArgs),
     /// Write completions for a shell
-    #[command(after_help = shell::AFTER_COMPLETIONS)]
+    #[command(after_help = help::text(shell::AFTER_COMPLETIONS, &[]))]
     Completions(CompletionsArgs),
     /// Write manual pages
-    #[command(after_help = shell::AFTER_MAN)]
+    #[command(after_help = help::text(shell::AFTER_MAN, &[]))]
     Man(ManArgs),
 }
 
@@ -175,18 +177,22 @@ pub enum TextOrJson {
 
 /// The forms of rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum CsvOrJson {
+pub enum RowsFormat {
     /// One line for each row
     Csv,
     /// The rows beside all that is known of the whole
     Json,
+    /// One page without outside parts, with curves
+    Html,
 }
 
-impl From<CsvOrJson> for mechaudit::report::rows::Form {
-    fn from(form: CsvOrJson) -> Self {
-        match form {
-            CsvOrJson::Csv => Self::Csv,
-            CsvOrJson::Json => Self::Json,
+impl RowsFormat {
+    /// The form of rows; none of a page.
+    pub fn rows(self) -> Option<Form> {
+        match self {
+            RowsFormat::Csv => Some(Form::Csv),
+            RowsFormat::Json => Some(Form::Json),
+            RowsFormat::Html => None,
         }
     }
 }
@@ -198,6 +204,8 @@ mod tests {
 
     /// The lines of a text that are commands of this program, what is piped or redirected left out.
     fn commands(text: &str) -> Vec<Vec<String>> {
+        // A backslash continues a command.
+        let text = text.replace("\\\n      ", "");
         let ours = text.lines().filter_map(|line| {
             let line = line.trim().trim_start_matches("$ ");
             let at = line.find("mechaudit ")?;
@@ -318,6 +326,26 @@ mod tests {
         let all = inline(page);
         assert_eq!(all.len(), 2);
         assert!(all.iter().all(|c| refused(c).is_some()));
+    }
+
+    /// Examples and columns are printed as they stand.
+    #[test]
+    fn help_is_no_wider_than_a_terminal() {
+        let grammar = Args::command();
+        let mut commands = vec![&grammar];
+        let mut seen = 0;
+        while let Some(command) = commands.pop() {
+            commands.extend(command.get_subcommands());
+            let after = command
+                .get_after_help()
+                .map(|h| h.to_string())
+                .unwrap_or_default();
+            for line in after.lines().filter(|l| l.starts_with("  ")) {
+                assert!(line.chars().count() <= 80, "{}: {line}", command.get_name());
+                seen += 1;
+            }
+        }
+        assert!(seen > 300, "{seen}");
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Arguments of `mechaudit runup`.
 
-use super::{CsvOrJson, UnitsArgs, number};
+use super::{RowsFormat, UnitsArgs, number};
 use clap::Args as ClapArgs;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use mechaudit::machine::run_up::Coefficients;
@@ -12,7 +12,7 @@ Examples:
   mechaudit runup examples/sand-screen-run-up.toml --svg drawings > run.csv
   mechaudit runup examples/sand-screen-run-up.toml --coefficients hybrid --nodes 12
   mechaudit runup examples/sand-screen-run-up.toml --work-precision --svg drawings
-  mechaudit runup examples/four-bar-run-up.toml --format json
+  mechaudit runup examples/four-bar-run-up.toml --format html --output run.html
 
 The file describes the linkage as for `mechaudit linkage`, with masses, and besides:
   [bodies.coupler]                  # four-bar: crank, coupler, rocker; slider-crank: crank, rod and
@@ -52,7 +52,7 @@ pub struct RunupArgs {
     pub file: PathBuf,
     /// Form of the rows
     #[arg(long, value_enum, default_value = "csv")]
-    pub format: CsvOrJson,
+    pub format: RowsFormat,
     /// Where I_n, dI_n/dphi and M_o come from, instead of run.coefficients
     #[arg(long, value_name = "MODEL", value_parser = coefficients())]
     pub coefficients: Option<Coefficients>,
@@ -73,7 +73,7 @@ pub struct RunupArgs {
     pub svg: Option<PathBuf>,
     #[command(flatten)]
     pub units: UnitsArgs,
-    /// Write the rows to this file, whole or not at all, or to a device or pipe; - is standard output
+    /// Write the rows, or the page, to this file, whole or not at all, or to a device or pipe; - is standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }

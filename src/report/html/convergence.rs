@@ -36,7 +36,7 @@ fn problem(first: &ConvergenceReport, reports: &[&ConvergenceReport]) -> Markup 
                 @let orders = reports.iter().filter_map(|r| r.fitted[o]);
                 @let orders: Vec<String> = orders.map(|x| format!("{x:.2}")).collect();
                 figure {
-                    (plots::lines(&lines(reports, o)))
+                    (plots::lines("error against work, both logarithmic", &lines(reports, o)))
                     figcaption {
                         "error of " (name) " against " (first.work_unit)
                         "; order over all levels " (orders.join(", "))

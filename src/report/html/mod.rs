@@ -5,6 +5,7 @@ mod assets;
 pub mod atlas;
 pub mod audit;
 mod convergence;
+mod glossary;
 #[cfg(feature = "report")]
 pub mod ledger;
 #[cfg(feature = "report")]
@@ -16,4 +17,5 @@ pub(crate) mod page;
 pub mod paper;
 mod plots;
 mod prose;
+pub mod run;
 mod spark;

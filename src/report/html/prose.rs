@@ -85,7 +85,9 @@ fn raised(text: &str) -> String {
                 out.truncate(out.len() - name.len());
                 out.push_str(letter);
             }
-            out.push_str(&format!("<{tag}>{}</{tag}>", raised(&inner)));
+            let named = GREEK.iter().find(|(name, _)| *name == inner);
+            let inner = named.map_or_else(|| raised(&inner), |(_, letter)| letter.to_string());
+            out.push_str(&format!("<{tag}>{inner}</{tag}>"));
             word.clear();
             i = next;
             continue;
@@ -171,6 +173,7 @@ mod tests {
             ("_n", "_n"),
             ("phi_1 and phi", "φ<sub>1</sub> and phi"),
             ("dphi_1", "dφ<sub>1</sub>"),
+            ("C_phi", "C<sub>φ</sub>"),
             ("2 phi_1", "2 φ<sub>1</sub>"),
             ("∇_x", "∇<sub>x</sub>"),
             ("∇f_x", "∇f_x"),

@@ -5,12 +5,12 @@ pub mod chirp;
 pub mod linkage;
 mod mechanism;
 #[cfg(feature = "report")]
-mod panel;
+pub(crate) mod panel;
 #[cfg(feature = "report")]
 pub mod reduced;
 #[cfg(feature = "report")]
 pub mod run_up;
-mod style;
+pub(crate) mod style;
 mod view;
 
 #[cfg(feature = "report")]

@@ -1,11 +1,11 @@
 //! The rows of a cam-driven oscillator: motion over time, chart, spectrum.
 
-use crate::cli::args::{ChirpRows, CsvOrJson};
+use crate::cli::args::ChirpRows;
 use crate::cli::failure::Failure;
 use mechaudit::machine::cam_oscillator::{CamOscillator, LawChart};
 use mechaudit::report::cell::Cell;
 use mechaudit::report::columns::Columns;
-use mechaudit::report::rows::Rows;
+use mechaudit::report::rows::{Form, Rows};
 use mechaudit::solvers::chirp_chart::{CamResponse, ChartPoint, Period, State};
 use mechaudit::solvers::fourier_series::FourierSeries;
 use rayon::prelude::*;
@@ -125,7 +125,7 @@ pub fn names(rows: ChirpRows, machine: &CamOscillator) -> Vec<String> {
 /// The motion over time.
 pub fn history(
     out: &mut dyn Write,
-    (format, columns): (CsvOrJson, Columns),
+    (format, columns): (Form, Columns),
     machine: &CamOscillator,
     response: &CamResponse,
 ) -> Result<(), Failure> {
@@ -171,7 +171,7 @@ pub fn history(
 /// The charts of all laws.
 pub fn chart(
     out: &mut dyn Write,
-    (format, columns): (CsvOrJson, Columns),
+    (format, columns): (Form, Columns),
     machine: &CamOscillator,
     charts: &[LawChart],
 ) -> Result<(), Failure> {
@@ -212,7 +212,7 @@ pub fn chart(
 /// The harmonics of the cam's displacement.
 pub fn spectrum(
     out: &mut dyn Write,
-    (format, columns): (CsvOrJson, Columns),
+    (format, columns): (Form, Columns),
     machine: &CamOscillator,
 ) -> Result<(), Failure> {
     let series = FourierSeries::new(&machine.drive.cycle);

@@ -1,5 +1,6 @@
 use super::*;
 use mechaudit::machine::Source;
+use mechaudit::report::glossary::topics;
 use mechaudit::solvers::chirp_chart::Chart;
 use std::f64::consts::PI;
 
@@ -136,7 +137,7 @@ fn a_history_has_a_row_for_each_step() {
     let machine = machine("3-4-5", 4);
     let response = machine.response(&machine.drive).unwrap();
     let mut out = Vec::new();
-    let form = (CsvOrJson::Csv, columns(ChirpRows::History, &machine));
+    let form = (Form::Csv, columns(ChirpRows::History, &machine));
     history(&mut out, form, &machine, &response).unwrap();
     let text = String::from_utf8(out).unwrap();
     let head = "t_s,shaft_deg,speed_rad_per_s,xi_rise,xi_turn,f_m,y_m,v_m_per_s,a_m_per_s2,\
@@ -183,7 +184,7 @@ fn no_run_has_no_rows() {
     let response = machine.response(&machine.drive).unwrap();
     machine.run = None;
     let mut out = Vec::new();
-    let form = (CsvOrJson::Csv, columns(ChirpRows::History, &machine));
+    let form = (Form::Csv, columns(ChirpRows::History, &machine));
     history(&mut out, form, &machine, &response).unwrap();
     assert!(out.is_empty());
 }
@@ -193,7 +194,7 @@ fn charts_have_a_row_for_each_point() {
     let machine = machine("3-4-5", 4);
     let charts = [law_chart(&[4.0, 9.0]), law_chart(&[])];
     let mut out = Vec::new();
-    let form = (CsvOrJson::Json, columns(ChirpRows::Chart, &machine));
+    let form = (Form::Json, columns(ChirpRows::Chart, &machine));
     chart(&mut out, form, &machine, &charts).unwrap();
     let found: Value = serde_json::from_slice(&out).unwrap();
     assert_eq!(found["law"], "3-4-5");
@@ -233,7 +234,7 @@ fn charts_have_a_row_for_each_point() {
 fn a_spectrum_has_a_row_for_each_harmonic() {
     let machine = machine("3-4-5", 3);
     let mut out = Vec::new();
-    let form = (CsvOrJson::Json, columns(ChirpRows::Spectrum, &machine));
+    let form = (Form::Json, columns(ChirpRows::Spectrum, &machine));
     spectrum(&mut out, form, &machine).unwrap();
     let found: Value = serde_json::from_slice(&out).unwrap();
     let mean = found["a_0"].as_f64().unwrap();
@@ -251,5 +252,22 @@ fn a_spectrum_has_a_row_for_each_harmonic() {
             (d * delta.cos() - a).abs() < 1e-15 && (d * delta.sin() + b).abs() < 1e-15,
             "{row}"
         );
+    }
+}
+
+#[test]
+fn every_column_has_a_meaning() {
+    for text in [RUN_UP, CHART] {
+        let machine = CamOscillator::read(&Source::toml(text), Some(5)).unwrap();
+        for (rows, key) in [
+            (ChirpRows::History, "history"),
+            (ChirpRows::Chart, "chart"),
+            (ChirpRows::Spectrum, "spectrum"),
+        ] {
+            let topic = topics(&[key]).next().unwrap();
+            for name in names(rows, &machine) {
+                assert!(topic.find(&name).is_some(), "{key}: {name} has no entry");
+            }
+        }
     }
 }

@@ -49,7 +49,7 @@ pub fn linkage(args: &LinkageArgs, dyad: &Dyad) -> Result<Outcome, Failure> {
     let lines = facts::lines(dyad, &assemblies);
     let mut count = 0;
     let outcome = output.write(|out| {
-        let Some(form) = shown::form(args.format) else {
+        let Some(form) = args.format.rows() else {
             count = 1;
             let motion = shown::dyad(args, dyad, assemblies[0], Some((&grid, &columns)))?;
             return shown::page(out, &motion, &lines);

@@ -8,7 +8,7 @@ mod planar;
 mod planar_facts;
 mod shown;
 
-use crate::cli::args::{LinkageArgs, LinkageFormat};
+use crate::cli::args::{LinkageArgs, RowsFormat};
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
@@ -64,7 +64,7 @@ impl LinkageArgs {
 
     /// Refuses what does not go together.
     fn consistent(&self) -> Result<(), Failure> {
-        let page = self.format == LinkageFormat::Html;
+        let page = self.format == RowsFormat::Html;
         let shown = [
             (self.svg.is_some(), "--svg draws"),
             (self.dxf.is_some(), "--dxf draws"),
@@ -151,7 +151,7 @@ fn of_class_iii(args: &LinkageArgs, linkage: &Linkage) -> Result<Outcome, Failur
     lines.extend(facts::dead_line(&branch));
     let reached = plan.count();
     let outcome = output.write(|out| {
-        let Some(form) = shown::form(args.format) else {
+        let Some(form) = args.format.rows() else {
             let motion = shown::class_iii(args, linkage, &branch, Some((&plan, &columns)))?;
             return shown::page(out, &motion, &lines);
         };

@@ -93,7 +93,7 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
     lines.push(facts::modes_line(machine, &branch));
     lines.push(facts::range_line(machine, &branch));
     let (any, undecided) = output.write(|out| {
-        let Some(form) = shown::form(args.format) else {
+        let Some(form) = args.format.rows() else {
             let window = shown::Window {
                 drives: &values.0,
                 named: &shown,

@@ -17,9 +17,11 @@ use mechaudit::machine::run_up::{
 };
 use mechaudit::report::cell::Cell;
 use mechaudit::report::columns::Columns;
-use mechaudit::report::rows::Rows;
+use mechaudit::report::html::run::{Figure, Section, page};
+use mechaudit::report::rows::{Form, Rows};
 use mechaudit::report::svg::run_up as drawings;
-use mechaudit::solvers::run_up::{Equation, Motion, Plan, inertia_range, run};
+use mechaudit::solvers::run_up::{Equation, Motion, Plan, Sample, inertia_range, run};
+use std::io::Write;
 
 /// The machine that the arguments name.
 pub fn machine(args: &RunupArgs) -> Result<Machine, Failure> {
@@ -75,28 +77,50 @@ pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
         .and_then(|range| facts::light(&machine, &range));
     let motion = waiting("run-up", || run(&equation, &machine.plan)).map_err(in_file)?;
     let steady = waiting("steady cycle", || Steady::of(&machine, &equation, &motion));
+    let form = args.format.rows();
+    let start = start::short_start(&motion.samples).filter(|_| drawing.is_some() || form.is_none());
+    let start =
+        start.map(|duration| run(&equation, &enlarged(&machine.plan, duration)).map_err(in_file));
+    let start = start.transpose()?.map(|m| m.samples);
     if let Some(drawing) = drawing {
-        let start = start::short_start(&motion.samples);
-        let start = start
-            .map(|duration| run(&equation, &enlarged(&machine.plan, duration)).map_err(in_file));
-        let start = start.transpose()?.map(|m| m.samples);
         drawing.text(&drawings::draw(
             &machine.name,
             &motion.samples,
             start.as_deref(),
         )?)?;
     }
+    let about = facts::json(&machine, &motion, &steady, warning.as_deref());
+    let lines: Vec<String> = warning
+        .into_iter()
+        .chain(lines(&machine, &motion, &steady))
+        .collect();
     output.write(|out| {
-        let about = facts::json(&machine, &motion, &steady, warning.as_deref());
-        let mut rows = Rows::begin(out, args.format, columns, &about)?;
-        for sample in &motion.samples {
-            rows.row(&row(sample).map(Cell::Float))?;
+        let write = |out: &mut dyn Write, form| -> Result<(), Failure> {
+            let mut rows = Rows::begin(out, form, columns, &about)?;
+            for sample in &motion.samples {
+                rows.row(&row(sample).map(Cell::Float))?;
+            }
+            Ok(rows.end()?)
+        };
+        if let Some(form) = form {
+            return write(out, form);
         }
-        Ok(rows.end()?)
+        let mut table = Vec::new();
+        write(&mut table, Form::Table)?;
+        let panels = |samples: &[Sample]| drawings::panels(samples, &motion.samples);
+        let section = |key, title: &str, samples: &[Sample], table| Section {
+            key,
+            title: title.into(),
+            figures: panels(samples).into_iter().map(Figure::Panel).collect(),
+            table,
+        };
+        let mut sections = vec![section("runup", "The run", &motion.samples, table)];
+        if let Some(start) = &start {
+            sections.push(section("start", "Its start, enlarged", start, Vec::new()));
+        }
+        Ok(out.write_all(page(&machine.name, "run-up", &lines, &sections).as_bytes())?)
     })?;
-    for line in warning.into_iter().chain(lines(&machine, &motion, &steady)) {
-        complain(&line);
-    }
+    lines.iter().for_each(|l| complain(l));
     Ok(Outcome::AsExpected)
 }
 

@@ -137,6 +137,7 @@ impl Parts<'_> {
             h1 { (self.title) } "\n"
             (verdict(tone, word, &format!("{}.", self.totals)))
             @if let Some(first) = reports.first().filter(|_| self.kind != "campaign") { p.soft { (settings(&first.settings)) } "\n" }
+            (units())
             (news(&self.named))
             (self.first)
             @if let Some(changes) = self.changes { (comparison::changes(changes)) }
@@ -145,10 +146,6 @@ impl Parts<'_> {
                 (method::section(k, name, report, &data, reports.len() <= 3))
             }
             @if let Some(reports) = self.approximations { (convergence::all(reports)) }
-            p.soft.small {
-                "An ulp is the unit in the last place of the unrounded reference; u is 2" sup { "-53" }
-                "; worst found is the largest of a sample."
-            } "\n"
             dialog #case aria-labelledby="case-title" {} "\n"
         };
         let page = Page {
@@ -157,10 +154,19 @@ impl Parts<'_> {
             styles: &[AUDIT_CSS],
             contents: self.contents(several),
             main,
+            columns: (self.topics(), &[]),
             data: &[("audit-data", super::page::embedded(&data))],
             scripts: &[D3_JS, PLOT_JS, FIGURES_JS, MAP_JS, AUDIT_JS],
         };
         page.write()
+    }
+
+    fn topics(&self) -> &[&str] {
+        match (self.kind, self.changes) {
+            ("campaign", _) => &["audit", "campaign"],
+            ("comparison", _) | (_, Some(_)) => &["audit", "compare"],
+            _ => &["audit"],
+        }
     }
 
     fn contents(&self, several: bool) -> Markup {
@@ -190,6 +196,17 @@ impl Parts<'_> {
 /// The name of a section.
 fn anchor(k: usize) -> String {
     format!("method-{k}")
+}
+
+/// The units of errors, a line each.
+fn units() -> Markup {
+    html! {
+        ul.units.small { "\n"
+            li { b { "ulp" } ": the unit in the last place of the unrounded reference; rounded correctly, a result is off by ½ at most." } "\n"
+            li { b { "u(1+cond)" } ": u = 2" sup { "−53" } ", times one plus the condition number: what rounded inputs alone may cost." } "\n"
+            li { b { "budget" } ": the error that is allowed; a case fails above 100 % of it. Worst is the worst found of a sample." } "\n"
+        } "\n"
+    }
 }
 
 /// What is over budget, and laws that do not hold.
