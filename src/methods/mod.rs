@@ -2,6 +2,7 @@
 
 mod approximations;
 mod cams;
+mod certified;
 mod common;
 mod definition;
 mod drive;
@@ -19,6 +20,7 @@ use std::sync::OnceLock;
 
 pub use approximations::{approximations, find_approximation};
 pub use cams::*;
+pub use certified::{CertifiedValue, certified_digits};
 pub use definition::{Evaluable, Typed};
 pub use drive::*;
 pub use inputs::Number;
@@ -47,6 +49,17 @@ macro_rules! registry {
                 $($name => Some($method::SIGNATURE),)*
                 _ => None,
             }
+        }
+
+        /// For each part of the input of the method of that name, the field that holds it in the type which a candidate
+        /// in Rust takes; nothing where a candidate takes no such type.
+        pub fn fields(name: &str) -> Option<Vec<String>> {
+            let fields = match name {
+                $($name => <$method as definition::Definition>::fields(),)*
+                _ => return None,
+            };
+            let takes_fields = signature(name)?.contains("Input<");
+            takes_fields.then(|| fields.into_iter().map(|f| f.path).collect())
         }
 
         $(
@@ -88,6 +101,8 @@ macro_rules! registry {
 
 registry! {
     Tridiagonal "tridiagonal":
+        Fn(&[f64], &[f64], &[f64], &[f64]), |f, i| f(i.lower, i.diagonal, i.upper, i.d);
+    TridiagonalPivoting "tridiagonal-pivoting":
         Fn(&[f64], &[f64], &[f64], &[f64]), |f, i| f(i.lower, i.diagonal, i.upper, i.d);
     CyclicTridiagonal "cyclic-tridiagonal":
         Fn(&[f64], &[f64], &[f64], &[f64]), |f, i| f(i.lower, i.diagonal, i.upper, i.d);

@@ -131,6 +131,13 @@ impl Definition for CamLaw {
         ))
     }
 
+    fn explanation(i: Self::Input<'_, f64>) -> Option<String> {
+        match i.law()?.solver() {
+            Ok(law) => law.motion(i.x).err().map(|e| e.to_string()),
+            Err(e) => Some(e.to_string()),
+        }
+    }
+
     /// The place as the only number that is known to half an ulp; of a table also its inner data.
     fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
         let i = Self::unpack(numbers)?;
