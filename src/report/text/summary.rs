@@ -63,7 +63,7 @@ pub fn methods(reports: &[MethodReport], width: usize) -> String {
         let (word, tone) = of::verdict(report);
         let failed = report.failed();
         let word = match (report.interrupted, failed) {
-            (false, 1..) => format!("{word}: {failed} failed"),
+            (false, 1..) => format!("{word}: {failed}"),
             _ => word.into(),
         };
         let worst = Worst::of(report);
