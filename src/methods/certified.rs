@@ -5,6 +5,9 @@ use crate::audit::Uncertified;
 use crate::reference::faddeeva::Scaled;
 use rug::Rational;
 
+/// The least precision in bits that references are written for.
+const LEAST_FIRST: u32 = 64;
+
 /// Bits that are tried at least, however few digits are asked for: where two assembly modes nearly meet, telling them
 /// apart takes far more bits than two digits of their angles.
 const LEAST_LAST: u32 = 1024;
@@ -71,10 +74,11 @@ pub fn certified_digits(
     found
 }
 
-/// The precisions in bits: that of two digits and four bits more than are asked for, and its doubles. Most references
-/// keep to the relative accuracy asked for, so that the first is enough.
+/// The precisions in bits: that of two digits and four bits more than are asked for, 64 at least, and its doubles. Most
+/// references keep to the relative accuracy asked for, so that the first is enough.
 fn precisions(digits: u32) -> impl Iterator<Item = u32> {
-    let first = ((f64::from(digits) + 2.0) * std::f64::consts::LOG2_10).ceil() as u32 + 4;
+    let needed = ((f64::from(digits) + 2.0) * std::f64::consts::LOG2_10).ceil() as u32 + 4;
+    let first = needed.max(LEAST_FIRST);
     let last = (8 * first).max(LEAST_LAST);
     std::iter::successors(Some(first), |bits| Some(2 * bits)).take_while(move |bits| *bits <= last)
 }
