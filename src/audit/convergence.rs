@@ -48,7 +48,8 @@ pub trait Approximation: Send + Sync {
     fn truth(&self) -> Result<Vec<Ball>, Uncertified>;
 }
 
-/// Errors of one output at one level, the largest over its values, as upper bounds at the places of the report.
+/// Errors of one output at one level, the largest over its values, as upper bounds at the places
+/// of the report.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct LevelError {
     /// `|value − truth|`.

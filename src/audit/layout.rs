@@ -342,8 +342,8 @@ impl Layout {
         singles.enumerate().map(|(k, p)| (p.symbol, k)).collect()
     }
 
-    /// Where number `index` of a part stands in an input; nothing where the part is shorter, or the input is not laid out
-    /// as it should be.
+    /// Where number `index` of a part stands in an input; nothing where the part is shorter, or
+    /// the input is not laid out as it should be.
     pub fn place(&self, part: usize, index: usize, input: &[f64]) -> Option<usize> {
         let lengths = self.lengths(input).ok()?;
         let before: usize = lengths[..part].iter().sum();

@@ -136,8 +136,9 @@ pub trait Method: Sync {
     fn solve(&self, input: &[f64]) -> SolverAnswer;
     /// The reference at a working precision of `bits`.
     fn reference(&self, input: &[Rational], bits: u32) -> ReferenceAnswer;
-    /// The word by which code of the method's kind may refuse an input that has values, for a reason that is proved to hold
-    /// there: an algorithm's own limit, which is not the problem's. By default there is none.
+    /// The word by which code of the method's kind may refuse an input that has values, for a
+    /// reason that is proved to hold there: an algorithm's own limit, which is not the problem's.
+    /// By default there is none.
     fn may_refuse(&self, _input: &[Rational]) -> Option<&'static str> {
         None
     }
@@ -222,8 +223,8 @@ impl HardCase {
 }
 
 /// Estimates `Σ_j |x_j ∂f_i/∂x_j|` from the reference at `x` and at `x` with each `x_j` in turn
-/// multiplied by `1 + 2⁻⁸⁰`, or by `1 − 2⁻⁸⁰` where the former is refused, at 320 bits, or at 640 or 1280 where the
-/// reference is undecided with fewer.
+/// multiplied by `1 + 2⁻⁸⁰`, or by `1 − 2⁻⁸⁰` where the former is refused, at 320 bits, or at 640
+/// or 1280 where the reference is undecided with fewer.
 ///
 /// An estimate: its relative error is of the order of 2⁻⁸⁰ times the second derivative, so that it holds also where
 /// the domain ends close by: a linkage may not be assembled any more with a length larger by 2⁻⁴⁰. Inputs for which

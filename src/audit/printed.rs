@@ -90,7 +90,8 @@ pub struct Printed {
 const DIGITS: usize = 20;
 
 impl Printed {
-    /// Reads an entry in the method's unit: a decimal, `inf`, `-inf` or `nan` in letters of any case.
+    /// Reads an entry in the method's unit: a decimal, `inf`, `-inf` or `nan` in letters of any
+    /// case.
     ///
     /// # Errors
     /// Anything else.
@@ -144,7 +145,8 @@ impl Printed {
 
 /// Judges printed values at an exact input: entry `(i, printed)` is value `i` of the method.
 ///
-/// The precision doubles until every entry is decided, and the reference has as many digits as the entry.
+/// The precision doubles until every entry is decided, and the reference has as many digits as the
+/// entry.
 pub fn judge_printed(
     method: &dyn Method,
     input: &[Rational],

@@ -27,7 +27,8 @@ pub enum Reason {
 /// What is wrong with a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fault {
-    /// It is of the wrong kind: NaN, an infinity, a number for one of them, or the zero of the wrong sign.
+    /// It is of the wrong kind: NaN, an infinity, a number for one of them, or the zero of the
+    /// wrong sign.
     Kind,
     /// Its error is so many times the budget.
     Over(f64),
@@ -35,7 +36,8 @@ pub enum Fault {
     Open,
 }
 
-/// A number in words: the shortest decimal that reads back as the same one, with an exponent, so that no number is long.
+/// A number in words: the shortest decimal that reads back as the same one, with an exponent, so
+/// that no number is long.
 pub fn written(x: f64) -> String {
     match x {
         0.0 => format!("{x}"),

@@ -20,8 +20,8 @@ type Admits<'a> = Box<dyn Fn(&[f64]) -> bool + Sync + 'a>;
 /// The reason for a budget of one's own.
 const AS_ASKED: &str = "as asked for";
 
-/// For each output of a method, whether it is among the names. An output that is repeated in rows is named alone or with
-/// the index of its rows, as `mechaudit describe` shows it: `S` or `S[q]`.
+/// For each output of a method, whether it is among the names. An output that is repeated in rows
+/// is named alone or with the index of its rows, as `mechaudit describe` shows it: `S` or `S[q]`.
 ///
 /// # Errors
 /// An output that there is not.
@@ -164,8 +164,8 @@ impl<'a> Variant<'a> {
         self
     }
 
-    /// Only these outputs, named as [`selected_outputs`] reads them: the solver gives no others, and no norm of all is
-    /// judged.
+    /// Only these outputs, named as [`selected_outputs`] reads them: the solver gives no others,
+    /// and no norm of all is judged.
     ///
     /// # Errors
     /// An output that there is not.

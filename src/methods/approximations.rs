@@ -77,12 +77,13 @@ struct SplineOfWitch {
     ends: Ends,
 }
 
-/// Places in each interval of the finest spline, a third into each eighth of it: between the knots of every level, where
-/// the third derivative jumps, and so close that the largest error of a smooth function is found to two percent.
+/// Places in each interval of the finest spline, a third into each eighth of it: between the knots
+/// of every level, where the third derivative jumps, and so close that the largest error of a
+/// smooth function is found to two percent.
 const PLACES: u32 = 8;
 
-/// Abscissae: both ends of the range, where the error of a natural spline is largest, and the places
-/// between them.
+/// Abscissae: both ends of the range, where the error of a natural spline is largest, and the
+/// places between them.
 fn queries() -> impl Iterator<Item = f64> {
     let count = (COARSEST << (LEVELS - 1)) * PLACES;
     let step = 2.0 / f64::from(count);
@@ -91,7 +92,8 @@ fn queries() -> impl Iterator<Item = f64> {
 }
 
 const BITS: u32 = 160;
-/// Intervals of the coarsest spline, and how many splines there are, each of twice as many intervals.
+/// Intervals of the coarsest spline, and how many splines there are, each of twice as many
+/// intervals.
 const COARSEST: u32 = 8;
 const LEVELS: usize = 6;
 

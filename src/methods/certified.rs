@@ -8,8 +8,8 @@ use rug::Rational;
 /// The least precision in bits that references are written for.
 const LEAST_FIRST: u32 = 64;
 
-/// Bits that are tried at least, however few digits are asked for: where two assembly modes nearly meet, telling them
-/// apart takes far more bits than two digits of their angles.
+/// Bits that are tried at least, however few digits are asked for: where two assembly modes nearly
+/// meet, telling them apart takes far more bits than two digits of their angles.
 const LEAST_LAST: u32 = 1024;
 
 /// A value, and its decimals where they are certain.
@@ -21,10 +21,12 @@ pub struct CertifiedValue {
     pub decimal: Option<String>,
 }
 
-/// The values of a method at exact numbers, each with `digits` significant decimal digits where these can be certified.
+/// The values of a method at exact numbers, each with `digits` significant decimal digits where
+/// these can be certified.
 ///
-/// The precision is doubled until every value for which `is_wanted` holds has its digits, up to eight times the first
-/// precision or 1024 bits: a reference that is undecided at the first one may decide, or refuse, at a later one.
+/// The precision is doubled until every value for which `is_wanted` holds has its digits, up to
+/// eight times the first precision or 1024 bits: a reference that is undecided at the first one
+/// may decide, or refuse, at a later one.
 ///
 /// ```
 /// use mechaudit::methods::{certified_digits, find_evaluable};
@@ -74,8 +76,9 @@ pub fn certified_digits(
     found
 }
 
-/// The precisions in bits: that of two digits and four bits more than are asked for, 64 at least, and its doubles. Most
-/// references keep to the relative accuracy asked for, so that the first is enough.
+/// The precisions in bits: that of two digits and four bits more than are asked for, 64 at least,
+/// and its doubles. Most references keep to the relative accuracy asked for, so that the first is
+/// enough.
 fn precisions(digits: u32) -> impl Iterator<Item = u32> {
     let needed = ((f64::from(digits) + 2.0) * std::f64::consts::LOG2_10).ceil() as u32 + 4;
     let first = needed.max(LEAST_FIRST);

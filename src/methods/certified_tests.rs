@@ -39,8 +39,9 @@ fn few_digits_are_certified_where_many_are() {
     }
 }
 
-/// At every check point of a method that needs no seconds, and at a case of each region, three digits are certified
-/// where twenty are, and what is refused with many digits is refused with few.
+/// At every check point of a method that needs no seconds, and at a case of each region, three
+/// digits are certified where twenty are, and what is refused with many digits is refused with
+/// few.
 #[test]
 fn digits_do_not_depend_on_how_many_are_asked_for() {
     let settings = Settings {

@@ -53,7 +53,8 @@ by_reference!(Rational, Float);
 pub struct Field {
     /// As the layout shows it.
     pub input: Input,
-    /// The name of the field in Rust, behind those of the groups that hold it: `linkage.geometry.l1`.
+    /// The name of the field in Rust, behind those of the groups that hold it:
+    /// `linkage.geometry.l1`.
     pub path: String,
     /// Whether it is data; if not, it counts or chooses.
     pub is_data: bool,

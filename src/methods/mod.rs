@@ -51,8 +51,8 @@ macro_rules! registry {
             }
         }
 
-        /// For each part of the input of the method of that name, the field that holds it in the type which a candidate
-        /// in Rust takes; nothing where a candidate takes no such type.
+        /// For each part of the input of the method of that name, the field that holds it in the
+        /// type which a candidate in Rust takes; nothing where a candidate takes no such type.
         pub fn fields(name: &str) -> Option<Vec<String>> {
             let fields = match name {
                 $($name => <$method as definition::Definition>::fields(),)*

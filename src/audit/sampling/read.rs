@@ -1,7 +1,7 @@
 //! Boxes and centres as they are written.
 //!
-//! A box is written `NAME=SIDE, NAME=SIDE`: names of numbers of the input, those of vectors counted from 0 as in `y[0]`,
-//! and for each
+//! A box is written `NAME=SIDE, NAME=SIDE`: names of numbers of the input, those of vectors
+//! counted from 0 as in `y[0]`, and for each
 //!
 //! | side | draws |
 //! |---|---|

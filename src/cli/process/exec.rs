@@ -29,7 +29,8 @@ pub struct Fed {
     child: Program,
     answers: Answers,
     timeout: Duration,
-    /// The time for the whole run, and when it is over; never where the clock does not reach that far.
+    /// The time for the whole run, and when it is over; never where the clock does not reach that
+    /// far.
     run: Duration,
     deadline: Option<Instant>,
     total: usize,

@@ -289,8 +289,8 @@ fn what_cannot_be_started_is_said() {
     assert!(!Path::new("/no/such/program").exists());
 }
 
-/// A program that goes on answering, each line in time, is ended when the time for all of them is over; what it has
-/// answered is judged.
+/// A program that goes on answering, each line in time, is ended when the time for all of them is
+/// over; what it has answered is judged.
 #[test]
 fn the_whole_run_has_a_bound() {
     let method = method();

@@ -99,8 +99,8 @@ fn levels_are_refined_by_a_fixed_factor() {
     }
 }
 
-/// The largest error of the natural spline is next to an end, where it is of second order whatever the rest is: 1.50e-6
-/// with 256 intervals, by a search in multiple precision.
+/// The largest error of the natural spline is next to an end, where it is of second order whatever
+/// the rest is: 1.50e-6 with 256 intervals, by a search in multiple precision.
 #[test]
 fn errors_are_maxima_over_the_whole_range() {
     let natural = find_approximation("spline-natural").unwrap();

@@ -30,11 +30,12 @@ inputs! {
 #[derive(Clone, Copy, Debug)]
 pub struct Tridiagonal;
 
-/// The word for a pivot before the last row that is zero or too small to divide by: without row exchanges elimination
-/// ends there, whether the matrix is singular or not.
+/// The word for a pivot before the last row that is zero or too small to divide by: without row
+/// exchanges elimination ends there, whether the matrix is singular or not.
 pub(super) const ZERO_PIVOT: &str = "zero pivot";
 
-/// The word for an error of elimination without row exchanges in so many rows, the same for open and cyclic systems.
+/// The word for an error of elimination without row exchanges in so many rows, the same for open
+/// and cyclic systems.
 pub(super) fn word(e: &TridiagonalError, rows: usize) -> &'static str {
     match e {
         // Nothing is left to be exchanged with.

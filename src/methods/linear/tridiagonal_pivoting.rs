@@ -10,8 +10,8 @@ use crate::methods::inputs::Number;
 use crate::solvers::tridiagonal::{Pivoted, TridiagonalError};
 use rug::Rational;
 
-/// Tridiagonal systems `A x = d` by elimination with partial pivoting and one step of refinement, for matrices that need
-/// not be dominant.
+/// Tridiagonal systems `A x = d` by elimination with partial pivoting and one step of refinement,
+/// for matrices that need not be dominant.
 ///
 /// A candidate is a `Fn(lower, diagonal, upper, d) -> x`, all slices of `f64`.
 #[derive(Clone, Copy, Debug)]
@@ -33,7 +33,8 @@ fn solution(i: TridiagonalInput, d: &[f64]) -> Result<Vec<f64>, &'static str> {
 
 const SOLUTION: Solve = solution;
 
-/// A system of up to ten rows with the diagonal and the entries beside it drawn apart, each row times a scale.
+/// A system of up to ten rows with the diagonal and the entries beside it drawn apart, each row
+/// times a scale.
 fn assemble(
     draw: &mut Draw,
     diagonal: fn(&mut Draw) -> f64,

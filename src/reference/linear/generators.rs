@@ -1,18 +1,20 @@
 //! Tridiagonal systems by the generators of the inverse, in O(n) operations.
 //!
-//! With the leading minors `θ_i` of a tridiagonal matrix of order `n`, the determinants of its first `i` rows and columns,
-//! and its trailing minors `φ_i`, those of the rows and columns from `i` on, the entries of the inverse are (Usmani,
-//! *Linear Algebra and its Applications* 212/213, 1994)
+//! With the leading minors `θ_i` of a tridiagonal matrix of order `n`, the determinants of its
+//! first `i` rows and columns, and its trailing minors `φ_i`, those of the rows and columns from
+//! `i` on, the entries of the inverse are (Usmani, *Linear Algebra and its Applications* 212/213,
+//! 1994)
 //!
 //! ```text
 //! (A⁻¹)_ij = (−1)^{i+j} upper_i … upper_{j−1} θ_i φ_{j+1}/θ_n        i ≤ j
 //!            (−1)^{i+j} lower_j … lower_{i−1} θ_j φ_{i+1}/θ_n        i > j
 //! ```
 //!
-//! for rows counted from 0, `θ_0 = φ_n = 1`, where a row's lower entry stands before the diagonal of the next one. This
-//! holds for every regular matrix, also where leading minors vanish and elimination without pivoting ends. `A⁻¹ w` is
-//! then `θ_i φ_{i+1} w_i`, what comes from the rows before and what comes from the rows after, each of which follows from
-//! its neighbour. `|A⁻¹| w` for `w ≥ 0` is the same with magnitudes, as every entry is one product.
+//! for rows counted from 0, `θ_0 = φ_n = 1`, where a row's lower entry stands before the diagonal
+//! of the next one. This holds for every regular matrix, also where leading minors vanish and
+//! elimination without pivoting ends. `A⁻¹ w` is then `θ_i φ_{i+1} w_i`, what comes from the rows
+//! before and what comes from the rows after, each of which follows from its neighbour. `|A⁻¹| w`
+//! for `w ≥ 0` is the same with magnitudes, as every entry is one product.
 
 use crate::{Ball, Mag};
 use rug::{Float, Rational};
@@ -149,7 +151,8 @@ impl<T: Scalar> Minors<T> {
         (0..n).map(row).collect()
     }
 
-    /// The sums of `(A⁻¹)_ij w_j` with factors that have gone through `minor`, and `off` beside the diagonal.
+    /// The sums of `(A⁻¹)_ij w_j` with factors that have gone through `minor`, and `off` beside
+    /// the diagonal.
     fn through(&self, w: &[T], minor: fn(&T) -> T, off: fn(&T) -> T) -> Vec<T> {
         let n = w.len();
         let (theta, phi) = (
@@ -181,9 +184,9 @@ impl<T: Scalar> Minors<T> {
     }
 }
 
-/// Bits of working precision that are tried first, and the largest number of them: of a dominant matrix at most 1.3 bits
-/// are lost in a row (a ball's relative radius grows by `1 + √2` where the minors do not grow), so that 2·10⁴ rows are
-/// decided.
+/// Bits of working precision that are tried first, and the largest number of them: of a dominant
+/// matrix at most 1.3 bits are lost in a row (a ball's relative radius grows by `1 + √2` where the
+/// minors do not grow), so that 2·10⁴ rows are decided.
 const FIRST: u32 = 512;
 const LAST: u32 = 1 << 15;
 
@@ -193,8 +196,8 @@ fn are_known(values: &[Ball], bits: u32) -> bool {
     values.iter().all(is_known)
 }
 
-/// The matrix and a right-hand side at a working precision; entries that are floating-point numbers in 53 bits, by which
-/// products take no time.
+/// The matrix and a right-hand side at a working precision; entries that are floating-point
+/// numbers in 53 bits, by which products take no time.
 fn at(bits: u32, [lower, diagonal, upper, d]: [&[Rational]; 4]) -> (Minors<Ball>, Vec<Ball>) {
     let ball = |q: &Rational| {
         let short = Float::with_val(53, q);
@@ -209,8 +212,8 @@ fn at(bits: u32, [lower, diagonal, upper, d]: [&[Rational]; 4]) -> (Minors<Ball>
     (minors, balls(d))
 }
 
-/// The solution with a relative accuracy of `2^-bits`, or what is known of it at the largest working precision; `None`
-/// where the determinant could not be told from zero.
+/// The solution with a relative accuracy of `2^-bits`, or what is known of it at the largest
+/// working precision; `None` where the determinant could not be told from zero.
 pub(super) fn solve(parts: [&[Rational]; 4], bits: u32) -> Option<Vec<Ball>> {
     let mut found = None;
     let mut working = FIRST.max(2 * bits);

@@ -24,7 +24,8 @@ fn minors_are_determinants() {
 }
 
 proptest! {
-    /// Both solutions and the sums of magnitudes are those of elimination, zero pivots included; balls hold them.
+    /// Both solutions and the sums of magnitudes are those of elimination, zero pivots included;
+    /// balls hold them.
     #[test]
     fn generators_are_the_inverse(v in prop::collection::vec(-3i32..4, 4..40)) {
         let n = v.len() / 4;
@@ -54,8 +55,8 @@ proptest! {
     }
 }
 
-/// 2 on the diagonal and -1 beside it, the least dominance there is, in 3000 rows: `d = (1, 0, …, 0)` has
-/// `x_i = (n − i)/(n + 1)`.
+/// 2 on the diagonal and -1 beside it, the least dominance there is, in 3000 rows: `d = (1, 0, …,
+/// 0)` has `x_i = (n − i)/(n + 1)`.
 #[test]
 fn long_systems_are_enclosed() {
     let n = 3000;

@@ -5,8 +5,8 @@
 //! column is the shortest candidate. Nothing is rounded, so a system without a pivot is singular,
 //! and that is an answer.
 //!
-//! Exact numbers grow with the number of rows: [`solution`] and [`conditions`] compute in balls where a tridiagonal system
-//! is long, by a formula that takes O(n) operations.
+//! Exact numbers grow with the number of rows: [`solution`] and [`conditions`] compute in balls
+//! where a tridiagonal system is long, by a formula that takes O(n) operations.
 
 use super::generators::{self, Minors};
 use super::ring;
@@ -243,7 +243,8 @@ pub fn solve_cyclic(
     Some(x.into_iter().flatten().collect())
 }
 
-/// The bits of all entries of a system up to which it is solved exactly: some 70 rows of floating-point numbers.
+/// The bits of all entries of a system up to which it is solved exactly: some 70 rows of
+/// floating-point numbers.
 const EXACT_BITS: u64 = 1 << 15;
 
 fn is_short(parts: [&[Rational]; 4]) -> bool {
@@ -271,13 +272,15 @@ pub enum Solution {
     Open,
 }
 
-/// The solution of a tridiagonal system of any length, to a relative accuracy of `2^-bits` where it is not exact.
+/// The solution of a tridiagonal system of any length, to a relative accuracy of `2^-bits` where
+/// it is not exact.
 ///
 /// ```
 /// use mechaudit_reference::tridiagonal::{Solution, solution};
 /// use rug::Rational;
 /// let (off, on) = (vec![Rational::from(1); 1999], vec![Rational::from(4); 2000]);
-/// let Solution::Enclosed(x) = solution(&off, &on, &off, &vec![6.into(); 2000], 128) else { unreachable!() };
+/// let d = vec![Rational::from(6); 2000];
+/// let Solution::Enclosed(x) = solution(&off, &on, &off, &d, 128) else { unreachable!() };
 /// assert!(x[1000].accuracy_bits() >= 128);
 /// ```
 ///
@@ -302,9 +305,9 @@ fn minors(lower: &[Rational], diagonal: &[Rational], upper: &[Rational]) -> Mino
     Minors::new(Rational::from(1), lower, diagonal, upper)
 }
 
-/// `|A⁻¹| (|A| |x| + |d|)` of a tridiagonal system, entry by entry: the sum over all data of `|datum · ∂x_i/∂datum|`.
-/// Computed exactly and rounded once, or in balls to 60 bits where the system is long; `None` where the matrix is singular
-/// or that cannot be had.
+/// `|A⁻¹| (|A| |x| + |d|)` of a tridiagonal system, entry by entry: the sum over all data of
+/// `|datum · ∂x_i/∂datum|`. Computed exactly and rounded once, or in balls to 60 bits where the
+/// system is long; `None` where the matrix is singular or that cannot be had.
 ///
 /// # Panics
 /// When the lengths do not fit.
@@ -331,7 +334,8 @@ pub fn conditions(
     Some(found.iter().map(Rational::to_f64).collect())
 }
 
-/// The solution of a cyclic system, as [`solution`] gives that of an open one; a ring of more than 2000 rows is open.
+/// The solution of a cyclic system, as [`solution`] gives that of an open one; a ring of more than
+/// 2000 rows is open.
 ///
 /// # Panics
 /// When the lengths do not fit.
@@ -382,8 +386,8 @@ pub fn conditions_cyclic(
     Some(inverse.iter().map(sum).collect())
 }
 
-/// Whether elimination without row exchanges certainly meets a pivot that is exactly zero before the last row, where the
-/// matrix may be regular. Only short matrices are searched.
+/// Whether elimination without row exchanges certainly meets a pivot that is exactly zero before
+/// the last row, where the matrix may be regular. Only short matrices are searched.
 ///
 /// # Panics
 /// When the lengths do not fit.

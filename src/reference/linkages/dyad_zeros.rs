@@ -1,22 +1,25 @@
 //! Values of four-bars and slider-cranks that are exactly zero.
 //!
-//! Lengths and angles are rational. Every value but the angles is algebraic in `e^{iφ}` (for the slider-crank in
-//! `e^{i(φ−δ)}`), which is transcendental for a rational angle other than zero (Lindemann). There such a value is zero only
-//! if it is zero all along its branch, which the four families below exhaust; at the angle zero everything is a rational
-//! expression of the lengths and one square root.
+//! Lengths and angles are rational. Every value but the angles is algebraic in `e^{iφ}` (for the
+//! slider-crank in `e^{i(φ−δ)}`), which is transcendental for a rational angle other than zero
+//! (Lindemann). There such a value is zero only if it is zero all along its branch, which the four
+//! families below exhaust; at the angle zero everything is a rational expression of the lengths
+//! and one square root.
 //!
 //! # Branches along which a value is zero
-//! A derivative that vanishes along a branch of the four-bar makes an angle `k φ + c`. Then
-//! `b² = |d + c e3 − a e1|²` is constant in φ: of its terms with the frequencies `|k|`, 1 and `|k − 1|`, whose factors are
-//! not zero, one is constant and the two others cancel, so that `k` is 0 or 1. With `k = 1` the linkage is a
-//! parallelogram, `a = c` and `b = d`; with `k = 0` the joint rests on the crank's pivot, `a = b` and `c = d`. The coupler
-//! in the place of the rocker gives the same two. The joint's coordinates vanish along a branch only where it rests.
+//! A derivative that vanishes along a branch of the four-bar makes an angle `k φ + c`. Then `b² =
+//! |d + c e3 − a e1|²` is constant in φ: of its terms with the frequencies `|k|`, 1 and `|k − 1|`,
+//! whose factors are not zero, one is constant and the two others cancel, so that `k` is 0 or 1.
+//! With `k = 1` the linkage is a parallelogram, `a = c` and `b = d`; with `k = 0` the joint rests
+//! on the crank's pivot, `a = b` and `c = d`. The coupler in the place of the rocker gives the
+//! same two. The joint's coordinates vanish along a branch only where it rests.
 //!
-//! The slider-crank has `x' = −a sin ψ + h a cos ψ/R` with `ψ = φ − δ`, `h = e − a sin ψ` and `R² = b² − h²`, and
-//! `R³ φ2'' = ±a (a e + (b² − e² − a²) sin ψ + a e sin² ψ)`. Both vanish along a branch only if `a = b` and `e = 0`: the slider
-//! then rests on the crank's pivot, or the rod turns as fast as the crank, the other way round. An angle of the rod that is
-//! zero makes `e − a sin ψ + b sin δ` zero, which by Lindemann and Weierstrass needs `ψ = 0`, or `ψ = δ` with `a = b` and
-//! `e = 0`.
+//! The slider-crank has `x' = −a sin ψ + h a cos ψ/R` with `ψ = φ − δ`, `h = e − a sin ψ` and `R²
+//! = b² − h²`, and `R³ φ2'' = ±a (a e + (b² − e² − a²) sin ψ + a e sin² ψ)`. Both vanish along a
+//! branch only if `a = b` and `e = 0`: the slider then rests on the crank's pivot, or the rod
+//! turns as fast as the crank, the other way round. An angle of the rod that is zero makes `e − a
+//! sin ψ + b sin δ` zero, which by Lindemann and Weierstrass needs `ψ = 0`, or `ψ = δ` with `a =
+//! b` and `e = 0`.
 
 use super::{FourBarBalls, SliderCrankBalls};
 use crate::{Ball, Mag};
@@ -36,7 +39,8 @@ fn put_whole_turns(angle: &mut Ball) {
     }
 }
 
-/// Makes the values exactly zero that are, in a position of a four-bar that is not singular. `sin` is the sine of `phi`.
+/// Makes the values exactly zero that are, in a position of a four-bar that is not singular. `sin`
+/// is the sine of `phi`.
 pub(super) fn of_four_bar(
     out: &mut FourBarBalls,
     lengths: &[Rational; 4],
@@ -66,8 +70,9 @@ fn decided(x: &Ball, positive: bool) -> bool {
     }
 }
 
-/// With the crank on the frame, `C − A = (x, v)` and `C − B = (y, v)`, the second derivatives are a rational number times
-/// `v`, and so are `φ2'' b² = x Y − v (X + a)` and `φ3'' c² = y Y − v X`, where `C'' = (X, Y)`.
+/// With the crank on the frame, `C − A = (x, v)` and `C − B = (y, v)`, the second derivatives are
+/// a rational number times `v`, and so are `φ2'' b² = x Y − v (X + a)` and `φ3'' c² = y Y − v X`,
+/// where `C'' = (X, Y)`.
 fn of_four_bar_at_zero(out: &mut FourBarBalls, [a, b, c, d]: &[Rational; 4]) {
     let span = Rational::from(d - a);
     let squares = b.clone().square() - c.clone().square();
@@ -97,8 +102,8 @@ fn of_four_bar_at_zero(out: &mut FourBarBalls, [a, b, c, d]: &[Rational; 4]) {
     }
 }
 
-/// Makes the values exactly zero that are, in a position of a slider-crank that is not singular. `cos` is the cosine of
-/// the angle from the guide to the crank.
+/// Makes the values exactly zero that are, in a position of a slider-crank that is not singular.
+/// `cos` is the cosine of the angle from the guide to the crank.
 pub(super) fn of_slider_crank(
     out: &mut SliderCrankBalls,
     [a, b, e]: &[Rational; 3],

@@ -202,7 +202,8 @@ fn outcome(stopped: bool, failed: &[(u64, String)]) -> Result<Outcome, Failure> 
     }
 }
 
-/// The time that a program has for a shard: plans deal shards of minutes, and one that takes a day has been dealt wrongly.
+/// The time that a program has for a shard: plans deal shards of minutes, and one that takes a day
+/// has been dealt wrongly.
 const SHARD: Duration = Duration::from_secs(24 * 3600);
 
 /// Lets a program answer the cases of a shard.

@@ -149,7 +149,8 @@ fn both_sides_of_an_asymmetric_law_are_named() {
     }
 }
 
-/// The motion begins while the follower returns: before the end of the first high dwell nothing has dwelt.
+/// The motion begins while the follower returns: before the end of the first high dwell nothing
+/// has dwelt.
 #[test]
 fn rows_before_the_first_dwell_have_no_vibration_of_one() {
     let text = r#"

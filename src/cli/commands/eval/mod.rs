@@ -305,7 +305,8 @@ mod tests {
     use super::*;
     use mechaudit::reference::{Ball, Mag};
 
-    /// A value that is zero is proved to be, others have all digits, and the next line is answered too.
+    /// A value that is zero is proved to be, others have all digits, and the next line is answered
+    /// too.
     #[test]
     fn a_zero_costs_no_line() {
         for (name, line, zeros) in [

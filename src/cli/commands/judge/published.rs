@@ -374,13 +374,14 @@ fn reason(e: &csv::Error) -> String {
     }
 }
 
-/// Whether a part of the input is an imaginary part, which is zero in a table that has no column for it.
+/// Whether a part of the input is an imaginary part, which is zero in a table that has no column
+/// for it.
 fn is_imaginary(layout: &Layout, part: usize) -> bool {
     layout.is_single(part) && layout.input_column(part, 0).starts_with("Im ")
 }
 
-/// A column by its name, which a unit in brackets may follow. Where there are real and imaginary parts, a name without
-/// either means the real part, and so does `x`.
+/// A column by its name, which a unit in brackets may follow. Where there are real and imaginary
+/// parts, a name without either means the real part, and so does `x`.
 fn heading(method: &dyn Method, layout: &Layout, text: &str) -> Result<Heading, TableError> {
     let (name, unit) = match text.strip_suffix(']').and_then(|t| t.split_once(" [")) {
         Some((name, unit)) => (name.trim_end(), Some(unit)),

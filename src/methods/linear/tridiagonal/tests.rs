@@ -135,7 +135,8 @@ fn conditions_of_two_equations() {
     assert_eq!(Tridiagonal::conditions(&[f64::NAN, 3.0]), None);
 }
 
-/// The sweep ends at a pivot that is zero; the matrix is regular, and the solver with row exchanges solves it.
+/// The sweep ends at a pivot that is zero; the matrix is regular, and the solver with row
+/// exchanges solves it.
 #[test]
 fn a_zero_pivot_is_named_and_is_no_failure_of_the_sweep() {
     use crate::audit::{Case, Origin, Settings, SolverAnswer, Verdict, audit_case, judge_case};
@@ -192,8 +193,8 @@ fn a_zero_pivot_is_named_and_is_no_failure_of_the_sweep() {
     assert_eq!(pivoting.solve(&swap), SolverAnswer::Values(vec![4.0, 3.0]));
 }
 
-/// A system of 2000 rows is judged with its condition numbers, by O(n) operations: they are those that the exact formula
-/// gives where the right-hand side is that of the unknowns 1.
+/// A system of 2000 rows is judged with its condition numbers, by O(n) operations: they are those
+/// that the exact formula gives where the right-hand side is that of the unknowns 1.
 #[test]
 fn long_systems_are_judged() {
     use crate::audit::{Case, Origin, Settings, Verdict, audit_case};

@@ -39,8 +39,9 @@ pub struct ChartPoint {
     pub acceleration: f64,
     /// `K_dc`, `K_dM`, `K_dN` (2).
     pub dynamic_coefficients: [f64; 3],
-    /// Amplitude of the free vibration at the end of the high dwell that is nearest; NaN if overdamped, and where nothing
-    /// has dwelt: without a high dwell, and before the end of the first one.
+    /// Amplitude of the free vibration at the end of the high dwell that is nearest; NaN if
+    /// overdamped, and where nothing has dwelt: without a high dwell, and before the end of the
+    /// first one.
     pub dwell_amplitude: f64,
     /// Its phase there, in (−π, π]; NaN where the amplitude is.
     pub dwell_phase: f64,

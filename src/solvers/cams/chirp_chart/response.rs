@@ -359,8 +359,9 @@ impl CamResponse {
         }))
     }
 
-    /// The time nearest to `t` at which a high dwell ends and the return begins; none if there is no high dwell, if it
-    /// ended before the motion began, or if the shaft turns back before its end.
+    /// The time nearest to `t` at which a high dwell ends and the return begins; none if there is
+    /// no high dwell, if it ended before the motion began, or if the shaft turns back before its
+    /// end.
     pub(super) fn end_of_dwell(&self, t: f64) -> Option<f64> {
         let cycle = &self.drive.cycle;
         let due = cycle.start() + cycle.rise().turns + cycle.high_dwell();
