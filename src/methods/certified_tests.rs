@@ -98,6 +98,16 @@ fn zeros_are_proved() {
     zeros("slider-crank", "0.1,0.3,0,0,0,1", &[1, 3, 5]);
     // The coupler of a parallelogram is parallel to the frame.
     zeros("four-bar", "2,3,2,3,0.5,1", &[0, 2, 4, 5]);
+    // The joint rests on the crank's pivot.
+    zeros("four-bar", "2,2,3,3,0.5,-1", &[3, 4, 5, 7, 8]);
+    // Crank and frame on one line: a second derivative of the coupler or the rocker, or the joint
+    // above the crank's pivot.
+    zeros("four-bar", "1,5,3,5,0,1", &[4]);
+    zeros("four-bar", "1,3,5,5,0,1", &[5]);
+    zeros("four-bar", "1,4,8,7,0,1", &[7]);
+    // The slider behind the crank: on its pivot where 3, 4 and 5 are a triangle.
+    zeros("slider-crank", "3,5,4,0,0,-1", &[0]);
+    zeros("slider-crank", "1,1,0,0.25,0.5,1", &[3, 5]);
 }
 
 /// Values that are not wanted do not raise the precision.

@@ -25,8 +25,9 @@ use super::{FourBarBalls, SliderCrankBalls};
 use crate::{Ball, Mag};
 use rug::Rational;
 
+/// Only what a ball leaves open is made zero.
 fn put(values: &mut [&mut Ball]) {
-    for value in values {
+    for value in values.iter_mut().filter(|value| value.contains_zero()) {
         let bits = value.prec();
         **value = Ball::integer(bits, 0);
     }
