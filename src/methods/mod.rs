@@ -4,6 +4,7 @@
 mod approximations;
 #[cfg(feature = "cams")]
 mod cams;
+mod certified;
 mod common;
 mod definition;
 #[cfg(feature = "run-up")]
@@ -28,6 +29,7 @@ use std::sync::OnceLock;
 pub use approximations::{approximations, find_approximation};
 #[cfg(feature = "cams")]
 pub use cams::*;
+pub use certified::{CertifiedValue, certified_digits};
 pub use definition::{Evaluable, Typed};
 #[cfg(feature = "run-up")]
 pub use drive::*;
@@ -69,6 +71,20 @@ macro_rules! registry {
                 )*)*
                 _ => None,
             }
+        }
+
+        /// For each part of the input of the method of that name, the field that holds it in the
+        /// type which a candidate in Rust takes; nothing where a candidate takes no such type.
+        pub fn fields(name: &str) -> Option<Vec<String>> {
+            let fields = match name {
+                $($(
+                    #[cfg(feature = $subject)]
+                    $name => <$method as definition::Definition>::fields(),
+                )*)*
+                _ => return None,
+            };
+            let takes_fields = signature(name)?.contains("Input<");
+            takes_fields.then(|| fields.into_iter().map(|f| f.path).collect())
         }
 
         $($(
@@ -115,6 +131,8 @@ macro_rules! registry {
 registry! {
 "splines" {
     Tridiagonal "tridiagonal":
+        Fn(&[f64], &[f64], &[f64], &[f64]), |f, i| f(i.lower, i.diagonal, i.upper, i.d);
+    TridiagonalPivoting "tridiagonal-pivoting":
         Fn(&[f64], &[f64], &[f64], &[f64]), |f, i| f(i.lower, i.diagonal, i.upper, i.d);
     CyclicTridiagonal "cyclic-tridiagonal":
         Fn(&[f64], &[f64], &[f64], &[f64]), |f, i| f(i.lower, i.diagonal, i.upper, i.d);

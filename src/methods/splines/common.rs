@@ -55,7 +55,7 @@ impl EndCondition {
         }
     }
 
-    pub(super) fn fit(self, p: SplineProblem) -> Result<CubicSpline, &'static str> {
+    fn try_fit(self, p: SplineProblem) -> Result<CubicSpline, CubicSplineError> {
         let ends = || p.ends.expect(ENDS);
         let boundary = match self {
             EndCondition::SecondDerivatives => Boundary::second_derivatives(ends()[0], ends()[1]),
@@ -63,7 +63,16 @@ impl EndCondition {
             EndCondition::NotAKnot => Boundary::NOT_A_KNOT,
             EndCondition::Periodic => Boundary::Periodic,
         };
-        CubicSpline::fit(p.x.to_vec(), p.y.to_vec(), boundary).map_err(|e| word(&e))
+        CubicSpline::fit(p.x.to_vec(), p.y.to_vec(), boundary)
+    }
+
+    /// Why there is no spline, with the place.
+    pub(super) fn explanation(self, p: SplineProblem) -> Option<String> {
+        self.try_fit(p).err().map(|e| e.to_string())
+    }
+
+    pub(super) fn fit(self, p: SplineProblem) -> Result<CubicSpline, &'static str> {
+        self.try_fit(p).map_err(|e| word(&e))
     }
 
     pub(super) fn solve(self, p: SplineProblem) -> Result<Vec<f64>, &'static str> {

@@ -90,6 +90,9 @@ macro_rules! on_knots {
     ) -> Result<ReferenceAnswer, Uncertified> {
                 $kind.reference(i.into(), bits)
             }
+            fn explanation(i: Self::Input<'_, f64>) -> Option<String> {
+                $kind.explanation(i.into())
+            }
             fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
                 conditions::conditions($kind, numbers, |data| Some(Self::unpack(data)?.into()))
             }

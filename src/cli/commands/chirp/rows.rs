@@ -64,7 +64,9 @@ fn about(machine: &CamOscillator) -> Map<String, Value> {
     put("lift_unit", json!(machine.unit));
     put("lift", json!(cycle.lift()));
     put("C_v", json!(peaks.velocity));
-    put("C_a", json!(peaks.acceleration));
+    put("C_a", json!(peaks.acceleration.max(peaks.deceleration)));
+    put("C_a_accelerating", json!(peaks.acceleration));
+    put("C_a_decelerating", json!(peaks.deceleration));
     put("C_j", json!(peaks.jerk.is_finite().then_some(peaks.jerk)));
     put("harmonics", json!(machine.harmonics));
     let series = FourierSeries::new(cycle);
@@ -198,11 +200,14 @@ pub fn chart(
                 k_dc,
                 k_dm,
                 k_dn,
-                p.dwell_amplitude,
-                p.dwell_phase.to_degrees(),
             ];
             let mut cells = vec![Cell::Word(c.law.clone())];
             cells.extend(values.map(Cell::Float));
+            let dwell = [p.dwell_amplitude, p.dwell_phase.to_degrees()];
+            cells.extend(dwell.map(|x| match x.is_nan() {
+                true => Cell::Empty,
+                false => Cell::Float(x),
+            }));
             rows.row(&cells)?;
         }
     }

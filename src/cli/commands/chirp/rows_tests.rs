@@ -123,12 +123,69 @@ fn what_is_known_of_the_whole() {
         near("lift", 0.02);
         near("C_v", velocity);
         near("C_a", acceleration);
+        near("C_a_accelerating", acceleration);
+        near("C_a_decelerating", acceleration);
         match jerk {
             Some(jerk) => near("C_j", jerk),
             None => assert!(found["C_j"].is_null()),
         }
         assert!(found["harmonics_left_out"].as_f64().unwrap() > 0.0);
     }
+}
+
+/// A cycloid whose acceleration takes 0.6 of the stroke: 2π/1.2 and −2π/0.8.
+#[test]
+fn both_sides_of_an_asymmetric_law_are_named() {
+    let law = "{ name = \"cycloidal\", acceleration_fraction = 0.6 }";
+    let text = RUN_UP.replace("\"modified-sine\"", law);
+    let machine = CamOscillator::read(&Source::toml(text), Some(4)).unwrap();
+    let found = about(&machine);
+    for (key, due) in [
+        ("C_a", PI / 0.4),
+        ("C_a_accelerating", PI / 0.6),
+        ("C_a_decelerating", PI / 0.4),
+    ] {
+        let x = found[key].as_f64().unwrap();
+        assert!((x / due - 1.0).abs() < 1e-12, "{key}: {x}");
+    }
+}
+
+/// The motion begins while the follower returns: before the end of the first high dwell nothing
+/// has dwelt.
+#[test]
+fn rows_before_the_first_dwell_have_no_vibration_of_one() {
+    let text = r#"
+[oscillator]
+frequency = "100 rad/s"
+damping_ratio = 0.02
+[cam]
+lift = "20 mm"
+law = "cycloidal"
+rise = "120 deg"
+high_dwell = "60 deg"
+return = "120 deg"
+low_dwell = "60 deg"
+start = "-230 deg"
+[speed]
+start = "15 rad/s"
+acceleration = "-1 rad/s^2"
+[chart]
+from = 2.23
+to = 2.63
+step = 0.4
+"#;
+    let machine = CamOscillator::read(&Source::toml(text), Some(12)).unwrap();
+    let mut out = Vec::new();
+    let form = (CsvOrJson::Csv, columns(ChirpRows::Chart, &machine));
+    chart(&mut out, form, &machine, &machine.charts().unwrap()).unwrap();
+    let out = String::from_utf8(out).unwrap();
+    let ends: Vec<Vec<&str>> = out
+        .lines()
+        .map(|l| l.rsplit(',').take(2).collect())
+        .collect();
+    assert_eq!(ends[0], ["dwell_phase_deg", "dwell_amplitude"]);
+    assert_eq!(ends[1], ["", ""], "{out}");
+    assert!(ends[2].iter().all(|x| x.parse::<f64>().is_ok()), "{out}");
 }
 
 /// More rows than are computed together, each in its place.

@@ -255,7 +255,7 @@ mod tests {
         whole(&page);
         let order = [
             "<title>Audit of 2 methods: NOT as expected</title>",
-            "NOT as expected</span>: 1 of 2 methods pass, 799 of 800 cases.",
+            "NOT as expected</span>: 1 of 2 methods pass, 1 of 800 cases failed.",
             "1 of 400 cases do not pass",
             "id=\"overview\"",
             "id=\"method-0\"",
