@@ -34,6 +34,8 @@ mod methods;
 mod peaucellier;
 #[cfg(feature = "oracle")]
 mod pinned;
+#[cfg(feature = "oracle")]
+mod planar_rows;
 #[cfg(feature = "cli")]
 mod planted_faults;
 #[cfg(feature = "oracle")]

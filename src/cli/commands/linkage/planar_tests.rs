@@ -112,7 +112,9 @@ fn the_values_of_the_drive() {
         Values::new(&args("--from-deg 5 --to-deg 15 --step-deg 5"), &at_30).unwrap();
     assert_eq!(exact, [5, 10, 15]);
     let Values(found, exact) = Values::new(&args(""), &boom).unwrap();
-    assert!(found.len() == 11 && exact.is_empty());
+    let exact: Vec<String> = exact.iter().map(decimal).collect();
+    assert!(found.len() == 11 && exact.len() == 11);
+    assert_eq!([&*exact[1], &exact[10]], ["0.95", "1.4"]);
     assert_eq!((found[0], found[2]), ((0.9, 0.9), (1.0, 1.0)));
     for line in ["--from-deg 1", "--to-deg 1", "--from-deg 1 --to-deg 2"] {
         assert!(Values::new(&args(line), &boom).is_err(), "{line}");

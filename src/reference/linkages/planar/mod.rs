@@ -40,6 +40,7 @@ mod chart;
 mod conservative;
 #[cfg(test)]
 mod conservative_tests;
+mod determined;
 mod disc;
 mod enclosure;
 mod energy;
@@ -62,10 +63,13 @@ mod panel;
 mod reactions;
 #[cfg(test)]
 mod reactions_tests;
+mod real;
 mod scalar;
 mod series;
 #[cfg(test)]
 mod soundness_tests;
+mod special;
+mod surd;
 mod system;
 
 pub use enclosure::{Linkage, Position};
@@ -73,9 +77,14 @@ pub use enclosure::{Linkage, Position};
 mod tests;
 
 pub use conservative::{Course, Moment};
+pub use determined::Determined;
 pub use energy::{Forces, Spring};
 pub use freedom::{Drawing, DrawnPin, Freedom, Mobility};
 pub use joint_forces::JointForces;
-pub use mechanism::{Attachment, Body, Drive, Frame, Joint, Mechanism, MechanismError, Point};
+pub use mechanism::{
+    Attachment, Body, Drive, Frame, Joint, Mechanism, MechanismError, Place, Point,
+};
 pub use reactions::Rates;
+pub use real::Real;
 pub use series::Series;
+pub use special::{ExactDrive, Special};
