@@ -130,6 +130,8 @@ impl Loops {
         }
         let links = joints.iter().zip(&slides);
         let mut open: Vec<Link> = links.filter_map(|(j, slide)| link(j, *slide)).collect();
+        // On a guide of the ground a body's place has no angle in it.
+        open.sort_by_key(|l| l.travel.is_none() || l.a.frame != Frame::Ground);
         let mut origins: Vec<Option<Form>> = vec![None; bodies.len()];
         loop {
             let before = open.len();
