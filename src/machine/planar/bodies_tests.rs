@@ -23,11 +23,15 @@ fn of_body(bodies: &Bodies, body: usize) -> Vec<(&str, [f64; 2], bool)> {
         assert_eq!(point.body, body);
         let at = point.at.map(|x| x.m());
         if let Some(exact) = &exact {
-            let near = |(x, at): (&Real, f64)| match x.fraction() {
-                Some(x) => nearest_f64(x) == at,
-                None => (x.to_ball(64).to_f64() - at).abs() < 1e-15 * (1.0 + at.abs()),
-            };
-            assert!(exact.iter().zip(at).all(near), "{name}");
+            // A third corner by sides is computed in floating point; other points are rounded once.
+            let off = |(x, at): (&Real, f64)| (x.to_ball(64).to_f64() - at).abs();
+            assert!(
+                exact.iter().zip(at).all(|x| off(x) < 1e-15 * 15.0),
+                "{name}"
+            );
+            let rounded =
+                |(x, at): (&Real, f64)| x.fraction().is_some_and(|x| nearest_f64(x) == at);
+            assert!(name == "C" || exact.iter().zip(at).all(rounded), "{name}");
         }
         (name, at, exact.is_some())
     })

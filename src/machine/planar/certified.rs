@@ -6,8 +6,8 @@ use super::rows::travels;
 use crate::machine::first_bits;
 use crate::reference::class_iii::ExactAngle;
 use crate::reference::planar::{
-    self as reference, Attachment, Body, Determined, ExactDrive, Linkage, Mechanism, Position,
-    Real, Series, Special,
+    self as reference, Attachment, Body, Determined, ExactDrive, ExactRates, Linkage, Mechanism,
+    Position, Real, Series, Special,
 };
 use crate::reference::{Ball, ComplexBall, Undecided};
 use crate::solvers::planar::{Drive, GROUND, State};
@@ -377,7 +377,15 @@ impl<'a> Certifier<'a> {
         let found = found(&linkage)?;
         let mut all = self.coordinates(value, &found.position, None, bits);
         let bodies = self.machine.bodies.len() - 1;
+        let rates = match moves {
+            true => None,
+            false => ExactRates::new(&linkage, &found),
+        };
         for k in 0..found.position.x.len() {
+            if let Some(rates) = &rates {
+                let [first, second] = rates.of(k, bits);
+                (all[3 * k + 1], all[3 * k + 2]) = (Some(first), Some(second));
+            }
             if let Some(rate) = found.rate(k).filter(|_| moves) {
                 all[3 * k + 1] = Some(Ball::integer(bits, rate.into()));
                 all[3 * k + 2] = Some(Ball::integer(bits, 0));
@@ -401,7 +409,11 @@ impl<'a> Certifier<'a> {
                 }
                 None => {
                     all.extend(found.point(&linkage, at).map(Some));
-                    all.extend([const { None }; 4]);
+                    let exact = rates.as_ref().and_then(|r| r.point(&linkage, &found, at));
+                    match exact {
+                        Some([[vx, vy], [ax, ay]]) => all.extend([vx, ax, vy, ay].map(Some)),
+                        None => all.extend([const { None }; 4]),
+                    }
                 }
             }
         }

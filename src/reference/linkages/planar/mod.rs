@@ -9,7 +9,9 @@
 //! all positions and proves that none is missing, [`Linkage::nearest`] the one next to approximate coordinates;
 //! [`Linkage::series`], [`Linkage::reduced_inertia`] and
 //! [`Linkage::multipliers`] give derivatives of any order, inertia and reactions; [`Linkage::from_rest`] the motion under
-//! conservative forces. A [`Drawing`] may have any number of degrees of freedom, which exact ranks tell. At a change point or a dead position of the drive the answer is [`Undecided`](crate::Undecided).
+//! conservative forces. [`Linkage::special`] decides singular positions and zeros by exact algebra where directions are
+//! simple numbers, [`Linkage::family`] motions like those of parallelograms. A [`Drawing`] may have any number of degrees of freedom, which exact ranks tell. At other change points and dead
+//! positions of the drive the answer is [`Undecided`](crate::Undecided).
 //!
 //! ```
 //! use mechaudit_reference::Ball;
@@ -44,6 +46,7 @@ mod determined;
 mod disc;
 mod enclosure;
 mod energy;
+mod exact_rates;
 mod freedom;
 #[cfg(test)]
 mod freedom_tests;
@@ -79,6 +82,7 @@ mod tests;
 pub use conservative::{Course, Moment};
 pub use determined::Determined;
 pub use energy::{Forces, Spring};
+pub use exact_rates::ExactRates;
 pub use freedom::{Drawing, DrawnPin, Freedom, Mobility};
 pub use joint_forces::JointForces;
 pub use mechanism::{

@@ -12,7 +12,7 @@
 //! zero. Then the rates are 0 or 1 all along.
 
 use super::enclosure::{Linkage, Position};
-use super::loops::{Form, Relation};
+use super::loops::{Form, Relation, Term};
 use super::mechanism::Attachment;
 use super::real::Real;
 use super::surd::{Field, Surd, Vector, roots_near};
@@ -508,17 +508,35 @@ impl Special {
         BallForm::new(&form, bits).value(&pose, &Ball::integer(bits, 0))
     }
 
+    /// Whether directions are factors of the drive's.
+    pub(super) fn turns(&self) -> bool {
+        self.turns.contains(&true)
+    }
+
+    pub(super) fn field(&self) -> &Field {
+        &self.field
+    }
+
+    /// `z u` of a term, and its displacement if it has one.
+    pub(super) fn term(&self, t: &Term) -> Option<(Vector, Option<Surd>)> {
+        let mut z = [self.field.take(&t.z[0])?, self.field.take(&t.z[1])?];
+        if let Some(k) = t.body {
+            z = self.field.turned(&z, self.directions[k].as_ref()?);
+        }
+        let s = match t.slide {
+            Some(j) => Some(self.displacements[j - self.directions.len()].clone()?),
+            None => None,
+        };
+        Some((z, s))
+    }
+
     /// The parts of a form that rest and that turn with the drive, if all its directions are exact.
     fn sums(&self, form: &Form) -> Option<[Vector; 2]> {
-        let mut both = [(); 2].map(|()| [Surd::default(), Surd::default()]);
+        let mut both = <[Vector; 2]>::default();
         for t in form {
-            let mut z = [self.field.take(&t.z[0])?, self.field.take(&t.z[1])?];
-            if let Some(k) = t.body {
-                z = self.field.turned(&z, self.directions[k].as_ref()?);
-            }
-            if let Some(j) = t.slide {
-                let s = self.displacements[j - self.directions.len()].as_ref()?;
-                z = z.map(|x| self.field.times(&x, s));
+            let (mut z, s) = self.term(t)?;
+            if let Some(s) = s {
+                z = z.map(|x| self.field.times(&x, &s));
             }
             let sum = &mut both[usize::from(t.body.is_some_and(|k| self.turns[k]))];
             *sum = [sum[0].plus(&z[0]), sum[1].plus(&z[1])];

@@ -1,6 +1,6 @@
 //! Change points, double positions and mechanisms beside them, by closed forms.
 
-use super::super::{Attachment, Body, Drive, Frame, Joint, Mechanism};
+use super::super::{Attachment, Body, Drive, ExactRates, Frame, Joint, Mechanism};
 use super::*;
 use crate::class_iii::tests::q;
 
@@ -62,6 +62,7 @@ fn a_change_point_is_proved() {
     assert_eq!([0, 1, 2].map(along), [Some(2), Some(0), Some(2)]);
     assert_eq!(found.quarters(1, &at("0", "-2")), Some(3));
     assert_eq!(found.quarters(1, &at("1", "1")), None);
+    assert!(ExactRates::new(&linkage, &found).is_none());
     let end = found.point(&linkage, &Attachment::body(1, at("2", "0")));
     assert!(end[0].contains(&q("1")) && end[1].is_zero());
     // A guess that is not the position, a drive that is not that of the guess, and lengths that do not close there.
@@ -155,6 +156,24 @@ fn slots_and_gears_are_exact_too() {
     assert_eq!([0, 1, 2].map(along), [Some(1), Some(1), None]);
     assert_eq!(found.quarters(2, &at("-1", "1")), Some(0));
     assert!(found.position.x[3].contains(&q("4")) && found.position.x[3].rad().is_zero());
+    // A slotted lever at 4 from its pivot, by a crank of 1: s = √(10 + 6 sin φ), ψ' = (1 + 3 sin φ)/s².
+    let rates = ExactRates::new(&linkage, &found).expect("regular");
+    for (k, due) in [["1", "0"], ["0.25", "0"], ["-1.5", "0"], ["0", "-0.75"]]
+        .iter()
+        .enumerate()
+    {
+        let exact = rates.of(k, BITS).into_iter().zip(due);
+        assert!(
+            exact
+                .into_iter()
+                .all(|(x, due)| x.contains(&q(due)) && x.rad().is_zero())
+        );
+    }
+    let end = Attachment::body(0, at("1", "0"));
+    let [v, a] = rates.point(&linkage, &found, &end).expect("exact");
+    for (found, due) in [v, a].iter().zip([["-1", "0"], ["0", "-1"]]) {
+        assert!(found.iter().zip(due).all(|(x, due)| x.contains(&q(due))));
+    }
     // With the wheel half a turn on its square agrees with the crank's cube as well, but not its angle.
     let turned = [quarter, quarter, -1.5 * quarter + 2.0 * quarter, 4.0];
     let other = linkage
