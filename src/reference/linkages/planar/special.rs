@@ -114,11 +114,11 @@ impl Linkage {
         let trials = trials.filter(|t| t.known().len() == t.equations());
         let best = trials.max_by_key(|t| t.known().len());
         let best = best.filter(|t| !t.known().is_empty()).ok_or_else(|| {
-            self.undecided("the position is singular, and its directions are no simple numbers")
+            self.undecided("the position is singular or nearly so, and its directions are no simple numbers")
         })?;
         best.rest(drive).ok_or_else(|| {
             self.undecided(
-                "a part of the position is singular, and its directions are no simple numbers",
+                "a part of the position is singular or nearly so, and its directions are no simple numbers",
             )
         })
     }
