@@ -1,5 +1,5 @@
-//! Certified rows of mechanisms of every kind of joint beside mpmath (`reference/independent/planar_rows.csv`), and of all
-//! examples beside the solver's.
+//! Certified rows of mechanisms of every kind of joint beside mpmath
+//! (`reference/independent/planar_rows.csv`), and of all examples beside the solver's.
 
 use mechaudit::machine::planar::{
     Branch, Certifier, Columns, Machine, certified_names, choose, names, values,
@@ -176,7 +176,8 @@ fn mpmath_agrees_to_twenty_nine_digits() {
     assert_eq!(rows, 109);
 }
 
-/// Every planar example has certified rows on the branch that its file means, and the solver's rows are near them.
+/// Every planar example has certified rows on the branch that its file means, and the solver's rows
+/// are near them.
 #[test]
 fn all_planar_examples_have_certified_rows() {
     let columns = Columns {

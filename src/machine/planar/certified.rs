@@ -152,8 +152,8 @@ impl<'a> Certifier<'a> {
         })
     }
 
-    /// A coordinate that the drive determines without loops, if that is a fraction: in degrees of the body's line, or in
-    /// metres.
+    /// A coordinate that the drive determines without loops, if that is a fraction: in degrees of
+    /// the body's line, or in metres.
     fn fraction(&self, value: &Rational, coordinate: usize) -> Option<Rational> {
         let found = self.determined[coordinate].as_ref()?;
         let body = Some(coordinate + 1).filter(|b| *b < self.machine.bodies.len());
@@ -200,8 +200,8 @@ impl<'a> Certifier<'a> {
         angles.chain(travels).collect()
     }
 
-    /// The digits of a row next to a position of the solver, from the column after `branch` on; `None` where they could
-    /// not be proved. The drive's value is in degrees or metres.
+    /// The digits of a row next to a position of the solver, from the column after `branch` on;
+    /// `None` where they could not be proved. The drive's value is in degrees or metres.
     pub fn values(&self, value: &Rational, state: &State, paths: bool) -> Vec<Option<String>> {
         self.row(value, state, paths).digits
     }
@@ -248,8 +248,9 @@ impl<'a> Certifier<'a> {
         CertifiedRow { digits, reason }
     }
 
-    /// The row at a singular position: coordinates by exact algebra, and no derivatives but those that need no loops.
-    /// Angles are those of all moving bodies; displacements are near those of a state.
+    /// The row at a singular position: coordinates by exact algebra, and no derivatives but those
+    /// that need no loops. Angles are those of all moving bodies; displacements are near those of a
+    /// state.
     pub fn singular_row(
         &self,
         value: &Rational,
@@ -342,7 +343,8 @@ impl<'a> Certifier<'a> {
         }
     }
 
-    /// The same as one of a motion in which bodies keep their directions or turn with the drive, as the rates say.
+    /// The same as one of a motion in which bodies keep their directions or turn with the drive, as
+    /// the rates say.
     fn family(
         &self,
         value: &Rational,
@@ -364,7 +366,8 @@ impl<'a> Certifier<'a> {
         linkage.family(&drive, &self.exact_drive(value), &turns, near)
     }
 
-    /// Coordinates, and the named points, at a position by exact algebra; with the derivatives of a motion.
+    /// Coordinates, and the named points, at a position by exact algebra; with the derivatives of a
+    /// motion.
     fn exact_row(
         &self,
         value: &Rational,
@@ -420,8 +423,8 @@ impl<'a> Certifier<'a> {
         Ok(all)
     }
 
-    /// Whether a position of exact algebra is the one that is enclosed next to the coordinates: it lies in the enclosure,
-    /// where there is but one.
+    /// Whether a position of exact algebra is the one that is enclosed next to the coordinates: it
+    /// lies in the enclosure, where there is but one.
     fn is_one(
         &self,
         near: &[f64],
@@ -474,7 +477,8 @@ impl<'a> Certifier<'a> {
         ((body - from - due) / TAU).round() as i64
     }
 
-    /// Angles of the bodies' lines and displacements, each with its derivatives where there is a series.
+    /// Angles of the bodies' lines and displacements, each with its derivatives where there is a
+    /// series.
     fn coordinates(
         &self,
         value: &Rational,
@@ -514,7 +518,8 @@ impl<'a> Certifier<'a> {
         (whole - turn) * (Ball::integer(bits, 180) / Ball::pi(bits))
     }
 
-    /// Whether all assembly modes can be counted: the displacements of slides and slots lie in no bounded set.
+    /// Whether all assembly modes can be counted: the displacements of slides and slots lie in no
+    /// bounded set.
     pub fn counts_modes(&self) -> bool {
         travels(self.machine).is_empty()
     }
@@ -522,8 +527,8 @@ impl<'a> Certifier<'a> {
     /// The assembly modes at the drive in degrees, proved to be all.
     ///
     /// # Errors
-    /// [`Undecided`] where modes meet or nearly so, where the search takes too long, and for mechanisms with slides or
-    /// slots.
+    /// [`Undecided`] where modes meet or nearly so, where the search takes too long, and for
+    /// mechanisms with slides or slots.
     pub fn modes(&self, degrees: &Rational) -> Result<Vec<Position>, Undecided> {
         self.linkage(self.bits)?
             .modes(&self.drive(degrees, 0, self.bits))

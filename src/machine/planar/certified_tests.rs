@@ -11,7 +11,8 @@ fn read(text: &str) -> Machine {
     Machine::read(&Source::toml(text)).unwrap()
 }
 
-/// A four-bar linkage of points in the frames of its bodies, with the rocker's pivot where it is said.
+/// A four-bar linkage of points in the frames of its bodies, with the rocker's pivot where it is
+/// said.
 fn four_bar(crank: &str, rest: [&str; 2], pivot: [&str; 2], more: &str) -> Machine {
     let pins =
         ["A", "B", "C", "D"].map(|p| format!("[[joint]]\nkind = \"pin\"\npoint = \"{p}\"\n"));
@@ -75,7 +76,8 @@ fn what_has_no_certified_digits_is_named() {
     assert_eq!(refused(&slotted("3.0000000000000000001 m")), due);
 }
 
-/// Where branches meet, positions are exact or proved beside exact ones, and derivatives are missing.
+/// Where branches meet, positions are exact or proved beside exact ones, and derivatives are
+/// missing.
 #[test]
 fn change_points_have_exact_positions() {
     let half = std::f64::consts::PI;
@@ -174,8 +176,8 @@ fn zeros_of_regular_positions_are_exact() {
     }
 }
 
-/// Each certified value is the solver's in the column of its name, with paths and without, on every branch, and
-/// after turns.
+/// Each certified value is the solver's in the column of its name, with paths and without, on every
+/// branch, and after turns.
 #[test]
 fn certified_values_stand_in_their_columns() {
     let columns = Columns {
@@ -217,7 +219,8 @@ fn certified_values_stand_in_their_columns() {
     assert!(checked > 300, "{checked}");
 }
 
-/// The driven angle is what it is, within half a turn of zero, and the drive's derivatives are 1 and 0.
+/// The driven angle is what it is, within half a turn of zero, and the drive's derivatives are 1
+/// and 0.
 #[test]
 fn the_driven_angle_is_exact() {
     let machine = four_bar("1 m", ["3 m", "3 m"], ["4 m", "1 m"], "");
@@ -248,8 +251,9 @@ fn the_driven_angle_is_exact() {
     }
 }
 
-/// A frame that is lower by δ on the rocker's side: with the crank upright a parallelogram's coupler is turned by δ/2
-/// within δ². The eightfold of the first bits tells 1e-190 from zero, and not 1e-250.
+/// A frame that is lower by δ on the rocker's side: with the crank upright a parallelogram's
+/// coupler is turned by δ/2 within δ². The eightfold of the first bits tells 1e-190 from zero, and
+/// not 1e-250.
 #[test]
 fn digits_are_looked_for_at_eight_times_the_first_bits() {
     for (exponent, proved) in [(1, true), (80, true), (190, true), (250, false)] {

@@ -27,8 +27,8 @@ pub(super) enum ExactJoint {
     Rack { radius: Rational, phase: Rational },
 }
 
-/// The numbers of all joints, in the file's order; `None` for a guide whose direction is not determined. The file has
-/// been checked before.
+/// The numbers of all joints, in the file's order; `None` for a guide whose direction is not
+/// determined. The file has been checked before.
 pub(super) fn joints(sections: &[Section], bodies: &Bodies) -> Vec<Option<ExactJoint>> {
     sections.iter().map(|s| joint(s, bodies)).collect()
 }

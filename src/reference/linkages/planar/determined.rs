@@ -1,7 +1,8 @@
 //! Coordinates that slides, gears, racks and the drive determine without the loops.
 //!
-//! These equations are linear with exact coefficients. A coordinate follows from them alone if its unit vector is a
-//! combination of their rows, which Gauss and Jordan's elimination in fractions decides.
+//! These equations are linear with exact coefficients. A coordinate follows from them alone if its
+//! unit vector is a combination of their rows, which Gauss and Jordan's elimination in fractions
+//! decides.
 
 use super::enclosure::Linkage;
 use crate::class_iii::ExactAngle;
@@ -12,8 +13,8 @@ use rug::Rational;
 pub struct Determined {
     /// Its derivative by the drive.
     pub rate: Rational,
-    /// What is added to that many times the drive, as multiples of angles; a displacement's number of metres counts as
-    /// radians.
+    /// What is added to that many times the drive, as multiples of angles; a displacement's number
+    /// of metres counts as radians.
     pub constants: Vec<(Rational, ExactAngle)>,
 }
 

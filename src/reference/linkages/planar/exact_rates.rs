@@ -1,8 +1,9 @@
 //! Derivatives at positions all of whose coordinates are exact, without rounding.
 //!
-//! The loops are `Σ z s u = 0` with numbers z, displacements s and directions u of a field. With `u' = i ψ' u` their first
-//! derivatives are linear in the rates, and so are the second ones but for `Σ z (2 i s' ψ' − s ψ'²) u`. Gauss's
-//! elimination in the field solves both, or finds the position singular.
+//! The loops are `Σ z s u = 0` with numbers z, displacements s and directions u of a field. With
+//! `u' = i ψ' u` their first derivatives are linear in the rates, and so are the second ones but
+//! for `Σ z (2 i s' ψ' − s ψ'²) u`. Gauss's elimination in the field solves both, or finds the
+//! position singular.
 
 use super::enclosure::Linkage;
 use super::loops::Form;
@@ -34,7 +35,8 @@ fn sum(a: &Vector, b: &Vector) -> Vector {
 }
 
 impl ExactRates {
-    /// Derivatives at a position whose coordinates are all exact; none where one is not, or the position is singular.
+    /// Derivatives at a position whose coordinates are all exact; none where one is not, or the
+    /// position is singular.
     pub fn new(linkage: &Linkage, at: &Special) -> Option<ExactRates> {
         if at.turns() {
             return None;

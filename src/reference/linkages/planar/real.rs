@@ -1,4 +1,5 @@
-//! Exactly given real numbers: fractions, and what square roots and directions of angles add to them.
+//! Exactly given real numbers: fractions, and what square roots and directions of angles add to
+//! them.
 
 use crate::Ball;
 use crate::class_iii::ExactAngle;

@@ -1,15 +1,16 @@
 //! Positions with directions that are decided by exact algebra.
 //!
-//! Where branches meet the Jacobian is singular and Krawczyk's test fails. Change points and double positions of
-//! mechanisms with simple numbers have directions in `Q(√d)`, the numbers `a + b √d` with fractions a and b. A direction
-//! is guessed from approximate coordinates; then the equations in which all directions are guessed are decided in the
-//! field, without rounding. The coordinates of those that hold are known exactly, provided they are as many as those
-//! equations; the rest is enclosed by Krawczyk's operator with these coordinates held. So the position is proved to be
+//! Where branches meet the Jacobian is singular and Krawczyk's test fails. Change points and double
+//! positions of mechanisms with simple numbers have directions in `Q(√d)`, the numbers `a + b √d`
+//! with fractions a and b. A direction is guessed from approximate coordinates; then the equations
+//! in which all directions are guessed are decided in the field, without rounding. The coordinates
+//! of those that hold are known exactly, provided they are as many as those equations; the rest is
+//! enclosed by Krawczyk's operator with these coordinates held. So the position is proved to be
 //! one, and nothing is said of others nearby.
 //!
-//! In a parallelogram bodies keep their directions or turn with the crank, whatever its angle. There the drive's direction
-//! w stays a letter, directions are numbers of the field times 1 or w, and a loop closes if the coefficients of both are
-//! zero. Then the rates are 0 or 1 all along.
+//! In a parallelogram bodies keep their directions or turn with the crank, whatever its angle.
+//! There the drive's direction w stays a letter, directions are numbers of the field times 1 or w,
+//! and a loop closes if the coefficients of both are zero. Then the rates are 0 or 1 all along.
 
 use super::enclosure::{Linkage, Position};
 use super::loops::{Form, Relation, Term};
@@ -64,11 +65,12 @@ struct Trial<'a> {
 }
 
 impl Linkage {
-    /// The position next to approximate coordinates, by exact algebra where its directions are simple.
+    /// The position next to approximate coordinates, by exact algebra where its directions are
+    /// simple.
     ///
     /// # Errors
-    /// [`Undecided`] where no directions of bodies are found that fulfil equations exactly, or the rest of the position is
-    /// singular too.
+    /// [`Undecided`] where no directions of bodies are found that fulfil equations exactly, or the
+    /// rest of the position is singular too.
     pub fn special(
         &self,
         drive: &Ball,
@@ -81,8 +83,9 @@ impl Linkage {
         self.best(trials, drive)
     }
 
-    /// The position next to approximate coordinates as one of a motion in which bodies keep their directions or turn with
-    /// the drive, for any value of it: which of them turn is told for each body, nothing where neither holds.
+    /// The position next to approximate coordinates as one of a motion in which bodies keep their
+    /// directions or turn with the drive, for any value of it: which of them turn is told for each
+    /// body, nothing where neither holds.
     ///
     /// # Errors
     /// [`Undecided`] where no such motion is proved.
@@ -114,7 +117,9 @@ impl Linkage {
         let trials = trials.filter(|t| t.known().len() == t.equations());
         let best = trials.max_by_key(|t| t.known().len());
         let best = best.filter(|t| !t.known().is_empty()).ok_or_else(|| {
-            self.undecided("the position is singular or nearly so, and its directions are no simple numbers")
+            self.undecided(
+                "the position is singular or nearly so, and its directions are no simple numbers",
+            )
         })?;
         best.rest(drive).ok_or_else(|| {
             self.undecided(
@@ -240,8 +245,9 @@ impl<'a> Trial<'a> {
         self.agrees(&relation.terms, &[c, s], lcm, &constant, 0)
     }
 
-    /// Whether `Σ k x = constant`, whose multiple has that direction times a power of the drive's: `Π u^(multiple k)` is
-    /// the same, so that the multiples agree up to whole turns, and the sides differ by less than a turn of the multiple.
+    /// Whether `Σ k x = constant`, whose multiple has that direction times a power of the drive's:
+    /// `Π u^(multiple k)` is the same, so that the multiples agree up to whole turns, and the sides
+    /// differ by less than a turn of the multiple.
     fn agrees(
         &self,
         terms: &[(usize, Rational)],
@@ -269,7 +275,8 @@ impl<'a> Trial<'a> {
         same && off.magnitude() < Mag::from_f64(1.0 / f64::from(multiple))
     }
 
-    /// Whether a loop closes, with the displacements that it needs for that; `None` if it has unknown directions.
+    /// Whether a loop closes, with the displacements that it needs for that; `None` if it has
+    /// unknown directions.
     fn closes(&mut self, form: &Form) -> Option<bool> {
         let field = &self.field;
         let mut rest = [Surd::default(), Surd::default()];
@@ -451,7 +458,8 @@ impl<'a> Trial<'a> {
 }
 
 impl Special {
-    /// The quarter turns, from 0 to 3, of a vector of a body, if its direction is exactly that of an axis.
+    /// The quarter turns, from 0 to 3, of a vector of a body, if its direction is exactly that of
+    /// an axis.
     pub fn quarters(&self, body: usize, vector: &[Rational; 2]) -> Option<u32> {
         let u = self.directions[body]
             .as_ref()
@@ -476,8 +484,8 @@ impl Special {
         }
     }
 
-    /// A point with its first and second derivative by the drive, exact, in that motion: `p + q w`, `i q w`, `−q w`.
-    /// Nothing where q is not zero and w not in the field.
+    /// A point with its first and second derivative by the drive, exact, in that motion: `p + q w`,
+    /// `i q w`, `−q w`. Nothing where q is not zero and w not in the field.
     pub fn motion(&self, linkage: &Linkage, at: &Attachment) -> Option<[[Ball; 2]; 3]> {
         let [rest, turning] = self.sums(&linkage.mechanism.loops.point(at))?;
         let turning = match &self.w {

@@ -14,8 +14,8 @@ fn pin(a: Attachment, b: Attachment) -> Joint {
     Joint::Pin { a, b }
 }
 
-/// Crank, coupler, rocker and frame of those lengths, with a dyad of two links of one length from the rocker's end to a
-/// pivot.
+/// Crank, coupler, rocker and frame of those lengths, with a dyad of two links of one length from
+/// the rocker's end to a pivot.
 fn four_bar([a, b, c, d]: [&str; 4], dyad: Option<(&str, [Rational; 2])>) -> Linkage {
     let end = Attachment::body;
     let mut joints = vec![
@@ -44,7 +44,8 @@ fn radians(degrees: &str) -> Ball {
     ExactAngle::Degrees(q(degrees)).to_ball(BITS)
 }
 
-/// The change point of a double crank at 180°: the coupler at 0°, the rocker at 180°, where Krawczyk's test fails.
+/// The change point of a double crank at 180°: the coupler at 0°, the rocker at 180°, where
+/// Krawczyk's test fails.
 #[test]
 fn a_change_point_is_proved() {
     let linkage = four_bar(["1", "2", "4", "5"], None);
@@ -65,7 +66,8 @@ fn a_change_point_is_proved() {
     assert!(ExactRates::new(&linkage, &found).is_none());
     let end = found.point(&linkage, &Attachment::body(1, at("2", "0")));
     assert!(end[0].contains(&q("1")) && end[1].is_zero());
-    // A guess that is not the position, a drive that is not that of the guess, and lengths that do not close there.
+    // A guess that is not the position, a drive that is not that of the guess, and lengths that do
+    // not close there.
     let wrong = [half, 1e-3, half];
     assert!(linkage.special(&drive, &direction("180"), &wrong).is_err());
     assert!(linkage.special(&drive, &direction("90"), &guess).is_err());
@@ -101,8 +103,8 @@ fn a_dyad_on_a_change_point_is_enclosed() {
     assert_eq!(found.quarters(3, &at("1", "0")), None);
 }
 
-/// Where crank and coupler are in line the drive by the rocker is singular: a fold, with directions in a field with √3,
-/// √15 or √2.
+/// Where crank and coupler are in line the drive by the rocker is singular: a fold, with directions
+/// in a field with √3, √15 or √2.
 #[test]
 fn double_positions_have_roots() {
     // An isosceles triangle of crank and coupler together, frame and rocker, with the crank at 60°.
@@ -122,7 +124,8 @@ fn double_positions_have_roots() {
     assert!(x.contains(&q("0.5")) && y.square().contains(&q("0.75")));
 }
 
-/// A slotted lever: displacements follow from the directions, and gears from whole turns of their multiples.
+/// A slotted lever: displacements follow from the directions, and gears from whole turns of their
+/// multiples.
 #[test]
 fn slots_and_gears_are_exact_too() {
     let end = Attachment::body;
@@ -156,7 +159,8 @@ fn slots_and_gears_are_exact_too() {
     assert_eq!([0, 1, 2].map(along), [Some(1), Some(1), None]);
     assert_eq!(found.quarters(2, &at("-1", "1")), Some(0));
     assert!(found.position.x[3].contains(&q("4")) && found.position.x[3].rad().is_zero());
-    // A slotted lever at 4 from its pivot, by a crank of 1: s = √(10 + 6 sin φ), ψ' = (1 + 3 sin φ)/s².
+    // A slotted lever at 4 from its pivot, by a crank of 1: s = √(10 + 6 sin φ), ψ' = (1 + 3 sin
+    // φ)/s².
     let rates = ExactRates::new(&linkage, &found).expect("regular");
     for (k, due) in [["1", "0"], ["0.25", "0"], ["-1.5", "0"], ["0", "-0.75"]]
         .iter()
@@ -174,7 +178,8 @@ fn slots_and_gears_are_exact_too() {
     for (found, due) in [v, a].iter().zip([["-1", "0"], ["0", "-1"]]) {
         assert!(found.iter().zip(due).all(|(x, due)| x.contains(&q(due))));
     }
-    // With the wheel half a turn on its square agrees with the crank's cube as well, but not its angle.
+    // With the wheel half a turn on its square agrees with the crank's cube as well, but not its
+    // angle.
     let turned = [quarter, quarter, -1.5 * quarter + 2.0 * quarter, 4.0];
     let other = linkage
         .special(&radians("90"), &direction("90"), &turned)
@@ -183,7 +188,8 @@ fn slots_and_gears_are_exact_too() {
     assert_eq!(other.quarters(2, &at("-1", "1")), None);
 }
 
-/// A parallelogram's coupler keeps its direction and its rocker turns, at any angle; a kite's do not.
+/// A parallelogram's coupler keeps its direction and its rocker turns, at any angle; a kite's do
+/// not.
 #[test]
 fn a_parallelogram_is_a_family() {
     let linkage = four_bar(["1", "2", "1", "2"], Some(("2", at("4", "1"))));

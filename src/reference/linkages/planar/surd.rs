@@ -75,7 +75,8 @@ impl Field {
 
     /// `x/y` for y other than zero.
     pub(super) fn over(&self, x: &Surd, y: &Surd) -> Surd {
-        // 1/y = (a − b√d)/(a² − d b²), whose denominator is not zero for a root that is no fraction.
+        // 1/y = (a − b√d)/(a² − d b²), whose denominator is not zero for a root that is no
+        // fraction.
         let conjugate = Surd {
             a: y.a.clone(),
             b: Rational::from(-&y.b),
@@ -120,8 +121,9 @@ impl Field {
         }
     }
 
-    /// The direction of an angle in floating point if it is one of the field: its cosine, its sine or their quotient is a
-    /// fraction of small numbers. That it is the one meant is not proved by this.
+    /// The direction of an angle in floating point if it is one of the field: its cosine, its sine
+    /// or their quotient is a fraction of small numbers. That it is the one meant is not proved by
+    /// this.
     pub(super) fn direction(&self, angle: f64) -> Option<Vector> {
         let (s, c) = angle.sin_cos();
         let one = || Rational::from(1);
