@@ -267,8 +267,8 @@ fn points(source: &Source, file: &File, body: &Body, at: &str) -> Result<Points,
     Ok(all)
 }
 
-/// The third point of a triangle with the first side on the x-axis: `x = (AB² + CA² − BC²)/(2 AB)`, and the height
-/// `√(CA² − x²)`.
+/// The third point of a triangle with the first side on the x-axis:
+/// `x = (AB² + CA² − BC²)/(2 AB)`, and the height `√(CA² − x²)`.
 fn third_point([ab, bc, ca]: [&Rational; 3], clockwise: bool) -> Option<reference::Place> {
     let square = |x: &Rational| Rational::from(x.square_ref());
     let x = (square(ab) + square(ca) - square(bc)) / (ab.clone() * 2u32);

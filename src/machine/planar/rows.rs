@@ -122,8 +122,8 @@ pub fn names(machine: &Machine, columns: Columns) -> Vec<String> {
     all
 }
 
-/// The columns of certified rows: the drive, `branch`, angles and displacements with derivatives by the drive and, where
-/// paths are asked for, the named points with theirs.
+/// The columns of certified rows: the drive, `branch`, angles and displacements with derivatives by
+/// the drive and, where paths are asked for, the named points with theirs.
 pub fn certified_names(machine: &Machine, paths: bool) -> Vec<String> {
     let by = Derivatives {
         speed: false,

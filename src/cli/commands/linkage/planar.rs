@@ -21,7 +21,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-/// The values of the drive: as shown (degrees or metres) and in radians or metres; exactly as shown.
+/// The values of the drive: as shown (degrees or metres) and in radians or metres; as shown, exactly.
 struct Values(Vec<(f64, f64)>, Vec<Rational>);
 
 impl Values {
@@ -169,7 +169,8 @@ impl Reasons {
 }
 
 impl Asked<'_> {
-    /// The certified row of the singular position that the value of that number lies at, if the branch ends there.
+    /// The certified row of the singular position at the value of that number, if the branch ends
+    /// there.
     fn at_the_end(
         &self,
         machine: &Machine,

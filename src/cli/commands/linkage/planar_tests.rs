@@ -206,7 +206,8 @@ fn rows_of_a_branch_and_of_all() {
     assert!(rows.len() > 6 && found["modes_complete"] == true);
 }
 
-/// Certified rows of a change point, of a drive by displacement, and of slides whose modes are not counted.
+/// Certified rows of a change point, of a drive by displacement, and of slides, whose modes are not
+/// counted.
 #[test]
 fn certified_rows_of_every_kind() {
     let folder = tempfile::tempdir().unwrap();

@@ -110,8 +110,8 @@ pub enum Joint {
         /// The pin's centre.
         b: Attachment,
     },
-    /// Gears whose centres a carrier holds: `ψ_b − ψ_c = ratio (ψ_a − ψ_c) + offset`, with ψ_c = 0 where that is the
-    /// ground.
+    /// Gears whose centres a carrier holds: `ψ_b − ψ_c = ratio (ψ_a − ψ_c) + offset`, with ψ_c = 0
+    /// where that is the ground.
     Gear {
         /// One gear.
         a: Frame,
@@ -124,7 +124,8 @@ pub enum Joint {
         /// `ψ_b − ψ_c` at `ψ_a = ψ_c`.
         offset: ExactAngle,
     },
-    /// Rack and pinion: `s = ratio (ψ − ψ_a) + offset` for the coordinate s of a slide with its guide on a.
+    /// Rack and pinion: `s = ratio (ψ − ψ_a) + offset` for the coordinate s of a slide with its
+    /// guide on a.
     Rack {
         /// The pinion.
         pinion: Frame,

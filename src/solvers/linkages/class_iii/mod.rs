@@ -86,8 +86,8 @@ pub(crate) mod tests {
         }
     }
 
-    /// B on D, O3 on O5, both at once, pivots on O1, B, C and D on one line: modes that close the loops, as many as the
-    /// reference proves.
+    /// B on D, O3 on O5, and both at once: modes that close the loops, as many as the reference
+    /// proves.
     #[test]
     fn joints_and_pivots_may_coincide() {
         let screen = [
