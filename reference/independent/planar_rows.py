@@ -78,7 +78,7 @@ def peaucellier(phi):
     b = meet(mp.mpc(0), mp.mpf("0.1"), a, mp.mpf("0.04"))
     c = meet(a, mp.mpf("0.04"), mp.mpc(0), mp.mpf("0.1"))
     d = b + c - a
-    return {"OB_deg": mp.arg(b), "BD_deg": mp.arg(d - b), "x_D_m": d.real, "y_D_m": d.imag}
+    return {"OB_deg": mp.arg(b), "BD_deg": mp.arg(d - b), "y_D_m": d.imag}
 
 
 def epicyclic(phi):
