@@ -301,10 +301,24 @@ impl Linkage {
                     }
                 }
             }
-            machine::Linkage::Planar(_) => {
-                return Err(DomainError::new_err(
-                    "certified: rows of type = \"planar\" are in floating point",
-                ));
+            machine::Linkage::Planar(l) => {
+                let start = match (branch, l.start.at) {
+                    (None, Some(at)) => at,
+                    _ => near,
+                };
+                degrees(start)?;
+                let chosen = planar::choose(l, drive(l, start), branch).map_err(value_error)?;
+                let at_drive = chosen.turned_to(l, drive(l, near)).ok_or_else(|| {
+                    let text = l.drive_text(drive(l, near));
+                    DomainError::new_err(format!("the branch has no row at {text}"))
+                })?;
+                let state = l
+                    .solver
+                    .follow(&chosen.start, l.inner(at_drive))
+                    .map_err(value_error)?;
+                let certifier = planar::Certifier::new(l, digits).map_err(value_error)?;
+                let values = py.detach(|| certifier.values(&at, &state, true));
+                (planar::certified_names(l, true), values)
             }
         };
         Ok(names.into_iter().skip(2).zip(values).collect())

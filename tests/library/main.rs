@@ -37,6 +37,8 @@ mod peaucellier;
 #[cfg(feature = "oracle")]
 mod pinned;
 #[cfg(feature = "oracle")]
+mod planar_rows;
+#[cfg(feature = "oracle")]
 mod planted_faults;
 #[cfg(feature = "oracle")]
 mod run_up_accuracy;

@@ -175,12 +175,13 @@ class Linkage:
         return _rows(self._compiled.sweep(_angles(phi), checks.branch(branch)))
 
     def certified(self, phi: Any, digits: int = 20, branch: int | None = None) -> dict[str, str | None]:
-        """Certified digits of the row at a crank angle.
+        """Certified digits of the row at a value of the drive.
 
         Parameters
         ----------
         phi : number or str
-            The crank angle in degrees, taken exactly.
+            The crank angle in degrees, or the displacement in metres that drives the linkage, taken
+            exactly.
         digits : int
             Significant digits.
         branch : int, optional
@@ -195,8 +196,7 @@ class Linkage:
         Raises
         ------
         DomainError
-            The crank does not reach the angle, or the linkage is of type 'planar', whose rows are in
-            floating point.
+            The branch does not reach the value.
         Undecided
             No position could be proved.
         """

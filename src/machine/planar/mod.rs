@@ -4,6 +4,7 @@ mod bodies;
 mod branch;
 mod certified;
 mod drawn;
+mod exact;
 mod file;
 mod joints;
 mod loads;
@@ -12,16 +13,17 @@ mod path;
 mod rows;
 
 pub use branch::{Branch, End, MARGIN, PlanarError, Reach, choose};
-pub use certified::{Certifier, NotExact};
+pub use certified::{CertifiedRow, Certifier, NotExact};
 pub use motion::motion;
 pub use path::{path, positions};
 pub use rows::{Columns, certified_names, names, values};
 
 use super::source::{Refusal, Source};
-use crate::reference::planar::{Freedom, Mobility};
+use crate::reference::planar::{Freedom, Mobility, Place};
 use crate::solvers::planar::{Drive, Loads, Mechanism, MechanismError, Point};
-use bodies::{Bodies, Exact};
+use bodies::Bodies;
 use file::File;
+use rug::Rational;
 
 /// A mechanism as described, in floating point.
 pub struct Machine {
@@ -49,8 +51,12 @@ pub struct Machine {
     pub start: Start,
     /// Ranks in the drawing, where every body is drawn and every joint a pin.
     pub drawing: Option<Freedom>,
-    /// The places of all points of each body by fractions, where the file gives them.
-    exact: Vec<Vec<(Point, Option<Exact>)>>,
+    /// [`Machine::window`] exactly.
+    pub exact_window: Option<[Rational; 3]>,
+    /// The exact places of all points of each body.
+    exact: Vec<Vec<(Point, Option<Place>)>>,
+    /// The exact numbers of the joints.
+    exact_joints: Vec<Option<exact::ExactJoint>>,
 }
 
 /// Which branch is meant.
@@ -100,6 +106,7 @@ impl Machine {
         let loads = loads::read(source, &file, &bodies, &solver, offset)?;
         let drive = joints::drive(source, &file, driven.is_some())?;
         let start = start(source, &file, &bodies, driven)?;
+        let exact_joints = exact::joints(&file.joint, &bodies);
         Ok(Machine {
             name: file.name,
             loads,
@@ -108,6 +115,8 @@ impl Machine {
             points: bodies.moving(),
             outlines: bodies.outlines(),
             exact: bodies.exact(),
+            exact_joints,
+            exact_window: exact::window(&file.drive),
             bodies: bodies.names,
             speed: drive.speed,
             window: drive.window,

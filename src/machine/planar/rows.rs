@@ -58,6 +58,14 @@ impl Derivatives {
         all
     }
 
+    /// Adds the displacements of slides and slots with theirs.
+    fn travels(&self, machine: &Machine, all: &mut Vec<String>) {
+        for (_, name) in travels(machine) {
+            all.push(format!("s_{name}_m"));
+            all.extend(self.length(&format!("s_{name}")));
+        }
+    }
+
     /// The coordinates of a point, and then theirs.
     fn point(&self, name: &str) -> Vec<String> {
         let [x, y] = ["x", "y"].map(|c| format!("{c}_{name}"));
@@ -75,10 +83,7 @@ pub fn names(machine: &Machine, columns: Columns) -> Vec<String> {
         rotary,
     };
     let mut all = by.bodies(machine);
-    for (_, name) in travels(machine) {
-        all.push(format!("s_{name}_m"));
-        all.extend(by.length(&format!("s_{name}")));
-    }
+    by.travels(machine, &mut all);
     if machine.loads.is_some() {
         let reduced: [&str; 4] = match rotary {
             true => [
@@ -117,14 +122,15 @@ pub fn names(machine: &Machine, columns: Columns) -> Vec<String> {
     all
 }
 
-/// The columns of certified rows: the drive, `branch`, angles with derivatives by the drive and, where paths are asked
-/// for, the named points with theirs.
+/// The columns of certified rows: the drive, `branch`, angles and displacements with derivatives by
+/// the drive and, where paths are asked for, the named points with theirs.
 pub fn certified_names(machine: &Machine, paths: bool) -> Vec<String> {
     let by = Derivatives {
         speed: false,
-        rotary: true,
+        rotary: machine.rotary(),
     };
     let mut all = by.bodies(machine);
+    by.travels(machine, &mut all);
     for (name, _) in machine.points.iter().filter(|_| paths) {
         all.extend(by.point(name));
     }
@@ -132,7 +138,7 @@ pub fn certified_names(machine: &Machine, paths: bool) -> Vec<String> {
 }
 
 /// Slides and slots.
-fn travels(machine: &Machine) -> Vec<(usize, &str)> {
+pub(super) fn travels(machine: &Machine) -> Vec<(usize, &str)> {
     let joints = machine.solver.description().joints.iter().enumerate();
     joints
         .filter(|(_, j)| matches!(j.part, Joint::Slide { .. } | Joint::Slot { .. }))

@@ -75,7 +75,7 @@ fn solver_model(i: RunUpInput) -> Result<Box<dyn ReducedModel>, &'static str> {
         return Ok(Box::new(ConstantInertia(0.0)));
     }
     let (first, nodes) = (i.linkage.phi1, i.nodes as usize);
-    let linkage = i.linkage.geometry.solver().ok_or("geometry")?;
+    let linkage = i.linkage.geometry.solver()?;
     let masses = i.linkage.masses().ok_or("masses")?;
     let state = i.linkage.state(&linkage)?;
     let model = ClassIiiModel::new(linkage, masses, state);
@@ -140,7 +140,7 @@ fn curve(i: ClassIiiInput<Rational>, bits: u32) -> Result<Arc<LinkageCurve>, Unc
     if let Some((_, _, c)) = known.iter().find(|(k, b, _)| *b == bits && *k == key) {
         return Ok(c.clone());
     }
-    let geometry = i.geometry.exact();
+    let geometry = i.geometry.exact()?;
     let offset = ExactAngle::Radians(i.phi1.clone());
     let linkage = Linkage::new(&geometry, bits);
     let start = i.configuration(&linkage, &offset.to_ball(bits))?;
