@@ -115,7 +115,7 @@ impl<'a> Certifier<'a> {
     fn drive(&self, degrees: &Rational, turns: i64, bits: u32) -> Ball {
         let all = degrees + Rational::from(360 * turns);
         let angle = Ball::rational(bits, &(all / 180u32)) * Ball::pi(bits);
-        angle - self.line(self.driven[0], bits)
+        angle - self.line(self.driven[0], bits) + self.line(self.driven[1], bits)
     }
 
     fn linkage(&self, bits: u32) -> Option<Linkage> {

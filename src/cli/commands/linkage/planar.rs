@@ -7,7 +7,7 @@ use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
 use crate::cli::progress::Progress;
 use mechaudit::machine::crank_angles::decimal;
-use mechaudit::machine::planar::{self, Branch, Certifier, Columns, Machine, NotExact};
+use mechaudit::machine::planar::{self, Branch, Certifier, Columns, End, Machine, NotExact};
 use mechaudit::reference::nearest_f64;
 use mechaudit::report::cell::Cell;
 use mechaudit::report::columns::Columns as Shown;
@@ -92,6 +92,11 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
     let mut lines = facts::lines(machine);
     lines.push(facts::modes_line(machine, &branch));
     lines.push(facts::range_line(machine, &branch));
+    let drives = values.0.iter();
+    let left_out =
+        drives.filter_map(|(shown, drive)| Some((*shown, branch.end_at(machine, *drive)?)));
+    let left_out: Vec<(f64, End)> = left_out.collect();
+    lines.extend(facts::left_out_line(machine, &left_out));
     let (any, undecided) = output.write(|out| {
         let Some(form) = shown::form(args.format) else {
             let window = shown::Window {
@@ -103,14 +108,14 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
             shown::page(out, &motion, &lines)?;
             return Ok((true, 0));
         };
-        let about = facts::of_branch(machine, &branch);
+        let about = facts::of_branch(machine, &branch, &left_out);
         let mut rows = Rows::begin(out, form, shown, &about)?;
         let written = one_branch(machine, &branch, &values, &asked, &mut rows)?;
         rows.end()?;
         Ok(written)
     })?;
     lines.iter().for_each(|l| complain(l));
-    if !any {
+    if !any && left_out.is_empty() {
         complain("no value of the drive asked for lies in that range");
     }
     Ok(Outcome::decided(undecided, args.digits.unwrap_or(0)))
