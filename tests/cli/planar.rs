@@ -715,6 +715,7 @@ fn a_change_point_without_a_row_is_named() {
         let d = run_on(CHANGE_POINT, &args);
         assert_eq!(d.code, 0, "{}", d.err);
         said(&d, line);
+        said(&d, "the branch reaches from -179.99");
         assert!(!d.err.contains("no value of the drive"), "{}", d.err);
         let d = run_on(CHANGE_POINT, &[&args[..], &["--format", "json"]].concat());
         let json: serde_json::Value = serde_json::from_str(&d.out).unwrap();
