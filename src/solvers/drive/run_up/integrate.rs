@@ -459,8 +459,10 @@ impl<'a> Integrator<'a> {
             Pause::Speed(psi) => (psi - self.y[PSI]) / d[PSI],
             Pause::End | Pause::Extremum => 0.0,
         };
+        // Next to a turning point the crank would turn within the shift, and the standstill be missed.
+        let turns = matches!(pause, Pause::Angle(_)) && (shift * d[PSI]).abs() >= d[PHI].abs();
         // Where what changes stands still, the quotient is infinite or not a number.
-        if shift.abs() <= self.h {
+        if shift.abs() <= self.h && !turns {
             let before = self.t;
             self.t += shift;
             self.record(before, Taken::Tangent);

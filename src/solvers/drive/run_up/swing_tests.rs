@@ -67,13 +67,14 @@ fn a_pendulum_swings_with_its_period() {
             assert_eq!(motion.outcome, Outcome::TimeUp);
             let found = rests(&motion);
             assert_eq!(found.len(), 6, "{method:?} {start}");
+            let near = if method == Method::Radau5 { 1e-6 } else { 1e-7 };
             for (k, (t, phi)) in found.iter().enumerate() {
                 let (due, side) = (0.5 * period * (k + 1) as f64, [-1.0, 1.0][k % 2]);
                 assert!(
-                    (t - due).abs() < 1e-7 * due,
+                    (t - due).abs() < near * due,
                     "{method:?} {start}: {t} {due}"
                 );
-                assert!((phi - side * start).abs() < 1e-7, "{phi}");
+                assert!((phi - side * start).abs() < near, "{phi}");
             }
             let speed = 2.0 * w * (0.5 * start).sin().abs();
             assert!((motion.end.psi.abs() - speed).abs() < 1e-6 * speed);
