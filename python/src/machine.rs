@@ -183,8 +183,8 @@ impl Linkage {
             }
             machine::Linkage::Dyad(l) => Ok(drawn::dyad(l, assembly(l, branch)?)),
             machine::Linkage::Planar(l) => {
-                let start = l.start.at.filter(|_| branch.is_none()).unwrap_or(0.0);
-                let first = l.window.map_or(start, |w| w[0]);
+                let start = l.start.at.filter(|_| branch.is_none());
+                let first = start.or(l.window.map(|w| w[0])).unwrap_or(0.0);
                 let chosen = planar::choose(l, drive(l, first), branch).map_err(value_error)?;
                 Ok(drawn::planar(l, &chosen))
             }
@@ -260,7 +260,7 @@ impl Linkage {
     }
 
     /// Certified digits of the row at an exact crank angle in degrees: names and decimals, `None`
-    /// where they could not be proved.
+    /// where they could not be proved, or where both assemblies meet and a derivative has no value.
     fn certified(
         &self,
         py: Python<'_>,
@@ -293,7 +293,9 @@ impl Linkage {
             machine::Linkage::Dyad(l) => {
                 let assembly = assembly(l, branch)?;
                 match py.detach(|| dyad::certified(l, &at, assembly, digits)) {
-                    Proved::Values(values) => (dyad::names(l), values.to_vec()),
+                    Proved::Values(values) | Proved::Singular(values) => {
+                        (dyad::names(l), values.to_vec())
+                    }
                     Proved::Unreachable => {
                         return Err(DomainError::new_err(format!(
                             "the crank does not reach phi1 = {near} deg: the links cannot be joined there"

@@ -113,6 +113,7 @@ mod tests {
             (Cell::Float(0.5), "0.5", Value::from(0.5)),
             (Cell::certified(Some("0.50".into())), "0.50", "0.50".into()),
             (Cell::certified(None), "undecided", Value::Null),
+            (Cell::Empty, "", Value::Null),
             (Cell::Name("a"), "a", "a".into()),
             (Cell::Word("b".into()), "b", "b".into()),
             (Cell::Float(f64::NAN), "NaN", Value::Null),

@@ -35,7 +35,7 @@ The file (TOML or JSON) gives every quantity as a string with its unit:
   radius = \"50 cm\"
   angle = \"0 deg\"
 
-With type = \"four-bar\" or \"slider-crank\", without [bodies]:
+With type = \"four-bar\" or \"slider-crank\":
   [geometry]
   crank = \"10 cm\"                   # and coupler, rocker, frame: rocker pivot at (frame, 0)
                                     # or rod, offset (0 m if left out), direction (0 deg)
@@ -43,6 +43,9 @@ With type = \"four-bar\" or \"slider-crank\", without [bodies]:
   phi1 = \"0 deg\"
   assembly = \"positive\"             # joint left of the line from the crank's end to the rocker's
                                     # pivot, slider ahead: branch 0; or \"negative\": branch 1
+  [points.coupler]                  # optional, for --paths: points of a link (crank, coupler, rocker;
+  P = [\"20 cm\", \"5 cm\"]           # crank, rod, slider), from its first joint toward the second
+  [bodies.coupler]                  # optional: adds I_n and M_o, and with crank_speed --reactions
 
 With type = \"planar\", any mechanism with one degree of freedom; `mechaudit::book` has all of it:
   [points]                          # where points are in a drawing, if there is one
@@ -88,10 +91,10 @@ pub struct LinkageArgs {
     /// Certified decimals with this many significant digits instead of floating-point numbers
     #[arg(long, value_name = "N", value_parser = number::within::<u32>(1..=1000))]
     pub digits: Option<u32>,
-    /// Positions, derivatives and curvature of the paths of all named points (type = "planar")
+    /// Positions, derivatives and curvature of the paths of all named points (not for type = "class-iii")
     #[arg(long)]
     pub paths: bool,
-    /// Forces in the joints at the drive's speed and acceleration (type = "planar")
+    /// Forces in the joints at the drive's speed and acceleration (not for type = "class-iii")
     #[arg(long)]
     pub reactions: bool,
     /// Draw mechanism.svg and, with masses, reduced.svg into this folder

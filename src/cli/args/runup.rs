@@ -13,6 +13,7 @@ Examples:
   mechaudit runup examples/sand-screen-run-up.toml --coefficients hybrid --nodes 12
   mechaudit runup examples/sand-screen-run-up.toml --work-precision --svg drawings
   mechaudit runup examples/four-bar-run-up.toml --format html --output run.html
+  mechaudit runup examples/soft-start.toml --units rpm
 
 The file describes the linkage as for `mechaudit linkage`, with masses, and besides:
   [bodies.coupler]                  # four-bar: crank, coupler, rocker; slider-crank: crank, rod and
@@ -28,7 +29,9 @@ The file describes the linkage as for `mechaudit linkage`, with masses, and besi
   standstill_torque = \"40 N m\"      # linear: with no_load_speed
   torque = \"40 N m\"                 # constant
   points = [[\"0 rad/s\", \"40 N m\"], [\"10 rad/s\", \"0 N m\"]]   # table, speeds increasing
-  reading = \"linear\"                # table: or \"cubic\"
+                                    # or over time, from 0 s on: [[\"0 s\", \"0 N m\"],
+                                    # [\"2 s\", \"40 N m\"]]; after the last time the torque stays
+  reading = \"linear\"                # table of speeds: or \"cubic\"
   ratio = 15                        # optional: motor speed over crank speed
   rotor_inertia = \"0.006 kg m^2\"    # optional, at the motor
   flywheel = \"1 kg m^2\"             # optional, at the crank

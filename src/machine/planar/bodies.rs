@@ -40,7 +40,7 @@ fn rounded(p: &[Rational; 2]) -> [f64; 2] {
 }
 
 /// Names in columns and messages.
-fn check_name(source: &Source, at: &str, name: &str) -> Result<(), Refusal> {
+pub(in crate::machine) fn check_name(source: &Source, at: &str, name: &str) -> Result<(), Refusal> {
     let good = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '\'');
     match !name.is_empty() && name.len() <= 40 && name.chars().all(good) {
         true => Ok(()),

@@ -8,7 +8,7 @@ use crate::cli::files::output::Output;
 use crate::cli::progress::Progress;
 use mechaudit::machine::crank_angles::decimal;
 use mechaudit::machine::planar::{
-    self, Branch, Certifier, Columns, MARGIN, Machine, NotExact, Reach,
+    self, Branch, Certifier, Columns, End, MARGIN, Machine, NotExact, Reach,
 };
 use mechaudit::reference::nearest_f64;
 use mechaudit::report::cell::Cell;
@@ -104,6 +104,12 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
     let mut lines = facts::lines(machine);
     lines.push(facts::modes_line(machine, &branch));
     lines.push(facts::range_line(machine, &branch));
+    // With certified digits the end of a branch has a row.
+    let drives = values.0.iter().filter(|_| asked.certifier.is_none());
+    let left_out =
+        drives.filter_map(|(shown, drive)| Some((*shown, branch.end_at(machine, *drive)?)));
+    let left_out: Vec<(f64, End)> = left_out.collect();
+    lines.extend(facts::left_out_line(machine, &left_out));
     let (any, undecided) = output.write(|out| {
         let Some(form) = args.format.rows() else {
             let window = shown::Window {
@@ -115,7 +121,7 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
             shown::page(out, &motion, &lines)?;
             return Ok((true, 0));
         };
-        let about = facts::of_branch(machine, &branch);
+        let about = facts::of_branch(machine, &branch, &left_out);
         let mut rows = Rows::begin(out, form, shown, &about)?;
         let written = one_branch(machine, &branch, &values, &asked, &mut rows)?;
         rows.end()?;
@@ -123,7 +129,7 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
     })?;
     lines.iter().for_each(|l| complain(l));
     asked.reasons.say();
-    if !any {
+    if !any && left_out.is_empty() {
         complain("no value of the drive asked for lies in that range");
     }
     Ok(Outcome::decided(undecided, args.digits.unwrap_or(0)))

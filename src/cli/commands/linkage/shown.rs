@@ -153,6 +153,7 @@ pub fn dyad(
     dyad: &dyad::Dyad,
     assembly: Assembly,
     page: Option<(&Grid, &Columns)>,
+    further: Option<&planar::Further>,
 ) -> Result<Motion, Failure> {
     let (all, start, closed) = match page {
         Some((grid, _)) if args.asks_for_window() => {
@@ -190,7 +191,8 @@ pub fn dyad(
                 first = positions.len();
             }
             positions.push(position);
-            rows.push(row.to_vec());
+            let more = further.map(|f| f.values(*degrees, &row));
+            rows.push([&row[..], &more.unwrap_or_default()].concat());
         }
     }
     let mut motion = dyad::motion(dyad, &positions, first, closed);

@@ -1,7 +1,7 @@
 //! Outcome, events, steady cycle and flywheel of a run, in words and as JSON.
 
 use crate::cli::failure::said;
-use mechaudit::machine::run_up::{Coefficients, Machine, Steady};
+use mechaudit::machine::run_up::{Coefficients, Machine, MotorKind, Steady};
 use mechaudit::solvers::run_up::{Counts, Cycle, Event, EventKind, InertiaRange, Motion, Outcome};
 use serde_json::{Map, Value, json};
 
@@ -128,6 +128,28 @@ pub fn ending(machine: &Machine, motion: &Motion) -> String {
             end.phi.to_degrees().rem_euclid(360.0)
         ),
     }
+}
+
+/// One line about where the crank came to rest and turned back.
+pub fn swings(machine: &Machine, motion: &Motion) -> Option<String> {
+    let rests = || motion.events.iter().filter(|e| e.kind == EventKind::Rest);
+    // The last one is where a stalled crank stays.
+    let stays = usize::from(matches!(motion.outcome, Outcome::Stalled { .. }));
+    let count = rests().count().saturating_sub(stays);
+    let first = rests().next().filter(|_| count > 0)?;
+    let stalled = match machine.motor {
+        MotorKind::Off => "",
+        _ => "stalled: ",
+    };
+    let times = match count {
+        1 => "once".into(),
+        n => format!("{n} times"),
+    };
+    Some(format!(
+        "{stalled}the crank comes to rest and goes on from there {times}, first after {:.6} s at phi1 = {:.3} deg",
+        first.t,
+        first.phi.to_degrees().rem_euclid(360.0)
+    ))
 }
 
 /// What there is to say about stiffness.

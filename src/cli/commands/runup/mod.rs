@@ -134,7 +134,8 @@ fn enlarged(plan: &Plan, duration: f64) -> Plan {
 }
 
 fn lines(machine: &Machine, motion: &Motion, steady: &Steady) -> Vec<String> {
-    let mut lines = vec![facts::ending(machine, motion)];
+    let mut lines: Vec<String> = facts::swings(machine, motion).into_iter().collect();
+    lines.push(facts::ending(machine, motion));
     lines.extend(facts::stiff(machine, motion));
     lines.push(facts::cost(machine, motion));
     lines.extend(facts::steady_lines(steady));
