@@ -3,8 +3,8 @@
 
 use mechaudit::audit::Limit;
 use mechaudit::methods;
-use mechaudit::proof::real::Function;
-use mechaudit::proof::{UPPER_HALF_PLANE, lower::LOWER_HALF_PLANE};
+use mechaudit_cli::proof::real::Function;
+use mechaudit_cli::proof::{UPPER_HALF_PLANE, lower::LOWER_HALF_PLANE};
 
 const HEADER: &str = include_str!("../../capi/include/mechaudit.h");
 const CERF: &str = include_str!("../../capi/include/mechaudit/cerf.h");

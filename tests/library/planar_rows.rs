@@ -1,10 +1,10 @@
 //! Certified rows of mechanisms of every kind of joint beside mpmath
 //! (`reference/independent/planar_rows.csv`), and of all examples beside the solver's.
 
-use mechaudit::machine::planar::{
+use mechaudit_cli::machine::planar::{
     Branch, Certifier, Columns, Machine, certified_names, choose, names, values,
 };
-use mechaudit::machine::{self, Source};
+use mechaudit_cli::machine::{self, Source};
 use mechaudit::reference::{Decimal, nearest_f64};
 use mechaudit::solvers::planar::State;
 use rug::Rational;

@@ -5,6 +5,7 @@ use mechaudit::solvers::chirp_chart::Chart;
 use std::f64::consts::PI;
 
 const RUN_UP: &str = include_str!("../../../../examples/chirp-run-up.toml");
+const CHART: &str = include_str!("../../../../examples/chirp-chart.toml");
 
 /// The run-up with its cam's law, duration and harmonics changed.
 fn machine(law: &str, harmonics: u32) -> CamOscillator {
@@ -176,7 +177,7 @@ step = 0.4
 "#;
     let machine = CamOscillator::read(&Source::toml(text), Some(12)).unwrap();
     let mut out = Vec::new();
-    let form = (CsvOrJson::Csv, columns(ChirpRows::Chart, &machine));
+    let form = (Form::Csv, columns(ChirpRows::Chart, &machine));
     chart(&mut out, form, &machine, &machine.charts().unwrap()).unwrap();
     let out = String::from_utf8(out).unwrap();
     let ends: Vec<Vec<&str>> = out
