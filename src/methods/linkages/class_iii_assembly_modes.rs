@@ -111,7 +111,7 @@ impl Definition for ClassIiiAssemblyModes {
             ],
             check_points: vec![
                 point("paper-row-0", paper_at(14.426f64.to_radians())),
-                point("B-on-D", B_ON_D.to_vec()),
+                point("b-on-d", B_ON_D.to_vec()),
             ],
         }
     }
