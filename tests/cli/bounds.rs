@@ -11,6 +11,11 @@ fn refused_at_once(line: &str, part: &str) {
     assert!(begin.elapsed() < Duration::from_secs(60), "{line}");
 }
 
+fn read_example(name: &str) -> String {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
+    std::fs::read_to_string(format!("{folder}/{name}")).unwrap()
+}
+
 #[test]
 fn arguments_that_ask_for_too_much() {
     let run_up = "runup examples/sand-screen-run-up.toml --coefficients splines --nodes";
@@ -77,7 +82,7 @@ fn arguments_that_ask_for_too_much() {
 fn files_that_ask_for_too_much() {
     let folder = tempfile::tempdir().unwrap();
     let change = |example: &str, from: &str, to: &str| {
-        let text = std::fs::read_to_string(format!("examples/{example}")).unwrap();
+        let text = read_example(example);
         assert!(text.contains(from), "{from}");
         file(&folder, "made.toml", &text.replace(from, to))
     };
@@ -201,7 +206,7 @@ fn numbers_in_messages_have_an_exponent() {
         ("four-bar.toml", "crank = \""),
         ("sand-screen.toml", "l1 = \""),
     ] {
-        let text = std::fs::read_to_string(format!("examples/{example}")).unwrap();
+        let text = read_example(example);
         for length in ["1e300 m", "-1e300 m", "1e-300 m"] {
             let at = text.find(from).unwrap() + from.len();
             let end = at + text[at..].find('"').unwrap();

@@ -7,7 +7,7 @@ pub const AFTER_HELP: &str = "\
 Examples:
   echo 'sin(2*x) = 2*sin(x)*cos(x)' | mechaudit identity
   echo 'D(y, t) = -y' | mechaudit identity --define 't: y = -y'
-  mechaudit identity --define 'r = sqrt(x^2 + y^2)' --format json < equations.txt
+  mechaudit identity --define 'r = sqrt(x^2 + y^2)' --format json < eqs.txt
 
 Input: one equation a line, LEFT = RIGHT. Blank lines and lines that begin with # are skipped.
 

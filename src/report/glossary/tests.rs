@@ -5,6 +5,8 @@ use crate::machine::{Linkage, Source, class_iii, dyad, planar, run_up};
 use crate::report::text::{method, paper};
 use std::path::Path;
 
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+
 fn check<'a>(key: &str, names: impl IntoIterator<Item = &'a str>) {
     let mut seen = 0;
     for name in names {
@@ -28,7 +30,7 @@ fn strs(names: &[String]) -> impl Iterator<Item = &str> {
 
 #[test]
 fn every_column_of_every_linkage_has_a_meaning() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let folder = Path::new(ROOT).join("examples");
     let mut seen = 0;
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
@@ -97,7 +99,7 @@ fn every_column_of_every_csv_has_a_meaning() {
         strs(&written(&|out| csv::paper(&report, out).unwrap())),
     );
     check("hunt", crate::audit::HARD_HEADER.split(','));
-    let values = Path::new(env!("CARGO_MANIFEST_DIR")).join("reference/values/erf.csv");
+    let values = Path::new(ROOT).join("reference/values/erf.csv");
     check("values", strs(&heads(&std::fs::read(values).unwrap())));
 }
 
@@ -111,7 +113,7 @@ fn every_head_of_a_table_for_people_has_a_meaning() {
         "header.extend([",
         "&[\"\", ",
     ];
-    let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("src")];
+    let mut folders = vec![Path::new(ROOT).join("src")];
     let mut seen = 0;
     while let Some(folder) = folders.pop() {
         for entry in std::fs::read_dir(folder).unwrap() {

@@ -71,7 +71,7 @@ fn line(contest: &Contest) -> Markup {
 
 fn standing(s: &Standing) -> Markup {
     html! {
-        td.(heat(s.failed > 0, s.of_budget)) data-v=(sorting(s.of_budget)) {
+        td.(heat(s.failed > 0, s.of_budget)) data-v=[sorting(s.of_budget)] {
             @if s.best { "★ " } (brief(s.of_budget))
             @if s.failed > 0 { ", " (s.failed) " fail" }
             @if s.wrong > 0 { " ✗ " (s.wrong) }
@@ -102,8 +102,8 @@ pub fn changes(found: &Changes) -> Markup {
                             td.left { span.sign.(class(tone)) { (word) } }
                             td.left { (c.of) } td.left { (c.region) }
                             td.left { (c.output.as_deref().unwrap_or("")) } td.left { (c.figure) }
-                            td data-v=(sorting(c.before)) { (short(c.before)) }
-                            td data-v=(sorting(c.now)) { (short(c.now)) }
+                            td data-v=[sorting(c.before)] { (short(c.before)) }
+                            td data-v=[sorting(c.now)] { (short(c.now)) }
                         } "\n"
                     } } "\n"
                 } } "\n"

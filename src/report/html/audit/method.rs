@@ -106,7 +106,7 @@ fn regions(k: usize, r: &MethodReport, data: &Data) -> Markup {
                             (region.name) small.meaning data-r=(i) { (region.description) }
                         }
                         td { (region.cases) } td { (region.failed()) }
-                        td.(heat(region.failed() > 0, region.max_of_budget)) data-v=(sorting(region.max_of_budget)) {
+                        td.(heat(region.failed() > 0, region.max_of_budget)) data-v=[sorting(region.max_of_budget)] {
                             button.heat data-c=[data.worst_of(k, i)] { (cell(region)) }
                         }
                         @for (j, o) in region.outputs.iter().enumerate() {
@@ -131,7 +131,7 @@ fn of_output(worst: Option<usize>, region: &RegionReport, o: &OutputStatistics) 
         (false, n) => format!("✗ {n}"),
     };
     html! {
-        td.(heat(failed, o.max_of_budget)) data-v=(sorting(o.ulps.max)) {
+        td.(heat(failed, o.max_of_budget)) data-v=[sorting(o.ulps.max)] {
             @if worst.is_some() {
                 button.heat data-c=[worst] { (text) }
             } @else { (text) }
@@ -157,7 +157,7 @@ fn statistics(r: &MethodReport) -> Markup {
                         (number(some, o.ulps.max)) (number(some, o.ulps.p99))
                         (number(some, o.ulps.median)) (number(some, o.ulps.rms))
                         (number(conditioned, o.conditioned.max)) (number(conditioned, o.conditioned.p99))
-                        td data-v=(sorting(o.max_of_budget)) { (percent(o.max_of_budget)) }
+                        td data-v=[sorting(o.max_of_budget)] { (percent(o.max_of_budget)) }
                         (number(conditioned, o.max_condition))
                     } "\n"
                 } } } "\n"
@@ -201,7 +201,7 @@ fn first(k: usize, r: &MethodReport, data: &Data) -> Markup {
                     } }
                     td.left { span.sign.(class(tone)) { (word) } }
                     td.left { (c.case.region) }
-                    td data-v=(sorting(share)) { (if share.is_nan() { "–".into() } else { percent(share) }) }
+                    td data-v=[sorting(share)] { (percent(share)) }
                     (number(!ulps.is_nan(), ulps))
                     td.left.wrap {
                         @if let Some(reason) = &c.judgement.reason { div.reason { (reason) } }

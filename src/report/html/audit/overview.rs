@@ -11,6 +11,7 @@ use maud::{Markup, html};
 pub fn heat(failed: bool, share: f64) -> &'static str {
     match share {
         _ if failed => "h5",
+        s if s.is_nan() => "none",
         s if s <= 0.25 => "h0",
         s if s <= 0.5 => "h1",
         s if s <= 0.75 => "h2",
@@ -74,8 +75,8 @@ fn row(k: usize, r: &MethodReport, data: &Data) -> Markup {
             td.left { a href={ "#" (anchor(k)) } { (r.method) } }
             td.left { (word(r)) }
             td { (r.cases) } td { (r.failed()) }
-            td data-v=(sorting(ulps)) { (Worst::of(r).ulps) }
-            td data-v=(sorting(r.total.max_of_budget)) { (percent(r.total.max_of_budget)) }
+            td data-v=[sorting(ulps)] { (Worst::of(r).ulps) }
+            td data-v=[sorting(r.total.max_of_budget)] { (percent(r.total.max_of_budget)) }
             td.left.strip { @for (i, region) in r.regions.iter().enumerate() {
                 button.heat.(heat(region.failed() > 0, region.max_of_budget)) aria-label=(spoken(region))
                     data-c=[data.worst_of(k, i)] {
@@ -93,6 +94,7 @@ pub fn legend() -> Markup {
             @for (class, name) in [
                 ("h0", "≤ 25 % of the budget"), ("h1", "≤ 50 %"), ("h2", "≤ 75 %"),
                 ("h3", "≤ 100 %"), ("h4", "over, as recorded"), ("h5", "cases fail"),
+                ("none", "no error to judge"),
             ] {
                 span.heat.(class) { (name) } " "
             }
@@ -101,18 +103,19 @@ pub fn legend() -> Markup {
     }
 }
 
-/// A number to sort by.
-pub fn sorting(x: f64) -> String {
+/// Returns the number to sort by. NaN has none: such a cell shows a dash and comes after all numbers.
+pub fn sorting(x: f64) -> Option<String> {
     match x {
-        0.0 => "0".into(),
-        _ if x.is_infinite() => format!("{}Infinity", if x < 0.0 { "-" } else { "" }),
-        _ => format!("{x:.3e}"),
+        0.0 => Some("0".into()),
+        _ if x.is_nan() => None,
+        _ if x.is_infinite() => Some(format!("{}Infinity", if x < 0.0 { "-" } else { "" })),
+        _ => Some(format!("{x:.3e}")),
     }
 }
 
 /// A number, and what to sort it by.
 pub fn number(there: bool, x: f64) -> Markup {
-    html! { @if there { td data-v=(sorting(x)) { (short(x)) } } @else { td { "–" } } }
+    html! { @if there { td data-v=[sorting(x)] { (short(x)) } } @else { td { "–" } } }
 }
 
 #[cfg(test)]
@@ -146,20 +149,22 @@ mod tests {
         assert_eq!(names[1..], ["h1", "h2", "h3", "h4", "h4"]);
         assert!(!names[1..].contains(&names[0]), "{names:?}");
         assert!(!names.contains(&heat(true, 0.25)), "{names:?}");
+        assert_eq!(heat(true, f64::NAN), heat(true, 0.25));
+        assert!(!names.contains(&of(f64::NAN)), "{names:?}");
     }
 
     #[test]
     fn numbers_sort_as_scripts_read_them() {
         for (x, due) in [
-            (0.0, "0"),
-            (-0.0, "0"),
-            (f64::INFINITY, "Infinity"),
-            (f64::NEG_INFINITY, "-Infinity"),
-            (f64::NAN, "NaN"),
-            (0.25, "2.500e-1"),
-            (-1e300, "-1.000e300"),
+            (0.0, Some("0")),
+            (-0.0, Some("0")),
+            (f64::INFINITY, Some("Infinity")),
+            (f64::NEG_INFINITY, Some("-Infinity")),
+            (f64::NAN, None),
+            (0.25, Some("2.500e-1")),
+            (-1e300, Some("-1.000e300")),
         ] {
-            assert_eq!(sorting(x), due);
+            assert_eq!(sorting(x).as_deref(), due);
         }
         let cell = |there| number(there, 0.25).into_string();
         assert_eq!(cell(true), "<td data-v=\"2.500e-1\">0.250</td>");
