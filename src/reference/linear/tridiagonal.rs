@@ -278,8 +278,8 @@ pub enum Solution {
 /// ```
 /// use mechaudit_reference::tridiagonal::{Solution, solution};
 /// use rug::Rational;
-/// let (off, on) = (vec![Rational::from(1); 1999], vec![Rational::from(4); 2000]);
-/// let d = vec![Rational::from(6); 2000];
+/// let (off, on) = (vec![Rational::from(1); 3999], vec![Rational::from(4); 4000]);
+/// let d = vec![Rational::from(6); 4000];
 /// let Solution::Enclosed(x) = solution(&off, &on, &off, &d, 128) else { unreachable!() };
 /// assert!(x[1000].accuracy_bits() >= 128);
 /// ```
