@@ -119,7 +119,7 @@ impl Algebra {
         let multiple = &pi * &Fraction::constant(Gauss::real(of_pi.clone()));
         if *angle == multiple {
             // (q − 1)/2 rounded up.
-            return Ok(minus((Rational::from(of_pi - 1u32) / 2u32).ceil()));
+            return Ok(minus(((of_pi - 1u32) / 2u32).ceil()));
         }
         let value = enclose_fraction(self, angle, &Point::default(), BITS)?;
         let turns = (&value.re / &Ball::pi(BITS)).shift(-1);

@@ -52,9 +52,9 @@ impl Exact {
                 let integrals = self.algebra.antiderivatives();
                 let found = integrals.iter().find(|(g, _)| g == s).cloned();
                 let kernels = self.algebra.kernels().iter();
-                let kernel = kernels.clone().find(|(k, kernel)| {
-                    k == s && kernel.polynomials().into_iter().any(|q| hidden(q))
-                });
+                let kernel = kernels
+                    .clone()
+                    .find(|(k, kernel)| k == s && kernel.polynomials().into_iter().any(&hidden));
                 let kernel = kernel.cloned();
                 if let Some((_, kernel)) = kernel {
                     let factor = Algebra::kernel_at(self, &kernel, x, value)?;

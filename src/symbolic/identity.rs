@@ -162,12 +162,12 @@ fn exactly(
         return None;
     }
     let value = |p: &Poly| {
-        p.terms().fold(Some(Gauss::default()), |sum, (m, c)| {
-            let product = m.iter().fold(Some(c.clone()), |product, (x, k)| {
+        p.terms().try_fold(Gauss::default(), |sum, (m, c)| {
+            let product = m.iter().try_fold(c.clone(), |product, (x, k)| {
                 let x = Gauss::real(point.value(&x.name()).ok()?);
-                Some((0..*k).fold(product?, |q, _| &q * &x))
+                Some((0..*k).fold(product, |q, _| &q * &x))
             })?;
-            Some(&sum? + &product)
+            Some(&sum + &product)
         })
     };
     Some((&value(f.num())? * &value(f.den())?.inverse()?).to_string())

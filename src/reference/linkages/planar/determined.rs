@@ -51,9 +51,7 @@ impl Linkage {
             }
             done += 1;
         }
-        let alone = |row: &&Vec<Rational>| {
-            (0..n).all(|k| row[k] == Rational::from(u32::from(k == coordinate)))
-        };
+        let alone = |row: &&Vec<Rational>| (0..n).all(|k| row[k] == u32::from(k == coordinate));
         let by = &rows[..done].iter().find(alone)?[n..];
         let constants = by.iter().zip(relations).filter(|(k, _)| !k.is_zero());
         Some(Determined {
