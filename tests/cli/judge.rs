@@ -84,11 +84,12 @@ fn a_published_table() {
         Re z,Im z,Re W\n1,2 | line 2: 2 fields where 3 are due
         Re z,Im z,Re W | there are no entries
         Re z,Im z,Re W\n1,,1 | line 2: Im z is empty
-        x,Im z,Re W\n1,2,3 | faddeeva has no column "x"; it has: Re z, Im z, Re W, Im W
+        t,Im z,Re W\n1,2,3 | faddeeva has no column "t"; it has: Re z, Im z, Re W, Im W
         Re z,Im z,Re w\n1,2,3 | no column "Re w" (did you mean "Re W"?)
         Re z,Re z,Re W\n1,2,3 | two columns are named Re z
-        Re z,Re W\n1,2 | the column Im z of faddeeva is missing
-        Re z,Im z [deg],Re W\n1,2,3 | Im z is in [1], not in [deg]
+        x,Re z,Re W\n1,2,3 | two columns are named Re z
+        Im z,Re W\n1,2 | the column Re z of faddeeva is missing
+        Re z,Im z [deg],Re W\n1,2,3 | Im z is in [1], and [deg] is no unit of the same
     "#;
     for [text, part] in cells(tables) {
         refused(&judge("faddeeva", &format!("{text}\n"), &[]), &part);

@@ -239,8 +239,10 @@ fn the_page_is_whole_and_needs_nothing_else() {
     let page = std::fs::read_to_string(&path).unwrap();
     needs_nothing_else(&page);
     let markup = markup(&page);
+    // The explanations of the columns are words, and speak of NaN.
+    let (figures, _) = markup.split_once("<h2 id=\"columns\">").unwrap();
     for broken in ["NaN", "=\"inf", "-inf", "undefined", "{}"] {
-        assert!(!markup.contains(broken), "{broken}");
+        assert!(!figures.contains(broken), "{broken}");
     }
     let registry = mechaudit::methods::registry();
     for (i, m) in registry.iter().enumerate() {

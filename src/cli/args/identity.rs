@@ -14,10 +14,11 @@ Input: one equation a line, LEFT = RIGHT. Blank lines and lines that begin with 
   + - * / ( )      arithmetic; numbers are decimals and exact
   x^3, x^(-2)      integer powers
   exp sin cos sqrt W re im abs arg arctan
-                   functions of one argument; roots and arguments are principal values
+                   functions of one argument; roots and arguments are
+                   principal values
   int(s, a, b, f)  the integral of f over s from a to b
   sum(n, a, b, f)  the sum of f over the whole numbers n from a to b
-  series(n, f)     a series of like terms, of which equality is decided term by term
+  series(n, f)     a series of like terms; equality is decided term by term
   D(f, x)          the derivative of f by x
   at(f, x, v)      f with the value v in place of x
   a[n]             a symbol with an index
@@ -29,7 +30,7 @@ Output: one line for each equation, in the same order.
 
   proved           the two sides are equal wherever both are defined
   refuted at x = 3/4: left - right = 0.19
-                   a point at which the two sides differ, and their difference there
+                   a point at which the two sides differ, and by how much
   undecided: WHY   neither was found; this is no verdict
 
 With --format json each line is an object: line, equation, outcome, residual (the normal form of left minus right, if \
