@@ -4,7 +4,7 @@
 //! |---|---|
 //! | special | [`faddeeva`] |
 //! | linear | [`tridiagonal`], [`cyclic_tridiagonal`] |
-//! | splines | [`cubic_spline`] |
+//! | splines | [`cubic_spline`], [`hermite_spline`] |
 //! | linkages | [`class_iii`], [`dyad`], [`planar`], [`reduction`] |
 //! | drive | [`run_up`] |
 //! | cams | [`cam_law`], [`fourier_series`], [`chirp_oscillator`], [`chirp_chart`] |
@@ -46,4 +46,4 @@ pub use drive::run_up;
 pub use linear::{cyclic_tridiagonal, tridiagonal};
 pub use linkages::{class_iii, dyad, planar, reduction};
 pub use special::faddeeva;
-pub use splines::cubic_spline;
+pub use splines::{cubic_spline, hermite_spline};

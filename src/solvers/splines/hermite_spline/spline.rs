@@ -1,0 +1,244 @@
+//! The interpolant.
+
+use super::slopes::{Chords, Slope, Slopes};
+use super::{CubicSplineError as Error, EvaluationError, Extrapolation, Jet};
+use crate::cubic_spline::{Grid, Knots};
+use crate::splines::cubic_spline::{LARGEST, check_values, fractions};
+use crate::splines::piecewise::{Piecewise, Place, Sum};
+
+/// A piecewise cubic with continuous first derivative, whose slopes follow from a few neighbouring
+/// points.
+///
+/// ```
+/// use mechaudit_solvers::hermite_spline::{HermiteSpline, Slopes};
+/// let (x, y) = (vec![0.0, 1.0, 2.0, 3.0], vec![0.0, 0.0, 1.0, 1.0]);
+/// let s = HermiteSpline::fit(x, y, Slopes::Pchip)?;
+/// assert_eq!(s.value(0.5)?, 0.0);
+/// assert_eq!(s.value(1.25)?, 0.15625);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct HermiteSpline {
+    knots: Knots,
+    y: Vec<f64>,
+    /// Slopes of the chords.
+    delta: Vec<f64>,
+    slopes: Vec<Slope>,
+    extrapolation: Extrapolation,
+}
+
+impl HermiteSpline {
+    /// The interpolant through `(x_i, y_i)`. Outside the knots it gives an error until
+    /// [`with_extrapolation`](Self::with_extrapolation) says otherwise.
+    ///
+    /// # Errors
+    /// [`CubicSplineError`](Error): fewer than two knots, lengths that differ, numbers that are not
+    /// finite, knots that do not increase, overflow.
+    pub fn fit(x: Vec<f64>, y: Vec<f64>, slopes: Slopes) -> Result<HermiteSpline, Error> {
+        if x.len() != y.len() {
+            return Err(Error::Length {
+                knots: x.len(),
+                values: y.len(),
+            });
+        }
+        let knots = Knots::new(x)?;
+        check_values(&y)?;
+        let chords = Chords::new(knots.as_slice(), &y);
+        let slopes = slopes.at_knots(&chords);
+        for (i, (s, h)) in slopes.windows(2).zip(&chords.h).enumerate() {
+            let (a, b) = (s[0].over_right, s[1].over_left);
+            let derivatives = [
+                s[0].slope,
+                s[1].slope,
+                chords.delta[i],
+                2.0 * (a.abs() + b.abs()) / h,
+                (a.abs() + b.abs()) / h / h,
+            ];
+            // Infinities and what is not a number fail this comparison.
+            if !derivatives.iter().all(|v| v.abs() <= LARGEST) {
+                return Err(Error::Overflow { knot: i });
+            }
+        }
+        Ok(HermiteSpline {
+            knots,
+            y,
+            delta: chords.delta,
+            slopes,
+            extrapolation: Extrapolation::Error,
+        })
+    }
+
+    /// The knots.
+    pub fn knots(&self) -> &[f64] {
+        self.knots.as_slice()
+    }
+
+    /// The ordinates.
+    pub fn values_at_knots(&self) -> &[f64] {
+        &self.y
+    }
+
+    /// The slopes at the knots.
+    pub fn slopes(&self) -> Vec<f64> {
+        self.slopes.iter().map(|s| s.slope).collect()
+    }
+
+    /// The behaviour outside the knots.
+    pub fn extrapolation(&self) -> Extrapolation {
+        self.extrapolation
+    }
+
+    /// The same interpolant with another behaviour outside the knots.
+    pub fn with_extrapolation(mut self, extrapolation: Extrapolation) -> Self {
+        self.extrapolation = extrapolation;
+        self
+    }
+
+    /// `S(x)`.
+    ///
+    /// # Errors
+    /// `x` is not finite, or outside the knots under [`Extrapolation::Error`]. Far outside, the
+    /// result may overflow to an infinity.
+    pub fn value(&self, x: f64) -> Result<f64, EvaluationError> {
+        self.value_in_batch(0, x)
+    }
+
+    /// `S`, `S'`, `S''` and `S'''` at `x`.
+    ///
+    /// # Errors
+    /// As [`HermiteSpline::value`].
+    pub fn jet(&self, x: f64) -> Result<Jet, EvaluationError> {
+        self.jet_in_batch(0, x)
+    }
+
+    /// `S` at points in any order.
+    ///
+    /// # Errors
+    /// Lengths that differ; as [`HermiteSpline::value`] for the first point that fails. `out` is then
+    /// partly written.
+    pub fn values(&self, x: &[f64], out: &mut [f64]) -> Result<(), EvaluationError> {
+        if x.len() != out.len() {
+            return Err(EvaluationError::Length {
+                points: x.len(),
+                room: out.len(),
+            });
+        }
+        for (i, (x, out)) in x.iter().zip(out).enumerate() {
+            *out = self.value_in_batch(i, *x)?;
+        }
+        Ok(())
+    }
+
+    /// `S`, `S'`, `S''`, `S'''` at points in any order.
+    ///
+    /// # Errors
+    /// As [`HermiteSpline::value`]; the index is the place in `x`.
+    pub fn jets(&self, x: &[f64]) -> Result<Vec<Jet>, EvaluationError> {
+        let one = |(i, x): (usize, &f64)| self.jet_in_batch(i, *x);
+        x.iter().enumerate().map(one).collect()
+    }
+
+    /// `∫ S dx` from `a` to `b`; `b < a` gives the negative of the integral from `b` to `a`.
+    /// Linear in the number of knots between the limits.
+    ///
+    /// # Errors
+    /// As [`HermiteSpline::value`], for either limit (index 0 and 1).
+    pub fn integral(&self, a: f64, b: f64) -> Result<f64, EvaluationError> {
+        self.integral_between(a, b)
+    }
+
+    fn value_in_batch(&self, index: usize, x: f64) -> Result<f64, EvaluationError> {
+        Ok(match self.place(index, x)? {
+            Place::Inside { x, .. } => {
+                let i = self.knots.locate(x);
+                self.value_at(i, self.fractions(i, x))
+            }
+            Place::Before => self.outside(x, true).value,
+            Place::After => self.outside(x, false).value,
+        })
+    }
+
+    fn jet_in_batch(&self, index: usize, x: f64) -> Result<Jet, EvaluationError> {
+        Ok(match self.place(index, x)? {
+            Place::Inside { x, below } => {
+                let i = self.knots.locate(x);
+                let is_before = below && i > 0 && x == self.knots.knot(i);
+                self.jet_of(if is_before { i - 1 } else { i }, x)
+            }
+            Place::Before => self.outside(x, true),
+            Place::After => self.outside(x, false),
+        })
+    }
+
+    fn fractions(&self, i: usize, x: f64) -> (f64, f64) {
+        let at = self.knots.interval(i);
+        fractions(Knots::offsets(&at, x), at.per_h)
+    }
+
+    /// `S` on segment `i`; all terms keep their relative accuracy, so that `S` does near a knot with
+    /// ordinate 0.
+    fn value_at(&self, i: usize, (k, w): (f64, f64)) -> f64 {
+        let h = self.knots.interval(i).h;
+        let (left, right) = (self.slopes[i].slope, self.slopes[i + 1].slope);
+        let ordinates =
+            (w * w) * (1.0 + 2.0 * k) * self.y[i] + (k * k) * (1.0 + 2.0 * w) * self.y[i + 1];
+        ordinates + (k * w) * (h * (w * left - k * right))
+    }
+
+    fn whole(&self, i: usize) -> f64 {
+        let h = self.knots.interval(i).h;
+        let bent = h * (self.slopes[i].slope - self.slopes[i + 1].slope) / 12.0;
+        h * ((0.5 * self.y[i] + 0.5 * self.y[i + 1]) + bent)
+    }
+
+    /// The integral over `length` between two points of segment `i`, by Simpson's rule, which is
+    /// exact for cubics and does not subtract antiderivatives.
+    fn within(&self, i: usize, a: (f64, f64), b: (f64, f64), length: f64) -> f64 {
+        let mid = (0.5 * (a.0 + b.0), 0.5 * (a.1 + b.1));
+        let value = |at| self.value_at(i, at);
+        length * ((value(a) + value(b)) + 4.0 * value(mid)) / 6.0
+    }
+}
+
+impl Piecewise for HermiteSpline {
+    fn ends(&self) -> (f64, f64) {
+        self.knots.span()
+    }
+
+    fn ordinates(&self) -> &[f64] {
+        &self.y
+    }
+
+    fn beyond(&self) -> Extrapolation {
+        self.extrapolation
+    }
+
+    fn jet_of(&self, i: usize, x: f64) -> Jet {
+        let (k, w) = self.fractions(i, x);
+        let h = self.knots.interval(i).h;
+        let (left, right) = (self.slopes[i], self.slopes[i + 1]);
+        let (a, b) = (left.over_right, right.over_left);
+        let ends = w * (w - 2.0 * k) * left.slope + k * (k - 2.0 * w) * right.slope;
+        Jet {
+            value: self.value_at(i, (k, w)),
+            first: 6.0 * (k * w) * self.delta[i] + ends,
+            second: 2.0 * (k * (a + 2.0 * b) - w * (2.0 * a + b)) / h,
+            third: 6.0 * (a + b) / h / h,
+        }
+    }
+
+    fn add_inside(&self, a: f64, b: f64, sum: &mut Sum) {
+        let (i, j) = (self.knots.locate(a), self.knots.locate(b));
+        let (start, stop) = (self.fractions(i, a), self.fractions(j, b));
+        if i == j {
+            sum.add(self.within(i, start, stop, b - a));
+            return;
+        }
+        let h = |i: usize| self.knots.interval(i).h;
+        sum.add(self.within(i, start, (1.0, 0.0), start.1 * h(i)));
+        for c in i + 1..j {
+            sum.add(self.whole(c));
+        }
+        sum.add(self.within(j, (0.0, 1.0), stop, stop.0 * h(j)));
+    }
+}
