@@ -101,6 +101,14 @@ registry! {
         Fn(SplineProblem<'_>), |f, i| f(i.into());
     CubicSplineUniform "cubic-spline-uniform":
         Fn(UniformSplineProblem<'_>), |f, i| f(i.into());
+    CubicSplineMixedEnds "cubic-spline-mixed-ends":
+        Fn(CubicSplineMixedEndsInput<'_>), |f, i| f(i);
+    Pchip "pchip":
+        Fn(SplineProblem<'_>), |f, i| f(i.into());
+    Akima "akima":
+        Fn(SplineProblem<'_>), |f, i| f(i.into());
+    ModifiedAkima "modified-akima":
+        Fn(SplineProblem<'_>), |f, i| f(i.into());
     FourBar "four-bar":
         Fn([f64; 4], f64, bool), |f, i| f([i.a, i.b, i.c, i.d], i.phi1, i.assembly > 0.0);
     SliderCrank "slider-crank":

@@ -7,19 +7,30 @@
 use crate::audit::{Output, ReferenceAnswer, Rows, Uncertified};
 use crate::methods::Number;
 use crate::methods::common::conditioned;
-use crate::reference::cubic_spline::{Spline as ExactSpline, SplineError};
+use crate::reference::cubic_spline::{End as ExactEnd, Spline as ExactSpline, SplineError};
 use crate::solvers::cubic_spline::{
-    Boundary, CubicSpline, CubicSplineError, EvaluationError, Grid, Spline,
+    Boundary, CubicSpline, CubicSplineError, End, EvaluationError, Extrapolation, Grid, Jet, Spline,
 };
+use crate::solvers::hermite_spline::{HermiteSpline, Slopes};
 use rug::Rational;
 
-/// The end conditions.
+/// What makes a spline on arbitrary knots the only one.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum EndCondition {
-    SecondDerivatives,
-    Clamped,
-    NotAKnot,
+pub(super) enum Kind {
+    /// A cubic spline with a condition for each end.
+    Ends([EndKind; 2]),
+    /// A periodic cubic spline.
     Periodic,
+    /// Slopes from neighbouring points.
+    Local(Slopes),
+}
+
+/// The condition at one end.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum EndKind {
+    NotAKnot,
+    FirstDerivative,
+    SecondDerivative,
 }
 
 /// A spline to be made and where it is asked for.
@@ -47,27 +58,83 @@ impl<T: Number> Copy for SplineProblem<'_, T> {}
 /// Ends are given where the kind has them.
 const ENDS: &str = "an input of this kind has end values";
 
-impl EndCondition {
-    pub(super) fn end_values(self) -> usize {
+impl EndKind {
+    /// The order of the derivative that is given, if one is.
+    pub(super) fn order(self) -> Option<i32> {
         match self {
-            EndCondition::SecondDerivatives | EndCondition::Clamped => 2,
-            EndCondition::NotAKnot | EndCondition::Periodic => 0,
+            EndKind::NotAKnot => None,
+            EndKind::FirstDerivative => Some(1),
+            EndKind::SecondDerivative => Some(2),
+        }
+    }
+}
+
+/// A fitted spline of either form.
+pub(super) trait Fitted {
+    fn jet(&self, x: f64) -> Result<Jet, EvaluationError>;
+    fn integral(&self, a: f64, b: f64) -> Result<f64, EvaluationError>;
+}
+
+impl<G: Grid> Fitted for Spline<G> {
+    fn jet(&self, x: f64) -> Result<Jet, EvaluationError> {
+        self.jet(x)
+    }
+    fn integral(&self, a: f64, b: f64) -> Result<f64, EvaluationError> {
+        self.integral(a, b)
+    }
+}
+
+impl Fitted for HermiteSpline {
+    fn jet(&self, x: f64) -> Result<Jet, EvaluationError> {
+        self.jet(x)
+    }
+    fn integral(&self, a: f64, b: f64) -> Result<f64, EvaluationError> {
+        self.integral(a, b)
+    }
+}
+
+impl Kind {
+    pub(super) const SECOND_DERIVATIVES: Kind = Kind::Ends([EndKind::SecondDerivative; 2]);
+    pub(super) const CLAMPED: Kind = Kind::Ends([EndKind::FirstDerivative; 2]);
+    pub(super) const NOT_A_KNOT: Kind = Kind::Ends([EndKind::NotAKnot; 2]);
+
+    /// The orders of the derivatives given at the ends.
+    pub(super) fn end_orders(self) -> [Option<i32>; 2] {
+        match self {
+            Kind::Ends(kinds) => kinds.map(EndKind::order),
+            Kind::Periodic | Kind::Local(_) => [None; 2],
         }
     }
 
-    pub(super) fn fit(self, p: SplineProblem) -> Result<CubicSpline, &'static str> {
-        let ends = || p.ends.expect(ENDS);
+    pub(super) fn fit(self, p: SplineProblem) -> Result<Box<dyn Fitted>, &'static str> {
+        let (x, y) = (p.x.to_vec(), p.y.to_vec());
         let boundary = match self {
-            EndCondition::SecondDerivatives => Boundary::second_derivatives(ends()[0], ends()[1]),
-            EndCondition::Clamped => Boundary::clamped(ends()[0], ends()[1]),
-            EndCondition::NotAKnot => Boundary::NOT_A_KNOT,
-            EndCondition::Periodic => Boundary::Periodic,
+            Kind::Ends(kinds) => {
+                let end = |i: usize| {
+                    let value = || p.ends.expect(ENDS)[i];
+                    match kinds[i] {
+                        EndKind::NotAKnot => End::NotAKnot,
+                        EndKind::FirstDerivative => End::FirstDerivative(value()),
+                        EndKind::SecondDerivative => End::SecondDerivative(value()),
+                    }
+                };
+                Boundary::Ends(end(0), end(1))
+            }
+            Kind::Periodic => Boundary::Periodic,
+            Kind::Local(slopes) => {
+                let s = HermiteSpline::fit(x, y, slopes).map_err(|e| word(&e))?;
+                return Ok(Box::new(s));
+            }
         };
-        CubicSpline::fit(p.x.to_vec(), p.y.to_vec(), boundary).map_err(|e| word(&e))
+        let s = CubicSpline::fit(x, y, boundary).map_err(|e| word(&e))?;
+        Ok(Box::new(match self {
+            Kind::Periodic => s.with_extrapolation(Extrapolation::Wrap),
+            _ => s,
+        }))
     }
 
     pub(super) fn solve(self, p: SplineProblem) -> Result<Vec<f64>, &'static str> {
-        outputs_of(&self.fit(p)?, p.queries)
+        outputs_of(&*self.fit(p)?, p.queries)
     }
 
     pub(super) fn reference(
@@ -75,14 +142,22 @@ impl EndCondition {
         p: SplineProblem<Rational>,
         bits: u32,
     ) -> Result<ReferenceAnswer, Uncertified> {
-        let ends = || p.ends.expect(ENDS);
         let spline = match self {
-            EndCondition::SecondDerivatives => {
-                ExactSpline::second_derivatives(p.x, p.y, ends()[0], ends()[1])
+            Kind::Ends(kinds) => {
+                let end = |i: usize| {
+                    let value = || p.ends.expect(ENDS)[i];
+                    match kinds[i] {
+                        EndKind::NotAKnot => ExactEnd::NotAKnot,
+                        EndKind::FirstDerivative => ExactEnd::FirstDerivative(value()),
+                        EndKind::SecondDerivative => ExactEnd::SecondDerivative(value()),
+                    }
+                };
+                ExactSpline::with_ends(p.x, p.y, end(0), end(1))
             }
-            EndCondition::Clamped => ExactSpline::clamped(p.x, p.y, ends()[0], ends()[1]),
-            EndCondition::NotAKnot => ExactSpline::not_a_knot(p.x, p.y),
-            EndCondition::Periodic => ExactSpline::periodic(p.x, p.y),
+            Kind::Periodic => ExactSpline::periodic(p.x, p.y),
+            Kind::Local(Slopes::Pchip) => ExactSpline::pchip(p.x, p.y),
+            Kind::Local(Slopes::Akima) => ExactSpline::akima(p.x, p.y),
+            Kind::Local(Slopes::ModifiedAkima) => ExactSpline::modified_akima(p.x, p.y),
         };
         let refused = |e| {
             Uncertified::Refused(match e {
@@ -92,7 +167,16 @@ impl EndCondition {
                 SplineError::NotPeriodic => "not periodic",
             })
         };
-        reference_of(&spline.map_err(refused)?, p.x, p.queries, bits)
+        let spline = spline.map_err(refused)?;
+        match self {
+            Kind::Periodic => Ok(values_of(
+                p.queries,
+                bits,
+                |q| spline.eval_periodic(q),
+                |a, b| spline.integral_periodic(a, b),
+            )),
+            _ => reference_of(&spline, p.x, p.queries, bits),
+        }
     }
 }
 
@@ -109,7 +193,7 @@ fn word(e: &CubicSplineError) -> &'static str {
 }
 
 /// What the solver gives for the two queries.
-pub(super) fn outputs_of<G: Grid>(s: &Spline<G>, q: [f64; 2]) -> Result<Vec<f64>, &'static str> {
+pub(super) fn outputs_of(s: &dyn Fitted, q: [f64; 2]) -> Result<Vec<f64>, &'static str> {
     let refuse = |e: EvaluationError| match e {
         EvaluationError::Outside { .. } => "outside",
         _ => "not finite",
@@ -133,13 +217,22 @@ pub(super) fn reference_of(
     if q.iter().any(|q| **q < x[0] || **q > x[x.len() - 1]) {
         return Err(Uncertified::Refused("outside"));
     }
+    Ok(values_of(q, bits, |q| s.eval(q), |a, b| s.integral(a, b)))
+}
+
+fn values_of(
+    q: [&Rational; 2],
+    bits: u32,
+    eval: impl Fn(&Rational) -> [Rational; 4],
+    integral: impl Fn(&Rational, &Rational) -> Rational,
+) -> ReferenceAnswer {
     let mut values = Vec::new();
-    let integral = s.integral(q[0], q[1]);
-    values.extend(s.eval(q[0]));
+    let integral = integral(q[0], q[1]);
+    values.extend(eval(q[0]));
     values.push(integral.clone());
-    values.extend(s.eval(q[1]));
+    values.extend(eval(q[1]));
     values.push(-integral);
-    Ok(ReferenceAnswer::exact(&values, bits))
+    ReferenceAnswer::exact(&values, bits)
 }
 
 const REASON: &str = "every weight of S, S', S'' and S''' is a product of a few factors, each with a \
@@ -147,8 +240,23 @@ const REASON: &str = "every weight of S, S', S'' and S''' is a product of a few 
     with a componentwise backward error of 13 u at most, or from divided differences where four knots leave one \
     cubic; the sum over the data is the condition";
 
+const LOCAL_REASON: &str = "chord slopes have a relative error of 2 u at most and their neighbours' differences one \
+    of a few u, so that slopes and their excess over the chords are sums of two products of a few \
+    factors, each with a relative error of a few u; where a comparison of slopes could go either way \
+    the slope is continuous, but for Akima's two vanishing weights, where solver and reference both decide \
+    exactly; the sum over the data is the condition, on whichever side it is larger";
+
 /// The five outputs with their budgets in units of the conditioned limit.
 pub(super) fn outputs(k: f64) -> Vec<Output> {
+    budgeted(k, REASON)
+}
+
+/// [`outputs`] of interpolants with local slopes.
+pub(super) fn local_outputs(k: f64) -> Vec<Output> {
+    budgeted(k, LOCAL_REASON)
+}
+
+fn budgeted(k: f64, reason: &'static str) -> Vec<Output> {
     [
         ("S", "y"),
         ("S'", "y/x"),
@@ -156,7 +264,7 @@ pub(super) fn outputs(k: f64) -> Vec<Output> {
         ("S'''", "y/x^3"),
         ("integral", "x y"),
     ]
-    .map(|(name, unit)| conditioned(name, unit, k, REASON))
+    .map(|(name, unit)| conditioned(name, unit, k, reason))
     .to_vec()
 }
 
