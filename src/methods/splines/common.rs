@@ -281,7 +281,7 @@ mod tests {
     use crate::audit::{Draw, Settings, SolverAnswer, Verdict, audit_method, judge};
     use crate::methods::definition::exact;
 
-    const NAMES: [&str; 7] = [
+    const NAMES: [&str; 11] = [
         "tridiagonal",
         "cyclic-tridiagonal",
         "cubic-spline-second-derivatives",
@@ -289,6 +289,10 @@ mod tests {
         "cubic-spline-not-a-knot",
         "cubic-spline-periodic",
         "cubic-spline-uniform",
+        "cubic-spline-mixed-ends",
+        "pchip",
+        "akima",
+        "modified-akima",
     ];
 
     #[test]
@@ -366,11 +370,19 @@ mod tests {
             ("cubic-spline-clamped", 2),
             ("cubic-spline-not-a-knot", 0),
             ("cubic-spline-periodic", 0),
+            ("pchip", 0),
+            ("akima", 0),
+            ("modified-akima", 0),
         ] {
             let method = crate::methods::find(name).expect("registered");
             for (x, y, queries, due) in inputs {
                 let input = [x, y, &[0.5, 0.25][..ends], &queries].concat();
                 let answer = method.solve(&input);
+                // A periodic spline goes on.
+                if name == "cubic-spline-periodic" && due == "outside" {
+                    assert!(matches!(answer, SolverAnswer::Values(_)), "{input:?}");
+                    continue;
+                }
                 assert_eq!(answer, SolverAnswer::Refuses(due), "{name} {input:?}");
                 let Some(exact) = exact(&input).filter(|_| due != "overflow") else {
                     continue;
@@ -404,6 +416,50 @@ mod tests {
         assert_eq!(periodic.conditions(&uneven), None);
         let answer = periodic.reference(&exact(&uneven).unwrap(), 128);
         assert!(matches!(answer, ReferenceAnswer::Refuses("not periodic")));
+    }
+
+    /// Other conventions at exact decisions are over budget, and the one of the definition passes.
+    #[test]
+    fn conventions_are_told_apart() {
+        let judged = |name: &str, place: &str, change: &dyn Fn(&mut Vec<f64>)| {
+            let method = crate::methods::find(name).expect("registered");
+            let domain = method.domain();
+            let case = domain.check_points.iter().find(|p| p.name == place);
+            let case = &case.expect("a check point").input;
+            let reference = method.reference(&exact(case).unwrap(), 128);
+            let conditions = method.conditions(case);
+            let SolverAnswer::Values(mut values) = method.solve(case) else {
+                panic!("{name} refuses {place}");
+            };
+            change(&mut values);
+            let answer = SolverAnswer::Values(values);
+            let outputs = method.outputs();
+            judge(&outputs, &answer, &reference, conditions.as_deref()).verdict
+        };
+        // q0 = 1.5 lies before the knot 2 with chords 0 and 1, where Akima's weights are both 0: a slope
+        // of 0 or 1 there instead of 1/2 changes S by 1/16.
+        for other in [0.0625, -0.0625] {
+            let moved = |v: &mut Vec<f64>| v[0] += other;
+            assert_eq!(
+                judged("akima", "two-straight-pieces", &moved),
+                Verdict::Over
+            );
+        }
+        for place in ["two-straight-pieces", "a-step", "level"] {
+            assert_eq!(judged("akima", place, &|_| ()), Verdict::Pass, "{place}");
+        }
+        // A threshold of 10⁻⁹ of the largest weight gives 0.5·10⁻¹² at knot 2, where 1.5·10⁻¹² is due.
+        let place = "small-bend-far-from-a-large-one";
+        let with_threshold = |v: &mut Vec<f64>| v[5] += 1.25e-13;
+        assert_eq!(judged("akima", place, &|_| ()), Verdict::Pass);
+        assert_eq!(judged("akima", place, &with_threshold), Verdict::Over);
+        // Without its clippings the parabola's slope at the left end is −0.5 for 0, 6.5 for 3.
+        for (place, slope) in [("end-slope-zero", -0.5), ("end-slope-limited", 3.5)] {
+            let (k, w) = (0.25, 0.75);
+            let unclipped = |v: &mut Vec<f64>| v[0] += k * w * w * slope;
+            assert_eq!(judged("pchip", place, &unclipped), Verdict::Over, "{place}");
+            assert_eq!(judged("pchip", place, &|_| ()), Verdict::Pass, "{place}");
+        }
     }
 
     #[test]

@@ -251,9 +251,9 @@ pub(super) fn domain_of(
                     [0.25, 3.75],
                 ),
                 point(
-                    "small-step-far-from-a-large-one",
+                    "small-bend-far-from-a-large-one",
                     eight,
-                    &[0.0, 0.0, 0.0, 1e-12, 1e-12, 1e-12, 1.0, 1.0],
+                    &[0.0, 0.0, 1e-12, 3e-12, 4e-12, 4e-12, 1.0, 2.0],
                     [0.5, 1.5],
                 ),
             ]);
