@@ -32,6 +32,7 @@ mod _mechaudit {
         module.add("DomainError", py.get_type::<errors::DomainError>())?;
         special::add_to(module)?;
         module.add_class::<spline::Spline>()?;
+        module.add_class::<spline::HermiteSpline>()?;
         module.add_function(wrap_pyfunction!(linear::solve_tridiagonal, module)?)?;
         module.add_function(wrap_pyfunction!(linear::solve_cyclic, module)?)?;
         #[cfg(feature = "oracle")]

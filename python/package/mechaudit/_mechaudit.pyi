@@ -16,6 +16,7 @@ __all__ = [
     "erfi",
     "dawsn",
     "voigt_profile",
+    "HermiteSpline",
     "Spline",
     "solve_tridiagonal",
     "solve_cyclic",
@@ -57,7 +58,7 @@ def zero(function: str, k: int, digits: int) -> list[_Component]: ...
 def spline(
     x: list[_Fraction],
     y: list[_Fraction],
-    kind: str,
+    kinds: list[str],
     ends: tuple[_Fraction, _Fraction],
     asked: list[Any],
 ) -> list[_Fraction]: ...
@@ -73,6 +74,13 @@ class Spline:
     def values(self, x: _F64, order: int) -> _F64: ...
     def integral(self, a: float, b: float) -> float: ...
     def second_derivatives(self) -> _F64: ...
+
+@final
+class HermiteSpline:
+    def __new__(cls, x: _F64, y: _F64, slopes: str, wrap: bool) -> HermiteSpline: ...
+    def values(self, x: _F64, order: int) -> _F64: ...
+    def integral(self, a: float, b: float) -> float: ...
+    def slopes(self) -> _F64: ...
 
 @final
 class Run:
