@@ -52,7 +52,8 @@ impl Kind {
             if whole {
                 let v = draw.integer(0, 6) as f64 - 3.0;
                 return match shape {
-                    Shape::NearWholeNumbers => a_few_floats_away(draw, v),
+                    // The neighbours of 0 are subnormal.
+                    Shape::NearWholeNumbers if v != 0.0 => a_few_floats_away(draw, v),
                     _ => v,
                 };
             }

@@ -14,19 +14,34 @@ pub enum Slopes {
 }
 
 /// A slope at a knot, and how much it exceeds the chord's slope on either side.
+///
+/// The excesses at both ends of a segment may nearly cancel in `S'''`, so they have twice the working
+/// precision where that can happen for well-conditioned data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Slope {
     pub slope: f64,
-    pub over_left: f64,
-    pub over_right: f64,
+    pub over_left: Dd,
+    pub over_right: Dd,
+}
+
+impl Slope {
+    fn new(slope: f64, over_left: f64, over_right: f64) -> Slope {
+        Slope {
+            slope,
+            over_left: Dd::from(over_left),
+            over_right: Dd::from(over_right),
+        }
+    }
 }
 
 /// Steps, slopes of chords, and what each chord's slope adds to the one before.
 pub(super) struct Chords {
     pub h: Vec<f64>,
     pub delta: Vec<f64>,
+    /// The same in twice the working precision.
+    exact: Vec<Dd>,
     /// `δ_i − δ_{i−1}` at the inner knot `i`, at place `i − 1`.
-    jump: Vec<f64>,
+    jump: Vec<Dd>,
 }
 
 impl Chords {
@@ -38,17 +53,18 @@ impl Chords {
             let d = slope[i] - slope[i - 1];
             // Far above the error of the quotients the sign is certain.
             if d.hi.abs() > 1e-25 * (slope[i].hi.abs() + slope[i - 1].hi.abs()) {
-                return d.value();
+                return d;
             }
             match are_collinear([run[i - 1], run[i]], [rise[i - 1], rise[i]]) {
-                true => 0.0,
-                false => d.value(),
+                true => Dd::ZERO,
+                false => d,
             }
         });
         Chords {
             jump: jump.collect(),
             h: run.iter().map(|h| h.hi).collect(),
             delta: slope.iter().map(|s| s.value()).collect(),
+            exact: slope,
         }
     }
 }
@@ -85,18 +101,13 @@ impl Slopes {
     pub(super) fn at_knots(self, c: &Chords) -> Vec<Slope> {
         let n = c.delta.len();
         if n == 1 {
-            let slope = c.delta[0];
-            let chord = Slope {
-                slope,
-                over_left: 0.0,
-                over_right: 0.0,
-            };
+            let chord = Slope::new(c.delta[0], 0.0, 0.0);
             return vec![chord; 2];
         }
         match self {
             Slopes::Pchip => pchip(c),
-            Slopes::Akima => weighted(c, |jump, _| jump.abs()),
-            Slopes::ModifiedAkima => weighted(c, |jump, sum| jump.abs() + 0.5 * sum.abs()),
+            Slopes::Akima => akima(c),
+            Slopes::ModifiedAkima => modified_akima(c),
         }
     }
 }
@@ -104,23 +115,16 @@ impl Slopes {
 fn pchip(c: &Chords) -> Vec<Slope> {
     let n = c.delta.len();
     let mut all = Vec::with_capacity(n + 1);
-    let (slope, over_right) = end((c.h[0], c.h[1]), (c.delta[0], c.delta[1]), c.jump[0]);
-    all.push(Slope {
-        slope,
-        over_left: 0.0,
-        over_right,
-    });
+    let jump = |i: usize| c.jump[i].value();
+    let (slope, over_right) = end((c.h[0], c.h[1]), (c.delta[0], c.delta[1]), jump(0));
+    all.push(Slope::new(slope, 0.0, over_right));
     for i in 1..n {
         let (left, right) = (c.delta[i - 1], c.delta[i]);
         let (p, q) = (c.h[i - 1], c.h[i]);
         let rises = left > 0.0 && right > 0.0;
         let falls = left < 0.0 && right < 0.0;
         if !(rises || falls) {
-            all.push(Slope {
-                slope: 0.0,
-                over_left: -left,
-                over_right: -right,
-            });
+            all.push(Slope::new(0.0, -left, -right));
             continue;
         }
         // With the steeper chord as unit nothing overflows.
@@ -132,19 +136,15 @@ fn pchip(c: &Chords) -> Vec<Slope> {
         let (of_left, of_right) = ((p + 2.0 * q) / third, (2.0 * p + q) / third);
         let (a, b) = (of_left * (right / steep), of_right * (left / steep));
         let sum = a + b;
-        all.push(Slope {
-            slope: flat / sum,
-            over_left: c.jump[i - 1] * (of_right * (left / steep) / sum),
-            over_right: -(c.jump[i - 1] * (of_left * (right / steep) / sum)),
-        });
+        all.push(Slope::new(
+            flat / sum,
+            jump(i - 1) * (of_right * (left / steep) / sum),
+            -(jump(i - 1) * (of_left * (right / steep) / sum)),
+        ));
     }
     let (steps, chords) = ((c.h[n - 1], c.h[n - 2]), (c.delta[n - 1], c.delta[n - 2]));
-    let (slope, over_left) = end(steps, chords, -c.jump[n - 2]);
-    all.push(Slope {
-        slope,
-        over_left,
-        over_right: 0.0,
-    });
+    let (slope, over_left) = end(steps, chords, -jump(n - 2));
+    all.push(Slope::new(slope, over_left, 0.0));
     all
 }
 
@@ -165,38 +165,67 @@ fn end(h: (f64, f64), chords: (f64, f64), jump: f64) -> (f64, f64) {
     }
 }
 
-/// Means of neighbouring chords: each has the weight of the two chords on the other side of its
-/// neighbour, which is a function of their difference and their sum.
-fn weighted(c: &Chords, weight: impl Fn(f64, f64) -> f64) -> Vec<Slope> {
-    let n = c.delta.len();
+/// Chords and their jumps with two more at each end, which go on linearly.
+fn continued(c: &Chords) -> (Vec<Dd>, Vec<Dd>) {
+    let n = c.exact.len();
     let (first, last) = (c.jump[0], c.jump[n - 2]);
-    // Two more chords at each end.
-    let delta: Vec<f64> = [c.delta[0] - first - first, c.delta[0] - first]
+    let (start, stop) = (c.exact[0], c.exact[n - 1]);
+    let delta = [start - first - first, start - first]
         .into_iter()
-        .chain(c.delta.iter().copied())
-        .chain([c.delta[n - 1] + last, c.delta[n - 1] + last + last])
-        .collect();
-    let jump: Vec<f64> = [first, first]
+        .chain(c.exact.iter().copied())
+        .chain([stop + last, stop + last + last]);
+    let jump = [first, first]
         .into_iter()
         .chain(c.jump.iter().copied())
-        .chain([last, last])
-        .collect();
-    let weights: Vec<f64> = jump
+        .chain([last, last]);
+    (delta.collect(), jump.collect())
+}
+
+/// Means of neighbouring chords: the weight of each is the jump on the other side of its neighbour.
+fn akima(c: &Chords) -> Vec<Slope> {
+    let (delta, jump) = continued(c);
+    let jump: Vec<f64> = jump.iter().map(|d| d.value()).collect();
+    (0..=c.exact.len())
+        .map(|i| {
+            let (left, right, jump_here) =
+                (delta[i + 1].value(), delta[i + 2].value(), jump[i + 1]);
+            let (before, after) = (jump[i].abs(), jump[i + 2].abs());
+            // A power of two keeps the products within range. They commute, so that excesses that are
+            // opposite by definition, as in the middle of four points, are opposite floats.
+            let unit = power_of_two_near(before.max(after));
+            let (before, after) = (unit * before, unit * after);
+            let both = before + after;
+            if both == 0.0 {
+                let half = 0.5 * jump_here;
+                return Slope::new(0.5 * left + 0.5 * right, half, -half);
+            }
+            let slope = (after / both) * left + (before / both) * right;
+            let over = |weight: f64| weight * jump_here / both;
+            Slope::new(slope, over(before), -over(after))
+        })
+        .collect()
+}
+
+/// As [`akima`], with half the sum of the chords at a jump added to its weight.
+fn modified_akima(c: &Chords) -> Vec<Slope> {
+    let (delta, jump) = continued(c);
+    let abs = |v: Dd| if v.hi < 0.0 { -v } else { v };
+    let weights: Vec<Dd> = jump
         .iter()
         .zip(delta.windows(2))
-        .map(|(jump, d)| weight(*jump, d[0] + d[1]))
+        .map(|(jump, d)| abs(*jump) + abs(d[0] + d[1]).scale(0.5))
         .collect();
-    (0..=n)
+    (0..=c.exact.len())
         .map(|i| {
             let (left, right, jump) = (delta[i + 1], delta[i + 2], jump[i + 1]);
             let (before, after) = (weights[i], weights[i + 2]);
             let both = before + after;
-            let (of_left, of_right) = match both > 0.0 {
-                true => (after / both, before / both),
-                false => (0.5, 0.5),
+            let (of_left, of_right) = match both.hi > 0.0 {
+                true => (after.div(both), before.div(both)),
+                false => (Dd::from(0.5), Dd::from(0.5)),
             };
             Slope {
-                slope: of_left * left + of_right * right,
+                slope: of_left.hi * left.hi + of_right.hi * right.hi,
                 over_left: of_right * jump,
                 over_right: -(of_left * jump),
             }

@@ -46,7 +46,7 @@ impl HermiteSpline {
         let chords = Chords::new(knots.as_slice(), &y);
         let slopes = slopes.at_knots(&chords);
         for (i, (s, h)) in slopes.windows(2).zip(&chords.h).enumerate() {
-            let (a, b) = (s[0].over_right, s[1].over_left);
+            let (a, b) = (s[0].over_right.hi, s[1].over_left.hi);
             let derivatives = [
                 s[0].slope,
                 s[1].slope,
@@ -218,12 +218,13 @@ impl Piecewise for HermiteSpline {
         let h = self.knots.interval(i).h;
         let (left, right) = (self.slopes[i], self.slopes[i + 1]);
         let (a, b) = (left.over_right, right.over_left);
+        let both = a + b;
         let ends = w * (w - 2.0 * k) * left.slope + k * (k - 2.0 * w) * right.slope;
         Jet {
             value: self.value_at(i, (k, w)),
             first: 6.0 * (k * w) * self.delta[i] + ends,
-            second: 2.0 * (k * (a + 2.0 * b) - w * (2.0 * a + b)) / h,
-            third: 6.0 * (a + b) / h / h,
+            second: 2.0 * (k * (both + b).value() - w * (both + a).value()) / h,
+            third: 6.0 * both.value() / h / h,
         }
     }
 

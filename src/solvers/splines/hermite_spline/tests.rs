@@ -78,10 +78,10 @@ fn collinearity_is_decided_exactly() {
     let c = slopes::Chords::new(&x, &y);
     let s = Slopes::Akima.at_knots(&c);
     assert_eq!(s[1].slope, 1.0);
-    assert_eq!((s[1].over_left, s[1].over_right), (0.0, 0.0));
+    assert_eq!((s[1].over_left.hi, s[1].over_right.hi), (0.0, 0.0));
     let y = [1.0, big, (2.0 * big).next_up()];
     let s = Slopes::Akima.at_knots(&slopes::Chords::new(&x, &y));
-    assert!(s[1].over_right < 0.0 && s[1].over_left > 0.0);
+    assert!(s[1].over_right.hi < 0.0 && s[1].over_left.hi > 0.0);
 }
 
 /// On equal steps; on others Akima's means of chords are not the slopes of the parabola.
@@ -100,6 +100,25 @@ fn three_points_give_the_parabola_of_akima() {
         );
     }
     assert_eq!(s.integral(-1.0, 2.0), Ok(4.5));
+}
+
+/// Between the inner two of four points on one side of a curve Akima's cubic is a parabola, exactly.
+#[test]
+fn opposite_excesses_cancel_exactly() {
+    let x = [
+        -1.8531583524249893,
+        0.013882507294288082,
+        1.8107409394816147,
+        3.1431886261291924,
+    ];
+    let y = [
+        -0.5104943484261693,
+        -4.654121672104125,
+        -4.575798373755723,
+        -2.744358916957872,
+    ];
+    let s = fit(&x, &y, Slopes::Akima);
+    assert_eq!(s.jet(1.0).map(|j| j.third), Ok(0.0));
 }
 
 #[test]
