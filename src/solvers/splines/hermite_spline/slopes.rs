@@ -1,6 +1,6 @@
 //! The slopes at the knots.
 
-use crate::double_double::{Dd, sign_of_sum, two_prod, two_sum};
+use crate::double_double::{Dd, fast_two_sum, sign_of_sum, two_prod, two_sum};
 
 /// How the slope at a knot follows from the points around it; see the [module](super).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -106,8 +106,10 @@ impl Slopes {
         }
         match self {
             Slopes::Pchip => pchip(c),
-            Slopes::Akima => akima(c),
-            Slopes::ModifiedAkima => modified_akima(c),
+            Slopes::Akima => weighted(c, |jump, _| absolute(jump)),
+            Slopes::ModifiedAkima => {
+                weighted(c, |jump, sum| absolute(jump) + absolute(sum).scale(0.5))
+            }
         }
     }
 }
@@ -181,54 +183,47 @@ fn continued(c: &Chords) -> (Vec<Dd>, Vec<Dd>) {
     (delta.collect(), jump.collect())
 }
 
-/// Means of neighbouring chords: the weight of each is the jump on the other side of its neighbour.
-fn akima(c: &Chords) -> Vec<Slope> {
-    let (delta, jump) = continued(c);
-    let jump: Vec<f64> = jump.iter().map(|d| d.value()).collect();
-    (0..=c.exact.len())
-        .map(|i| {
-            let (left, right, jump_here) =
-                (delta[i + 1].value(), delta[i + 2].value(), jump[i + 1]);
-            let (before, after) = (jump[i].abs(), jump[i + 2].abs());
-            // A power of two keeps the products within range. They commute, so that excesses that are
-            // opposite by definition, as in the middle of four points, are opposite floats.
-            let unit = power_of_two_near(before.max(after));
-            let (before, after) = (unit * before, unit * after);
-            let both = before + after;
-            if both == 0.0 {
-                let half = 0.5 * jump_here;
-                return Slope::new(0.5 * left + 0.5 * right, half, -half);
-            }
-            let slope = (after / both) * left + (before / both) * right;
-            let over = |weight: f64| weight * jump_here / both;
-            Slope::new(slope, over(before), -over(after))
-        })
-        .collect()
+/// `a b`, the same for `b a` to the last bit.
+fn product(a: Dd, b: Dd) -> Dd {
+    let p = two_prod(a.hi, b.hi);
+    fast_two_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi))
 }
 
-/// As [`akima`], with half the sum of the chords at a jump added to its weight.
-fn modified_akima(c: &Chords) -> Vec<Slope> {
+/// Means of neighbouring chords: the weight of each, a function of a jump and of the sum of its two
+/// chords, is that of the jump on the other side of its neighbour.
+fn weighted(c: &Chords, weight: impl Fn(Dd, Dd) -> Dd) -> Vec<Slope> {
     let (delta, jump) = continued(c);
-    let abs = |v: Dd| if v.hi < 0.0 { -v } else { v };
     let weights: Vec<Dd> = jump
         .iter()
         .zip(delta.windows(2))
-        .map(|(jump, d)| abs(*jump) + abs(d[0] + d[1]).scale(0.5))
+        .map(|(jump, d)| weight(*jump, d[0] + d[1]))
         .collect();
     (0..=c.exact.len())
         .map(|i| {
             let (left, right, jump) = (delta[i + 1], delta[i + 2], jump[i + 1]);
-            let (before, after) = (weights[i], weights[i + 2]);
+            // A power of two keeps the products within range. They commute, so that excesses that are
+            // opposite by definition, as Akima's in the middle of four points, cancel exactly.
+            let unit = power_of_two_near(weights[i].hi.max(weights[i + 2].hi));
+            let (before, after) = (weights[i].scale(unit), weights[i + 2].scale(unit));
             let both = before + after;
-            let (of_left, of_right) = match both.hi > 0.0 {
-                true => (after.div(both), before.div(both)),
-                false => (Dd::from(0.5), Dd::from(0.5)),
+            let (of_left, of_right, over_left, over_right) = match both.hi > 0.0 {
+                true => (
+                    after.div(both).hi,
+                    before.div(both).hi,
+                    product(before, jump).div(both),
+                    -product(after, jump).div(both),
+                ),
+                false => (0.5, 0.5, jump.scale(0.5), -jump.scale(0.5)),
             };
             Slope {
-                slope: of_left.hi * left.hi + of_right.hi * right.hi,
-                over_left: of_right * jump,
-                over_right: -(of_left * jump),
+                slope: of_left * left.hi + of_right * right.hi,
+                over_left,
+                over_right,
             }
         })
         .collect()
+}
+
+fn absolute(v: Dd) -> Dd {
+    if v.hi < 0.0 { -v } else { v }
 }
