@@ -5,10 +5,10 @@
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
-use mechaudit::papers::zinchenko::data::{self, solver_start};
 use mechaudit::solvers::class_iii::State;
 use mechaudit::solvers::reduction::Row;
 use mechaudit::solvers::units::Angle;
+use mechaudit_cli::papers::zinchenko::data::{self, solver_start};
 use std::f64::consts::TAU;
 
 fn main() {

@@ -4,11 +4,11 @@
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
-use mechaudit::machine::planar::{self, Machine};
-use mechaudit::machine::{Linkage, Source};
-use mechaudit::papers::zinchenko::data::solver_start;
 use mechaudit::solvers::planar::{Loads, State};
 use mechaudit::solvers::units::Angle;
+use mechaudit_cli::machine::planar::{self, Machine};
+use mechaudit_cli::machine::{Linkage, Source};
+use mechaudit_cli::papers::zinchenko::data::solver_start;
 use std::f64::consts::TAU;
 
 fn main() {

@@ -5,7 +5,6 @@
 
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
-use mechaudit::papers::zinchenko::data::solver_start;
 use mechaudit::solvers::class_iii::{ClassIii, State};
 use mechaudit::solvers::reduction::Masses;
 use mechaudit::solvers::run_up::{
@@ -13,6 +12,7 @@ use mechaudit::solvers::run_up::{
     Splined, run,
 };
 use mechaudit::solvers::units::{Angle, AngularVelocity, Torque};
+use mechaudit_cli::papers::zinchenko::data::solver_start;
 use std::f64::consts::TAU;
 
 fn main() {

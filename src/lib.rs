@@ -1,26 +1,21 @@
 //! An accuracy oracle for the dynamics of mechanisms.
 //!
 //! Fast `f64` solvers stand beside arbitrary-precision references that carry a proof of their
-//! error, an audit compares the two, and published papers are taken apart with both.
+//! error, and an audit compares the two.
 //!
 //! | module | what it holds | needs |
 //! |---|---|---|
 //! | [`solvers`] (crate `mechaudit-solvers`) | Faddeeva function, tridiagonal systems, cubic splines, PCHIP and Akima interpolants, linkages, reduction to the crank, run-up under a motor, cams | nothing but `f64`; time integration: feature `run-up` |
 //! | `reference` (`mechaudit-reference`) | balls over MPFR, exact rational systems and splines, linkages enclosed by Krawczyk's operator | feature `oracle` |
 //! | `audit` (`mechaudit-audit`) | domains, cases, budgets, the judge, statistics | feature `oracle` |
-//! | `candidate` | code of one's own in place of a method's solver | feature `oracle` |
-//! | `campaign` | audits and hunts cut into shards, and their exact sum | feature `report` |
+//! | `candidate` | your own code in place of a method's solver | feature `oracle` |
 //! | `methods` | one file for each audited method | feature `oracle` |
-//! | `claims` | what is said of published algorithms for W and Voigt (`mechaudit-atlas`), decided | feature `oracle` |
-//! | `machine` | machines as their files describe them: certified rows and branches in the user's units | feature `machine` |
-//! | `motion` | a mechanism in motion, as pages and drawings show it | feature `oracle` |
-//! | `proof` (`mechaudit-proof`) | error bounds of solvers proved for every input | feature `oracle` |
-//! | `symbolic` (`mechaudit-symbolic`) | polynomials, roots, exponentials and their derivatives, exactly; proofs of formulas | feature `oracle` |
-//! | `report` | reports as text, HTML, JSON, CSV, JUnit, LaTeX and SVG | feature `report` |
-//! | `papers` | published papers: data, tables, formulas, findings | feature `oracle` |
 //!
-//! With `default-features = false` only the solvers are built, without GMP, MPFR or any
-//! command-line crate; feature `parallel` adds batches on all cores.
+//! The program `mechaudit` is the package `mechaudit-cli`. Files of machines, papers, proofs, campaigns and
+//! reports belong to it.
+//!
+//! With `default-features = false` only the solvers are built, without GMP and MPFR; feature `parallel`
+//! adds batches on all cores.
 //!
 //! # A linkage
 //! ```
@@ -94,22 +89,10 @@
 
 #[cfg(feature = "oracle")]
 pub mod book;
-#[cfg(feature = "report")]
-pub mod campaign;
 #[cfg(feature = "oracle")]
 pub mod candidate;
 #[cfg(feature = "oracle")]
-pub mod claims;
-#[cfg(feature = "machine")]
-pub mod machine;
-#[cfg(feature = "oracle")]
 pub mod methods;
-#[cfg(feature = "oracle")]
-pub mod motion;
-#[cfg(feature = "oracle")]
-pub mod papers;
-#[cfg(feature = "report")]
-pub mod report;
 
 #[cfg(all(doctest, feature = "oracle"))]
 #[doc = include_str!("../README.md")]
@@ -123,15 +106,9 @@ pub use candidate::{audit, audit_by_name, compare};
 pub use mechaudit_audit as audit;
 #[cfg(feature = "oracle")]
 #[doc(inline)]
-pub use mechaudit_proof as proof;
-#[cfg(feature = "oracle")]
-#[doc(inline)]
 pub use mechaudit_reference as reference;
 #[doc(inline)]
 pub use mechaudit_solvers as solvers;
-#[cfg(feature = "oracle")]
-#[doc(inline)]
-pub use mechaudit_symbolic as symbolic;
 /// A complex number of two `f64`, as candidates take and give it.
 #[cfg(feature = "oracle")]
 pub use num_complex::Complex64;

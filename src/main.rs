@@ -1,6 +1,9 @@
 //! The command-line program; see `mechaudit --help`.
 #![forbid(unsafe_code)]
 
+// The program's rooms, and the library's modules under the same names.
+extern crate mechaudit_cli as mechaudit;
+
 mod cli;
 
 #[cfg(all(target_os = "linux", target_env = "gnu"))]

@@ -528,7 +528,7 @@ impl Run {
         match &self.report {
             Some(report) => {
                 let all = std::slice::from_ref(report);
-                Ok(mechaudit::report::html::audit::page(
+                Ok(mechaudit_cli::report::html::audit::page(
                     all,
                     None,
                     None,

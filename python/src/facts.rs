@@ -4,7 +4,7 @@ use mechaudit::audit::{
     CaseReport, Layout, MethodReport, Proof, RegionReport, SolverAnswer, Spread,
 };
 use mechaudit::methods;
-use mechaudit::report::words::audit::of_case;
+use mechaudit_cli::report::words::audit::of_case;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use std::fmt::Display;

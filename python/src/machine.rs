@@ -1,16 +1,16 @@
 //! Machines as their files describe them.
 
 use crate::errors::{DomainError, Undecided, value_error};
-use mechaudit::machine::class_iii::{self, Branch, Certifier, Reach};
-use mechaudit::machine::dyad::{self, Dyad, Proved};
-use mechaudit::machine::planar::{self, Columns};
-use mechaudit::machine::run_up::{Machine, Overrides};
-use mechaudit::machine::{self, CamOscillator, Source};
 use mechaudit::reference::nearest_f64;
-use mechaudit::report::svg::linkage as drawn;
 use mechaudit::solvers::dyad::Assembly;
 use mechaudit::solvers::run_up::{Equation, run};
 use mechaudit::solvers::units::Angle;
+use mechaudit_cli::machine::class_iii::{self, Branch, Certifier, Reach};
+use mechaudit_cli::machine::dyad::{self, Dyad, Proved};
+use mechaudit_cli::machine::planar::{self, Columns};
+use mechaudit_cli::machine::run_up::{Machine, Overrides};
+use mechaudit_cli::machine::{self, CamOscillator, Source};
+use mechaudit_cli::report::svg::linkage as drawn;
 use numpy::ndarray::Array2;
 use numpy::{PyArray2, PyReadonlyArray1, ToPyArray};
 use pyo3::exceptions::PyValueError;

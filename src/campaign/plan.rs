@@ -152,8 +152,8 @@ impl Plan {
     /// [`PlanError`].
     ///
     /// ```
-    /// use mechaudit::campaign::Plan;
-    /// use mechaudit::machine::Source;
+    /// use mechaudit_cli::campaign::Plan;
+    /// use mechaudit_cli::machine::Source;
     /// let plan = Plan::read(&Source::toml(r#"
     ///     name = "small"
     ///     [[part]]
@@ -162,7 +162,7 @@ impl Plan {
     ///     cases = 100
     /// "#))?;
     /// assert_eq!(plan.parts.len(), 2);
-    /// # Ok::<(), mechaudit::campaign::PlanError>(())
+    /// # Ok::<(), mechaudit_cli::campaign::PlanError>(())
     /// ```
     pub fn read(source: &Source) -> Result<Plan, PlanError> {
         let file: File = source.parse()?;

@@ -5,7 +5,7 @@
 //! its domain, its measure and its source.
 //!
 //! ```
-//! use mechaudit::claims::{Effort, Verdict, claims, decide};
+//! use mechaudit_cli::claims::{Effort, Verdict, claims, decide};
 //!
 //! let claim = claims().into_iter().find(|c| c.algorithm == "humlicek-1982").unwrap();
 //! let decided = decide(&claim, &Effort { cases: 10, seed: 1 });

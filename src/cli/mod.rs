@@ -18,8 +18,8 @@ mod terminal;
 use args::{Args, Command};
 use clap::{CommandFactory, FromArgMatches};
 use commands::{
-    atlas, audit, campaign, chirp, compare, converge, describe, eval, hunt, judge, linkage, list,
-    paper, points, prove, regenerate, runup, shell,
+    atlas, audit, campaign, chirp, compare, converge, describe, eval, hunt, identity, judge,
+    linkage, list, paper, points, prove, regenerate, runup, shell,
 };
 use failure::{Failure, Outcome};
 #[cfg(unix)]
@@ -61,6 +61,7 @@ fn run(args: Args) -> Result<Outcome, Failure> {
         Some(Command::Points(a)) => points::points(&a),
         Some(Command::Judge(a)) => judge::judge(&a),
         Some(Command::Hunt(a)) => hunt::hunt(&a),
+        Some(Command::Identity(a)) => identity::identity(&a),
         Some(Command::Campaign(a)) => campaign::campaign(&a),
         Some(Command::Converge(a)) => converge::converge(&a),
         Some(Command::Regenerate(a)) => regenerate::regenerate(&a),

@@ -231,9 +231,9 @@ impl CamOscillator {
     /// Reads the description of a cam-driven oscillator; `harmonics` stands in place of the file's.
     ///
     /// ```
-    /// use mechaudit::machine::{CamOscillator, Source};
+    /// use mechaudit_cli::machine::{CamOscillator, Source};
     /// let source = Source::toml(include_str!(concat!(
-    ///     env!("CARGO_MANIFEST_DIR"), "/examples/chirp-run-up.toml"
+    ///     env!("CARGO_MANIFEST_DIR"), "/../../examples/chirp-run-up.toml"
     /// )));
     /// let machine = CamOscillator::read(&source, Some(50))?;
     /// let state = machine.response(&machine.drive)?.state(0.1)?;

@@ -8,12 +8,12 @@ use rug::{Integer, Rational};
 /// Crank angles in degrees, `from + k step`.
 ///
 /// ```
-/// use mechaudit::machine::crank_angles::{Grid, Window};
+/// use mechaudit_cli::machine::crank_angles::{Grid, Window};
 /// let window = Window { step: (75, 10).into(), ..Window::default() };
 /// let grid = Grid::new(&window, Some((14_426, 1000).into()), 1000)?;
 /// assert_eq!(grid.count, 48);
 /// assert_eq!(grid.angle(2), rug::Rational::from((29_426, 1000)));
-/// # Ok::<(), mechaudit::machine::crank_angles::GridError>(())
+/// # Ok::<(), mechaudit_cli::machine::crank_angles::GridError>(())
 /// ```
 pub struct Grid {
     /// The first angle.
@@ -173,7 +173,7 @@ impl Plan {
 /// A rational number whose decimals end, written out.
 ///
 /// ```
-/// use mechaudit::machine::crank_angles::decimal;
+/// use mechaudit_cli::machine::crank_angles::decimal;
 /// assert_eq!(decimal(&(-1, 8).into()), "-0.125");
 /// ```
 pub fn decimal(q: &Rational) -> String {

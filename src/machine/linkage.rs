@@ -37,7 +37,7 @@ impl Linkage {
     /// Reads the description of a linkage.
     ///
     /// ```
-    /// use mechaudit::machine::{Linkage, Source};
+    /// use mechaudit_cli::machine::{Linkage, Source};
     /// let source = Source::toml(r#"
     ///     type = "four-bar"
     ///     [geometry]
@@ -55,7 +55,7 @@ impl Linkage {
     ///     e.to_string(),
     ///     "line 3: geometry.crank = \"10 s\" is not a length; write it for instance in cm"
     /// );
-    /// # Ok::<(), mechaudit::machine::Refusal>(())
+    /// # Ok::<(), mechaudit_cli::machine::Refusal>(())
     /// ```
     ///
     /// # Errors

@@ -16,9 +16,9 @@
 //! The rows of a linkage, each value with 25 digits that are proved:
 //!
 //! ```
-//! use mechaudit::machine::{class_iii, Linkage, Source};
+//! use mechaudit_cli::machine::{class_iii, Linkage, Source};
 //! let source = Source::toml(include_str!(concat!(
-//!     env!("CARGO_MANIFEST_DIR"), "/examples/sand-screen.toml"
+//!     env!("CARGO_MANIFEST_DIR"), "/../../examples/sand-screen.toml"
 //! )));
 //! let Linkage::ClassIii(linkage) = Linkage::read(&source)? else { unreachable!() };
 //! let start = linkage.start_degrees().unwrap();

@@ -3,14 +3,14 @@
 //! The type says what is measured, so a mass cannot be read where a length is due:
 //!
 //! ```
-//! use mechaudit::machine::quantity::Quantity;
+//! use mechaudit_cli::machine::quantity::Quantity;
 //! use mechaudit::solvers::units::Length;
 //! let l: Quantity<Length> = "48.5 cm".parse()?;
 //! assert_eq!(l.value, rug::Rational::from((485, 1000)));
 //! assert_eq!(l.to_f64(), 0.485);
 //! let e = "48.5 kg".parse::<Quantity<Length>>().unwrap_err();
 //! assert_eq!(e.to_string(), "\"48.5 kg\" is not a length; write it for instance in cm");
-//! # Ok::<(), mechaudit::machine::quantity::QuantityError>(())
+//! # Ok::<(), mechaudit_cli::machine::quantity::QuantityError>(())
 //! ```
 
 use crate::reference::class_iii::ExactAngle;

@@ -20,7 +20,7 @@ pub struct Target {
 
 /// The target that the proof of the closed upper half-plane reaches on every rectangle.
 pub const UPPER_HALF_PLANE: Target = Target {
-    norm: 1.25,
+    norm: mechaudit_solvers::faddeeva::PROVED_NORM,
     component: 4.0,
     depth: 48,
 };

@@ -5,7 +5,9 @@ use super::error::unsupported;
 use super::exact::Exact;
 use super::expr::{Bound, Expr, Func};
 use super::jet::Jets;
+use super::series;
 use super::walk::{Definitions, Domain, Scope, walk};
+use super::work::{LIMIT, limited, step};
 use super::{Algebra, ExpSum, Fraction, Gauss, Poly, Symbol, SymbolicError};
 use mechaudit_reference::{Ball, ComplexBall, Mag};
 use rug::Rational;
@@ -15,30 +17,61 @@ use std::collections::BTreeMap;
 /// Working precision of enclosures.
 pub const BITS: u32 = 128;
 
-/// Rational values of the symbols. A symbol that is not named has a value between 1/2 and 3/2 that
-/// depends on its name, so that distinct symbols have distinct values.
+/// Rational values of the symbols.
+///
+/// A name without a value is an error, except at a sample: there it has a value between 1/2 and 3/2
+/// that depends on the name, so that distinct symbols have distinct values. What holds at a sample is
+/// shown for that point alone; samples serve to refute.
 #[derive(Clone, Debug, Default)]
 pub struct Point {
     /// The named values.
     pub named: BTreeMap<String, Rational>,
-    /// Changes the other values.
-    pub turn: u32,
+    /// The number of the sample, which changes the values that are not named; `None` if every name
+    /// has to have a value.
+    pub sample: Option<u32>,
 }
 
 impl Point {
-    /// The value of a symbol.
-    pub fn value(&self, name: &str) -> Rational {
+    /// Returns the sample of that number, without named values.
+    pub fn sample(number: u32) -> Point {
+        Point {
+            named: BTreeMap::new(),
+            sample: Some(number),
+        }
+    }
+
+    /// Returns the value of a symbol.
+    ///
+    /// # Errors
+    /// [`SymbolicError::NoValue`] if it has none.
+    pub fn value(&self, name: &str) -> Result<Rational, SymbolicError> {
         if let Some(q) = self.named.get(name) {
-            return q.clone();
+            return Ok(q.clone());
+        }
+        let turn = self
+            .sample
+            .ok_or_else(|| SymbolicError::NoValue(name.into()))?;
+        // The index of a series is an integer; without the sum, what stands beside it is seen.
+        if name == Symbol::INDEX.name() {
+            return Ok(Rational::from(turn + 1));
+        }
+        if name == Symbol::SERIES.name() {
+            return Ok(Rational::from((turn + 1) % 2));
         }
         // FNV-1a, reduced to a fraction with a small denominator.
-        let start = 0xcbf2_9ce4_8422_2325 ^ u64::from(self.turn);
+        let start = 0xcbf2_9ce4_8422_2325 ^ u64::from(turn);
         let hash = name.bytes().fold(start, |h, b| {
             (h ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3)
         });
         let below = 89 + (hash >> 40) % 30;
         let above = below / 2 + (hash >> 8) % below;
-        Rational::from((above, below))
+        // The last samples are larger and smaller, for what holds between 1/2 and 3/2 alone.
+        let scale = match turn {
+            4 => Rational::from(5),
+            5 => Rational::from((1, 5)),
+            _ => Rational::from(1),
+        };
+        Ok(Rational::from((above, below)) * scale)
     }
 }
 
@@ -100,7 +133,10 @@ impl<'a> Enclosures<'a> {
         definitions: &Definitions,
         e: &Expr,
     ) -> Result<ComplexBall, SymbolicError> {
-        walk(self, &mut Scope::new(definitions), e)
+        limited(LIMIT, || {
+            series::check(definitions, e)?;
+            walk(self, &mut Scope::new(definitions), e)
+        })
     }
 }
 
@@ -118,6 +154,8 @@ impl Enclosures<'_> {
         from: &ComplexBall,
         step: &ComplexBall,
     ) -> Result<ComplexBall, SymbolicError> {
+        // The products of series below are many times the nodes of the expression.
+        super::work::step(200)?;
         let mut jets = Jets { point: self.point };
         let mut inner = scope.with_values(|v| vec![v.clone()]);
         let path = vec![from.clone(), step.clone()];
@@ -150,7 +188,7 @@ impl Domain for Enclosures<'_> {
     fn symbol(&mut self, name: &str) -> Result<ComplexBall, SymbolicError> {
         let re = match name {
             "pi" => Ball::pi(BITS),
-            name => Ball::rational(BITS, &self.point.value(name)),
+            name => Ball::rational(BITS, &self.point.value(name)?),
         };
         Ok(ComplexBall::new(re, Ball::integer(BITS, 0)))
     }
@@ -241,6 +279,13 @@ pub fn has_derivative(definitions: &Definitions, e: &Expr) -> bool {
     definitions.any(e, |e| matches!(e, Expr::Diff(..)))
 }
 
+/// Returns true if the normal form of an expression shows that its value is real.
+pub fn is_real(definitions: &Definitions, e: &Expr) -> bool {
+    let mut exact = Exact::default();
+    let form = exact.value(definitions, e);
+    form.is_ok_and(|form| exact.algebra.is_real(&form))
+}
+
 /// An enclosure of an expression: straight from the data, or through the normal form where there is
 /// a derivative.
 ///
@@ -270,36 +315,63 @@ pub fn enclose_form(
 ) -> Result<ComplexBall, SymbolicError> {
     let mut sum = ComplexBall::zero(BITS);
     for (p, c) in form.terms() {
-        let p = enclose_fraction(algebra, p, point)?;
-        let c = enclose_fraction(algebra, c, point)?;
+        let p = enclose_fraction(algebra, p, point, BITS)?;
+        let c = enclose_fraction(algebra, c, point, BITS)?;
         sum = &sum + &(&c * &complex::exp(&p));
     }
     Ok(sum)
 }
 
-fn enclose_fraction(
+/// Samples at which a function is looked at to see that it is not zero.
+const SAMPLES: u32 = 3;
+
+/// Returns true if an enclosure at a sample point excludes zero.
+pub(super) fn is_somewhere_not_zero(algebra: &Algebra, f: &Fraction) -> bool {
+    (0..SAMPLES).any(|turn| {
+        let value = enclose_fraction(algebra, f, &Point::sample(turn), BITS);
+        value.is_ok_and(|z| !z.re.contains_zero() || !z.im.contains_zero())
+    })
+}
+
+/// As [`is_somewhere_not_zero`], for a sum of exponentials.
+pub(super) fn is_form_somewhere_not_zero(algebra: &Algebra, form: &ExpSum) -> bool {
+    (0..SAMPLES).any(|turn| {
+        let value = enclose_form(algebra, form, &Point::sample(turn));
+        value.is_ok_and(|z| !z.re.contains_zero() || !z.im.contains_zero())
+    })
+}
+
+/// An enclosure of an element of the field, at a working precision.
+pub(super) fn enclose_fraction(
     algebra: &Algebra,
     f: &Fraction,
     point: &Point,
+    bits: u32,
 ) -> Result<ComplexBall, SymbolicError> {
-    let num = enclose_poly(algebra, f.num(), point)?;
+    let num = enclose_poly(algebra, f.num(), point, bits)?;
     if f.den().is_one() {
         return Ok(num);
     }
-    let den = enclose_poly(algebra, f.den(), point)?;
+    let den = enclose_poly(algebra, f.den(), point, bits)?;
     complex::quotient(&num, &den).ok_or_else(|| SymbolicError::NotInvertible(f.den().to_string()))
 }
 
-fn enclose_poly(algebra: &Algebra, p: &Poly, point: &Point) -> Result<ComplexBall, SymbolicError> {
+fn enclose_poly(
+    algebra: &Algebra,
+    p: &Poly,
+    point: &Point,
+    bits: u32,
+) -> Result<ComplexBall, SymbolicError> {
     let mut values: BTreeMap<Symbol, ComplexBall> = BTreeMap::new();
-    let mut sum = ComplexBall::zero(BITS);
+    let mut sum = ComplexBall::zero(bits);
     for (m, c) in p.terms() {
-        let mut product = ComplexBall::rational(BITS, &c.re, &c.im);
+        let mut product = ComplexBall::rational(bits, &c.re, &c.im);
         for (x, k) in m {
             if !values.contains_key(x) {
-                values.insert(*x, enclose_symbol(algebra, *x, point)?);
+                values.insert(*x, enclose_symbol(algebra, *x, point, bits)?);
             }
             for _ in 0..*k {
+                step(1)?;
                 product = &product * &values[x];
             }
         }
@@ -312,14 +384,22 @@ fn enclose_symbol(
     algebra: &Algebra,
     x: Symbol,
     point: &Point,
+    bits: u32,
 ) -> Result<ComplexBall, SymbolicError> {
     if let Some((_, p)) = algebra.roots().iter().find(|(s, _)| *s == x) {
-        return complex::sqrt(&enclose_poly(algebra, p, point)?);
+        return complex::sqrt(&enclose_poly(algebra, p, point, bits)?);
     }
     if let Some((_, z)) = algebra.antiderivatives().iter().find(|(g, _)| *g == x) {
-        return complex::antiderivative(&enclose_fraction(algebra, z, point)?);
+        return complex::antiderivative(&enclose_fraction(algebra, z, point, bits)?);
     }
-    Enclosures::new(point).symbol(&x.name())
+    if let Some((_, kernel)) = algebra.kernels().iter().find(|(k, _)| *k == x) {
+        return kernel.enclose(algebra, point, bits);
+    }
+    let re = match x == Symbol::PI {
+        true => Ball::pi(bits),
+        false => Ball::rational(bits, &point.value(&x.name())?),
+    };
+    Ok(ComplexBall::new(re, Ball::integer(bits, 0)))
 }
 
 #[cfg(test)]

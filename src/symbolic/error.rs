@@ -14,11 +14,15 @@ pub enum SymbolicError {
     /// Not a name of 1 to 16 printable ASCII characters.
     #[error("{0:?} is not a name of 1 to 16 printable ASCII characters")]
     Name(String),
+    /// A definition or a variable with the name of a constant.
+    #[error("{0} is a constant and cannot be defined or varied")]
+    Reserved(String),
     /// Division by zero or by a proper sum of exponentials.
     #[error("cannot divide by {0}")]
     NotInvertible(String),
-    /// A square root that cannot be adjoined independently of the others.
-    #[error("the root of {0} is not independent of those in use")]
+    /// A square root whose branch depends on the values of the symbols, or of a number with large
+    /// prime factors.
+    #[error("the branch of the root of {0} is not decided")]
     Root(String),
     /// Outside the algebra.
     #[error("outside the algebra: {0}")]
@@ -26,6 +30,12 @@ pub enum SymbolicError {
     /// Definitions that lead back to themselves.
     #[error("the definition of {0} does not end")]
     Circular(String),
+    /// The decision takes more operations than are allowed for one.
+    #[error("the limit on the work of one decision is passed")]
+    Work,
+    /// A name without a value where values are needed.
+    #[error("{0} has no value")]
+    NoValue(String),
     /// An enclosure is too wide.
     #[error("an enclosure is too wide for {0}")]
     Wide(String),

@@ -1,15 +1,21 @@
 //! Expressions in the algebra: the normal form.
 
+use super::enclosure::has_derivative;
 use super::error::unsupported;
 use super::expr::{Bound, Expr, Func};
+use super::integral::Limit;
+use super::series;
 use super::walk::{Definitions, Domain, Scope, walk};
+use super::work::{LIMIT, limited};
 use super::{Algebra, Derivation, ExpSum, Fraction, Gauss, Poly, Symbol, SymbolicError};
 
 /// Evaluates expressions to normal forms.
 #[derive(Clone, Debug, Default)]
 pub struct Exact {
-    /// What has been adjoined on the way.
+    /// The roots and integrals adjoined on the way.
     pub algebra: Algebra,
+    /// Evaluates what is differentiated in place of its derivative, to see where it is defined.
+    undifferentiated: bool,
 }
 
 impl Exact {
@@ -18,70 +24,16 @@ impl Exact {
     /// # Errors
     /// What is outside the algebra.
     pub fn value(&mut self, definitions: &Definitions, e: &Expr) -> Result<ExpSum, SymbolicError> {
-        walk(self, &mut Scope::new(definitions), e)
+        limited(LIMIT, || {
+            series::check(definitions, e)?;
+            let form = walk(self, &mut Scope::new(definitions), e)?;
+            self.algebra.with_unity(&form)
+        })
     }
 
-    fn fraction(&self, e: &ExpSum, what: &str) -> Result<Fraction, SymbolicError> {
+    pub(super) fn fraction(&self, e: &ExpSum, what: &str) -> Result<Fraction, SymbolicError> {
         e.as_fraction()
             .ok_or_else(|| SymbolicError::Unsupported(format!("{what} with exponentials")))
-    }
-
-    /// `∫ f dx` from a to b; f is a sum of `c e^p` with p of degree two at most in x, and c free of
-    /// x unless p is.
-    fn definite(
-        &mut self,
-        f: &ExpSum,
-        x: Symbol,
-        a: &Fraction,
-        b: &Fraction,
-    ) -> Result<ExpSum, SymbolicError> {
-        let mut out = ExpSum::zero();
-        let zero = Poly::zero();
-        for (p, c) in f.terms() {
-            let parts = p.num().coefficients(x);
-            let hidden = [p.num(), p.den(), c.num(), c.den()]
-                .into_iter()
-                .any(|q| self.algebra.hides(q, x));
-            if p.den().contains(x) || parts.len() > 3 || c.den().contains(x) || hidden {
-                return unsupported(format!("the integral of {f}"));
-            }
-            let part = |k: usize| {
-                let over = parts.get(k).unwrap_or(&zero).clone();
-                Fraction::new(over, p.den().clone()).unwrap_or_else(Fraction::zero)
-            };
-            let (p0, p1, p2) = (part(0), part(1), part(2));
-            let unit = |e: &Fraction| ExpSum::term(Fraction::integer(1), e.clone());
-            let integral = if p1.is_zero() && p2.is_zero() {
-                let mut sum = Fraction::zero();
-                for (k, d) in c.num().coefficients(x).into_iter().enumerate() {
-                    let over = Poly::integer(k as i64 + 1);
-                    let power = |y: &Fraction| (0..=k).fold(Fraction::integer(1), |q, _| &q * y);
-                    let d = Fraction::new(d, &over * c.den()).unwrap_or_else(Fraction::zero);
-                    sum = &sum + &(&d * &(&power(b) - &power(a)));
-                }
-                self.algebra.product(&sum.into(), &unit(&p0))
-            } else if c.contains(x) {
-                return unsupported(format!("the integral of {f}"));
-            } else if p2.is_zero() {
-                let ends = &unit(&(&p1 * b)) - &unit(&(&p1 * a));
-                let ends = self.algebra.quotient(&ends, &p1.into())?;
-                self.algebra.product(&ends, &ExpSum::term(c.clone(), p0))
-            } else {
-                // p = z² + p0 − p1²/(4 p2) with z = √p2 x + p1/(2√p2).
-                let root = self.algebra.sqrt(&p2)?;
-                let inverse = root.inverse().unwrap_or_else(Fraction::zero);
-                let half = Fraction::constant(Gauss::real((1, 2)));
-                let shift = &(&p1 * &inverse) * &half;
-                let z = |x: &Fraction| &(&root * x) + &shift;
-                let ends =
-                    &self.algebra.antiderivative(&z(b))? - &self.algebra.antiderivative(&z(a))?;
-                let rest = &p0 - &(&shift * &shift);
-                let factor = ExpSum::term(c * &inverse, rest);
-                self.algebra.product(&ends.into(), &factor)
-            };
-            out = &out + &integral;
-        }
-        Ok(self.algebra.reduce(&out))
     }
 
     fn poly_at(
@@ -96,19 +48,32 @@ impl Exact {
             for (s, k) in m {
                 let roots = self.algebra.roots().iter();
                 let hidden = |q: &Poly| q.contains(x) || self.algebra.hides(q, x);
-                let mut roots = roots.filter(|(r, q)| r == s && hidden(q));
-                if roots.next().is_some() {
-                    return unsupported(format!("a value of {x} under a root"));
-                }
+                let root = roots.clone().find(|(r, q)| r == s && hidden(q)).cloned();
                 let integrals = self.algebra.antiderivatives();
                 let found = integrals.iter().find(|(g, _)| g == s).cloned();
-                let factor = match found {
-                    Some((_, z)) => {
+                let kernels = self.algebra.kernels().iter();
+                let kernel = kernels.clone().find(|(k, kernel)| {
+                    k == s && kernel.polynomials().into_iter().any(|q| hidden(q))
+                });
+                let kernel = kernel.cloned();
+                if let Some((_, kernel)) = kernel {
+                    let factor = Algebra::kernel_at(self, &kernel, x, value)?;
+                    for _ in 0..*k {
+                        product = &product * &factor;
+                    }
+                    continue;
+                }
+                let factor = match (root, found) {
+                    (Some((_, radicand)), _) => {
+                        let radicand = self.poly_at(&radicand, x, value)?;
+                        self.algebra.sqrt(&radicand)?
+                    }
+                    (_, Some((_, z))) => {
                         let z = self.fraction_at(&z, x, value)?;
                         self.algebra.antiderivative(&z)?
                     }
-                    None if *s == x => value.clone(),
-                    None => Fraction::symbol(*s),
+                    _ if *s == x => value.clone(),
+                    _ => Fraction::symbol(*s),
                 };
                 for _ in 0..*k {
                     product = &product * &factor;
@@ -119,7 +84,7 @@ impl Exact {
         Ok(self.algebra.reduce_fraction(&out))
     }
 
-    fn fraction_at(
+    pub(super) fn fraction_at(
         &mut self,
         f: &Fraction,
         x: Symbol,
@@ -127,9 +92,7 @@ impl Exact {
     ) -> Result<Fraction, SymbolicError> {
         let num = self.poly_at(f.num(), x, value)?;
         let den = self.poly_at(f.den(), x, value)?;
-        let inverse = den
-            .inverse()
-            .ok_or_else(|| SymbolicError::NotInvertible(format!("{} at {x} = {value}", f.den())))?;
+        let inverse = self.algebra.inverse(&den)?;
         Ok(self.algebra.reduce_fraction(&(&num * &inverse)))
     }
 
@@ -148,9 +111,17 @@ impl Exact {
         }
     }
 
-    fn square_root(&mut self, x: &ExpSum) -> Result<ExpSum, SymbolicError> {
-        let x = self.fraction(x, "a root")?;
-        Ok(self.algebra.sqrt(&x)?.into())
+    /// A limit of an integral.
+    fn limit(&mut self, scope: &mut Scope<ExpSum>, e: &Expr) -> Result<Limit, SymbolicError> {
+        let is_infinite = |e: &Expr| *e == Expr::Sym("inf".into());
+        match e {
+            e if is_infinite(e) => Ok(Limit::Infinity),
+            Expr::Neg(e) if is_infinite(e) => Ok(Limit::MinusInfinity),
+            e => {
+                let value = walk(self, scope, e)?;
+                self.fraction(&value, "a limit").map(Limit::Finite)
+            }
+        }
     }
 }
 
@@ -182,11 +153,11 @@ impl Domain for Exact {
         let halved = |a: &Algebra, e: &ExpSum, c: Gauss| a.product(e, &ExpSum::constant(c));
         match f {
             Func::Exp => self.algebra.exp(x),
-            Func::Sqrt => self.square_root(x),
+            Func::Sqrt => self.algebra.square_root(x),
             Func::W => {
                 let z = self.fraction(x, "the argument of W")?;
                 let pi = self.symbol("pi")?;
-                let root = self.square_root(&pi)?;
+                let root = self.algebra.square_root(&pi)?;
                 let g = self.algebra.antiderivative(&z)?;
                 let g = self.algebra.quotient(&g.into(), &root)?;
                 let sum = &ExpSum::integer(1)
@@ -204,23 +175,9 @@ impl Domain for Exact {
                 let difference = x - &self.algebra.conj(x)?;
                 Ok(halved(&self.algebra, &difference, Gauss::new(0, (-1, 2))))
             }
-            Func::Abs => {
-                let square = self.algebra.product(x, &self.algebra.conj(x)?);
-                self.square_root(&square)
-            }
-            Func::Arg => {
-                // arg(c e^{iθ}) = θ for c > 0, here: a positive multiple of symbols.
-                let found = x.as_single().and_then(|(p, c)| {
-                    let positive = c.den().is_one()
-                        && c.num().terms().count() == 1
-                        && self.algebra.is_positive(c.num());
-                    let minus_i = Fraction::constant(Gauss::i_power(3));
-                    let theta = p * &minus_i;
-                    (positive && theta == theta.conj()).then_some(theta)
-                });
-                found.map_or_else(|| unsupported("an argument"), |theta| Ok(theta.into()))
-            }
-            Func::Arctan => unsupported("an arc tangent"),
+            Func::Abs => self.algebra.abs(x),
+            Func::Arg => self.algebra.arg(x),
+            Func::Arctan => self.algebra.arctan(x),
             Func::Sin | Func::Cos => unsupported(f.name()),
         }
     }
@@ -230,16 +187,21 @@ impl Domain for Exact {
         scope: &mut Scope<ExpSum>,
         bound: &Bound,
     ) -> Result<ExpSum, SymbolicError> {
-        let a = walk(self, scope, &bound.from)?;
-        let b = walk(self, scope, &bound.to)?;
-        let (a, b) = (self.fraction(&a, "a limit")?, self.fraction(&b, "a limit")?);
+        let limits = [
+            self.limit(scope, &bound.from)?,
+            self.limit(scope, &bound.to)?,
+        ];
+        let complex = limits.iter().any(|limit| match limit {
+            Limit::Finite(x) => !self.algebra.is_real(&x.clone().into()),
+            _ => false,
+        });
         // A name that cannot be typed and differs by depth, so that no limit is caught.
         let name = format!("${}", scope.bound.len());
         let x = Symbol::named(&name)?;
         let f = scope.binding(&bound.var, ExpSum::symbol(x), |scope| {
-            Algebra::unsigned(self, x, |exact| walk(exact, scope, &bound.body))
+            Algebra::unsigned(self, x, complex, |exact| walk(exact, scope, &bound.body))
         });
-        self.definite(&f?, x, &a, &b)
+        self.algebra.definite(&f?, x, limits.each_ref())
     }
 
     fn derivative(
@@ -248,11 +210,20 @@ impl Domain for Exact {
         body: &Expr,
         by: &str,
     ) -> Result<ExpSum, SymbolicError> {
+        if self.undifferentiated {
+            return walk(self, scope, body);
+        }
         let x = Symbol::named(by)?;
         let mut d = Derivation::from([(x, ExpSum::integer(1))]);
         let definitions = scope.definitions;
         for (symbol, image) in definitions.derivations.get(by).into_iter().flatten() {
-            let image = walk(self, scope, image)?;
+            let image = scope.deeper(symbol, |scope| walk(self, scope, image))?;
+            // The derivative of a real value is real: Re f would not be differentiated like f.
+            if !self.algebra.is_real(&image) && definitions.any(body, uses_conjugates) {
+                return unsupported(format!(
+                    "a derivation that makes {symbol} complex, of real and imaginary parts"
+                ));
+            }
             let s = Symbol::named(symbol)?;
             d.insert(s, image);
         }
@@ -267,8 +238,9 @@ impl Domain for Exact {
         self.algebra.derive(&f?, &d)
     }
 
-    /// Evaluates with the symbol free and puts the value in afterwards, so that derivatives are
-    /// taken before.
+    /// Puts the value in before the body is evaluated, so that no division by zero is lost. Where
+    /// there is a derivative, evaluates with the symbol free and puts the value in afterwards, what
+    /// is differentiated being defined there.
     fn at(
         &mut self,
         scope: &mut Scope<ExpSum>,
@@ -276,21 +248,40 @@ impl Domain for Exact {
         symbol: &str,
         value: ExpSum,
     ) -> Result<ExpSum, SymbolicError> {
-        let Some(value) = value.as_fraction() else {
-            return scope.binding(symbol, value, |scope| walk(self, scope, body));
+        let fraction = match value.as_fraction() {
+            Some(fraction) if has_derivative(scope.definitions, body) => fraction,
+            _ => return scope.binding(symbol, value, |scope| walk(self, scope, body)),
         };
+        let outside = std::mem::replace(&mut self.undifferentiated, true);
+        let defined = scope.binding(symbol, value.clone(), |scope| walk(self, scope, body));
+        self.undifferentiated = outside;
+        let defined = defined?;
+        if outside {
+            return Ok(defined);
+        }
         let x = Symbol::named(symbol)?;
         self.is_free(scope, x)?;
+        let complex = !self.algebra.is_real(&value);
         let f = scope.binding(symbol, ExpSum::symbol(x), |scope| {
-            Algebra::unsigned(self, x, |exact| walk(exact, scope, body))
+            Algebra::unsigned(self, x, complex, |exact| walk(exact, scope, body))
         });
         let mut out = ExpSum::zero();
         for (p, c) in f?.terms() {
-            let p = self.fraction_at(p, x, &value)?;
-            out.accumulate(self.fraction_at(c, x, &value)?, p);
+            let p = self.fraction_at(p, x, &fraction)?;
+            let c = self.fraction_at(c, x, &fraction)?;
+            let unit = self.algebra.exp(&p.into())?;
+            out = &out + &self.algebra.product(&c.into(), &unit);
         }
         Ok(self.algebra.reduce(&out))
     }
+}
+
+/// Returns true for functions that are not differentiated like analytic ones.
+fn uses_conjugates(e: &Expr) -> bool {
+    matches!(
+        e,
+        Expr::Call(Func::Re | Func::Im | Func::Abs | Func::Arg, _)
+    )
 }
 
 #[cfg(test)]
@@ -298,7 +289,7 @@ mod tests {
     use super::*;
     use crate::parse;
 
-    /// No value is put in below a root, however deep; beside one it is.
+    /// A value is put in below roots as well, however deep.
     #[test]
     fn values_under_roots() {
         let mut exact = Exact::default();
@@ -308,17 +299,14 @@ mod tests {
             let fraction = form.unwrap().as_fraction().unwrap();
             exact.poly_at(fraction.num(), s, &Fraction::integer(3))
         };
-        for text in [
-            "sqrt(x + y)",
-            "y*sqrt(x + y) + 1",
-            "sqrt(1 + sqrt(x))",
-            "sqrt(2)*sqrt(x)",
+        for (text, due) in [
+            ("sqrt(x + y)", "sqrt(3 + y)"),
+            ("y*sqrt(x + y) + 1", "y*sqrt(3 + y) + 1"),
+            ("sqrt(1 + sqrt(x))", "sqrt(1 + sqrt(3))"),
+            ("sqrt(2)*sqrt(x)", "sqrt(2)*sqrt(3)"),
         ] {
-            let found = at(text, x);
-            assert!(
-                matches!(found, Err(SymbolicError::Unsupported(_))),
-                "{text}: {found:?}"
-            );
+            let (found, due) = (at(text, x).unwrap(), at(due, x).unwrap());
+            assert_eq!(found, due, "{text}");
         }
         let beside = at("y*sqrt(x) + 2*y^2", y).unwrap();
         assert_eq!(beside, at("3*sqrt(x) + 18", y).unwrap());
@@ -341,7 +329,11 @@ mod tests {
             form("at(x^2, x, -3) + sqrt(x)^2").unwrap().to_string(),
             "9+x"
         );
-        assert!(form("at(sqrt(x)^2, x, -3)").is_err());
+        assert_eq!(form("at(sqrt(x)^2, x, -3)").unwrap().to_string(), "-3");
+        assert_eq!(
+            form("at(D(sqrt(x^2), x), x, -3)").unwrap().to_string(),
+            "-1"
+        );
         assert_eq!(form("sqrt(x^2)").unwrap().to_string(), "x");
     }
 }

@@ -55,7 +55,7 @@ pub struct Bound {
     pub var: String,
     /// Lower limit.
     pub from: Expr,
-    /// Upper limit; `inf` is a symbol.
+    /// Upper limit, which may be `inf`.
     pub to: Expr,
     /// What is integrated or added.
     pub body: Expr,
@@ -86,8 +86,9 @@ pub enum Expr {
     Call(Func, Box<Expr>),
     /// An integral.
     Int(Box<Bound>),
-    /// A sum over an index; up to `inf`, or to `n_num` for an unspecified number, it is cut off after [`HARMONICS`] terms; `series(n, f)`,
-    /// which has the upper limit `each`, stands for its term with indeterminate n.
+    /// A sum over an index. `series(n, f)`, which has the upper limit `each`, is the formal sum of
+    /// the terms f over all n of an unspecified range of positive integers: two of them are equal
+    /// if their terms are.
     Sum(Box<Bound>),
     /// A derivative: by a derivation of that name, or partial.
     Diff(Box<Expr>, String),
@@ -95,9 +96,8 @@ pub enum Expr {
     At(Box<Expr>, String, Box<Expr>),
 }
 
-/// Terms kept of a sum up to `inf`. The identities about series are proved term by term, so three
-/// terms with indeterminate coefficients stand for all.
-pub const HARMONICS: i64 = 3;
+/// Names of constants, which cannot be defined, bound or varied.
+pub(super) const RESERVED: [&str; 3] = ["i", "pi", "inf"];
 
 /// The upper limit that makes a sum a series of like terms.
 pub(super) const EACH: &str = "each";

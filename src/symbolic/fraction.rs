@@ -2,6 +2,7 @@
 
 use super::gcd::gcd;
 use super::{Gauss, Poly, Symbol};
+use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -113,6 +114,12 @@ impl Fraction {
             num: self.num.conj(),
             den: self.den.conj(),
         }
+    }
+
+    /// With other symbols in place of some.
+    pub(super) fn renamed(&self, names: &BTreeMap<Symbol, Symbol>) -> Fraction {
+        Fraction::new(self.num.renamed(names), self.den.renamed(names))
+            .unwrap_or_else(Fraction::zero)
     }
 
     /// `∂/∂x`.

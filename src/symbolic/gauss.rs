@@ -52,6 +52,12 @@ impl Gauss {
         self.re == 1 && self.im.is_zero()
     }
 
+    /// The length of its numbers in machine words, at least one.
+    pub(super) fn words(&self) -> u64 {
+        let bits = |q: &Rational| q.numer().significant_bits() + q.denom().significant_bits();
+        1 + u64::from(bits(&self.re).max(bits(&self.im))) / 64
+    }
+
     /// The conjugate.
     pub fn conj(&self) -> Gauss {
         Gauss::new(self.re.clone(), -self.im.clone())

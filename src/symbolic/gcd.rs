@@ -1,7 +1,7 @@
 //! Greatest common divisors of polynomials: primitive remainder sequences, one variable at a time.
 
 use super::coprime::certainly_without;
-use super::{Gauss, Poly, Symbol};
+use super::{Poly, Symbol};
 
 /// The monic greatest common divisor; zero only if both are zero.
 pub fn gcd(a: &Poly, b: &Poly) -> Poly {
@@ -104,22 +104,4 @@ fn pseudo_remainder(p: &Poly, q: &Poly, x: Symbol) -> Poly {
         }
     }
     Poly::from_coefficients(x, &rest)
-}
-
-/// Whether no square of a polynomial that is not constant divides p.
-pub fn squarefree(p: &Poly) -> bool {
-    let constant = |g: &Poly| g.as_constant().is_some();
-    !p.is_zero()
-        && p.symbols()
-            .into_iter()
-            .all(|x| constant(&content(p, x)) || squarefree(&content(p, x)))
-        && p.symbols().into_iter().all(|x| {
-            let primitive = p.divided_by(&content(p, x)).unwrap_or_else(|| p.clone());
-            constant(&gcd(&primitive, &primitive.derivative(x)))
-        })
-}
-
-/// Whether the only common divisors are constants.
-pub fn coprime(a: &Poly, b: &Poly) -> bool {
-    gcd(a, b) == Poly::constant(Gauss::real(1))
 }

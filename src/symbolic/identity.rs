@@ -2,22 +2,25 @@
 
 use super::enclosure::{Point, enclose, enclose_form, has_derivative};
 use super::exact::Exact;
-use super::expr::{Equation, Expr};
+use super::expr::{EACH, Equation, Expr};
 use super::walk::Definitions;
+use super::work::{LIMIT, limited};
 use super::{Algebra, ExpSum, SymbolicError};
 use mechaudit_reference::ComplexBall;
+use rug::Rational;
 use serde::Serialize;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What is known of an equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Outcome {
-    /// The normal form of the difference is zero.
+    /// The normal form of the difference is zero: the sides are equal for all positive values of
+    /// the free symbols at which both are defined.
     Proved,
     /// At a rational point an enclosure of the difference excludes zero.
     Refuted,
-    /// Outside the algebra, and enclosures at points contain zero.
+    /// Outside the algebra or past the limit on work, and enclosures at points contain zero.
     Undecided,
 }
 
@@ -44,37 +47,51 @@ pub struct Identity {
 }
 
 /// Points tried before an equation is left undecided.
-const POINTS: u32 = 4;
+const POINTS: u32 = 6;
 
 impl Identity {
-    /// Decides an equation at points of the program's choice.
+    /// Decides an equation for all positive values of its free symbols; refutes it at sample points.
     pub fn of(definitions: &Definitions, equation: &Equation) -> Identity {
-        Identity::at(definitions, equation, &Point::default())
+        Identity::near(definitions, equation, &BTreeMap::new())
     }
 
-    /// Decides an equation; the point's named values are kept.
-    pub fn at(definitions: &Definitions, equation: &Equation, point: &Point) -> Identity {
+    /// As [`Identity::of`], with values of some symbols at which it is to be refuted.
+    pub fn near(
+        definitions: &Definitions,
+        equation: &Equation,
+        named: &BTreeMap<String, Rational>,
+    ) -> Identity {
         let difference = difference(equation);
         let mut exact = Exact::default();
         let form = exact.value(definitions, &difference);
         let residual = form.as_ref().ok().map(|f| exact.algebra.text(f));
-        let proved = form.as_ref().is_ok_and(ExpSum::is_zero);
+        let vanishes = |form: &ExpSum| {
+            let cleared = limited(LIMIT, || exact.algebra.cleared(form));
+            form.is_zero() || cleared.is_ok_and(|form| form.is_zero())
+        };
+        let proved = form.as_ref().is_ok_and(vanishes);
         let points = if proved { 0 } else { POINTS };
+        let through_form = has_derivative(definitions, &difference);
         let witness = (0..points).find_map(|turn| {
             let point = Point {
-                turn,
-                ..point.clone()
+                named: named.clone(),
+                sample: Some(turn),
             };
-            let value = match &form {
-                Ok(form) if has_derivative(definitions, &difference) => {
+            // Of derivatives and of integrals to infinity there are no enclosures but of the form.
+            let straight = match through_form {
+                true => Err(SymbolicError::Unsupported(String::new())),
+                false => enclose(definitions, &difference, &point),
+            };
+            let value = match (straight, &form) {
+                (Err(SymbolicError::Unsupported(_)), Ok(form)) => {
                     enclose_form(&exact.algebra, form, &point)
                 }
-                _ => enclose(definitions, &difference, &point),
+                (straight, _) => straight,
             };
             let value = value.ok().filter(excludes_zero)?;
             let exactly = exactly(&form, &exact.algebra, &point);
             Some(Witness {
-                point: coordinates(definitions, &difference, &point),
+                point: point.values_of(definitions, &difference),
                 residual: exactly.unwrap_or_else(|| digits(&value)),
             })
         });
@@ -122,15 +139,15 @@ fn exactly(
         return None;
     }
     let value = |p: &Poly| {
-        p.terms().fold(Gauss::default(), |sum, (m, c)| {
-            let product = m.iter().fold(c.clone(), |product, (x, k)| {
-                let x = Gauss::real(point.value(&x.name()));
-                (0..*k).fold(product, |q, _| &q * &x)
-            });
-            &sum + &product
+        p.terms().fold(Some(Gauss::default()), |sum, (m, c)| {
+            let product = m.iter().fold(Some(c.clone()), |product, (x, k)| {
+                let x = Gauss::real(point.value(&x.name()).ok()?);
+                Some((0..*k).fold(product?, |q, _| &q * &x))
+            })?;
+            Some(&sum? + &product)
         })
     };
-    Some((&value(f.num()) * &value(f.den()).inverse()?).to_string())
+    Some((&value(f.num())? * &value(f.den())?.inverse()?).to_string())
 }
 
 /// Eight digits that hold.
@@ -149,8 +166,18 @@ fn digits(z: &ComplexBall) -> String {
     }
 }
 
-/// The values of the free symbols, definitions followed.
-fn coordinates(definitions: &Definitions, e: &Expr, point: &Point) -> Vec<(String, String)> {
+impl Point {
+    /// The values of the free symbols of an expression, definitions followed.
+    pub fn values_of(&self, definitions: &Definitions, e: &Expr) -> Vec<(String, String)> {
+        free_symbols(definitions, e)
+            .into_iter()
+            .filter_map(|n| Some((n.clone(), self.value(&n).ok()?.to_string())))
+            .collect()
+    }
+}
+
+/// The names of the free symbols, definitions followed.
+fn free_symbols(definitions: &Definitions, e: &Expr) -> BTreeSet<String> {
     fn collect(d: &Definitions, e: &Expr, names: &mut BTreeSet<String>, seen: &mut Vec<String>) {
         if let Expr::Sym(name) = e {
             match d.names.get(name) {
@@ -170,7 +197,7 @@ fn coordinates(definitions: &Definitions, e: &Expr, point: &Point) -> Vec<(Strin
         }
         match e {
             Expr::Int(b) | Expr::Sum(b) => {
-                for bound in [&b.var, "inf", "each", "n_num"] {
+                for bound in [b.var.as_str(), "inf", EACH] {
                     inner.remove(bound);
                 }
             }
@@ -185,9 +212,6 @@ fn coordinates(definitions: &Definitions, e: &Expr, point: &Point) -> Vec<(Strin
     collect(definitions, e, &mut names, &mut Vec::new());
     names.remove("pi");
     names
-        .into_iter()
-        .map(|n| (n.clone(), point.value(&n).to_string()))
-        .collect()
 }
 
 #[cfg(test)]
@@ -199,8 +223,7 @@ mod tests {
     fn found(lines: &[&str], text: &str) -> Identity {
         let definitions = Definitions::read(lines).unwrap();
         let named = [("x".into(), 2.into()), ("y".into(), 3.into())].into();
-        let point = Point { named, turn: 0 };
-        Identity::at(&definitions, &parse_equation(text).unwrap(), &point)
+        Identity::near(&definitions, &parse_equation(text).unwrap(), &named)
     }
 
     fn residual(text: &str) -> String {
@@ -260,7 +283,7 @@ mod tests {
                 let due = match name.as_str() {
                     "x" => 2.into(),
                     "y" => 3.into(),
-                    name => Point::default().value(name),
+                    name => Point::sample(0).value(name).unwrap(),
                 };
                 assert_eq!(*value, due.to_string(), "{text}");
             }
@@ -271,9 +294,8 @@ mod tests {
             ("d = x", "a b x"),
             ("c + d = c*a", "a b"),
             ("int(s, p, q, s*x) = 0", "p q x"),
-            ("sum(k, 1, inf, k*x) = 0", "x"),
-            ("sum(k, 1, n_num, k*y) = 0", "y"),
-            ("sum(k, 1, each, k*x) = 0", "x"),
+            ("sum(k, 1, 4, k*x) = 0", "x"),
+            ("series(k, k*x) = 0", "x"),
             ("at(t^2 + v, t, x) = 0", "v x"),
             ("s + int(s, 0, 1, s) = 7", "s"),
         ] {
@@ -286,7 +308,7 @@ mod tests {
     fn coordinates_of_circles() {
         let circle = Definitions::read(&["a = b + x", "b = 2*a"]).unwrap();
         let e = parse_equation("a = y").unwrap();
-        let found = coordinates(&circle, &difference(&e), &Point::default());
+        let found = Point::sample(0).values_of(&circle, &difference(&e));
         let names: Vec<&str> = found.iter().map(|(name, _)| name.as_str()).collect();
         assert_eq!(names, ["x", "y"]);
     }

@@ -156,7 +156,7 @@ mod tests {
     fn functions_under_integrals() {
         let point = Point {
             named: [("x".to_string(), Rational::from(4))].into(),
-            turn: 0,
+            sample: None,
         };
         let value = |text: &str| {
             Enclosures::new(&point).value(&Definitions::default(), &parse(text).unwrap())

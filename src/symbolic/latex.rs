@@ -1,6 +1,6 @@
 //! Expressions in LaTeX.
 
-use super::expr::{Equation, Expr, Func};
+use super::expr::{EACH, Equation, Expr, Func};
 
 const GREEK: [&str; 24] = [
     "alpha", "beta", "gamma", "delta", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu",
@@ -9,9 +9,8 @@ const GREEK: [&str; 24] = [
 ];
 
 /// Names whose LaTeX is not made of their parts.
-const SPECIAL: [(&str, &str); 11] = [
+const SPECIAL: [(&str, &str); 9] = [
     ("inf", r"\infty"),
-    ("each", r"\infty"),
     ("n_star", "n_*"),
     ("omega_star", r"\omega_*"),
     ("nabla_n", r"\nabla_n"),
@@ -20,7 +19,6 @@ const SPECIAL: [(&str, &str); 11] = [
     ("psi_dot", r"\dot{\psi}"),
     ("psi_ddot", r"\ddot{\psi}"),
     ("delta_star_n", r"\delta_n^*"),
-    ("n_num", "n"),
 ];
 
 fn base(name: &str) -> String {
@@ -155,6 +153,9 @@ pub fn latex(e: &Expr) -> String {
             at_least(&b.body, 2),
             symbol(&b.var)
         ),
+        Expr::Sum(b) if b.to == Expr::Sym(EACH.into()) => {
+            format!(r"\sum_{{{}}} {}", symbol(&b.var), at_least(&b.body, 2))
+        }
         Expr::Sum(b) => format!(
             r"\sum_{{{}={}}}^{{{}}} {}",
             symbol(&b.var),

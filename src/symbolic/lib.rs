@@ -45,6 +45,7 @@
 #![warn(missing_docs)]
 
 mod algebra;
+mod argument;
 mod complex;
 mod coprime;
 mod edit;
@@ -57,7 +58,9 @@ mod fraction;
 mod gauss;
 mod gcd;
 mod identity;
+mod integral;
 mod jet;
+mod kernel;
 mod latex;
 #[cfg(test)]
 mod normal_form_tests;
@@ -65,17 +68,24 @@ mod parse;
 #[cfg(test)]
 mod pinned_tests;
 mod poly;
+mod root;
+mod series;
+mod square;
 mod symbol;
 #[cfg(test)]
 mod tests;
+mod turn;
 mod walk;
+mod work;
 
 pub use algebra::{Algebra, Derivation};
 pub use edit::{Edit, Family, edits};
-pub use enclosure::{BITS, Cache, Enclosures, Point, enclose, enclose_form, has_derivative};
+pub use enclosure::{
+    BITS, Cache, Enclosures, Point, enclose, enclose_form, has_derivative, is_real,
+};
 pub use error::SymbolicError;
 pub use exact::Exact;
-pub use expr::{Bound, Equation, Expr, Func, HARMONICS};
+pub use expr::{Bound, Equation, Expr, Func};
 pub use expsum::ExpSum;
 pub use fraction::Fraction;
 pub use gauss::Gauss;

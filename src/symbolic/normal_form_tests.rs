@@ -1,6 +1,5 @@
 //! Texts of normal forms, zeros, and divisors that are zero.
 
-use crate::gcd::squarefree;
 use crate::{Definitions, Exact, ExpSum, Fraction, Gauss, Poly, Symbol, gcd, parse};
 
 fn symbol(name: &str) -> Symbol {
@@ -150,29 +149,6 @@ fn monomials_have_coefficient_one() {
 fn names_without_blanks() {
     for bad in ["a b", "a\t", " a", "ab\n", "a\u{7f}", "aω"] {
         assert_eq!(Symbol::new(bad), None, "{bad:?}");
-    }
-}
-
-/// Zero is divided by every square; a constant by none of a polynomial that is not constant.
-#[test]
-fn squares_in_polynomials() {
-    for (text, due) in [
-        ("0", false),
-        ("1", true),
-        ("-4", true),
-        ("x", true),
-        ("x*y", true),
-        ("4*x*(y + 1)", true),
-        ("x*y*(x + y)*(x - y)", true),
-        ("x^2 + y^2", true),
-        ("x^2", false),
-        ("x^2*(y + 1)", false),
-        ("(x + 1)^2*(y + 1)", false),
-        ("(x + y)^2*(x + y + z)", false),
-        ("(x + i)*(x^2 + 1)", false),
-        ("z*(y - 1)^2", false),
-    ] {
-        assert_eq!(squarefree(&poly(text)), due, "{text}");
     }
 }
 

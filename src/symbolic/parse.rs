@@ -1,9 +1,10 @@
 //! The text form of expressions.
 //!
 //! `+ - * /`, integer powers `x^2`, `x^(-1)`; the functions of [`Func`]; `int(x, a, b, f)`,
-//! `sum(n, 1, inf, f)`, `series(n, f)`, `D(f, t)`, `at(f, x, value)`, `a[n]`; `i` is the imaginary unit.
+//! `sum(n, 1, inf, f)`, `series(n, f)`, `D(f, t)`, `at(f, x, value)`, `a[n]`; `i` is the imaginary
+//! unit, `pi` the number, and `inf` a limit of integrals and sums.
 
-use super::expr::{Bound, EACH, Equation, Expr, Func};
+use super::expr::{Bound, EACH, Equation, Expr, Func, RESERVED};
 use super::{Symbol, SymbolicError};
 
 /// Reads an expression.
@@ -169,6 +170,15 @@ impl Parser {
         Ok(name)
     }
 
+    /// The name of a variable.
+    fn variable(&mut self) -> Result<String, SymbolicError> {
+        let name = self.name()?;
+        match RESERVED.contains(&name.as_str()) {
+            true => Err(SymbolicError::Reserved(name)),
+            false => Ok(name),
+        }
+    }
+
     fn atom(&mut self) -> Result<Expr, SymbolicError> {
         match self.peek() {
             Some('(') => {
@@ -210,7 +220,7 @@ impl Parser {
             "i" => Ok(Expr::I),
             "int" | "sum" => {
                 self.expect('(')?;
-                let var = self.name()?;
+                let var = self.variable()?;
                 let [from, to, body] = [self.next()?, self.next()?, self.next()?];
                 self.expect(')')?;
                 let bound = Box::new(Bound {
@@ -226,7 +236,7 @@ impl Parser {
             }
             "series" => {
                 self.expect('(')?;
-                let var = self.name()?;
+                let var = self.variable()?;
                 let body = self.next()?;
                 self.expect(')')?;
                 Ok(Expr::Sum(Box::new(Bound {
@@ -239,7 +249,7 @@ impl Parser {
             "D" if self.taken('(') => {
                 let x = self.sum()?;
                 self.expect(',')?;
-                let by = self.name()?;
+                let by = self.variable()?;
                 self.expect(')')?;
                 Ok(Expr::Diff(Box::new(x), by))
             }
@@ -247,7 +257,7 @@ impl Parser {
                 self.expect('(')?;
                 let x = self.sum()?;
                 self.expect(',')?;
-                let symbol = self.name()?;
+                let symbol = self.variable()?;
                 let value = self.next()?;
                 self.expect(')')?;
                 Ok(Expr::At(Box::new(x), symbol, Box::new(value)))

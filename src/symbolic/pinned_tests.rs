@@ -221,11 +221,8 @@ fn arc_tangents() {
 #[test]
 fn points() {
     let value = |turn, name| {
-        let point = Point {
-            turn,
-            ..Point::default()
-        };
-        point.value(name).to_string()
+        let point = Point::sample(turn);
+        point.value(name).unwrap().to_string()
     };
     let mut found = String::new();
     for name in ["x", "y", "a_1", "alpha", "phi1_2"] {

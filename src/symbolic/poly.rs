@@ -1,5 +1,6 @@
 //! Multivariate polynomials over the Gaussian rationals.
 
+use super::work::spend;
 use super::{Gauss, Symbol};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -136,7 +137,7 @@ impl Poly {
 
     /// Multiplied by a constant.
     pub fn scaled(&self, c: &Gauss) -> Poly {
-        if c.is_zero() {
+        if c.is_zero() || !spend(c.words() * self.terms.len() as u64) {
             return Poly::zero();
         }
         self.mapped(|a| a * c)
@@ -151,6 +152,7 @@ impl Poly {
     pub fn coefficients(&self, x: Symbol) -> Vec<Poly> {
         let mut out: Vec<Poly> = Vec::new();
         for (m, c) in &self.terms {
+            spend(1 + m.len() as u64 / 2);
             let k = m.iter().find(|f| f.0 == x).map_or(0, |f| f.1) as usize;
             let rest: Monomial = m.iter().filter(|f| f.0 != x).copied().collect();
             if out.len() <= k {
@@ -170,6 +172,7 @@ impl Poly {
                 k => vec![(x, k as u32)],
             };
             for (m, c) in &p.terms {
+                spend(1 + m.len() as u64 / 2);
                 out.accumulate(times(m, &power), c);
             }
         }
@@ -191,6 +194,18 @@ impl Poly {
                 rest[at].1 = k - 1;
             }
             out.accumulate(rest, &(c * &Gauss::real(k)));
+        }
+        out
+    }
+
+    /// With other symbols in place of some, distinct ones for distinct ones.
+    pub(super) fn renamed(&self, names: &BTreeMap<Symbol, Symbol>) -> Poly {
+        let mut out = Poly::zero();
+        for (m, c) in &self.terms {
+            let name = |(x, k): &(Symbol, u32)| (*names.get(x).unwrap_or(x), *k);
+            let mut renamed: Monomial = m.iter().map(name).collect();
+            renamed.sort();
+            out.accumulate(renamed, c);
         }
         out
     }
@@ -232,6 +247,9 @@ impl Poly {
 impl Add for &Poly {
     type Output = Poly;
     fn add(self, b: &Poly) -> Poly {
+        if !spend(1 + (self.terms.len() + b.terms.len()) as u64 / 4) {
+            return Poly::zero();
+        }
         let mut out = self.clone();
         for (m, c) in &b.terms {
             out.accumulate(m.clone(), c);
@@ -256,6 +274,11 @@ impl Mul for &Poly {
     fn mul(self, b: &Poly) -> Poly {
         let mut out = Poly::zero();
         for (m, c) in &self.terms {
+            // Past the limit the result is discarded; zero ends whatever loop asked for it.
+            let each = c.words() + m.len() as u64;
+            if !spend(each * b.terms.len() as u64) {
+                return Poly::zero();
+            }
             for (n, d) in &b.terms {
                 out.accumulate(times(m, n), &(c * d));
             }

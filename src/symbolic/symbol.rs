@@ -12,6 +12,23 @@ impl Symbol {
     /// The longest name, in bytes.
     pub const LONGEST: usize = 16;
 
+    /// `pi`, the number.
+    pub(super) const PI: Symbol = Symbol::of_bytes(b"pi");
+    /// The index of a series: any positive integer. Its name cannot be typed.
+    pub(super) const INDEX: Symbol = Symbol::of_bytes(b"#");
+    /// The sign of summation of a series: sums are linear in it. Its name cannot be typed.
+    pub(super) const SERIES: Symbol = Symbol::of_bytes(b"##");
+
+    const fn of_bytes(name: &[u8]) -> Symbol {
+        let mut bytes = [0; Symbol::LONGEST];
+        let mut k = 0;
+        while k < name.len() {
+            bytes[k] = name[k];
+            k += 1;
+        }
+        Symbol(u128::from_be_bytes(bytes))
+    }
+
     /// The symbol of that name; `None` if it is empty, too long, or not printable ASCII.
     pub fn new(name: &str) -> Option<Symbol> {
         let good = (1..=Symbol::LONGEST).contains(&name.len())

@@ -147,7 +147,7 @@ proptest! {
     #[test]
     fn normal_forms_agree_with_balls(a in text(), turn in 0_u32..4) {
         let definitions = Definitions::default();
-        let point = Point { turn, ..Point::default() };
+        let point = Point::sample(turn);
         let mut exact = Exact::default();
         let e = parse(&a).unwrap();
         let form = exact.value(&definitions, &e).unwrap();
@@ -165,7 +165,7 @@ proptest! {
             let value = |k: i32| {
                 let t = Rational::from((3, 4)) + Rational::from((k, 1 << h));
                 let named = [("t".to_string(), t)].into();
-                let point = Point { named, ..Point::default() };
+                let point = Point { named, sample: Some(0) };
                 let z = Enclosures::new(&point).value(&definitions, &parse(&a).unwrap());
                 let z = z.unwrap();
                 (z.re.to_f64(), z.im.to_f64())
@@ -176,7 +176,7 @@ proptest! {
         };
         let point = Point {
             named: [("t".to_string(), Rational::from((3, 4)))].into(),
-            ..Point::default()
+            sample: Some(0),
         };
         let d = enclose(&definitions, &parse(&format!("D({a}, t)")).unwrap(), &point).unwrap();
         let near = quotient(12);
@@ -216,7 +216,6 @@ fn identities() {
         "at(t^2 - 3*t + x, t, 2) = x - 2",
         "at(exp(t*y) - t*exp(y), t, 1) = 0",
         "abs(r*exp(i*x)) = r",
-        "arg(r*exp(i*x)) = x",
         "1/T*int(t, 0, T, cos(2*pi*3*t/T)^2) = 1/2",
         "0.94*50 = 47",
     ] {
@@ -359,22 +358,20 @@ fn an_arc_tangent_of_what_may_be_complex() {
     assert!(value("arctan(i/2)").is_err());
 }
 
-/// Roots that are not independent are refused: a denominator with both might be zero.
+/// A root that is an element of the field, but with a branch that depends on the symbols, is no
+/// multiple of the others, and no divisor is made of it that may be zero.
 #[test]
-fn dependent_roots_are_refused() {
-    let none = Definitions::default();
+fn dependent_roots_are_kept_apart() {
     for text in [
-        "sqrt(x - y) + sqrt(y - x)",
-        "sqrt(x^2 - y^2) + sqrt(x - y)",
-        "sqrt((x + y)^2*(x + 1))",
-        "sqrt(x + y)*sqrt((x + y)*(x + 1))",
+        "1/(sqrt(x - y) - i*sqrt(y - x)) = 0",
+        "1/(sqrt((x - y)^2) - x + y) = 1/(2*(y - x))",
+        "sqrt((x - y)^2*(x + 1)) = (x - y)*sqrt(x + 1)",
     ] {
-        let found = Exact::default().value(&none, &parse(text).unwrap());
-        assert!(
-            matches!(found, Err(SymbolicError::Root(_))),
-            "{text}: {found:?}"
-        );
+        let found = decided(text);
+        assert_ne!(found.outcome, Outcome::Proved, "{text}: {found:?}");
     }
+    let found = decided("sqrt((x - y)^2) + sqrt((y - x)^2) = 2*abs(x - y)");
+    assert_eq!(found.outcome, Outcome::Proved, "{found:?}");
 }
 
 #[test]
@@ -399,19 +396,17 @@ fn refutations_have_a_witness() {
 
 #[test]
 fn what_cannot_be_said_is_undecided_or_an_error() {
-    // True for positive x, but outside the algebra.
+    // True for positive x, but no relation between two arc tangents is known.
     let found = decided("arctan(x) + arctan(1/x) = pi/2");
     assert_eq!(found.outcome, Outcome::Undecided);
-    assert!(found.error.is_some());
+    assert!(found.error.is_none());
     let zero = Definitions::default();
     let mut e = Exact::default();
     for text in [
         "1/(x - x)",
-        "1/(1 + exp(x))",
-        "exp(exp(x))",
-        "sqrt(x/(x + y))",
+        "1/(exp(x)*(1 + exp(-x)) - exp(x) - 1)",
         "int(s, 0, 1, exp(s^3))",
-        "int(s, 0, 1, s*exp(s))",
+        "int(s, 0, 1, 1/(1 + s))",
     ] {
         assert!(e.value(&zero, &parse(text).unwrap()).is_err(), "{text}");
     }
@@ -438,6 +433,7 @@ fn bound_names_end_where_they_are_bound() {
         "sqrt(x) - at(z^2, z, 2) = sqrt(x) - 4",
         "at(sqrt(y)*sqrt(x + y)*z, z, 2) = 2*sqrt(y)*sqrt(x + y)",
         "at(W(z) + W(y), z, x) = W(x) + W(y)",
+        "at(at(u + x, x, 2), u, exp(i*t) + sqrt(x)*exp(-t)) = exp(i*t) + sqrt(x)*exp(-t) + 2",
         "x + D(x^2, x) + x = 4*x",
     ] {
         let found = decided(text);
@@ -452,13 +448,10 @@ fn bound_names_end_where_they_are_bound() {
     let mut form = |text: &str| exact.value(&none, &parse(text).unwrap());
     assert_eq!(form("at(t^2, t, exp(b)) + t"), form("exp(2*b) + t"));
     for text in [
-        "at(sqrt(x)*x, x, 2)",
-        "at(sqrt(1 + sqrt(x)) + x, x, 2)",
         "arg(exp(i*t)*sqrt(x - y))",
         // A denominator may have any sign.
         "arg(x/(y - 1)*exp(i*t))",
         // Only one of the terms of what is bound hides x.
-        "at(at(u + x, x, 2), u, exp(i*t) + sqrt(x)*exp(-t))",
         "at(D(u*x, x), u, exp(i*t) + sqrt(x)*exp(-t))",
     ] {
         let found = form(text);
@@ -525,4 +518,30 @@ fn definitions_and_bound_names() {
         let due = exact.value(&none, &parse(due).unwrap()).unwrap();
         assert_eq!(found, due, "{text}");
     }
+}
+
+/// Whatever grows without bound ends, undecided.
+#[test]
+fn work_has_a_limit() {
+    let doubling: Vec<String> = (0..38)
+        .map(|k| format!("d{k} = d{}*d{}", k + 1, k + 1))
+        .chain(["d38 = x + y".to_string(), "t: u = D(u, t)".to_string()])
+        .collect();
+    let lines: Vec<&str> = doubling.iter().map(String::as_str).collect();
+    let definitions = Definitions::read(&lines).unwrap();
+    let roots = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37].map(|p| format!("sqrt({p})"));
+    for text in [
+        "d0 = x",
+        "D(u, t) = 0",
+        "sum(n, 1, 1000000000, n) = 0",
+        "(((2^1000)^1000)^1000)^1000 = 1",
+        "(x + y + z + 1)^1000 = 1",
+        &format!("1/({}) = 0", roots.join(" + ")),
+        "1/(1/(sqrt(2*x) + sqrt(x + y + 2*sqrt(x*y))) + (1 - x)) = 0",
+    ] {
+        let found = Identity::of(&definitions, &parse_equation(text).unwrap());
+        assert_ne!(found.outcome, Outcome::Proved, "{text}");
+    }
+    let sum = decided("sum(n, 1, 1000000000, n) = 0");
+    assert_eq!(sum.error, Some(SymbolicError::Work));
 }

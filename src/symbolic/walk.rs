@@ -1,8 +1,9 @@
 //! One way through an expression for every kind of value.
 
 use super::error::unsupported;
-use super::expr::{Bound, EACH, Expr, Func, HARMONICS};
-use super::{Gauss, SymbolicError, parse};
+use super::expr::{Bound, EACH, Expr, Func, RESERVED};
+use super::work::step;
+use super::{Gauss, Symbol, SymbolicError, parse};
 use rug::Rational;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -32,17 +33,19 @@ impl Definitions {
     /// Whether something is so of a part of the expression, definitions and derivations followed.
     pub(super) fn any(&self, e: &Expr, is_so: impl Fn(&Expr) -> bool) -> bool {
         let mut open = vec![e];
-        let mut seen: BTreeSet<&str> = BTreeSet::new();
+        let (mut seen, mut derived) = (BTreeSet::new(), BTreeSet::new());
         while let Some(e) = open.pop() {
             if is_so(e) {
                 return true;
             }
             if let Expr::Sym(name) = e
-                && seen.insert(name)
+                && seen.insert(name.as_str())
             {
                 open.extend(self.names.get(name));
             }
-            if let Expr::Diff(_, by) = e {
+            if let Expr::Diff(_, by) = e
+                && derived.insert(by.as_str())
+            {
                 let images = self.derivations.get(by).into_iter().flatten();
                 open.extend(images.map(|i| &i.1));
             }
@@ -64,6 +67,10 @@ impl Definitions {
             };
             let (left, right) = line.split_once('=').ok_or_else(missing)?;
             let value = parse(right)?;
+            let name = left.rsplit(':').next().unwrap_or(left).trim();
+            if RESERVED.contains(&name) {
+                return Err(SymbolicError::Reserved(name.into()));
+            }
             match left.split_once(':') {
                 Some((by, symbol)) => out
                     .derivations
@@ -86,6 +93,8 @@ pub struct Scope<'a, V> {
     pub bound: Vec<(String, V)>,
     /// Indices of sums.
     pub indices: Vec<(String, i64)>,
+    /// The index of the series that the expression is a term of.
+    series: Option<String>,
     depth: usize,
 }
 
@@ -96,6 +105,7 @@ impl<'a, V> Scope<'a, V> {
             definitions,
             bound: Vec::new(),
             indices: Vec::new(),
+            series: None,
             depth: 0,
         }
     }
@@ -113,16 +123,38 @@ impl<'a, V> Scope<'a, V> {
         out
     }
 
+    /// Runs `f` one definition deeper.
+    ///
+    /// # Errors
+    /// [`SymbolicError::Circular`] if definitions are nested too deep.
+    pub(super) fn deeper<T>(
+        &mut self,
+        name: &str,
+        f: impl FnOnce(&mut Scope<'a, V>) -> Result<T, SymbolicError>,
+    ) -> Result<T, SymbolicError> {
+        if self.depth >= DEEPEST {
+            return Err(SymbolicError::Circular(name.into()));
+        }
+        self.depth += 1;
+        let out = f(self);
+        self.depth -= 1;
+        out
+    }
+
     /// The same scope with other values.
     pub fn with_values<U>(&self, f: impl Fn(&V) -> U) -> Scope<'a, U> {
         Scope {
             definitions: self.definitions,
             bound: self.bound.iter().map(|(n, v)| (n.clone(), f(v))).collect(),
             indices: self.indices.clone(),
+            series: self.series.clone(),
             depth: self.depth,
         }
     }
 }
+
+/// Operations that a node of an expression counts for, of those that [`step`] counts.
+const NODE: u64 = 16;
 
 /// Definitions within definitions.
 const DEEPEST: usize = 40;
@@ -149,6 +181,14 @@ pub trait Domain: Sized {
         scope: &mut Scope<Self::V>,
         bound: &Bound,
     ) -> Result<Self::V, SymbolicError>;
+    /// A sum from `bound.from` to infinity.
+    fn infinite_sum(
+        &mut self,
+        _scope: &mut Scope<Self::V>,
+        bound: &Bound,
+    ) -> Result<Self::V, SymbolicError> {
+        unsupported(format!("the sum of {} to infinity", bound.body))
+    }
     /// A derivative; of balls there is none.
     fn derivative(
         &mut self,
@@ -188,7 +228,6 @@ use rug::ops::Pow;
 fn integer<V>(scope: &Scope<V>, e: &Expr) -> Option<i64> {
     match e {
         Expr::Num(n) => n.parse().ok(),
-        Expr::Sym(s) if s == "inf" || s == "n_num" => Some(HARMONICS),
         Expr::Sym(s) => {
             let found = scope.indices.iter().rev().find(|b| b.0 == *s);
             found.map(|b| b.1)
@@ -208,13 +247,16 @@ pub fn walk<D: Domain>(
     scope: &mut Scope<D::V>,
     e: &Expr,
 ) -> Result<D::V, SymbolicError> {
+    step(NODE)?;
     match e {
         Expr::Num(n) => Ok(d.constant(&Gauss::real(decimal(n)))),
         Expr::I => Ok(d.constant(&Gauss::i())),
         Expr::Sym(name) => named(d, scope, name),
         Expr::Index(name, index) => match (integer(scope, index), &**index) {
             (Some(k), _) => named(d, scope, &format!("{name}_{k}")),
-            (None, Expr::Sym(s)) => named(d, scope, &format!("{name}_{s}")),
+            (None, Expr::Sym(s)) if !RESERVED.contains(&s.as_str()) => {
+                named(d, scope, &format!("{name}_{s}"))
+            }
             _ => unsupported(format!("the index {index}")),
         },
         Expr::Neg(x) => {
@@ -247,6 +289,7 @@ pub fn walk<D: Domain>(
             let one = d.constant(&Gauss::real(1));
             let mut product = one.clone();
             for _ in 0..k.unsigned_abs() {
+                step(1)?;
                 product = d.mul(&product, &x);
             }
             match *k < 0 {
@@ -274,7 +317,15 @@ pub fn walk<D: Domain>(
             d.call(*f, &x)
         }
         Expr::Int(bound) => d.integral(scope, bound),
-        Expr::Sum(bound) if bound.to == Expr::Sym(EACH.into()) => walk(d, scope, &bound.body),
+        Expr::Sum(bound) if bound.to == Expr::Sym(EACH.into()) => {
+            let index = d.symbol(&Symbol::INDEX.name())?;
+            let outside = scope.series.replace(bound.var.clone());
+            let term = scope.binding(&bound.var, index, |scope| walk(d, scope, &bound.body));
+            scope.series = outside;
+            let sign = d.symbol(&Symbol::SERIES.name())?;
+            Ok(d.mul(&sign, &term?))
+        }
+        Expr::Sum(bound) if bound.to == Expr::Sym("inf".into()) => d.infinite_sum(scope, bound),
         Expr::Sum(bound) => {
             let limits = (integer(scope, &bound.from), integer(scope, &bound.to));
             let (Some(from), Some(to)) = limits else {
@@ -282,6 +333,7 @@ pub fn walk<D: Domain>(
             };
             let mut sum = d.constant(&Gauss::default());
             for k in from..=to {
+                step(1)?;
                 let value = d.constant(&Gauss::real(k));
                 scope.indices.push((bound.var.clone(), k));
                 let x = scope.binding(&bound.var, value, |scope| walk(d, scope, &bound.body));
@@ -304,18 +356,22 @@ fn named<D: Domain>(d: &mut D, scope: &mut Scope<D::V>, name: &str) -> Result<D:
     }
     let definitions = scope.definitions;
     let Some(e) = definitions.names.get(name) else {
-        return d.symbol(name);
+        if name == "inf" {
+            return unsupported("inf other than as a limit");
+        }
+        // Inside a series over n, x_n is a term of a sequence.
+        let suffix = scope.series.as_ref().map(|n| format!("_{n}"));
+        let sequence = suffix.and_then(|suffix| name.strip_suffix(&suffix));
+        return match sequence {
+            Some(base) => d.symbol(&format!("{base}_{}", Symbol::INDEX)),
+            None => d.symbol(name),
+        };
     };
-    if scope.depth >= DEEPEST {
-        return Err(SymbolicError::Circular(name.into()));
-    }
     let free = scope.bound.is_empty() && scope.indices.is_empty();
     if let Some(kept) = free.then(|| d.recall(name)).flatten() {
         return Ok(kept);
     }
-    scope.depth += 1;
-    let out = walk(d, scope, e);
-    scope.depth -= 1;
+    let out = scope.deeper(name, |scope| walk(d, scope, e));
     if let (true, Ok(value)) = (free, &out) {
         d.keep(definitions, name, value);
     }

@@ -91,7 +91,7 @@ fn nothing_bound_is_kept() {
     let named = ["x", "k", "a_k"].map(|n| (n.to_string(), Rational::from(5)));
     let point = Point {
         named: named.into(),
-        turn: 0,
+        sample: None,
     };
     for (text, due) in [
         ("at(c, x, 2) + c", 29),

@@ -553,7 +553,8 @@ fn recipes() {
     places.extend(std::env::split_paths(&std::env::var_os("PATH").unwrap()));
     let path = std::env::join_paths(places).unwrap();
     let recipe = |name: &str| {
-        let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/campaigns");
+        let script =
+            Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("examples/campaigns");
         let mut recipe = std::process::Command::new("sh");
         recipe.arg(script.join(name)).env("PATH", &path);
         recipe
@@ -593,7 +594,7 @@ fn recipes() {
 /// The plans that are committed are plans.
 #[test]
 fn committed_plans() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
     let folder = tempfile::tempdir().unwrap();
     let mut all = vec![root.join("examples/campaign.toml")];
     let plans = fs::read_dir(root.join("reference/campaigns")).unwrap();

@@ -9,7 +9,7 @@ use tempfile::TempDir;
 /// The program, in the folder of the sources.
 pub fn program() -> Command {
     let mut c = Command::new(env!("CARGO_BIN_EXE_mechaudit"));
-    c.current_dir(env!("CARGO_MANIFEST_DIR"));
+    c.current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
     c.env_remove("MECHAUDIT_EFFORT");
     c
 }

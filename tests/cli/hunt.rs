@@ -11,7 +11,7 @@ use std::collections::HashSet;
 use std::path::Path;
 use std::process::Command;
 
-const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/reference/hard");
+const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../reference/hard");
 
 #[test]
 fn every_file_of_hard_cases_is_a_methods() {

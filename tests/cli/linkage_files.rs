@@ -137,7 +137,7 @@ fn drawings() {
 
 #[test]
 fn the_pictures_beside_the_examples_are_whole() {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/pictures");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/pictures");
     let files = std::fs::read_dir(folder)
         .unwrap()
         .map(|f| f.unwrap().path());

@@ -1,6 +1,10 @@
 //! The program as its user meets it: output, messages and exit codes.
 #![cfg(feature = "cli")]
 
+// As in the program.
+#[allow(unused_extern_crates)]
+extern crate mechaudit_cli as mechaudit;
+
 mod atlas;
 #[cfg(unix)]
 mod campaign;
@@ -14,6 +18,7 @@ mod eval;
 mod eval_chirp;
 mod examples;
 mod hunt;
+mod identity;
 mod interrupt;
 #[cfg(unix)]
 mod judge;

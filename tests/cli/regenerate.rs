@@ -9,7 +9,7 @@ use tempfile::{TempDir, tempdir};
 const VALUES: &str = "reference/values";
 
 fn sources() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
 }
 
 /// Folders like those of the sources, with one file of values.

@@ -18,7 +18,7 @@ fn run(args: &[&str]) -> (i32, String) {
 }
 
 fn schema(file: &str) -> Value {
-    let path = format!("{}/schema/{file}", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/../../schema/{file}", env!("CARGO_MANIFEST_DIR"));
     serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
 }
 

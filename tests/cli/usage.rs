@@ -7,7 +7,7 @@ use tempfile::tempdir;
 #[test]
 fn help_and_version() {
     let commands = "atlas audit compare describe list paper linkage eval runup points judge \
-                    hunt converge prove regenerate chirp completions man";
+                    hunt converge prove identity regenerate chirp completions man";
     let own = commands.split(' ').map(|command| vec![command, "--help"]);
     for args in own.chain([vec!["--help"]]) {
         let d = run(&args);

@@ -6,7 +6,7 @@
 use crate::fuzz_solvers::cases;
 use mechaudit::audit::{HARD_HEADER, HardCase, hex_float};
 use mechaudit::reference::{Decimal, HexFloat};
-use mechaudit::symbolic::{parse, parse_equation};
+use mechaudit_symbolic::{parse, parse_equation};
 use proptest::prelude::*;
 use rug::Rational;
 

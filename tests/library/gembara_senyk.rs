@@ -1,6 +1,6 @@
 //! The paper of Gembara and Senyk: what follows from its formulas.
 
-use mechaudit::papers::gembara_senyk::charts;
+use mechaudit_cli::papers::gembara_senyk::charts;
 use rug::Rational;
 use std::fmt::Write;
 

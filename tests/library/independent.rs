@@ -3,8 +3,8 @@
 //!
 //! The other program proves nothing; it is a witness that the same problem was solved.
 
-use mechaudit::papers::zinchenko::data;
 use mechaudit::reference::{Ball, Decimal};
+use mechaudit_cli::papers::zinchenko::data;
 use rug::Rational;
 
 const BITS: u32 = 256;
@@ -121,7 +121,7 @@ fn mpmath_and_arb_agree_on_the_faddeeva_function() {
 /// Extrapolation of the printed equations in time beside the enclosed motion, which integrates nothing in time.
 #[test]
 fn mpmath_agrees_on_andrews_mechanism() {
-    use mechaudit::papers::andrews::{BITS, QUANTITIES, TIMES, motion};
+    use mechaudit_cli::papers::andrews::{BITS, QUANTITIES, TIMES, motion};
     let text = include_str!("../../reference/independent/andrews.csv");
     let motion = motion(BITS).expect("decided");
     let mut rows = 0;
@@ -142,8 +142,8 @@ fn mpmath_agrees_on_andrews_mechanism() {
 /// Energies summed over the bars and integrated in time, beside the pendulum by means.
 #[test]
 fn mpmath_agrees_on_the_n_four_bar() {
-    use mechaudit::papers::n_four_bar::data::{pendulum, state};
-    use mechaudit::papers::n_four_bar::{BITS, QUANTITIES};
+    use mechaudit_cli::papers::n_four_bar::data::{pendulum, state};
+    use mechaudit_cli::papers::n_four_bar::{BITS, QUANTITIES};
     let text = include_str!("../../reference/independent/n_four_bar.csv");
     let mut rows = 0;
     for line in text.lines().skip(1) {

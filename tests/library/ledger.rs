@@ -1,9 +1,9 @@
 //! Pins the ledgers of the papers, and plants faults in them.
 
 use crate::pin;
-use mechaudit::papers::ledger::{Item, Ledger, LedgerEntry, Verdict, decide};
-use mechaudit::papers::{andrews, gembara_senyk, n_four_bar, pmksweb, zinchenko};
-use mechaudit::symbolic::{Family, Outcome, edits, parse_equation};
+use mechaudit_cli::papers::ledger::{Item, Ledger, LedgerEntry, Verdict, decide};
+use mechaudit_cli::papers::{andrews, gembara_senyk, n_four_bar, pmksweb, zinchenko};
+use mechaudit_symbolic::{Family, Outcome, edits, parse_equation};
 use std::fmt::Write;
 use std::sync::OnceLock;
 
@@ -206,7 +206,7 @@ fn corrupted_corrections_are_refuted() {
 /// The author's expectation does not make the verdict.
 #[test]
 fn expectations_are_compared_not_believed() {
-    use mechaudit::papers::ledger::Kind::Formula;
+    use mechaudit_cli::papers::ledger::Kind::Formula;
     let right = Item::new("right", "here", Formula)
         .printed("y = 2*x")
         .requires(&["y = x + x"]);

@@ -1,7 +1,7 @@
 //! The library as its user meets it: solvers, references, audit, methods and papers together.
 
 /// As the program.
-#[cfg(all(feature = "cli", target_os = "linux", target_env = "gnu"))]
+#[cfg(all(target_os = "linux", target_env = "gnu"))]
 #[global_allocator]
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
@@ -34,13 +34,13 @@ mod methods;
 mod peaucellier;
 #[cfg(feature = "oracle")]
 mod pinned;
-#[cfg(feature = "cli")]
+#[cfg(feature = "oracle")]
 mod planted_faults;
 #[cfg(feature = "oracle")]
 mod run_up_accuracy;
 #[cfg(feature = "oracle")]
 mod run_up_witness;
-#[cfg(feature = "cli")]
+#[cfg(feature = "oracle")]
 mod signatures;
 #[cfg(feature = "oracle")]
 mod solver_values_written;

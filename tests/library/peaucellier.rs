@@ -4,7 +4,7 @@
 //! `α A ± h i A` with `α = (1 + k/|A|²)/2`, `h² = b²/|A|² − α²` and `k = b² − a²`, and the rhombus has its fourth corner at
 //! `D = B + C − A`. The crank's circle through O is `A = r (1 + e^{iφ})`, `t = tan(φ/2)`.
 
-use mechaudit::symbolic::{Definitions, Identity, Outcome, parse_equation};
+use mechaudit_symbolic::{Definitions, Identity, Outcome, parse_equation};
 
 const FILE: &str = include_str!("../../examples/peaucellier-cell.toml");
 

@@ -1,13 +1,13 @@
 //! The run-up of the sand screen in floating point against its certified enclosure, over 3 s.
 
 use crate::run_up_witness::certified_run;
-use mechaudit::papers::zinchenko::data;
 use mechaudit::reference::run_up as certified;
 use mechaudit::solvers::run_up::{
     ClassIiiModel, Drive, Equation, Hybrid, Kloss, Method, Motor, Plan, ReducedModel, Settings,
     Splined, run,
 };
 use mechaudit::solvers::units::{AngularVelocity, Torque};
+use mechaudit_cli::papers::zinchenko::data;
 use rug::Rational;
 
 fn model() -> (ClassIiiModel, f64) {

@@ -4,9 +4,9 @@
 //!
 //! The second method proves nothing; it is a witness that the same problem was solved.
 
-use mechaudit::papers::zinchenko::data;
 use mechaudit::reference::run_up::{Coefficients, LinkageCurve, Motor, Run, integrate};
 use mechaudit::reference::{Ball, Decimal};
+use mechaudit_cli::papers::zinchenko::data;
 use rug::{Float, Rational};
 use std::sync::Arc;
 

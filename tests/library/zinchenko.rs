@@ -2,7 +2,7 @@
 //! 441 printed entries, and the findings.
 
 use crate::pin;
-use mechaudit::papers::{EntryVerdict, PaperReport, zinchenko};
+use mechaudit_cli::papers::{EntryVerdict, PaperReport, zinchenko};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::sync::OnceLock;

@@ -8,6 +8,7 @@ mod compare;
 mod converge;
 mod eval;
 mod hunt;
+mod identity;
 mod judge;
 mod linkage;
 mod list;
@@ -32,6 +33,7 @@ pub use compare::{CompareArgs, CompareFormat, DescribeArgs};
 pub use converge::ConvergeArgs;
 pub use eval::EvalArgs;
 pub use hunt::HuntArgs;
+pub use identity::IdentityArgs;
 pub use judge::JudgeArgs;
 pub use linkage::{LinkageArgs, LinkageFormat};
 pub use list::ListArgs;
@@ -133,6 +135,9 @@ pub enum Command {
     /// Prove an error bound of a function over a part of the plane, by machine
     #[command(after_help = prove::AFTER_HELP)]
     Prove(ProveArgs),
+    /// Decide equations on standard input, one a line: proved, refuted at a point, or undecided
+    #[command(after_help = identity::AFTER_HELP)]
+    Identity(IdentityArgs),
     /// Audit a published paper: its tables, its claims or its formulas
     #[command(after_help = paper::AFTER_HELP)]
     Paper(PaperArgs),

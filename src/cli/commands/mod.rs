@@ -9,6 +9,7 @@ pub mod converge;
 pub mod describe;
 pub mod eval;
 pub mod hunt;
+pub mod identity;
 pub mod judge;
 pub mod linkage;
 pub mod list;

@@ -137,9 +137,9 @@ fn spans(parts: &[[f64; 2]]) -> String {
 /// so one of them has to be named.
 ///
 /// ```
-/// use mechaudit::machine::{class_iii, Linkage, Source};
+/// use mechaudit_cli::machine::{class_iii, Linkage, Source};
 /// let source = Source::toml(include_str!(concat!(
-///     env!("CARGO_MANIFEST_DIR"), "/examples/no-full-turn.toml"
+///     env!("CARGO_MANIFEST_DIR"), "/../../examples/no-full-turn.toml"
 /// )));
 /// let Linkage::ClassIii(linkage) = Linkage::read(&source)? else { unreachable!() };
 /// let start = linkage.start_degrees().unwrap_or_default();

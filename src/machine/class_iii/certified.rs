@@ -14,9 +14,9 @@ const RAISED_AT_MOST: u32 = 16;
 /// Follows a branch with proof and writes certified decimals.
 ///
 /// ```
-/// use mechaudit::machine::{class_iii, Linkage, Source};
+/// use mechaudit_cli::machine::{class_iii, Linkage, Source};
 /// let source = Source::toml(include_str!(concat!(
-///     env!("CARGO_MANIFEST_DIR"), "/examples/sand-screen.toml"
+///     env!("CARGO_MANIFEST_DIR"), "/../../examples/sand-screen.toml"
 /// )));
 /// let Linkage::ClassIii(linkage) = Linkage::read(&source)? else { unreachable!() };
 /// let start = linkage.start_degrees().unwrap();

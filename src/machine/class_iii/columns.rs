@@ -39,9 +39,9 @@ pub fn names(linkage: &Linkage, certified: bool) -> Vec<String> {
 /// The values of a row in floating point, from the column `phi2_deg` on.
 ///
 /// ```
-/// use mechaudit::machine::{class_iii, Linkage, Source};
+/// use mechaudit_cli::machine::{class_iii, Linkage, Source};
 /// let source = Source::toml(include_str!(concat!(
-///     env!("CARGO_MANIFEST_DIR"), "/examples/sand-screen.toml"
+///     env!("CARGO_MANIFEST_DIR"), "/../../examples/sand-screen.toml"
 /// )));
 /// let Linkage::ClassIii(linkage) = Linkage::read(&source)? else { unreachable!() };
 /// let start = linkage.start_degrees().unwrap();

@@ -43,10 +43,10 @@ pub enum Proved {
 /// The values at a crank angle with the digits asked for.
 ///
 /// ```
-/// use mechaudit::machine::{dyad, Linkage, Source};
+/// use mechaudit_cli::machine::{dyad, Linkage, Source};
 /// use mechaudit::solvers::dyad::Assembly;
 /// let source = Source::toml(include_str!(concat!(
-///     env!("CARGO_MANIFEST_DIR"), "/examples/slider-crank.toml"
+///     env!("CARGO_MANIFEST_DIR"), "/../../examples/slider-crank.toml"
 /// )));
 /// let Linkage::Dyad(linkage) = Linkage::read(&source)? else { unreachable!() };
 /// let degrees = (75, 2).into();

@@ -27,13 +27,13 @@ pub struct Dead {
 /// The crank angles that can be reached.
 ///
 /// ```
-/// use mechaudit::machine::{dyad, Linkage, Source};
+/// use mechaudit_cli::machine::{dyad, Linkage, Source};
 /// let source = Source::toml(include_str!(concat!(
-///     env!("CARGO_MANIFEST_DIR"), "/examples/four-bar.toml"
+///     env!("CARGO_MANIFEST_DIR"), "/../../examples/four-bar.toml"
 /// )));
 /// let Linkage::Dyad(linkage) = Linkage::read(&source)? else { unreachable!() };
 /// assert!(matches!(dyad::turn(&linkage.shape), dyad::Turn::Full { change_points: false }));
-/// # Ok::<(), mechaudit::machine::Refusal>(())
+/// # Ok::<(), mechaudit_cli::machine::Refusal>(())
 /// ```
 pub fn turn(shape: &Shape) -> Turn {
     match shape {

@@ -226,10 +226,10 @@ impl Machine {
     /// Reads the description of a machine.
     ///
     /// ```
-    /// use mechaudit::machine::{run_up, Source};
+    /// use mechaudit_cli::machine::{run_up, Source};
     /// use mechaudit::solvers::run_up::{run, Equation};
     /// let source = Source::toml(include_str!(concat!(
-    ///     env!("CARGO_MANIFEST_DIR"), "/examples/four-bar-run-up.toml"
+    ///     env!("CARGO_MANIFEST_DIR"), "/../../examples/four-bar-run-up.toml"
     /// )));
     /// let machine = run_up::Machine::read(&source, run_up::Overrides::default())?;
     /// let motion = run(&Equation::new(&*machine.reduced()?, &machine.drive), &machine.plan)?;

@@ -44,7 +44,7 @@ impl<'a> Judge<'a> {
         definitions: &'a Definitions,
         requirements: &'a [Requirement],
     ) -> Judge<'a> {
-        let point = Point::default();
+        let point = Point::sample(0);
         let mut names = vec!["left", "right"];
         if let Expr::Sym(name) = &printed.left {
             names.push(name);

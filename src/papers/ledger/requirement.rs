@@ -2,8 +2,8 @@
 
 use crate::reference::Ball;
 use crate::symbolic::{
-    Definitions, Equation, Expr, Identity, Outcome, Point, SymbolicError, Witness, enclose, latex,
-    parse, parse_equation,
+    Definitions, Equation, Expr, Identity, Outcome, Point, SymbolicError, Witness, enclose,
+    is_real, latex, parse, parse_equation,
 };
 
 /// What an entry has to satisfy.
@@ -11,9 +11,9 @@ use crate::symbolic::{
 pub enum Requirement {
     /// `left = right`, for all values of the symbols.
     Equal(Equation),
-    /// `left ~ right within bound`: `|left − right| ≤ bound`, of numbers.
+    /// `left ~ right within bound`: `|left − right| ≤ bound`.
     Near(Expr, Expr, Expr),
-    /// `left < right`, of numbers.
+    /// `left < right`, of real numbers.
     Less(Expr, Expr),
 }
 
@@ -57,20 +57,50 @@ impl Requirement {
         super::Formula { text, latex }
     }
 
-    /// Decides it.
+    fn sides(&self) -> [&Expr; 2] {
+        match self {
+            Requirement::Equal(e) => [&e.left, &e.right],
+            Requirement::Near(a, b, _) | Requirement::Less(a, b) => [a, b],
+        }
+    }
+
+    /// Decides it. An inequality with free symbols is not proved by what holds at a point, but it is
+    /// refuted by one sample at which it fails.
     pub fn decide(&self, definitions: &Definitions) -> Identity {
-        let point = Point::default();
+        let found = self.decide_at(definitions, &Point::default());
+        if !matches!(found.error, Some(SymbolicError::NoValue(_))) {
+            return found;
+        }
+        (0..SAMPLES)
+            .map(|number| self.decide_at(definitions, &Point::sample(number)))
+            .find(|sample| sample.outcome == Outcome::Refuted)
+            .unwrap_or(found)
+    }
+
+    fn decide_at(&self, definitions: &Definitions, point: &Point) -> Identity {
         let minus = |a: &Expr, b: &Expr| Expr::Add(vec![a.clone(), Expr::Neg(Box::new(b.clone()))]);
-        let real = |e: &Expr| enclose(definitions, e, &point).map(|z| z.re);
+        // A number that may be complex is not less than another.
+        let real = |e: &Expr| {
+            let z = enclose(definitions, e, point)?;
+            match z.im.is_zero() || is_real(definitions, e) {
+                true => Ok(z.re),
+                false => Err(SymbolicError::Unsupported(format!("the order of {e}"))),
+            }
+        };
         // What has to be non-negative, or positive.
         let (difference, slack, strict) = match self {
-            Requirement::Equal(e) => return Identity::at(definitions, e, &point),
+            Requirement::Equal(e) => return Identity::of(definitions, e),
             Requirement::Near(a, b, bound) => {
-                let difference = real(&minus(a, b));
-                let slack = difference
-                    .clone()
-                    .and_then(|d| real(bound).map(|c| c - d.abs()));
-                (difference, slack, false)
+                let e = minus(a, b);
+                let difference = enclose(definitions, &e, point);
+                let slack = difference.clone().and_then(|d| {
+                    let size = match d.im.is_zero() || is_real(definitions, &e) {
+                        true => d.re.abs(),
+                        false => d.norm_sqr().sqrt(),
+                    };
+                    real(bound).map(|c| c - size)
+                });
+                (difference.map(|d| d.re), slack, false)
             }
             Requirement::Less(a, b) => (real(&minus(a, b)), real(&minus(b, a)), true),
         };
@@ -80,7 +110,7 @@ impl Requirement {
             _ => Outcome::Undecided,
         };
         let witness = difference.as_ref().ok().map(|d| Witness {
-            point: Vec::new(),
+            point: point.values_of(definitions, &minus(self.sides()[0], self.sides()[1])),
             residual: shown(d),
         });
         Identity {
@@ -91,6 +121,9 @@ impl Requirement {
         }
     }
 }
+
+/// Sample points tried for a refutation.
+const SAMPLES: u32 = 6;
 
 fn shown(x: &Ball) -> String {
     x.to_decimal(6)

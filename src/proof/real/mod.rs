@@ -50,7 +50,7 @@ impl Function {
 
     /// The bound that is proved, in units in the last place of the value.
     pub const fn ulps(self) -> f64 {
-        0.875
+        mechaudit_solvers::faddeeva::PROVED_REAL_ULPS
     }
 
     /// The signs of the arguments for which something has to be proved: the code of an odd function takes |x| and gives

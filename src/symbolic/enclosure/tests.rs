@@ -5,7 +5,10 @@ use crate::parse;
 
 fn at(x: i32) -> Point {
     let named = [("x".to_string(), Rational::from(x))].into();
-    Point { named, turn: 0 }
+    Point {
+        named,
+        sample: Some(0),
+    }
 }
 
 fn value(text: &str) -> Result<ComplexBall, SymbolicError> {
@@ -80,13 +83,10 @@ fn points_are_distinct() {
     let mut seen = std::collections::BTreeSet::new();
     let names: Vec<String> = ('a'..='z').chain('A'..='Z').map(String::from).collect();
     for turn in 0..4 {
-        let point = Point {
-            turn,
-            ..Point::default()
-        };
+        let point = Point::sample(turn);
         for name in &names {
             for name in [name.clone(), format!("{name}_1"), format!("{name}{name}")] {
-                let q = point.value(&name);
+                let q = point.value(&name).unwrap();
                 assert!((0.45..1.5).contains(&q.to_f64()), "{name}: {q}");
                 // Three digits each.
                 assert!(*q.denom() < 120, "{name}: {q}");
@@ -96,7 +96,7 @@ fn points_are_distinct() {
     }
     // 624 draws.
     assert!(seen.len() > 250, "{}", seen.len());
-    assert_eq!(at(2).value("x"), 2);
+    assert_eq!(at(2).value("x").unwrap(), 2);
 }
 
 /// What does not depend on a changing name is kept, of definitions and of integrals, and nothing else.
@@ -111,7 +111,7 @@ fn caches_keep_what_does_not_change() {
             Enclosures::remembering(&point, &cache).value(&definitions, &parse(text).unwrap());
         found.unwrap()
     };
-    let k = Point::default().value("k");
+    let k = Point::sample(0).value("k").unwrap();
     let near = |z: ComplexBall, due: Rational| {
         assert!(z.re.contains(&due), "{z:?} {due}");
     };
@@ -177,7 +177,10 @@ fn arc_tangents_beside_the_real_axis() {
 #[test]
 fn variables_of_integrals_end_with_them() {
     let named = [("s".to_string(), Rational::from(5))].into();
-    let point = Point { named, turn: 0 };
+    let point = Point {
+        named,
+        sample: Some(0),
+    };
     let value = |text: &str| {
         let found = Enclosures::new(&point).value(&Definitions::default(), &parse(text).unwrap());
         found.unwrap()

@@ -182,7 +182,7 @@ mod tests {
     fn values_are_those_that_are_held() {
         for name in ["slider-crank", "erf", "tridiagonal"] {
             let method = methods::find(name).unwrap();
-            let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+            let root = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
             let file = root.join("reference/values").join(format!("{name}.csv"));
             let held = std::fs::read_to_string(file).unwrap();
             let at = held.find(COLUMNS).unwrap();

@@ -196,7 +196,7 @@ mod tests {
     /// Every generated file of the folders is made and compared: none is left out of what is chosen without a name.
     #[test]
     fn no_file_of_the_folders_is_left_out() {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
         let made: BTreeSet<_> = match chosen(&[]) {
             Ok(all) => all.into_iter().map(|a| a.path).collect(),
             Err(_) => panic!("without names all are chosen"),
@@ -283,8 +283,10 @@ mod tests {
         }
         let path = "src/solvers/special/faddeeva/constants.rs";
         std::fs::create_dir_all(at(path).parent().unwrap()).unwrap();
-        let due =
-            std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).unwrap();
+        let due = std::fs::read_to_string(
+            Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join(path),
+        )
+        .unwrap();
         assert_eq!(run(&["--check"]), Ok(Outcome::Finding));
         assert!(!at(path).exists());
         assert_eq!(run(&[]), Ok(Outcome::AsExpected));

@@ -13,10 +13,9 @@ use crate::audit::{
 use crate::methods::common::output;
 use crate::methods::definition::Definition;
 use crate::methods::inputs::{Number, inputs};
-use crate::proof::UPPER_HALF_PLANE;
 use crate::reference::faddeeva::{Scaled, w, w_scaled};
 use crate::reference::{Ball, Mag, Undecided};
-use crate::solvers::faddeeva::{SEAMS, branch, faddeeva};
+use crate::solvers::faddeeva::{PROVED_NORM, SEAMS, branch, faddeeva};
 use num_complex::Complex;
 use rug::{Float, Rational};
 
@@ -127,7 +126,7 @@ impl Definition for Faddeeva {
 
     fn proved() -> Vec<ProvedBound> {
         vec![ProvedBound {
-            error: ProvedError::Norm(2.0 * UPPER_HALF_PLANE.norm),
+            error: ProvedError::Norm(2.0 * PROVED_NORM),
             inputs: "Im z >= 0",
             command: "mechaudit prove faddeeva",
         }]

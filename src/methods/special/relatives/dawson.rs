@@ -6,7 +6,6 @@ use super::{
     C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, exponential, odd_limit, on_axis, on_the_real_line,
 };
 use crate::audit::{Due, Law, ProvedBound};
-use crate::proof::real::Function;
 use crate::reference::Ball;
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{dawson, dawson_batch, dawson_real};
@@ -63,11 +62,7 @@ impl Relative for Dawson {
     }
 
     fn proved() -> Vec<ProvedBound> {
-        on_the_real_line(
-            Function::Dawson,
-            "real arguments, by dawson_real",
-            "mechaudit prove dawson",
-        )
+        on_the_real_line("real arguments, by dawson_real", "mechaudit prove dawson")
     }
 
     fn laws() -> Vec<Law> {

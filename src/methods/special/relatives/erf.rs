@@ -7,7 +7,6 @@ use super::{
     on_the_real_line,
 };
 use crate::audit::{Due, Law, ProvedBound};
-use crate::proof::real::Function;
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{erf, erf_real, erfc, faddeeva as w};
 use std::f64::consts::FRAC_2_SQRT_PI;
@@ -54,11 +53,7 @@ impl Relative for Erf {
     }
 
     fn proved() -> Vec<ProvedBound> {
-        on_the_real_line(
-            Function::Erf,
-            "real arguments, by erf_real",
-            "mechaudit prove erf",
-        )
+        on_the_real_line("real arguments, by erf_real", "mechaudit prove erf")
     }
 
     fn laws() -> Vec<Law> {

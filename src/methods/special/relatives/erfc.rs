@@ -9,7 +9,6 @@ use super::{
     on_the_real_line,
 };
 use crate::audit::{Due, Law, ProvedBound};
-use crate::proof::real::Function;
 use crate::reference::Ball;
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{erfc, erfc_real, erfcx};
@@ -63,11 +62,7 @@ impl Relative for Erfc {
     }
 
     fn proved() -> Vec<ProvedBound> {
-        on_the_real_line(
-            Function::Erfc,
-            "real arguments, by erfc_real",
-            "mechaudit prove erfc",
-        )
+        on_the_real_line("real arguments, by erfc_real", "mechaudit prove erfc")
     }
 
     fn laws() -> Vec<Law> {

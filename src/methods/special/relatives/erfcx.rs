@@ -9,7 +9,6 @@ use crate::audit::{BranchAt, Due, Law, ProvedBound};
 use crate::methods::common::held;
 use crate::methods::special::branches::nearest;
 use crate::methods::special::faddeeva::{dues_not_finite, signs_of_zero};
-use crate::proof::real::Function;
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{SEAMS, branch, erfcx, erfcx_batch, erfcx_real, faddeeva as w};
 use num_complex::Complex;
@@ -67,11 +66,7 @@ impl Relative for Erfcx {
     }
 
     fn proved() -> Vec<ProvedBound> {
-        on_the_real_line(
-            Function::Erfcx,
-            "real arguments, by erfcx_real",
-            "mechaudit prove erfcx",
-        )
+        on_the_real_line("real arguments, by erfcx_real", "mechaudit prove erfcx")
     }
 
     fn laws() -> Vec<Law> {

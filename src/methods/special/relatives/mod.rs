@@ -18,10 +18,9 @@ use crate::audit::{
 use crate::methods::common::output;
 use crate::methods::definition::{Definition, Registered};
 use crate::methods::inputs::Number;
-use crate::proof::real::Function;
 use crate::reference::faddeeva::Scaled;
 use crate::reference::{Ball, Undecided};
-use crate::solvers::faddeeva::SEAMS_OF_RELATIVES;
+use crate::solvers::faddeeva::{PROVED_REAL_ULPS, SEAMS_OF_RELATIVES};
 use num_complex::Complex;
 use rug::Rational;
 
@@ -221,13 +220,9 @@ impl<F: Relative> Definition for F {
 }
 
 /// What is proved of a function of a real argument.
-fn on_the_real_line(
-    function: Function,
-    inputs: &'static str,
-    command: &'static str,
-) -> Vec<ProvedBound> {
+fn on_the_real_line(inputs: &'static str, command: &'static str) -> Vec<ProvedBound> {
     vec![ProvedBound {
-        error: ProvedError::Ulps(function.ulps()),
+        error: ProvedError::Ulps(PROVED_REAL_ULPS),
         inputs,
         command,
     }]

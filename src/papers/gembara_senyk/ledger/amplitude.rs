@@ -18,7 +18,7 @@ pub(super) fn items() -> Vec<Item> {
             .claims("The real part of (15).")
             .with(&MODULUS)
             .with(&["delta_star_n = -alpha"])
-            .requires(&["phi = re(A_n*exp(-i*Theta_n))"])
+            .requires(&["phi = series(n, re(A_n*exp(-i*Theta_n)))"])
             .misprint(1, &["Theta Theta_n"], "")
             .note("The index of Θ_n is missing."),
         Item::new("gs-17", "(17)", Formula)

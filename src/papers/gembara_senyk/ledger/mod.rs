@@ -1,7 +1,7 @@
 //! The ledger of the paper: (1) to (19), the steps between them, and the numbers in the text.
 //!
 //! Symbols: `omega_star` ω_*, `n_star` n_*, `omega_3` ω₃, `n` the number of the harmonic, `V_n` and
-//! `U_n` functions of `tau`. A series stands for its n-th term. The printed forms are those of the
+//! `U_n` functions of `tau`. Series are compared term by term. The printed forms are those of the
 //! text layer of a scan.
 
 mod amplitude;

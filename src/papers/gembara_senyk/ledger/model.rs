@@ -6,18 +6,11 @@ use crate::papers::ledger::Kind::{Formula, Statement, Step};
 /// The series (4) with three harmonics.
 const SERIES: [&str; 2] = [
     "Omega = 2*pi/T_B",
-    "f = a_0 + sum(k, 1, inf, a[k]*cos(k*Omega*t) + b[k]*sin(k*Omega*t))",
+    "f = a_0 + sum(k, 1, 3, a[k]*cos(k*Omega*t) + b[k]*sin(k*Omega*t))",
 ];
 
 /// a_n and b_n by D_n and δ_n.
-const POLAR: [&str; 6] = [
-    "a_1 = D_1*cos(delta_1)",
-    "a_2 = D_2*cos(delta_2)",
-    "a_3 = D_3*cos(delta_3)",
-    "b_1 = -D_1*sin(delta_1)",
-    "b_2 = -D_2*sin(delta_2)",
-    "b_3 = -D_3*sin(delta_3)",
-];
+const POLAR: [&str; 2] = ["a_n = D_n*cos(delta_n)", "b_n = -D_n*sin(delta_n)"];
 
 /// The cosine law over its rise only: from 0 to 1 in T_B.
 const COSINE_RISE: [&str; 2] = ["rise = (1 - cos(pi*t/T_B))/2", "Omega = 2*pi/T_B"];
@@ -73,11 +66,11 @@ pub(super) fn items() -> Vec<Item> {
             .misprint(1, &["phi phi_dot phi_ddot", "n_star omega_star"], "")
             .note("A dot too many; (7) prints the term without it."),
         Item::new("gs-4", "(4)", Formula)
-            .printed("f = a_0 + sum(n, 1, inf, a[n]*cos(n*Omega*t) + b[n]*sin(n*Omega*t))")
+            .printed("f = a_0 + series(n, a[n]*cos(n*Omega*t) + b[n]*sin(n*Omega*t))")
             .claims("A function with the period T_B, mean a_0.")
             .with(&["Omega = 2*pi/T_B"])
             .requires(&["at(f, t, t + T_B) = f", "1/T_B*int(t, 0, T_B, f) = a_0"])
-            .note("Shown for three harmonics with free coefficients; the terms are independent."),
+            .note("Shown for every term: n is any positive integer."),
         Item::new("gs-frequency", "after (4)", Step)
             .printed("Omega = 2*pi/T_B")
             .claims("The frequency of the forcing: cos Ωt returns after T_B.")
@@ -119,11 +112,11 @@ pub(super) fn items() -> Vec<Item> {
             .with(&["a = D*cos(delta)"])
             .requires(&["a*cos(x) + b*sin(x) = D*cos(x + delta)"]),
         Item::new("gs-6", "(6)", Formula)
-            .printed("f = a_0 + sum(n, 1, inf, D[n]*cos(n*Omega*t + delta[n]))")
+            .printed("f = a_0 + series(n, D[n]*cos(n*Omega*t + delta[n]))")
             .claims("The series (4) with D_n and δ_n.")
             .with(&POLAR)
             .requires(&[
-                "f = a_0 + sum(n, 1, inf, a[n]*cos(n*Omega*t) + b[n]*sin(n*Omega*t))",
+                "f = a_0 + series(n, a[n]*cos(n*Omega*t) + b[n]*sin(n*Omega*t))",
             ]),
         Item::new("gs-7", "(7)", Formula)
             .printed(
@@ -133,7 +126,7 @@ pub(super) fn items() -> Vec<Item> {
             .claims("(3) with (6), a_0 left out, and the angle of the shaft at Ω = εt.")
             .requires(&[
                 "left = phi_ddot + 2*n_star*phi_dot + omega_star^2*phi",
-                "right = omega_star^2*D_n*cos(n*int(tau, 0, t, eps*tau) + delta_n)",
+                "right = omega_star^2*series(n, D[n]*cos(n*int(tau, 0, t, eps*tau) + delta[n]))",
             ]),
         Item::new("gs-run-down", "(7)", Statement)
             .printed("theta = eps*t^2/2")
@@ -151,14 +144,14 @@ pub(super) fn items() -> Vec<Item> {
             .with(&[
                 "omega_star = sqrt(n_star^2 + omega_3^2)",
                 "y = a_0*(1 - exp(-n_star*t)*(cos(omega_3*t) + n_star/omega_3*sin(omega_3*t)))",
-                "f = a_0 + sum(n, 1, inf, D[n]*cos(n*Omega*t + delta[n]))",
+                "f = a_0 + series(n, D[n]*cos(n*Omega*t + delta[n]))",
             ])
             .model()
             .also("D(D(y, t), t) + 2*n_star*D(y, t) + omega_star^2*y = omega_star^2*a_0")
             .also("at(y, t, 0) = 0")
             .also("at(D(y, t), t, 0) = 0")
             .but_not("y = a_0")
-            .also("sum(n, 1, inf, D[n]*cos(delta[n])) = at(f, t, 0) - a_0")
+            .also("series(n, D[n]*cos(delta[n])) = at(f, t, 0) - a_0")
             .note(
                 "With the zero initial conditions of (10) the response y to a_0 is a transient. \
                  Where the cam starts from rest at f(0) = 0 the remaining series starts at -a_0: a \

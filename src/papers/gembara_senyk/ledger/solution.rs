@@ -7,7 +7,7 @@ use crate::papers::ledger::Kind::{Formula, Step};
 /// What the solution of the n-th harmonic has to satisfy.
 const MOTION: [&str; 3] = [
     "D(D(psi, t), t) + 2*n_star*D(psi, t) + omega_star^2*psi \
-       = omega_star^2*D_n*exp(-i*Theta_n)",
+       = omega_star^2*series(n, D_n*exp(-i*Theta_n))",
     "at(psi, t, 0) = 0",
     "at(D(psi, t), t, 0) = 0",
 ];
@@ -39,7 +39,7 @@ fn equations() -> Vec<Item> {
             .with(&["Theta_n = n*eps*t^2/2 + delta_n"])
             .requires(&[
                 "left = psi_ddot + 2*n_star*psi_dot + omega_star^2*psi",
-                "re(right) = omega_star^2*D_n*cos(n*eps*t^2/2 + delta_n)",
+                "re(right) = omega_star^2*series(n, D_n*cos(n*eps*t^2/2 + delta_n))",
             ]),
         Item::new("gs-theta", "after (9)", Step)
             .printed("Theta_n = n*eps*t^2/2 + delta_n")
@@ -91,8 +91,8 @@ fn equations() -> Vec<Item> {
             .claims("The part of (10) with e^(iω₃(t-τ)).")
             .with(&HARMONIC)
             .requires(&[
-                "psi_1 = omega_star^2/omega_3*D_n*int(tau, 0, t, exp(-i*at(Theta_n, t, tau) \
-                   - n_star*(t - tau))*exp(i*omega_3*(t - tau))/(2*i))",
+                "psi_1 = series(n, omega_star^2/omega_3*D_n*int(tau, 0, t, \
+                   exp(-i*at(Theta_n, t, tau) - n_star*(t - tau))*exp(i*omega_3*(t - tau))/(2*i)))",
             ])
             .misprint(1, &["omega_3 n_star omega_star"], ""),
         Item::new("gs-split-second", "after (11), second integral", Step)
@@ -104,8 +104,8 @@ fn equations() -> Vec<Item> {
             .claims("The part of (10) with e^(-iω₃(t-τ)).")
             .with(&HARMONIC)
             .requires(&[
-                "psi_2 = -omega_star^2/omega_3*D_n*int(tau, 0, t, exp(-i*at(Theta_n, t, tau) \
-                   - n_star*(t - tau))*exp(-i*omega_3*(t - tau))/(2*i))",
+                "psi_2 = series(n, -omega_star^2/omega_3*D_n*int(tau, 0, t, \
+                   exp(-i*at(Theta_n, t, tau) - n_star*(t - tau))*exp(-i*omega_3*(t - tau))/(2*i)))",
             ])
             .misprint(2, &["n_3 n_star", "omega_3 omega_star"], "")
             .note(
@@ -148,7 +148,7 @@ fn substitution() -> Vec<Item> {
             .claims("The solution (10) after the substitution.")
             .with(&HARMONIC)
             .with(&AT_THE_END)
-            .requires(&["psi = psi_10"])
+            .requires(&["psi = series(n, psi_10)"])
             .misprint(2, &["nabla_n V_n U_n", "V_n0 U_n0"], "")
             .note("∇_n, not defined in the paper, is V_n; the last exponent has lost its i."),
         Item::new("gs-14-v", "(14), first term", Formula)

@@ -147,16 +147,16 @@ fn reduction() -> Vec<Item> {
             .note("Shown with link 2 for the translating terms; link 4 has the same form."),
         Item::new("z-6", "(6)", Formula)
             .printed(
-                "M_n = sum(j, 1, n_num, P[j]*(V[j]/omega_n)*cos(alpha[j])) \
-                 + sum(j, 1, n_num, M[j]*(omega[j]/omega_n))",
+                "M_n = series(j, P[j]*(V[j]/omega_n)*cos(alpha[j])) \
+                 + series(j, M[j]*(omega[j]/omega_n))",
             )
             .claims("The power of the reduced moment is that of all forces and moments.")
             .requires(&[
-                "M_n*omega_n = sum(j, 1, n_num, \
+                "M_n*omega_n = series(j, \
                  P[j]*cos(beta[j])*V[j]*cos(beta[j] + alpha[j]) \
                  + P[j]*sin(beta[j])*V[j]*sin(beta[j] + alpha[j]) + M[j]*omega[j])",
             ])
-            .note("Shown for three bodies; β_j is the direction of the force."),
+            .note("Shown for every body; β_j is the direction of the force."),
         Item::new("z-7", "(7)", Formula)
             .printed(
                 "M_o = -m_2*g*V_S2*sin(theta_2) - m_3*g*V_S3*sin(theta_3) \

@@ -114,6 +114,14 @@ use many::all;
 use num_complex::Complex;
 use points::{Apart, Interleaved};
 
+/// The bound of `|faddeeva(z) − w(z)| / |w(z)|` in units of 2⁻⁵² that `mechaudit prove faddeeva` proves for every
+/// `z` with `Im z ≥ 0`.
+pub const PROVED_NORM: f64 = 1.25;
+
+/// The bound of the error of [`erf_real`], [`erfc_real`], [`erfcx_real`] and [`dawson_real`], in units in the last
+/// place of the value, that `mechaudit prove erf` (`erfc`, …) proves for every argument.
+pub const PROVED_REAL_ULPS: f64 = 0.875;
+
 /// The Faddeeva function `w(z) = e^{−z²} erfc(−iz)`.
 ///
 /// Accuracy, method and special values: [the module](self).
