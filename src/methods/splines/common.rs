@@ -240,11 +240,12 @@ const REASON: &str = "every weight of S, S', S'' and S''' is a product of a few 
     with a componentwise backward error of 13 u at most, or from divided differences where four knots leave one \
     cubic; the sum over the data is the condition";
 
-const LOCAL_REASON: &str = "chord slopes have a relative error of 2 u at most and their neighbours' differences one \
-    of a few u, so that slopes and their excess over the chords are sums of two products of a few \
-    factors, each with a relative error of a few u; where a comparison of slopes could go either way \
-    the slope is continuous, but for Akima's two vanishing weights, where solver and reference both decide \
-    exactly; the sum over the data is the condition, on whichever side it is larger";
+const LOCAL_REASON: &str = "differences of neighbouring chord slopes are taken in twice the working precision, where their \
+    error is a few u^2 of the chord slopes, far below the u of them that the data's rounding is worth; slopes and \
+    their excess over the chords are sums of two products of a few factors, each with a relative error of a few u; \
+    where a comparison of slopes could go either way the slope is continuous, but for Akima's two vanishing \
+    weights, where solver and reference both decide exactly; the sum over the data is the condition, on whichever \
+    side it is larger";
 
 /// The five outputs with their budgets in units of the conditioned limit.
 pub(super) fn outputs(k: f64) -> Vec<Output> {

@@ -110,7 +110,7 @@ const LEFT_SLOPE: [EndKind; 2] = [EndKind::FirstDerivative, EndKind::SecondDeriv
 impl Definition for CubicSplineMixedEnds {
     type Input<'a, T: Number> = CubicSplineMixedEndsInput<'a, T>;
     const SUMMARY: &'static str =
-        "cubic spline with its own condition at each end: first or second derivative, not-a-knot";
+        "cubic spline with its own condition at each end: 0 not-a-knot, 1 S' given, 2 S'' given";
     const SOURCE: &'static str = "Zinchenko 2008, eqs (8)-(17), on arbitrary knots";
 
     fn outputs() -> Vec<Output> {

@@ -180,23 +180,52 @@ impl HermiteSpline {
     fn value_at(&self, i: usize, (k, w): (f64, f64)) -> f64 {
         let h = self.knots.interval(i).h;
         let (left, right) = (self.slopes[i].slope, self.slopes[i + 1].slope);
-        let ordinates =
-            (w * w) * (1.0 + 2.0 * k) * self.y[i] + (k * k) * (1.0 + 2.0 * w) * self.y[i + 1];
-        ordinates + (k * w) * (h * (w * left - k * right))
+        self.of_ordinates(i, (k, w)) + (k * w) * (h * (w * left - k * right))
+    }
+
+    /// The part of `S` that the ordinates make.
+    fn of_ordinates(&self, i: usize, (k, w): (f64, f64)) -> f64 {
+        (w * w) * (1.0 + 2.0 * k) * self.y[i] + (k * k) * (1.0 + 2.0 * w) * self.y[i + 1]
+    }
+
+    /// How much a segment's slope at its left end exceeds the one at its right end. Akima's slopes are
+    /// equal by definition where the jumps on both sides of a middle segment are opposite; a difference
+    /// of rounded slopes would not vanish there.
+    fn slope_loss(&self, i: usize) -> f64 {
+        (self.slopes[i].over_right - self.slopes[i + 1].over_left).value()
     }
 
     fn whole(&self, i: usize) -> f64 {
         let h = self.knots.interval(i).h;
-        let bent = h * (self.slopes[i].slope - self.slopes[i + 1].slope) / 12.0;
+        let bent = h * self.slope_loss(i) / 12.0;
         h * ((0.5 * self.y[i] + 0.5 * self.y[i + 1]) + bent)
     }
 
-    /// The integral over `length` between two points of segment `i`, by Simpson's rule, which is
-    /// exact for cubics and does not subtract antiderivatives.
+    /// The integral over `length` between two points of segment `i`, without a difference of
+    /// antiderivatives.
+    ///
+    /// With the mean slope `s` of the two ends and their half difference `d`, the part of `S` that the
+    /// slopes make is `h k w ((w − k) s + d)`, and the first term integrates to a product. Simpson's
+    /// rule, which is exact for cubics, does the rest; or all of it, where the slopes as they are make
+    /// the smaller terms, as they do near a knot with slope 0.
     fn within(&self, i: usize, a: (f64, f64), b: (f64, f64), length: f64) -> f64 {
+        let h = self.knots.interval(i).h;
+        let (left, right) = (self.slopes[i], self.slopes[i + 1]);
         let mid = (0.5 * (a.0 + b.0), 0.5 * (a.1 + b.1));
-        let value = |at| self.value_at(i, at);
-        length * ((value(a) + value(b)) + 4.0 * value(mid)) / 6.0
+        let simpson = |f: &dyn Fn((f64, f64)) -> f64| ((f(a) + f(b)) + 4.0 * f(mid)) / 6.0;
+        let both = (left.over_right + right.over_left).value();
+        let mean = self.delta[i] + 0.5 * both;
+        let half = 0.5 * self.slope_loss(i);
+        let product = mean * (b.1 - a.0) * (0.5 * (a.0 * a.1 + b.0 * b.1));
+        let apart = product.abs() + simpson(&|(k, w)| k * w * half.abs());
+        let together = simpson(&|(k, w)| k * w * (w * left.slope.abs() + k * right.slope.abs()));
+        let mean_value = match apart < together {
+            true => {
+                simpson(&|(k, w)| self.of_ordinates(i, (k, w)) + (k * w) * (h * half)) + h * product
+            }
+            false => simpson(&|at| self.value_at(i, at)),
+        };
+        length * mean_value
     }
 }
 

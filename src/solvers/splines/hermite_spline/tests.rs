@@ -121,6 +121,35 @@ fn opposite_excesses_cancel_exactly() {
     assert_eq!(s.jet(1.0).map(|j| j.third), Ok(0.0));
 }
 
+/// Opposite jumps on both sides of the middle segment: its slopes, about −33, are equal by definition
+/// and leave nothing of themselves in its integral, over the segment or what lies between its knots.
+#[test]
+fn equal_slopes_leave_the_integral_alone() {
+    let x = [
+        3.0633212613031997,
+        3.1392697364580004,
+        274.3666983245242,
+        274.3778196797322,
+    ];
+    let y = [
+        2.8048960320982976,
+        0.040743336077553316,
+        2.4310979197376383,
+        -1.9850626060012253,
+    ];
+    let s = fit(&x, &y, Slopes::Akima);
+    let due = 0.5 * (x[2] - x[1]) * (y[1] + y[2]);
+    assert!((s.slopes()[1] / s.slopes()[2] - 1.0).abs() < 1e-14);
+    let (low, high) = (x[0].next_up(), x[3].next_down());
+    for (a, b) in [(x[1], x[2]), (x[1], x[2].next_down())] {
+        let got = s.integral(a, b).expect("inside");
+        assert!((got / due - 1.0).abs() < 1e-15, "{got} {due}");
+    }
+    let all = s.integral(low, high).expect("inside");
+    let ends = s.integral(low, x[1]).expect("inside") + s.integral(x[2], high).expect("inside");
+    assert!((all - ends - due).abs() < 1e-12 * due);
+}
+
 #[test]
 fn two_points_give_the_line() {
     for rule in ALL {
