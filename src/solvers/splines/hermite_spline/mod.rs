@@ -7,7 +7,8 @@
 //!
 //! ```text
 //! S    = w²(1 + 2k) y_i + k²(1 + 2w) y_{i+1} + h k w (w s_i − k s_{i+1})
-//! S'   = 6 k w δ_i + w (w − 2k) s_i + k (k − 2w) s_{i+1}
+//!      = y_i + h (k w² s_i + k² w (3δ_i − s_{i+1}) + k³ δ_i)
+//! S'   = w² s_i + k² s_{i+1} + 2 k w (3δ_i − s_i − s_{i+1})
 //! S''  = 2 (k (a + 2b) − w (2a + b)) / h         with a = s_i − δ_i, b = s_{i+1} − δ_i
 //! S''' = 6 (a + b) / h²
 //! ```

@@ -3,6 +3,7 @@
 use super::slopes::{Chords, Slope, Slopes};
 use super::{CubicSplineError as Error, EvaluationError, Extrapolation, Jet};
 use crate::cubic_spline::{Grid, Knots};
+use crate::double_double::Dd;
 use crate::splines::cubic_spline::{LARGEST, check_values, fractions};
 use crate::splines::piecewise::{Piecewise, Place, Sum};
 
@@ -175,12 +176,29 @@ impl HermiteSpline {
         fractions(Knots::offsets(&at, x), at.per_h)
     }
 
-    /// `S` on segment `i`; all terms keep their relative accuracy, so that `S` does near a knot with
-    /// ordinate 0.
+    /// `S` on segment `i`: the ordinate of the nearer knot and what the cubic adds to it, so that `S`
+    /// keeps its relative accuracy near a knot with ordinate 0, even if its slope is 0 as well.
     fn value_at(&self, i: usize, (k, w): (f64, f64)) -> f64 {
         let h = self.knots.interval(i).h;
-        let (left, right) = (self.slopes[i].slope, self.slopes[i + 1].slope);
-        self.of_ordinates(i, (k, w)) + (k * w) * (h * (w * left - k * right))
+        let (left, right, delta) = (self.slopes[i], self.slopes[i + 1], self.delta[i]);
+        // `3δ − s`, which is exactly 0 where a PCHIP's end slope is limited to 3δ.
+        let rest = |over: Dd| 2.0 * delta - over.value();
+        let from_left = || {
+            let (cubic, square) = (k * k * k * delta, (k * k) * w * rest(right.over_left));
+            self.y[i] + h * (k * (w * w) * left.slope + square + cubic)
+        };
+        let from_right = || {
+            let (cubic, square) = (w * w * w * delta, (w * w) * k * rest(left.over_right));
+            self.y[i + 1] - h * (w * (k * k) * right.slope + square + cubic)
+        };
+        if k < w {
+            from_left()
+        } else if w < k {
+            from_right()
+        } else {
+            // A mirrored spline gives the same.
+            0.5 * from_left() + 0.5 * from_right()
+        }
     }
 
     /// The part of `S` that the ordinates make.
@@ -248,10 +266,10 @@ impl Piecewise for HermiteSpline {
         let (left, right) = (self.slopes[i], self.slopes[i + 1]);
         let (a, b) = (left.over_right, right.over_left);
         let both = a + b;
-        let ends = w * (w - 2.0 * k) * left.slope + k * (k - 2.0 * w) * right.slope;
+        let ends = (w * w) * left.slope + (k * k) * right.slope;
         Jet {
             value: self.value_at(i, (k, w)),
-            first: 6.0 * (k * w) * self.delta[i] + ends,
+            first: ends + 2.0 * (k * w) * (Dd::from(self.delta[i]) - both).value(),
             second: 2.0 * (k * (both + b).value() - w * (both + a).value()) / h,
             third: 6.0 * both.value() / h / h,
         }

@@ -150,6 +150,37 @@ fn equal_slopes_leave_the_integral_alone() {
     assert!((all - ends - due).abs() < 1e-12 * due);
 }
 
+/// A PCHIP whose slopes are 0 and, by the limit at the end, three chords is `y_i + k³ (y_{i+1} − y_i)`
+/// on its last segment: what is linear and quadratic there vanishes exactly.
+#[test]
+fn a_limited_slope_beside_a_level_one_leaves_a_cube() {
+    let (h, rise) = (640.3, -3.1);
+    let s = fit(
+        &[-3.0, -0.1, 0.0, h],
+        &[-1.0, -20.0, 0.0, rise],
+        Slopes::Pchip,
+    );
+    assert_eq!(s.slopes()[2..], [0.0, 3.0 * (rise / h)]);
+    for at in [1e-9, 1e-4, 0.3, 7.0, 200.0] {
+        let k: f64 = at / h;
+        let jet = s.jet(at).expect("inside");
+        let due = (k.powi(3) * rise, 3.0 * k * k * rise / h);
+        assert!(
+            (jet.value / due.0 - 1.0).abs() < 2e-15,
+            "{at}: {jet:?} {due:?}"
+        );
+        assert!(
+            (jet.first / due.1 - 1.0).abs() < 2e-15,
+            "{at}: {jet:?} {due:?}"
+        );
+        let area = s.integral(0.0, at).expect("inside");
+        assert!(
+            (area / (0.25 * at * due.0) - 1.0).abs() < 2e-15,
+            "{at}: {area}"
+        );
+    }
+}
+
 #[test]
 fn two_points_give_the_line() {
     for rule in ALL {
