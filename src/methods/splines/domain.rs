@@ -72,7 +72,7 @@ impl Kind {
             .end_orders()
             .into_iter()
             .flatten()
-            .map(|order| draw.uniform(-5.0, 5.0) * sy / sx.powi(order))
+            .map(|order| draw.uniform(-5.0, 5.0) * (0..order).fold(sy, |unit, _| unit / sx))
             .collect();
         let (first, last) = (x[0], x[n - 1]);
         let query = |draw: &mut Draw| {

@@ -65,8 +65,10 @@
 //! # Accuracy
 //! Differences of neighbouring chord slopes are computed in twice the working precision, so that
 //! Akima's weights keep their relative accuracy and a slope's distance from its chords does not come
-//! from a cancelling difference. `mechaudit audit pchip`, `akima` and `modified-akima` search for the worst
-//! inputs.
+//! from a cancelling difference. Where slopes at both ends of a segment are equal, opposite or three
+//! chords by definition, values and integrals do not feel the slopes' rounding. Chord slopes below the
+//! normal range (2⁻¹⁰²²) have the absolute accuracy of that range only, and so has all that follows from
+//! them. `mechaudit audit pchip`, `akima` and `modified-akima` search for the worst inputs.
 
 mod slopes;
 mod spline;
