@@ -63,6 +63,6 @@ mod tests {
         assert!(report.failures.iter().any(|f| region(f) == "badly-scaled"));
         assert!(report.failures.iter().all(|f| region(f) != "well-scaled"));
         let text = report.to_string();
-        assert!(text.contains("refused where values exist"), "{text}");
+        assert!(text.contains("a refusal, expected "), "{text}");
     }
 }

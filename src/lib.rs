@@ -9,6 +9,8 @@
 //! | `reference` (`mechaudit-reference`) | balls over MPFR, exact rational systems and splines, linkages enclosed by Krawczyk's operator | feature `oracle` |
 //! | `audit` (`mechaudit-audit`) | domains, cases, budgets, the judge, statistics | feature `oracle` |
 //! | `candidate` | your own code in place of a method's solver | feature `oracle` |
+//! | `files` | the writer of files that the program and the Python package share | feature `files` |
+//! | `message` | the words of an error, as a reader meets them | nothing |
 //! | `methods` | one file for each audited method | feature `oracle` |
 //!
 //! The program `mechaudit` is the package `mechaudit-cli`. Files of machines, papers, proofs, campaigns and
@@ -18,7 +20,8 @@
 //! adds batches on all cores.
 //!
 //! # A linkage
-//! ```
+#![cfg_attr(feature = "linkages", doc = "```")]
+#![cfg_attr(not(feature = "linkages"), doc = "```ignore")]
 //! use mechaudit::solvers::class_iii::{ClassIii, Geometry};
 //! use mechaudit::solvers::units::{Angle, Length};
 //!
@@ -38,8 +41,8 @@
 //! ```
 //!
 //! # An audit
-#![cfg_attr(feature = "oracle", doc = "```")]
-#![cfg_attr(not(feature = "oracle"), doc = "```ignore")]
+#![cfg_attr(all(feature = "oracle", feature = "splines"), doc = "```")]
+#![cfg_attr(not(all(feature = "oracle", feature = "splines")), doc = "```ignore")]
 //! use mechaudit::audit::{audit_method, Settings};
 //! use mechaudit::methods;
 //!
@@ -50,8 +53,8 @@
 //! ```
 //!
 //! # Code of your own
-#![cfg_attr(feature = "oracle", doc = "```")]
-#![cfg_attr(not(feature = "oracle"), doc = "```ignore")]
+#![cfg_attr(all(feature = "oracle", feature = "splines"), doc = "```")]
+#![cfg_attr(not(all(feature = "oracle", feature = "splines")), doc = "```ignore")]
 //! use mechaudit::methods::Tridiagonal;
 //!
 //! fn thomas(lower: &[f64], diagonal: &[f64], upper: &[f64], right: &[f64]) -> Option<Vec<f64>> {
@@ -86,15 +89,23 @@
 //! * **Worst found** is the largest of a sample, never a bound.
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
+// A single subject leaves constructors of the others unused.
+#![cfg_attr(
+    not(all(feature = "cams", feature = "run-up")),
+    allow(dead_code, unused_imports, unused_macros, unused_mut)
+)]
 
 #[cfg(feature = "oracle")]
 pub mod book;
 #[cfg(feature = "oracle")]
 pub mod candidate;
+#[cfg(feature = "files")]
+pub mod files;
+pub mod message;
 #[cfg(feature = "oracle")]
 pub mod methods;
 
-#[cfg(all(doctest, feature = "oracle"))]
+#[cfg(all(doctest, feature = "oracle", feature = "special"))]
 #[doc = include_str!("../README.md")]
 struct Readme;
 

@@ -4,30 +4,37 @@
 //! | module | what it holds | needs |
 //! |---|---|---|
 //! | `campaign` | audits and hunts cut into shards, and their exact sum | feature `report` |
-//! | [`claims`] | claims about published algorithms for W and Voigt (`mechaudit-atlas`), decided | |
+//! | `claims` | claims about published algorithms for W and Voigt (`mechaudit-atlas`), decided | feature `report` |
 //! | [`machine`] | machines as their files describe them: certified rows and branches in the user's units | |
 //! | [`motion`] | a mechanism in motion, as pages and drawings show it | |
-//! | [`papers`] | published papers: data, tables, formulas, findings | |
-//! | [`proof`] (`mechaudit-proof`) | error bounds of solvers proved for every input | |
-//! | `report` | reports as text, HTML, JSON, CSV, JUnit, LaTeX and SVG | feature `report` |
-//! | [`symbolic`] (`mechaudit-symbolic`) | polynomials, roots, exponentials and their derivatives, exactly; proofs of formulas | |
+//! | `papers` | published papers: data, tables, formulas, findings | feature `report` |
+//! | `proof` (`mechaudit-proof`) | error bounds of solvers proved for every input | feature `report` |
+//! | `report` | audits as text and HTML, drawings of linkages; JSON, CSV, JUnit, LaTeX, charts, papers | feature `pages`; `report` |
+//! | `symbolic` (`mechaudit-symbolic`) | polynomials, roots, exponentials and their derivatives, exactly; proofs of formulas | feature `report` |
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
+// Parts of the pages are those of papers alone.
+#![cfg_attr(not(feature = "report"), allow(dead_code, unused_imports))]
 
 #[cfg(feature = "report")]
 pub mod campaign;
+#[cfg(feature = "report")]
 pub mod claims;
 pub mod machine;
 pub mod motion;
-pub mod papers;
 #[cfg(feature = "report")]
+pub mod papers;
+#[cfg(feature = "pages")]
 pub mod report;
 
 #[doc(no_inline)]
 pub use mechaudit::{
-    Complex64, audit, audit_by_name, book, candidate, compare, methods, reference, solvers,
+    Complex64, audit, audit_by_name, book, candidate, compare, files, message, methods, reference,
+    solvers,
 };
+#[cfg(feature = "report")]
 #[doc(inline)]
 pub use mechaudit_proof as proof;
+#[cfg(feature = "report")]
 #[doc(inline)]
 pub use mechaudit_symbolic as symbolic;

@@ -4,8 +4,8 @@
  *
  * Every function is thread-safe and keeps no state. Functions of one point allocate nothing and cannot
  * fail. What can fail returns a mechaudit_status and fills in a mechaudit_error unless that is NULL. Nothing
- * unwinds into the caller. Statuses are named without their prefix MECHAUDIT_STATUS_ below. Accuracy is that
- * found by the audits named, which compare with certified values.
+ * unwinds into the caller. Statuses are named without their prefix MECHAUDIT_STATUS_ below. Accuracy is the
+ * budget of the audit named, which compares with certified values, or proved where it says so.
  *
  * Licence: MIT or Apache-2.0, at your option. Made by cbindgen from capi/src; not to be edited. */
 
@@ -43,7 +43,8 @@ typedef enum mechaudit_status {
      */
     MECHAUDIT_STATUS_NULL_POINTER = 1,
     /**
-     * A number of elements or a stride beyond what memory can hold, or fewer than the method needs.
+     * A number of elements or a stride beyond what memory can hold, fewer elements than the method needs, or
+     * a stride of 0 between elements that are written.
      */
     MECHAUDIT_STATUS_SIZE = 2,
     /**
@@ -211,7 +212,8 @@ const char *mechaudit_version(void);
  * what was overwritten. The values are those of one point at a time, bit for bit. Thread-safe. The
  * Faddeeva function and Dawson's and erfcx are several times as fast as one at a time; dense arrays are fastest.
  *
- * Errors: `NULL_POINTER`, `SIZE`, `ARGUMENT`; nothing is written then. `error` may be NULL.
+ * Errors: `NULL_POINTER`, `SIZE` (also `incw` = 0 for n > 1), `ARGUMENT`; nothing is written then.
+ * `error` may be NULL.
  *
  * # Safety
  * `z` and `w` point to n complex numbers each at these strides, `error` is NULL or can be written to.
@@ -226,7 +228,8 @@ enum mechaudit_status mechaudit_batch(int function,
 
 /**
  * As `mechaudit_batch`, with real and imaginary parts in arrays of their own; strides count doubles, the
- * k-th number is `x[k*incx] + i y[k*incy]`. `re` and `im` may be `x` and `y` with the same strides.
+ * k-th number is `x[k*incx] + i y[k*incy]`. `re` and `im` may be `x` and `y` with the same strides; their
+ * strides are not 0 for n > 1.
  *
  * # Safety
  * The four arrays have n doubles at these strides, `error` is NULL or can be written to.
@@ -247,9 +250,8 @@ enum mechaudit_status mechaudit_batch_split(int function,
  * The Faddeeva function w(z) = exp(-z^2) erfc(-iz) (DLMF 7.2.3) at z = x + iy, dimensionless.
  *
  * The parts go to `*re` and `*im`, of which either may be NULL. Accuracy: each component within 4
- * units in its last place (worst found 3.9). Budget, regions and worst inputs: `mechaudit audit
- * faddeeva`. Thread-safe, allocates nothing, cannot fail; NaN and infinities give the limits where
- * they exist, else NaN.
+ * units in its last place. Budget, regions and worst inputs: `mechaudit audit faddeeva`. Thread-safe,
+ * allocates nothing, cannot fail; NaN and infinities give the limits where they exist, else NaN.
  *
  * # Safety
  * Each of `re` and `im` is NULL or can be written to.
@@ -380,27 +382,31 @@ mechaudit_complex mechaudit_dawson_c(mechaudit_complex z);
 #endif
 
 /**
- * erf of a real number. Worst error found: 0.9 units in the last place. NaN for NaN.
+ * erf of a real number. NaN for NaN. Accuracy: within 0.875 units in the last place,
+ * proved for every double (`mechaudit prove erf`).
  */
 double mechaudit_erf_real(double x);
 
 /**
- * erfc of a real number. Worst error found: 0.7 units in the last place, gradual underflow included.
+ * erfc of a real number, gradual underflow included. Accuracy: within 0.875 units in the last place,
+ * proved for every double (`mechaudit prove erfc`).
  */
 double mechaudit_erfc_real(double x);
 
 /**
- * erfcx x = exp(x^2) erfc x of a real number. Worst error found: 1.8 units in the last place.
+ * erfcx x = exp(x^2) erfc x of a real number. Accuracy: within 0.875 units in the last place,
+ * proved for every double (`mechaudit prove erfcx`).
  */
 double mechaudit_erfcx_real(double x);
 
 /**
- * erfi of a real number. Worst error found: 0.9 units in the last place.
+ * erfi of a real number. Accuracy: within 4 units in the last place; `mechaudit audit erfi`.
  */
 double mechaudit_erfi_real(double x);
 
 /**
- * Dawson's function of a real number. Worst error found: 0.6 units in the last place.
+ * Dawson's function of a real number. Accuracy: within 0.875 units in the last place,
+ * proved for every double (`mechaudit prove dawson`).
  */
 double mechaudit_dawson_real(double x);
 
@@ -409,21 +415,21 @@ double mechaudit_dawson_real(double x);
  * normal variable of standard deviation sigma and a Cauchy variable of half-width gamma. x, sigma and gamma
  * share a unit, the value has its inverse. sigma = 0 gives Lorentz's profile, gamma = 0 the normal
  * density, both zero infinity at x = 0 and else 0; NaN for negative widths (`voigt` of
- * `mechaudit/cerf.h` takes their moduli). Accuracy: within 3 units in the last place (worst found
- * 2.4); `mechaudit audit voigt`.
+ * `mechaudit/cerf.h` takes their moduli). Accuracy: within 3 units in the last place; `mechaudit
+ * audit voigt`.
  */
 double mechaudit_voigt(double x, double sigma, double gamma);
 
 /**
  * Half the width of the Voigt profile at half its maximum, in the unit of sigma and gamma. NaN for
- * negative widths, infinity where one is infinite. Accuracy: within 2 units in the last place;
+ * negative widths, infinity where one is infinite. Accuracy: within 1 unit in the last place;
  * `mechaudit audit voigt-hwhm`.
  */
 double mechaudit_voigt_hwhm(double sigma, double gamma);
 
 /**
  * `mechaudit_voigt` at n abscissae `x[k*incx]`, to `v[k*incv]`; the values are those of one at a
- * time, bit for bit. `v` may be `x` with the same stride.
+ * time, bit for bit. `v` may be `x` with the same stride; `incv` is not 0 for n > 1.
  *
  * Errors: `NULL_POINTER`, `SIZE`; nothing is written then. `error` may be NULL.
  *
@@ -537,7 +543,7 @@ enum mechaudit_status mechaudit_spline_jet(const struct mechaudit_spline *spline
 
 /**
  * The ordinates at n points `x[k*incx]`, to `y[k*incy]`: those of `mechaudit_spline_value`, bit for bit.
- * `y` may be `x` with the same stride.
+ * `y` may be `x` with the same stride; `incy` is not 0 for n > 1.
  *
  * Errors: as there; `error` has the place of the first point refused. What `y` holds then is not specified.
  *

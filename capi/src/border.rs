@@ -12,7 +12,8 @@ pub enum Status {
     Ok = 0,
     /// A pointer that is needed is NULL.
     NullPointer = 1,
-    /// A number of elements or a stride beyond what memory can hold, or fewer than the method needs.
+    /// A number of elements or a stride beyond what memory can hold, fewer elements than the method needs, or
+    /// a stride of 0 between elements that are written.
     Size = 2,
     /// A code that names none of the choices.
     Argument = 3,

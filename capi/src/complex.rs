@@ -103,7 +103,8 @@ unsafe fn batch(function: c_int, points: Option<Complexes>) -> Result<(), Failur
 /// what was overwritten. The values are those of one point at a time, bit for bit. Thread-safe. The
 /// Faddeeva function and Dawson's and erfcx are several times as fast as one at a time; dense arrays are fastest.
 ///
-/// Errors: `NULL_POINTER`, `SIZE`, `ARGUMENT`; nothing is written then. `error` may be NULL.
+/// Errors: `NULL_POINTER`, `SIZE` (also `incw` = 0 for n > 1), `ARGUMENT`; nothing is written then.
+/// `error` may be NULL.
 ///
 /// # Safety
 /// `z` and `w` point to n complex numbers each at these strides, `error` is NULL or can be written to.
@@ -127,7 +128,8 @@ pub unsafe extern "C" fn mechaudit_batch(
 }
 
 /// As `mechaudit_batch`, with real and imaginary parts in arrays of their own; strides count doubles, the
-/// k-th number is `x[k*incx] + i y[k*incy]`. `re` and `im` may be `x` and `y` with the same strides.
+/// k-th number is `x[k*incx] + i y[k*incy]`. `re` and `im` may be `x` and `y` with the same strides; their
+/// strides are not 0 for n > 1.
 ///
 /// # Safety
 /// The four arrays have n doubles at these strides, `error` is NULL or can be written to.
@@ -157,9 +159,8 @@ pub unsafe extern "C" fn mechaudit_batch_split(
 /// The Faddeeva function w(z) = exp(-z^2) erfc(-iz) (DLMF 7.2.3) at z = x + iy, dimensionless.
 ///
 /// The parts go to `*re` and `*im`, of which either may be NULL. Accuracy: each component within 4
-/// units in its last place (worst found 3.9). Budget, regions and worst inputs: `mechaudit audit
-/// faddeeva`. Thread-safe, allocates nothing, cannot fail; NaN and infinities give the limits where
-/// they exist, else NaN.
+/// units in its last place. Budget, regions and worst inputs: `mechaudit audit faddeeva`. Thread-safe,
+/// allocates nothing, cannot fail; NaN and infinities give the limits where they exist, else NaN.
 ///
 /// # Safety
 /// Each of `re` and `im` is NULL or can be written to.

@@ -321,7 +321,7 @@ pub unsafe extern "C" fn mechaudit_spline_jet(
 }
 
 /// The ordinates at n points `x[k*incx]`, to `y[k*incy]`: those of `mechaudit_spline_value`, bit for bit.
-/// `y` may be `x` with the same stride.
+/// `y` may be `x` with the same stride; `incy` is not 0 for n > 1.
 ///
 /// Errors: as there; `error` has the place of the first point refused. What `y` holds then is not specified.
 ///

@@ -72,6 +72,11 @@ impl Output {
         n: usize,
     ) -> Result<(Output, Range<usize>), Failure> {
         let range = addresses(name, first.addr(), stride, n)?;
+        if stride == 0 && n > 1 {
+            // All but the last value would be lost.
+            let text = format!("{name}: a stride of 0 leaves one place for {n} values");
+            return Err(Failure::new(Status::Size, text));
+        }
         Ok((Output { first, stride }, range))
     }
 

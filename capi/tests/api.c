@@ -75,6 +75,14 @@ static void refused_batches(void) {
     CHECK(mechaudit_batch_split(0, 2, z, PTRDIFF_MAX / 8, z, 1, w, 1, w + 1, 1, NULL) == MECHAUDIT_STATUS_SIZE);
     CHECK(mechaudit_batch_split(0, 1, z, 1, NULL, 1, w, 1, w + 1, 1, &e) == MECHAUDIT_STATUS_NULL_POINTER);
     CHECK(w[0] == 5 && w[1] == 5);
+    /* One place for several values would keep the last alone. */
+    double pair[4] = {1, 1, 2, 2};
+    CHECK(mechaudit_batch(0, 2, pair, 1, w, 0, &e) == MECHAUDIT_STATUS_SIZE && strstr(e.message, "stride of 0"));
+    CHECK(mechaudit_batch_split(0, 2, pair, 2, pair + 1, 2, w, 0, w + 1, 1, NULL) == MECHAUDIT_STATUS_SIZE);
+    CHECK(mechaudit_batch_split(0, 2, pair, 2, pair + 1, 2, w, 1, w + 1, 0, NULL) == MECHAUDIT_STATUS_SIZE);
+    CHECK(mechaudit_voigt_batch(2, pair, 1, 1, 1, w, 0, NULL) == MECHAUDIT_STATUS_SIZE);
+    CHECK(mechaudit_batch(0, 1, pair, 0, pair, 0, NULL) == MECHAUDIT_STATUS_OK);
+    CHECK(w[0] == 5 && w[1] == 5);
     /* Either part alone. */
     mechaudit_faddeeva(0, 1, w, NULL);
     mechaudit_faddeeva(0, 1, NULL, w + 1);

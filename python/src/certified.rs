@@ -3,7 +3,7 @@
 use crate::errors::{DomainError, Undecided, value_error};
 use crate::pool::pool;
 use mechaudit::audit::Uncertified;
-use mechaudit::methods::{Evaluable, evaluable};
+use mechaudit::methods::{Evaluable, certified_digits, evaluable};
 use mechaudit::reference::cubic_spline::{End, Spline};
 use mechaudit::reference::faddeeva::{self, Scaled};
 use mechaudit::reference::{Ball, ComplexBall};
@@ -19,9 +19,6 @@ type Fraction = (String, String);
 type Power = (String, String);
 /// Decimal digits (the last wrong by at most 0.51 units, or `None`), midpoint and radius.
 pub type Component = (Option<String>, Power, Power);
-
-/// Times the first precision at most.
-const RAISED: [u32; 4] = [1, 2, 4, 8];
 
 /// Reads an integer.
 fn integer(text: &str) -> PyResult<Integer> {
@@ -51,9 +48,13 @@ fn power(x: &Float, more: &Integer) -> Power {
 
 /// A value as it crosses the border.
 pub fn component(value: &Scaled, digits: u32) -> Component {
+    written_component(value, value.to_decimal(digits as usize))
+}
+
+fn written_component(value: &Scaled, decimal: Option<String>) -> Component {
     let ball = &value.ball;
     (
-        value.to_decimal(digits as usize),
+        decimal,
         power(ball.mid(), &value.exponent),
         power(&ball.rad().to_float(), &value.exponent),
     )
@@ -70,15 +71,11 @@ pub fn values_of(
     x: &[Rational],
     digits: u32,
 ) -> Result<Vec<Component>, Uncertified> {
-    let mut found = Vec::new();
-    for times in RAISED {
-        let values = method.certify(x, times * bits_of(digits))?;
-        found = values.iter().map(|v| component(v, digits)).collect();
-        if found.iter().all(|c: &Component| c.0.is_some()) {
-            break;
-        }
-    }
-    Ok(found)
+    let found = certified_digits(method, x, digits, |_| true)?;
+    let crossing = found
+        .into_iter()
+        .map(|v| written_component(&v.value, v.decimal));
+    Ok(crossing.collect())
 }
 
 /// The exception for what could not be certified.

@@ -1,5 +1,6 @@
 //! Exceptions.
 
+use mechaudit::message::readable;
 use pyo3::PyErr;
 use pyo3::create_exception;
 use pyo3::exceptions::{PyArithmeticError, PyValueError};
@@ -19,5 +20,5 @@ create_exception!(
 
 /// A refusal by its own words.
 pub fn value_error(error: impl std::fmt::Display) -> PyErr {
-    PyValueError::new_err(error.to_string())
+    PyValueError::new_err(readable(&error.to_string()).into_owned())
 }

@@ -8,6 +8,8 @@ mod certified;
 mod errors;
 #[cfg(feature = "oracle")]
 mod facts;
+mod files;
+mod interrupt;
 mod linear;
 #[cfg(feature = "oracle")]
 mod machine;
@@ -31,6 +33,7 @@ mod _mechaudit {
         module.add("Undecided", py.get_type::<errors::Undecided>())?;
         module.add("DomainError", py.get_type::<errors::DomainError>())?;
         special::add_to(module)?;
+        module.add_function(wrap_pyfunction!(files::write_file, module)?)?;
         module.add_class::<spline::Spline>()?;
         module.add_class::<spline::HermiteSpline>()?;
         module.add_function(wrap_pyfunction!(linear::solve_tridiagonal, module)?)?;

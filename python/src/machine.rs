@@ -1,6 +1,7 @@
 //! Machines as their files describe them.
 
 use crate::errors::{DomainError, Undecided, value_error};
+use mechaudit::message::readable;
 use mechaudit::reference::nearest_f64;
 use mechaudit::solvers::dyad::Assembly;
 use mechaudit::solvers::run_up::{Equation, run};
@@ -19,6 +20,7 @@ use pyo3::types::PyDict;
 use rug::Rational;
 
 use crate::certified::rational;
+use crate::interrupt::interruptible;
 
 /// Rows between two looks at pending signals.
 const ROWS: usize = 1024;
@@ -181,8 +183,8 @@ impl Linkage {
             }
             machine::Linkage::Dyad(l) => Ok(drawn::dyad(l, assembly(l, branch)?)),
             machine::Linkage::Planar(l) => {
-                let start = l.start.at.filter(|_| branch.is_none()).unwrap_or(0.0);
-                let first = l.window.map_or(start, |w| w[0]);
+                let start = l.start.at.filter(|_| branch.is_none());
+                let first = start.or(l.window.map(|w| w[0])).unwrap_or(0.0);
                 let chosen = planar::choose(l, drive(l, first), branch).map_err(value_error)?;
                 Ok(drawn::planar(l, &chosen))
             }
@@ -258,7 +260,7 @@ impl Linkage {
     }
 
     /// Certified digits of the row at an exact crank angle in degrees: names and decimals, `None`
-    /// where they could not be proved.
+    /// where they could not be proved, or where both assemblies meet and a derivative has no value.
     fn certified(
         &self,
         py: Python<'_>,
@@ -275,7 +277,7 @@ impl Linkage {
                 let state = l
                     .solver
                     .follow(&chosen.start, Angle::from_deg(near))
-                    .map_err(|e| DomainError::new_err(e.to_string()))?;
+                    .map_err(|e| DomainError::new_err(readable(&e.to_string()).into_owned()))?;
                 let values = py.detach(|| {
                     let mut certifier = Certifier::new(l, digits);
                     let q = certifier.advance(&at, &state)?;
@@ -291,7 +293,9 @@ impl Linkage {
             machine::Linkage::Dyad(l) => {
                 let assembly = assembly(l, branch)?;
                 match py.detach(|| dyad::certified(l, &at, assembly, digits)) {
-                    Proved::Values(values) => (dyad::names(l), values.to_vec()),
+                    Proved::Values(values) | Proved::Singular(values) => {
+                        (dyad::names(l), values.to_vec())
+                    }
                     Proved::Unreachable => {
                         return Err(DomainError::new_err(format!(
                             "the crank does not reach phi1 = {near} deg: the links cannot be joined there"
@@ -299,10 +303,24 @@ impl Linkage {
                     }
                 }
             }
-            machine::Linkage::Planar(_) => {
-                return Err(DomainError::new_err(
-                    "certified: rows of type = \"planar\" are in floating point",
-                ));
+            machine::Linkage::Planar(l) => {
+                let start = match (branch, l.start.at) {
+                    (None, Some(at)) => at,
+                    _ => near,
+                };
+                degrees(start)?;
+                let chosen = planar::choose(l, drive(l, start), branch).map_err(value_error)?;
+                let at_drive = chosen.turned_to(l, drive(l, near)).ok_or_else(|| {
+                    let text = l.drive_text(drive(l, near));
+                    DomainError::new_err(format!("the branch has no row at {text}"))
+                })?;
+                let state = l
+                    .solver
+                    .follow(&chosen.start, l.inner(at_drive))
+                    .map_err(value_error)?;
+                let certifier = planar::Certifier::new(l, digits).map_err(value_error)?;
+                let values = py.detach(|| certifier.values(&at, &state, true));
+                (planar::certified_names(l, true), values)
             }
         };
         Ok(names.into_iter().skip(2).zip(values).collect())
@@ -321,14 +339,14 @@ pub fn run_up<'py>(
         tolerance,
         ..Overrides::default()
     };
-    let done: Result<_, String> = py.detach(|| {
+    let done: Result<_, String> = interruptible(py, move || {
         let word = |e: &dyn std::fmt::Display| e.to_string();
         let machine = Machine::read(&source(text, is_json), overrides).map_err(|e| word(&e))?;
         let model = machine.reduced().map_err(|e| word(&e))?;
         let equation = Equation::new(&*model, &machine.drive);
         run(&equation, &machine.plan).map_err(|e| word(&e))
-    });
-    let motion = done.map_err(PyValueError::new_err)?;
+    })?;
+    let motion = done.map_err(value_error)?;
     let rows = motion
         .samples
         .iter()

@@ -22,7 +22,7 @@ def audit(f, **options):
 
 
 def test_ours_pass_vectorised_and_scalar():
-    both = [audit(special.wofz), audit(lambda z: complex(special.wofz(complex(z)))), audit(None)]
+    both = [audit(special.wofz), audit(lambda z: complex(special.wofz(complex(z)))), audit("ours")]
     assert [r.mode for r in both] == ["vectorised", "scalar", "in Rust"]
     for report in both:
         assert report.passed and report.cases == report.passed_cases > 300
@@ -62,7 +62,7 @@ def test_every_method_passes_through_python():
     for method in mechaudit.methods():
         if method["name"] == "run-up":
             continue  # Seconds for a case.
-        report = mechaudit.audit(method["name"], cases=2, progress=False)
+        report = mechaudit.audit(method["name"], "ours", cases=2, progress=False)
         assert report.passed, report
 
 
@@ -212,7 +212,6 @@ def test_single_precision():
         ({"box": {"Re z": (-1, 1, "log")}}, "one sign"),
         ({"box": {"Re z": (0, 1, 2)}}, "two numbers"),
         ({"box": {"Re z": (0, "one")}}, "two numbers"),
-        ({"box": {"Re z": None}}, "numbers"),
         ({"box": "Re z=0..1", "near": "one", "radius": 0.1}, "exclude"),
         ({"near": "one"}, "need each other"),
         ({"near": "nowhere", "radius": 0.1}, "nowhere"),
@@ -226,6 +225,128 @@ def test_single_precision():
 def test_bad_arguments_name_themselves(options, word):
     with pytest.raises(ValueError, match=word):
         mechaudit.audit(**{"method": "faddeeva", "f": special.wofz, **options})
+
+
+NO_CALLABLES = (None, "", "our", "scipy.special.wofz", 1, [special.wofz], {"f": special.wofz}, special)
+
+
+@pytest.mark.parametrize("bad", NO_CALLABLES, ids=repr)
+def test_what_is_not_callable_is_refused_wherever_a_callable_is_due(bad):
+    """An import that failed must not turn a test green."""
+    case = mechaudit.case("faddeeva", "--at 1,1")
+    calls = [
+        lambda: mechaudit.audit("faddeeva", bad),
+        lambda: mechaudit.audit("faddeeva", f=bad, cases=5),
+        lambda: case.judge(bad),
+        lambda: mechaudit.compare("faddeeva", {"mine": bad}),
+        lambda: mechaudit.compare("faddeeva", {"good": special.wofz, "mine": bad}),
+    ]
+    if not isinstance(bad, dict):
+        calls.append(lambda: mechaudit.compare("faddeeva", bad))
+    for call in calls:
+        with pytest.raises(TypeError, match="callable"):
+            call()
+    with pytest.raises(TypeError):
+        mechaudit.audit("faddeeva")
+    with pytest.raises(TypeError, match="name"):
+        mechaudit.compare("faddeeva", {1: special.wofz})
+
+
+FOUR_BAR = """
+type = "four-bar"
+[geometry]
+crank = "2 cm"
+coupler = "7 cm"
+rocker = "9 cm"
+frame = "6 cm"
+"""
+
+
+def takers_of_whole_numbers():
+    """Every argument that counts, numbers or seeds something: its name, a call with it, a value beyond it."""
+    linkage = mechaudit.Linkage.from_toml(FOUR_BAR)
+    spline = mechaudit.CubicSpline([0, 1, 2, 4], [0, 1, 8, 64], certified=True)
+    case = mechaudit.case("faddeeva", "--at 1,1")
+    certified = mechaudit.certified
+    wofz = special.wofz
+    return [
+        ("cases", lambda n: mechaudit.audit("faddeeva", wofz, cases=n), 10**12),
+        ("cases", lambda n: mechaudit.compare("faddeeva", {"w": wofz}, cases=n), 10**12),
+        ("seed", lambda n: mechaudit.audit("faddeeva", wofz, seed=n, cases=1), 2**64),
+        ("seed", lambda n: mechaudit.points("faddeeva", 1, seed=n), 2**64),
+        ("seed", lambda n: mechaudit.vectors("faddeeva", 1, seed=n), 2**64),
+        ("n", lambda n: mechaudit.points("faddeeva", n), 10**12),
+        ("n", lambda n: mechaudit.vectors("faddeeva", n), 10**12),
+        ("digits", lambda n: mechaudit.vectors("faddeeva", 1, n), 10**6),
+        ("digits", lambda n: certified.erf(1, digits=n), 10**6),
+        ("digits", lambda n: certified.voigt_profile(1, 1, 1, digits=n), 10**6),
+        ("digits", lambda n: certified.zeros(1, digits=n), 10**6),
+        ("count", lambda n: certified.zeros(n), 10**12),
+        ("first", lambda n: certified.zeros(1, first=n), 10**12),
+        ("digits", lambda n: case.due(n), 10**6),
+        ("digits", lambda n: linkage.certified(10, digits=n), 10**6),
+        ("branch", lambda n: linkage.certified(10, branch=n), 2**40),
+        ("branch", lambda n: linkage.sweep([0, 1], branch=n), 2**40),
+        ("branch", lambda n: linkage.svg(n), 2**40),
+        ("nu", lambda n: spline(0.5, n), 10**12),
+        ("nu", lambda n: spline.certified("1/2", n), 10**12),
+        ("axis", lambda n: mechaudit.CubicSpline([0, 1, 2], [0, 1, 2], n), 10**12),
+        ("harmonics", lambda n: mechaudit.Cam("x\n", harmonics=n), 10**12),
+    ]
+
+
+@pytest.mark.parametrize("k", range(22))
+def test_what_counts_is_a_whole_number_within_limits(k):
+    takers = takers_of_whole_numbers()
+    assert len(takers) == 22
+    name, call, beyond = takers[k]
+    for bad in ("x", "1", 1.5, 2.0, True, [1], 1j, math.nan):
+        with pytest.raises(TypeError, match=f"{name} must be an integer, got"):
+            call(bad)
+    for bad in (beyond, -beyond):
+        with pytest.raises(ValueError, match=f"{name} must be between -?[0-9]+ and [0-9]+, got {bad}"):
+            call(bad)
+
+
+def test_names_and_numbers_are_checked():
+    for options, error, word in (
+        ({"regions": 1}, TypeError, "regions"),
+        ({"regions": [1]}, TypeError, "regions"),
+        ({"regions": []}, ValueError, "regions"),
+        ({"outputs": []}, ValueError, "outputs"),
+        ({"outputs": [None]}, TypeError, "outputs"),
+        ({"box": {"Re z": None}}, TypeError, "box: Re z"),
+        ({"near": [None, 1], "radius": 0.1}, TypeError, "near"),
+        ({"near": 1j, "radius": "x"}, TypeError, "radius"),
+        ({"ulps": "x"}, TypeError, "ulps"),
+        ({"relative": [1]}, TypeError, "relative"),
+    ):
+        with pytest.raises(error, match=word):
+            mechaudit.audit("faddeeva", special.wofz, **options)
+    linkage = mechaudit.Linkage.from_toml(FOUR_BAR)
+    with pytest.raises(TypeError, match="phi"):
+        linkage.modes("x")
+    with pytest.raises(TypeError, match="tolerance"):
+        linkage.run_up(tolerance="x")
+    for points in (None, "x", 1.0):
+        with pytest.raises(TypeError, match="points"):
+            mechaudit.judge("faddeeva", points, [1.0])
+    with pytest.raises(TypeError, match="description"):
+        mechaudit.Linkage.from_toml(None)
+
+
+def test_what_cannot_end_is_refused_after_a_moment():
+    """A slow callable at many cases: by what the first ones took."""
+    import time
+
+    def slow(z):
+        time.sleep(0.02)
+        return complex(special.wofz(complex(z)))
+
+    begin = time.monotonic()
+    with pytest.raises(ValueError, match="more than 30 days are refused"):
+        mechaudit.audit("faddeeva", slow, cases=10**9, vectorised=False, progress=False)
+    assert time.monotonic() - begin < 60
 
 
 def test_interrupt_gives_what_was_found():
@@ -335,6 +456,30 @@ def test_vectors(tmp_path):
     found.to_npz(tmp_path / "v.npz")
     with np.load(tmp_path / "v.npz") as arrays:
         np.testing.assert_array_equal(arrays["out0_real"], found.values[:, 0])
+
+
+FIXED = [m["name"] for m in mechaudit.methods() if m["fixed"]] if mechaudit.HAS_ORACLE else []
+
+
+@pytest.mark.parametrize("method", FIXED)
+def test_vectors_of_every_method(method):
+    """Forty in each region: values of any size, and a thread whose decimals have three digits and trap everything."""
+    import decimal
+
+    hostile = decimal.Context(prec=3, Emin=-9, Emax=9, capitals=0, traps=list(decimal.Context().flags))
+    with decimal.localcontext(hostile):
+        found = mechaudit.vectors(method, 40, 20)
+    assert len(found) > 0
+    assert len({len(found), len(found.inputs), len(found.values), len(found.decimals), len(found.proofs)}) == 1
+    for row, values, radii in zip(found.decimals, found.values, found.radii):
+        for text, value, radius in zip(row, values, radii):
+            # The decimal and the float stand for the same value.
+            assert "e" not in text and "e" not in radius
+            near = decimal.Decimal(text)
+            unit = decimal.Decimal((0, (1,), near.adjusted() - 19)) if near else 0
+            assert 0 <= decimal.Decimal(radius) <= unit
+            if abs(near.adjusted()) < 290:
+                assert float(text) == pytest.approx(value, rel=1e-15)
 
 
 def test_vectors_in_the_layout_of_xsref(tmp_path):

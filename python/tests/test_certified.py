@@ -149,6 +149,67 @@ def test_balls_of_arb():
         flint.ctx.prec = old
 
 
+def test_the_context_of_the_thread_has_no_part():
+    """Digits, range, traps and capitals of the thread's decimals change nothing."""
+    import decimal
+
+    # From numbers as they are to some far beyond the default range of a Decimal.
+    arguments = (0.1, 40, 1e-5j, 2000, "2000", 3000 - 1j, "1e-99999")
+    functions = (certified.erf, certified.erfc, certified.erfi, certified.dawsn, certified.wofz)
+
+    def texts():
+        found = []
+        for f in functions:
+            for z in arguments:
+                try:
+                    found.append(str(f(z, digits=25)))
+                except mechaudit.DomainError as e:
+                    found.append(str(e))
+        return found
+
+    due = texts()
+    assert any("E+1737" in text for text in due) and any("E-1737" in text for text in due)
+    everything = list(decimal.Context().flags)
+    for hostile in (
+        decimal.Context(prec=1, Emin=-1, Emax=1, capitals=0, traps=everything),
+        decimal.Context(prec=2, Emin=-9, Emax=9, rounding=decimal.ROUND_UP, traps=[]),
+    ):
+        with decimal.localcontext(hostile):
+            assert texts() == due
+
+
+def test_values_beyond_the_default_range_are_rounded_correctly():
+    """Below 1e-1000026 as well the rounding is that of a longer answer."""
+    for f, z in ((certified.erfc, "1600"), (certified.erfi, "2000"), (certified.erfc, "2000")):
+        short, long = f(z, digits=12), f(z, digits=40)
+        exponent = long.decimal.adjusted()
+        assert abs(exponent) > 1_000_026 and short.decimal.adjusted() == exponent
+        # As integers, whose arithmetic has no range.
+        shift = len(long.decimal.as_tuple().digits) - 12
+        digits = int("".join(map(str, long.decimal.as_tuple().digits)))
+        due, rest = divmod(digits, 10**shift)
+        due += rest > 10**shift // 2
+        assert int("".join(map(str, short.decimal.as_tuple().digits))) == due
+        with mpmath.workdps(30):
+            m = mpmath.erfc(mpmath.mpf(z)) if f is certified.erfc else mpmath.erfi(mpmath.mpf(z))
+            assert abs(mpmath.mpf(str(long)) / m - 1) < mpmath.mpf(10) ** -25
+
+
+def test_an_interval_is_no_longer_than_it_has_to_be():
+    """A radius of e**-1600000000 would take half a gigabit to write out."""
+    low, high = certified.erfc("-40000").interval
+    assert low <= 2 <= high and 0 <= high - low < Fraction(1, 2**60_000)
+    assert float(certified.erfc("2000")) == 0.0 and float(certified.wofz("1e4").real) == 0.0
+    with pytest.raises(OverflowError, match="exponent of 5770"):
+        float(certified.erfi("2000"))
+
+
+def test_exponents_that_fill_the_memory_are_refused():
+    for bad in ("1e9999999999999999999999", "1e99999999999999999999/3", "-1E+99999999999999999999999"):
+        with pytest.raises(ValueError, match="z:"):
+            certified.erf(bad)
+
+
 def test_without_mpmath(monkeypatch):
     monkeypatch.setattr(certified, "_mpmath", lambda: None)
     x = certified.erf("0.1", digits=20)

@@ -138,8 +138,20 @@ def test_mechanisms_of_bodies_and_joints():
     assert len(modes) >= 2 and list(modes["branch"]) == list(range(len(modes)))
     rows = linkage.sweep(np.arange(0, 360, 5), branch=0)
     assert rows.dtype.names[:2] == ("phi_deg", "branch") and len(rows) == 72
-    with pytest.raises(mechaudit.DomainError, match="floating point"):
-        linkage.certified(0)
+    for given, phi, branch in [
+        ("watt-1.toml", 70, 0),
+        ("jansen-leg.toml", 30, None),
+        ("cylinder-boom.toml", "0.95", None),
+    ]:
+        linkage = mechaudit.Linkage.from_toml(EXAMPLES / given)
+        floats = linkage.sweep([float(phi)], branch=branch)
+        digits = linkage.certified(phi, 25, branch)
+        for column, text in digits.items():
+            if column in floats.dtype.names:
+                assert float(text) == pytest.approx(floats[column][0], abs=1e-9), (given, column)
+    with pytest.raises(mechaudit.DomainError, match="no row"):
+        mechaudit.Linkage.from_toml(EXAMPLES / "peaucellier-cell.toml").certified(180)
+    linkage = mechaudit.Linkage.from_toml(EXAMPLES / "watt-1.toml")
     assert "<svg" in linkage.svg(0) and linkage.svg(0) != linkage.svg(1)
     boom = mechaudit.Linkage.from_toml(EXAMPLES / "cylinder-boom.toml")
     assert "<svg" in boom.svg()

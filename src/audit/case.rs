@@ -1,6 +1,6 @@
 //! One input of an audit and where it came from.
 
-use super::domain::{CheckPoint, Domain, Draw};
+use super::domain::{CheckPoint, Domain, Draw, Key};
 use super::hard::HardCase;
 use super::hex_float::hex_float;
 use super::method::Method;
@@ -8,7 +8,6 @@ use super::no_such::NoSuch;
 use super::sampling::Sampling;
 use super::settings::Settings;
 use super::ulp::Format;
-use rand_chacha::ChaCha8Rng;
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 use std::cmp::Ordering;
@@ -203,7 +202,7 @@ pub struct Cases {
     method: &'static str,
     domain: Domain,
     /// See [`Draw::keyed`].
-    keyed: ChaCha8Rng,
+    keyed: Key,
     /// Of each region, see [`Draw::named`].
     streams: Vec<u64>,
     hard: Vec<HardCase>,

@@ -161,7 +161,7 @@ fn standings<'a>(reports: impl Iterator<Item = Option<&'a RegionReport>>) -> Vec
     });
     if let Some(best) = best {
         for s in all.iter_mut().filter(|s| s.cases > 0) {
-            s.best = (s.wrong, s.of_budget) == best;
+            s.best = s.wrong == best.0 && s.of_budget.total_cmp(&best.1).is_eq();
             s.ratio = (best.1 > 0.0 && s.of_budget > 0.0).then(|| s.of_budget / best.1);
         }
     }

@@ -21,6 +21,8 @@ pub trait Approximation: Send + Sync {
     fn work_unit(&self) -> &'static str;
     /// The outputs with the order that theory promises, in powers of one over the work, if it does.
     fn outputs(&self) -> Vec<(&'static str, Option<f64>)>;
+    /// The places where values are compared, in words; an error is the largest of them.
+    fn places(&self) -> String;
     /// The names of the refinements, coarse to fine.
     fn levels(&self) -> Vec<String>;
     /// Whether the work grows by the same factor from level to level, so that orders can be observed
@@ -46,7 +48,8 @@ pub trait Approximation: Send + Sync {
     fn truth(&self) -> Result<Vec<Ball>, Uncertified>;
 }
 
-/// Errors of one output at one level, the largest over its values, as upper bounds.
+/// Errors of one output at one level, the largest over its values, as upper bounds at the places
+/// of the report.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct LevelError {
     /// `|value − truth|`.
@@ -86,6 +89,8 @@ pub struct ConvergenceReport {
     pub summary: &'static str,
     /// What is counted as work.
     pub work_unit: &'static str,
+    /// The places where values are compared, in words; an error is the largest of them.
+    pub places: String,
     /// The outputs.
     pub outputs: Vec<&'static str>,
     /// The orders promised.
@@ -194,6 +199,7 @@ pub fn convergence(of: &dyn Approximation) -> Result<ConvergenceReport, Uncertif
         name: of.name(),
         summary: of.summary(),
         work_unit: of.work_unit(),
+        places: of.places(),
         fitted: (0..n).map(|o| fitted(&levels, o)).collect(),
         outputs: outputs.iter().map(|o| o.0).collect(),
         orders: outputs.iter().map(|o| o.1).collect(),

@@ -1,7 +1,7 @@
 //! Where a method is audited: named regions with a sampler each, and named check points.
 
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use rand::rngs::ChaCha8Rng;
+use rand::{Rng, SeedableRng};
 use std::cell::Cell;
 
 /// A value-stable stream of random numbers for one case.
@@ -12,6 +12,9 @@ use std::cell::Cell;
 /// and exponentials are those of `libm`, which takes the same steps on every machine.
 pub struct Draw(ChaCha8Rng);
 
+/// The key of ChaCha8, expanded from a seed.
+pub(super) type Key = [u8; 32];
+
 impl Draw {
     /// The stream of one case.
     pub fn new(seed: u64, method: &str, region: &str, index: u64) -> Draw {
@@ -19,8 +22,8 @@ impl Draw {
     }
 
     /// What all streams of a seed have in common.
-    pub(super) fn keyed(seed: u64) -> ChaCha8Rng {
-        ChaCha8Rng::seed_from_u64(seed)
+    pub(super) fn keyed(seed: u64) -> Key {
+        ChaCha8Rng::seed_from_u64(seed).get_seed()
     }
 
     /// What the streams of a region have in common.
@@ -30,8 +33,8 @@ impl Draw {
     }
 
     /// [`Draw::new`], the seed expanded and the names hashed before.
-    pub(super) fn of(keyed: &ChaCha8Rng, named: u64, index: u64) -> Draw {
-        let mut rng = keyed.clone();
+    pub(super) fn of(keyed: &Key, named: u64, index: u64) -> Draw {
+        let mut rng = ChaCha8Rng::from_seed(*keyed);
         rng.set_stream(hashed(named, index.to_le_bytes()));
         Draw(rng)
     }

@@ -51,6 +51,17 @@ impl Due {
         }
     }
 
+    /// The nearest number, with the sign of a zero that has one, an infinity or NaN.
+    pub(super) fn nearest(&self) -> f64 {
+        match self {
+            Due::Number(ball) => ball.to_f64(),
+            Due::Zero { negative, .. } => 0f64.copysign(if *negative { -1.0 } else { 1.0 }),
+            Due::Infinity { negative: false } => f64::INFINITY,
+            Due::Infinity { negative: true } => f64::NEG_INFINITY,
+            Due::NotANumber => f64::NAN,
+        }
+    }
+
     /// Whether `got` is a zero, and not the one that is due.
     pub(super) fn wrong_zero(&self, got: f64) -> bool {
         matches!(self, Due::Zero { negative, .. } if got == 0.0 && got.is_sign_negative() != *negative)

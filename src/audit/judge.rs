@@ -5,7 +5,7 @@ use super::budget::{Limit, NormBudget};
 use super::due::Due;
 use super::kind::Kind;
 use super::method::Output;
-use super::reason::{Fault, Reason};
+use super::reason::{Fault, Reason, written};
 use super::ulp::Format;
 use mechaudit_reference::{Ball, Mag};
 use serde::{Deserialize, Serialize};
@@ -176,16 +176,17 @@ pub fn judge_by(
         (_, R::Failed(why)) => return Judgement::whole(Verdict::OracleError, None, why.clone()),
         // What is not there is wrong whatever is due.
         (SolverAnswer::Unanswered(why), _) => {
-            return Judgement::wrong(Kind::Unanswered, why.clone());
+            return Judgement::wrong(Kind::Unanswered, beside(why, reference));
         }
         (_, R::Undecided(why)) => return Judgement::whole(Verdict::Undecided, None, why.clone()),
-        (SolverAnswer::Fails(why), _) => return Judgement::wrong(Kind::Unreadable, why.clone()),
+        (SolverAnswer::Fails(why), _) => {
+            return Judgement::wrong(Kind::Unreadable, beside(why, reference));
+        }
         (SolverAnswer::Refuses(_) | SolverAnswer::Declines(_), _) => {
             return judge_refusal(answer.refusal(), reference);
         }
-        (SolverAnswer::Values(_), R::Refuses(b)) => {
-            let reason = format!("values given where the reference refuses as {b:?}");
-            return Judgement::wrong(Kind::Value, reason);
+        (SolverAnswer::Values(got), R::Refuses(_)) => {
+            return Judgement::wrong(Kind::Value, beside(&listed(got), reference));
         }
         (SolverAnswer::Values(got), R::Values(r)) => {
             let numbers = r.values.iter().cloned().map(Due::Number);
@@ -194,7 +195,7 @@ pub fn judge_by(
         (SolverAnswer::Values(got), R::Dues(dues, _)) => (got, Cow::Borrowed(dues.as_slice())),
     };
     if outputs.is_empty() || got.len() != values.len() {
-        let reason = format!("{} values where {} are due", got.len(), values.len());
+        let reason = format!("{}, expected {}", counted(got.len()), counted(values.len()));
         return Judgement::wrong(Kind::Missing, reason);
     }
     let conditions = conditions.filter(|c| c.len() == values.len());
@@ -219,7 +220,6 @@ pub fn judge_by(
         wide |= c.of_budget > 1.0 / 16.0 && lo.shift(1) < hi;
         if c.verdict > worst.0 {
             let fault = match c.verdict {
-                Verdict::WrongKind if due.wrong_zero(g) => Fault::Zero,
                 Verdict::WrongKind => Fault::Kind,
                 Verdict::Over => Fault::Over(c.of_budget),
                 _ => Fault::Open,
@@ -228,6 +228,7 @@ pub fn judge_by(
                 output: outputs[o].name,
                 number: i,
                 got: g,
+                due: due.nearest(),
                 fault,
             };
             worst = (c.verdict, c.kind, Some(reason));
@@ -241,10 +242,13 @@ pub fn judge_by(
         let (verdict, share) = squares.verdict(norms, budget, rules.format);
         norm_of_budget = share;
         if verdict > worst.0 {
-            let reason = match verdict {
-                Verdict::Over => "the norm of the errors is over its budget",
-                _ => "the norm of the errors cannot be decided against its budget",
+            let open = match verdict {
+                Verdict::Over => "",
+                _ => ": the reference cannot decide it",
             };
+            let reason = format!(
+                "the norm of the errors is {share:.3e} times its budget, expected at most 1{open}"
+            );
             worst = (verdict, None, Some(reason.into()));
         }
     }
@@ -261,7 +265,7 @@ pub fn judge_by(
 
 /// A refusal, named or not, against a reference that decided.
 fn judge_refusal(word: Option<&str>, reference: &ReferenceAnswer) -> Judgement {
-    let named = word.map_or("refused".into(), |w| format!("refused as {w:?}"));
+    let named = word.map_or("a refusal".into(), |w| format!("the refusal {w:?}"));
     match reference {
         ReferenceAnswer::Refuses(due) if word.is_none_or(|w| w == *due) => Judgement {
             verdict: Verdict::Pass,
@@ -272,10 +276,41 @@ fn judge_refusal(word: Option<&str>, reference: &ReferenceAnswer) -> Judgement {
             norm_of_budget: f64::NAN,
             wide: false,
         },
-        ReferenceAnswer::Refuses(due) => {
-            Judgement::wrong(Kind::Refusal, format!("{named}, the reference as {due:?}"))
+        _ => Judgement::wrong(Kind::Refusal, beside(&named, reference)),
+    }
+}
+
+/// What came, and what was expected in its place.
+fn beside(came: &str, reference: &ReferenceAnswer) -> String {
+    let expected = match reference {
+        ReferenceAnswer::Refuses(word) => format!("the refusal {word:?}"),
+        ReferenceAnswer::Values(r) => {
+            listed(&r.values.iter().map(Ball::to_f64).collect::<Vec<f64>>())
         }
-        _ => Judgement::wrong(Kind::Refusal, format!("{named} where values exist")),
+        ReferenceAnswer::Dues(dues, _) => {
+            listed(&dues.iter().map(Due::nearest).collect::<Vec<f64>>())
+        }
+        ReferenceAnswer::Undecided(_) | ReferenceAnswer::Failed(_) => return came.into(),
+    };
+    format!("{came}, expected {expected}")
+}
+
+/// A few values, or how many there are.
+fn listed(values: &[f64]) -> String {
+    const FEW: usize = 3;
+    match values.len() {
+        1..=FEW => {
+            let each: Vec<String> = values.iter().map(|x| written(*x)).collect();
+            each.join(", ")
+        }
+        n => counted(n),
+    }
+}
+
+fn counted(values: usize) -> String {
+    match values {
+        1 => "1 value".into(),
+        n => format!("{n} values"),
     }
 }
 

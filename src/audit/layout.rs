@@ -6,6 +6,7 @@
 //! added. The outputs form a row, which [`Rows`] may repeat.
 
 use super::method::{Input, Method, Rows};
+use super::reason::plain;
 use serde::Serialize;
 
 /// Numbers that are not laid out as a method asks for.
@@ -32,7 +33,7 @@ pub enum LayoutError {
         layout: String,
     },
     /// A number that should be a length.
-    #[error("{symbol} = {value} is no number of {of}")]
+    #[error("{symbol} = {} is no number of {of}", plain(*.value))]
     BadLength {
         /// Its symbol.
         symbol: &'static str,
@@ -51,7 +52,7 @@ enum Length {
 }
 
 /// A part of the input.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct Part {
     symbol: &'static str,
     unit: &'static str,
@@ -116,7 +117,7 @@ pub enum Column {
 }
 
 /// The layout of a method's inputs and answers.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Layout {
     inputs: Vec<Input>,
     parts: Vec<Part>,
@@ -339,6 +340,14 @@ impl Layout {
     pub fn singles(&self) -> Vec<(&'static str, usize)> {
         let singles = self.parts.iter().take_while(|p| p.length == Length::One);
         singles.enumerate().map(|(k, p)| (p.symbol, k)).collect()
+    }
+
+    /// Where number `index` of a part stands in an input; nothing where the part is shorter, or
+    /// the input is not laid out as it should be.
+    pub fn place(&self, part: usize, index: usize, input: &[f64]) -> Option<usize> {
+        let lengths = self.lengths(input).ok()?;
+        let before: usize = lengths[..part].iter().sum();
+        (index < lengths[part]).then_some(before + index)
     }
 
     /// The names of an input's numbers; `[k]` if it is not laid out as it should be.

@@ -74,8 +74,8 @@ pub use nearest::{did_you_mean, nearest};
 pub use no_such::NoSuch;
 pub use panel::{Answered, Panel};
 pub use parts::ErrorParts;
-pub use printed::{Agreement, EntryJudgement, judge_printed};
-pub use reason::{Fault, Reason};
+pub use printed::{Agreement, EntryJudgement, Printed, PrintedNumber, PrintedUnit, judge_printed};
+pub use reason::{Fault, Reason, written};
 pub use referee::{Judge, Referee};
 pub use report::{
     CandidateReport, LawReport, MethodReport, Octave, OutputBudget, OutputStatistics, Point,
@@ -87,4 +87,4 @@ pub use settings::Settings;
 pub use spread::{Spread, SpreadTally};
 pub use tally::{StoredError, StoredTally, Tally};
 pub use ulp::{Format, ulp_exponent, ulps};
-pub use variant::Variant;
+pub use variant::{Variant, selected_outputs};

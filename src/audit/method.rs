@@ -1,6 +1,6 @@
 //! The interface of an audited method.
 
-use super::answer::{ReferenceAnswer, SolverAnswer};
+use super::answer::{ReferenceAnswer, SolverAnswer, Uncertified};
 use super::budget::{Budget, NormBudget};
 use super::domain::Domain;
 use super::hard::{HardCase, HardCaseError, HardCaseFault};
@@ -24,7 +24,7 @@ pub struct Output {
 }
 
 /// One part of the input's layout.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Input {
     /// The symbol, with its length and a note: `phi1`, `a[n]`, `side (1 or -1)`; see
     /// [`Layout`](super::Layout).
@@ -136,6 +136,12 @@ pub trait Method: Sync {
     fn solve(&self, input: &[f64]) -> SolverAnswer;
     /// The reference at a working precision of `bits`.
     fn reference(&self, input: &[Rational], bits: u32) -> ReferenceAnswer;
+    /// The word by which code of the method's kind may refuse an input that has values, for a
+    /// reason that is proved to hold there: an algorithm's own limit, which is not the problem's.
+    /// By default there is none.
+    fn may_refuse(&self, _input: &[Rational]) -> Option<&'static str> {
+        None
+    }
     /// What is due where an input is NaN or infinite: by default a refusal.
     fn reference_not_finite(&self, _input: &[f64]) -> ReferenceAnswer {
         ReferenceAnswer::Refuses("not finite")
@@ -217,7 +223,8 @@ impl HardCase {
 }
 
 /// Estimates `Σ_j |x_j ∂f_i/∂x_j|` from the reference at `x` and at `x` with each `x_j` in turn
-/// multiplied by `1 + 2⁻⁸⁰`, or by `1 − 2⁻⁸⁰` where the former is refused, at 320 bits.
+/// multiplied by `1 + 2⁻⁸⁰`, or by `1 − 2⁻⁸⁰` where the former is refused, at 320 bits, or at 640
+/// or 1280 where the reference is undecided with fewer.
 ///
 /// An estimate: its relative error is of the order of 2⁻⁸⁰ times the second derivative, so that it holds also where
 /// the domain ends close by: a linkage may not be assembled any more with a length larger by 2⁻⁴⁰. Inputs for which
@@ -227,11 +234,27 @@ pub fn conditions_by_differences<M: Method + ?Sized>(
     input: &[f64],
     is_data: impl Fn(usize) -> bool,
 ) -> Option<Vec<f64>> {
-    const BITS: u32 = 320;
-    const STEP: u32 = 80;
     let exact: Option<Vec<Rational>> = input.iter().map(|&x| Rational::from_f64(x)).collect();
-    let mut x = exact?;
-    let base = method.reference(&x, BITS).certified().ok()?;
+    let x = exact?;
+    for bits in [320, 640, 1280] {
+        match differences(method, x.clone(), &is_data, bits) {
+            Ok(found) => return Some(found),
+            Err(Uncertified::Undecided(_)) => {}
+            Err(_) => return None,
+        }
+    }
+    None
+}
+
+/// [`conditions_by_differences`] at a precision.
+fn differences<M: Method + ?Sized>(
+    method: &M,
+    mut x: Vec<Rational>,
+    is_data: impl Fn(usize) -> bool,
+    bits: u32,
+) -> Result<Vec<f64>, Uncertified> {
+    const STEP: u32 = 80;
+    let base = method.reference(&x, bits).certified()?;
     let mut sum = vec![Mag::ZERO; base.len()];
     let step = Rational::from(1) >> STEP;
     for j in 0..x.len() {
@@ -239,23 +262,27 @@ pub fn conditions_by_differences<M: Method + ?Sized>(
             continue;
         }
         let old = x[j].clone();
-        let mut shifted = None;
+        let (mut shifted, mut why) = (None, Uncertified::NoNumber);
         for beside in [Rational::from(1 + &step), Rational::from(1 - &step)] {
             x[j] = Rational::from(&old * &beside);
-            let answer = method.reference(&x, BITS).certified().ok();
-            shifted = answer.filter(|s| s.len() == sum.len());
-            if shifted.is_some() {
-                break;
+            match method.reference(&x, bits).certified() {
+                Ok(other) if other.len() == sum.len() => {
+                    shifted = Some(other);
+                    break;
+                }
+                // More bits may decide this side.
+                Err(undecided @ Uncertified::Undecided(_)) => why = undecided,
+                _ => {}
             }
         }
         x[j] = old;
-        let shifted = shifted?;
+        let shifted = shifted.ok_or(why)?;
         for ((s, a), b) in sum.iter_mut().zip(&shifted).zip(&base) {
             let d = Float::with_val(64, a.mid() - b.mid());
             *s = s.add(Mag::above(&d).shift(i64::from(STEP)));
         }
     }
-    Some(sum.into_iter().map(Mag::to_f64).collect())
+    Ok(sum.into_iter().map(Mag::to_f64).collect())
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use super::answer::ReferenceAnswer;
 use super::due::Due;
 use super::method::Method;
 use super::settings::Settings;
-use mechaudit_reference::{Ball, Decimal};
+use mechaudit_reference::{Ball, Decimal, DecimalError, nearest_f64};
 use rug::Rational;
 use serde::Serialize;
 
@@ -52,13 +52,105 @@ impl EntryJudgement {
     }
 }
 
-/// Judges printed values at an exact input: entry `(i, decimal)` is value `i` of the method.
+/// What a table prints in the place of a value.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PrintedNumber {
+    /// A decimal number.
+    Decimal(Decimal),
+    /// `inf` or `-inf`.
+    Infinity {
+        /// Whether it is −∞.
+        negative: bool,
+    },
+    /// `nan`.
+    Nan,
+}
+
+/// The unit of printed values: they are those of the method times `by` and a power of 180/π.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PrintedUnit {
+    /// The rational factor.
+    pub by: Rational,
+    /// The power of 180/π.
+    pub degrees: i32,
+}
+
+/// A printed value with its unit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Printed {
+    /// The number.
+    pub number: PrintedNumber,
+    /// Its unit, if it is not the method's.
+    unit: Option<PrintedUnit>,
+    /// Digits of the reference to show beside it.
+    digits: usize,
+}
+
+/// Digits of the reference beside an entry that has fewer.
+const DIGITS: usize = 20;
+
+impl Printed {
+    /// Reads an entry in the method's unit: a decimal, `inf`, `-inf` or `nan` in letters of any
+    /// case.
+    ///
+    /// # Errors
+    /// Anything else.
+    pub fn parse(text: &str) -> Result<Printed, DecimalError> {
+        let number = match text.trim().to_ascii_lowercase().as_str() {
+            "nan" | "+nan" | "-nan" => PrintedNumber::Nan,
+            "inf" | "+inf" | "infinity" | "+infinity" => {
+                PrintedNumber::Infinity { negative: false }
+            }
+            "-inf" | "-infinity" => PrintedNumber::Infinity { negative: true },
+            _ => PrintedNumber::Decimal(Decimal::parse(text)?),
+        };
+        let mantissa = text.split(['e', 'E']).next().unwrap_or_default();
+        let figures = mantissa.bytes().filter(u8::is_ascii_digit);
+        let significant = figures.skip_while(|b| *b == b'0').count();
+        Ok(Printed {
+            number,
+            unit: None,
+            // One more than the entry has: its last may be rounded.
+            digits: DIGITS.max(significant + 1),
+        })
+    }
+
+    /// In another unit.
+    #[must_use]
+    pub fn in_unit(self, unit: Option<PrintedUnit>) -> Printed {
+        Printed { unit, ..self }
+    }
+
+    /// The nearest number.
+    pub fn nearest(&self) -> f64 {
+        match &self.number {
+            PrintedNumber::Decimal(decimal) => nearest_f64(&decimal.value),
+            PrintedNumber::Infinity { negative: false } => f64::INFINITY,
+            PrintedNumber::Infinity { negative: true } => f64::NEG_INFINITY,
+            PrintedNumber::Nan => f64::NAN,
+        }
+    }
+
+    /// Whether the entry is what is due, where that is no number.
+    fn is(&self, due: &Due) -> bool {
+        match (&self.number, due) {
+            (PrintedNumber::Nan, Due::NotANumber) => true,
+            (PrintedNumber::Infinity { negative }, Due::Infinity { negative: due }) => {
+                negative == due
+            }
+            _ => false,
+        }
+    }
+}
+
+/// Judges printed values at an exact input: entry `(i, printed)` is value `i` of the method.
 ///
-/// The precision doubles until every entry is decided.
+/// The precision doubles until every entry is decided, and the reference has as many digits as the
+/// entry.
 pub fn judge_printed(
     method: &dyn Method,
     input: &[Rational],
-    printed: &[(usize, &Decimal)],
+    printed: &[(usize, &Printed)],
     settings: &Settings,
 ) -> Vec<EntryJudgement> {
     let mut bits = settings.first_bits;
@@ -66,26 +158,39 @@ pub fn judge_printed(
         let reference = method.reference(input, bits);
         let judged: Vec<EntryJudgement> = printed
             .iter()
-            .map(|(i, decimal)| EntryJudgement {
+            .map(|(i, printed)| EntryJudgement {
                 bits,
-                ..entry(&reference, *i, decimal)
+                ..entry(&reference, *i, printed)
             })
             .collect();
-        let open = |e: &EntryJudgement| e.agreement == Agreement::Undecided;
-        if bits >= settings.last_bits || !judged.iter().any(open) {
+        let is_open = |(e, (_, printed)): (&EntryJudgement, &(usize, &Printed))| {
+            let lacks_digits = e.reference.is_none() && printed.digits > DIGITS;
+            e.agreement == Agreement::Undecided || lacks_digits && e.agreement != Agreement::NoValue
+        };
+        if bits >= settings.last_bits || !judged.iter().zip(printed).any(is_open) {
             return judged;
         }
         bits *= 2;
     }
 }
 
-fn entry(reference: &ReferenceAnswer, i: usize, printed: &Decimal) -> EntryJudgement {
+fn entry(reference: &ReferenceAnswer, i: usize, printed: &Printed) -> EntryJudgement {
     let none = |reason: String| EntryJudgement::none(Agreement::NoValue, reason);
     let ball = match reference {
         ReferenceAnswer::Values(r) => r.values.get(i),
         ReferenceAnswer::Dues(dues, _) => match dues.get(i) {
             Some(due) if due.number().is_none() => {
-                return none(due.to_decimal(1).unwrap_or_default());
+                let text = due.to_decimal(1).unwrap_or_default();
+                return match printed.is(due) {
+                    true => EntryJudgement {
+                        agreement: Agreement::Agrees,
+                        units: 0.0,
+                        reference: Some(text),
+                        reason: None,
+                        bits: 0,
+                    },
+                    false => none(text),
+                };
             }
             due => due.and_then(Due::number),
         },
@@ -101,24 +206,82 @@ fn entry(reference: &ReferenceAnswer, i: usize, printed: &Decimal) -> EntryJudge
     }
 }
 
-fn against(value: &Ball, printed: &Decimal) -> EntryJudgement {
-    let agreement = agreement(value, printed);
-    let off = printed.units_off(value);
+fn against(value: &Ball, printed: &Printed) -> EntryJudgement {
+    let value = in_unit(value, printed.unit.as_ref());
+    let reference = value.ball().to_decimal(printed.digits);
+    let PrintedNumber::Decimal(decimal) = &printed.number else {
+        // No number is as far off as that.
+        return EntryJudgement {
+            agreement: Agreement::Differs,
+            units: f64::INFINITY,
+            reference,
+            reason: None,
+            bits: 0,
+        };
+    };
+    let agreement = agreement(&value, decimal);
+    let off = decimal.units_off(value.ball());
     let undecided = agreement == Agreement::Undecided;
     EntryJudgement {
         agreement,
         units: off.magnitude().to_f64().copysign(off.mid().to_f64()),
-        reference: value.to_decimal(20),
+        reference,
         reason: undecided.then(|| "too near to half a unit of its last digit or to one".into()),
         bits: 0,
     }
 }
 
+/// A value in the unit of an entry.
+enum InUnit {
+    /// An exact value, for ties are decided exactly.
+    Exact(Rational, Ball),
+    Enclosed(Ball),
+}
+
+impl InUnit {
+    fn ball(&self) -> &Ball {
+        match self {
+            InUnit::Exact(_, ball) | InUnit::Enclosed(ball) => ball,
+        }
+    }
+}
+
+fn in_unit(value: &Ball, unit: Option<&PrintedUnit>) -> InUnit {
+    let exact = value.mid().to_rational().filter(|_| value.rad().is_zero());
+    let bits = value.prec();
+    let Some(unit) = unit else {
+        return match exact {
+            Some(exact) => InUnit::Exact(exact, value.clone()),
+            None => InUnit::Enclosed(value.clone()),
+        };
+    };
+    if let Some(exact) = exact.filter(|x| unit.degrees == 0 || *x == 0) {
+        let scaled = exact * &unit.by;
+        let ball = Ball::rational(bits, &scaled);
+        return InUnit::Exact(scaled, ball);
+    }
+    let mut scaled = value * Ball::rational(bits, &unit.by);
+    let degrees = &Ball::integer(bits, 180) / &Ball::pi(bits);
+    for _ in 0..unit.degrees.abs() {
+        scaled = match unit.degrees > 0 {
+            true => &scaled * &degrees,
+            false => &scaled / &degrees,
+        };
+    }
+    InUnit::Enclosed(scaled)
+}
+
 /// In exact arithmetic: a tie is one only against an exact reference.
-fn agreement(value: &Ball, printed: &Decimal) -> Agreement {
-    let radius = value.rad().to_float().to_rational();
-    let (Some(mid), Some(radius)) = (value.mid().to_rational(), radius) else {
-        return Agreement::Undecided;
+fn agreement(value: &InUnit, printed: &Decimal) -> Agreement {
+    let (mid, radius) = match value {
+        InUnit::Exact(value, _) => (value.clone(), Rational::new()),
+        InUnit::Enclosed(ball) => {
+            let radius = ball.rad().to_float().to_rational();
+            let (Some(mid), Some(radius)) = (ball.mid().to_rational(), radius) else {
+                return Agreement::Undecided;
+            };
+            (mid, radius)
+        }
     };
     let gap = Rational::from(&printed.value - &mid).abs();
     let (least, most) = (Rational::from(&gap - &radius), gap + radius);
@@ -152,7 +315,7 @@ mod tests {
             ("1e0", Agreement::LastDigit),
             ("0e1", Agreement::Agrees),
         ] {
-            let e = against(&third, &Decimal::parse(text).unwrap());
+            let e = against(&third, &printed(text));
             assert_eq!(e.agreement, due, "{text}: {}", e.units);
         }
     }
@@ -160,7 +323,6 @@ mod tests {
     #[test]
     fn a_tie_agrees_where_the_reference_is_exact_and_is_open_otherwise() {
         let exact = Ball::exact(128, 0.125);
-        let printed = |t| Decimal::parse(t).unwrap();
         assert_eq!(
             against(&exact, &printed("0.12")).agreement,
             Agreement::Agrees
@@ -175,8 +337,86 @@ mod tests {
         assert!(open.reason.is_some());
     }
 
-    fn printed(text: &str) -> Decimal {
-        Decimal::parse(text).unwrap()
+    fn printed(text: &str) -> Printed {
+        Printed::parse(text).unwrap()
+    }
+
+    /// NaN and infinities agree with themselves where they are due, and with no number.
+    #[test]
+    fn what_is_no_number_is_an_entry() {
+        let number = Ball::exact(128, 1.5);
+        for text in ["nan", "NaN", "inf", "-Infinity"] {
+            let e = against(&number, &printed(text));
+            assert_eq!((e.agreement, e.units), (Agreement::Differs, f64::INFINITY));
+            assert_eq!(e.reference.as_deref(), Some("1.5000000000000000000"));
+        }
+        let dues = ReferenceAnswer::Dues(
+            vec![Due::NotANumber, Due::Infinity { negative: true }],
+            crate::Proof::Exact,
+        );
+        for (i, text, due) in [
+            (0, "NaN", Agreement::Agrees),
+            (0, "inf", Agreement::NoValue),
+            (1, "-inf", Agreement::Agrees),
+            (1, "inf", Agreement::NoValue),
+            (1, "nan", Agreement::NoValue),
+        ] {
+            assert_eq!(entry(&dues, i, &printed(text)).agreement, due, "{i} {text}");
+        }
+        let nearest = ["nan", "inf", "-inf", "0.5"].map(|t| printed(t).nearest().to_string());
+        assert_eq!(nearest, ["NaN", "inf", "-inf", "0.5"]);
+        assert!(Printed::parse("none").is_err());
+    }
+
+    /// A reference of thirds beside 45 digits, which 128 bits do not give.
+    #[test]
+    fn the_reference_has_as_many_digits_as_the_entry() {
+        let method = Planted {
+            reference: Box::new(|_, bits| {
+                ReferenceAnswer::bounded(vec![Ball::integer(bits, 3).recip()], "planted")
+            }),
+            ..Planted::default()
+        };
+        for (digits, due) in [(5, 20), (20, 21), (45, 46), (79, 80)] {
+            let one = printed(&format!("0.{}", "3".repeat(digits)));
+            let found = judge_printed(&method, &[], &[(0, &one)], &Settings::default());
+            assert_eq!(found[0].agreement, Agreement::Agrees);
+            let shown = found[0].reference.as_deref().unwrap();
+            assert_eq!(shown, format!("0.{}", "3".repeat(due)));
+        }
+    }
+
+    /// Millimetres of an exact number of metres are exact, ties too; degrees are enclosed.
+    #[test]
+    fn entries_may_be_in_other_units() {
+        let of = |text: &str, by: i32, degrees: i32| {
+            let by = by.into();
+            printed(text).in_unit(Some(PrintedUnit { by, degrees }))
+        };
+        let metres = Ball::exact(128, 0.0625);
+        for (text, due) in [
+            ("62.5", Agreement::Agrees),
+            ("62", Agreement::Agrees),
+            ("63", Agreement::Agrees),
+            ("62.4", Agreement::LastDigit),
+            ("0.0625", Agreement::Differs),
+        ] {
+            assert_eq!(
+                against(&metres, &of(text, 1000, 0)).agreement,
+                due,
+                "{text}"
+            );
+        }
+        let right = Ball::pi(128).shift(-1);
+        let degrees = against(&right, &of("90.000000", 1, 1));
+        assert_eq!(degrees.agreement, Agreement::Agrees);
+        assert_eq!(degrees.reference.as_deref(), Some("90.000000000000000000"));
+        let speed = against(&Ball::exact(128, 90.0), &of("1.5708", 1, -1));
+        assert_eq!(speed.agreement, Agreement::Agrees);
+        // Zero degrees are zero radians.
+        let zero = against(&Ball::integer(128, 0), &of("0.5", 1, 1));
+        assert_eq!(zero.agreement, Agreement::Differs);
+        assert_eq!(zero.reference.as_deref(), Some("0"));
     }
 
     #[test]

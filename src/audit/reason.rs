@@ -17,6 +17,8 @@ pub enum Reason {
         number: usize,
         /// What was answered.
         got: f64,
+        /// What is due: the nearest number, an infinity or NaN.
+        due: f64,
         /// What is wrong with it.
         fault: Fault,
     },
@@ -25,9 +27,8 @@ pub enum Reason {
 /// What is wrong with a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fault {
-    /// The other zero is due.
-    Zero,
-    /// It is of the wrong kind: NaN, an infinity, or a number for one of them.
+    /// It is of the wrong kind: NaN, an infinity, a number for one of them, or the zero of the
+    /// wrong sign.
     Kind,
     /// Its error is so many times the budget.
     Over(f64),
@@ -35,25 +36,42 @@ pub enum Fault {
     Open,
 }
 
+/// A number in words: the shortest decimal that reads back as the same one, with an exponent, so
+/// that no number is long.
+pub fn written(x: f64) -> String {
+    match x {
+        0.0 => format!("{x}"),
+        x => format!("{x:e}"),
+    }
+}
+
+/// A number as it is usually written, and as [`written`] where that would be long.
+pub(super) fn plain(x: f64) -> String {
+    match x.abs() {
+        size if size == 0.0 || (1e-5..1e16).contains(&size) => x.to_string(),
+        _ => written(x),
+    }
+}
+
 impl Display for Reason {
     fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
-        let (output, number, got, fault) = match self {
+        let (output, number, got, due, fault) = match self {
             Reason::Words(words) => return to.write_str(words),
             Reason::Value {
                 output,
                 number,
                 got,
+                due,
                 fault,
-            } => (output, number, *got, *fault),
+            } => (output, number, written(*got), written(*due), *fault),
         };
-        write!(to, "{output} (value {number}) ")?;
+        write!(to, "{output} (value {number}) is {got}, expected {due}")?;
         match fault {
-            Fault::Zero => write!(to, "is {got:?} where {:?} is due", -got),
-            Fault::Kind => write!(to, "is {got}"),
-            Fault::Over(x) if x < 1e4 => write!(to, "is {x:.3} times its budget off"),
-            Fault::Over(f64::INFINITY) => to.write_str("is more than 1e308 times its budget off"),
-            Fault::Over(x) => write!(to, "is {x:.2e} times its budget off"),
-            Fault::Open => to.write_str("cannot be decided against its budget"),
+            Fault::Kind => Ok(()),
+            Fault::Over(x) if x < 1e4 => write!(to, ": {x:.3} times its budget off"),
+            Fault::Over(f64::INFINITY) => to.write_str(": more than 1e308 times its budget off"),
+            Fault::Over(x) => write!(to, ": {x:.2e} times its budget off"),
+            Fault::Open => to.write_str(": the reference cannot decide it against its budget"),
         }
     }
 }

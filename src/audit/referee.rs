@@ -63,7 +63,7 @@ pub struct Referee<'a> {
     exact: Option<Exact>,
     /// By precision, doubled from one to the next.
     references: Vec<ReferenceAnswer>,
-    conditions: Option<Option<Vec<f64>>>,
+    conditions: Option<Vec<f64>>,
 }
 
 impl Referee<'_> {
@@ -74,11 +74,10 @@ impl Referee<'_> {
             Some(x) => method.reference(x.numbers(), bits),
             None => method.reference_not_finite(input),
         };
-        let conditional = self.judge.conditional && self.exact.is_some();
-        self.conditions.get_or_insert_with(|| match conditional {
-            true => method.conditions_beside(input, &reference),
-            false => None,
-        });
+        // Where they cannot be had of this reference they may be of a finer one.
+        if self.conditions.is_none() && self.judge.conditional && self.exact.is_some() {
+            self.conditions = method.conditions_beside(input, &reference);
+        }
         self.references
             .push(reference.with_signs_of_zero(|| method.signs_of_zero(input)));
     }
@@ -119,15 +118,19 @@ impl Referee<'_> {
             norm: self.judge.norm.as_ref(),
             format,
         };
+        let allowed = answer.refusal().and_then(|word| {
+            let allowed = method.may_refuse(self.exact.as_ref()?.numbers());
+            allowed.filter(|allowed| *allowed == word)
+        });
         let (mut bits, mut level) = (settings.first_bits, 0);
-        let mut judgement = self.judged(&rules, &answer, bits, level);
+        let mut judgement = self.judged(&rules, (&answer, allowed), bits, level);
         while judgement.verdict == Verdict::Undecided && bits < settings.last_bits {
             (bits, level) = (2 * bits, level + 1);
-            judgement = self.judged(&rules, &answer, bits, level);
+            judgement = self.judged(&rules, (&answer, allowed), bits, level);
         }
         // The first reference that decides may be so wide that its own error is what a report would show.
         if judgement.wide && judgement.is_measured() && bits < settings.last_bits {
-            let closer = self.judged(&rules, &answer, 2 * bits, level + 1);
+            let closer = self.judged(&rules, (&answer, allowed), 2 * bits, level + 1);
             if closer.is_measured() {
                 (judgement, bits, level) = (closer, 2 * bits, level + 1);
             }
@@ -147,19 +150,22 @@ impl Referee<'_> {
         }
     }
 
-    /// By the reference with so many bits, the `level`-th.
+    /// By the reference with so many bits, the `level`-th, or as the refusal that is allowed.
     fn judged(
         &mut self,
         rules: &Rules,
-        answer: &SolverAnswer,
+        (answer, allowed): (&SolverAnswer, Option<&'static str>),
         bits: u32,
         level: usize,
     ) -> Judgement {
         if level == self.references.len() {
             self.next(bits);
         }
-        let conditions = self.conditions.as_ref().and_then(|c| c.as_deref());
-        judge_by(rules, answer, &self.references[level], conditions)
+        let conditions = self.conditions.as_deref();
+        match allowed {
+            Some(word) => judge_by(rules, answer, &ReferenceAnswer::Refuses(word), conditions),
+            None => judge_by(rules, answer, &self.references[level], conditions),
+        }
     }
 }
 

@@ -132,7 +132,7 @@ impl OutputTally {
             ulps: self.ulps.spread(),
             conditioned: self.conditioned.spread(),
             histogram: histogram.collect(),
-            max_of_budget: worst.map_or(0.0, |w| w.0),
+            max_of_budget: worst.map_or(f64::NAN, |w| w.0),
             max_condition: self.max_condition,
             worst: worst.map(|w| w.1.clone()),
             parts: None,
@@ -340,7 +340,7 @@ impl RegionTally {
             kinds: self.kinds,
             outputs: outputs.map(|(o, name)| o.statistics(name)).collect(),
             normwise: norm.then(|| self.normwise.spread()),
-            max_of_budget: worst.map_or(0.0, |w| w.0),
+            max_of_budget: worst.map_or(f64::NAN, |w| w.0),
             worst: worst.map(|w| w.1.clone()),
         }
     }

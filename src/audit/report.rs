@@ -30,7 +30,7 @@ pub struct OutputStatistics {
     pub conditioned: Spread,
     /// The errors in ulps counted by octaves, exact values first.
     pub histogram: Vec<Octave>,
-    /// Largest share of the budget found.
+    /// Largest share of the budget found; NaN where no error was measured.
     pub max_of_budget: f64,
     /// Largest finite condition number met.
     pub max_condition: f64,
@@ -80,7 +80,7 @@ pub struct RegionReport {
     /// `‖got − ref‖₂ / ‖ref‖₂` over all values of an answer in units of u (for subnormal norms by the
     /// smallest normal number), where the outputs share a unit.
     pub normwise: Option<Spread>,
-    /// Largest share of a budget, that of the norm included.
+    /// Largest share of a budget, that of the norm included; NaN where there is none.
     pub max_of_budget: f64,
     /// The case with it.
     #[serde(serialize_with = "briefly_if")]

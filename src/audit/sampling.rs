@@ -3,6 +3,8 @@
 mod read;
 
 use super::domain::{Domain, Draw, Region};
+use super::layout::Layout;
+use super::reason::plain;
 
 /// Where cases are drawn.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -33,8 +35,8 @@ pub enum SamplingError {
         /// What is wrong with it.
         reason: &'static str,
     },
-    /// A name that is no single number of the input.
-    #[error("{method} has no single input {name:?}{hint}; it has: {known}")]
+    /// A name that is no number of the input.
+    #[error("{method} has no input {name:?}{hint}; it has: {known}")]
     Name {
         /// The method.
         method: &'static str,
@@ -44,6 +46,14 @@ pub enum SamplingError {
         hint: String,
         /// Those there are.
         known: String,
+    },
+    /// An element of a vector that is never so long.
+    #[error("no region of {method} draws {name}: its vector is shorter")]
+    Element {
+        /// The method.
+        method: &'static str,
+        /// The element.
+        name: String,
     },
     /// A name that stands twice.
     #[error("the box names {name} twice")]
@@ -60,7 +70,7 @@ pub enum SamplingError {
         reason: String,
     },
     /// A radius that is not a positive number.
-    #[error("the radius {0} must be positive and at most 1")]
+    #[error("the radius {} must be positive and at most 1", plain(*.0))]
     Radius(f64),
     /// No regions to draw the rest from.
     #[error("there is no region to draw the other inputs from")]
@@ -79,8 +89,9 @@ enum Spacing {
 /// A number of a box.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Side {
-    /// Its place in the input.
-    at: usize,
+    /// The part of the input, and its number there.
+    part: usize,
+    index: usize,
     ends: [f64; 2],
     spacing: Spacing,
 }
@@ -89,10 +100,14 @@ struct Side {
 #[derive(Clone, Debug, PartialEq)]
 pub struct SampleBox {
     text: String,
+    layout: Layout,
     sides: Vec<Side>,
     /// Whether it names every number.
     whole: bool,
 }
+
+/// Inputs that are drawn from the regions at most before one has every element that the box names.
+const TRIES: u64 = 1000;
 
 impl SampleBox {
     /// As it was written.
@@ -114,21 +129,51 @@ impl SampleBox {
     ) -> (&'static str, Vec<f64>) {
         let (region, mut input) = match self.whole {
             true => ("box", vec![0.0; self.sides.len()]),
-            false => {
-                let n = domain.regions.len() as u64;
-                let region = &domain.regions[(index % n) as usize];
-                let mut draw = Draw::new(seed, method, region.name, index / n);
-                (region.name, (region.sample)(&mut draw))
-            }
+            false => self.rest(method, domain, (seed, index)),
         };
+        let places: Vec<Option<usize>> = self.sides.iter().map(|s| self.place(s, &input)).collect();
         let mut draw = Draw::new(seed, method, "box", index);
-        for side in &self.sides {
+        for (side, place) in self.sides.iter().zip(places) {
             let x = side.draw(&mut draw);
-            if let Some(number) = input.get_mut(side.at) {
+            if let Some(number) = place.and_then(|at| input.get_mut(at)) {
                 *number = x;
             }
         }
         (region, input)
+    }
+
+    fn place(&self, side: &Side, input: &[f64]) -> Option<usize> {
+        match self.whole {
+            // Of single numbers alone.
+            true => Some(side.part),
+            false => self.layout.place(side.part, side.index, input),
+        }
+    }
+
+    /// An input of a region that has every element named, from the regions one after the other.
+    fn rest(
+        &self,
+        method: &'static str,
+        domain: &Domain,
+        (seed, index): (u64, u64),
+    ) -> (&'static str, Vec<f64>) {
+        let n = domain.regions.len() as u64;
+        let draw = |k: u64| {
+            let region = &domain.regions[(k % n) as usize];
+            let mut draw = Draw::new(seed, method, region.name, k / n);
+            (region.name, (region.sample)(&mut draw))
+        };
+        let has_all = |input: &[f64]| self.sides.iter().all(|s| self.place(s, input).is_some());
+        let own = draw(index);
+        if has_all(&own.1) {
+            return own;
+        }
+        // Beyond the numbers of ordinary cases, so that neighbours do not draw the same.
+        let others = (0..TRIES).map(|k| draw((1 << 40) + index * TRIES + k));
+        others
+            .into_iter()
+            .find(|(_, input)| has_all(input))
+            .unwrap_or(own)
     }
 }
 

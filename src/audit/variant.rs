@@ -5,6 +5,7 @@ use super::budget::{Budget, Limit, NormBudget};
 use super::domain::{Domain, Region};
 use super::due::Due;
 use super::hard::HardCase;
+use super::layout::Layout;
 use super::method::{BranchAt, Input, Law, Method, Output, ProvedBound, Rows};
 use super::no_such::NoSuch;
 use super::sampling::{Sampling, is_ordinary};
@@ -18,6 +19,26 @@ type Admits<'a> = Box<dyn Fn(&[f64]) -> bool + Sync + 'a>;
 
 /// The reason for a budget of one's own.
 const AS_ASKED: &str = "as asked for";
+
+/// For each output of a method, whether it is among the names. An output that is repeated in rows
+/// is named alone or with the index of its rows, as `mechaudit describe` shows it: `S` or `S[q]`.
+///
+/// # Errors
+/// An output that there is not.
+pub fn selected_outputs(
+    method: &dyn Method,
+    names: &[impl AsRef<str>],
+) -> Result<Vec<bool>, NoSuch> {
+    let layout = Layout::new(method);
+    let known: Vec<&'static str> = method.outputs().iter().map(|o| o.name).collect();
+    let is_named = |name: &str, output: &str| name == output || name == layout.output(output);
+    let is_known = |name: &str| known.iter().any(|output| is_named(name, output));
+    if let Some(name) = names.iter().map(AsRef::as_ref).find(|name| !is_known(name)) {
+        return Err(NoSuch::new(method.name(), "output", name, known));
+    }
+    let is_chosen = |output: &&str| names.iter().any(|name| is_named(name.as_ref(), output));
+    Ok(known.iter().map(is_chosen).collect())
+}
 
 /// A method with something changed; everything else is passed through.
 pub struct Variant<'a> {
@@ -143,22 +164,13 @@ impl<'a> Variant<'a> {
         self
     }
 
-    /// Only these outputs: the solver gives no others, and no norm of all is judged.
+    /// Only these outputs, named as [`selected_outputs`] reads them: the solver gives no others,
+    /// and no norm of all is judged.
     ///
     /// # Errors
     /// An output that there is not.
     pub fn outputs(mut self, names: &[impl AsRef<str>]) -> Result<Variant<'a>, NoSuch> {
-        let known: Vec<&'static str> = self.method.outputs().iter().map(|o| o.name).collect();
-        if let Some(name) = names.iter().find(|n| !known.contains(&n.as_ref())) {
-            return Err(NoSuch::new(
-                self.method.name(),
-                "output",
-                name.as_ref(),
-                known,
-            ));
-        }
-        let chosen = |o: &&str| names.iter().any(|n| n.as_ref() == *o);
-        self.selected = Some(known.iter().map(chosen).collect());
+        self.selected = Some(selected_outputs(self.method, names)?);
         Ok(self)
     }
 
@@ -274,6 +286,9 @@ impl Method for Variant<'_> {
     fn reference(&self, input: &[Rational], bits: u32) -> ReferenceAnswer {
         self.select_answer(self.method.reference(input, bits))
     }
+    fn may_refuse(&self, input: &[Rational]) -> Option<&'static str> {
+        self.method.may_refuse(input)
+    }
     fn reference_not_finite(&self, input: &[f64]) -> ReferenceAnswer {
         self.select_answer(self.method.reference_not_finite(input))
     }
@@ -300,8 +315,9 @@ impl Method for Variant<'_> {
     fn format(&self) -> Format {
         self.format.unwrap_or_else(|| self.method.format())
     }
+    /// None where the code is not the method's own: it has formulas of its own.
     fn branch(&self, input: &[f64]) -> Option<BranchAt> {
-        self.method.branch(input)
+        self.method.branch(input).filter(|_| self.laws)
     }
     fn is_data(&self, k: usize) -> bool {
         self.method.is_data(k)

@@ -15,6 +15,7 @@
 //! 12. [Reading the reports](reports)
 //! 13. [Planar mechanisms](planar_mechanisms)
 //! 14. [Commands, exit codes and file formats](formats)
+//! 15. [The columns of all tables](columns)
 //!
 //! What the crate is for, how to install it and how fast it is stands in the
 //! [README](https://docs.rs/crate/mechaudit/latest/source/README.md).
@@ -25,6 +26,8 @@ pub mod adding_a_method {}
 pub mod atlas {}
 #[doc = include_str!("campaigns.md")]
 pub mod campaigns {}
+#[doc = include_str!("columns.md")]
+pub mod columns {}
 #[doc = include_str!("convergence.md")]
 pub mod convergence {}
 #[doc = include_str!("formats.md")]

@@ -190,20 +190,26 @@ impl Report {
             0 => String::new(),
             n => format!(", {n} hard cases over it by no more than the method's own solver"),
         };
+        let counted = match r.failed() {
+            0 => format!("{} of {} cases within budget", r.passed, r.cases),
+            n => format!("{n} of {} cases failed", r.cases),
+        };
         writeln!(
             f,
-            "{}: {word}, {} of {} cases within budget{recorded} (seed {}, {} cases per region)",
-            r.method, r.passed, r.cases, r.settings.seed, r.settings.cases_per_region
+            "{}: {word}, {counted}{recorded} (seed {}, {} cases per region)",
+            r.method, r.settings.seed, r.settings.cases_per_region
         )?;
         for o in r.outputs() {
-            let (figures, share) = (figures(&o.ulps), short(o.max_of_budget));
-            writeln!(
-                f,
-                "  {:<11}{} values; in ulps {figures}; {share} of its budget{}",
-                o.name,
-                o.values,
-                wrong(&o.kinds)
-            )?;
+            let found = match o.max_of_budget.is_nan() {
+                true => "no error measured".into(),
+                false => format!(
+                    "in ulps {}; {} of its budget",
+                    figures(&o.ulps),
+                    short(o.max_of_budget)
+                ),
+            };
+            let (values, wrong) = (o.values, wrong(&o.kinds));
+            writeln!(f, "  {:<11}{values} values; {found}{wrong}", o.name)?;
         }
         if let Some(norm) = r.total.normwise.filter(|n| n.count > 0) {
             writeln!(f, "  {:<11}in u {}", "norm", figures(&norm))?;
@@ -220,14 +226,17 @@ impl Report {
             let label = if k == 0 { "regions" } else { "" };
             let failed = match region.failed() {
                 0 => String::new(),
-                n => format!(", {n} FAIL"),
+                n => format!(", {n} failed"),
             };
             writeln!(
                 f,
-                "  {label:<11}{}: {} cases{failed}, {} of a budget at most{}",
+                "  {label:<11}{}: {} cases{failed}{}{}",
                 region.name,
                 region.cases,
-                short(region.max_of_budget),
+                match region.max_of_budget.is_nan() {
+                    true => String::new(),
+                    false => format!(", {} of a budget at most", short(region.max_of_budget)),
+                },
                 wrong(&region.kinds)
             )?;
         }

@@ -167,7 +167,7 @@ fn statistics_are_a_head_and_a_line_for_each_part() {
     assert_eq!(budget, 4);
     let regions = [
         "  regions    mid: 20 cases, 0.250 of a budget at most",
-        "             other: 20 cases, 3 FAIL, 4.000 of a budget at most",
+        "             other: 20 cases, 3 failed, 4.000 of a budget at most",
     ];
     let at = lines
         .iter()

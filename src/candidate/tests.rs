@@ -124,7 +124,7 @@ fn a_fault_is_described() {
     assert!(!report.passed() && report.cases == 10);
     let text = report.to_string();
     for part in [
-        "faddeeva: FAIL, 0 of 10 cases",
+        "faddeeva: FAIL, 10 of 10 cases failed",
         "faddeeva / lower: Re W (value 0) is ",
         "Re z = ",
         " = -0x1.",
@@ -132,13 +132,14 @@ fn a_fault_is_described() {
         " ± ",
         "ulps",
         ".region(\"lower\").seed(1).case(",
-        "Cell { terms: 18 }",
         "mechaudit points faddeeva --region lower --seed 1 --case ",
-        "regions    lower: 10 cases, 10 FAIL",
+        "regions    lower: 10 cases, 10 failed",
         "5 more failing cases",
     ] {
         assert!(text.contains(part), "{part:?} is missing in\n{text}");
     }
+    // The formula of the method's own solver says nothing of this code.
+    assert!(!text.contains("Cell {"), "{text}");
     let one = lower().case(3).run().unwrap();
     assert_eq!((one.cases, one.passed), (1, 0));
     // Its label stands before the first number alone, and one case has a norm.
@@ -148,7 +149,10 @@ fn a_fault_is_described() {
     assert!(text.contains("\n  norm       in u worst found "), "{text}");
     // The statistics, then the cases.
     let kept = one.snapshot();
-    assert!(kept.starts_with("faddeeva: FAIL, 0 of 1 cases"), "{kept}");
+    assert!(
+        kept.starts_with("faddeeva: FAIL, 1 of 1 cases failed"),
+        "{kept}"
+    );
     assert!(kept.contains("\nlower: Re W (value 0) is "), "{kept}");
     let wide = lower().limit(Limit::Ulps(1e4)).run().unwrap();
     wide.assert_within_budget();

@@ -80,6 +80,8 @@ pub enum End {
     TooMany,
     /// Nothing came in time.
     Silent,
+    /// The time for all of them is over.
+    Late,
     /// They cannot be read.
     Unreadable(std::io::Error),
     /// The user has asked to stop.

@@ -2,6 +2,7 @@
 
 use crate::cli::complain;
 use mechaudit::audit::did_you_mean;
+use mechaudit::message::readable;
 use std::error::Error;
 use std::fmt;
 use std::path::Path;
@@ -45,19 +46,34 @@ impl Outcome {
     }
 }
 
-/// An error and its causes on one line. A cause that the message before it quotes is not repeated.
+/// An error and its causes on one line, long numbers in exponent form. A cause that the message
+/// before it quotes is not repeated.
 pub fn chain(e: &dyn Error) -> String {
     let mut text = e.to_string();
     let mut next = e.source();
     while let Some(cause) = next {
         let why = cause.to_string();
+        let last = text.rsplit(": ").next().unwrap_or_default();
         // Diagrams over several lines say where, which the error above them has said.
         if !text.contains(&why) && !why.contains('\n') {
-            text += &format!(": {why}");
+            match last.contains(' ') && why.starts_with(last) {
+                // The same with more words.
+                true => text.replace_range(text.len() - last.len().., &why),
+                false => text += &format!(": {why}"),
+            }
         }
         next = cause.source();
     }
-    text
+    readable(&text).into_owned()
+}
+
+/// Puts what an error is about before its text, unless that says so itself.
+pub fn said(what: &str, e: &dyn Error) -> String {
+    let text = chain(e);
+    match text.contains(what) {
+        true => text,
+        false => format!("{what}: {text}"),
+    }
 }
 
 /// A run that could not be done.
@@ -67,6 +83,8 @@ pub enum Failure {
     Message(String),
     /// The same, with the error it came from.
     Caused(String, Box<dyn Error + Send + Sync>),
+    /// The output named there cannot be written. It is about no input.
+    Output(String, std::io::Error),
     /// Nobody reads the output any more.
     ClosedPipe,
 }
@@ -82,6 +100,14 @@ impl Failure {
         Failure::Caused(chain(&*e), e)
     }
 
+    /// An output that cannot be written.
+    pub fn output(name: &Path, e: std::io::Error) -> Failure {
+        match e.kind() {
+            std::io::ErrorKind::BrokenPipe => Failure::ClosedPipe,
+            _ => Failure::Output(format!("cannot write {}: {e}", name.display()), e),
+        }
+    }
+
     /// What cannot be done to a file or folder: "read", "write".
     pub fn cannot(act: &str, path: &Path, e: impl Into<Box<dyn Error + Send + Sync>>) -> Failure {
         Failure::caused(e).about(format!("cannot {act} {}", path.display()))
@@ -92,12 +118,15 @@ impl Failure {
         Failure::caused(e).about(file.display())
     }
 
-    /// The same, said of something.
+    /// The same, said of something; once, if it says so itself.
     pub fn about(self, what: impl fmt::Display) -> Failure {
+        if self.to_string().starts_with(&format!("{what}: ")) {
+            return self;
+        }
         match self {
             Failure::Message(text) => Failure::Message(format!("{what}: {text}")),
             Failure::Caused(text, e) => Failure::Caused(format!("{what}: {text}"), e),
-            Failure::ClosedPipe => Failure::ClosedPipe,
+            Failure::Output(..) | Failure::ClosedPipe => self,
         }
     }
 
@@ -113,7 +142,9 @@ impl Failure {
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
-            Failure::Message(text) | Failure::Caused(text, _) => f.write_str(text),
+            Failure::Message(text) | Failure::Caused(text, _) | Failure::Output(text, _) => {
+                f.write_str(text)
+            }
             Failure::ClosedPipe => f.write_str("nobody reads the output"),
         }
     }
@@ -123,6 +154,7 @@ impl Error for Failure {
     fn source(&self) -> Option<&(dyn Error + 'static)> {
         match self {
             Failure::Caused(_, e) => Some(&**e),
+            Failure::Output(_, e) => Some(e),
             Failure::Message(_) | Failure::ClosedPipe => None,
         }
     }
@@ -191,6 +223,8 @@ mod tests {
         assert!(failure.source().and_then(Error::source).is_some());
         let quoted = OnLine(3, "on line 3, line 3".into());
         assert_eq!(chain(&quoted), "line 3: on line 3, line 3");
+        let more = OnLine(3, "line 3 is the end of the file".into());
+        assert_eq!(chain(&more), "line 3 is the end of the file");
         assert_eq!(
             chain(&OnLine(3, Box::new(OnLine(3, "x".into())))),
             "line 3: x"
@@ -274,6 +308,17 @@ mod tests {
             "some/file: gone"
         );
         assert_eq!(Failure::new("no").about("it").to_string(), "it: no");
+        assert_eq!(
+            Failure::new("no").about("it").about("it").to_string(),
+            "it: no"
+        );
+        // An output is about no input.
+        let full = std::io::Error::from(std::io::ErrorKind::StorageFull);
+        let output = Failure::output(Path::new("out"), full).about("input");
+        assert!(
+            output.to_string().starts_with("cannot write out: "),
+            "{output}"
+        );
         assert!(Failure::new("no").source().is_none());
         assert!(matches!(
             Failure::ClosedPipe.about("it"),

@@ -134,8 +134,17 @@ fn refused(what: &str) -> Failure {
     ))
 }
 
+/// Looks ahead at work that has been tried: `what` takes so many seconds.
+pub fn work(what: &str, seconds: f64) -> Result<(), Failure> {
+    let what = format!("{what} take about {}", time(seconds));
+    if is_worth_saying(&what, seconds, 0.0)? {
+        complain(&what);
+    }
+    Ok(())
+}
+
 /// Seconds in words.
-fn time(seconds: f64) -> String {
+pub fn time(seconds: f64) -> String {
     let (count, unit) = match seconds {
         s if s < 120.0 => (s, "seconds"),
         s if s < 7200.0 => (s / 60.0, "minutes"),
@@ -227,6 +236,16 @@ mod tests {
         let head = format!("{:.2e} inputs are ", count(other));
         assert!(
             why.starts_with(&head) && why.contains(" bytes and take about "),
+            "{why}"
+        );
+    }
+
+    #[test]
+    fn work_that_cannot_end_is_refused() {
+        assert!(work("they", LONG).is_ok() && work("they", ENDLESS).is_ok());
+        let why = work("9 points", 1e9).unwrap_err().to_string();
+        assert!(
+            why.starts_with("9 points take about 32 years; more than 30 days"),
             "{why}"
         );
     }

@@ -84,7 +84,10 @@ proptest! {
         }
         let mut out = Vec::new();
         let input = BufReader::new(Cursor::new(text));
-        let answered = eval::stream(&*evaluable()[which], digits, &pool, input, &mut out);
+        let methods = evaluable();
+        let method = &*methods[which];
+        let evaluation = eval::Evaluation::new(method, digits);
+        let answered = eval::stream(&evaluation, &pool, input, &mut out);
         if let Err(Failure::Message(why) | Failure::Caused(why, _)) = answered {
             prop_assert!(why.starts_with("line ") && !why.contains('\n'), "{}", why);
         }

@@ -22,6 +22,7 @@ use commands::{
     linkage, list, paper, points, prove, regenerate, runup, shell,
 };
 use failure::{Failure, Outcome};
+use mechaudit::message;
 #[cfg(unix)]
 use process::guard;
 use process::interrupt;
@@ -90,6 +91,7 @@ fn ran(words: &[&str]) -> Result<Outcome, Failure> {
 fn complain(text: &str) {
     use std::io::Write;
     let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let line = message::readable(&line);
     // Nothing can be done if stderr is closed.
     let _ = writeln!(anstream::stderr(), "mechaudit: {line}");
 }

@@ -19,8 +19,8 @@ pub enum NumberError {
     Hex(#[from] HexFloatError),
     #[error("{text:?} is neither a decimal nor a hexadecimal float")]
     Neither { text: String },
-    #[error("the exponent of {text} is beyond ±100000")]
-    Exponent { text: String, source: DecimalError },
+    #[error(transparent)]
+    Exponent(#[from] DecimalError),
     #[error("{0} has no certified digits: with --digits every argument must be finite")]
     NotFinite(f64),
 }
@@ -54,13 +54,7 @@ impl<'a> Number<'a> {
     /// The number itself.
     pub fn exact(&self) -> Result<Rational, NumberError> {
         match self {
-            Number::Decimal(text, _) => match Decimal::parse(text) {
-                Ok(decimal) => Ok(decimal.value),
-                Err(source) => Err(NumberError::Exponent {
-                    text: (*text).into(),
-                    source,
-                }),
-            },
+            Number::Decimal(text, _) => Ok(Decimal::parse(text)?.value),
             Number::Hex(x) => Ok(x.value()),
             Number::NotFinite(x) => Err(NumberError::NotFinite(*x)),
         }

@@ -99,7 +99,27 @@ impl Grid {
     pub fn angle(&self, k: i64) -> Rational {
         &self.step * Rational::from(k) + &self.from
     }
+
+    /// The first angle that is this one but for whole turns.
+    pub(super) fn first_at(&self, degrees: &Rational) -> Option<Rational> {
+        let whole = |q: Rational| q.numer().to_u64().unwrap_or(u64::MAX);
+        let round = Rational::from(360);
+        // The places of these angles between two of the grid recur after so many turns.
+        let recur = Rational::from(&round / &self.step).denom().to_u64();
+        let last = Rational::from(self.count.saturating_sub(1)) * &self.step;
+        let turns = whole(Rational::from(&last / &round).floor()) + 1;
+        let turns = turns.min(recur.unwrap_or(u64::MAX)).min(MOST_TURNS);
+        let off = Rational::from(degrees - &self.from);
+        let off = &off - Rational::from(&off / &round).floor() * &round;
+        let all = (0..turns).map(|k| Rational::from(&round * Rational::from(k)) + &off);
+        let found = all.take_while(|x| *x <= last);
+        let mut found = found.filter(|x| *Rational::from(x / &self.step).denom() == 1);
+        found.next().map(|x| x + &self.from)
+    }
 }
+
+/// Turns of a grid that are looked through for one angle: a grid has at most ten million angles, few of them in each.
+const MOST_TURNS: u64 = 100_000;
 
 /// The crank angles that can be reached: as asked for, and on the branch's own count of turns.
 pub fn plan(grid: &Grid, branch: &Branch) -> Plan {

@@ -19,14 +19,13 @@ pub enum Linkage {
 /// The type alone; everything else is read by the type's own section.
 #[derive(Deserialize)]
 struct Head {
-    #[serde(rename = "type", default)]
-    linkage: Type,
+    #[serde(rename = "type")]
+    linkage: Option<Type>,
 }
 
-#[derive(Clone, Copy, Default, Deserialize)]
+#[derive(Clone, Copy, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 enum Type {
-    #[default]
     ClassIii,
     FourBar,
     SliderCrank,
@@ -62,7 +61,11 @@ impl Linkage {
     /// [`Refusal`].
     pub fn read(source: &Source) -> Result<Linkage, Refusal> {
         let head: Head = source.parse()?;
-        Ok(match head.linkage {
+        let Some(linkage) = head.linkage else {
+            let rule = "type is missing: it is \"class-iii\", \"four-bar\", \"slider-crank\" or \"planar\"";
+            return Err(source.breach("type", rule));
+        };
+        Ok(match linkage {
             Type::ClassIii => Linkage::ClassIii(Box::new(class_iii::Linkage::read(source)?)),
             Type::FourBar => Linkage::Dyad(Box::new(dyad::four_bar(source)?)),
             Type::SliderCrank => Linkage::Dyad(Box::new(dyad::slider_crank(source)?)),

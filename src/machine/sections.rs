@@ -9,6 +9,7 @@ use crate::solvers::units::{Acceleration, Angle, AngularVelocity, Inertia, Lengt
 use rug::Rational;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
+use std::collections::BTreeMap;
 
 /// The motion of the crank.
 #[derive(Clone, Debug)]
@@ -18,6 +19,9 @@ pub struct CrankMotion {
     /// Angular acceleration.
     pub epsilon: Quantity<AngularAcceleration>,
 }
+
+/// Named points on links, in the links' frames.
+pub(super) type LinkPoints = BTreeMap<String, BTreeMap<String, [Quantity<Length>; 2]>>;
 
 /// The file: what every type has, and its own sections of geometry, start and bodies.
 #[derive(Deserialize)]
@@ -33,6 +37,9 @@ pub(super) struct File<G, S, B> {
     pub geometry: G,
     pub start: Option<S>,
     pub bodies: Option<B>,
+    /// Of a four-bar linkage or slider-crank.
+    #[serde(default)]
+    pub points: LinkPoints,
     /// These belong to a run-up.
     #[serde(rename = "motor")]
     _motor: Option<IgnoredAny>,

@@ -1,11 +1,14 @@
 //! Approximations with their refinements: splines of known functions, and run-ups.
 
+#[cfg(feature = "run-up")]
 use super::RunUpInput;
+#[cfg(feature = "run-up")]
 use super::drive::run_up;
 use crate::audit::{Approximation, SolverAnswer, Uncertified};
 use crate::reference::Ball;
 use crate::reference::cubic_spline::Spline as ExactSpline;
 use crate::solvers::cubic_spline::{Boundary, CubicSpline};
+#[cfg(feature = "run-up")]
 use crate::solvers::run_up::Method as Integration;
 use rug::Rational;
 use std::error::Error;
@@ -37,6 +40,7 @@ pub fn approximations() -> Vec<Box<dyn Approximation>> {
             Ends::NotAKnot,
         ),
     ];
+    #[cfg(feature = "run-up")]
     for method in Integration::ALL {
         for machine in [Machine::BareRotor, Machine::SandScreen] {
             all.push(Box::new(RunUp::new(method, machine)));
@@ -77,16 +81,25 @@ struct SplineOfWitch {
     ends: Ends,
 }
 
-/// Abscissae: a third into each interval of the coarsest spline, and so at a third or two thirds of
-/// one at every level, where errors of the same order are of the same size.
+/// Places in each interval of the finest spline, a third into each eighth of it: between the knots
+/// of every level, where the third derivative jumps, and so close that the largest error of a
+/// smooth function is found to two percent.
+const PLACES: u32 = 8;
+
+/// Abscissae: both ends of the range, where the error of a natural spline is largest, and the
+/// places between them.
 fn queries() -> impl Iterator<Item = f64> {
-    let step = 2.0 / f64::from(COARSEST);
-    (0..COARSEST).map(move |i| -1.0 + (f64::from(i) + 1.0 / 3.0) * step)
+    let count = (COARSEST << (LEVELS - 1)) * PLACES;
+    let step = 2.0 / f64::from(count);
+    let inner = (0..count).map(move |i| -1.0 + (f64::from(i) + 1.0 / 3.0) * step);
+    std::iter::once(-1.0).chain(inner).chain([1.0])
 }
 
 const BITS: u32 = 160;
-/// Intervals of the coarsest spline.
+/// Intervals of the coarsest spline, and how many splines there are, each of twice as many
+/// intervals.
 const COARSEST: u32 = 8;
+const LEVELS: usize = 6;
 
 /// `f` and its first three derivatives, `f = 1/(1 + x²)`.
 fn witch(x: &Rational) -> [Rational; 4] {
@@ -122,15 +135,25 @@ impl Approximation for SplineOfWitch {
     }
 
     fn outputs(&self) -> Vec<(&'static str, Option<f64>)> {
-        // At fixed places: what a natural spline is off by at the ends dies away over segments.
-        ["S", "S'", "S''", "S'''"]
-            .into_iter()
-            .zip([4.0, 3.0, 2.0, 1.0].map(Some))
-            .collect()
+        // A natural spline is off by f'' at the ends.
+        let order = match self.ends {
+            Ends::Slopes | Ends::NotAKnot => 4.0,
+            Ends::Natural => 2.0,
+        };
+        let orders = [0.0, 1.0, 2.0, 3.0].map(|derivative| Some(order - derivative));
+        ["S", "S'", "S''", "S'''"].into_iter().zip(orders).collect()
+    }
+
+    fn places(&self) -> String {
+        let finest = COARSEST << (LEVELS - 1);
+        let all = finest * PLACES + 2;
+        format!(
+            "the largest error at {all} places: both ends of [-1, 1] and {PLACES} in each of {finest} equal intervals"
+        )
     }
 
     fn levels(&self) -> Vec<String> {
-        (0..6).map(|k| (COARSEST << k).to_string()).collect()
+        (0..LEVELS).map(|k| (COARSEST << k).to_string()).collect()
     }
 
     fn run(&self, level: usize) -> (u64, SolverAnswer) {
@@ -186,12 +209,14 @@ fn balls(jets: &[[Rational; 4]]) -> Vec<Ball> {
         .collect()
 }
 
+#[cfg(feature = "run-up")]
 #[derive(Clone, Copy)]
 enum Machine {
     BareRotor,
     SandScreen,
 }
 
+#[cfg(feature = "run-up")]
 /// A run-up at falling tolerances against its enclosure. The twin takes the steps that were accepted,
 /// with the same coefficients, in balls; an implicit method has none.
 struct RunUp {
@@ -200,6 +225,7 @@ struct RunUp {
     truth: OnceLock<Result<Vec<Ball>, Uncertified>>,
 }
 
+#[cfg(feature = "run-up")]
 impl RunUp {
     fn new(method: Integration, machine: Machine) -> RunUp {
         let truth = OnceLock::new();
@@ -222,6 +248,7 @@ impl RunUp {
     }
 }
 
+#[cfg(feature = "run-up")]
 impl Approximation for RunUp {
     fn name(&self) -> &'static str {
         use Integration::{Dop853, Radau5, Verner98};
@@ -248,6 +275,11 @@ impl Approximation for RunUp {
 
     fn outputs(&self) -> Vec<(&'static str, Option<f64>)> {
         vec![("phi", None), ("psi", None)]
+    }
+
+    fn places(&self) -> String {
+        let milliseconds = 1e3 * self.input().duration;
+        format!("the error at the end of the run, at {milliseconds} ms, not along it")
     }
 
     fn levels(&self) -> Vec<String> {

@@ -55,6 +55,10 @@ pub trait Definition: Registered + Sized {
         input: Self::Input<'_, Rational>,
         bits: u32,
     ) -> Result<ReferenceAnswer, Uncertified>;
+    /// The word by which code of the method's kind may refuse an input that has values.
+    fn may_refuse(_input: Self::Input<'_, Rational>) -> Option<&'static str> {
+        None
+    }
     fn reference_not_finite(_input: Self::Input<'_, f64>) -> ReferenceAnswer {
         ReferenceAnswer::Refuses("not finite")
     }
@@ -83,6 +87,10 @@ pub trait Definition: Registered + Sized {
 
     /// Why `eval` refuses an input, in words, where there is more to say than the solver's name for it.
     fn refusal(_input: Self::Input<'_, f64>) -> Option<String> {
+        None
+    }
+    /// The place and the rule behind a refusal of the solver, in words: which knot, which entry.
+    fn explanation(_input: Self::Input<'_, f64>) -> Option<String> {
         None
     }
     /// Values whose relative radius shrinks with `2^-bits`, for `eval`: those of the reference, unless
@@ -117,6 +125,8 @@ pub trait Evaluable: Method {
     fn certify(&self, numbers: &[Rational], bits: u32) -> Result<Vec<Scaled>, Uncertified>;
     /// Why the input is refused, in words, where there is more to say than the solver's name for it.
     fn refusal(&self, numbers: &[f64]) -> Option<String>;
+    /// The place and the rule behind a refusal, in words, where its name leaves them open.
+    fn explanation(&self, numbers: &[f64]) -> Option<String>;
     /// Names of earlier releases.
     fn former_names(&self) -> &'static [&'static str];
 }
@@ -170,6 +180,9 @@ impl<D: Definition> Method for Entry<D> {
             .and_then(|input| D::reference(input, bits))
             .unwrap_or_else(ReferenceAnswer::from)
     }
+    fn may_refuse(&self, numbers: &[Rational]) -> Option<&'static str> {
+        D::may_refuse(D::unpack(numbers)?)
+    }
     fn reference_not_finite(&self, numbers: &[f64]) -> ReferenceAnswer {
         let refused = ReferenceAnswer::Refuses(BAD_LAYOUT);
         D::unpack(numbers).map_or(refused, D::reference_not_finite)
@@ -217,18 +230,30 @@ impl<D: Definition> Evaluable for Entry<D> {
     fn refusal(&self, numbers: &[f64]) -> Option<String> {
         D::refusal(D::unpack(numbers)?)
     }
+    fn explanation(&self, numbers: &[f64]) -> Option<String> {
+        D::explanation(D::unpack(numbers)?)
+    }
     fn former_names(&self) -> &'static [&'static str] {
         D::FORMER
     }
 }
 
-/// [`Definition::conditions`] by [`Definition::conditions_at`] at values of so many bits.
+/// [`Definition::conditions`] by [`Definition::conditions_at`] at values of so many bits, or of up
+/// to eight times as many where the reference is undecided with fewer.
 pub(super) fn conditions_at_reference<D: Definition>(
     numbers: &[f64],
     bits: u32,
 ) -> Option<Vec<f64>> {
-    let answer = D::reference(D::unpack(&exact(numbers)?)?, bits).ok()?;
-    D::conditions_at(numbers, &answer.certified().ok()?)
+    let exact = exact(numbers)?;
+    for bits in [1, 2, 4, 8].map(|times| times * bits) {
+        let answer = D::reference(D::unpack(&exact)?, bits);
+        match answer.and_then(ReferenceAnswer::certified) {
+            Ok(values) => return D::conditions_at(numbers, &values),
+            Err(Uncertified::Undecided(_)) => {}
+            Err(_) => return None,
+        }
+    }
+    None
 }
 
 /// The numbers as exact fractions, if all are finite.
@@ -318,6 +343,47 @@ mod tests {
         let limit = find("faddeeva").unwrap();
         let found = limit.reference_not_finite(&[f64::INFINITY, 0.0]);
         assert!(matches!(found, ReferenceAnswer::Dues(..)));
+    }
+
+    /// Numbers of vectors are boxed in inputs that are long enough; the others are drawn again.
+    #[test]
+    fn elements_of_vectors_may_be_boxed() {
+        use crate::audit::{Cases, SampleBox, Sampling, Settings, Variant};
+        let settings = Settings {
+            cases_per_region: 20,
+            ..Settings::default()
+        };
+        for (name, text, bounds) in [
+            ("cam-law", "parameters[0]=0.25..0.5,x=0..1", 0.25..=0.5),
+            ("tridiagonal", "diagonal[3]=7..8", 7.0..=8.0),
+        ] {
+            let method = find(name).unwrap();
+            let (part, k) = match name {
+                "cam-law" => (4, 0),
+                _ => (1, 3),
+            };
+            let sides = SampleBox::read(&*method, text).unwrap();
+            let variant = Variant::new(&*method).sampling(Sampling::Box(sides));
+            let cases = Cases::new(&variant, &settings);
+            let layout = Layout::new(&*method);
+            assert!(cases.len() > 20);
+            for case in (0..cases.len()).map(|i| cases.get(i)) {
+                let at = layout.place(part, k, &case.input).expect(name);
+                assert!(bounds.contains(&case.input[at]), "{name}: {:?}", case.input);
+            }
+        }
+        let method = find("tridiagonal").unwrap();
+        for (text, due) in [
+            (
+                "diagonal[99]=1",
+                "no region of tridiagonal draws diagonal[99]: its vector is shorter",
+            ),
+            ("diagonal=1", "tridiagonal has no input \"diagonal\""),
+            ("x[0]=1", "tridiagonal has no input \"x[0]\""),
+        ] {
+            let why = SampleBox::read(&*method, text).unwrap_err().to_string();
+            assert!(why.starts_with(due), "{why}");
+        }
     }
 
     #[test]

@@ -49,10 +49,13 @@ macro_rules! by_reference {
 by_reference!(Rational, Float);
 
 /// One line of a declaration.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct Field {
     /// As the layout shows it.
     pub input: Input,
+    /// The name of the field in Rust, behind those of the groups that hold it:
+    /// `linkage.geometry.l1`.
+    pub path: String,
     /// Whether it is data; if not, it counts or chooses.
     pub is_data: bool,
 }
@@ -151,7 +154,7 @@ macro_rules! inputs {
         impl<'a, T: $crate::methods::Number> $crate::methods::inputs::Fields<'a, T> for $name<'a, T> {
             fn fields() -> Vec<$crate::methods::inputs::Field> {
                 let mut all = Vec::new();
-                $($crate::methods::inputs::inputs!(@declare all $shape 'a T $($text, $unit)?);)*
+                $($crate::methods::inputs::inputs!(@declare all $field $shape 'a T $($text, $unit)?);)*
                 all
             }
             fn take(row: &mut $crate::methods::inputs::Row<'a, T>) -> Option<Self> {
@@ -180,21 +183,27 @@ macro_rules! inputs {
     (@type choices $a:lifetime $t:ident) => { &$a [$t] };
     (@type ($group:ident) $a:lifetime $t:ident) => { $group<$a, $t> };
     (@type $one:ident $a:lifetime $t:ident) => { <$t as $crate::methods::Number>::Of<$a> };
-    (@declare $all:ident ($group:ident) $a:lifetime $t:ident) => {
-        $all.extend(<$group<$a, $t> as $crate::methods::inputs::Fields<$a, $t>>::fields())
+    (@declare $all:ident $field:ident ($group:ident) $a:lifetime $t:ident) => {
+        let fields = <$group<$a, $t> as $crate::methods::inputs::Fields<$a, $t>>::fields();
+        $all.extend(fields.into_iter().map(|f| $crate::methods::inputs::Field {
+            path: format!("{}.{}", stringify!($field), f.path),
+            ..f
+        }))
     };
-    (@declare $all:ident choice $a:lifetime $t:ident $text:literal, $unit:literal) => {
+    (@declare $all:ident $field:ident choice $a:lifetime $t:ident $text:literal, $unit:literal) => {
         $all.extend([$crate::methods::inputs::Field {
             input: $crate::audit::Input { name: $text, unit: $unit },
+            path: stringify!($field).into(),
             is_data: false,
         }])
     };
-    (@declare $all:ident choices $a:lifetime $t:ident $text:literal, $unit:literal) => {
-        $crate::methods::inputs::inputs!(@declare $all choice $a $t $text, $unit)
+    (@declare $all:ident $field:ident choices $a:lifetime $t:ident $text:literal, $unit:literal) => {
+        $crate::methods::inputs::inputs!(@declare $all $field choice $a $t $text, $unit)
     };
-    (@declare $all:ident $data:ident $a:lifetime $t:ident $text:literal, $unit:literal) => {
+    (@declare $all:ident $field:ident $data:ident $a:lifetime $t:ident $text:literal, $unit:literal) => {
         $all.extend([$crate::methods::inputs::Field {
             input: $crate::audit::Input { name: $text, unit: $unit },
+            path: stringify!($field).into(),
             is_data: true,
         }])
     };
@@ -255,6 +264,9 @@ mod tests {
             ("weights[n]", "kg", true),
         ];
         assert_eq!(shown, due);
+        let paths: Vec<&str> = fields.iter().map(|f| f.path.as_str()).collect();
+        let due = ["height", "kind", "base.length", "base.ends", "weights"];
+        assert_eq!(paths, due);
     }
 
     #[test]

@@ -1,14 +1,22 @@
 //! The registry: a file for each audited method, and its line in the list below.
 
+#[cfg(feature = "splines")]
 mod approximations;
+#[cfg(feature = "cams")]
 mod cams;
+mod certified;
 mod common;
 mod definition;
+#[cfg(feature = "run-up")]
 mod drive;
 mod inputs;
+#[cfg(feature = "splines")]
 mod linear;
+#[cfg(feature = "linkages")]
 mod linkages;
+#[cfg(feature = "special")]
 mod special;
+#[cfg(feature = "splines")]
 mod splines;
 mod typed;
 
@@ -17,44 +25,76 @@ use definition::{Entry, Registered};
 use num_complex::Complex;
 use std::sync::OnceLock;
 
+#[cfg(feature = "splines")]
 pub use approximations::{approximations, find_approximation};
+#[cfg(feature = "cams")]
 pub use cams::*;
+pub use certified::{CertifiedValue, certified_digits};
 pub use definition::{Evaluable, Typed};
+#[cfg(feature = "run-up")]
 pub use drive::*;
 pub use inputs::Number;
+#[cfg(feature = "splines")]
 pub use linear::*;
+#[cfg(feature = "linkages")]
 pub use linkages::*;
+#[cfg(feature = "special")]
 pub use special::*;
+#[cfg(feature = "splines")]
 pub use splines::*;
 pub use typed::{Candidate, IntoAnswer};
 
 /// A line for each method: its type, which [`definition::Definition`] makes a method; its name, which
 /// is also that of its files of hard cases and of certified values; the signature of a candidate, and
-/// how one is called with an input.
+/// how one is called with an input. The lines stand under the feature of their subject.
 macro_rules! registry {
-    ($(
+    ($($subject:literal { $(
         $method:ident $name:literal $(formerly $former:literal)?:
         Fn($($argument:ty),*), |$f:ident, $input:pat_param| $call:expr;
-    )*) => {
+    )* })*) => {
         /// Every method, in the order of reports.
         pub fn evaluable() -> Vec<Box<dyn Evaluable>> {
-            vec![$(Box::new(Entry::<$method>::NEW)),*]
+            let mut all: Vec<Box<dyn Evaluable>> = Vec::new();
+            $(
+                #[cfg(feature = $subject)]
+                all.extend([$(Box::new(Entry::<$method>::NEW) as Box<dyn Evaluable>),*]);
+            )*
+            all
         }
 
         /// The signature in Rust of a candidate for the method of that name, but for its result.
         pub fn signature(name: &str) -> Option<&'static str> {
             match name {
-                $($name => Some($method::SIGNATURE),)*
+                $($(
+                    #[cfg(feature = $subject)]
+                    $name => Some($method::SIGNATURE),
+                )*)*
                 _ => None,
             }
         }
 
-        $(
+        /// For each part of the input of the method of that name, the field that holds it in the
+        /// type which a candidate in Rust takes; nothing where a candidate takes no such type.
+        pub fn fields(name: &str) -> Option<Vec<String>> {
+            let fields = match name {
+                $($(
+                    #[cfg(feature = $subject)]
+                    $name => <$method as definition::Definition>::fields(),
+                )*)*
+                _ => return None,
+            };
+            let takes_fields = signature(name)?.contains("Input<");
+            takes_fields.then(|| fields.into_iter().map(|f| f.path).collect())
+        }
+
+        $($(
+            #[cfg(feature = $subject)]
             impl Typed for $method {
                 const NAME: &'static str = $name;
                 const SIGNATURE: &'static str = stringify!(Fn($($argument),*));
             }
 
+            #[cfg(feature = $subject)]
             impl Registered for $method {
                 const HARD: &'static str = include_str!(concat!(
                     env!("CARGO_MANIFEST_DIR"), "/reference/hard/", $name, ".csv"
@@ -67,10 +107,12 @@ macro_rules! registry {
             }
 
             // There has to be one; `mechaudit regenerate` fills it.
+            #[cfg(feature = $subject)]
             const _: &str = include_str!(concat!(
                 env!("CARGO_MANIFEST_DIR"), "/reference/values/", $name, ".csv"
             ));
 
+            #[cfg(feature = $subject)]
             impl<F, R> Candidate<$method> for F
             where
                 F: Fn($($argument),*) -> R + Sync,
@@ -82,12 +124,15 @@ macro_rules! registry {
                     input.map(|$input| $call).into_answer()
                 }
             }
-        )*
+        )*)*
     };
 }
 
 registry! {
+"splines" {
     Tridiagonal "tridiagonal":
+        Fn(&[f64], &[f64], &[f64], &[f64]), |f, i| f(i.lower, i.diagonal, i.upper, i.d);
+    TridiagonalPivoting "tridiagonal-pivoting":
         Fn(&[f64], &[f64], &[f64], &[f64]), |f, i| f(i.lower, i.diagonal, i.upper, i.d);
     CyclicTridiagonal "cyclic-tridiagonal":
         Fn(&[f64], &[f64], &[f64], &[f64]), |f, i| f(i.lower, i.diagonal, i.upper, i.d);
@@ -109,6 +154,8 @@ registry! {
         Fn(SplineProblem<'_>), |f, i| f(i.into());
     ModifiedAkima "modified-akima":
         Fn(SplineProblem<'_>), |f, i| f(i.into());
+}
+"linkages" {
     FourBar "four-bar":
         Fn([f64; 4], f64, bool), |f, i| f([i.a, i.b, i.c, i.d], i.phi1, i.assembly > 0.0);
     SliderCrank "slider-crank":
@@ -123,6 +170,8 @@ registry! {
         Fn(PlanarForcesInput<'_>), |f, i| f(i);
     PlanarReactions "planar-reactions":
         Fn(PlanarForcesInput<'_>), |f, i| f(i);
+}
+"special" {
     Faddeeva "faddeeva" formerly "faddeeva.w":
         Fn(Complex<f64>), |f, z| f(z.into());
     FaddeevaDerivative "faddeeva-derivative" formerly "faddeeva.w_derivative":
@@ -141,14 +190,19 @@ registry! {
         Fn(f64, f64, f64), |f, i| f(i.x, i.sigma, i.gamma);
     VoigtHwhm "voigt-hwhm":
         Fn(f64, f64), |f, i| f(i.sigma, i.gamma);
+}
+"cams" {
     CamLaw "cam-law":
         Fn(CamLawInput<'_>), |f, i| f(i);
     CamFourierSeries "cam-fourier-series":
         Fn(CamFourierSeriesInput<'_>), |f, i| f(i);
     ChirpResponse "chirp-response" formerly "chirp.response":
         Fn(ChirpResponseInput<'_>), |f, i| f(i);
+}
+"run-up" {
     RunUp "run-up":
         Fn(RunUpInput<'_>), |f, i| f(i);
+}
 }
 
 /// Every audited method.

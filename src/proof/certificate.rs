@@ -40,11 +40,27 @@ pub struct Watch {
     pub of: AtomicU64,
     /// Set from outside: no part is begun any more.
     pub stop: AtomicBool,
+    /// Parts looked at since the first partition, those that were halved among them.
+    pub looked_at: AtomicU64,
 }
 
+/// Parts that a proof looks at before it gives up; the largest theorem rests on 1.4 million.
+pub const MOST_PARTS: u64 = 30_000_000;
+
 impl Watch {
+    /// Whether the proof has given up, after [`MOST_PARTS`].
+    pub fn is_spent(&self) -> bool {
+        self.looked_at.load(Ordering::Relaxed) > MOST_PARTS
+    }
+
     pub(crate) fn is_stopped(&self) -> bool {
-        self.stop.load(Ordering::Relaxed)
+        self.stop.load(Ordering::Relaxed) || self.is_spent()
+    }
+
+    /// Counts a part that is looked at; returns whether the proof is to end.
+    pub(crate) fn ends(&self) -> bool {
+        self.looked_at.fetch_add(1, Ordering::Relaxed);
+        self.is_stopped()
     }
 }
 
@@ -57,6 +73,7 @@ impl<L: Send, P: Send> Certificate<L, P> {
     ) -> Option<Certificate<L, P>> {
         watch.done.store(0, Ordering::Relaxed);
         watch.of.store(roots.len() as u64, Ordering::Relaxed);
+        watch.looked_at.store(0, Ordering::Relaxed);
         let each: Option<Vec<Certificate<L, P>>> = roots
             .par_iter()
             .with_max_len(1)
@@ -104,7 +121,12 @@ mod tests {
             let counts = [&watch.done, &watch.of].map(|n| n.load(Ordering::Relaxed));
             assert_eq!(counts, [10, 10]);
         }
+        watch.looked_at.store(MOST_PARTS - 1, Ordering::Relaxed);
+        assert!(!watch.ends() && !watch.is_spent());
+        assert!(watch.ends() && watch.is_spent());
+        watch.looked_at.store(0, Ordering::Relaxed);
         watch.stop.store(true, Ordering::Relaxed);
+        assert!(watch.ends() && !watch.is_spent());
         assert!(Certificate::of_all(&roots, &watch, prove).is_none());
     }
 }

@@ -35,7 +35,7 @@ mod tables;
 mod tracked;
 mod truncation;
 
-pub use certificate::{Open, Watch};
+pub use certificate::{MOST_PARTS, Open, Watch};
 pub use code::Code;
 pub use cover::{Rectangle, hole};
 pub use error::ProofError;

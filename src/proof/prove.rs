@@ -91,7 +91,7 @@ fn refine(
     depth: u32,
     found: &mut Certificate,
 ) -> Option<()> {
-    if watch.is_stopped() {
+    if watch.ends() {
         return None;
     }
     let last = depth >= target.depth || at.is_point();

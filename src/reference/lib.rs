@@ -13,14 +13,24 @@
 //! | drive | [`run_up`], [`pendulum`] |
 //! | cams | [`cam_law`], [`fourier_series`], [`chirp_oscillator`] |
 //!
+//! Features: `linkages`, `cams` and `run-up` (folder `drive`), all on by default.
+//!
 //! Balls are over MPFR, through the crate `rug`: whoever links this links GMP and MPFR (LGPL).
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
+// A single subject leaves arithmetic of the others unused.
+#![cfg_attr(
+    not(all(feature = "cams", feature = "run-up")),
+    allow(dead_code, unused_imports, unused_macros)
+)]
 
 mod arithmetic;
+#[cfg(feature = "cams")]
 mod cams;
+#[cfg(feature = "run-up")]
 mod drive;
 mod linear;
+#[cfg(feature = "linkages")]
 mod linkages;
 #[cfg(test)]
 mod pinned;
@@ -30,9 +40,12 @@ mod splines;
 use arithmetic::{ball, complex, decimal, gauss_legendre, hex_float, mag, taylor_model};
 use linear::lu;
 
+#[cfg(feature = "cams")]
 pub use cams::{cam_law, chirp_oscillator, fourier_series};
+#[cfg(feature = "run-up")]
 pub use drive::{pendulum, run_up};
 pub use linear::tridiagonal;
+#[cfg(feature = "linkages")]
 pub use linkages::{class_iii, dyad, planar};
 pub use special::{faddeeva, hartmann_tran};
 pub use splines::cubic_spline;

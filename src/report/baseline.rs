@@ -245,7 +245,11 @@ impl Changes {
             };
             let mut of_output = |what, a, b| figure(Some(o.name), what, a, b, SAME);
             of_output("worst ulps", b.ulps.max, o.ulps.max);
-            of_output("of budget", b.max_of_budget, o.max_of_budget);
+            // Without a measured error on either side there is no share.
+            let measured = b.max_of_budget.is_some() || b.ulps.count > 0;
+            if measured && !o.max_of_budget.is_nan() {
+                of_output("of budget", b.max_of_budget, o.max_of_budget);
+            }
             // Of other values, with more or fewer of the wrong kind, they mean nothing.
             if b.ulps.count == o.ulps.count {
                 of_output("p99 ulps", b.ulps.p99, o.ulps.p99);

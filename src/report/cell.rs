@@ -17,6 +17,8 @@ pub enum Cell {
     Word(String),
     /// No digits could be certified.
     Undecided,
+    /// There is no value: an empty field.
+    Empty,
 }
 
 impl Cell {
@@ -33,6 +35,7 @@ impl Cell {
             Cell::Decimal(d) | Cell::Word(d) => d.clone(),
             Cell::Name(n) => (*n).into(),
             Cell::Undecided => "undecided".into(),
+            Cell::Empty => String::new(),
         }
     }
 
@@ -43,7 +46,7 @@ impl Cell {
             Cell::Float(x) => (*x).into(),
             Cell::Decimal(d) | Cell::Word(d) => d.as_str().into(),
             Cell::Name(n) => (*n).into(),
-            Cell::Undecided => Value::Null,
+            Cell::Undecided | Cell::Empty => Value::Null,
         }
     }
 }
@@ -110,9 +113,11 @@ mod tests {
             (Cell::Float(0.5), "0.5", Value::from(0.5)),
             (Cell::certified(Some("0.50".into())), "0.50", "0.50".into()),
             (Cell::certified(None), "undecided", Value::Null),
+            (Cell::Empty, "", Value::Null),
             (Cell::Name("a"), "a", "a".into()),
             (Cell::Word("b".into()), "b", "b".into()),
             (Cell::Float(f64::NAN), "NaN", Value::Null),
+            (Cell::Empty, "", Value::Null),
         ] {
             assert_eq!((cell.text().as_str(), cell.json()), (text, json));
         }

@@ -153,6 +153,11 @@ pub fn any_length(names: &[String]) -> bool {
     names.iter().any(length)
 }
 
+/// Whether a column is an angle.
+pub fn is_angle(name: &str) -> bool {
+    matches!(split(name).1[..], [("rad" | "deg", 1)])
+}
+
 fn dimension(symbol: &str) -> Option<[i32; 4]> {
     match symbol {
         // No unit of energy is known by name.

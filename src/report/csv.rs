@@ -135,7 +135,7 @@ fn line(
     let kinds = output.map_or(&region.kinds, |o| &o.kinds);
     fields.push(number(output.map(|o| o.max_condition)));
     fields.push(kinds.total().to_string());
-    let outputs = region.outputs.iter();
+    let outputs = region.outputs.iter().filter(|o| !o.max_of_budget.is_nan());
     let largest = outputs.max_by(|a, b| a.max_of_budget.total_cmp(&b.max_of_budget));
     let largest = largest.filter(|_| output.is_none());
     fields.push(largest.map_or(String::new(), |o| o.name.into()));

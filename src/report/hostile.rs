@@ -137,6 +137,7 @@ fn an_audit() {
         name: HOSTILE,
         summary: HOSTILE,
         work_unit: HOSTILE,
+        places: HOSTILE.into(),
         outputs: vec![HOSTILE],
         orders: vec![None],
         fitted: vec![None],

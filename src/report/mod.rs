@@ -3,16 +3,27 @@
 //! Whatever is shown comes in as a value; nothing here solves, judges or proves. What two forms say in
 //! the same words stands in [`words`]. HTML and SVG are written by `maud`, which escapes every text.
 
+#[cfg(feature = "report")]
 pub mod atlas;
+mod axis;
 pub mod baseline;
+#[cfg(feature = "report")]
 pub mod cell;
+#[cfg(feature = "report")]
 pub mod columns;
+#[cfg(feature = "report")]
 pub mod csv;
+#[cfg(feature = "report")]
 pub mod dxf;
+pub mod glossary;
 pub mod html;
+#[cfg(feature = "report")]
 pub mod json;
+#[cfg(feature = "report")]
 pub mod junit;
+#[cfg(feature = "report")]
 pub mod latex;
+#[cfg(feature = "report")]
 pub mod rows;
 pub mod svg;
 pub mod text;

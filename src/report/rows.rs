@@ -12,7 +12,12 @@ pub enum Form {
     Csv,
     /// The rows beside all that is known of the whole.
     Json,
+    /// A table for a page, with some of the rows.
+    Table,
 }
+
+/// Rows of a table at most.
+const MOST: usize = 64;
 
 /// A row of cells under the columns' names.
 pub struct Rows<'a> {
@@ -20,6 +25,10 @@ pub struct Rows<'a> {
     format: Form,
     columns: Columns,
     any: bool,
+    /// Of a table the rows kept: every `every`th of those that came.
+    kept: Vec<Vec<Cell>>,
+    every: usize,
+    came: usize,
 }
 
 impl<'a> Rows<'a> {
@@ -32,6 +41,7 @@ impl<'a> Rows<'a> {
     ) -> io::Result<Rows<'a>> {
         let (columns, format) = (columns.into(), format.into());
         match format {
+            Form::Table => {}
             Form::Csv => writeln!(out, "{}", columns.names.join(","))?,
             Form::Json => {
                 writeln!(out, "{{")?;
@@ -48,6 +58,9 @@ impl<'a> Rows<'a> {
             format,
             columns,
             any: false,
+            kept: Vec::new(),
+            every: 1,
+            came: 0,
         })
     }
 
@@ -56,6 +69,7 @@ impl<'a> Rows<'a> {
         let cells = cells.iter().enumerate();
         let cells: Vec<Cell> = cells.map(|(k, c)| self.columns.cell(k, c)).collect();
         match self.format {
+            Form::Table => self.keep(cells),
             Form::Csv => {
                 let texts: Vec<String> = cells.iter().map(Cell::text).collect();
                 writeln!(self.out, "{}", texts.join(","))?;
@@ -74,8 +88,28 @@ impl<'a> Rows<'a> {
         Ok(())
     }
 
+    /// Keeps the row if it is one of those shown; memory does not grow with the number of rows.
+    fn keep(&mut self, cells: Vec<Cell>) {
+        if self.came.is_multiple_of(self.every) {
+            self.kept.push(cells);
+        }
+        self.came += 1;
+        if self.kept.len() > MOST {
+            self.every *= 2;
+            let mut number = 0;
+            self.kept.retain(|_| {
+                number += 1;
+                number % 2 == 1
+            });
+        }
+    }
+
     /// Writes the end.
     pub fn end(self) -> io::Result<()> {
+        if self.format == Form::Table {
+            let table = super::html::run::table(&self.columns.names, &self.kept, self.every);
+            self.out.write_all(table.into_string().as_bytes())?;
+        }
         if self.format == Form::Json {
             writeln!(self.out, "\n  ]\n}}")?;
         }
@@ -135,6 +169,26 @@ mod tests {
             }
             rows.end().unwrap();
             assert_eq!(String::from_utf8(out).unwrap(), due);
+        }
+    }
+
+    #[test]
+    fn a_table_keeps_at_most_64_rows_evenly_spaced() {
+        for (n, every) in [(1, 1), (64, 1), (65, 2), (128, 2), (129, 4), (1000, 16)] {
+            let mut out = Vec::new();
+            let mut rows = Rows::begin(&mut out, Form::Table, vec!["t_s".to_string()], &Map::new());
+            for k in 0..n {
+                rows.as_mut().unwrap().row(&[Cell::Count(k)]).unwrap();
+            }
+            rows.unwrap().end().unwrap();
+            let html = String::from_utf8(out).unwrap();
+            let body = html.split("<tbody>").nth(1).unwrap();
+            let shown: Vec<usize> = body
+                .split("<th>")
+                .skip(1)
+                .map(|t| t.split('<').next().unwrap().parse().unwrap())
+                .collect();
+            assert_eq!(shown, (0..n).step_by(every).collect::<Vec<_>>(), "{n}");
         }
     }
 

@@ -345,7 +345,17 @@ impl Algebra {
                 Kernel::Exp(p) => self.partner(*x, p)?,
                 Kernel::Inverse(e) if self.is_real(e) => *x,
                 Kernel::Arctan(_) => *x,
-                Kernel::Inverse(_) => return unsupported("the conjugate of a quotient"),
+                Kernel::Inverse(e) => {
+                    let conj = self.reduce(&self.conj(e)?);
+                    let found = self.kernels.iter().find(|(_, kernel)| match kernel {
+                        Kernel::Inverse(other) => *other == conj,
+                        _ => false,
+                    });
+                    let Some((partner, _)) = found else {
+                        return unsupported("the conjugate of a quotient");
+                    };
+                    *partner
+                }
             };
             partners.insert(*x, partner);
         }

@@ -204,6 +204,25 @@ impl Domain for Exact {
         self.algebra.definite(&f?, x, limits.each_ref())
     }
 
+    fn infinite_sum(
+        &mut self,
+        scope: &mut Scope<ExpSum>,
+        bound: &Bound,
+    ) -> Result<ExpSum, SymbolicError> {
+        let Some(from) = super::walk::integer(scope, &bound.from) else {
+            return unsupported("the limits of a sum");
+        };
+        if scope.bound.iter().any(|(_, v)| v.contains(Symbol::INDEX)) {
+            return unsupported("a sum to infinity in a series");
+        }
+        // The index counts the terms from one, so that a divisor is seen to vanish in none of them.
+        let term = Fraction::from(&Poly::symbol(Symbol::INDEX) + &Poly::integer(from - 1));
+        let f = scope.binding(&bound.var, term.into(), |scope| {
+            walk(self, scope, &bound.body)
+        });
+        self.algebra.infinite_sum(&f?)
+    }
+
     fn derivative(
         &mut self,
         scope: &mut Scope<ExpSum>,

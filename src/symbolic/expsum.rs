@@ -1,5 +1,6 @@
 //! Sums of exponentials with rational functions as coefficients.
 
+use super::work::spend;
 use super::{Fraction, Gauss, Poly, Symbol};
 use std::collections::BTreeMap;
 use std::fmt;
@@ -118,6 +119,8 @@ impl ExpSum {
 impl Add for &ExpSum {
     type Output = ExpSum;
     fn add(self, b: &ExpSum) -> ExpSum {
+        // Copying counts as well: a long sum is made of as many additions as it has terms.
+        spend(1 + (self.terms.len() + b.terms.len()) as u64 / 2);
         let mut out = self.clone();
         for (p, c) in &b.terms {
             out.accumulate(c.clone(), p.clone());

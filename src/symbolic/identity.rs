@@ -5,7 +5,7 @@ use super::exact::Exact;
 use super::expr::{EACH, Equation, Expr};
 use super::walk::Definitions;
 use super::work::{LIMIT, limited};
-use super::{Algebra, ExpSum, SymbolicError};
+use super::{Algebra, ExpSum, Symbol, SymbolicError};
 use mechaudit_reference::ComplexBall;
 use rug::Rational;
 use serde::Serialize;
@@ -70,7 +70,17 @@ impl Identity {
             form.is_zero() || cleared.is_ok_and(|form| form.is_zero())
         };
         let proved = form.as_ref().is_ok_and(vanishes);
-        let points = if proved { 0 } else { POINTS };
+        // A formal series may have the value of what stands beside it, though not term by term.
+        let undecidable = form.as_ref().map_or_else(
+            |_| {
+                definitions.any(
+                    &difference,
+                    |e| matches!(e, Expr::Sum(b) if b.to == Expr::Sym(EACH.into())),
+                )
+            },
+            mixes_series,
+        );
+        let points = if proved || undecidable { 0 } else { POINTS };
         let through_form = has_derivative(definitions, &difference);
         let witness = (0..points).find_map(|turn| {
             let point = Point {
@@ -114,6 +124,19 @@ fn difference(equation: &Equation) -> Expr {
         equation.left.clone(),
         Expr::Neg(Box::new(equation.right.clone())),
     ])
+}
+
+/// Returns true if a form has terms of a formal series and others.
+fn mixes_series(form: &ExpSum) -> bool {
+    let mut parts = [false; 2];
+    for (_, c) in form.terms() {
+        for (k, part) in c.num().coefficients(Symbol::SERIES).iter().enumerate() {
+            if let Some(seen) = parts.get_mut(k) {
+                *seen |= !part.is_zero();
+            }
+        }
+    }
+    parts == [true, true]
 }
 
 fn excludes_zero(z: &ComplexBall) -> bool {

@@ -166,6 +166,10 @@ impl Algebra {
             return Err(refused(self));
         }
         let s = self.kernel(kernel)?;
+        // The conjugate, so that there is one for it.
+        if let Ok(conj) = self.conj(&unit) {
+            self.kernel(Kernel::Inverse(self.reduce(&conj)))?;
+        }
         Ok(self.product(&first, &ExpSum::symbol(s)))
     }
 
@@ -305,6 +309,8 @@ mod tests {
             "(cos(x)/cos(x) - 1)/(cos(x)/cos(x) - 1) = 1",
             "1/(sqrt(cos(x)^2)^2 - cos(x)^2) = 0",
             "sqrt((x - y)^2*(x + 1))/sqrt(x + 1) = x - y",
+            "(arctan(x) + arctan(1/x) - pi/2)/(arctan(x) + arctan(1/x) - pi/2) = 1",
+            "(exp(arctan(x)) - exp(pi/2 - arctan(1/x)))/(exp(arctan(x)) - exp(pi/2 - arctan(1/x))) = 1",
         ] {
             assert_ne!(outcome(text), Outcome::Proved, "{text}");
         }

@@ -545,3 +545,91 @@ fn work_has_a_limit() {
     let sum = decided("sum(n, 1, 1000000000, n) = 0");
     assert_eq!(sum.error, Some(SymbolicError::Work));
 }
+
+/// Equations that were proved although they are false, or have no value on one side.
+#[test]
+fn false_equations_are_not_proved() {
+    let lines = ["N = sqrt(3 + 2*sqrt(2)) - 1 - sqrt(2)", "z = r*exp(i*p)"];
+    let definitions = Definitions::read(&lines).unwrap();
+    for text in [
+        // Divisions by a hidden zero.
+        "1/(sqrt(3 + 2*sqrt(2)) + 1 + sqrt(2)) = 0",
+        "1/(sqrt(x + 2*sqrt(x) + 1) + sqrt(x) + 1) = 0",
+        "1/(sqrt(5 + 2*sqrt(6)) + sqrt(2) + sqrt(3)) = 0",
+        "exp(1/(sqrt(3 + 2*sqrt(2)) + 1 + sqrt(2))) = 1",
+        "x/N = y/N",
+        "N/N = 1",
+        "1/(sqrt(x + y + 2*sqrt(x*y)) - sqrt(x) - sqrt(y)) = 0",
+        "1/(1/(sqrt(2*x) + sqrt(x + y + 2*sqrt(x*y))) + (1 - x)) = 0",
+        "at((u^2 - 1)/(u - 1), u, 1 + N) = 2",
+        // Arguments beyond their range.
+        "arg(exp(7*i)) = 7",
+        "arg(exp(5*i*pi/4)) = 5*pi/4",
+        "arg(exp(4*i*x)) = 4*x",
+        "arg(z^3) = 3*arg(z)",
+        "arg(exp(i*sqrt(x - y))) = sqrt(x - y)",
+        "arg(r*exp(i*x)) = x",
+        // Conjugates of complex values.
+        "at(re(x), x, i) = i",
+        "at(im(x), x, i) = 0",
+        "at(abs(exp(i*x)), x, i) = 1",
+        "int(s, 0, i, re(s)) = -1/2",
+        "int(s, 0, i, abs(exp(i*s))) = i",
+        "int(s, 0, sqrt(x - y), re(s)) = (x - y)/2",
+        // Conventions.
+        "sum(n, 1, inf, 1/n^2) = 49/36",
+        "sum(n, 5, inf, a[n]) = 0",
+        "sum(n, 1, n_num, 1) = 3",
+        "series(n, a[n])*series(n, b[n]) = series(n, a[n]*b[n])",
+        "series(n, x) + 1 = series(n, x + 1)",
+        "exp(series(n, x)) = series(n, exp(x))",
+        "a[inf] = a_3",
+        "at(a[k], k, 1) = a_k",
+        "inf - inf = 0",
+        "at(x*(1/x), x, 0) = 1",
+        "at(D(x*(1/x), x), x, 0) = 0",
+    ] {
+        let found = Identity::of(&definitions, &parse_equation(text).unwrap());
+        assert_ne!(found.outcome, Outcome::Proved, "{text}");
+    }
+    for text in [
+        "D(x, x)/(sqrt(3 + 2*sqrt(2)) + 1 + sqrt(2)) = (sqrt(2) - 1)/2",
+        "1/(sqrt(3 + 2*sqrt(2)) + 1 + sqrt(2)) = (sqrt(2) - 1)/2",
+        "sqrt(2 + sqrt(3)) = (sqrt(6) + sqrt(2))/2",
+        "D(x, x)*arg(exp(7*i)) = 7 - 2*pi",
+        "sum(n, 1, inf, 1/n^2) = pi^2/6",
+        "int(x, 0, inf, exp(-x)) = 1",
+        "cos(pi/3) = 1/2",
+    ] {
+        let found = Identity::of(&definitions, &parse_equation(text).unwrap());
+        assert_eq!(found.outcome, Outcome::Proved, "{text}: {found:?}");
+    }
+}
+
+/// Constants are neither bound nor defined.
+#[test]
+fn constants_are_no_variables() {
+    for text in [
+        "at(exp(2*i*pi), pi, 1) = 1",
+        "int(i, 0, 1, i) = 1/2",
+        "sum(inf, 1, 2, 1) = 2",
+        "D(pi, pi) = 1",
+        "series(pi, pi) = 1",
+    ] {
+        let found = parse_equation(text);
+        assert!(
+            matches!(found, Err(SymbolicError::Reserved(_))),
+            "{text}: {found:?}"
+        );
+    }
+    let found = Definitions::read(&["pi = 3"]);
+    assert!(matches!(found, Err(SymbolicError::Reserved(_))));
+}
+
+/// A name without a value has none.
+#[test]
+fn enclosures_need_values() {
+    let e = parse("x + 1").unwrap();
+    let found = Enclosures::new(&Point::default()).value(&Definitions::default(), &e);
+    assert_eq!(found.unwrap_err(), SymbolicError::NoValue("x".into()));
+}

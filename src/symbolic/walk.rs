@@ -225,7 +225,8 @@ pub(super) fn decimal(text: &str) -> Rational {
 
 use rug::ops::Pow;
 
-fn integer<V>(scope: &Scope<V>, e: &Expr) -> Option<i64> {
+/// The integer that an expression of numbers and indices stands for.
+pub(super) fn integer<V>(scope: &Scope<V>, e: &Expr) -> Option<i64> {
     match e {
         Expr::Num(n) => n.parse().ok(),
         Expr::Sym(s) => {
@@ -254,7 +255,12 @@ pub fn walk<D: Domain>(
         Expr::Sym(name) => named(d, scope, name),
         Expr::Index(name, index) => match (integer(scope, index), &**index) {
             (Some(k), _) => named(d, scope, &format!("{name}_{k}")),
-            (None, Expr::Sym(s)) if !RESERVED.contains(&s.as_str()) => {
+            // A variable of an integral or one with a value is no index.
+            (None, Expr::Sym(s))
+                if !RESERVED.contains(&s.as_str())
+                    && (scope.series.as_ref() == Some(s)
+                        || scope.bound.iter().all(|(name, _)| name != s)) =>
+            {
                 named(d, scope, &format!("{name}_{s}"))
             }
             _ => unsupported(format!("the index {index}")),

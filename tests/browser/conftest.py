@@ -56,6 +56,10 @@ PAGES = {
     "long-ledger": (["paper", "gembara-senyk", "--ledger"], [0]),
     "linkage": (["linkage", "examples/quick-return.toml", "--reactions"], [0]),
     "linkage-arc": (["linkage", "examples/no-full-turn.toml"], [0]),
+    "run-up": (["runup", "examples/sand-screen-run-up.toml"], [0]),
+    "work-precision": (["runup", "examples/four-bar-run-up.toml", "--work-precision"], [0]),
+    "chirp": (["chirp", "examples/chirp-run-up.toml"], [0]),
+    "chirp-chart": (["chirp", "examples/chirp-chart.toml"], [0]),
 }
 
 # Every other linkage: opened, moved and measured.

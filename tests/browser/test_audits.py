@@ -147,6 +147,24 @@ def test_map(visit):
         assert map_.locator("svg [visibility=hidden]").count() != hidden
 
 
+def test_print_has_the_figures(visit):
+    page = visit("method")
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    page.emulate_media(media="print")
+    figures_ = page.locator(".figures figure svg")
+    assert figures_.count() > 4
+    assert all(figures_.nth(k).is_visible() for k in range(figures_.count()))
+    assert page.locator("h3[id^=figures-]").first.is_visible()
+
+
+def test_a_region_says_what_it_is(visit):
+    page = visit("method")
+    meanings = page.locator("table.regions .meaning")
+    assert meanings.count() == page.locator("table.regions tbody tr").count()
+    page.locator("table.regions button.heat").first.click()
+    assert meanings.first.inner_text() in dialog(page).inner_text()
+
+
 def test_names_are_text(visit):
     page = visit("candidate")
     assert "<script>alert(1)</script>" in page.locator("main").inner_text()

@@ -58,7 +58,7 @@ def test_size_and_title(page):
 @pytest.mark.parametrize("name", PAGES)
 def test_without_scripts_the_text_is_there(visit, name):
     page = visit(name, java_script_enabled=False)
-    assert len(page.locator("main").inner_text()) > 2000
+    assert len(page.locator("main").inner_text()) > 1500
     assert page.locator(".js:visible").count() == 0
 
 
@@ -75,6 +75,35 @@ def test_theme_switch(visit, name):
     assert button.inner_text() == "Colours: dark" and background() != light
     page.reload()
     assert background() != light, "the choice is kept"
+
+
+def test_no_text_for_the_mouse_alone(page):
+    assert page.locator("main [title]").count() == 0
+
+
+def test_columns_are_explained(page):
+    """Every head of a table that is not a name from outside has an entry on the page."""
+    heads = page.locator("main table:not(.entries) thead th:not(.given)").count()
+    entries = page.locator("#columns ~ details dt code")
+    assert heads == 0 or entries.count() > 3
+    assert page.locator(".units li").count() in (0, 3)
+
+
+def test_on_a_phone_rows_are_cards(page):
+    page.set_viewport_size({"width": 390, "height": 900})
+    page.wait_for_timeout(200)
+    wide = page.evaluate(
+        "[...document.querySelectorAll('main table.stack')].filter(t => t.offsetParent)"
+        ".filter(t => t.scrollWidth > t.parentElement.clientWidth + 1).length"
+    )
+    assert wide == 0, "a table is wider than the phone"
+    rows = page.locator("main section.method h3[id^=cases-] + .scroll tbody tr")
+    heights = rows.evaluate_all("all => all.filter(r => r.offsetParent).map(r => r.offsetHeight)")
+    assert max(heights, default=0) <= 220, heights
+    signs = page.locator("main table.stack .sign").evaluate_all(
+        "all => all.filter(e => e.offsetParent).map(e => e.getBoundingClientRect().right)"
+    )
+    assert max(signs, default=0) <= 390
 
 
 def test_print(page):

@@ -323,7 +323,7 @@ fn what_cannot_be_a_campaign_is_refused() {
         (
             "cases = 400",
             "cases = 4\n    box = \"Re y=1\"",
-            "no single input",
+            "has no input",
         ),
     ] {
         refused(&asked(&common::changed(CALM, from, to), "2"), why);

@@ -22,11 +22,32 @@ pub struct Done {
 }
 
 pub fn done(o: Output) -> Done {
+    let err = String::from_utf8(o.stderr).expect("UTF-8");
+    err.lines().for_each(well_said);
     Done {
         code: o.status.code().expect("no signal"),
         out: String::from_utf8(o.stdout).expect("UTF-8"),
-        err: String::from_utf8(o.stderr).expect("UTF-8"),
+        err,
     }
+}
+
+/// No message says anything twice or writes out rows of zeros, whatever the test is about.
+pub fn well_said(line: &str) {
+    let said = line.strip_prefix("mechaudit: ").unwrap_or(line);
+    let parts: Vec<&str> = said.split(": ").collect();
+    for pair in parts.windows(2) {
+        let [a, b] = [pair[0], pair[1]];
+        // Formulas and single words may well occur again.
+        let is_word = |w: &str| w.len() > 1 && w.chars().all(char::is_alphabetic);
+        let words = |s: &str| s.split(' ').filter(|w| is_word(w)).count();
+        let within = |a: &str, b: &str| words(a) > 1 && b.contains(a);
+        let twice = within(a, b) || within(b, a);
+        assert!(!twice, "it says {a:?} and {b:?}: {line}");
+        let begin = |s: &str| s.split(' ').take(3).collect::<Vec<_>>().join(" ");
+        let same = begin(a) == begin(b) && words(&begin(a)) == 3;
+        assert!(!same, "two parts begin alike: {line}");
+    }
+    assert!(!line.contains(&"0".repeat(25)), "{line}");
 }
 
 pub fn run(args: &[&str]) -> Done {

@@ -225,7 +225,7 @@ fn where_to_look() {
         assert!(region["kinds"]["infinity"] == 0, "{region}");
     }
     let bad = r#"
-        --box Re=1..2                   | erf has no single input "Re" (did you mean "Re z"?); it has: Re z, Im z
+        --box Re=1..2                   | erf has no input "Re" (did you mean "Re z"?); it has: Re z, Im z
         --box 'Re z=1..2,Im z=log 0..1' | both ends of one sign
         --near zero                     | --radius
         --near 1 --radius 0.1           | 1 numbers where 2 are due

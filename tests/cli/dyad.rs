@@ -201,7 +201,7 @@ fn a_crank_that_cannot_turn_gives_its_range_and_the_rows_within() {
     said(&d, limit);
     let p1 = column(&d.out, "phi1_deg");
     assert_eq!((p1[0], p1[p1.len() - 1], p1.len()), (16.0, 344.0, 329));
-    // Crank longer than the rod: sin φ1 from −1/2 to 1/2, the ends singular.
+    // Crank longer than the rod: sin φ1 from −1/2 to 1/2, the ends, where derivatives do not exist, included.
     for digits in [&[][..], &["--digits", "5"]] {
         let args = [&["--step-deg", "15"][..], digits].concat();
         let d = linkage(&slider("2", "1", ""), &args);
@@ -211,7 +211,9 @@ fn a_crank_that_cannot_turn_gives_its_range_and_the_rows_within() {
         said(&d, range);
         assert_eq!(
             column(&d.out, "phi1_deg"),
-            [0.0, 15.0, 165.0, 180.0, 195.0, 345.0]
+            [
+                0.0, 15.0, 30.0, 150.0, 165.0, 180.0, 195.0, 210.0, 330.0, 345.0
+            ]
         );
     }
     let d = linkage(
@@ -348,7 +350,9 @@ fn refusals() {
         frame =     | rod =                      | unknown field `rod`
         frame =     | #                          | geometry.frame is missing
         [geometry]  | [bodies.2]                 | unknown field `2`, expected one of `crank`, `coupler`, `rocker`
-        [geometry]  | [bodies.crank]\nmass = "1 kg"\ninertia = "1 kg m^2"\nradius = "0 m"\n[geometry] | for class-iii only
+        [geometry]  | [bodies.rocker]\nmass = "1 kg"\ninertia = "1 kg m^2"\ninertia_about = "pivot"\nradius = "2 m"\n[geometry] | the inertia of rocker about its pivot, 1 kg m^2, is less
+        [geometry]  | [points.rod]\nP = ["1 m", "0 m"]\n[geometry] | points.rod is no link
+        type =      | #                          | type is missing: it is "class-iii", "four-bar"
         "four-bar"  | "five-bar"                 | type = "five-bar" must be one of "class-iii", "four-bar", "slider-crank"
         "positive"  | "up"                       | start.assembly = "up" must be
         crank_speed | crank_acceleration         | is not an angular acceleration
@@ -386,4 +390,39 @@ fn refusals() {
     let d = linkage(&huge, &args);
     assert_eq!(d.code, 2);
     said(&d, "exceeds the range of floating-point numbers");
+}
+
+/// Where both assemblies meet there is a row, asked for alone or among others, in every form.
+#[test]
+fn a_change_point_has_a_row() {
+    let text = four_bar(["10", "20", "40", "50"]);
+    let whole = ["--from-deg", "0", "--to-deg", "360", "--step-deg", "1"];
+    let d = linkage(&text, &whole);
+    assert_eq!(d.out.lines().count(), 362);
+    let row = d.out.lines().find(|l| l.starts_with("180,"));
+    assert_eq!(row, Some("180,0,0,180,,,,,180,0"));
+    let line = "at phi1 = 180 deg both branches meet (change point)";
+    said(&d, line);
+    let alone = ["--from-deg", "180", "--to-deg", "180"];
+    let d = linkage(&text, &alone);
+    assert_eq!(d.out.lines().nth(1), Some("180,0,0,180,,,,,180,0"));
+    said(&d, line);
+    assert!(!d.err.contains("no crank angle"), "{}", d.err);
+    let d = linkage(&text, &[&alone[..], &["--format", "json"]].concat());
+    let json: serde_json::Value = serde_json::from_str(&d.out).unwrap();
+    assert_eq!(json["singular_rows"][0]["phi1_deg"], 180.0);
+    assert_eq!(json["rows"][0]["phi3_deg"], 180.0);
+    assert!(json["rows"][0]["dphi3_dphi1"].is_null());
+    let d = linkage(&text, &[&alone[..], &["--digits", "6"]].concat());
+    assert_eq!(d.out.lines().nth(1), Some("180,0,0,180.000,,,,,180.000,0"));
+    let d = linkage(&text, &[&whole[..], &["--format", "html"]].concat());
+    assert_eq!(d.code, 0, "{}", d.err);
+    assert!(d.out.contains("At phi1 = 180 deg both branches meet"));
+    // The end of a range: the rod is square to the guide.
+    let d = linkage(
+        &slider("2", "1", ""),
+        &["--from-deg", "30", "--to-deg", "30"],
+    );
+    said(&d, "at phi1 = 30 deg both branches meet (end of the range)");
+    close(column(&d.out, "slider_m")[0], 3f64.sqrt());
 }

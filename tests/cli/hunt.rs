@@ -263,7 +263,24 @@ fn lines_are_only_added() {
     }
 
     let (code, text) = hunt(&folder.path().join("none"), &[]);
-    assert!(code == 0 && !folder.path().join("none").exists(), "{text}");
+    assert!(code == 2 && !folder.path().join("none").exists(), "{text}");
+    assert!(text.contains("none: there is no such folder"), "{text}");
+}
+
+/// A hunt writes where it is told to, and nowhere else: not into the repository that it is run in.
+#[test]
+fn nothing_is_written_without_a_folder() {
+    let here = tempfile::tempdir().unwrap();
+    let own = here.path().join("reference/hard");
+    std::fs::create_dir_all(&own).unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_mechaudit"))
+        .args(["hunt", "slider-crank", "--evals", "400", "--seed", "3"])
+        .current_dir(here.path())
+        .output()
+        .unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(output.status.code(), Some(0), "{text}");
+    assert_eq!(std::fs::read_dir(&own).unwrap().count(), 0, "{text}");
 }
 
 /// A hunt that could not record what it found does not begin.
@@ -378,9 +395,9 @@ fn commands(said: &str) -> Vec<Vec<String>> {
 fn what_a_hunt_found_can_be_judged_again() {
     let folder = tempfile::tempdir().unwrap();
     let ours = folder.path().join("our cases");
-    let (code, said) = hunt(&ours, &[]);
-    assert_eq!(code, 0, "{said}");
-    let unrecorded = commands(&said);
+    let d = run(&["hunt", "slider-crank", "--evals", "400"]);
+    assert_eq!(d.code, 0, "{}{}", d.out, d.err);
+    let unrecorded = commands(&d.out);
     std::fs::create_dir(&ours).unwrap();
     let (_, said) = hunt(&ours, &[]);
     let recorded = commands(&said);

@@ -218,6 +218,7 @@ fn a_digit_left_open_is_a_finding() {
     // O3-O5 and links 3, 4, 5 form a kite: φ5 stays at 180 degrees, and of its zero rate no digit
     // can be certified.
     let file = br#"
+        type = "class-iii"
         [geometry]
         l1 = "1 m"
         l2 = "5.6 m"

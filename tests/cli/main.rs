@@ -6,6 +6,7 @@
 extern crate mechaudit_cli as mechaudit;
 
 mod atlas;
+mod bounds;
 #[cfg(unix)]
 mod campaign;
 #[cfg(unix)]

@@ -113,9 +113,61 @@ fn a_device_stays_one() {
         symlink(device, &link).unwrap();
         let d = points_to(&link);
         assert_eq!(d.code, code, "{}", d.err);
-        assert!(code == 0 || d.err.contains("cannot write"), "{}", d.err);
+        let due = format!("mechaudit: cannot write {}: ", text(&link));
+        assert!(code == 0 || d.err.starts_with(&due), "{}", d.err);
         assert!(link.is_symlink());
         fs::remove_file(link).unwrap();
+    }
+}
+
+/// Whatever is written, and in whichever form: the message names the output, and no input.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_said_of_the_output() {
+    let folder = tempfile::tempdir().unwrap();
+    let [points, answers] = ["points", "answers"].map(|n| folder.path().join(n));
+    fs::write(&points, "1,1\n").unwrap();
+    fs::write(&answers, "1,1\n").unwrap();
+    let judge = format!(
+        "judge erf --inputs {} --values {}",
+        text(&points),
+        text(&answers)
+    );
+    for line in [
+        "linkage examples/four-bar.toml --step-deg 30",
+        "linkage examples/four-bar.toml --step-deg 30 --format json",
+        "linkage examples/four-bar.toml --step-deg 30 --format html",
+        "linkage examples/sand-screen.toml --step-deg 30",
+        "linkage examples/jansen-leg.toml --step-deg 30",
+        "linkage examples/jansen-leg.toml --step-deg 30 --format json",
+        "chirp examples/chirp-run-up.toml --harmonics 4",
+        "chirp examples/chirp-run-up.toml --harmonics 4 --rows spectrum",
+        "points erf --count 300",
+        "audit tridiagonal --cases 1 --region well-scaled --format csv",
+        "audit tridiagonal --cases 1 --region well-scaled --format json",
+        "audit tridiagonal --cases 1 --region well-scaled --format html",
+        "paper zinchenko --format csv",
+        &judge,
+        &format!("{judge} --format csv"),
+    ] {
+        let words: Vec<&str> = line.split(' ').collect();
+        let d = run(&[&words[..], &["--output", "/dev/full"]].concat());
+        refused(
+            &d,
+            "mechaudit: cannot write /dev/full: No space left on device",
+        );
+        let standard = program()
+            .args(&words)
+            .stdout(fs::File::create("/dev/full").unwrap())
+            .output();
+        let d = done(standard.unwrap());
+        let due = "mechaudit: cannot write standard output: No space left on device";
+        assert_eq!(d.code, 2, "{line}: {}", d.err);
+        assert!(
+            d.err.lines().last().is_some_and(|l| l.starts_with(due)),
+            "{line}: {}",
+            d.err
+        );
     }
 }
 

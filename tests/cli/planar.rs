@@ -28,7 +28,7 @@ fn every_example_says_what_it_is() {
         pmksweb-91         | coupler, rocker (dyad, order 2)                   | 2 | -292.329374714 deg (fold) to -4.319239059 deg (fold)
         pmksweb-92         | DE, EF (dyad, order 2)                            | 4 | 67.283635271 deg (fold) to 78.254148753 deg (fold)
         quick-return       | lever (one body, order 2)                         | 2 | turns fully
-        rack-and-wheel     | wheel (one body, order 2); rack (one body, order 2) | 2 | turns fully
+        rack-and-wheel     | wheel (one body, order 2); rack (one body, order 2) | 4 | turns fully
         sand-screen-bodies | 2, 3, 4, 5 (Assur group of class 3, order 3)      | 4 | turns fully
         stephenson-1       | EG, FG (dyad, order 2)                            | 4 | turns fully
         stephenson-2       | BD, CE, plate, rocker (Assur group of class 3, order 3) | 4 | from -62.644699709 deg (fold)
@@ -40,8 +40,13 @@ fn every_example_says_what_it_is() {
         let d = command(&format!("linkage examples/{name}.toml --step-deg 90"));
         assert_eq!(d.code, 0, "{name}: {}", d.err);
         said(&d, &groups);
-        said(&d, &format!("{modes} assembly modes at"));
-        said(&d, "all that there are");
+        said(&d, &format!("{modes} assembly modes "));
+        // A change point next to the start, and a rack that turns may move without end.
+        let all = match &*name {
+            "n-four-bar" | "rack-and-wheel" => "; there may be more",
+            _ => ", all that there are",
+        };
+        said(&d, all);
         said(&d, &range);
     }
 }
@@ -419,14 +424,23 @@ fn what_cannot_move_or_moves_too_much_is_told() {
 }
 
 #[test]
-fn other_linkages_have_no_paths() {
+fn linkages_of_class_iii_have_no_paths() {
+    for asked in ["--paths", "--reactions"] {
+        refused(
+            &command(&format!("linkage examples/sand-screen.toml {asked}")),
+            &format!("{asked} is not for files with type = \"class-iii\""),
+        );
+    }
+    let d = command("linkage examples/four-bar.toml --paths --from-deg 0 --to-deg 0");
+    assert_eq!(d.code, 0, "{}", d.err);
+    assert!((column(&d.out, "x_A_m")[0] - 0.1).abs() < 1e-15);
     refused(
-        &command("linkage examples/four-bar.toml --paths"),
-        "--paths is for files with type = \"planar\"",
+        &command("linkage examples/four-bar.toml --reactions"),
+        "--reactions needs masses, in [bodies.…], and crank_speed in the file",
     );
     refused(
-        &command("linkage examples/sand-screen.toml --reactions"),
-        "--reactions is for files",
+        &command("linkage examples/four-bar.toml --paths --digits 9"),
+        "--paths has no certified digits with type = \"four-bar\"",
     );
 }
 
@@ -678,4 +692,98 @@ fn where_else_it_can_be_assembled_is_told() {
         &["linkage", "-", "--from-deg", "180"],
     );
     refused(&d, "nor at any of 360 values of the drive");
+}
+
+const CHANGE_POINT: &str = "type = \"planar\"\n[ground.points]\nO = [\"0 m\", \"0 m\"]\nD = [\"5 m\", \"0 m\"]\n\
+    [[body]]\nname = \"crank\"\nends = [\"O\", \"A\"]\nlength = \"1 m\"\n\
+    [[body]]\nname = \"coupler\"\nends = [\"A\", \"B\"]\nlength = \"2 m\"\n\
+    [[body]]\nname = \"rocker\"\nends = [\"D\", \"B\"]\nlength = \"4 m\"\n\
+    [[joint]]\nkind = \"pin\"\npoint = \"O\"\n[[joint]]\nkind = \"pin\"\npoint = \"A\"\n\
+    [[joint]]\nkind = \"pin\"\npoint = \"B\"\n[[joint]]\nkind = \"pin\"\npoint = \"D\"\n\
+    [drive]\nbody = \"crank\"\n[start]\nat = \"0 deg\"\nmode = 0\n";
+
+/// Branches cross at half a turn, and which one goes on is not defined: there is no row, and a line says so.
+#[test]
+fn a_change_point_without_a_row_is_named() {
+    let line = "no row where the position is singular and branches meet: at 180 deg (change point)";
+    for window in [["0", "360"], ["180", "180"]] {
+        let args = [
+            "linkage",
+            "-",
+            "--from-deg",
+            window[0],
+            "--to-deg",
+            window[1],
+            "--step-deg",
+            "1",
+        ];
+        let d = run_on(CHANGE_POINT, &args);
+        assert_eq!(d.code, 0, "{}", d.err);
+        said(&d, line);
+        said(&d, "(change point) to 179.9999");
+        assert!(!d.err.contains("no value of the drive"), "{}", d.err);
+        let d = run_on(CHANGE_POINT, &[&args[..], &["--format", "json"]].concat());
+        let json: serde_json::Value = serde_json::from_str(&d.out).unwrap();
+        assert_eq!(json["rows_left_out"][0]["drive_deg"], 180.0);
+    }
+}
+
+/// A wheel with twice the teeth of the rocker that turns it has two positions, which the slider's two double.
+#[test]
+fn modes_behind_gears_are_counted() {
+    let mut text = "type = \"planar\"\n[ground.points]\nA = [\"0 m\", \"0 m\"]\nD = [\"0.1 m\", \"0 m\"]\nN = [\"1.5 m\", \"0 m\"]\n\
+        [[body]]\nname = \"crank\"\nends = [\"A\", \"B\"]\nlength = \"0.5 m\"\n\
+        [[body]]\nname = \"coupler\"\nends = [\"B\", \"C\"]\nlength = \"0.4 m\"\n\
+        [[body]]\nname = \"rocker\"\nends = [\"D\", \"C\"]\nlength = \"0.5 m\"\n\
+        [[body]]\nname = \"wheel\"\npoints = { N = [\"0 m\", \"0 m\"], M = [\"0.1 m\", \"0 m\"] }\n\
+        [[body]]\nname = \"link\"\nends = [\"M\", \"F\"]\nlength = \"0.7 m\"\n\
+        [[body]]\nname = \"out\"\npoints = { F = [\"0 m\", \"0 m\"] }\n"
+        .to_owned();
+    for point in ["A", "B", "C", "D", "N", "M", "F"] {
+        text += &format!("[[joint]]\nkind = \"pin\"\npoint = \"{point}\"\n");
+    }
+    text += "[[joint]]\nkind = \"gears\"\nwheels = [\"rocker\", \"wheel\"]\nteeth = [20, 40]\n\
+        [[joint]]\nkind = \"slide\"\nbody = \"out\"\npoint = \"F\"\nthrough = \"N\"\ndirection = \"0 deg\"\n\
+        [drive]\nbody = \"crank\"\n[start]\nat = \"0 deg\"\nmode = 0\n";
+    let turns = [
+        "linkage",
+        "-",
+        "--from-deg",
+        "0",
+        "--to-deg",
+        "720",
+        "--step-deg",
+        "360",
+    ];
+    let d = run_on(&text, &turns);
+    said(
+        &d,
+        "8 assembly modes at 0 deg, all that there are; this is number 0",
+    );
+    said(&d, "back in its position after 2 turns");
+    let wheel = column(&d.out, "wheel_deg");
+    assert!((wheel[0] - wheel[2]).abs() < 1e-9);
+    assert!(((wheel[0] - wheel[1]).abs() - 180.0).abs() < 1e-9);
+    // After a turn as well its position is one of the modes there.
+    let there = |mode: &str| {
+        let there = run_on(
+            &text,
+            &[
+                "linkage",
+                "-",
+                "--from-deg",
+                "360",
+                "--to-deg",
+                "360",
+                "--branch",
+                mode,
+            ],
+        );
+        column(&there.out, "wheel_deg")[0]
+    };
+    let modes = ["0", "1", "2", "3", "4", "5", "6", "7"].map(there);
+    assert!(
+        modes.iter().any(|x| (x - wheel[1]).abs() < 1e-9),
+        "{modes:?}"
+    );
 }

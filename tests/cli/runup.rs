@@ -282,7 +282,7 @@ fn bad_input_is_one_clear_line() {
     let options = "
         --method euler             | '--method <NAME>' [possible values: verner98, dop853, radau5]
         --coefficients none        | '--coefficients <MODEL>' [possible values: exact, splines, hybrid]
-        --coefficients splines --nodes 2 | at least 3
+        --coefficients splines --nodes 2 | from 3 to 100000
         --tolerance x              | invalid value
         --method radau             | 'radau' for '--method <NAME>' [possible values: verner98, dop853, radau5]; a similar value exists: 'radau5'
         --coefficients spline      | a similar value exists: 'splines'
@@ -315,7 +315,7 @@ fn bad_input_is_one_clear_line() {
         runup(&format!("{head}{motor}[run]{run}"), &[])
     };
     refused(&table(""), "motor.points is missing");
-    refused(&table("points = []"), "0 knots, at least 2");
+    refused(&table("points = []"), "motor.points is empty");
     refused(
         &table("points = [[\"1 rpm\", \"1 N m\"], [\"1 rpm\", \"2 N m\"]]"),
         "not greater than its predecessor",
@@ -420,4 +420,68 @@ fn a_stiff_machine_is_run_up_by_radaus_method_and_that_is_said() {
         "{}",
         &gentle.out[..600]
     );
+}
+
+/// A four-bar linkage let go under its own weight: it swings, and its energy stays.
+#[test]
+fn a_crank_swings_through_its_turning_points() {
+    let text = "type = \"four-bar\"\ngravity = \"9.81 m/s^2\"\n[geometry]\ncrank = \"0.5 m\"\ncoupler = \"1 m\"\n\
+                rocker = \"0.6 m\"\nframe = \"0.9 m\"\n[start]\nphi1 = \"-60 deg\"\nassembly = \"negative\"\n\
+                [bodies.crank]\nmass = \"1 kg\"\ninertia = \"0.0208 kg m^2\"\nradius = \"25 cm\"\n\
+                [bodies.coupler]\nmass = \"2 kg\"\ninertia = \"0.1667 kg m^2\"\nradius = \"50 cm\"\n\
+                [bodies.rocker]\nmass = \"1.2 kg\"\ninertia = \"0.036 kg m^2\"\nradius = \"30 cm\"\n\
+                [motor]\nkind = \"off\"\n[run]\nduration = \"3 s\"\nstep = \"50 ms\"\n";
+    let d = runup(text, &[]);
+    assert_eq!(d.code, 0, "{}", d.err);
+    said(
+        &d,
+        "the crank comes to rest and goes on from there 4 times, first after 0.70",
+    );
+    said(&d, "the time is over after 3.000000 s");
+    let [t, phi, energy] = ["t_s", "phi1_deg", "energy_balance_J"].map(|n| column(&d.out, n));
+    assert_eq!((t.len(), t[60]), (61, 3.0));
+    assert!(energy.iter().all(|x| x.abs() < 1e-8));
+    // Back at the height that it was let go from, and never beyond.
+    assert!(phi.iter().all(|x| *x <= -60.0 + 1e-6));
+    let json = runup(text, &["--format", "json"]);
+    let json: serde_json::Value = serde_json::from_str(&json.out).unwrap();
+    assert_eq!(json["outcome"]["kind"], "time_up");
+    let rests = json["events"].as_array().unwrap().iter();
+    assert_eq!(rests.filter(|e| e["kind"] == "rest").count(), 4);
+    // Friction holds it in the end.
+    let held = changed(text, "[run]", "[load]\nconstant = \"0.5 N m\"\n[run]");
+    let d = runup(&changed(&held, "\"3 s\"", "\"1000 s\""), &[]);
+    said(&d, "stalled: the crank comes to rest after ");
+}
+
+/// A soft start, and tables over time that are refused.
+#[test]
+fn a_motor_may_be_a_table_over_time() {
+    let soft = include_str!("../../examples/soft-start.toml");
+    let d = runup(soft, &[]);
+    assert_eq!(d.code, 0, "{}", d.err);
+    let [t, motor] = ["t_s", "M_motor_N_m"].map(|n| column(&d.out, n));
+    for (t, motor) in t.into_iter().zip(motor) {
+        let due = match t {
+            t if t < 0.5 => 8.0 * t,
+            t if t < 2.0 => 4.0 + 8.0 * (t - 0.5) / 1.5,
+            _ => 12.0,
+        };
+        assert!((motor - due).abs() < 1e-12, "{t}: {motor} {due}");
+    }
+    let changes = r#"
+        "0.5 s"      | "2 s"        | the time of point 3, 2 s, must be greater than the one before, 2 s
+        "0 s"        | "0.1 s"      | the first time of the torque, 0.1 s, must be 0 s
+        "0.5 s"      | "50 rpm"     | motor.points has speeds and times
+        "0.5 s"      | "5 kg"       | is not an angular velocity
+        "4 N m"      | "4 N"        | is not a torque
+        flywheel     | reading = "cubic"\nflywheel | has no meaning for a torque over time
+    "#;
+    for [from, to, part] in cells(changes) {
+        refused(&runup(&changed(soft, &from, &to), &[]), &part);
+    }
+    let start = soft.find("points").unwrap();
+    let end = start + soft[start..].find('\n').unwrap();
+    let empty = format!("{}points = []{}", &soft[..start], &soft[end..]);
+    refused(&runup(&empty, &[]), "motor.points is empty");
 }

@@ -8,6 +8,8 @@ static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 #[cfg(feature = "oracle")]
 mod conditions;
 #[cfg(feature = "oracle")]
+mod documented_accuracy;
+#[cfg(feature = "oracle")]
 mod double_butterfly;
 #[cfg(feature = "oracle")]
 mod faddeeva;
@@ -34,6 +36,8 @@ mod methods;
 mod peaucellier;
 #[cfg(feature = "oracle")]
 mod pinned;
+#[cfg(feature = "oracle")]
+mod planar_rows;
 #[cfg(feature = "oracle")]
 mod planted_faults;
 #[cfg(feature = "oracle")]

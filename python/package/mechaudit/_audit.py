@@ -8,19 +8,21 @@ from typing import Any
 
 import numpy as np
 
+from . import _checks as checks
 from . import _mechaudit, certified
+from ._checks import function, names, number, whole
 from ._methods import Description, block_answers, flat
 from ._report import Report, called
 from ._run import audited
 
 __all__ = ["Case", "audit", "case", "judge", "points"]
 
-
-def _number(name: str, x: Any) -> str:
-    try:
-        return repr(float(x))
-    except (TypeError, ValueError):
-        raise ValueError(f"{name} needs numbers, got {x!r}") from None
+#: The name of a method's own solver.
+OURS = "ours"
+#: Cases in each region: more take years.
+_MOST_CASES = 1_000_000_000
+#: Points in each region: more fill the memory.
+_MOST_POINTS = 10_000_000
 
 
 def _sides(box: Mapping[str, Any] | str) -> str:
@@ -31,7 +33,7 @@ def _sides(box: Mapping[str, Any] | str) -> str:
     for name, side in box.items():
         if isinstance(side, str) or not isinstance(side, Iterable):
             side = (side,)
-        ends = [_number(f"box: {name}", x) for x in side if not isinstance(x, str)]
+        ends = [repr(number(f"box: {name}", x)) for x in side if not isinstance(x, str)]
         words = [x for x in side if isinstance(x, str)]
         if not 1 <= len(ends) <= 2 or words not in ([], ["log"], ["+-log"]):
             rule = "a number, two numbers, or two numbers and 'log' or '+-log'"
@@ -49,16 +51,16 @@ def scope_of(
     **where: Any,
 ) -> dict[str, Any]:
     """What is judged, where and by which budget, as the compiled part takes it."""
-    limits = {k: float(v) for k, v in (budgets or {}).items() if v is not None}
+    limits = {k: number(k, v) for k, v in (budgets or {}).items() if v is not None}
     scope: dict[str, Any] = {"limits": limits, **where}
     if outputs is not None:
-        scope["outputs"] = names_of(outputs)
+        scope["outputs"] = names("outputs", outputs)
     return scope
 
 
 def audit(
     method: str,
-    f: Callable[..., Any] | None = None,
+    f: Callable[..., Any] | str,
     *,
     seed: int = 1,
     cases: int = 200,
@@ -84,10 +86,10 @@ def audit(
     ----------
     method : str
         Its name, see `methods`.
-    f : callable, optional
+    f : callable or "ours"
         Takes the method's inputs, each an array or a number; functions of a complex variable take
         and give complex numbers. It refuses an input by raising `ValueError`, `ArithmeticError` or
-        `mechaudit.DomainError`. Without it the method's own solver is audited.
+        `mechaudit.DomainError`. The name "ours" stands for the method's own solver.
     seed : int
         Key of the random stream.
     cases : int
@@ -140,8 +142,10 @@ def audit(
     >>> bad.passed
     False
     """
-    if seed < 0 or cases < 1:
-        raise ValueError(f"seed = {seed} must not be negative, cases = {cases} must be at least 1")
+    own = isinstance(f, str) and f == OURS
+    if not own and not callable(f):
+        raise TypeError(f"f must be callable, or {OURS!r} for the method's own solver, got {f!r}")
+    seed, cases = checks.seed(seed), whole("cases", cases, 1, _MOST_CASES)
     if box is not None and near is not None:
         raise ValueError("box and near exclude each other")
     if (near is None) != (radius is None):
@@ -149,16 +153,17 @@ def audit(
     description = Description(method)
     where: dict[str, Any] = {"single": single, "ordinary": ordinary}
     if regions is not None:
-        where["regions"] = names_of(regions)
+        where["regions"] = names("regions", regions)
     if box is not None:
         where["sides"] = _sides(box)
     if near is not None and radius is not None:
-        where["near"] = (_centre(near), float(radius))
+        where["near"] = (_centre(near), number("radius", radius))
     budgets = dict(zip(_BUDGETS, (ulps, conditioned, relative, absolute, normwise)))
-    chosen = names_of(outputs)
+    chosen = names("outputs", outputs)
     scope = scope_of(chosen, budgets, **where)
     run = _mechaudit.Run(description.name, seed=seed, cases=cases, scope=scope)
-    return audited(description, run, f, chosen, vectorised, progress, name, single)
+    called = None if own else function("f", f)
+    return audited(description, run, called, chosen, vectorised, progress, name, single)
 
 
 def _centre(near: str | complex | Iterable[float]) -> str:
@@ -167,13 +172,7 @@ def _centre(near: str | complex | Iterable[float]) -> str:
     if isinstance(near, (complex, np.complexfloating)):
         near = (near.real, near.imag)
     numbers = near if isinstance(near, Iterable) else (near,)
-    return ",".join(_number("near", x) for x in numbers)
-
-
-def names_of(names: str | Iterable[str] | None) -> list[str] | None:
-    if names is None:
-        return None
-    return [names] if isinstance(names, str) else list(names)
+    return ",".join(repr(number("near", x)) for x in numbers)
 
 
 class Case:
@@ -216,7 +215,7 @@ class Case:
     def judge(self, f: Callable[..., Any]) -> Report:
         """The audit of a callable at this case alone."""
         run = _mechaudit.Run(self._description.name, place=shlex.split(self.place))
-        return audited(self._description, run, f, None, False, False, None, self._single)
+        return audited(self._description, run, function("f", f), None, False, False, None, self._single)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Case, (self.method, self.place)
@@ -252,10 +251,11 @@ def drawn(
     description: Description, n: int, seed: int, regions: str | Iterable[str] | None
 ) -> _mechaudit.Run:
     """n cases of each region, without the named cases."""
-    names = names_of(regions)
-    if names is None:
-        names = [name for name, _ in description.facts["regions"]]
-    return _mechaudit.Run(description.name, seed=seed, cases=n, scope=scope_of(regions=names))
+    chosen = names("regions", regions)
+    if chosen is None:
+        chosen = [name for name, _ in description.facts["regions"]]
+    scope = scope_of(regions=chosen)
+    return _mechaudit.Run(description.name, seed=checks.seed(seed), cases=n, scope=scope)
 
 
 def points(method: str, n: int, *, seed: int = 1, regions: str | Iterable[str] | None = None) -> Any:
@@ -272,8 +272,7 @@ def points(method: str, n: int, *, seed: int = 1, regions: str | Iterable[str] |
     >>> import mechaudit
     >>> p = mechaudit.points("voigt", 2, regions="even")  # doctest: +SKIP
     """
-    if n < 1:
-        raise ValueError(f"n must be at least 1, got {n}")
+    n = whole("n", n, 1, _MOST_POINTS)
     description = Description(method)
     run = drawn(description, n, seed, regions)
     count = len(run)
@@ -316,7 +315,7 @@ def judge(method: str, points: Any, values: Any, **options: Any) -> Report:
     True
     """
     description = Description(method)
-    chosen = names_of(options.pop("outputs", None))
+    chosen = names("outputs", options.pop("outputs", None))
     budgets = {k: options.pop(k, None) for k in _BUDGETS}
     single = bool(options.pop("single", False))
     if options:
@@ -341,6 +340,8 @@ def judge(method: str, points: Any, values: Any, **options: Any) -> Report:
 
 def _rows(description: Description, points: Any) -> list[list[float]]:
     array = np.asarray(points) if not isinstance(points, list) or not points else points
+    if isinstance(array, np.ndarray) and array.ndim == 0:
+        raise TypeError(f"points must be a list or an array, got {points!r}")
     if isinstance(array, np.ndarray) and array.dtype.names:
         fields = [array[n].astype(np.float64) for n in array.dtype.names if n != "region"]
         array = np.stack(fields, axis=1)

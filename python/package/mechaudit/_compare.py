@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from ._audit import audit
+from ._checks import function
 from ._report import Report
 
 __all__ = ["Comparison", "compare"]
@@ -104,8 +105,14 @@ def compare(method: str, candidates: Mapping[str, Callable[..., Any]], **options
     >>> mechaudit.compare("faddeeva", both, cases=5).passed
     False
     """
+    if not isinstance(candidates, Mapping):
+        raise TypeError(f"candidates must be a dictionary of callables by name, got {candidates!r}")
     if not candidates:
         raise ValueError("candidates: there is nothing to compare")
+    for name, f in candidates.items():
+        if not isinstance(name, str):
+            raise TypeError(f"candidates: a name must be a string, got {name!r}")
+        function(f"candidates: {name}", f)
     reports = {}
     seconds = {}
     for name, f in candidates.items():

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numbers
-from decimal import Decimal
+from decimal import Context, Decimal, InvalidOperation
 from fractions import Fraction
 from typing import Any
 
@@ -13,6 +13,9 @@ from ._mechaudit import DomainError
 
 #: Exponents beyond these would fill the memory with digits.
 _LARGEST_EXPONENT = 100_000
+
+#: What is no number raises an exception, whatever the thread's own context does.
+_READING = Context(traps=[InvalidOperation])
 
 
 def _finite(name: str, x: Any) -> DomainError:
@@ -24,7 +27,7 @@ def _of_string(name: str, text: str) -> Fraction:
     try:
         if body.lower().lstrip("+-").startswith("0x"):
             return Fraction(*float.fromhex(body).as_integer_ratio())
-        number = Decimal(body)
+        number = Decimal(body, _READING)
     except (ArithmeticError, ValueError):
         pass
     else:
@@ -32,7 +35,10 @@ def _of_string(name: str, text: str) -> Fraction:
             raise _finite(name, text)
         return _of_decimal(name, number)
     try:
-        return Fraction(body)
+        # An exponent that no Decimal holds would fill the memory with digits.
+        if "/" in body and "e" not in body.lower():
+            return Fraction(body)
+        raise ValueError
     except (ValueError, ZeroDivisionError):
         raise ValueError(
             f"{name}: {text!r} is neither a decimal number nor a fraction p/q"

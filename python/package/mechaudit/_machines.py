@@ -10,11 +10,16 @@ from typing import Any
 
 import numpy as np
 
+from . import _checks as checks
 from . import _mechaudit
+from ._checks import number, whole
 from ._exact import exact, hexadecimal
 from .certified import _checked
 
 __all__ = ["Cam", "Linkage", "Rows"]
+
+#: As `mechaudit chirp --harmonics` has it.
+_MOST_HARMONICS = 100_000
 
 
 class Rows(np.ndarray[Any, Any]):
@@ -81,6 +86,8 @@ def _source(description: str | os.PathLike[str] | Mapping[str, Any]) -> tuple[st
     """The text of a description, and whether it is JSON."""
     if isinstance(description, Mapping):
         return json.dumps(description), True
+    if not isinstance(description, (str, os.PathLike)):
+        raise TypeError(f"a description is a path, a text or a dictionary, got {description!r}")
     if isinstance(description, os.PathLike) or "\n" not in description:
         path = Path(description)
         return path.read_text(encoding="utf-8"), path.suffix == ".json"
@@ -147,7 +154,7 @@ class Linkage:
 
     def modes(self, phi: float) -> Rows:
         """All assembly modes at a crank angle in degrees (a displacement in metres), a row for each."""
-        return _rows(self._compiled.modes(float(phi)))
+        return _rows(self._compiled.modes(number("phi", phi)))
 
     def sweep(self, phi: Any, branch: int | None = None) -> Rows:
         """A row for each crank angle, following one branch.
@@ -165,15 +172,16 @@ class Linkage:
         Rows
             NaN where the branch does not reach.
         """
-        return _rows(self._compiled.sweep(_angles(phi), branch))
+        return _rows(self._compiled.sweep(_angles(phi), checks.branch(branch)))
 
     def certified(self, phi: Any, digits: int = 20, branch: int | None = None) -> dict[str, str | None]:
-        """Certified digits of the row at a crank angle.
+        """Certified digits of the row at a value of the drive.
 
         Parameters
         ----------
         phi : number or str
-            The crank angle in degrees, taken exactly.
+            The crank angle in degrees, or the displacement in metres that drives the linkage, taken
+            exactly.
         digits : int
             Significant digits.
         branch : int, optional
@@ -188,13 +196,12 @@ class Linkage:
         Raises
         ------
         DomainError
-            The crank does not reach the angle, or the linkage is of type 'planar', whose rows are in
-            floating point.
+            The branch does not reach the value.
         Undecided
             No position could be proved.
         """
         angle = hexadecimal(exact("phi", phi))
-        return dict(self._compiled.certified(angle, _checked(digits), branch))
+        return dict(self._compiled.certified(angle, _checked(digits), checks.branch(branch)))
 
     def run_up(self, *, tolerance: float | None = None) -> Rows:
         """The machine's motion under its motor: the description has tables for motor, load and run.
@@ -209,6 +216,8 @@ class Linkage:
         Rows
             Over time; the attribute `outcome` says how the run ended.
         """
+        if tolerance is not None:
+            tolerance = number("tolerance", tolerance)
         table, outcome = _mechaudit.run_up(self._text, self._is_json, tolerance)
         rows = _rows(table)
         rows.outcome = outcome  # type: ignore[attr-defined]
@@ -230,7 +239,7 @@ class Linkage:
             Its number among the modes at the description's start, or at 0; the description's own if not
             given.
         """
-        return self._compiled.svg(branch)
+        return self._compiled.svg(checks.branch(branch))
 
     def _repr_html_(self) -> str:
         try:
@@ -264,6 +273,8 @@ class Cam:
     def __init__(
         self, source: str | os.PathLike[str] | Mapping[str, Any], *, harmonics: int | None = None
     ) -> None:
+        if harmonics is not None:
+            harmonics = whole("harmonics", harmonics, 1, _MOST_HARMONICS)
         text, is_json = _source(source)
         self._arguments = (text, is_json, harmonics)
         self._compiled = _mechaudit.Cam(text, is_json, harmonics)

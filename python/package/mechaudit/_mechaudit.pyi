@@ -1,3 +1,4 @@
+from os import PathLike
 from typing import Any, final
 
 import numpy as np
@@ -16,6 +17,7 @@ __all__ = [
     "erfi",
     "dawsn",
     "voigt_profile",
+    "write_file",
     "HermiteSpline",
     "Spline",
     "solve_tridiagonal",
@@ -51,6 +53,7 @@ _Component = tuple[str | None, tuple[str, str], tuple[str, str]]
 _Table = tuple[list[str], _F64]
 _Evidence = tuple[float, bool, float, float, float, bool]
 
+def write_file(path: str | PathLike[str], content: bytes) -> None: ...
 def solve_tridiagonal(lower: _F64, diagonal: _F64, upper: _F64, d: _F64) -> tuple[_F64, _Evidence]: ...
 def solve_cyclic(lower: _F64, diagonal: _F64, upper: _F64, d: _F64) -> tuple[_F64, _Evidence]: ...
 def certify(method: str, rows: list[list[_Fraction]], digits: int) -> list[list[_Component]]: ...

@@ -7,7 +7,7 @@ import math
 import os
 from typing import Any
 
-from ._files import written_whole
+from ._files import write
 
 __all__ = ["Finding", "Report", "called"]
 
@@ -171,7 +171,7 @@ class Report:
         The page of ``mechaudit audit --format html``: regions, histograms, errors against the inputs,
         and for each case the expression that gives it.
         """
-        written_whole(path, self._page)
+        write(path, self._page)
 
     def _case_lines(self, case: dict[str, Any]) -> list[str]:
         reason = case["reason"] or case["verdict"]

@@ -15,6 +15,10 @@ __all__: list[str] = []
 
 #: Cases handed to a vectorised callable at a time.
 _BLOCK = 4096
+_DAY = 86_400.0
+#: Seconds of work that are refused, as `mechaudit audit` has it, and after how many it is known.
+_ENDLESS = 30 * _DAY
+_TRIAL = 1.0
 _NAN = "the answer holds NaN where it is not due"
 
 
@@ -95,6 +99,8 @@ def audited(
             raise ValueError(f"vectorised: the inputs of {description.name} have no fixed number")
         mode = "vectorised" if vectorised else "scalar"
     done = 0
+    begin = time.monotonic()
+    is_forecast = False
     try:
         while done < total:
             if f is None:
@@ -108,6 +114,10 @@ def audited(
             if bar is not None:
                 bar.update(end - done)
             done = end
+            seconds = time.monotonic() - begin
+            if not is_forecast and seconds > _TRIAL:
+                is_forecast = True
+                _forecast(total, total / done * seconds)
     except KeyboardInterrupt:
         interrupted = True
     finally:
@@ -115,6 +125,15 @@ def audited(
             bar.close()
     facts = run.finish(interrupted, None if f is None else called)
     return Report(facts, list(findings.all.values()), mode, called, run.page())
+
+
+def _forecast(total: int, seconds: float) -> None:
+    """Refuses what cannot end, by what the first cases took."""
+    if seconds > _ENDLESS:
+        raise ValueError(
+            f"cases: {total:.2e} take about {seconds / _DAY:.2g} days; more than {_ENDLESS / _DAY:.0f} days are refused: "
+            "take fewer"
+        )
 
 
 def in_single(x: Any) -> Any:

@@ -8,9 +8,13 @@ from typing import Any
 import numpy as np
 
 from . import _mechaudit
+from ._checks import whole
 from ._exact import exact, hexadecimal, of_hexadecimal
 
 __all__ = ["Akima1DInterpolator", "CubicSpline", "PchipInterpolator"]
+
+#: Orders of derivatives and integrals: each integral is one more pass over the coefficients.
+_HIGHEST_ORDER = 100
 
 _NAMED = {
     "not-a-knot": ("not-a-knot", 0.0),
@@ -105,6 +109,7 @@ class CubicSpline:
             raise ValueError("`x` must be 1-dimensional.")
         if x.shape[0] < 2:
             raise ValueError("`x` must contain at least 2 elements.")
+        axis = whole("axis", axis, -64, 64)
         if not -y.ndim <= axis < y.ndim:
             raise ValueError(f"axis = {axis} is out of bounds for `y` of dimension {y.ndim}.")
         axis %= y.ndim
@@ -246,6 +251,7 @@ class CubicSpline:
         ndarray
             The dimension `axis` of the ordinates is replaced by those of `x`.
         """
+        nu = whole("nu", nu, -_HIGHEST_ORDER, _HIGHEST_ORDER)
         if extrapolate is None:
             extrapolate = self.extrapolate
         points = np.asarray(x)
@@ -415,9 +421,7 @@ class CubicSpline:
         return self._exactly([(hexadecimal(exact("a", a)), hexadecimal(exact("b", b)))])[0]
 
     def _at(self, x: Any, nu: int) -> Any:
-        if not 0 <= nu <= 3:
-            raise ValueError(f"nu must be 0 to 3, got {nu}")
-        return hexadecimal(exact("x", x)), nu
+        return hexadecimal(exact("x", x)), whole("nu", nu, 0, 3)
 
     def _exactly(self, asked: list[Any]) -> list[Fraction]:
         if not self._certified:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import csv
 import hashlib
+import io
 import os
 from collections.abc import Iterable
-from decimal import ROUND_CEILING, Context, Decimal
+from decimal import ROUND_CEILING, Decimal
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -15,11 +16,17 @@ import numpy as np
 
 from . import _mechaudit, certified
 from ._audit import drawn
-from ._files import whole
+from ._checks import whole
+from ._files import write
 from ._methods import Description
 
 __all__ = ["Vectors", "vectors"]
 
+
+#: Binary exponents up to which exact arithmetic is quick.
+_WRITTEN_OUT = 1 << 14
+#: More in a region take longer than anybody waits.
+_MOST = 100_000
 
 #: Names in scipy's tables, and their types.
 _XSREF = {
@@ -96,22 +103,23 @@ class Vectors:
         for name in outputs:
             names += [name, f"{name}_radius"]
 
-        def write(file: Any) -> None:
-            writer = csv.writer(file, lineterminator="\n")
-            writer.writerow([*names, "proof"])
-            for i in range(len(self)):
-                row: list[str] = [self.regions[i], *(float(x).hex() for x in self.inputs[i])]
-                for k in range(len(outputs)):
-                    row += [self.decimals[i][k], self.radii[i][k]]
-                writer.writerow([*row, self.proofs[i]])
-
-        whole(path, "w", write)
+        text = io.StringIO()
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow([*names, "proof"])
+        for i in range(len(self)):
+            row: list[str] = [self.regions[i], *(float(x).hex() for x in self.inputs[i])]
+            for k in range(len(outputs)):
+                row += [self.decimals[i][k], self.radii[i][k]]
+            writer.writerow([*row, self.proofs[i]])
+        write(path, text.getvalue())
 
     def to_npz(self, path: str | os.PathLike[str]) -> None:
         """All columns as arrays."""
         columns = {k: np.asarray(v) for k, v in self._columns().items()}
+        content = io.BytesIO()
         save: Any = np.savez_compressed
-        whole(path, "wb", lambda file: save(file, **columns))
+        save(content, **columns)
+        write(path, content.getvalue())
 
     def to_parquet(self, folder: str | os.PathLike[str]) -> tuple[Path, Path]:
         """Two tables in the layout of scipy's xsref: ``In_*.parquet`` and ``Out_*.parquet``.
@@ -139,8 +147,9 @@ class Vectors:
         file_in, file_out = where / f"In_{stem}.parquet", where / f"Out_{stem}.parquet"
         columns = {name: self.inputs[:, k] for k, name in enumerate(inputs)}
         table = pa.table(columns).replace_schema_metadata(metadata)
-        whole(file_in, "wb", lambda file: pq.write_table(table, file, compression="zstd"))
-        checksum = hashlib.sha256(file_in.read_bytes()).hexdigest().encode()
+        content = _parquet(pq, table)
+        write(file_in, content)
+        checksum = hashlib.sha256(content).hexdigest().encode()
         columns = {name: self.values[:, k] for k, name in enumerate(outputs)}
         columns["fallback"] = np.zeros(len(self), dtype=bool)
         for k, name in enumerate(outputs):
@@ -150,8 +159,14 @@ class Vectors:
         metadata[b"input_checksum"] = checksum
         metadata[b"mechaudit_version"] = _mechaudit.__version__.encode()
         values = pa.table(columns).replace_schema_metadata(metadata)
-        whole(file_out, "wb", lambda file: pq.write_table(values, file, compression="zstd"))
+        write(file_out, _parquet(pq, values))
         return file_in, file_out
+
+
+def _parquet(pq: Any, table: Any) -> bytes:
+    content = io.BytesIO()
+    pq.write_table(table, content, compression="zstd")
+    return content.getvalue()
 
 
 def vectors(
@@ -189,8 +204,7 @@ def vectors(
     (1, True)
     """
     digits = certified._checked(digits)
-    if n < 1:
-        raise ValueError(f"n must be at least 1, got {n}")
+    n = whole("n", n, 1, _MOST)
     description = Description(method)
     if not description.fixed:
         raise ValueError(f"method: the inputs or outputs of {description.name} have no fixed number")
@@ -227,16 +241,21 @@ def vectors(
 
 def _nearest(x: certified.Real) -> float | None:
     """The nearest float, where the ball tells which it is."""
+    if abs(x.size) > _WRITTEN_OUT:
+        return float(x)
     low, high = (float(end) for end in x.interval)
     return low if low == high else None
 
 
 def _upward(x: certified.Real) -> str:
     """A bound on the distance from the decimal to the true value: three digits, rounded up."""
+    if abs(x.size) > _WRITTEN_OUT:
+        # The ends of the interval are too long to be written out; half a unit of the last digit is a bound.
+        return certified.written(certified.half_unit(x))
     low, high = x.interval
     at = Fraction(x.decimal)
     off = max(high - at, at - low)
     if not off:
         return "0"
-    up = Context(prec=3, rounding=ROUND_CEILING, Emin=-(10**9), Emax=10**9)
-    return str(up.divide(Decimal(off.numerator), Decimal(off.denominator)))
+    up = certified.context(3, ROUND_CEILING)
+    return certified.written(up.divide(Decimal(off.numerator), Decimal(off.denominator)))

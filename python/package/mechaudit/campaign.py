@@ -15,18 +15,22 @@ Needs the extra ``campaign`` (``distributed``, ``tqdm``) and the program, on the
 from __future__ import annotations
 
 import argparse
+import importlib
 import json
 import os
 import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import CancelledError
 from dataclasses import dataclass, field
 from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+
+from ._checks import whole
+from ._files import write
 
 if TYPE_CHECKING:
     from distributed import Client as _Client
@@ -35,6 +39,10 @@ if TYPE_CHECKING:
 TRIALS = 3
 #: Tasks in the scheduler's hands for each thread of the cluster: it never sees more of a large campaign.
 AHEAD = 4
+#: Shards of a campaign, as the program has it.
+MOST_SHARDS = 1_000_000
+#: Worker processes on one machine.
+MOST_WORKERS = 1024
 #: States of a task that will come to something.
 UNDER_WAY = ("pending", "lost")
 
@@ -96,23 +104,6 @@ def task(binary: str, plan: bytes | None, folder: str | None, numbers: range) ->
         return {k: _shard(path, k).read_bytes() for k in numbers}
 
 
-def _write(file: Path, data: bytes) -> None:
-    """Writes a file beside its place and renames it."""
-    handle, name = tempfile.mkstemp(prefix=".mechaudit-", dir=file.parent)
-    try:
-        with os.fdopen(handle, "wb") as out:
-            out.write(data)
-            out.flush()
-            os.fsync(out.fileno())
-        umask = os.umask(0)
-        os.umask(umask)
-        os.chmod(name, 0o666 & ~umask)
-        os.replace(name, file)
-    except BaseException:
-        os.unlink(name)
-        raise
-
-
 def _batches(numbers: Sequence[int], size: int) -> Iterator[range]:
     """Neighbours together, at most so many."""
     start = None
@@ -127,6 +118,7 @@ def _batches(numbers: Sequence[int], size: int) -> Iterator[range]:
 
 def plan(file: str | Path, output: str | Path, *, shards: int = 64, binary: str = "mechaudit") -> Path:
     """Cuts a plan into shards: makes the campaign's folder, or finds it made."""
+    shards = whole("shards", shards, 1, MOST_SHARDS)
     _call(binary, "plan", str(file), "--shards", str(shards), "--output", str(output))
     return Path(output)
 
@@ -156,6 +148,7 @@ def run(
     from distributed import KilledWorker, as_completed, wait
     from tqdm import tqdm
 
+    batch = whole("batch", batch, 1, MOST_SHARDS)
     folder = Path(folder)
     before = status(folder, binary=binary)
     missing: list[int] = before["missing"]
@@ -168,7 +161,7 @@ def run(
     given = None if shared else (folder / "plan.json").read_bytes()
     where = str(folder.resolve()) if shared else None
     # It goes with every task, a few kilobytes: data scattered to workers is lost with them.
-    todo = _batches(missing, max(batch, 1))
+    todo = _batches(missing, batch)
     numbers: dict[str, range] = {}
 
     def submitted(some: range, trial: str = "") -> Any:
@@ -190,7 +183,7 @@ def run(
             if future.status == "finished":
                 # Waits where the result went with its worker and is computed again.
                 for k, found in future.result().items():
-                    _write(_shard(folder, k), found)
+                    write(_shard(folder, k), found)
                 outcome.done += len(some)
                 bar.update(len(some))
             elif future.status == "cancelled":
@@ -230,6 +223,18 @@ def run(
     return outcome
 
 
+def _counting(most: int) -> Callable[[str], int]:
+    """The type of an argument that counts something."""
+
+    def read(text: str) -> int:
+        try:
+            return whole("the number", int(text), 1, most)
+        except ValueError:
+            raise argparse.ArgumentTypeError(f"must be a whole number from 1 to {most}, got {text!r}") from None
+
+    return read
+
+
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="python -m mechaudit.campaign",
@@ -240,10 +245,11 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("plan", metavar="PLAN", help="a plan, or the folder of a campaign")
     where = parser.add_mutually_exclusive_group(required=True)
     where.add_argument("--scheduler", metavar="ADDRESS", help="a running scheduler: tcp://host:8786, or its file")
-    where.add_argument("--local", metavar="N", type=int, help="N worker processes on this machine")
+    where.add_argument("--local", metavar="N", type=_counting(MOST_WORKERS), help="N worker processes on this machine")
     parser.add_argument("--output", metavar="DIR", help="the campaign's folder, for a plan")
-    parser.add_argument("--shards", metavar="N", type=int, default=64, help="how many, for a plan [64]")
-    parser.add_argument("--batch", metavar="B", type=int, default=1, help="shards of a task [1]")
+    shards = _counting(MOST_SHARDS)
+    parser.add_argument("--shards", metavar="N", type=shards, default=64, help="how many, for a plan [64]")
+    parser.add_argument("--batch", metavar="B", type=shards, default=1, help="shards of a task [1]")
     parser.add_argument("--shared", action="store_true", help="workers write into the folder themselves")
     parser.add_argument("--binary", metavar="FILE", help="the program, as workers find it [on the path]")
     return parser
@@ -257,9 +263,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print("mechaudit.campaign: there is no mechaudit on the path, give --binary", file=sys.stderr)
         return 2
     try:
-        import distributed
-    except ImportError:
-        print("mechaudit.campaign: needs distributed: pip install 'mechaudit[campaign]'", file=sys.stderr)
+        distributed, _ = (importlib.import_module(name) for name in ("distributed", "tqdm"))
+    except ImportError as e:
+        print(f"mechaudit.campaign: needs {e.name}: pip install 'mechaudit[campaign]'", file=sys.stderr)
         return 2
     folder = Path(args.plan)
     try:

@@ -20,11 +20,12 @@ Examples
 from __future__ import annotations
 
 import importlib.util
-from decimal import ROUND_HALF_EVEN, Context, Decimal
+from decimal import MAX_EMAX, MIN_EMIN, ROUND_HALF_EVEN, Context, Decimal, InvalidOperation, Overflow, Subnormal
 from fractions import Fraction
 from typing import Any, Protocol
 
 from . import _mechaudit
+from ._checks import whole
 from ._exact import exact, hexadecimal, is_sequence, parts
 from ._mechaudit import DomainError, Undecided
 
@@ -46,9 +47,13 @@ __all__ = [
 
 #: More digits take longer than anybody waits without wanting to interrupt.
 _MOST_DIGITS = 10_000
+#: The numbers of zeros that can be asked for end here.
+_MOST_ZEROS = 1_000_000
 #: Digits beyond those asked for, of which rounding is decided; raised until it is.
 _GUARDS = (6, 30, 150)
-#: `interval` writes the ends out.
+#: A radius is at least this many bits below the number in `interval`, which writes the ends out.
+_SHORTEST_RADIUS = 1 << 16
+#: The largest exponent of an end.
 _LARGEST_EXPONENT = 1 << 22
 
 
@@ -60,26 +65,49 @@ def _mpmath() -> Any:
     return mpmath
 
 
+def context(digits: int, rounding: str = ROUND_HALF_EVEN) -> Context:
+    """The context of every decimal here: the thread's own, which may have any precision, range and traps, has no
+    part in them."""
+    return Context(
+        prec=digits,
+        rounding=rounding,
+        Emin=MIN_EMIN,
+        Emax=MAX_EMAX,
+        capitals=1,
+        clamp=0,
+        flags=[],
+        traps=[InvalidOperation, Overflow, Subnormal],
+    )
+
+
+def written(number: Decimal) -> str:
+    """A decimal as text, which for `str` depends on the thread's context."""
+    return context(1).to_sci_string(number)
+
+
+def half_unit(x: Real) -> Decimal:
+    """Half a unit of the last digit, which is as far as a decimal rounded correctly can be off."""
+    exponent = int(x.decimal.adjusted()) - x.digits + 1
+    return Decimal((0, (5,), exponent - 1))
+
+
 def _rounded(text: str, digits: int) -> Decimal | None:
     """The decimal rounded to `digits`, if an error of a unit of its last digit does not matter."""
     try:
-        near = Decimal(text)
+        near = Decimal(text, context(1))
+        if not near:
+            # Only an exact zero is written so.
+            return Decimal(0)
+        figures, exponent = near.as_tuple()[1:]
+        unit = Decimal((0, (1,), int(exponent)))
+        narrow, wide = context(digits), context(len(figures) + 2)
+        low, high = (narrow.plus(end) for end in (wide.subtract(near, unit), wide.add(near, unit)))
+        # The same number may be written with fewer digits at one end: 0.99999 and 1.0000.
+        return narrow.plus(near) if low == high else None
     except ArithmeticError:
         raise DomainError(
             f"the value, {text[:12]}...{text[-24:]}, has an exponent beyond what a Decimal holds"
         ) from None
-    if not near:
-        # Only an exact zero is written so.
-        return Decimal(0)
-    context = Context(
-        prec=digits, rounding=ROUND_HALF_EVEN, Emin=-(10**18) + 1, Emax=10**18 - 1, traps=[]
-    )
-    sign, figures, exponent = near.as_tuple()
-    unit = Decimal((0, (1,), int(exponent)))
-    wide = Context(prec=len(figures) + 2, Emin=-(10**18) + 1, Emax=10**18 - 1, traps=[])
-    low, high = (context.plus(wide.add(near, step)) for step in (-unit, unit))
-    # The same number may be written with fewer digits at one end: 0.99999 and 1.0000.
-    return context.plus(near) if low == high else None
 
 
 class Real:
@@ -123,9 +151,13 @@ class Real:
             return self._mpf(self._rad)
         if not self._rad[0] and self.decimal == self._fraction(self._mid):
             return Decimal(0)
-        exponent = int(self.decimal.adjusted()) - self.digits + 1
-        # Half a unit of the last digit, and no less: it is rounded correctly.
-        return Decimal((0, (5,), exponent - 1))
+        return half_unit(self)
+
+    @property
+    def size(self) -> int:
+        """The exponent of the smallest power of two above the midpoint; 0 for zero."""
+        mantissa, exponent = self._mid
+        return mantissa.bit_length() + exponent if mantissa else 0
 
     def _fraction(self, power: tuple[int, int]) -> Fraction:
         mantissa, exponent = power
@@ -137,8 +169,12 @@ class Real:
 
     @property
     def interval(self) -> tuple[Fraction, Fraction]:
-        mid, rad = self._fraction(self._mid), self._fraction(self._rad)
-        return mid - rad, mid + rad
+        rad, least = self._rad, self.size - _SHORTEST_RADIUS
+        if self._mid[0] and rad[0] and rad[0].bit_length() + rad[1] < least:
+            # Widened, so that the ends are no longer than they have to be.
+            rad = (1, least)
+        mid, off = self._fraction(self._mid), self._fraction(rad)
+        return mid - off, mid + off
 
     def arb(self) -> Any:
         """The ball as a `flint.arb`; needs python-flint."""
@@ -147,10 +183,15 @@ class Real:
 
     def __float__(self) -> float:
         """The nearest float, for numbers that are none as well as can be told."""
+        # Numbers beyond every float need not be written out.
+        if self.size > 1025:
+            raise OverflowError(f"the number has a binary exponent of {self.size}: use value")
+        if self.size < -1100:
+            return -0.0 if self._mid[0] < 0 else 0.0
         return float(self._fraction(self._mid))
 
     def __str__(self) -> str:
-        return str(self.decimal)
+        return written(self.decimal)
 
     def __repr__(self) -> str:
         return f"Real('{self}')"
@@ -217,7 +258,7 @@ class Complex:
 
     def __str__(self) -> str:
         sign = "-" if self.imag.decimal.is_signed() else "+"
-        return f"{self.real} {sign} {self.imag.decimal.copy_abs()}j"
+        return f"{self.real} {sign} {written(self.imag.decimal.copy_abs())}j"
 
     def __repr__(self) -> str:
         return f"Complex('{self}')"
@@ -243,12 +284,7 @@ def _flint() -> Any:
 
 
 def _checked(digits: int) -> int:
-    if isinstance(digits, bool) or not hasattr(digits, "__index__"):
-        raise TypeError(f"digits must be an integer, got {digits!r}")
-    digits = digits.__index__()
-    if not 1 <= digits <= _MOST_DIGITS:
-        raise ValueError(f"digits must be between 1 and {_MOST_DIGITS}, got {digits}")
-    return digits
+    return whole("digits", digits, 1, _MOST_DIGITS)
 
 
 def _power(pair: tuple[str, str]) -> tuple[int, int]:
@@ -458,10 +494,10 @@ def zeros(count: int, *, digits: int = 30, function: str = "wofz", first: int = 
     1.9914668428338795773 - 1.3548101281120062489j
     """
     digits = _checked(digits)
-    if count < 0 or first < 1:
-        raise ValueError(f"count = {count} must not be negative, first = {first} must be at least 1")
-    if first + count > 1_000_000:
-        raise ValueError(f"first + count must not exceed 1000000, got {first + count}")
+    count = whole("count", count, 0, _MOST_ZEROS)
+    first = whole("first", first, 1, _MOST_ZEROS)
+    if first + count > _MOST_ZEROS:
+        raise ValueError(f"first + count must not exceed {_MOST_ZEROS}, got {first + count}")
 
     def ask(which: list[int], more: int) -> Any:
         return [_mechaudit.zero(function, first + k, more) for k in which]

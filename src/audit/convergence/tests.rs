@@ -21,6 +21,9 @@ impl Approximation for Trapezoid {
     fn outputs(&self) -> Vec<(&'static str, Option<f64>)> {
         vec![("integral", Some(2.0))]
     }
+    fn places(&self) -> String {
+        "the whole interval".into()
+    }
     fn levels(&self) -> Vec<String> {
         (0..5).map(|k| (3u64 << k).to_string()).collect()
     }
@@ -116,6 +119,9 @@ impl Approximation for Plan {
     fn outputs(&self) -> Vec<(&'static str, Option<f64>)> {
         [("s", Some(2.0)), ("t", None)][..self.outputs].to_vec()
     }
+    fn places(&self) -> String {
+        "one place".into()
+    }
     fn levels(&self) -> Vec<String> {
         (0..self.runs.len()).map(|k| format!("level {k}")).collect()
     }
@@ -147,6 +153,7 @@ fn orders_follow_from_errors() {
     let report = Plan::of(&errors.map(|e| 0.5 + e)).report();
     assert_eq!((report.name, report.work_unit), ("plan", "steps"));
     assert_eq!(report.outputs, ["s"]);
+    assert_eq!(report.places, "one place");
     assert_eq!(report.orders, [Some(2.0)]);
     for (k, level) in report.levels.iter().enumerate() {
         assert_eq!(

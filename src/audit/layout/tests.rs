@@ -56,7 +56,10 @@ fn a_length_may_stand_in_the_input() {
     );
     for bad in [-1.0, 1.5, f64::NAN, 1e300] {
         let e = law.lengths(&[0.5, bad, 7.0]).unwrap_err();
-        assert_eq!(e.to_string(), format!("p = {bad} is no number of c"));
+        assert_eq!(
+            e.to_string(),
+            format!("p = {} is no number of c", crate::reason::plain(bad))
+        );
     }
     assert!(law.lengths(&[]).is_err());
 }

@@ -267,12 +267,20 @@ fn a_wrong_number_of_values_is_told_which_are_due() {
         (kind, report.judgement.why().unwrap_or_default())
     };
     let words = Layout::new(&method).answer();
-    let due = |n| format!("{n} values where 2 are due: {words}");
+    let due = |n| {
+        format!(
+            "{n} value{}, expected 2 values: {words}",
+            if n == 1 { "" } else { "s" }
+        )
+    };
     assert_eq!(reason(values(&[1.0])), (Some(Kind::Missing), due(1)));
     assert_eq!(reason(values(&[1.0; 3])), (Some(Kind::Missing), due(3)));
     assert_eq!(reason(values(&[1.0; 2])), (None, String::new()));
     let nan = reason(values(&[1.0, f64::NAN]));
-    assert_eq!(nan, (Some(Kind::Nan), "x (value 1) is NaN".into()));
+    assert_eq!(
+        nan,
+        (Some(Kind::Nan), "x (value 1) is NaN, expected 1e0".into())
+    );
 }
 
 fn branch() -> BranchAt {

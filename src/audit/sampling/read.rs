@@ -1,6 +1,7 @@
 //! Boxes and centres as they are written.
 //!
-//! A box is written `NAME=SIDE, NAME=SIDE`: names of single numbers of the input, and for each
+//! A box is written `NAME=SIDE, NAME=SIDE`: names of numbers of the input, those of vectors
+//! counted from 0 as in `y[0]`, and for each
 //!
 //! | side | draws |
 //! |---|---|
@@ -13,7 +14,7 @@
 
 use super::{Near, SampleBox, SamplingError, Side, Spacing};
 use crate::case::{Case, Cases};
-use crate::layout::Layout;
+use crate::layout::{Column, Layout};
 use crate::method::Method;
 use crate::nearest::did_you_mean;
 use crate::no_such::NoSuch;
@@ -38,26 +39,24 @@ impl SampleBox {
     /// A part that is no side, a name that the method does not have.
     pub fn read(method: &dyn Method, text: &str) -> Result<SampleBox, SamplingError> {
         let layout = Layout::new(method);
-        let singles = layout.singles();
         let mut sides: Vec<Side> = Vec::new();
         for part in text.split(',') {
             let part = part.trim();
-            let bad = || SamplingError::Side { part: part.into() };
-            let (name, side) = part.split_once('=').ok_or_else(bad)?;
+            let text = part;
+            let bad = || SamplingError::Side { part: text.into() };
+            let (name, side) = text.split_once('=').ok_or_else(bad)?;
             let (name, side) = (name.trim(), side.trim());
-            let Some(&(_, at)) = singles.iter().find(|(symbol, _)| *symbol == name) else {
-                let known: Vec<&str> = singles.iter().map(|(symbol, _)| *symbol).collect();
+            let Some(Column::Input { part, index }) = layout.column(name) else {
+                let of = |part| layout.input_column(part, 0);
+                let known: Vec<String> = (0..layout.parts()).map(of).collect();
                 return Err(SamplingError::Name {
                     method: method.name(),
                     name: name.into(),
                     hint: did_you_mean(name, &known),
-                    known: match known.len() {
-                        0 => "none at a fixed place".into(),
-                        _ => known.join(", "),
-                    },
+                    known: known.join(", "),
                 });
             };
-            if sides.iter().any(|s| s.at == at) {
+            if sides.iter().any(|s| (s.part, s.index) == (part, index)) {
                 return Err(SamplingError::Twice { name: name.into() });
             }
             let (spacing, ends) = match side {
@@ -78,21 +77,40 @@ impl SampleBox {
                 _ => None,
             };
             if let Some(reason) = reason {
-                let part = part.into();
+                let part = text.into();
                 return Err(SamplingError::Ends { part, reason });
             }
-            sides.push(Side { at, ends, spacing });
+            sides.push(Side {
+                part,
+                index,
+                ends,
+                spacing,
+            });
         }
-        sides.sort_by_key(|s| s.at);
-        let whole = sides.len() == layout.parts();
-        if !whole && method.domain().regions.is_empty() {
+        sides.sort_by_key(|s| (s.part, s.index));
+        let is_single = |s: &Side| layout.is_single(s.part);
+        let whole = sides.len() == layout.parts() && sides.iter().all(is_single);
+        let domain = method.domain();
+        if !whole && domain.regions.is_empty() {
             return Err(SamplingError::NoRegion);
         }
-        Ok(SampleBox {
+        let read = SampleBox {
             text: text.into(),
+            layout,
             sides,
             whole,
-        })
+        };
+        if !whole {
+            let (_, input) = read.rest(method.name(), &domain, (0, 0));
+            let missing = read.sides.iter().find(|s| read.place(s, &input).is_none());
+            if let Some(side) = missing {
+                return Err(SamplingError::Element {
+                    method: method.name(),
+                    name: read.layout.input_column(side.part, side.index),
+                });
+            }
+        }
+        Ok(read)
     }
 }
 

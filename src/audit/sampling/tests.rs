@@ -119,7 +119,7 @@ fn what_is_no_box() {
         ("x=+-log -2..-1", "both ends are positive"),
         ("x=+-log 0..1", "both ends are positive"),
         ("x=log -1..0", "both ends of one sign"),
-        ("z=1..2", "has no single input \"z\""),
+        ("z=1..2", "has no input \"z\""),
         ("x=1..2,x=1..2", "names x twice"),
     ] {
         let e = boxed(text).unwrap_err().to_string();

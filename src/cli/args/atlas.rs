@@ -39,8 +39,8 @@ pub struct AtlasArgs {
     /// A program besides, of the method `faddeeva`'s protocol; may be given several times
     #[arg(long, value_name = "COMMAND")]
     pub exec: Vec<String>,
-    /// Points in each region; searches are multiples of it [default: 200]
-    #[arg(long, value_name = "N", value_parser = number::counting::<u64>())]
+    /// Points in each region, up to a million; searches are multiples of it [default: 200]
+    #[arg(long, value_name = "N", value_parser = number::within::<u64>(1..=1_000_000))]
     pub cases: Option<u64>,
     /// Key of the random stream [default: 1]
     #[arg(long, value_name = "SEED", value_parser = number::whole)]

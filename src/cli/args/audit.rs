@@ -27,8 +27,9 @@ Examples:
 
 With --exec the program reads inputs and writes answers, one a line, see mechaudit points \
 --help. It gets all inputs without waiting for its answers. A line that cannot be read fails its \
-own case; after a crash, a wrong exit status or a silence of --timeout seconds the inputs left \
-fail as unanswered, and what is judged stays judged.
+own case; after a crash, a wrong exit status, a silence of --timeout seconds or the end of the \
+--run-timeout seconds for all its answers the inputs left fail as unanswered, and what is judged \
+stays judged.
 
 Ctrl-C ends an audit with a report of what is judged until then and exit code 130; see mechaudit \
 --help for the others.";
@@ -80,6 +81,9 @@ pub struct ProgramArgs {
     /// Seconds without a line from the program after which it is ended
     #[arg(long, value_name = "S", default_value = "60", value_parser = seconds, requires = "exec")]
     pub timeout: Duration,
+    /// Seconds after which the program is ended, however many lines it has written
+    #[arg(long, value_name = "S", default_value = "3600", value_parser = seconds, requires = "exec")]
+    pub run_timeout: Duration,
     /// Give the program decimals instead of hexadecimal floats
     #[arg(long, requires = "exec")]
     pub decimal: bool,

@@ -1,6 +1,6 @@
 //! Arguments of `mechaudit chirp`.
 
-use super::{CsvOrJson, UnitsArgs, number};
+use super::{RowsFormat, UnitsArgs, number};
 use clap::{Args as ClapArgs, ValueEnum};
 use std::path::PathBuf;
 
@@ -8,7 +8,7 @@ pub const AFTER_HELP: &str = "\
 Examples:
   mechaudit chirp examples/chirp-run-up.toml --svg drawings > history.csv
   mechaudit chirp examples/chirp-chart.toml --rows chart --svg drawings
-  mechaudit chirp examples/chirp-run-down.toml --format json
+  mechaudit chirp examples/chirp-run-down.toml --format html --output run.html
   mechaudit chirp examples/chirp-chart.toml --rows spectrum --harmonics 50
 
 The equation is y'' + 2n y' + w^2 y = w^2 f, f the cam's displacement. The file:
@@ -54,12 +54,12 @@ pub struct ChirpArgs {
     /// The oscillator, its cam and its shaft in TOML or JSON; `-` reads standard input
     pub file: PathBuf,
     /// What to print [default: history with [run] in the file, else chart with [chart], else
-    /// spectrum]
+    /// spectrum; on a page all that there is]
     #[arg(long, value_enum)]
     pub rows: Option<ChirpRows>,
     /// Form of the rows
     #[arg(long, value_enum, default_value = "csv")]
-    pub format: CsvOrJson,
+    pub format: RowsFormat,
     /// Harmonics of the cam, instead of harmonics in the file
     #[arg(long, value_name = "N", value_parser = number::within::<u32>(1..=100_000))]
     pub harmonics: Option<u32>,
@@ -68,7 +68,7 @@ pub struct ChirpArgs {
     pub svg: Option<PathBuf>,
     #[command(flatten)]
     pub units: UnitsArgs,
-    /// Write the rows to this file, whole or not at all, or to a device or pipe; - is standard output
+    /// Write the rows, or the page, to this file, whole or not at all, or to a device or pipe; - is standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }

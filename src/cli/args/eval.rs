@@ -8,6 +8,7 @@ Examples:
   mechaudit eval --list
   echo 1.5,-0.25 | mechaudit eval faddeeva
   echo 0x1.8p+0,-0x1p-2 | mechaudit eval faddeeva --digits 50
+  echo 0.1,0.3,0,0,0,1 | mechaudit eval slider-crank --digits 30 --outputs x,mu
   mechaudit eval faddeeva --threads 4 < cases.csv > values.csv
 
 Input: one case a line, its numbers as `mechaudit list NAME` lays them out, separated by commas; \
@@ -16,15 +17,16 @@ that begin with # are skipped.
 
 Output: one line for each case, in the same order. Without --digits the floating-point solver at \
 the nearest 64-bit numbers, as hexadecimal floats; with --digits the reference at exactly the \
-numbers given, each value correctly rounded or its last digit off by one at most.
+numbers given, each value correctly rounded or its last digit off by one at most, 0 where it is \
+proved to be zero, and undecided where its digits cannot be certified.
 
 With MECHAUDIT_PROTOCOL=binary in its environment, as audit --binary sets it, and without --digits: \
 binary frames in place of lines, by one thread, see the book's chapter on formats; refusals are \
 frames too.
 
-A line that cannot be read ends the run with its number on standard error and exit code 2; \
-digits that cannot be certified, with exit code 1. Lines before it are answered, lines after it \
-are not.";
+A line that cannot be read ends the run with its number on standard error and exit code 2; one \
+of which no value can be certified, with exit code 1. Lines before it are answered, lines after \
+it are not. Values that are undecided beside others do not end it: the exit code is 1.";
 
 /// Arguments of `eval`.
 #[derive(ClapArgs, Debug)]
@@ -35,10 +37,13 @@ pub struct EvalArgs {
     /// Certified decimals with this many significant digits instead of floating-point numbers
     #[arg(long, value_name = "N", value_parser = number::within::<u32>(1..=10_000))]
     pub digits: Option<u32>,
+    /// These outputs only, separated by commas
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub outputs: Option<Vec<String>>,
     /// Threads [default: one for each core]
     #[arg(long, value_name = "T", value_parser = number::within::<usize>(1..=1024))]
     pub threads: Option<usize>,
     /// List the methods instead
-    #[arg(long, conflicts_with_all = ["name", "digits", "threads"])]
+    #[arg(long, conflicts_with_all = ["name", "digits", "outputs", "threads"])]
     pub list: bool,
 }

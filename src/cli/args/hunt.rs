@@ -7,17 +7,17 @@ use std::path::PathBuf;
 pub const AFTER_HELP: &str = "\
 Examples:
   mechaudit hunt four-bar --evals 20000 --seed 3
-  mechaudit hunt faddeeva --evals 100000 --hard reference/hard
+  mechaudit hunt faddeeva --evals 100000 --hard found
 
 A third of the evaluations go to seeds: check points, earlier hard cases, random inputs of every \
 region, inputs between those, inputs with few significant bits, and neighbours of such. The others \
 climb from the worst seeds by changing some bits or one coordinate, each within a factor of four of \
 its seed.
 
-An input that takes up more of an output's budget than any recorded one is added to METHOD.csv in \
-the folder of hard cases, with its share of the budget and how it was found; nothing is ever taken \
-away. `mechaudit audit METHOD --hard DIR` judges all of them; those in reference/hard are built in \
-and judged by every audit. Hunts may add to the same folder at the same time.
+With --hard an input that takes up more of an output's budget than any recorded one is added to \
+METHOD.csv in that folder, with its share of the budget and how it was found; nothing is ever taken \
+away. Without it nothing is written. `mechaudit audit METHOD --hard DIR` judges all of them; those \
+that are built in are judged by every audit. Hunts may add to the same folder at the same time.
 
 Exit codes: 0, nothing over budget but what was recorded; 1, a finding; 2, bad usage or input; 130, \
 ended by Ctrl-C, what was found until then is reported and recorded.";
@@ -33,7 +33,8 @@ pub struct HuntArgs {
     /// Key of the random stream
     #[arg(long, value_name = "SEED", default_value = "1", value_parser = number::whole)]
     pub seed: u64,
-    /// Folder of the hard cases; nothing is recorded if it is not there
-    #[arg(long, value_name = "DIR", default_value = "reference/hard")]
-    pub hard: PathBuf,
+    /// Climb from the hard cases in this folder, and add what is worse; those built in otherwise,
+    /// and nothing is added
+    #[arg(long, value_name = "DIR")]
+    pub hard: Option<PathBuf>,
 }

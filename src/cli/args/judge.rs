@@ -19,10 +19,13 @@ answer that cannot be read is judged as one, and those after it still count. See
 points --help for what an answer looks like.
 
 A table begins with a line of names, those of the inputs and of outputs (see mechaudit list \
-METHOD), in any order, with their unit in brackets or without: phi1 [rad]. Vectors and rows are \
-counted from 0: diagonal[0], S[1]. Inputs are taken exactly as printed; outputs are printed \
-decimals, an empty field none. An entry agrees if the reference is certainly within half a unit \
-of its last digit: 1.2e4 has units of 1000.
+METHOD), in any order, with their unit in brackets or without: phi1 [rad]. Values in another unit \
+of the same, as phi2 [deg] or x [mm], are judged in it; an input in degrees is refused, for it is no \
+exact number of radians. Vectors and rows are counted from 0: diagonal[0], S[1]. Without a column \
+Im z the inputs are real, and x and erf are short for Re z and Re erf. Inputs are taken exactly as \
+printed; outputs are printed decimals, an empty field none, and NaN and infinities entries like \
+others. An entry agrees if the reference is certainly within half a unit of its last digit: 1.2e4 \
+has units of 1000. The reference is shown to as many digits as the entry has, and 20 at least.
 
 Limits: a line has 1 MiB and 100000 fields at most, a table 64 MiB, a field of one 1000 bytes.
 
@@ -35,7 +38,7 @@ ended by Ctrl-C.";
 pub struct JudgeArgs {
     /// The method
     pub method: String,
-    /// The inputs, as `mechaudit points` writes them
+    /// The inputs, as `mechaudit points` writes them; `-` reads standard input
     #[arg(
         long,
         value_name = "FILE",
@@ -50,7 +53,7 @@ pub struct JudgeArgs {
     /// of it
     #[arg(long, value_name = "N", value_parser = number::whole)]
     pub line: Option<u64>,
-    /// A published table in CSV: inputs and printed decimals
+    /// A published table in CSV: inputs and printed decimals; `-` reads standard input
     #[arg(long, value_name = "FILE", conflicts_with_all = ["inputs", "values", "outputs", "ulps", "relative", "absolute", "normwise", "single"])]
     pub table: Option<PathBuf>,
     #[command(flatten)]

@@ -1,7 +1,7 @@
 //! Arguments of `mechaudit linkage`.
 
-use super::{UnitsArgs, number};
-use clap::{Args as ClapArgs, ValueEnum};
+use super::{RowsFormat, UnitsArgs, number};
+use clap::Args as ClapArgs;
 use mechaudit::reference::Decimal;
 use std::path::PathBuf;
 
@@ -35,7 +35,7 @@ The file (TOML or JSON) gives every quantity as a string with its unit:
   radius = \"50 cm\"
   angle = \"0 deg\"
 
-With type = \"four-bar\" or \"slider-crank\", without [bodies]:
+With type = \"four-bar\" or \"slider-crank\":
   [geometry]
   crank = \"10 cm\"                   # and coupler, rocker, frame: rocker pivot at (frame, 0)
                                     # or rod, offset (0 m if left out), direction (0 deg)
@@ -43,6 +43,9 @@ With type = \"four-bar\" or \"slider-crank\", without [bodies]:
   phi1 = \"0 deg\"
   assembly = \"positive\"             # joint left of the line from the crank's end to the rocker's
                                     # pivot, slider ahead: branch 0; or \"negative\": branch 1
+  [points.coupler]                  # optional, for --paths: points of a link (crank, coupler, rocker;
+  P = [\"20 cm\", \"5 cm\"]           # crank, rod, slider), from its first joint toward the second
+  [bodies.coupler]                  # optional: adds I_n and M_o, and with crank_speed --reactions
 
 With type = \"planar\", any mechanism with one degree of freedom; `mechaudit::book` has all of it:
   [points]                          # where points are in a drawing, if there is one
@@ -71,7 +74,7 @@ pub struct LinkageArgs {
     pub step_deg: Option<Decimal>,
     /// Form of the rows
     #[arg(long, value_enum, default_value = "csv")]
-    pub format: LinkageFormat,
+    pub format: RowsFormat,
     /// First crank angle in degrees [default: start.phi1 of the file, else 0]
     #[arg(long, value_name = "A", value_parser = Decimal::parse, allow_hyphen_values = true)]
     pub from_deg: Option<Decimal>,
@@ -88,10 +91,10 @@ pub struct LinkageArgs {
     /// Certified decimals with this many significant digits instead of floating-point numbers
     #[arg(long, value_name = "N", value_parser = number::within::<u32>(1..=1000))]
     pub digits: Option<u32>,
-    /// Positions, derivatives and curvature of the paths of all named points (type = "planar")
+    /// Positions, derivatives and curvature of the paths of all named points (not for type = "class-iii")
     #[arg(long)]
     pub paths: bool,
-    /// Forces in the joints at the drive's speed and acceleration (type = "planar")
+    /// Forces in the joints at the drive's speed and acceleration (not for type = "class-iii")
     #[arg(long)]
     pub reactions: bool,
     /// Draw mechanism.svg and, with masses, reduced.svg into this folder
@@ -106,15 +109,4 @@ pub struct LinkageArgs {
     /// Write the rows, or the page, to this file, whole or not at all, or to a device or pipe; - is standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-}
-
-/// The forms of a linkage's rows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum LinkageFormat {
-    /// One line for each row
-    Csv,
-    /// The rows beside all that is known of the whole
-    Json,
-    /// One page without outside parts: the linkage moved by a slider, beside its values
-    Html,
 }

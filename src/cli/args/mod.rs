@@ -7,6 +7,7 @@ mod chirp;
 mod compare;
 mod converge;
 mod eval;
+mod help;
 mod hunt;
 mod identity;
 mod judge;
@@ -35,7 +36,7 @@ pub use eval::EvalArgs;
 pub use hunt::HuntArgs;
 pub use identity::IdentityArgs;
 pub use judge::JudgeArgs;
-pub use linkage::{LinkageArgs, LinkageFormat};
+pub use linkage::LinkageArgs;
 pub use list::ListArgs;
 pub use paper::{PaperArgs, PaperFormat};
 pub use points::PointsArgs;
@@ -47,6 +48,7 @@ pub use shell::{CompletionsArgs, ManArgs};
 pub use units::UnitsArgs;
 
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
+use mechaudit::report::rows::Form;
 
 const AFTER_HELP: &str = "\
 Examples:
@@ -74,7 +76,7 @@ Exit codes:
 #[command(
     name = "mechaudit",
     version,
-    after_help = AFTER_HELP,
+    after_help = help::text(AFTER_HELP, &[]),
     max_term_width = 100,
     args_conflicts_with_subcommands = true
 )]
@@ -103,64 +105,64 @@ pub struct RunArgs {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Audit all methods or one, a region of one or a single case
-    #[command(after_help = audit::AFTER_HELP)]
+    #[command(after_help = help::text(audit::AFTER_HELP, &["audit"]))]
     Audit(AuditArgs),
     /// Judge several programs at the same cases, side by side
-    #[command(after_help = compare::AFTER_HELP)]
+    #[command(after_help = help::text(compare::AFTER_HELP, &["compare"]))]
     Compare(CompareArgs),
     /// Published algorithms for W(z) and Voigt, and what is claimed about them, beside certified values
-    #[command(after_help = atlas::AFTER_HELP)]
+    #[command(after_help = help::text(atlas::AFTER_HELP, &["atlas", "claims"]))]
     Atlas(AtlasArgs),
     /// Describe a method to whoever writes a candidate: inputs, outputs, budgets, domain, protocol
-    #[command(after_help = compare::AFTER_DESCRIBE)]
+    #[command(after_help = help::text(compare::AFTER_DESCRIBE, &["describe"]))]
     Describe(DescribeArgs),
     /// List the methods with their domains and budgets, and the papers
-    #[command(after_help = list::AFTER_HELP)]
+    #[command(after_help = help::text(list::AFTER_HELP, &[]))]
     List(ListArgs),
     /// Write inputs of a method, for programs in any language
-    #[command(after_help = points::AFTER_HELP)]
+    #[command(after_help = help::text(points::AFTER_HELP, &[]))]
     Points(PointsArgs),
     /// Judge answers that somebody's program gave
-    #[command(after_help = judge::AFTER_HELP)]
+    #[command(after_help = help::text(judge::AFTER_HELP, &["audit", "judge"]))]
     Judge(JudgeArgs),
     /// Search a method's domain for its worst inputs
-    #[command(after_help = hunt::AFTER_HELP)]
+    #[command(after_help = help::text(hunt::AFTER_HELP, &["hunt"]))]
     Hunt(HuntArgs),
     /// Judge very many cases in shards, on one machine or many, and add them up exactly
-    #[command(after_help = campaign::AFTER_HELP)]
+    #[command(after_help = help::text(campaign::AFTER_HELP, &["audit", "campaign"]))]
     Campaign(CampaignArgs),
     /// Show where the errors of approximations come from and how fast they fall
-    #[command(after_help = converge::AFTER_HELP)]
+    #[command(after_help = help::text(converge::AFTER_HELP, &["converge"]))]
     Converge(ConvergeArgs),
     /// Prove an error bound of a function over a part of the plane, by machine
-    #[command(after_help = prove::AFTER_HELP)]
+    #[command(after_help = help::text(prove::AFTER_HELP, &["prove"]))]
     Prove(ProveArgs),
     /// Decide equations on standard input, one a line: proved, refuted at a point, or undecided
     #[command(after_help = identity::AFTER_HELP)]
     Identity(IdentityArgs),
     /// Audit a published paper: its tables, its claims or its formulas
-    #[command(after_help = paper::AFTER_HELP)]
+    #[command(after_help = help::text(paper::AFTER_HELP, &["paper"]))]
     Paper(PaperArgs),
     /// Compute a function at the points on standard input, one a line
-    #[command(after_help = eval::AFTER_HELP)]
+    #[command(after_help = help::text(eval::AFTER_HELP, &[]))]
     Eval(EvalArgs),
     /// Compute a linkage given in a file over the crank's turn
-    #[command(after_help = linkage::AFTER_HELP)]
+    #[command(after_help = help::text(linkage::AFTER_HELP, &["linkage"]))]
     Linkage(LinkageArgs),
     /// Compute the run-up of a machine given in a file: its linkage under its motor
-    #[command(after_help = runup::AFTER_HELP)]
+    #[command(after_help = help::text(runup::AFTER_HELP, &["runup", "work-precision"]))]
     Runup(RunupArgs),
     /// Compute a cam-driven oscillator given in a file while its shaft changes speed
-    #[command(after_help = chirp::AFTER_HELP)]
+    #[command(after_help = help::text(chirp::AFTER_HELP, &["history", "chart", "spectrum"]))]
     Chirp(ChirpArgs),
     /// Make generated files anew, or check them
-    #[command(after_help = regenerate::AFTER_HELP)]
+    #[command(after_help = help::text(regenerate::AFTER_HELP, &["values"]))]
     Regenerate(RegenerateArgs),
     /// Write completions for a shell
-    #[command(after_help = shell::AFTER_COMPLETIONS)]
+    #[command(after_help = help::text(shell::AFTER_COMPLETIONS, &[]))]
     Completions(CompletionsArgs),
     /// Write manual pages
-    #[command(after_help = shell::AFTER_MAN)]
+    #[command(after_help = help::text(shell::AFTER_MAN, &[]))]
     Man(ManArgs),
 }
 
@@ -175,18 +177,22 @@ pub enum TextOrJson {
 
 /// The forms of rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum CsvOrJson {
+pub enum RowsFormat {
     /// One line for each row
     Csv,
     /// The rows beside all that is known of the whole
     Json,
+    /// One page without outside parts, with curves
+    Html,
 }
 
-impl From<CsvOrJson> for mechaudit::report::rows::Form {
-    fn from(form: CsvOrJson) -> Self {
-        match form {
-            CsvOrJson::Csv => Self::Csv,
-            CsvOrJson::Json => Self::Json,
+impl RowsFormat {
+    /// The form of rows; none of a page.
+    pub fn rows(self) -> Option<Form> {
+        match self {
+            RowsFormat::Csv => Some(Form::Csv),
+            RowsFormat::Json => Some(Form::Json),
+            RowsFormat::Html => None,
         }
     }
 }
@@ -198,6 +204,8 @@ mod tests {
 
     /// The lines of a text that are commands of this program, what is piped or redirected left out.
     fn commands(text: &str) -> Vec<Vec<String>> {
+        // A backslash continues a command.
+        let text = text.replace("\\\n      ", "");
         let ours = text.lines().filter_map(|line| {
             let line = line.trim().trim_start_matches("$ ");
             let at = line.find("mechaudit ")?;
@@ -221,33 +229,123 @@ mod tests {
         shell.collect()
     }
 
+    /// Commands within the sentences of a page or a header: those without a placeholder.
+    fn inline(page: &str) -> Vec<Vec<String>> {
+        let sentences: String = page.split("```").step_by(2).collect();
+        // A comment in C has an asterisk before each of its lines.
+        let sentences = sentences.replace("\n * ", " ").replace('\n', " ");
+        let spans = sentences.split('`').skip(1).step_by(2);
+        let ours = spans.filter(|s| s.starts_with("mechaudit ") && !s.contains(['…', '=']));
+        let placeholder = |w: &String| w.len() > 1 && w.chars().all(|c| c.is_ascii_uppercase());
+        let split = ours.map(|s| shell_words::split(s).expect("quotes"));
+        split
+            .filter(|words| !words.iter().any(placeholder))
+            .collect()
+    }
+
+    /// Pages of the repository and headers, all that shows commands.
+    const PAGES: [&str; 21] = [
+        include_str!("../../../README.md"),
+        include_str!("../../../benches/README.md"),
+        include_str!("../../../capi/README.md"),
+        include_str!("../../../capi/include/mechaudit.h"),
+        include_str!("../../../capi/include/mechaudit/cerf.h"),
+        include_str!("../../../examples/README.md"),
+        include_str!("../../../python/README.md"),
+        include_str!("../../book/adding_a_method.md"),
+        include_str!("../../book/atlas.md"),
+        include_str!("../../book/campaigns.md"),
+        include_str!("../../book/convergence.md"),
+        include_str!("../../book/formats.md"),
+        include_str!("../../book/hunting.md"),
+        include_str!("../../book/judging.md"),
+        include_str!("../../book/planar_mechanisms.md"),
+        include_str!("../../book/proofs.md"),
+        include_str!("../../book/references.md"),
+        include_str!("../../book/reports.md"),
+        include_str!("../../book/theorems.md"),
+        include_str!("../../book/ulps.md"),
+        include_str!("../../book/your_own_code.md"),
+    ];
+
+    /// Why a line is no command of this program; help and version are.
+    fn refused(command: &[String]) -> Option<String> {
+        let read = match Args::try_parse_from(command) {
+            Ok(read) => read,
+            Err(e) => return e.use_stderr().then(|| e.to_string()),
+        };
+        let method = match &read.command {
+            Some(Command::Audit(a)) => a.method.as_deref(),
+            Some(Command::Compare(a)) => Some(&*a.method),
+            Some(Command::Describe(a)) => Some(&*a.method),
+            Some(Command::Points(a)) => Some(&*a.method),
+            Some(Command::Judge(a)) => Some(&*a.method),
+            Some(Command::Hunt(a)) => Some(&*a.method),
+            Some(Command::Eval(a)) => a.name.as_deref(),
+            _ => None,
+        };
+        // A page of the book adds this one.
+        let known = method.filter(|m| *m != "bessel-j0");
+        known.and_then(|m| crate::cli::asked::find(m).err().map(|e| e.to_string()))
+    }
+
+    /// Whether the words name a command, or a command of a command.
+    fn is_name(grammar: &clap::Command, words: &[String]) -> bool {
+        let [first, rest @ ..] = words else {
+            return true;
+        };
+        let found = grammar.find_subcommand(first);
+        found.is_some_and(|c| is_name(c, rest))
+    }
+
     #[test]
-    fn commands_in_help_readme_and_book_are_commands() {
-        let pages = [
-            include_str!("../../../README.md"),
-            include_str!("../../book/atlas.md"),
-            include_str!("../../book/campaigns.md"),
-            include_str!("../../book/convergence.md"),
-            include_str!("../../book/formats.md"),
-            include_str!("../../book/hunting.md"),
-            include_str!("../../book/proofs.md"),
-            include_str!("../../book/reports.md"),
-            include_str!("../../book/your_own_code.md"),
-        ];
-        let mut texts: Vec<String> = pages.into_iter().map(blocks).collect();
+    fn commands_in_help_pages_and_headers_are_commands() {
+        let mut texts: Vec<String> = PAGES.into_iter().map(blocks).collect();
         let grammar = Args::command();
         let parts = grammar.get_subcommands().chain([&grammar]);
         texts.extend(parts.filter_map(|c| Some(c.get_after_help()?.to_string())));
         let all: Vec<Vec<String>> = texts.iter().flat_map(|t| commands(t)).collect();
-        assert!(all.len() > 80, "{}", all.len());
+        assert!(all.len() > 100, "{}", all.len());
         for command in all {
-            let read = Args::try_parse_from(&command);
-            let read = read.map(drop).or_else(|e| match e.use_stderr() {
-                true => Err(e.to_string()),
-                false => Ok(()),
-            });
-            assert_eq!(read, Ok(()), "{command:?}");
+            assert_eq!(refused(&command), None, "{command:?}");
         }
+        let all: Vec<Vec<String>> = PAGES.into_iter().flat_map(inline).collect();
+        assert!(all.len() > 40, "{}", all.len());
+        for command in all {
+            // The name of a command alone may want arguments.
+            if !is_name(&grammar, &command[1..]) {
+                assert_eq!(refused(&command), None, "{command:?}");
+            }
+        }
+    }
+
+    /// A page with two methods in one audit, or with a name that there is not.
+    #[test]
+    fn what_is_no_command_is_found() {
+        let page = "Use `mechaudit audit voigt voigt-hwhm` or\n`mechaudit audit\nvoight`, not `mechaudit audit METHOD`.";
+        let all = inline(page);
+        assert_eq!(all.len(), 2);
+        assert!(all.iter().all(|c| refused(c).is_some()));
+    }
+
+    /// Examples and columns are printed as they stand.
+    #[test]
+    fn help_is_no_wider_than_a_terminal() {
+        let grammar = Args::command();
+        let mut commands = vec![&grammar];
+        let mut seen = 0;
+        while let Some(command) = commands.pop() {
+            commands.extend(command.get_subcommands());
+            let after = command
+                .get_after_help()
+                .map(|h| h.to_string())
+                .unwrap_or_default();
+            for line in after.lines().filter(|l| l.starts_with("  ")) {
+                assert!(line.chars().count() <= 80, "{}: {line}", command.get_name());
+                seen += 1;
+            }
+        }
+        assert!(seen > 300, "{seen}");
     }
 
     #[test]

@@ -6,6 +6,9 @@ use std::ops::RangeInclusive;
 /// Integers up to here are exact as `f64`.
 const EXACT: f64 = 9_007_199_254_740_992.0;
 
+/// No bound of a rounded value is below this, in units in its last place.
+const HALF: f64 = 0.5;
+
 /// What an argument has to be.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Refused {
@@ -17,6 +20,8 @@ pub enum Refused {
     AtMost(u64),
     #[error("must be a positive number")]
     Positive,
+    #[error("must be at least {HALF}: rounding the exact value alone is off by up to half a unit")]
+    HalfUnit,
     #[error("must be a positive number of seconds")]
     Seconds,
 }
@@ -73,6 +78,12 @@ pub fn positive(text: &str) -> Result<f64, Refused> {
     }
 }
 
+/// A bound that rounding leaves room for, in units in the last place.
+pub fn bound(text: &str) -> Result<f64, Refused> {
+    let bound = positive(text)?;
+    (bound >= HALF).then_some(bound).ok_or(Refused::HalfUnit)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -121,6 +132,14 @@ mod tests {
             (within::<u32>(1..=7)("1"), within::<u32>(1..=7)("7")),
             (Ok(1), Ok(7))
         );
+    }
+
+    #[test]
+    fn no_bound_is_below_half_a_unit() {
+        assert_eq!((bound("0.5"), bound("1e3")), (Ok(0.5), Ok(1e3)));
+        assert_eq!(bound("1e-9"), Err(Refused::HalfUnit));
+        assert_eq!(bound("0.4999"), Err(Refused::HalfUnit));
+        assert_eq!(bound("0"), Err(Refused::Positive));
     }
 
     #[test]

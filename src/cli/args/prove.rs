@@ -28,7 +28,10 @@ bound. faddeeva_proof.py, faddeeva_lower_proof.py and real_line_proof.py in refe
 For the lower half-plane the targets are fixed; its file has the bound of the norm alone, and none where an inequality \
 serves. The output says what is not proved.
 
-Exit codes: 0, proved; 1, rectangles are left on which nothing is proved; 2, bad usage; 130, ended \
+A target that is closer than the default may be out of reach: the proof gives up after 3e7 rectangles or intervals, \
+and says before what they take at most.
+
+Exit codes: 0, proved; 1, rectangles are left on which nothing is proved; 2, bad usage, or given up; 130, ended \
 by Ctrl-C, without a theorem.";
 
 /// What is proved.
@@ -52,11 +55,11 @@ pub struct ProveArgs {
     #[arg(long, value_enum)]
     pub part: Option<Part>,
     /// Halve rectangles until the error of the norm is at most this, in units of 2^-52; faddeeva alone [default: 1.25]
-    #[arg(long, value_name = "K", value_parser = super::number::positive)]
+    #[arg(long, value_name = "K", value_parser = super::number::bound)]
     pub norm: Option<f64>,
     /// Halve rectangles until the error of each component is at most this, in units in its last place; intervals until
     /// that of the value is [default: 4; of a real argument 0.875]
-    #[arg(long, value_name = "C", value_parser = super::number::positive)]
+    #[arg(long, value_name = "C", value_parser = super::number::bound)]
     pub component: Option<f64>,
     /// faddeeva alone: only where Re z and Im z are below this; without it every finite number
     #[arg(long, value_name = "R", value_parser = super::number::positive)]

@@ -11,7 +11,7 @@ Examples:
 
 Names are those of the methods, whose values at cases of every region go to reference/values, \
 and sand-screen-run-up, andrews-motion, n-four-bar-motion, zinchenko-errata, gembara-senyk-errata, \
-andrews-errata, n-four-bar-errata, pmksweb-errata, faddeeva-tables, faddeeva-constants, faddeeva-relatives-tables. The header of each file says how it was made, \
+andrews-errata, n-four-bar-errata, pmksweb-errata, faddeeva-tables, faddeeva-constants, faddeeva-relatives-tables, columns (the chapter of the book). The header of each file says how it was made, \
 with which precision, seed and counts, and holds SHA-256 digests of recipe and content.
 
 Exit codes: 0, every file is what the references give, or written; 1, one that is not, named \

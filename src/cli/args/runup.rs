@@ -1,10 +1,10 @@
 //! Arguments of `mechaudit runup`.
 
-use super::{CsvOrJson, UnitsArgs, number};
+use super::{RowsFormat, UnitsArgs, number};
 use clap::Args as ClapArgs;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use mechaudit::machine::run_up::Coefficients;
-use mechaudit::solvers::run_up::Method;
+use mechaudit::solvers::run_up::{MOST_NODES, Method};
 use std::path::PathBuf;
 
 pub const AFTER_HELP: &str = "\
@@ -12,7 +12,8 @@ Examples:
   mechaudit runup examples/sand-screen-run-up.toml --svg drawings > run.csv
   mechaudit runup examples/sand-screen-run-up.toml --coefficients hybrid --nodes 12
   mechaudit runup examples/sand-screen-run-up.toml --work-precision --svg drawings
-  mechaudit runup examples/four-bar-run-up.toml --format json
+  mechaudit runup examples/four-bar-run-up.toml --format html --output run.html
+  mechaudit runup examples/soft-start.toml --units rpm
 
 The file describes the linkage as for `mechaudit linkage`, with masses, and besides:
   [bodies.coupler]                  # four-bar: crank, coupler, rocker; slider-crank: crank, rod and
@@ -28,7 +29,9 @@ The file describes the linkage as for `mechaudit linkage`, with masses, and besi
   standstill_torque = \"40 N m\"      # linear: with no_load_speed
   torque = \"40 N m\"                 # constant
   points = [[\"0 rad/s\", \"40 N m\"], [\"10 rad/s\", \"0 N m\"]]   # table, speeds increasing
-  reading = \"linear\"                # table: or \"cubic\"
+                                    # or over time, from 0 s on: [[\"0 s\", \"0 N m\"],
+                                    # [\"2 s\", \"40 N m\"]]; after the last time the torque stays
+  reading = \"linear\"                # table of speeds: or \"cubic\"
   ratio = 15                        # optional: motor speed over crank speed
   rotor_inertia = \"0.006 kg m^2\"    # optional, at the motor
   flywheel = \"1 kg m^2\"             # optional, at the crank
@@ -52,12 +55,12 @@ pub struct RunupArgs {
     pub file: PathBuf,
     /// Form of the rows
     #[arg(long, value_enum, default_value = "csv")]
-    pub format: CsvOrJson,
+    pub format: RowsFormat,
     /// Where I_n, dI_n/dphi and M_o come from, instead of run.coefficients
     #[arg(long, value_name = "MODEL", value_parser = coefficients())]
     pub coefficients: Option<Coefficients>,
     /// Nodes of the splines, instead of run.nodes; not with exact coefficients
-    #[arg(long, value_name = "N", value_parser = number::index)]
+    #[arg(long, value_name = "N", value_parser = number::within::<usize>(3..=MOST_NODES as u64))]
     pub nodes: Option<usize>,
     /// Tolerance of a step, instead of run.tolerance
     #[arg(long, value_name = "TOL", value_parser = number::positive)]
@@ -73,7 +76,7 @@ pub struct RunupArgs {
     pub svg: Option<PathBuf>,
     #[command(flatten)]
     pub units: UnitsArgs,
-    /// Write the rows to this file, whole or not at all, or to a device or pipe; - is standard output
+    /// Write the rows, or the page, to this file, whole or not at all, or to a device or pipe; - is standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }

@@ -6,6 +6,7 @@ use crate::cli::asked::{find, settings};
 use crate::cli::commands::audit::written::{self, POINTS};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::{Output, write_json};
+use crate::cli::forecast;
 use crate::cli::process::exec::{Fed, unanswered};
 use crate::cli::process::inputs::Inputs;
 use crate::cli::process::interrupt;
@@ -46,6 +47,9 @@ pub fn compare(args: &CompareArgs) -> Result<Outcome, Failure> {
         Some(_) => variant,
         None => scope::regions(variant, &args.place)?,
     };
+    if one.is_none() {
+        forecast::audit(&[&variant], &settings)?;
+    }
     let inputs = Inputs::of(&variant, one, &settings)?;
     let reports = judged(&variant, args, &inputs, &settings)?;
     let stopped = reports.iter().any(|r| r.interrupted);

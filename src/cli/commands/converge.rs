@@ -59,6 +59,7 @@ pub fn converge(args: &ConvergeArgs) -> Result<Outcome, Failure> {
 fn text(report: &ConvergenceReport) -> String {
     let mut out = format!("{}\n", paint(BOLD, report.name));
     out.push_str(&paragraph(report.summary, 2, width()));
+    out.push_str(&paragraph(&report.places, 2, width()));
     let errors = || report.levels.iter().flat_map(|l| &l.errors);
     let twin = errors().any(|e| e.method.is_some());
     let regular = errors().any(|e| e.order.is_some());
@@ -137,13 +138,14 @@ mod tests {
                 name: "some",
                 summary: "Made up.",
                 work_unit: "steps",
+                places: "One place.".into(),
                 outputs: vec!["y"],
                 orders: vec![None],
                 fitted: vec![None],
                 levels: vec![level],
             });
             let text = plain(&text);
-            let lines: Vec<String> = text.lines().skip(2).map(str::to_owned).collect();
+            let lines: Vec<String> = text.lines().skip(3).map(str::to_owned).collect();
             lines.join("\n")
         };
         let words = |text: &str| {
@@ -202,6 +204,7 @@ mod tests {
             name: "some",
             summary: "Made up.",
             work_unit: "steps",
+            places: "One place.".into(),
             outputs: vec!["y", "z"],
             orders: vec![Some(4.0), None],
             fitted: vec![Some(3.875), Some(2.0)],
@@ -222,6 +225,7 @@ mod tests {
             [
                 "some",
                 "Made up.",
+                "One place.",
                 "y steps total method rounding order Richardson",
                 all,
                 "n = 4000 8 7.50e-1 – – – –",
@@ -238,15 +242,16 @@ mod tests {
         // Names of levels to the left, numbers to the right, all by two.
         for (k, begin) in [
             (1, "  Made"),
-            (2, "  y "),
-            (3, "  n = 8 "),
-            (4, "  n = 4000 "),
-            (6, "    order"),
-            (12, "  n = 1 failed"),
+            (2, "  One"),
+            (3, "  y "),
+            (4, "  n = 8 "),
+            (5, "  n = 4000 "),
+            (7, "    order"),
+            (13, "  n = 1 failed"),
         ] {
             assert!(lines[k].starts_with(begin), "{text}");
         }
         let width = |k: usize| lines[k].chars().count();
-        assert!((3..6).all(|k| width(k) == width(2)), "{text}");
+        assert!((4..7).all(|k| width(k) == width(3)), "{text}");
     }
 }

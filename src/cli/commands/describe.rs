@@ -42,12 +42,14 @@ fn json(method: &dyn Method) -> Value {
     let layout = Layout::new(method);
     let domain = method.domain();
     let shapes = layout.shapes();
+    let fields = methods::fields(method.name());
     let inputs: Vec<Value> = shapes
         .iter()
         .enumerate()
         .map(|(k, s)| {
             json!({
                 "symbol": s.symbol,
+                "field_in_rust": fields.as_ref().and_then(|f| f.get(k)),
                 "length": s.length,
                 "unit": s.unit,
                 "note": s.note,
@@ -113,19 +115,29 @@ fn text(method: &dyn Method, width: usize) -> String {
     if let Some(signature) = methods::signature(method.name()) {
         out.push_str(&line("in Rust", signature));
     }
-    let mut table = Table::new(&["input", "length", "unit", "", "note"], &[0, 1, 2, 3, 4]);
+    let fields = methods::fields(method.name());
+    let mut head = vec!["input", "length", "unit", "", "note"];
+    if fields.is_some() {
+        head.insert(1, "field in Rust");
+    }
+    let left: Vec<usize> = (0..head.len()).collect();
+    let mut table = Table::new(&head, &left);
     for (k, s) in shapes.iter().enumerate() {
         let kind = match method.is_data(k) {
             true => "data",
             false => "count or choice",
         };
-        table.row(vec![
+        let mut row = vec![
             (s.symbol.into(), PLAIN),
             (s.length.clone().unwrap_or_default(), PLAIN),
             (unit(s.unit), PLAIN),
             (kind.into(), DIM),
             (s.note.unwrap_or_default().into(), PLAIN),
-        ]);
+        ];
+        if let Some(field) = fields.as_ref().and_then(|f| f.get(k)) {
+            row.insert(1, (field.clone(), DIM));
+        }
+        table.row(row);
     }
     out.push_str(&table.render(2));
     let mut table = Table::new(&["output", "unit", "budget"], &[0, 1, 2]);

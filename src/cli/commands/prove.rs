@@ -6,15 +6,17 @@ mod real;
 mod tests;
 
 use crate::cli::args::{Part, ProveArgs};
+use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::{Output, print_as};
+use crate::cli::forecast;
 use crate::cli::process::interrupt;
 use crate::cli::progress::Progress;
 use mechaudit::audit::hex_float;
 use mechaudit::proof::real::Function;
 use mechaudit::proof::{
-    Attained, Certificate, Code, Leaf, ProofError, Rectangle, Summary, Target, UPPER_HALF_PLANE,
-    Watch, upper_half_plane,
+    Attained, Certificate, Code, Leaf, MOST_PARTS, ProofError, Rectangle, Summary, Target,
+    UPPER_HALF_PLANE, Watch, first_rectangles, upper_half_plane,
 };
 use mechaudit::report::text::style::{BAD, BOLD, DIM, PLAIN, paint};
 use mechaudit::report::text::table::Table;
@@ -23,7 +25,7 @@ use std::io::Write;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::sync::mpsc::{RecvTimeoutError, channel};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// Proves, and prints what is proved.
 pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
@@ -38,6 +40,9 @@ pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
         Some(Part::Real) => return real::prove(&Function::ALL, args),
         Some(Part::Upper) | None => {}
     }
+    if first_rectangles(args.within).is_empty() {
+        return Err(nothing_within(args.within));
+    }
     let boxes = boxes(args)?;
     let begin = Instant::now();
     let target = Target {
@@ -45,7 +50,9 @@ pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
         component: args.component.unwrap_or(UPPER_HALF_PLANE.component),
         ..UPPER_HALF_PLANE
     };
-    let Some(found) = proved(target, args.within)? else {
+    let closer =
+        target.norm < UPPER_HALF_PLANE.norm || target.component < UPPER_HALF_PLANE.component;
+    let Some(found) = proved(target, closer, args.within)? else {
         return Ok(Outcome::Interrupted);
     };
     if let Some(output) = boxes {
@@ -69,9 +76,21 @@ fn boxes(args: &ProveArgs) -> Result<Option<Output>, Failure> {
     path.map(|p| Output::open(Some(p))).transpose()
 }
 
+/// No rectangle of the partition lies within the limit.
+fn nothing_within(within: Option<f64>) -> Failure {
+    let within = within.unwrap_or(f64::INFINITY);
+    Failure::new(format!(
+        "--within {within:e}: no rectangle lies below it; take a larger number"
+    ))
+}
+
 /// The closed upper half-plane; nothing if the user ends it.
-fn proved(target: Target, within: Option<f64>) -> Result<Option<Certificate>, Failure> {
-    watched("faddeeva", move |watch| {
+fn proved(
+    target: Target,
+    closer: bool,
+    within: Option<f64>,
+) -> Result<Option<Certificate>, Failure> {
+    watched("faddeeva", closer, move |watch| {
         let code = Code::of_the_solver()?;
         Ok(upper_half_plane(&code, target, watch, |_, r| {
             r.is_below(within)
@@ -79,9 +98,14 @@ fn proved(target: Target, within: Option<f64>) -> Result<Option<Certificate>, Fa
     })
 }
 
-/// A proof on a thread of its own, watched; nothing if the user ends it.
+/// How long a proof with a closer target runs before it is told what it takes at most.
+const TRIAL: Duration = Duration::from_secs(2);
+
+/// A proof on a thread of its own, watched; nothing if the user ends it. One with a target that is
+/// closer than the default may never end by itself.
 fn watched<T: Send + 'static>(
     name: &str,
+    closer: bool,
     proof: impl FnOnce(&Watch) -> Result<Option<T>, ProofError> + Send + 'static,
 ) -> Result<Option<T>, Failure> {
     let watch = Arc::new(Watch::default());
@@ -95,6 +119,8 @@ fn watched<T: Send + 'static>(
     });
     let progress = Progress::new();
     let stop = interrupt::flag();
+    let begin = Instant::now();
+    let mut told = !closer;
     // Nothing is sent: it is disconnected once the proof has ended.
     while ended.recv_timeout(interrupt::POLL) == Err(RecvTimeoutError::Timeout) {
         if stop.load(Ordering::Relaxed) {
@@ -103,12 +129,32 @@ fn watched<T: Send + 'static>(
         if let Some((done, of)) = reached(&watch) {
             progress.show(name, done, of);
         }
+        if !told && begin.elapsed() > TRIAL {
+            told = true;
+            complain(&at_most(name, &watch, begin.elapsed().as_secs_f64()));
+        }
     }
     progress.clear();
     match worker.join() {
+        Ok(Ok(None)) if watch.is_spent() => Err(Failure::new(format!(
+            "{name}: given up after {:e} rectangles or intervals, with {} of {} parts done: take a larger target",
+            MOST_PARTS as f64,
+            watch.done.load(Ordering::Relaxed),
+            watch.of.load(Ordering::Relaxed),
+        ))),
         Ok(found) => found.map_err(Failure::caused),
         Err(panic) => std::panic::resume_unwind(panic),
     }
+}
+
+/// Says what a proof takes at most, by the parts it has looked at in these seconds.
+fn at_most(name: &str, watch: &Watch, seconds: f64) -> String {
+    let looked_at = watch.looked_at.load(Ordering::Relaxed).max(1) as f64;
+    format!(
+        "{name}: the target is closer than the default; it takes {:e} rectangles or intervals at most, about {}",
+        MOST_PARTS as f64,
+        forecast::time(MOST_PARTS as f64 / looked_at * seconds)
+    )
 }
 
 /// How many parts are done, and of how many; nothing is known before there are some.

@@ -29,6 +29,10 @@ pub struct Fed {
     child: Program,
     answers: Answers,
     timeout: Duration,
+    /// The time for the whole run, and when it is over; never where the clock does not reach that
+    /// far.
+    run: Duration,
+    deadline: Option<Instant>,
     total: usize,
     answered: usize,
 }
@@ -53,6 +57,8 @@ impl Fed {
             child,
             answers: Answers::of(stdout, form),
             timeout: program.timeout,
+            run: program.run_timeout,
+            deadline: Instant::now().checked_add(program.run_timeout),
             total,
             answered: 0,
         })
@@ -62,15 +68,29 @@ impl Fed {
     pub fn collect(&mut self, due: usize, batch: &mut Batch) -> Option<End> {
         let before = batch.len();
         while batch.len() < before + due {
+            let Some(timeout) = self.patience() else {
+                return Some(End::Late);
+            };
             let left = before + due - batch.len();
             let here = batch.len();
-            let taken = self.answers.take(left, self.timeout, batch);
+            let taken = self.answers.take(left, timeout, batch);
             self.answered += batch.len() - here;
-            if let Err(end) = taken {
-                return Some(end);
+            match taken {
+                Ok(_) => {}
+                Err(End::Silent) if timeout < self.timeout => return Some(End::Late),
+                Err(end) => return Some(end),
             }
         }
         None
+    }
+
+    /// How long a line is waited for; nothing where the time for the whole run is over.
+    fn patience(&self) -> Option<Duration> {
+        let Some(deadline) = self.deadline else {
+            return Some(self.timeout);
+        };
+        let left = deadline.saturating_duration_since(Instant::now());
+        (!left.is_zero()).then(|| left.min(self.timeout))
     }
 
     /// Every input is answered: waits for the end of its output, which what it left behind may hold open.
@@ -98,7 +118,11 @@ impl Fed {
             ));
         }
         let early = || (answered < total).then(|| EARLY.to_string());
-        let why = self.child.end(end, self.timeout).or_else(early)?;
+        let seconds = self.run.as_secs_f64();
+        let why = match end {
+            End::Late => format!("its {seconds} s were over and it was ended (--run-timeout)"),
+            end => self.child.end(end, self.timeout).or_else(early)?,
+        };
         let tail = match total - answered {
             0 => String::new(),
             left => format!("; {left} of {total} inputs are unanswered"),

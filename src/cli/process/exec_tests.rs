@@ -22,6 +22,7 @@ fn zero() -> Case {
 fn spoken(seconds: f64) -> ProgramArgs {
     ProgramArgs {
         timeout: Duration::from_secs_f64(seconds),
+        run_timeout: Duration::from_secs(3600),
         decimal: false,
         binary: false,
     }
@@ -286,4 +287,28 @@ fn what_cannot_be_started_is_said() {
         assert!(failure.to_string().starts_with(why), "{failure}");
     }
     assert!(!Path::new("/no/such/program").exists());
+}
+
+/// A program that goes on answering, each line in time, is ended when the time for all of them is
+/// over; what it has answered is judged.
+#[test]
+fn the_whole_run_has_a_bound() {
+    let method = method();
+    let slow = "while read -r line; do echo 0x1p0,0x0p0; sleep 0.2; done";
+    let spoken = ProgramArgs {
+        run_timeout: Duration::from_secs_f64(1.5),
+        ..spoken(60.0)
+    };
+    let start = Instant::now();
+    let report = audit(&*method, None, &shell(slow), &spoken, &few(100)).unwrap();
+    assert!(start.elapsed() < Duration::from_secs(30));
+    let why = trouble(&report).unwrap();
+    assert!(
+        why.contains("its 1.5 s were over and it was ended (--run-timeout); "),
+        "{why}"
+    );
+    let answered = report.candidate.as_ref().unwrap().answered;
+    assert!(answered > 0 && report.cases > answered, "{why}");
+    let unanswered = report.total.kinds[mechaudit::audit::Kind::Unanswered];
+    assert_eq!(unanswered + answered, report.cases, "{why}");
 }

@@ -1,19 +1,17 @@
 //! Signals. The first Ctrl-C ends the work with a report of what is done, if the work can be reported;
 //! any other ends the program, which takes its temporary files along.
 
+use mechaudit::files::temporary::remove_unfinished;
 use std::panic::resume_unwind;
-use std::path::{Path, PathBuf};
+use std::sync::Once;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
-use std::sync::{Mutex, MutexGuard, Once, PoisonError};
 use std::thread;
 use std::time::Duration;
 
 static STOP: AtomicBool = AtomicBool::new(false);
 /// Whether the work can end with a report.
 static REPORTS: AtomicBool = AtomicBool::new(false);
-/// Files that no end of the program may leave behind.
-static UNWANTED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// The exit code: 128 and the number of SIGINT, as shells have it.
 pub const EXIT_CODE: u8 = 130;
@@ -32,47 +30,20 @@ pub fn asked() -> bool {
     STOP.load(Ordering::Relaxed)
 }
 
-/// A file that is removed if a signal ends the program before this is dropped.
-pub struct Unwanted(PathBuf);
-
-/// Makes a file one that no signal leaves behind.
-pub fn unwanted(path: &Path) -> Unwanted {
-    listen();
-    all_unwanted().push(path.into());
-    Unwanted(path.into())
-}
-
-impl Drop for Unwanted {
-    fn drop(&mut self) {
-        all_unwanted().retain(|p| *p != self.0);
-    }
-}
-
-fn all_unwanted() -> MutexGuard<'static, Vec<PathBuf>> {
-    UNWANTED.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// Removes the files that are under way.
-pub fn remove_unwanted() {
-    for path in all_unwanted().drain(..) {
-        let _ = std::fs::remove_file(path);
-    }
-}
-
 /// What Ctrl-C comes to: a report, the first time there can be one; the end otherwise.
 fn ctrl_c() {
     let reports = REPORTS.load(Ordering::Relaxed);
     if reports && !STOP.swap(true, Ordering::Relaxed) {
         return;
     }
-    remove_unwanted();
+    remove_unfinished();
     if reports {
         std::process::exit(EXIT_CODE.into());
     }
 }
 
 /// Begins to listen. Before, signals end the program, as ever.
-fn listen() {
+pub fn listen() {
     static LISTENING: Once = Once::new();
     LISTENING.call_once(listen_on_a_thread);
 }
@@ -90,7 +61,7 @@ fn listen_on_a_thread() {
         for signal in signals.forever() {
             match signal {
                 SIGINT => ctrl_c(),
-                _ => remove_unwanted(),
+                _ => remove_unfinished(),
             }
             if signal != SIGINT || !asked() {
                 let _ = emulate_default_handler(signal);

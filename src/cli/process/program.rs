@@ -73,6 +73,7 @@ impl Program {
             End::TooMany => Some("wrote one more line than there are inputs".into()),
             End::Silent => Some(format!("wrote no line for {seconds} s and was ended")),
             End::Unreadable(why) => Some(format!("its output could not be read: {why}")),
+            End::Late => Some("its time was over and it was ended".into()),
             End::Interrupted => Some("was interrupted".into()),
         }
     }

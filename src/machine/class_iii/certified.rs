@@ -76,9 +76,10 @@ impl<'a> Certifier<'a> {
                 return None;
             }
             let finer = Linkage::new(&self.description.exact, 2 * bits);
-            if let Some((at, from)) = self.here.take() {
-                let from = refined(&finer, &at, &from)?;
-                self.here = Some((at, from));
+            if let Some((at, from)) = &mut self.here
+                && let Some(better) = refined(&finer, at, from)
+            {
+                *from = better;
             }
             self.linkage = finer;
         }
@@ -110,9 +111,9 @@ impl<'a> Certifier<'a> {
                 break;
             }
             let next = Linkage::new(&self.description.exact, bits);
-            match refined(&next, &angle, &q) {
-                Some(better) => q = better,
-                None => break,
+            // Where that fails the coarser position still holds, and a later precision may do.
+            if let Some(better) = refined(&next, &angle, &q) {
+                q = better;
             }
             finer = Some(next);
         }

@@ -97,6 +97,10 @@ impl Linkage {
     /// [`Refusal`].
     pub fn read(source: &Source) -> Result<Linkage, Refusal> {
         let file: File<GeometrySection, StartSection, Bodies> = source.parse()?;
+        if !file.points.is_empty() {
+            let rule = "points of links are for type = \"four-bar\" and \"slider-crank\"";
+            return Err(source.breach("points", rule));
+        }
         let crank = file.crank(source)?;
         let (geometry, exact) = file.geometry.read();
         let solver = ClassIii::new(geometry).map_err(|e| source.refuse("geometry", e))?;

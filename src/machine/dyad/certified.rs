@@ -22,7 +22,7 @@
 //! ```
 
 use super::values::{Values, at_crank_speed};
-use super::{Dyad, Shape};
+use super::{Dyad, Reached, Shape, singular};
 use crate::machine::first_bits;
 use crate::reference::dyad::{four_bar, slider_crank};
 use crate::reference::{Ball, Mag};
@@ -36,6 +36,8 @@ const RAISED_AT_MOST: u32 = 16;
 pub enum Proved {
     /// The values of the row with the digits asked for; `None` where they could not be proved.
     Values(Values<Option<String>>),
+    /// The position where both assemblies are one, and no derivatives: those have no value there.
+    Singular(Values<Option<String>>),
     /// The crank does not reach the angle.
     Unreachable,
 }
@@ -57,8 +59,13 @@ pub enum Proved {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn certified(dyad: &Dyad, degrees: &Rational, assembly: Assembly, digits: u32) -> Proved {
-    if dyad.shape.exactly_beyond(degrees) {
-        return Proved::Unreachable;
+    match dyad.shape.reached(degrees) {
+        None => {}
+        Some(Reached::Beyond) => return Proved::Unreachable,
+        Some(Reached::Singular) => {
+            let found = singular::certified(&dyad.shape, degrees, digits);
+            return found.map_or(Proved::Unreachable, Proved::Singular);
+        }
     }
     let first = first_bits(digits).max(128);
     let mut proved: Values<Option<String>> = Default::default();

@@ -5,16 +5,19 @@ mod certified;
 mod motion;
 mod path;
 mod range;
+mod singular;
 mod values;
 
 pub use certified::{Proved, certified};
 pub use motion::{drives, motion};
 pub use path::{Position, path, position, range};
 pub use range::{Dead, Turn, dead, swing, turn};
+pub use singular::{Meeting, Reached, meetings};
 pub use values::{ASSEMBLIES, RowError, Values, floating, names, number};
 
+use super::planar::{self, LinkPoint};
 use super::quantity::Quantity;
-use super::sections::{BodySection, CrankMotion, File, massless, rounded};
+use super::sections::{BodySection, CrankMotion, File, LinkPoints, massless, rounded};
 use super::source::{Refusal, Source};
 use crate::reference::class_iii::ExactAngle;
 use crate::reference::{Ball, nearest_f64};
@@ -122,6 +125,8 @@ pub struct Dyad {
     pub start: Option<Rational>,
     /// The assembly that is meant.
     pub assembly: Assembly,
+    /// Named points on the links.
+    pub points: Vec<LinkPoint>,
 }
 
 /// Reads the description of a four-bar linkage.
@@ -175,9 +180,11 @@ fn dyad<G: DeserializeOwned, B: DeserializeOwned>(
 ) -> Result<Dyad, Refusal> {
     let file: File<G, StartSection, B> = source.parse()?;
     let start = file.start.as_ref();
+    let shape = shape(&file.geometry, file.bodies.as_ref())?;
     Ok(Dyad {
         crank: file.crank(source)?,
-        shape: shape(&file.geometry, file.bodies.as_ref())?,
+        points: points(source, &shape, &file.points)?,
+        shape,
         gravity: Acceleration::from_m_per_s2(file.gravity().to_f64()),
         start: start.and_then(|s| s.phi1.as_ref()?.in_degrees()),
         assembly: match start.map_or(AssemblyName::Positive, |s| s.assembly) {
@@ -186,6 +193,32 @@ fn dyad<G: DeserializeOwned, B: DeserializeOwned>(
         },
         name: file.name,
     })
+}
+
+/// The section `[points]`: for each link its points by name, in the link's frame.
+fn points(source: &Source, shape: &Shape, section: &LinkPoints) -> Result<Vec<LinkPoint>, Refusal> {
+    let mut all: Vec<LinkPoint> = Vec::new();
+    for (link, of_link) in section {
+        let place = format!("points.{link}");
+        let Some(body) = shape.links().iter().position(|name| name == link) else {
+            let meant = crate::audit::did_you_mean(link, &shape.links());
+            let names = shape.links().join(", ");
+            let rule = format!(
+                "points.{link} is no link{meant}: a {} has {names}",
+                shape.type_name()
+            );
+            return Err(source.breach(&place, rule));
+        };
+        for (name, [x, y]) in of_link {
+            planar::check_name(source, &place, name)?;
+            if ["A", "B"].contains(&&**name) || all.iter().any(|p| p.1 == *name) {
+                let rule = format!("{place}: the name {name:?} is taken");
+                return Err(source.breach(&place, rule));
+            }
+            all.push((body, name.clone(), [x.value.clone(), y.value.clone()]));
+        }
+    }
+    Ok(all)
 }
 
 fn metres(q: &Rational) -> Length {
@@ -203,6 +236,14 @@ impl Shape {
         match self {
             Shape::FourBar { .. } => "four-bar",
             Shape::SliderCrank { .. } => "slider-crank",
+        }
+    }
+
+    /// The names of the links, the crank first.
+    pub fn links(&self) -> [&'static str; 3] {
+        match self {
+            Shape::FourBar { .. } => ["crank", "coupler", "rocker"],
+            Shape::SliderCrank { .. } => ["crank", "rod", "slider"],
         }
     }
 
@@ -253,25 +294,6 @@ impl Shape {
         match self.relative_degrees(degrees) {
             Some(psi) => (cosine(&psi), cosine(&(psi - 90u32))),
             None => (None, None),
-        }
-    }
-
-    /// Whether the dyad is stretched, folded or out of reach, where that can be told exactly. At
-    /// no other angle of a rational number of degrees is it stretched or folded: the condition is
-    /// a rational value of the cosine (four-bar) or sine (slider-crank).
-    pub fn exactly_beyond(&self, degrees: &Rational) -> bool {
-        match (self, self.rational_cos_sin(degrees)) {
-            (Shape::FourBar { exact, .. }, (Some(cos), _)) => {
-                let [a, b, c, d] = exact;
-                let span = Rational::from(a * a) + Rational::from(d * d)
-                    - Rational::from(a * d) * cos * 2u32;
-                span >= Rational::from(b + c).square() || span <= Rational::from(b - c).square()
-            }
-            (Shape::SliderCrank { exact, .. }, (_, Some(sin))) => {
-                let [a, b, e] = exact;
-                (Rational::from(e) - sin * a).abs() >= *b
-            }
-            _ => false,
         }
     }
 }

@@ -1,9 +1,10 @@
 //! Positions over the turn of the crank.
 
-use super::{Dyad, Shape, Turn, turn};
+use super::{Dyad, Reached, Shape, Turn, turn};
 use crate::reference::nearest_f64;
-use crate::solvers::dyad::Assembly;
+use crate::solvers::dyad::{Assembly, DyadError};
 use crate::solvers::units::Angle;
+use rug::Rational;
 
 /// A position.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,21 +16,35 @@ pub struct Position {
 }
 
 /// The crank's end and the joint at the dyad's other end.
-fn joints(shape: &Shape, phi: Angle, assembly: Assembly) -> Option<[[f64; 2]; 2]> {
+fn joints(shape: &Shape, crank_deg: f64, assembly: Assembly) -> Option<[[f64; 2]; 2]> {
+    let (phi, degrees) = (Angle::from_deg(crank_deg), Rational::from_f64(crank_deg)?);
     let (sin, cos) = phi.rad().sin_cos();
-    let (a, b) = match shape {
+    let meet = shape.reached(&degrees) == Some(Reached::Singular);
+    let singular = || super::singular::floating(shape, &degrees);
+    Some(match shape {
         Shape::FourBar { solver, .. } => {
-            let m = solver.position(phi, assembly).ok()?;
-            (solver.crank().m(), m.joint.position_m)
+            let end = [cos, sin].map(|x| solver.crank().m() * x);
+            let joint = match (solver.position(phi, assembly), meet) {
+                (Ok(m), false) => m.joint.position_m,
+                (Err(DyadError::Singular { .. }), _) | (_, true) => {
+                    let ([coupler, ..], b) = (singular()?, solver.coupler().m());
+                    [end[0] + b * coupler.cos(), end[1] + b * coupler.sin()]
+                }
+                (Err(_), false) => return None,
+            };
+            [end, joint]
         }
         Shape::SliderCrank { solver, .. } => {
-            let m = solver.position(phi, assembly).ok()?;
+            let slider = match (solver.position(phi, assembly), meet) {
+                (Ok(m), false) => m.slider_m,
+                (Err(DyadError::Singular { .. }), _) | (_, true) => singular()?[0],
+                (Err(_), false) => return None,
+            };
             let (e, (s, c)) = (solver.offset().m(), solver.direction().rad().sin_cos());
-            let x = m.slider_m;
-            (solver.crank().m(), [x * c - e * s, x * s + e * c])
+            let end = [cos, sin].map(|x| solver.crank().m() * x);
+            [end, [slider * c - e * s, slider * s + e * c]]
         }
-    };
-    Some([[a * cos, a * sin], b])
+    })
 }
 
 /// A turn from the start, or the range that holds the start, or the first one, in degrees; whether it is a turn.
@@ -56,7 +71,7 @@ pub fn path(dyad: &Dyad, assembly: Assembly, n: u32) -> (Vec<Position>, bool) {
 
 /// The position at a crank angle in degrees; nothing where the crank does not reach it.
 pub fn position(dyad: &Dyad, assembly: Assembly, crank_deg: f64) -> Option<Position> {
-    let joints_m = joints(&dyad.shape, Angle::from_deg(crank_deg), assembly)?;
+    let joints_m = joints(&dyad.shape, crank_deg, assembly)?;
     Some(Position {
         crank_deg,
         joints_m,

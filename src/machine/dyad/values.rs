@@ -1,6 +1,6 @@
 //! The columns of a dyad's rows, a row in floating point, and the numbers of the branches.
 
-use super::{Dyad, Shape};
+use super::{Dyad, Reached, Shape};
 use crate::reference::nearest_f64;
 use crate::solvers::dyad::{Assembly, DyadError};
 use crate::solvers::units::Angle;
@@ -48,7 +48,8 @@ pub enum RowError {
     },
 }
 
-/// A row in floating point, angles in degrees; `None` where the crank does not reach the angle.
+/// A row in floating point, angles in degrees; `None` where the crank does not reach the angle. Where the assemblies
+/// are one, the derivatives are NaN: they have no value.
 ///
 /// # Errors
 /// [`RowError`].
@@ -57,13 +58,16 @@ pub fn floating(
     degrees: &Rational,
     assembly: Assembly,
 ) -> Result<Option<Values<f64>>, RowError> {
-    if dyad.shape.exactly_beyond(degrees) {
-        return Ok(None);
-    }
     let at = nearest_f64(degrees);
-    let mut values = match position(&dyad.shape, Angle::from_rad(at.to_radians()), assembly) {
+    let found = match dyad.shape.reached(degrees) {
+        Some(Reached::Beyond) => return Ok(None),
+        Some(Reached::Singular) => return Ok(singular(dyad, degrees)),
+        None => position(&dyad.shape, Angle::from_rad(at.to_radians()), assembly),
+    };
+    let mut values = match found {
         Ok(values) => values,
-        Err(DyadError::Unreachable { .. } | DyadError::Singular { .. }) => return Ok(None),
+        Err(DyadError::Unreachable { .. }) => return Ok(None),
+        Err(DyadError::Singular { .. }) => return Ok(singular(dyad, degrees)),
         Err(source) => {
             return Err(RowError::Position {
                 degrees: at,
@@ -75,9 +79,7 @@ pub fn floating(
         let (w, e) = (crank.omega.to_f64(), crank.epsilon.to_f64());
         values = at_crank_speed(values, |f, s| (f * w, s * w * w + f * e));
     }
-    for &i in dyad.shape.angles() {
-        values[i] = values[i].to_degrees();
-    }
+    in_degrees(dyad, &mut values);
     match values.iter().position(|x| !x.is_finite()) {
         None => Ok(Some(values)),
         Some(i) => Err(RowError::Range {
@@ -85,6 +87,18 @@ pub fn floating(
             degrees: at,
         }),
     }
+}
+
+fn in_degrees(dyad: &Dyad, values: &mut Values<f64>) {
+    for &i in dyad.shape.angles() {
+        values[i] = values[i].to_degrees();
+    }
+}
+
+fn singular(dyad: &Dyad, degrees: &Rational) -> Option<Values<f64>> {
+    let mut values = super::singular::floating(&dyad.shape, degrees)?;
+    in_degrees(dyad, &mut values);
+    Some(values)
 }
 
 fn position(shape: &Shape, phi: Angle, assembly: Assembly) -> Result<Values<f64>, DyadError> {

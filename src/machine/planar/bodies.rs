@@ -3,6 +3,7 @@
 use super::file::{Body, File, Place};
 use crate::machine::source::{Refusal, Source};
 use crate::reference::nearest_f64;
+use crate::reference::planar::{self as reference, Real};
 use crate::solvers::planar::{GROUND, Point};
 use rug::Rational;
 
@@ -11,8 +12,8 @@ pub(super) struct Bodies {
     pub names: Vec<String>,
     /// Points of each body in metres.
     points: Vec<Vec<(String, [f64; 2])>>,
-    /// The same points exactly, where the file gives them by fractions.
-    exact: Vec<Vec<Option<Exact>>>,
+    /// The same points exactly; `None` where sides make a triangle only when rounded.
+    exact: Vec<Vec<Option<reference::Place>>>,
     /// The angle of each body's line in its frame.
     pub lines: Vec<f64>,
     /// Whether a body is given by points of the drawing.
@@ -23,7 +24,12 @@ pub(super) struct Bodies {
 pub(super) type Exact = [Rational; 2];
 
 /// Points of a body with their names, rounded and exact.
-type Points = Vec<(String, [f64; 2], Option<Exact>)>;
+type Points = Vec<(String, [f64; 2], Option<reference::Place>)>;
+
+/// A point by fractions among exact points.
+fn fractions(p: Exact) -> Option<reference::Place> {
+    Some(p.map(Real::from))
+}
 
 fn place([x, y]: &Place) -> [Rational; 2] {
     [x.value.clone(), y.value.clone()]
@@ -34,7 +40,7 @@ fn rounded(p: &[Rational; 2]) -> [f64; 2] {
 }
 
 /// Names in columns and messages.
-fn check_name(source: &Source, at: &str, name: &str) -> Result<(), Refusal> {
+pub(in crate::machine) fn check_name(source: &Source, at: &str, name: &str) -> Result<(), Refusal> {
     let good = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '\'');
     match !name.is_empty() && name.len() <= 40 && name.chars().all(good) {
         true => Ok(()),
@@ -58,12 +64,12 @@ impl Bodies {
         for (name, at) in &file.ground.points {
             check_name(source, "ground.points", name)?;
             all.points[GROUND].push((name.clone(), rounded(&place(at))));
-            all.exact[GROUND].push(Some(place(at)));
+            all.exact[GROUND].push(fractions(place(at)));
         }
         for name in &file.ground.drawn {
             let at = drawn(source, file, "ground.drawn", name)?;
             all.points[GROUND].push((name.clone(), rounded(&at)));
-            all.exact[GROUND].push(Some(at));
+            all.exact[GROUND].push(fractions(at));
         }
         for (k, body) in file.body.iter().enumerate() {
             let at = format!("body[{k}]");
@@ -152,7 +158,7 @@ impl Bodies {
     }
 
     /// The exact place of every point of a body.
-    pub(super) fn exact(&self) -> Vec<Vec<(Point, Option<Exact>)>> {
+    pub(super) fn exact(&self) -> Vec<Vec<(Point, Option<reference::Place>)>> {
         let of = |(b, points): (usize, &Vec<(String, [f64; 2])>)| {
             let pairs = points.iter().zip(&self.exact[b]);
             pairs
@@ -160,6 +166,12 @@ impl Bodies {
                 .collect()
         };
         self.points.iter().enumerate().map(of).collect()
+    }
+
+    /// The exact place of a point of a body.
+    pub(super) fn place(&self, body: usize, name: &str) -> Option<&reference::Place> {
+        let k = self.points[body].iter().position(|p| p.0 == name)?;
+        self.exact[body][k].as_ref()
     }
 
     /// The points of every body.
@@ -195,7 +207,7 @@ fn points(source: &Source, file: &File, body: &Body, at: &str) -> Result<Points,
         for name in &body.drawn {
             let [x, y] = drawn(source, file, &format!("{at}.drawn"), name)?;
             let arm = [x - &origin[0], y - &origin[1]];
-            all.push((name.clone(), rounded(&arm), Some(arm)));
+            all.push((name.clone(), rounded(&arm), fractions(arm)));
         }
     }
     let place_of = format!("{at}.ends");
@@ -213,15 +225,14 @@ fn points(source: &Source, file: &File, body: &Body, at: &str) -> Result<Points,
             }
             let none = Rational::new;
             all.extend([
-                (a.clone(), [0.0, 0.0], Some([none(), none()])),
-                (b.clone(), [l, 0.0], Some([exact, none()])),
+                (a.clone(), [0.0, 0.0], fractions([none(), none()])),
+                (b.clone(), [l, 0.0], fractions([exact, none()])),
             ]);
         }
         ([a, b, c], None, Some(sides)) => {
             for name in [a, b, c] {
                 check_name(source, &place_of, name)?;
             }
-            let first = sides[0].value.clone();
             let [ab, bc, ca] = sides.each_ref().map(|s| nearest_f64(&s.value));
             // Heron's square root of the four factors.
             let s = [ab + bc + ca, bc + ca - ab, ab + ca - bc, ab + bc - ca];
@@ -233,11 +244,12 @@ fn points(source: &Source, file: &File, body: &Body, at: &str) -> Result<Points,
             let x = 0.5 * (ab + (ca - bc) * (ca + bc) / ab);
             let y = if body.clockwise { -height } else { height };
             let none = Rational::new;
-            // The third point's height is a square root.
+            let first = sides[0].value.clone();
+            let third = third_point(sides.each_ref().map(|s| &s.value), body.clockwise);
             all.extend([
-                (a.clone(), [0.0, 0.0], Some([none(), none()])),
-                (b.clone(), [ab, 0.0], Some([first, none()])),
-                (c.clone(), [x, y], None),
+                (a.clone(), [0.0, 0.0], fractions([none(), none()])),
+                (b.clone(), [ab, 0.0], fractions([first, none()])),
+                (c.clone(), [x, y], third),
             ]);
         }
         _ => {
@@ -247,12 +259,22 @@ fn points(source: &Source, file: &File, body: &Body, at: &str) -> Result<Points,
     }
     for (name, p) in &body.points {
         check_name(source, &format!("{at}.points"), name)?;
-        all.push((name.clone(), rounded(&place(p)), Some(place(p))));
+        all.push((name.clone(), rounded(&place(p)), fractions(place(p))));
     }
     if all.is_empty() {
         return Err(source.breach(at, format!("{at} has no points, ends or drawn")));
     }
     Ok(all)
+}
+
+/// The third point of a triangle with the first side on the x-axis:
+/// `x = (AB² + CA² − BC²)/(2 AB)`, and the height `√(CA² − x²)`.
+fn third_point([ab, bc, ca]: [&Rational; 3], clockwise: bool) -> Option<reference::Place> {
+    let square = |x: &Rational| Rational::from(x.square_ref());
+    let x = (square(ab) + square(ca) - square(bc)) / (ab.clone() * 2u32);
+    let height = square(ca) - square(&x);
+    let y = (height >= 0).then(|| Real::root(&height.into()))?;
+    Some([x.into(), if clockwise { -y } else { y }])
 }
 
 #[cfg(test)]

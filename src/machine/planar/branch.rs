@@ -6,6 +6,8 @@ use std::f64::consts::TAU;
 
 /// Turns after which a branch is given up to close.
 const TURNS: u32 = 12;
+/// Angles that differ by less, in radians, are one but for rounding.
+const SAME: f64 = 1e-9;
 /// How near the bodies' angles have to be to choose a mode: 15 degrees.
 const NEAR: f64 = 0.262;
 /// How close to a singular position rows are computed, in radians.
@@ -68,6 +70,21 @@ impl Branch {
             false => drive,
         };
         (low <= at && at <= high).then_some(at)
+    }
+
+    /// The end of the branch at which a value of the drive lies: there the position is singular and has no row.
+    pub fn end_at(&self, machine: &Machine, drive: f64) -> Option<End> {
+        let Reach::Part { low, high } = self.reach else {
+            return None;
+        };
+        let off = |end: &End| match machine.rotary() {
+            true => wrapped(drive - end.drive).abs(),
+            false => (drive - end.drive).abs(),
+        };
+        let ends = [low, high].into_iter().flatten();
+        let mut near =
+            ends.filter(|e| off(e) <= MARGIN && self.turned_to(machine, drive).is_none());
+        near.next()
     }
 }
 
@@ -209,8 +226,21 @@ fn mode_at(
             let of = |(b, a): &(usize, f64)| wrapped(machine.line(s, *b) - a).abs();
             start.near.iter().map(of).fold(0.0, f64::max)
         };
-        let best =
-            (0..count).min_by(|&a, &b| apart(&modes.states[a]).total_cmp(&apart(&modes.states[b])));
+        // Frames are drawn unturned: that tells apart modes that differ in bodies drawn by one point.
+        let turned = |s: &State| {
+            let of = |b| wrapped(machine.solver.body_angle(s, b).angle.rad()).abs();
+            let bodies = (1..machine.bodies.len()).filter(|_| start.drawn);
+            bodies.map(of).fold(0.0, f64::max)
+        };
+        let order = |&a: &usize, &b: &usize| {
+            let (a, b) = (&modes.states[a], &modes.states[b]);
+            let (near, other) = (apart(a), apart(b));
+            match (near - other).abs() < SAME {
+                true => turned(a).total_cmp(&turned(b)),
+                false => near.total_cmp(&other),
+            }
+        };
+        let best = (0..count).min_by(order);
         return match best.filter(|&k| apart(&modes.states[k]) <= NEAR) {
             Some(k) => Ok((k, modes)),
             None => Err(PlanarError::NoModeNear {

@@ -1,9 +1,11 @@
-//! What ranks prove of a mechanism in the position in which it is drawn.
+//! The position in which a mechanism is drawn: the drive there, and what ranks prove of it.
 
 use super::bodies::{Bodies, Exact};
+use super::branch::wrapped;
 use super::file::{File, Kind};
+use crate::reference::nearest_f64;
 use crate::reference::planar::{Drawing, DrawnPin, Frame, Freedom, Mobility};
-use crate::solvers::planar::{GROUND, MechanismError};
+use crate::solvers::planar::{Description, Drive, GROUND, MechanismError, Point};
 
 /// A mechanism refused by its count, and what is proved of its drawing.
 #[derive(Debug, thiserror::Error)]
@@ -45,6 +47,37 @@ pub(super) fn freedom(file: &File, bodies: &Bodies) -> Option<Freedom> {
     }
     let drawing = Drawing::new(bodies.names.len() - 1, pins).ok()?;
     Some(drawing.freedom())
+}
+
+/// The drive in the position drawn, in degrees or metres, where every moving body is drawn.
+pub(super) fn drive(file: &File, bodies: &Bodies, description: &Description) -> Option<f64> {
+    if !bodies.drawn.iter().all(|drawn| *drawn) {
+        return None;
+    }
+    match description.drive {
+        drive @ Drive::Angle { .. } => {
+            Some(wrapped(super::offset(drive, &bodies.lines)).to_degrees())
+        }
+        Drive::Displacement { joint } => {
+            let (point, guide) = description.joints.get(joint)?.part.guided()?;
+            let [[x, y], [x0, y0]] = [seen(file, point)?, seen(file, &guide.origin)?];
+            let (sin, cos) = guide.direction.rad().sin_cos();
+            Some((x - x0) * cos + (y - y0) * sin)
+        }
+    }
+}
+
+/// Where a point of the ground or of a drawn body is in the drawing, whose axes are those of all frames.
+fn seen(file: &File, point: &Point) -> Option<[f64; 2]> {
+    let origin = match point.body {
+        GROUND => [0.0; 2],
+        body => {
+            let first = file.body.get(body - 1)?.drawn.first()?;
+            let at = file.points.get(first)?;
+            [0, 1].map(|i| nearest_f64(&at[i].value))
+        }
+    };
+    Some([0, 1].map(|i| origin[i] + point.at[i].m()))
 }
 
 /// Where a point is drawn; the ground's own points have to be there as well.
@@ -91,6 +124,7 @@ pub(super) fn words(freedom: &Freedom, bodies: &[String]) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::{Certifier, Columns, Machine, Reach, choose, values};
     use super::*;
     use crate::machine::Source;
 
@@ -185,6 +219,124 @@ mod tests {
             let other = own.replace(from, to);
             assert_ne!(other, own, "{from}");
             assert_eq!(ranks(&other), None, "{to}");
+        }
+    }
+
+    fn read(text: &str) -> Machine {
+        Machine::read(&Source::toml(text)).unwrap()
+    }
+
+    /// A crank of 30 mm and a rod of 50 mm that a slide on the ground's line through O drives, drawn at 40 mm.
+    fn slide_driven(range: [u32; 2], slider: &str) -> Machine {
+        let [from, to] = range;
+        read(&format!(
+            "type = \"planar\"\n[points]\nO = [\"0 mm\", \"0 mm\"]\nA = [\"0 mm\", \"30 mm\"]\n\
+             B = [\"40 mm\", \"0 mm\"]\n[ground]\ndrawn = [\"O\"]\n\
+             [[body]]\nname = \"crank\"\ndrawn = [\"O\", \"A\"]\n\
+             [[body]]\nname = \"rod\"\ndrawn = [\"A\", \"B\"]\n\
+             [[body]]\nname = \"slider\"\ndrawn = [\"B\"]\n\
+             [[joint]]\nkind = \"pin\"\npoint = \"O\"\n[[joint]]\nkind = \"pin\"\npoint = \"A\"\n\
+             [[joint]]\nkind = \"pin\"\npoint = \"B\"\n\
+             [[joint]]\nkind = \"slide\"\nname = \"guide\"\nbody = \"slider\"\npoint = \"B\"\nthrough = \"O\"\n\
+             direction = \"0 deg\"\n{slider}\
+             [drive]\njoint = \"guide\"\nrange = [\"{from} mm\", \"{to} mm\"]\nstep = \"10 mm\"\n"
+        ))
+    }
+
+    /// The drawing is the start of a drive by displacement too: its value, and which of the two modes. A slider drawn by one
+    /// point may be turned on its guide. From there the branch reaches to 20 mm and 80 mm, where rod and crank are in line.
+    #[test]
+    fn a_slide_starts_as_drawn() {
+        for slider in ["", "turn = \"90 deg\"\n"] {
+            for range in [[30, 60], [20, 80], [50, 60]] {
+                let machine = slide_driven(range, slider);
+                let at = machine.start.at.unwrap();
+                assert!((at - 0.04).abs() < 1e-15 && machine.start.drawn);
+                let branch = choose(&machine, at, None).unwrap();
+                assert_eq!(branch.modes, 2);
+                let crank = machine.line(&branch.start, 1);
+                assert!((crank - 90f64.to_radians()).abs() < 1e-12);
+                let Reach::Part { low, high } = branch.reach else {
+                    panic!("a range");
+                };
+                match range {
+                    [20, 80] => {
+                        assert!((low.unwrap().drive - 0.02).abs() < 1e-9);
+                        assert!((high.unwrap().drive - 0.08).abs() < 1e-9);
+                    }
+                    _ => assert_eq!((low, high), (None, None)),
+                }
+                for drive in range.map(|mm| f64::from(mm) / 1000.0) {
+                    let end = [0.02, 0.08].contains(&drive);
+                    assert_eq!(branch.turned_to(&machine, drive).is_none(), end);
+                    assert_eq!(branch.end_at(&machine, drive).is_some(), end);
+                }
+            }
+        }
+    }
+
+    /// A four-bar linkage that the angle at its coupler's end drives: as drawn, and the same by lengths.
+    fn coupler_rocker() -> [Machine; 2] {
+        let joints =
+            ["O", "A", "C", "D"].map(|p| format!("[[joint]]\nkind = \"pin\"\npoint = \"{p}\"\n"));
+        let end = format!(
+            "{}[drive]\nbody = \"rocker\"\nfrom = \"coupler\"\n",
+            joints.concat()
+        );
+        let drawn = format!(
+            "type = \"planar\"\n[points]\nO = [\"0 mm\", \"0 mm\"]\nA = [\"30 mm\", \"40 mm\"]\n\
+             C = [\"110 mm\", \"100 mm\"]\nD = [\"110 mm\", \"0 mm\"]\n[ground]\ndrawn = [\"O\", \"D\"]\n\
+             [[body]]\nname = \"crank\"\ndrawn = [\"O\", \"A\"]\n\
+             [[body]]\nname = \"coupler\"\ndrawn = [\"A\", \"C\"]\n\
+             [[body]]\nname = \"rocker\"\ndrawn = [\"C\", \"D\"]\n{end}"
+        );
+        let lengths = format!(
+            "type = \"planar\"\n[ground.points]\nO = [\"0 mm\", \"0 mm\"]\nD = [\"110 mm\", \"0 mm\"]\n\
+             [[body]]\nname = \"crank\"\nends = [\"O\", \"A\"]\nlength = \"50 mm\"\n\
+             [[body]]\nname = \"coupler\"\nends = [\"A\", \"C\"]\nlength = \"100 mm\"\n\
+             [[body]]\nname = \"rocker\"\nends = [\"C\", \"D\"]\nlength = \"100 mm\"\n{end}\
+             [start]\nat = \"-126.86989764584402 deg\"\nnear = {{ crank = \"53.13 deg\" }}\n"
+        );
+        [drawn, lengths].map(|text| read(&text))
+    }
+
+    /// An angle that is measured from another body is that between the two bodies' lines: at the start, at the folds, at
+    /// every row, in certified digits.
+    #[test]
+    fn an_angle_from_another_body_is_that_between_lines() {
+        let [drawn, lengths] = coupler_rocker();
+        let branches = [&drawn, &lengths].map(|m| {
+            let at = m.start.at.unwrap();
+            assert!((at + 126.869_897_645_844_02).abs() < 1e-12, "{at}");
+            choose(m, at.to_radians(), None).unwrap()
+        });
+        for branch in &branches {
+            let Reach::Part { low, high } = branch.reach else {
+                panic!("two folds");
+            };
+            for (end, due) in [(low, -145.084_793_753), (high, -73.739_795_292)] {
+                assert!((end.unwrap().drive.to_degrees() - due).abs() < 1e-6);
+            }
+        }
+        for degrees in [-140, -126, -100, -75] {
+            let drive = f64::from(degrees).to_radians();
+            let [a, b] = [(&drawn, &branches[0]), (&lengths, &branches[1])].map(|(m, branch)| {
+                let state = m.solver.follow(&branch.start, m.inner(drive)).unwrap();
+                let angle = m.line(&state, 3) - m.line(&state, 2);
+                assert!(wrapped(angle - drive).abs() < 1e-12);
+                let row = values(m, None, &state, Columns::default());
+                let digits = Certifier::new(m, 15)
+                    .unwrap()
+                    .values(&degrees.into(), &state, false);
+                for (digits, x) in digits.iter().zip(&row) {
+                    let digits: f64 = digits.as_deref().expect("digits").parse().unwrap();
+                    assert!((digits - x).abs() < 1e-9 * (1.0 + x.abs()));
+                }
+                row
+            });
+            for (a, b) in a.iter().zip(b) {
+                assert!((a - b).abs() < 1e-9 * (1.0 + b.abs()), "{degrees}: {a} {b}");
+            }
         }
     }
 }

@@ -11,7 +11,7 @@ use crate::solvers::planar::{BodyMass, Course, GROUND, Load, Loads, Mechanism, S
 use crate::solvers::units::{Inertia, Length, Mass, Torque};
 use std::f64::consts::{PI, TAU};
 
-/// A value or a table over the drive; `offset` is the angle of the driven body's line in its frame.
+/// A value or a table over the drive; `offset` is the user's drive where the solver's is zero.
 struct Courses<'a> {
     source: &'a Source,
     rotary: bool,

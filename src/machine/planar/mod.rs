@@ -4,24 +4,29 @@ mod bodies;
 mod branch;
 mod certified;
 mod drawn;
+mod exact;
 mod file;
 mod joints;
 mod loads;
 mod motion;
+mod of_dyad;
 mod path;
 mod rows;
 
+pub(in crate::machine) use bodies::check_name;
 pub use branch::{Branch, End, MARGIN, PlanarError, Reach, choose};
-pub use certified::{Certifier, NotExact};
+pub use certified::{CertifiedRow, Certifier, NotExact};
 pub use motion::motion;
+pub use of_dyad::{Further, FurtherError, LinkPoint};
 pub use path::{path, positions};
 pub use rows::{Columns, certified_names, names, values};
 
 use super::source::{Refusal, Source};
-use crate::reference::planar::{Freedom, Mobility};
-use crate::solvers::planar::{Drive, Loads, Mechanism, MechanismError, Point};
-use bodies::{Bodies, Exact};
+use crate::reference::planar::{Freedom, Mobility, Place};
+use crate::solvers::planar::{Description, Drive, Loads, Mechanism, MechanismError, Point};
+use bodies::Bodies;
 use file::File;
+use rug::Rational;
 
 /// A mechanism as described, in floating point.
 pub struct Machine {
@@ -49,8 +54,12 @@ pub struct Machine {
     pub start: Start,
     /// Ranks in the drawing, where every body is drawn and every joint a pin.
     pub drawing: Option<Freedom>,
-    /// The places of all points of each body by fractions, where the file gives them.
-    exact: Vec<Vec<(Point, Option<Exact>)>>,
+    /// [`Machine::window`] exactly.
+    pub exact_window: Option<[Rational; 3]>,
+    /// The exact places of all points of each body.
+    exact: Vec<Vec<(Point, Option<Place>)>>,
+    /// The exact numbers of the joints.
+    exact_joints: Vec<Option<exact::ExactJoint>>,
 }
 
 /// Which branch is meant.
@@ -92,14 +101,11 @@ impl Machine {
                 _ => source.refuse(place, e),
             }
         })?;
-        let driven = match solver.description().drive {
-            Drive::Angle { body, .. } => Some(body),
-            Drive::Displacement { .. } => None,
-        };
-        let offset = driven.map_or(0.0, |b| bodies.lines[b]);
+        let offset = offset(solver.description().drive, &bodies.lines);
         let loads = loads::read(source, &file, &bodies, &solver, offset)?;
-        let drive = joints::drive(source, &file, driven.is_some())?;
-        let start = start(source, &file, &bodies, driven)?;
+        let drive = joints::drive(source, &file, !solver.drive_is_displacement())?;
+        let start = start(source, &file, &bodies, solver.description())?;
+        let exact_joints = exact::joints(&file.joint, &bodies);
         Ok(Machine {
             name: file.name,
             loads,
@@ -108,6 +114,8 @@ impl Machine {
             points: bodies.moving(),
             outlines: bodies.outlines(),
             exact: bodies.exact(),
+            exact_joints,
+            exact_window: exact::window(&file.drive),
             bodies: bodies.names,
             speed: drive.speed,
             window: drive.window,
@@ -131,7 +139,8 @@ impl Machine {
         !self.solver.drive_is_displacement()
     }
 
-    /// The solver's drive for the user's: an angle of the driven body's line, in radians, or metres.
+    /// The solver's drive for the user's: the angle of the driven body's line less that of the line of the body that it
+    /// is measured from, in radians, or metres.
     pub fn inner(&self, drive: f64) -> f64 {
         drive - self.offset()
     }
@@ -142,10 +151,15 @@ impl Machine {
     }
 
     fn offset(&self) -> f64 {
-        match self.solver.description().drive {
-            Drive::Angle { body, .. } => self.lines[body],
-            Drive::Displacement { .. } => 0.0,
-        }
+        offset(self.solver.description().drive, &self.lines)
+    }
+}
+
+/// The angle between the two bodies' lines where that between their frames is zero.
+fn offset(drive: Drive, lines: &[f64]) -> f64 {
+    match drive {
+        Drive::Angle { body, from } => lines[body] - lines[from],
+        Drive::Displacement { .. } => 0.0,
     }
 }
 
@@ -154,8 +168,9 @@ fn start(
     source: &Source,
     file: &File,
     bodies: &Bodies,
-    driven: Option<usize>,
+    description: &Description,
 ) -> Result<Start, Refusal> {
+    let rotary = matches!(description.drive, Drive::Angle { .. });
     let section = &file.start;
     if section.mode.is_some() && !section.near.is_empty() {
         let rule = "start.mode and start.near exclude each other";
@@ -167,22 +182,18 @@ fn start(
         near.push((bodies.find(source, &place, name)?, angle.to_f64()));
     }
     let given = match &section.at {
-        Some(text) => Some(joints::drive_value(
-            source,
-            "start.at",
-            text,
-            driven.is_some(),
-        )?),
+        Some(text) => Some(joints::drive_value(source, "start.at", text, rotary)?),
         None => None,
     };
     let told = given.is_some() || section.mode.is_some() || !near.is_empty();
-    let all_drawn = bodies.drawn[1..].iter().all(|d| *d);
-    if let (false, true, Some(driven)) = (told, all_drawn, driven) {
-        let lines = (1..bodies.names.len()).map(|b| (b, bodies.lines[b]));
+    if let (false, Some(at)) = (told, drawn::drive(file, bodies, description)) {
+        // A body drawn by one point has no line that could be seen.
+        let lined = |b: &usize| file.body[b - 1].drawn.len() > 1;
+        let lines = (1..bodies.names.len()).filter(lined);
         return Ok(Start {
-            at: Some(bodies.lines[driven].to_degrees()),
+            at: Some(at),
             mode: None,
-            near: lines.collect(),
+            near: lines.map(|b| (b, bodies.lines[b])).collect(),
             drawn: true,
         });
     }

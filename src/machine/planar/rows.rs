@@ -58,6 +58,14 @@ impl Derivatives {
         all
     }
 
+    /// Adds the displacements of slides and slots with theirs.
+    fn travels(&self, machine: &Machine, all: &mut Vec<String>) {
+        for (_, name) in travels(machine) {
+            all.push(format!("s_{name}_m"));
+            all.extend(self.length(&format!("s_{name}")));
+        }
+    }
+
     /// The coordinates of a point, and then theirs.
     fn point(&self, name: &str) -> Vec<String> {
         let [x, y] = ["x", "y"].map(|c| format!("{c}_{name}"));
@@ -75,10 +83,27 @@ pub fn names(machine: &Machine, columns: Columns) -> Vec<String> {
         rotary,
     };
     let mut all = by.bodies(machine);
-    for (_, name) in travels(machine) {
-        all.push(format!("s_{name}_m"));
-        all.extend(by.length(&format!("s_{name}")));
+    by.travels(machine, &mut all);
+    all.extend(reduced_names(machine));
+    for g in dyads(machine) {
+        let bodies = &machine.solver.structure().groups[g].bodies;
+        let names: Vec<&str> = bodies.iter().map(|&b| &*machine.bodies[b]).collect();
+        all.push(format!("transmission_{}_deg", names.join("_")));
     }
+    all.extend(asked_names(machine, columns));
+    all
+}
+
+/// Names of the columns of reduced masses and of those that are asked for: [`further`].
+pub(super) fn further_names(machine: &Machine, columns: Columns) -> Vec<String> {
+    let mut all = reduced_names(machine);
+    all.extend(asked_names(machine, columns));
+    all
+}
+
+fn reduced_names(machine: &Machine) -> Vec<String> {
+    let rotary = machine.rotary();
+    let mut all = Vec::new();
     if machine.loads.is_some() {
         let reduced: [&str; 4] = match rotary {
             true => [
@@ -94,11 +119,16 @@ pub fn names(machine: &Machine, columns: Columns) -> Vec<String> {
             all.push(format!("drive_{}", if rotary { "N_m" } else { "N" }));
         }
     }
-    for g in dyads(machine) {
-        let bodies = &machine.solver.structure().groups[g].bodies;
-        let names: Vec<&str> = bodies.iter().map(|&b| &*machine.bodies[b]).collect();
-        all.push(format!("transmission_{}_deg", names.join("_")));
-    }
+    all
+}
+
+/// Names of the columns that are there where they are asked for.
+fn asked_names(machine: &Machine, columns: Columns) -> Vec<String> {
+    let by = Derivatives {
+        speed: machine.speed.is_some(),
+        rotary: machine.rotary(),
+    };
+    let mut all = Vec::new();
     if columns.paths {
         for (name, _) in &machine.points {
             all.extend(by.point(name));
@@ -117,14 +147,15 @@ pub fn names(machine: &Machine, columns: Columns) -> Vec<String> {
     all
 }
 
-/// The columns of certified rows: the drive, `branch`, angles with derivatives by the drive and, where paths are asked
-/// for, the named points with theirs.
+/// The columns of certified rows: the drive, `branch`, angles and displacements with derivatives by
+/// the drive and, where paths are asked for, the named points with theirs.
 pub fn certified_names(machine: &Machine, paths: bool) -> Vec<String> {
     let by = Derivatives {
         speed: false,
-        rotary: true,
+        rotary: machine.rotary(),
     };
     let mut all = by.bodies(machine);
+    by.travels(machine, &mut all);
     for (name, _) in machine.points.iter().filter(|_| paths) {
         all.extend(by.point(name));
     }
@@ -132,7 +163,7 @@ pub fn certified_names(machine: &Machine, paths: bool) -> Vec<String> {
 }
 
 /// Slides and slots.
-fn travels(machine: &Machine) -> Vec<(usize, &str)> {
+pub(super) fn travels(machine: &Machine) -> Vec<(usize, &str)> {
     let joints = machine.solver.description().joints.iter().enumerate();
     joints
         .filter(|(_, j)| matches!(j.part, Joint::Slide { .. } | Joint::Slot { .. }))
@@ -159,6 +190,16 @@ fn dyads(machine: &Machine) -> Vec<usize> {
         .collect()
 }
 
+impl Machine {
+    /// Velocity and acceleration from derivatives by the drive, where the file gives its speed.
+    fn by_speed(&self, first: f64, second: f64) -> [f64; 2] {
+        match self.speed {
+            Some([w, e]) => [first * w, second * w * w + first * e],
+            None => [first, second],
+        }
+    }
+}
+
 /// Joints with the bodies that their forces act on, and whether they have a moment.
 fn forces(machine: &Machine) -> Vec<(usize, usize, bool)> {
     let mut all = Vec::new();
@@ -182,10 +223,7 @@ pub fn values(
     columns: Columns,
 ) -> Vec<f64> {
     let solver = &machine.solver;
-    let by = |first: f64, second: f64| match machine.speed {
-        Some([w, e]) => [first * w, second * w * w + first * e],
-        None => [first, second],
-    };
+    let by = |first: f64, second: f64| machine.by_speed(first, second);
     let mut all = Vec::new();
     for body in 1..machine.bodies.len() {
         let turn = solver.body_angle(state, body);
@@ -198,8 +236,30 @@ pub fn values(
             all.extend(by(s.first_m, s.second_m));
         }
     }
+    all.extend(reduced(machine, loads, state));
+    for g in dyads(machine) {
+        all.push(solver.transmission(state, g).map_or(f64::NAN, |a| a.deg()));
+    }
+    all.extend(asked(machine, loads, state, columns));
+    all
+}
+
+/// Reduced masses and loads and what is asked for, without angles and displacements.
+pub(super) fn further(
+    machine: &Machine,
+    loads: Option<&Loads>,
+    state: &State,
+    columns: Columns,
+) -> Vec<f64> {
+    let mut all = reduced(machine, loads, state);
+    all.extend(asked(machine, loads, state, columns));
+    all
+}
+
+fn reduced(machine: &Machine, loads: Option<&Loads>, state: &State) -> Vec<f64> {
+    let mut all = Vec::new();
     if let Some(loads) = loads {
-        let r = loads.reduce(solver, state);
+        let r = loads.reduce(&machine.solver, state);
         all.extend([
             r.inertia,
             r.inertia_derivative,
@@ -210,14 +270,17 @@ pub fn values(
             all.push(r.drive(w, e));
         }
     }
-    for g in dyads(machine) {
-        all.push(solver.transmission(state, g).map_or(f64::NAN, |a| a.deg()));
-    }
+    all
+}
+
+fn asked(machine: &Machine, loads: Option<&Loads>, state: &State, columns: Columns) -> Vec<f64> {
+    let solver = &machine.solver;
+    let mut all = Vec::new();
     if columns.paths {
         for (_, point) in &machine.points {
             let m = solver.point(state, point);
             all.extend(m.r);
-            (0..2).for_each(|i| all.extend(by(m.first[i], m.second[i])));
+            (0..2).for_each(|i| all.extend(machine.by_speed(m.first[i], m.second[i])));
             all.push(curvature(&m));
         }
     }

@@ -18,7 +18,7 @@ use crate::reference::nearest_f64;
 use crate::solvers::run_up::{
     ClassIiiModel, Drive, FourBarModel, Hybrid, Kloss, Method, Motor, MotorError, Plan,
     PlanarModel, ReducedModel, Resistance, Settings, SliderCrankModel, Splined, SplinedError,
-    TableReading, TorqueTable,
+    TableReading, TimedTorque, TorqueTable,
 };
 use crate::solvers::units::{AngularVelocity, Inertia, Torque};
 use serde::Deserialize;
@@ -52,11 +52,31 @@ struct MotorSection {
     standstill_torque: Option<Quantity<Torque>>,
     no_load_speed: Option<Quantity<AngularVelocity>>,
     torque: Option<Quantity<Torque>>,
-    points: Option<Vec<(Quantity<AngularVelocity>, Quantity<Torque>)>>,
+    points: Option<Vec<(Abscissa, Quantity<Torque>)>>,
     reading: Option<Reading>,
     ratio: Option<f64>,
     rotor_inertia: Option<Quantity<Inertia>>,
     flywheel: Option<Quantity<Inertia>>,
+}
+
+/// Where a torque is given: a speed or a time, as its unit says.
+#[derive(Clone)]
+enum Abscissa {
+    Speed(f64),
+    Time(f64),
+}
+
+impl<'de> Deserialize<'de> for Abscissa {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Abscissa, D::Error> {
+        let text = String::deserialize(from)?;
+        if let Ok(time) = text.parse::<Quantity<Time>>() {
+            return Ok(Abscissa::Time(time.to_f64()));
+        }
+        let speed = text.parse::<Quantity<AngularVelocity>>();
+        let speed =
+            speed.map_err(|e| D::Error::custom(format!("{e}, or a time, for instance in s")))?;
+        Ok(Abscissa::Speed(speed.to_f64()))
+    }
 }
 
 /// The kinds of motors.
@@ -71,7 +91,7 @@ pub enum MotorKind {
     Linear,
     /// Kloss's formula.
     Kloss,
-    /// Points of the curve.
+    /// Points of the curve over the speed, or of the torque over time.
     Table,
 }
 
@@ -464,13 +484,37 @@ impl MotorSection {
             }
             MotorKind::Table => {
                 let points = self.points.as_ref().ok_or_else(|| missing("points"))?;
-                let si = points.iter().map(|(n, m)| (n.to_f64(), m.to_f64()));
-                let points: Vec<(f64, f64)> = si.collect();
-                let reading = match self.reading.ok_or_else(|| missing("reading"))? {
-                    Reading::Linear => TableReading::Linear,
-                    Reading::Cubic => TableReading::Cubic,
+                let at = |time: bool| {
+                    let of = |(x, m): &(Abscissa, Quantity<Torque>)| match x {
+                        Abscissa::Time(t) if time => Some((*t, m.to_f64())),
+                        Abscissa::Speed(w) if !time => Some((*w, m.to_f64())),
+                        _ => None,
+                    };
+                    points.iter().map(of).collect::<Option<Vec<_>>>()
                 };
-                TorqueTable::new(&points, reading).map(Motor::Table)
+                match (at(false), at(true), self.reading) {
+                    (Some(_), Some(_), _) => {
+                        let rule = "motor.points is empty";
+                        return Err(source.breach("motor.points", rule));
+                    }
+                    (Some(points), _, reading) => {
+                        let reading = match reading.ok_or_else(|| missing("reading"))? {
+                            Reading::Linear => TableReading::Linear,
+                            Reading::Cubic => TableReading::Cubic,
+                        };
+                        TorqueTable::new(&points, reading).map(Motor::Table)
+                    }
+                    (_, Some(_), Some(Reading::Cubic)) => {
+                        let rule = "motor.reading = \"cubic\" has no meaning for a torque over time, which is read by straight lines";
+                        return Err(source.breach("motor.reading", rule));
+                    }
+                    (_, Some(points), _) => TimedTorque::new(&points).map(Motor::Timed),
+                    (None, None, _) => {
+                        let rule =
+                            "motor.points has speeds and times: it needs one of them throughout";
+                        return Err(source.breach("motor.points", rule));
+                    }
+                }
             }
         };
         motor.map_err(|e| source.refuse("motor", e))

@@ -16,11 +16,12 @@ pub struct Steady {
 }
 
 impl Steady {
-    /// Looks for it from the speed that the run ended with. A motor that is off or a crank that
-    /// has come to rest has none.
+    /// Looks for it from the speed that the run ended with. A motor that is off, one whose torque depends on the time or
+    /// a crank that has come to rest has none.
     pub fn of(machine: &Machine, equation: &Equation, motion: &Motion) -> Steady {
         let (phi, psi) = (machine.plan.phi, motion.end.psi);
-        let turns = machine.motor != MotorKind::Off && psi != 0.0;
+        let timed = machine.drive.motor().timed().is_some();
+        let turns = machine.motor != MotorKind::Off && !timed && psi != 0.0;
         let settings = machine.plan.settings;
         Steady {
             cycle: turns.then(|| steady_cycle(equation, phi, psi, settings)),

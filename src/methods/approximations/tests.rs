@@ -14,9 +14,9 @@ fn splines_converge_as_theory_says() {
         for (k, (e, due)) in last.errors.iter().zip(&report.orders).enumerate() {
             let (order, method) = (e.order.unwrap(), e.method.unwrap());
             if let Some(due) = due {
-                assert!(order > due - 0.4, "{} {k}: order {order}", a.name());
+                assert!((order - due).abs() < 0.4, "{} {k}: order {order}", a.name());
             }
-            assert!(e.rounding.unwrap() < 1e-3 * method, "{} {k}", a.name());
+            assert!(e.rounding.unwrap() < 1e-2 * method, "{} {k}", a.name());
             let parts = method + e.rounding.unwrap();
             assert!(e.total <= parts * (1.0 + 1e-9), "{} {k}", a.name());
         }
@@ -99,21 +99,45 @@ fn levels_are_refined_by_a_fixed_factor() {
     }
 }
 
+/// The largest error of the natural spline is next to an end, where it is of second order whatever
+/// the rest is: 1.50e-6 with 256 intervals, by a search in multiple precision.
+#[test]
+fn errors_are_maxima_over_the_whole_range() {
+    let natural = find_approximation("spline-natural").unwrap();
+    let report = convergence(&*natural).unwrap();
+    let last = report.levels.last().unwrap().errors[0];
+    assert!((1.45e-6..1.55e-6).contains(&last.total), "{}", last.total);
+    assert!((last.order.unwrap() - 2.0).abs() < 0.1, "{:?}", last.order);
+    assert!((report.fitted[0].unwrap() - 2.0).abs() < 0.1);
+    let due = "the largest error at 2050 places: both ends of [-1, 1] and 8 in each of 256 equal \
+               intervals";
+    assert_eq!(report.places, due);
+    let places: Vec<f64> = queries().collect();
+    assert_eq!((places.len(), places[0], places[2049]), (2050, -1.0, 1.0));
+    let is_near = |w: &[f64]| w[0] < w[1] && w[1] - w[0] <= 1.001 / 1024.0;
+    assert!(places.windows(2).all(is_near));
+}
+
 #[test]
 fn a_spline_is_worked_out_on_its_intervals() {
-    for name in ["spline-clamped", "spline-natural", "spline-not-a-knot"] {
+    for (name, order) in [
+        ("spline-clamped", 4.0),
+        ("spline-natural", 2.0),
+        ("spline-not-a-knot", 4.0),
+    ] {
         let a = find_approximation(name).unwrap();
         let orders: Vec<_> = a.outputs().iter().map(|o| o.1).collect();
-        assert_eq!(orders, [4.0, 3.0, 2.0, 1.0].map(Some), "{name}");
+        let due = [0.0, 1.0, 2.0, 3.0].map(|k| Some(order - k));
+        assert_eq!(orders, due, "{name}");
         for level in [0, 2] {
             let (work, answer) = a.run(level);
             assert_eq!(work, 8 << level);
             let SolverAnswer::Values(values) = answer else {
                 panic!("{name}: {answer:?}");
             };
-            // Four values at each of eight places, those of the exact spline but for rounding.
+            // Four values at each place, those of the exact spline but for rounding.
             let twin = a.twin(level).unwrap();
-            assert_eq!((values.len(), twin.len()), (32, 32));
+            assert_eq!((values.len(), twin.len()), (4 * 2050, 4 * 2050));
             for (k, (value, due)) in values.iter().zip(&twin).enumerate() {
                 let due = due.to_f64();
                 assert!(
@@ -125,16 +149,15 @@ fn a_spline_is_worked_out_on_its_intervals() {
     }
 }
 
-/// The n-th derivative of 1/(1 + x²) = −Im 1/(x + i) is −(−1)ⁿ n! Im (x + i)^{−n−1}, here a third into each of eight intervals.
+/// The n-th derivative of 1/(1 + x²) = −Im 1/(x + i) is −(−1)ⁿ n! Im (x + i)^{−n−1}.
 #[test]
 fn the_true_values_are_those_of_the_witch() {
     let truth = find_approximation("spline-natural")
         .unwrap()
         .truth()
         .unwrap();
-    assert_eq!(truth.len(), 32);
-    for (k, of_place) in truth.chunks(4).enumerate() {
-        let x = -1.0 + (k as f64 + 1.0 / 3.0) / 4.0;
+    assert_eq!(truth.len(), 4 * 2050);
+    for (x, of_place) in queries().zip(truth.chunks(4)) {
         let z = num_complex::Complex::new(x, 1.0);
         for (n, (value, factor)) in of_place.iter().zip([-1.0, 1.0, -2.0, 6.0]).enumerate() {
             let due = factor * z.powi(-1 - n as i32).im;
@@ -188,6 +211,8 @@ fn run_ups_are_those_of_their_names() {
             );
             assert_eq!(a.outputs(), [("phi", None), ("psi", None)]);
             assert_eq!(a.work_unit(), "evaluations");
+            let of = "the error at the end of the run, at ";
+            assert!(a.places().starts_with(of), "{name}: {}", a.places());
         }
     }
 }

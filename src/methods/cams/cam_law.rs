@@ -123,12 +123,24 @@ impl Definition for CamLaw {
     }
 
     fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
-        let jet = reference_jet(i, bits);
-        let [s, v, a, j, _] = jet.ok_or(Uncertified::Refused("bad layout"))?;
+        let law = i.law().ok_or(Uncertified::Refused("bad layout"))?;
+        let law = law.is_law().then(|| law.reference()).flatten();
+        let law = law.ok_or(Uncertified::Refused("law"))?;
+        if *i.x < 0 || *i.x > 1 {
+            return Err(Uncertified::Refused("place"));
+        }
+        let [s, v, a, j, _] = law.jet(i.x, bits);
         Ok(ReferenceAnswer::bounded(
             vec![s.clone(), Ball::integer(bits, 1) - s, v, a, j],
             "exact polynomials; SCCA zones integrated in balls (reference::cam_law)",
         ))
+    }
+
+    fn explanation(i: Self::Input<'_, f64>) -> Option<String> {
+        match i.law()?.solver() {
+            Ok(law) => law.motion(i.x).err().map(|e| e.to_string()),
+            Err(e) => Some(e.to_string()),
+        }
     }
 
     /// The place as the only number that is known to half an ulp; of a table also its inner data.
@@ -202,11 +214,16 @@ mod tests {
             // Parts of a half and two thirds.
             (&[0.5, 0.0, 0.5, 2.0, 0.5, 0.75], "law", true),
             (&[0.5, 1.0, 1.0, 0.0], "law", true),
+            (&[0.5, 3.0, 0.5, 2.0, 1.0, 0.5], "law", true),
+            (&[0.5, 4.0, 0.5, 4.0, 0.25, 1.0, 0.0, 1.0], "law", true),
             (&[-1e-9, 1.0, 0.5, 0.0], "place", true),
             (&[1.0 + 1e-9, 1.0, 0.5, 0.0], "place", true),
         ] {
             assert_eq!(method.solve(input), SolverAnswer::Refuses(due), "{input:?}");
             assert_eq!(method.admits(input), admitted, "{input:?}");
+            let answer = method.reference(&exact(input).unwrap(), 128);
+            let word = matches!(answer, ReferenceAnswer::Refuses(word) if word == due);
+            assert!(word, "{input:?}: {answer:?}");
         }
     }
 

@@ -79,6 +79,33 @@ impl LawInput<'_, f64> {
 }
 
 impl LawInput<'_, Rational> {
+    /// Whether the parameters make a law of motion: shares that fill the rise, a share of the
+    /// stroke between 0.001 and 0.999, a polynomial of degree 1 to 24 that ends at 1 within 1e-9,
+    /// a table from (0, 0) to (1, 1).
+    pub(super) fn is_law(&self) -> bool {
+        let p = self.parameters;
+        let (zero, one) = (Rational::new(), Rational::from(1));
+        let is_share =
+            (Rational::from((1, 1000))..=Rational::from((999, 1000))).contains(self.share);
+        match self.kind {
+            SCCA => {
+                let constant = Rational::from(&one - &p[0]) - &p[1];
+                is_share && [&p[0], &p[1], &constant].iter().all(|part| **part >= 0)
+            }
+            POLYNOMIAL => {
+                let degree = p.iter().rposition(|c| *c != 0).map_or(0, |k| k + 1);
+                let off = (p.iter().sum::<Rational>() - one).abs();
+                (1..=24).contains(&degree) && off <= Rational::from((1, 1_000_000_000))
+            }
+            TABLE => {
+                let (x, y) = p.split_at(p.len() / 2);
+                let leads = |v: &[Rational]| v.first() == Some(&zero) && v.last() == Some(&one);
+                leads(x) && leads(y)
+            }
+            _ => is_share,
+        }
+    }
+
     pub(super) fn reference(&self) -> Option<Law> {
         let p = self.parameters;
         let family = match self.kind {

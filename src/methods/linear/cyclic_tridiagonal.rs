@@ -1,6 +1,6 @@
 //! Cyclic tridiagonal systems.
 
-use super::tridiagonal::{UNKNOWNS, conditions, dominant, identical, word};
+use super::tridiagonal::{UNKNOWNS, ZERO_PIVOT, answer, dominant, identical, word};
 use crate::audit::{Domain, Draw, Law, Output, ReferenceAnswer, Rows, Uncertified};
 use crate::methods::common::{conditioned, point, region};
 use crate::methods::definition::{Definition, exact};
@@ -118,31 +118,38 @@ impl Definition for CyclicTridiagonal {
     }
 
     fn solve(i: Self::Input<'_, f64>) -> Result<Vec<f64>, &'static str> {
-        let sweep = CyclicSweep::factor(i.lower, i.diagonal, i.upper).map_err(|e| word(&e))?;
-        sweep.solve(i.d).map_err(|e| word(&e))
+        let word = |e| word(&e, i.d.len());
+        let sweep = CyclicSweep::factor(i.lower, i.diagonal, i.upper).map_err(word)?;
+        sweep.solve(i.d).map_err(word)
     }
 
     fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
         if !is_ring(i) {
             return Err(Uncertified::Refused("bad layout"));
         }
-        let x = reference::solve_cyclic(i.lower, i.diagonal, i.upper, i.d);
-        let x = x.ok_or(Uncertified::Refused("singular"))?;
-        Ok(ReferenceAnswer::exact(&x, bits))
+        answer(
+            reference::solution_cyclic(i.lower, i.diagonal, i.upper, i.d, bits),
+            bits,
+        )
+    }
+
+    fn explanation(i: Self::Input<'_, f64>) -> Option<String> {
+        let sweep = CyclicSweep::factor(i.lower, i.diagonal, i.upper);
+        let e = sweep.and_then(|a| a.solve(i.d)).err()?;
+        Some(e.to_string())
+    }
+
+    fn may_refuse(i: Self::Input<'_, Rational>) -> Option<&'static str> {
+        let rows = i.d.len();
+        let has_zero_pivot = is_ring(i)
+            && reference::has_zero_pivot(&i.lower[1..], i.diagonal, &i.upper[..rows - 1]);
+        has_zero_pivot.then_some(ZERO_PIVOT)
     }
 
     fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
         let q = exact(numbers)?;
         let i = Self::unpack(&q).filter(|i| is_ring(*i))?;
-        let inverse = reference::inverse_cyclic(i.lower, i.diagonal, i.upper)?;
-        let x = reference::solve_cyclic(i.lower, i.diagonal, i.upper, i.d)?;
-        let n = x.len();
-        Some(conditions(&inverse, &x, |k| {
-            Rational::from(&i.lower[k] * &x[(k + n - 1) % n]).abs()
-                + Rational::from(&i.diagonal[k] * &x[k]).abs()
-                + Rational::from(&i.upper[k] * &x[(k + 1) % n]).abs()
-                + i.d[k].clone().abs()
-        }))
+        reference::conditions_cyclic(i.lower, i.diagonal, i.upper, i.d)
     }
 
     fn laws() -> Vec<Law> {

@@ -4,7 +4,8 @@ use crate::audit::{Domain, Draw, Law, Output, ReferenceAnswer, Rows, Uncertified
 use crate::methods::common::{conditioned, held, point, region};
 use crate::methods::definition::{Definition, exact};
 use crate::methods::inputs::{Number, inputs};
-use crate::reference::tridiagonal as reference;
+use crate::reference::Undecided;
+use crate::reference::tridiagonal::{self as reference, Solution};
 use crate::solvers::tridiagonal::{Sweep, TridiagonalError};
 use rug::Rational;
 
@@ -22,43 +23,76 @@ inputs! {
     }
 }
 
-/// Tridiagonal systems `A x = d` by the sweep without pivoting.
+/// Tridiagonal systems `A x = d` by the sweep without pivoting: a pivot that is zero ends it, where
+/// [`TridiagonalPivoting`](super::TridiagonalPivoting) exchanges rows.
 ///
 /// A candidate is a `Fn(lower, diagonal, upper, d) -> x`, all slices of `f64`.
 #[derive(Clone, Copy, Debug)]
 pub struct Tridiagonal;
 
-/// The word for an error, the same for open and cyclic systems.
-pub(super) fn word(e: &TridiagonalError) -> &'static str {
+/// The word for a pivot before the last row that is zero or too small to divide by: without row
+/// exchanges elimination ends there, whether the matrix is singular or not.
+pub(super) const ZERO_PIVOT: &str = "zero pivot";
+
+/// The word for an error of elimination without row exchanges in so many rows, the same for open
+/// and cyclic systems.
+pub(super) fn word(e: &TridiagonalError, rows: usize) -> &'static str {
     match e {
-        TridiagonalError::Pivot { .. } => "singular",
+        // Nothing is left to be exchanged with.
+        TridiagonalError::Pivot { row, .. } if row + 1 == rows => "singular",
+        TridiagonalError::Pivot { .. } => ZERO_PIVOT,
         TridiagonalError::NotFinite { .. } => "not finite",
         TridiagonalError::Overflow { .. } => "overflow",
         _ => "bad layout",
     }
 }
 
-/// The solution for another right-hand side.
-fn solution(i: TridiagonalInput, d: &[f64]) -> Result<Vec<f64>, &'static str> {
-    let a = Sweep::factor(i.lower, i.diagonal, i.upper).map_err(|e| word(&e))?;
-    a.solve(d).map_err(|e| word(&e))
+/// An error in words, with the method that does not end at a zero pivot.
+pub(super) fn explained(e: &TridiagonalError, rows: usize) -> String {
+    match word(e, rows) {
+        ZERO_PIVOT => format!(
+            "{e}: elimination without row exchanges ends here, tridiagonal-pivoting exchanges rows"
+        ),
+        _ => e.to_string(),
+    }
 }
 
-/// `|A⁻¹| (|A| |x| + |d|)`, entry by entry: the sum over all data of `|datum · ∂x_i/∂datum|`,
-/// computed exactly and rounded once.
-pub(super) fn conditions(
-    inverse: &[Vec<Rational>],
-    x: &[Rational],
-    abs_row: impl Fn(usize) -> Rational,
-) -> Vec<f64> {
-    let v: Vec<Rational> = (0..x.len()).map(abs_row).collect();
-    inverse
-        .iter()
-        .map(|row| {
-            let terms = row.iter().zip(&v).map(|(a, v)| Rational::from(a * v).abs());
-            terms.sum::<Rational>().to_f64()
-        })
-        .collect()
+/// The solution for another right-hand side.
+fn solution(i: TridiagonalInput, d: &[f64]) -> Result<Vec<f64>, &'static str> {
+    let word = |e: TridiagonalError| word(&e, d.len());
+    let a = Sweep::factor(i.lower, i.diagonal, i.upper).map_err(word)?;
+    a.solve(d).map_err(word)
+}
+
+/// The reference of tridiagonal systems.
+pub(super) fn certified(
+    i: TridiagonalInput<Rational>,
+    bits: u32,
+) -> Result<ReferenceAnswer, Uncertified> {
+    let solution = reference::solution(i.lower, i.diagonal, i.upper, i.d, bits);
+    answer(solution, bits)
+}
+
+/// The answer that a solution is.
+pub(super) fn answer(solution: Solution, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
+    match solution {
+        Solution::Exact(x) => Ok(ReferenceAnswer::exact(&x, bits)),
+        Solution::Enclosed(x) => Ok(ReferenceAnswer::bounded(
+            x,
+            "generators of the inverse, or elimination, in ball arithmetic",
+        )),
+        Solution::Singular => Err(Uncertified::Refused("singular")),
+        Solution::Open => {
+            Err(Undecided::new(bits, "whether the determinant of so long a system is zero").into())
+        }
+    }
+}
+
+/// The condition numbers of tridiagonal systems.
+pub(super) fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
+    let q = exact(numbers)?;
+    let i = Tridiagonal::unpack(&q)?;
+    reference::conditions(i.lower, i.diagonal, i.upper, i.d)
 }
 
 /// A row of outputs for each unknown.
@@ -199,27 +233,21 @@ impl Definition for Tridiagonal {
     }
 
     fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
-        let x = reference::solve(i.lower, i.diagonal, i.upper, i.d);
-        let x = x.ok_or(Uncertified::Refused("singular"))?;
-        Ok(ReferenceAnswer::exact(&x, bits))
+        certified(i, bits)
+    }
+
+    fn may_refuse(i: Self::Input<'_, Rational>) -> Option<&'static str> {
+        reference::has_zero_pivot(i.lower, i.diagonal, i.upper).then_some(ZERO_PIVOT)
+    }
+
+    fn explanation(i: Self::Input<'_, f64>) -> Option<String> {
+        let sweep = Sweep::factor(i.lower, i.diagonal, i.upper);
+        let e = sweep.and_then(|a| a.solve(i.d)).err()?;
+        Some(explained(&e, i.d.len()))
     }
 
     fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
-        let q = exact(numbers)?;
-        let i = Self::unpack(&q)?;
-        let inverse = reference::inverse(i.lower, i.diagonal, i.upper)?;
-        let x = reference::solve(i.lower, i.diagonal, i.upper, i.d)?;
-        let n = x.len();
-        Some(conditions(&inverse, &x, |k| {
-            let mut sum = Rational::from(&i.diagonal[k] * &x[k]).abs() + i.d[k].clone().abs();
-            if k > 0 {
-                sum += Rational::from(&i.lower[k - 1] * &x[k - 1]).abs();
-            }
-            if k + 1 < n {
-                sum += Rational::from(&i.upper[k] * &x[k + 1]).abs();
-            }
-            sum
-        }))
+        conditions(numbers)
     }
 
     fn laws() -> Vec<Law> {
@@ -239,9 +267,9 @@ impl Definition for Tridiagonal {
 }
 
 /// A solver of a system with another right-hand side.
-type Solve = fn(TridiagonalInput, &[f64]) -> Result<Vec<f64>, &'static str>;
+pub(super) type Solve = fn(TridiagonalInput, &[f64]) -> Result<Vec<f64>, &'static str>;
 
-fn scaling(solve: Solve, i: TridiagonalInput) -> Option<f64> {
+pub(super) fn scaling(solve: Solve, i: TridiagonalInput) -> Option<f64> {
     let times_8 = |v: &[f64]| v.iter().map(|v| 8.0 * v).collect::<Vec<f64>>();
     let x = solve(i, i.d).ok()?;
     let [lower, diagonal, upper, d] = [i.lower, i.diagonal, i.upper, i.d].map(times_8);
@@ -256,7 +284,7 @@ fn scaling(solve: Solve, i: TridiagonalInput) -> Option<f64> {
     Some(identical(&both, &x) + identical(&right, &times_8(&x)))
 }
 
-fn signs(solve: Solve, i: TridiagonalInput) -> Option<f64> {
+pub(super) fn signs(solve: Solve, i: TridiagonalInput) -> Option<f64> {
     let minus: Vec<f64> = i.d.iter().map(|v| -v).collect();
     let (x, y) = (solve(i, i.d).ok()?, solve(i, &minus).ok()?);
     held(x.iter().zip(&y).all(|(x, y)| *x == -*y))

@@ -51,8 +51,8 @@ impl<'a, T: Number> ClassIiiGeometry<'a, T> {
 
 impl ClassIiiGeometry<'_> {
     /// The linkage, as the solver takes it.
-    pub(in crate::methods) fn solver(&self) -> Option<solver::ClassIii> {
-        solver::ClassIii::new(Geometry::from_values(&self.values())).ok()
+    pub(in crate::methods) fn solver(&self) -> Result<solver::ClassIii, &'static str> {
+        solver::ClassIii::new(Geometry::from_values(&self.values())).map_err(|e| e.name())
     }
 
     /// Every length times the factor.
@@ -65,8 +65,17 @@ impl ClassIiiGeometry<'_> {
 
 impl ClassIiiGeometry<'_, Rational> {
     /// The geometry, as the reference takes it.
-    pub(in crate::methods) fn exact(&self) -> reference::Geometry {
-        reference::Geometry::from_values(&self.values().map(Rational::clone))
+    ///
+    /// A link without length has no direction, and a negative length has no meaning: both are
+    /// refused.
+    pub(in crate::methods) fn exact(&self) -> Result<reference::Geometry, Uncertified> {
+        let values = self.values();
+        match values[..6].iter().all(|l| l.cmp0().is_gt()) {
+            true => Ok(reference::Geometry::from_values(
+                &values.map(Rational::clone),
+            )),
+            false => Err(Uncertified::Refused("not positive")),
+        }
     }
 }
 
@@ -187,7 +196,7 @@ impl ClassIiiInput<'_> {
 
     /// Positions and reduced quantities that the solver finds.
     fn row(&self) -> Result<Row, &'static str> {
-        let linkage = self.geometry.solver().ok_or("geometry")?;
+        let linkage = self.geometry.solver()?;
         let masses = self.masses().ok_or("masses")?;
         let state = self.state(&linkage)?;
         Ok(Row {
@@ -334,6 +343,8 @@ impl Definition for ClassIii {
                     "pivots too far apart for the links: must be refused",
                     |d| apart(d).to_vec(),
                 ),
+                region("coinciding", COINCIDING, |d| changed(d, coincide)),
+                region("no-length", NO_LENGTH, |d| changed(d, shorten)),
             ],
             check_points: vec![
                 point("paper-row-0", at_degrees(14.426, 2.0).to_vec()),
@@ -365,7 +376,7 @@ impl Definition for ClassIii {
     }
 
     fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
-        let linkage = Linkage::new(&i.geometry.exact(), bits);
+        let linkage = Linkage::new(&i.geometry.exact()?, bits);
         let at = i.configuration(&linkage, &Ball::rational(bits, i.phi1))?;
         Ok(ReferenceAnswer::bounded(values(&linkage, &at, i)?, PROOF))
     }
@@ -379,7 +390,7 @@ impl Definition for ClassIii {
         let (bits, phi3, phi5) = (values[1].prec(), &values[1], &values[3]);
         let exact = exact(numbers)?;
         let i = ClassIii::unpack(&exact)?;
-        let linkage = Linkage::new(&i.geometry.exact(), bits);
+        let linkage = Linkage::new(&i.geometry.exact().ok()?, bits);
         let phi1 = Ball::rational(bits, i.phi1);
         let at = linkage.placed(&phi1, phi3, phi5);
         let c = linkage.conditions(&phi1, &at, &i.exact_masses())?;
@@ -419,7 +430,7 @@ fn same_turns(a: &State, b: &State) -> bool {
 
 fn round_trip_law(x: &[f64]) -> Option<f64> {
     let i = ClassIii::unpack(x)?;
-    let linkage = i.geometry.solver()?;
+    let linkage = i.geometry.solver().ok()?;
     let start = i.row().ok()?.state;
     let there = linkage
         .follow(&start, Angle::from_rad(start.phi1 + 1e-3))
@@ -498,6 +509,45 @@ fn random(d: &mut Draw) -> ClassIiiInput<'static> {
     [g.x5, g.y5] = [0, 1].map(|k| o3[k] + a3[k] + a4[k] - a5[k]);
     i.phi1 = phi[0];
     i
+}
+
+/// A random linkage whose geometry is changed.
+fn changed(d: &mut Draw, change: fn(&mut Draw, &mut ClassIiiGeometry)) -> Vec<f64> {
+    let mut i = random(d);
+    change(d, &mut i.geometry);
+    i.to_vec()
+}
+
+/// The region of [`coincide`].
+pub(super) const COINCIDING: &str =
+    "O3 on O5, B on D, both, O3 or O5 on O1, or B, C and D on one line; often not to be assembled";
+
+/// Brings joints or pivots to one place or on one line.
+pub(super) fn coincide(d: &mut Draw, g: &mut ClassIiiGeometry) {
+    let chosen = d.integer(0, 5);
+    if matches!(chosen, 0 | 1) {
+        (g.x5, g.y5) = (g.x3, g.y3);
+    }
+    if matches!(chosen, 1 | 2) {
+        (g.lb, g.phi_b) = (g.l4, 0.0);
+    }
+    match chosen {
+        3 => (g.x3, g.y3) = (0.0, 0.0),
+        4 => (g.x5, g.y5) = (0.0, 0.0),
+        5 => g.phi_b = 0.0,
+        _ => {}
+    }
+}
+
+/// The region of [`shorten`].
+pub(super) const NO_LENGTH: &str = "one length is zero or negative: must be refused";
+
+/// Makes a length zero or negative.
+pub(super) fn shorten(d: &mut Draw, g: &mut ClassIiiGeometry) {
+    let lengths = [
+        &mut g.l1, &mut g.l2, &mut g.l3, &mut g.l4, &mut g.l5, &mut g.lb,
+    ];
+    *lengths[d.integer(0, 5)] *= d.integer(0, 1) as f64 - 1.0;
 }
 
 fn scaled(d: &mut Draw) -> ClassIiiInput<'static> {

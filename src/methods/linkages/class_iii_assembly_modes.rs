@@ -1,6 +1,6 @@
 //! All assembly modes of the class-III linkage: their number and every angle.
 
-use super::class_iii::{ClassIiiGeometry, PROOF};
+use super::class_iii::{COINCIDING, ClassIiiGeometry, NO_LENGTH, PROOF, coincide, shorten};
 use crate::audit::{Budget, Domain, Draw, Law, Limit, Output, ReferenceAnswer, Rows, Uncertified};
 use crate::methods::common::{output, point, region};
 use crate::methods::definition::{Definition, conditions_at_reference, exact};
@@ -51,13 +51,18 @@ const PAPER: [f64; 11] = [
 /// Crank angle of the fold at 217.27° for the numbers above.
 const FOLD: f64 = 3.792_092_161_844_882;
 
+/// A linkage with joint B on joint D, and a crank angle.
+const B_ON_D: [f64; 12] = [
+    0.25, 1.34, 0.61, 0.51, 0.8, 0.51, 0.0, -0.06, 0.73, 0.47, 0.73, -2.49,
+];
+
 /// The paper's linkage at a crank angle.
 fn paper_at(phi1: f64) -> Vec<f64> {
     [&PAPER[..], &[phi1]].concat()
 }
 
-fn linkage(i: ClassIiiAssemblyModesInput<Rational>, bits: u32) -> Linkage {
-    Linkage::new(&i.geometry.exact(), bits)
+fn linkage(i: ClassIiiAssemblyModesInput<Rational>, bits: u32) -> Result<Linkage, Uncertified> {
+    Ok(Linkage::new(&i.geometry.exact()?, bits))
 }
 
 impl Definition for ClassIiiAssemblyModes {
@@ -101,13 +106,18 @@ impl Definition for ClassIiiAssemblyModes {
                                   modes, or none",
                     random,
                 ),
+                region("coinciding", COINCIDING, |d| changed(d, coincide)),
+                region("no-length", NO_LENGTH, |d| changed(d, shorten)),
             ],
-            check_points: vec![point("paper-row-0", paper_at(14.426f64.to_radians()))],
+            check_points: vec![
+                point("paper-row-0", paper_at(14.426f64.to_radians())),
+                point("B-on-D", B_ON_D.to_vec()),
+            ],
         }
     }
 
     fn solve(i: Self::Input<'_, f64>) -> Result<Vec<f64>, &'static str> {
-        let linkage = i.geometry.solver().ok_or("geometry")?;
+        let linkage = i.geometry.solver()?;
         let found = linkage.assembly_modes(Angle::from_rad(i.phi1));
         if found.modes.is_empty() {
             return Err("cannot be assembled");
@@ -116,7 +126,7 @@ impl Definition for ClassIiiAssemblyModes {
     }
 
     fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
-        let linkage = linkage(i, bits);
+        let linkage = linkage(i, bits)?;
         let modes = linkage.modes(&Ball::rational(bits, i.phi1))?;
         if modes.is_empty() {
             return Err(Uncertified::Refused("cannot be assembled"));
@@ -137,7 +147,7 @@ impl Definition for ClassIiiAssemblyModes {
         let bits = values.first()?.prec();
         let exact = exact(numbers)?;
         let i = Self::unpack(&exact)?;
-        let linkage = linkage(i, bits);
+        let linkage = linkage(i, bits).ok()?;
         let phi1 = Ball::rational(bits, i.phi1);
         let mut all = Vec::new();
         for angles in values.chunks(4) {
@@ -150,6 +160,14 @@ impl Definition for ClassIiiAssemblyModes {
     fn laws() -> Vec<Law> {
         Vec::new()
     }
+}
+
+/// A random linkage whose geometry is changed.
+fn changed(d: &mut Draw, change: fn(&mut Draw, &mut ClassIiiGeometry)) -> Vec<f64> {
+    let numbers = random(d);
+    let mut input = ClassIiiAssemblyModes::unpack(&numbers).expect("twelve numbers");
+    change(d, &mut input.geometry);
+    input.to_vec()
 }
 
 fn random(d: &mut Draw) -> Vec<f64> {

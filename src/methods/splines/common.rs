@@ -106,7 +106,7 @@ impl Kind {
         }
     }
 
-    pub(super) fn fit(self, p: SplineProblem) -> Result<Box<dyn Fitted>, &'static str> {
+    fn try_fit(self, p: SplineProblem) -> Result<Box<dyn Fitted>, CubicSplineError> {
         let (x, y) = (p.x.to_vec(), p.y.to_vec());
         let boundary = match self {
             Kind::Ends(kinds) => {
@@ -122,15 +122,23 @@ impl Kind {
             }
             Kind::Periodic => Boundary::Periodic,
             Kind::Local(slopes) => {
-                let s = HermiteSpline::fit(x, y, slopes).map_err(|e| word(&e))?;
-                return Ok(Box::new(s));
+                return Ok(Box::new(HermiteSpline::fit(x, y, slopes)?));
             }
         };
-        let s = CubicSpline::fit(x, y, boundary).map_err(|e| word(&e))?;
+        let s = CubicSpline::fit(x, y, boundary)?;
         Ok(Box::new(match self {
             Kind::Periodic => s.with_extrapolation(Extrapolation::Wrap),
             _ => s,
         }))
+    }
+
+    /// Why there is no spline, with the place.
+    pub(super) fn explanation(self, p: SplineProblem) -> Option<String> {
+        self.try_fit(p).err().map(|e| e.to_string())
+    }
+
+    pub(super) fn fit(self, p: SplineProblem) -> Result<Box<dyn Fitted>, &'static str> {
+        self.try_fit(p).map_err(|e| word(&e))
     }
 
     pub(super) fn solve(self, p: SplineProblem) -> Result<Vec<f64>, &'static str> {

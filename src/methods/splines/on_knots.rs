@@ -94,6 +94,9 @@ macro_rules! on_knots {
             ) -> Result<ReferenceAnswer, Uncertified> {
                 $kind.reference(i.into(), bits)
             }
+            fn explanation(i: Self::Input<'_, f64>) -> Option<String> {
+                $kind.explanation(i.into())
+            }
             fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
                 let all = vec![true; numbers.len()];
                 conditions::conditions($kind, numbers, &all, |data| Some(Self::unpack(data)?.into()))

@@ -60,9 +60,13 @@ impl<'a> From<CubicSplineUniformInput<'a>> for UniformSplineProblem<'a> {
 #[derive(Clone, Copy, Debug)]
 pub struct CubicSplineUniform;
 
-fn fit(i: CubicSplineUniformInput) -> Result<UniformCubicSpline, &'static str> {
+fn try_fit(i: CubicSplineUniformInput) -> Result<UniformCubicSpline, CubicSplineError> {
     let ends = Boundary::second_derivatives(i.m0, i.mn);
-    UniformCubicSpline::fit(i.x0, i.h, i.y.to_vec(), ends).map_err(|e| match e {
+    UniformCubicSpline::fit(i.x0, i.h, i.y.to_vec(), ends)
+}
+
+fn fit(i: CubicSplineUniformInput) -> Result<UniformCubicSpline, &'static str> {
+    try_fit(i).map_err(|e| match e {
         CubicSplineError::TooFewKnots { .. } => "too few knots",
         CubicSplineError::Step { .. } => "bad step",
         CubicSplineError::NotFinite { .. } => "not finite",
@@ -207,6 +211,10 @@ impl Definition for CubicSplineUniform {
 
     fn solve(i: Self::Input<'_, f64>) -> Result<Vec<f64>, &'static str> {
         outputs_of(&fit(i)?, [i.q0, i.q1])
+    }
+
+    fn explanation(i: Self::Input<'_, f64>) -> Option<String> {
+        try_fit(i).err().map(|e| e.to_string())
     }
 
     fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {

@@ -163,6 +163,11 @@ fn numbers_are_compared_within_bounds() {
         ("1 ~ 1.625 within 0.5", no, Some("-0.625000")),
         ("1.625 ~ 1 within 0.5", no, Some("0.625000")),
         (OPEN, Outcome::Undecided, None),
+        // One point proves nothing of a symbol, and complex numbers have no order.
+        ("x < 200", Outcome::Undecided, None),
+        ("x ~ 1 within 100", Outcome::Undecided, None),
+        ("i < 2", Outcome::Undecided, None),
+        ("1 + i ~ 1 within 0.5", no, Some("0")),
     ] {
         assert_eq!(decided(text), (due, residual.map(String::from)), "{text}");
     }

@@ -10,8 +10,8 @@ use mechaudit_reference::faddeeva::w_f64;
 use mechaudit_solvers::faddeeva::proof::lower as solver;
 use mechaudit_solvers::faddeeva::{Branch, faddeeva};
 use num_complex::Complex;
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use rand::rngs::ChaCha8Rng;
+use rand::{Rng, SeedableRng};
 use rug::Float;
 use std::sync::LazyLock;
 

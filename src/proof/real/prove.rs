@@ -88,17 +88,14 @@ pub fn real_line(
 ) -> Option<Certificate> {
     let all = roots(code, function);
     Certificate::of_all(&all, watch, |&(at, formula), found| {
-        if watch.is_stopped() {
-            return None;
-        }
         let refined = Refined {
             code,
             function,
             target,
             formula,
+            watch,
         };
-        refined.refine(at, 0, found);
-        Some(())
+        refined.refine(at, 0, found)
     })
 }
 
@@ -107,10 +104,15 @@ struct Refined<'a> {
     function: Function,
     target: f64,
     formula: Formula,
+    watch: &'a Watch,
 }
 
 impl Refined<'_> {
-    fn refine(&self, at: Interval, depth: u32, found: &mut Certificate) {
+    /// `None` if it was stopped.
+    fn refine(&self, at: Interval, depth: u32, found: &mut Certificate) -> Option<()> {
+        if self.watch.ends() {
+            return None;
+        }
         let Code {
             tables, rounding, ..
         } = self.code;
@@ -122,10 +124,11 @@ impl Refined<'_> {
             Err(why) if point || depth >= MOST_DEPTH => found.open.push(Open { at, why }),
             _ => {
                 for half in at.halves() {
-                    self.refine(half, depth + 1, found);
+                    self.refine(half, depth + 1, found)?;
                 }
             }
         }
+        Some(())
     }
 }
 

@@ -1,8 +1,8 @@
 //! Pieces of rectangles against what the code does at points of them.
 
 use crate::cover::Rectangle;
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use rand::rngs::ChaCha8Rng;
+use rand::{Rng, SeedableRng};
 use std::fmt::Debug;
 
 /// Whether the point is in the rectangle.

@@ -1,8 +1,8 @@
 use super::*;
 use crate::tracked::Result as Tracks;
 use mechaudit_solvers::faddeeva::proof::Real;
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use rand::rngs::ChaCha8Rng;
+use rand::{Rng, SeedableRng};
 use rug::Rational;
 
 fn rational(x: f64) -> Rational {

@@ -1,7 +1,7 @@
 use super::*;
 use crate::pinned::{bit_by_bit, counted, of_binades, units};
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use rand::rngs::ChaCha8Rng;
+use rand::{Rng, SeedableRng};
 use rug::Rational;
 
 fn rational(x: f64) -> Rational {

@@ -350,7 +350,13 @@ impl Law {
                 }
                 let (at, [a, j, k]) = found.expect("there is a zone");
                 let reached = &state.displacement;
-                [at.displacement, at.velocity, a, j, k].map(|v| v / reached)
+                let mut jet = [at.displacement, at.velocity, a, j, k].map(|v| v / reached);
+                // Both sides of the stroke gain the same velocity.
+                if *x == 0 || *x == 1 {
+                    let end = i64::from(*x == 1);
+                    (jet[0], jet[1]) = (Ball::integer(bits, end), Ball::integer(bits, 0));
+                }
+                jet
             }
         }
     }
@@ -384,6 +390,21 @@ impl Law {
             }
         }
     }
+}
+
+/// Sine and cosine of `π t`, exactly where `2t` is a whole number: elsewhere neither is zero.
+fn sin_cos_of_half_turns(t: &Rational, bits: u32) -> (Ball, Ball) {
+    let quarters = Rational::from(t * 2u32);
+    if !quarters.is_integer() {
+        return (Ball::pi(bits) * Ball::rational(bits, t)).sin_cos();
+    }
+    let (s, c) = match quarters.numer().mod_u(4) {
+        0 => (0, 1),
+        1 => (1, 0),
+        2 => (0, -1),
+        _ => (-1, 0),
+    };
+    (Ball::integer(bits, s), Ball::integer(bits, c))
 }
 
 /// `∫ s`, `s` and `s'` up to a place, before division by what is reached.
@@ -431,7 +452,10 @@ impl State {
             return (state, [a, zero.clone(), zero]);
         }
         let w = Ball::pi(bits) * ball(&zone.frequency);
-        let wave = |x: &Rational| (&w * ball(&Rational::from(x - &zone.origin))).sin_cos();
+        let wave = |x: &Rational| {
+            let turns = Rational::from(x - &zone.origin) * &zone.frequency;
+            sin_cos_of_half_turns(&turns, bits)
+        };
         let (s0, c0) = wave(&zone.start);
         let (s, c) = wave(x);
         let (first, second) = (&a / &w, &a / (&w * &w));

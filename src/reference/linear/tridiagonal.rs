@@ -4,7 +4,13 @@
 //! cross-multiplication and divided by the greatest common divisor of its entries; the pivot of a
 //! column is the shortest candidate. Nothing is rounded, so a system without a pivot is singular,
 //! and that is an answer.
+//!
+//! Exact numbers grow with the number of rows: [`solution`] and [`conditions`] compute in balls
+//! where a tridiagonal system is long, by a formula that takes O(n) operations.
 
+use super::generators::{self, Minors};
+use super::ring;
+use crate::Ball;
 use rug::{Integer, Rational};
 use std::collections::BTreeMap;
 
@@ -235,6 +241,161 @@ pub fn solve_cyclic(
 ) -> Option<Vec<Rational>> {
     let x = solve_sparse(diagonal.len(), ring(lower, diagonal, upper, single(d)))?;
     Some(x.into_iter().flatten().collect())
+}
+
+/// The bits of all entries of a system up to which it is solved exactly: some 70 rows of
+/// floating-point numbers.
+const EXACT_BITS: u64 = 1 << 15;
+
+fn is_short(parts: [&[Rational]; 4]) -> bool {
+    let bits = |q: &Rational| {
+        u64::from(q.numer().significant_bits()) + u64::from(q.denom().significant_bits())
+    };
+    parts
+        .iter()
+        .flat_map(|part| part.iter())
+        .map(bits)
+        .sum::<u64>()
+        <= EXACT_BITS
+}
+
+/// The solution of a tridiagonal system.
+#[derive(Clone, Debug)]
+pub enum Solution {
+    /// The matrix is singular.
+    Singular,
+    /// The exact solution.
+    Exact(Vec<Rational>),
+    /// The unknowns enclosed: the system is long.
+    Enclosed(Vec<Ball>),
+    /// The matrix is long, and its determinant could not be told from zero.
+    Open,
+}
+
+/// The solution of a tridiagonal system of any length, to a relative accuracy of `2^-bits` where
+/// it is not exact.
+///
+/// ```
+/// use mechaudit_reference::tridiagonal::{Solution, solution};
+/// use rug::Rational;
+/// let (off, on) = (vec![Rational::from(1); 1999], vec![Rational::from(4); 2000]);
+/// let d = vec![Rational::from(6); 2000];
+/// let Solution::Enclosed(x) = solution(&off, &on, &off, &d, 128) else { unreachable!() };
+/// assert!(x[1000].accuracy_bits() >= 128);
+/// ```
+///
+/// # Panics
+/// When the lengths do not fit.
+pub fn solution(
+    lower: &[Rational],
+    diagonal: &[Rational],
+    upper: &[Rational],
+    d: &[Rational],
+    bits: u32,
+) -> Solution {
+    let parts = [lower, diagonal, upper, d];
+    if is_short(parts) {
+        return solve(lower, diagonal, upper, d).map_or(Solution::Singular, Solution::Exact);
+    }
+    generators::solve(parts, bits).map_or(Solution::Open, Solution::Enclosed)
+}
+
+fn minors(lower: &[Rational], diagonal: &[Rational], upper: &[Rational]) -> Minors<Rational> {
+    let [lower, diagonal, upper] = [lower, diagonal, upper].map(<[Rational]>::to_vec);
+    Minors::new(Rational::from(1), lower, diagonal, upper)
+}
+
+/// `|A⁻¹| (|A| |x| + |d|)` of a tridiagonal system, entry by entry: the sum over all data of
+/// `|datum · ∂x_i/∂datum|`. Computed exactly and rounded once, or in balls to 60 bits where the
+/// system is long; `None` where the matrix is singular or that cannot be had.
+///
+/// # Panics
+/// When the lengths do not fit.
+pub fn conditions(
+    lower: &[Rational],
+    diagonal: &[Rational],
+    upper: &[Rational],
+    d: &[Rational],
+) -> Option<Vec<f64>> {
+    let parts = [lower, diagonal, upper, d];
+    if !is_short(parts) {
+        let found = generators::conditions(parts)?;
+        return Some(found.iter().map(Ball::to_f64).collect());
+    }
+    if diagonal.is_empty() {
+        return None;
+    }
+    let minors = minors(lower, diagonal, upper);
+    if *minors.determinant() == 0 {
+        return None;
+    }
+    let sums = minors.sums(&minors.solve(d), d);
+    let found = minors.solve_magnitudes(&sums);
+    Some(found.iter().map(Rational::to_f64).collect())
+}
+
+/// The solution of a cyclic system, as [`solution`] gives that of an open one; a ring of more than
+/// 2000 rows is open.
+///
+/// # Panics
+/// When the lengths do not fit.
+pub fn solution_cyclic(
+    lower: &[Rational],
+    diagonal: &[Rational],
+    upper: &[Rational],
+    d: &[Rational],
+    bits: u32,
+) -> Solution {
+    if is_short([lower, diagonal, upper, d]) {
+        return solve_cyclic(lower, diagonal, upper, d).map_or(Solution::Singular, Solution::Exact);
+    }
+    ring::solve([lower, diagonal, upper], d, bits).map_or(Solution::Open, Solution::Enclosed)
+}
+
+/// [`conditions`] of a cyclic system.
+///
+/// # Panics
+/// When the lengths do not fit.
+pub fn conditions_cyclic(
+    lower: &[Rational],
+    diagonal: &[Rational],
+    upper: &[Rational],
+    d: &[Rational],
+) -> Option<Vec<f64>> {
+    let n = diagonal.len();
+    if n > 16 {
+        let found = ring::conditions([lower, diagonal, upper], d)?;
+        return Some(found.iter().map(Ball::to_f64).collect());
+    }
+    let inverse = inverse_cyclic(lower, diagonal, upper)?;
+    let x = solve_cyclic(lower, diagonal, upper, d)?;
+    let size = |k: usize| {
+        Rational::from(&lower[k] * &x[(k + n - 1) % n]).abs()
+            + Rational::from(&diagonal[k] * &x[k]).abs()
+            + Rational::from(&upper[k] * &x[(k + 1) % n]).abs()
+            + d[k].clone().abs()
+    };
+    let sizes: Vec<Rational> = (0..n).map(size).collect();
+    let sum = |row: &Vec<Rational>| {
+        let terms = row
+            .iter()
+            .zip(&sizes)
+            .map(|(a, v)| Rational::from(a * v).abs());
+        terms.sum::<Rational>().to_f64()
+    };
+    Some(inverse.iter().map(sum).collect())
+}
+
+/// Whether elimination without row exchanges certainly meets a pivot that is exactly zero before
+/// the last row, where the matrix may be regular. Only short matrices are searched.
+///
+/// # Panics
+/// When the lengths do not fit.
+pub fn has_zero_pivot(lower: &[Rational], diagonal: &[Rational], upper: &[Rational]) -> bool {
+    let is_zero = |minor: &Rational| *minor == 0;
+    is_short([lower, diagonal, upper, &[]])
+        && !diagonal.is_empty()
+        && minors(lower, diagonal, upper).any_leading(is_zero)
 }
 
 /// The exact inverse of a tridiagonal matrix, by rows; `None` if it is singular.

@@ -23,6 +23,9 @@ use crate::{ComplexBall, Mag, Undecided};
 use rug::{Float, Rational};
 use std::cmp::Ordering;
 
+#[path = "dyad_zeros.rs"]
+mod zeros;
+
 /// Why there are no values.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum DyadRefusal {
@@ -217,7 +220,7 @@ pub fn four_bar(
     let phi3 = lifted(&rocker.arg(), &near3, bits)?;
     let [coupler1, coupler2] = [relative1, relative2].map(|v| coupler.cross(&v) / &b2);
     let [rocker1, rocker2] = [joint1, joint2].map(|v| rocker.cross(&v) / &c2);
-    let out = FourBarBalls {
+    let mut out = FourBarBalls {
         coupler: [phi2, coupler1, coupler2],
         rocker: [phi3, rocker1, rocker2],
         transmission: determinant.abs().atan2(&inner(&coupler, &rocker)),
@@ -226,6 +229,7 @@ pub fn four_bar(
     };
     let all = out.joint.iter().chain(&out.coupler).chain(&out.rocker);
     all_finite(all.chain([&out.transmission, &out.determinant]), bits)?;
+    zeros::of_four_bar(&mut out, lengths, (phi, &sin), left);
     Ok(out)
 }
 
@@ -305,13 +309,14 @@ pub fn slider_crank(
     all_finite([&near, &rod.re, &rod.im], bits)?;
     let angle = lifted(&rod.arg(), &near, bits)?;
     let [rod1, rod2] = [relative1, relative2].map(|v| rod.cross(&v) / &b2);
-    let out = SliderCrankBalls {
+    let mut out = SliderCrankBalls {
         rod: [angle, rod1, rod2],
         transmission: reach.abs().atan2(&height.abs()),
         slider: [x, x1, x2],
     };
     let all = out.slider.iter().chain(&out.rod);
     all_finite(all.chain([&out.transmission]), bits)?;
+    zeros::of_slider_crank(&mut out, lengths, (delta, phi), &p, ahead);
     Ok(out)
 }
 

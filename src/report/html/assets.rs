@@ -13,6 +13,8 @@ pub const MOTION_CSS: &str = include_str!("assets/motion.css");
 /// Of audits.
 pub const AUDIT_CSS: &str = include_str!("assets/audit.css");
 
+/// Of run-ups and oscillators.
+pub const RUN_CSS: &str = include_str!("assets/run.css");
 /// Of the atlas.
 pub const ATLAS_CSS: &str = include_str!("assets/atlas.css");
 

@@ -30,13 +30,13 @@ fn problem(first: &ConvergenceReport, reports: &[&ConvergenceReport]) -> Markup 
     let failed = levels().filter(|l| l.failed.is_some()).count();
     html! {
         h3 { (names.join(", ")) } "\n"
-        p { (first.summary) } "\n"
+        p { (first.summary) "; " (first.places) } "\n"
         div.lines { "\n"
             @for (o, name) in first.outputs.iter().enumerate() {
                 @let orders = reports.iter().filter_map(|r| r.fitted[o]);
                 @let orders: Vec<String> = orders.map(|x| format!("{x:.2}")).collect();
                 figure {
-                    (plots::lines(&lines(reports, o)))
+                    (plots::lines("error against work, both logarithmic", &lines(reports, o)))
                     figcaption {
                         "error of " (name) " against " (first.work_unit)
                         "; order over all levels " (orders.join(", "))
@@ -95,6 +95,7 @@ mod tests {
             name,
             summary,
             work_unit: "steps",
+            places: "one place".into(),
             outputs: vec!["y"],
             orders: vec![None],
             fitted: vec![Some(4.0)],

@@ -28,6 +28,7 @@ pub fn page(ledger: &Ledger) -> String {
             (filter("article.finding", "entries", &verdicts))
             div.cards { "\n" @for e in &ledger.entries { (entry(e)) } } "\n"
         },
+        columns: &[],
         data: &[],
         scripts: &[],
     };

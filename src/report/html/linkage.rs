@@ -53,15 +53,30 @@ pub fn page(motion: &Motion, facts: &[String]) -> String {
             @for line in facts { p { (sentence(line)) } "\n" }
             h2 #values { "Values" } "\n"
             p.soft {
-                "Columns as " code { "mechaudit linkage" } " names them, at every " (every(motion)) "th position; all digits by "
+                "Columns as " code { "mechaudit linkage" } " names them, one position of " (every(motion)) "; all digits by "
                 code { "--format csv" } "."
             } "\n"
             (tables(motion))
         },
+        columns: (&["linkage"], &names(motion)),
         data: &[("motion-data", motion::data(motion))],
         scripts: &[D3_JS, PLOT_JS, FIGURES_JS, MOTION_JS],
     };
     page.write()
+}
+
+/// The names of the columns, but for their units; those of angles end with one.
+fn names(motion: &Motion) -> Vec<String> {
+    let drive = match motion.drive.symbol {
+        "φ1" => "phi1_deg",
+        "φ" => "phi_deg",
+        _ => "s_m",
+    };
+    let courses = motion.courses.iter().map(|c| match &*c.unit {
+        "°" | "rad" => format!("{}_deg", c.name),
+        _ => c.name.clone(),
+    });
+    std::iter::once(drive.to_string()).chain(courses).collect()
 }
 
 fn number(x: f64) -> String {
@@ -75,7 +90,7 @@ fn number(x: f64) -> String {
 }
 
 /// With a capital and a full stop.
-fn sentence(line: &str) -> String {
+pub fn sentence(line: &str) -> String {
     let mut letters = line.chars();
     let first = letters.next().map(|c| c.to_uppercase().to_string());
     first.unwrap_or_default() + letters.as_str() + "."
@@ -96,8 +111,8 @@ fn tables(motion: &Motion) -> Markup {
         @for group in motion.courses.chunks(COLUMNS) {
             div.scroll tabindex="0" { table { "\n"
                 thead { tr {
-                    th { (drive.symbol) ", " (drive.unit) }
-                    @for c in group { th { (c.name) @if !c.unit.is_empty() { ", " (c.unit) } } }
+                    th.given { (drive.symbol) ", " (drive.unit) }
+                    @for c in group { th.given { (c.name) @if !c.unit.is_empty() { ", " (c.unit) } } }
                 } } "\n"
                 tbody { "\n"
                     @for k in (0..drive.values.len()).step_by(every(motion)) {
@@ -191,7 +206,7 @@ mod tests {
         let html = tables(&moving(26, 7)).into_string();
         let heads: Vec<Vec<&str>> = between(&html, "<thead>", "</thead>")
             .into_iter()
-            .map(|h| between(h, "<th>", "</th>"))
+            .map(|h| between(h, "<th class=\"given\">", "</th>"))
             .collect();
         assert_eq!(
             heads,
@@ -201,16 +216,15 @@ mod tests {
             ]
         );
         let rows = between(&html, "<tr><th>", "</tr>");
-        // Two heads, and 13 lines of each table.
-        assert_eq!(rows.len(), 2 + 2 * 13);
+        assert_eq!(rows.len(), 2 * 13);
         let line = |k: usize| {
             (
                 rows[k].split('<').next().unwrap(),
                 between(rows[k], "<td>", "</td>"),
             )
         };
-        assert_eq!(line(1), ("0", vec!["0", "–", "–", "–", "–", "–"]));
-        assert_eq!(line(3), ("40", vec!["16.00"; 6]));
+        assert_eq!(line(0), ("0", vec!["0", "–", "–", "–", "–", "–"]));
+        assert_eq!(line(2), ("40", vec!["16.00"; 6]));
     }
 
     #[test]
@@ -220,8 +234,9 @@ mod tests {
             "<title>a crank: linkage</title>",
             "51 positions by the f64 solver, φ1 from 0 to 500 °. Arrow keys",
             "<p>Two bodies.</p>",
+            "<code>phi1_deg</code>",
             "<p>It turns.</p>",
-            "at every 3",
+            "one position of 3;",
         ] {
             assert!(text.contains(part), "{part} is missing");
         }

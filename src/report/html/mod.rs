@@ -1,14 +1,21 @@
 //! Pages without outside parts, for light and dark, for desk and phone.
 
 mod assets;
+#[cfg(feature = "report")]
 pub mod atlas;
 pub mod audit;
 mod convergence;
+mod glossary;
+#[cfg(feature = "report")]
 pub mod ledger;
+#[cfg(feature = "report")]
 pub mod linkage;
+#[cfg(feature = "report")]
 mod motion;
 pub(crate) mod page;
+#[cfg(feature = "report")]
 pub mod paper;
 mod plots;
 mod prose;
+pub mod run;
 mod spark;

@@ -2,6 +2,7 @@
 //! moves it by.
 
 use super::page::embedded;
+use super::prose::prose;
 use crate::motion::{Course, Motion, Point};
 use maud::{Markup, html};
 use serde::Serialize;
@@ -184,7 +185,8 @@ pub fn section(motion: &Motion, about: &Markup) -> Markup {
                     figcaption {
                         (motion.drive.symbol) " = "
                         span #drawn-at { (format!("{:.3}", motion.drive.values[motion.start])) (motion.drive.unit) }
-                        ". Thin: paths of the joints; hatched: fixed pivots"
+                        ". Thin: paths of the joints"
+                        @if fixed(motion).any(|p| p.pivot) { "; hatched: fixed pivots" }
                         @if !motion.guides.is_empty() { "; dash-dotted: guides" }
                         @if !motion.wheels.is_empty() { "; circles: pitch circles" }
                         "."
@@ -197,8 +199,8 @@ pub fn section(motion: &Motion, about: &Markup) -> Markup {
                             div {
                                 dt {
                                     @if choice {
-                                        button type="button" aria-pressed=(drawn[i]) data-course=(i) { (c.name) }
-                                    } @else { (c.name) }
+                                        button type="button" aria-pressed=(drawn[i]) data-course=(i) { (prose(&c.name)) }
+                                    } @else { (prose(&c.name)) }
                                 }
                                 dd id={ "now-" (i) } {}
                             } "\n"
@@ -209,6 +211,14 @@ pub fn section(motion: &Motion, about: &Markup) -> Markup {
             } "\n"
         } "\n"
     }
+}
+
+/// Points of the ground that have a name.
+fn fixed(motion: &Motion) -> impl Iterator<Item = &Point> {
+    motion
+        .points
+        .iter()
+        .filter(|p| p.path.len() == 1 && !p.label.is_empty())
 }
 
 /// At the first position.
@@ -225,12 +235,6 @@ fn drawing(motion: &Motion) -> Markup {
     };
     let all = || motion.points.iter().enumerate();
     let joints: Vec<(usize, &Point)> = all().filter(|p| p.1.is_traced()).collect();
-    let fixed = || {
-        motion
-            .points
-            .iter()
-            .filter(|p| p.path.len() == 1 && !p.label.is_empty())
-    };
     let colour = |k: usize| format!("c{}", k % 5);
     let place = |p: &Point| {
         format!(
@@ -251,7 +255,7 @@ fn drawing(motion: &Motion) -> Markup {
                 @else { polyline.(class) points=(path.join(" ")) {} }
                 "\n"
             }
-            @for p in fixed() {
+            @for p in fixed(motion) {
                 g transform=(place(p)) {
                     @if p.pivot {
                         path.ground d="M0 0L-11 18H11ZM-18 18H18M-14 18l-5 7M-5 18l-5 7M4 18l-5 7M13 18l-5 7" {}

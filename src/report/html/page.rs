@@ -1,7 +1,11 @@
 //! The frame of every page: bar, contents, text, data and scripts.
 
-use super::assets::{FRAME_CSS, FRAME_JS, MOTION_CSS, PAPER_CSS, source};
+use super::assets::{FRAME_CSS, FRAME_JS, source};
+#[cfg(feature = "report")]
+use super::assets::{MOTION_CSS, PAPER_CSS};
+use super::glossary;
 use super::prose::prose;
+#[cfg(feature = "report")]
 use crate::papers::Citation;
 use crate::report::words::Tone;
 use maud::{Markup, PreEscaped, html};
@@ -29,6 +33,8 @@ pub struct Page<'a> {
     pub contents: Markup,
     /// The text.
     pub main: Markup,
+    /// Topics of the columns in its tables; `main` names the columns where it has only some of them.
+    pub columns: (&'a [&'a str], &'a [String]),
     /// Data for scripts: name of the element and JSON.
     pub data: &'a [(&'a str, String)],
     /// Scripts besides the frame's, in their order.
@@ -68,10 +74,15 @@ impl Page<'_> {
                     } "\n"
                     div.page { "\n"
                         nav.toc aria-label="Contents" tabindex="0" {
-                            details open { summary { "Contents" } ul { "\n" (self.contents) } }
+                            details open { summary { "Contents" } ul { "\n" (self.contents)
+                                @if !self.columns.0.is_empty() {
+                                    li { a href="#columns" { "What the columns mean" } } "\n"
+                                }
+                            } }
                         } "\n"
                         main #main { "\n"
                             (self.main)
+                            (glossary::section(self.columns.0, self.columns.1))
                             footer { "Written by mechaudit " (env!("CARGO_PKG_VERSION")) "." } "\n"
                         } "\n"
                     } "\n"
@@ -113,6 +124,7 @@ pub fn filter(selector: &str, what: &str, verdicts: &[(String, usize)]) -> Marku
     }
 }
 
+#[cfg(feature = "report")]
 /// How often each verdict occurs, in the order of first occurrence.
 pub fn counted<'a>(verdicts: impl Iterator<Item = &'a str>) -> Vec<(String, usize)> {
     let mut all: Vec<(String, usize)> = Vec::new();
@@ -125,6 +137,7 @@ pub fn counted<'a>(verdicts: impl Iterator<Item = &'a str>) -> Vec<(String, usiz
     all
 }
 
+#[cfg(feature = "report")]
 /// What a page about a paper consists of.
 pub struct AboutPaper<'a> {
     /// The paper.
@@ -137,12 +150,15 @@ pub struct AboutPaper<'a> {
     pub contents: Markup,
     /// Everything below.
     pub main: Markup,
+    /// Topics of the columns in its tables.
+    pub columns: &'a [&'a str],
     /// Data for scripts.
     pub data: &'a [(&'a str, String)],
     /// Scripts besides the frame's.
     pub scripts: &'a [&'a str],
 }
 
+#[cfg(feature = "report")]
 impl AboutPaper<'_> {
     /// The page.
     pub fn page(self) -> String {
@@ -164,6 +180,7 @@ impl AboutPaper<'_> {
             styles: &[PAPER_CSS, MOTION_CSS],
             contents: self.contents,
             main,
+            columns: (self.columns, &[]),
             data: self.data,
             scripts: self.scripts,
         };
@@ -183,6 +200,7 @@ pub fn entry_of_contents(id: &str, tone: Tone, sign: &str, name: &str) -> Markup
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
+    use crate::report::glossary::topics;
 
     /// What stands between these two, each time.
     pub fn between<'a>(text: &'a str, before: &str, after: &str) -> Vec<&'a str> {
@@ -215,6 +233,8 @@ pub(crate) mod tests {
         for outside in ["http:", "https:", "src=", "@import", "url(", "merror"] {
             assert!(!markup.contains(outside), "{outside}");
         }
+        explained(page, &markup);
+        assert!(!markup.contains(" title=\""), "a text for the mouse alone");
         for tag in [
             "article", "button", "code", "dd", "details", "div", "dl", "dt", "figure", "li",
             "main", "math", "mrow", "nav", "p", "pre", "section", "span", "svg", "table", "tbody",
@@ -227,6 +247,25 @@ pub(crate) mod tests {
                 markup.matches(&format!("</{tag}>")).count(),
                 "{tag}"
             );
+        }
+    }
+
+    /// Refuses a column that the page does not explain; heads of class `given` are names from outside.
+    fn explained(page: &str, markup: &str) {
+        let keys = between(page, "data-topic=\"", "\"");
+        for head in between(markup, "<thead>", "</thead>") {
+            for th in between(head, "<th", "</th>")
+                .into_iter()
+                .filter(|t| t.contains('>'))
+            {
+                let (tag, text) = th.split_once('>').unwrap();
+                let text = text.split('<').next().unwrap().replace("&lt;", "<");
+                let known = topics(&keys).any(|t| t.find(text.trim()).is_some());
+                assert!(
+                    known || text.is_empty() || tag.contains("given"),
+                    "{text}: no meaning"
+                );
+            }
         }
     }
 
@@ -262,6 +301,7 @@ pub(crate) mod tests {
                 verdict: (recorded, "2 findings".into()),
                 contents: html! {},
                 main: html! { "the rest" },
+                columns: &[],
                 data: &[],
                 scripts: &[],
             };

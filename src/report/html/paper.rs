@@ -8,7 +8,7 @@ use super::prose::{math, prose};
 use super::{motion, spark};
 use crate::motion::Motion;
 use crate::papers::{Entry, EntryVerdict, Figure, Finding, PaperReport, Tally};
-use crate::report::words::numbers::{short, unit};
+use crate::report::words::numbers::{clipped, short, unit};
 use crate::report::words::paper::{SUBJECTS, entry, findings, mark, of_subject};
 use maud::{Markup, html};
 use pulldown_latex::config::DisplayMode;
@@ -49,6 +49,11 @@ pub fn page(report: &PaperReport, moving: Option<&Motion>) -> String {
             (tallies(report))
             (printed::table(report))
             (entries(report))
+        },
+        columns: if report.entries.is_empty() {
+            &[]
+        } else {
+            &["paper"]
         },
         data: &data,
         scripts,
@@ -174,7 +179,7 @@ fn tallies(report: &PaperReport) -> Markup {
                     tr class=(class) {
                         td { (t.table) }
                         td.left { (t.variant.replace('_', " ")) }
-                        td.left { (t.column) }
+                        td.left { (prose(t.column)) }
                         td { (spark::deviations(t.column, &along(report, t))) }
                         td { (t.entries) } td { (t.within_half) } td { (t.within_one) }
                         td data-v=(t.worst_units) { (short(t.worst_units)) }
@@ -202,7 +207,7 @@ fn entries(report: &PaperReport) -> Markup {
             @let of: Vec<&Entry> = report.entries.iter().filter(|e| e.table == number).collect();
             h2 id={ "table-" (number) } { "Table " (number) " as printed" } "\n"
             @if i == 0 {
-                p.soft { "Point at an entry for the recomputed value." } "\n"
+                p.soft { "Recomputed values stand under " a href="#printed-entries" { "Printed entries" } "." } "\n"
                 p.legend {
                     span.agrees { "agrees" } span.rounding { "within one unit" }
                     span.misprint { "misprint" } span.unexplained { "unexplained" }
@@ -213,11 +218,42 @@ fn entries(report: &PaperReport) -> Markup {
                 @for variant in variants {
                     details open { summary { "Data: " (variant.replace('_', " ")) } "\n"
                         div.scroll tabindex="0" { (grid(&of, variant)) }
+                        (remarks(&of, variant))
                     } "\n"
                 }
             } "\n"
         }
     }
+}
+
+/// Remarks on a table at most.
+const REMARKS: usize = 20;
+
+/// Lines about entries that do not agree, or that something is said about.
+fn remarks(entries: &[&Entry], variant: &str) -> Markup {
+    let judged = entries
+        .iter()
+        .filter_map(|e| Some((e, e.variants.get(variant)?)));
+    let told: Vec<_> = judged
+        .filter(|(_, r)| r.note.is_some() || wrong(r.verdict))
+        .collect();
+    html! {
+        @if told.len() > REMARKS {
+            p.small { (told.len()) " entries do not agree; their deviations stand under Printed entries." } "\n"
+        } @else if !told.is_empty() {
+            ul.small { "\n" @for (e, r) in told {
+                li {
+                    "row " (e.row) ", " (prose(e.column)) ": printed " (e.printed) ", recomputed "
+                    (clipped(&r.recomputed, 16)) ", " (short(r.units_in_last_digit)) " units: " (entry(r.verdict))
+                    @if let Some(note) = &r.note { "; " (prose(note)) }
+                } "\n"
+            } } "\n"
+        }
+    }
+}
+
+fn wrong(verdict: EntryVerdict) -> bool {
+    matches!(verdict, EntryVerdict::Misprint | EntryVerdict::Unexplained)
 }
 
 fn grid(entries: &[&Entry], variant: &str) -> Markup {
@@ -231,7 +267,7 @@ fn grid(entries: &[&Entry], variant: &str) -> Markup {
     }
     html! {
         table.entries { "\n"
-            thead { tr { th { "row" } @for c in &columns { th { (c) } } } } "\n"
+            thead { tr { th { "row" } @for c in &columns { th.given { (prose(c)) } } } } "\n"
             tbody { "\n" @for (row, cells) in rows {
                 tr {
                     th { (row) }
@@ -260,11 +296,7 @@ fn cell(e: &Entry, variant: &str) -> Markup {
     if let Some(note) = &r.note {
         tip.push_str(&format!("\n{note}"));
     }
-    let focus = matches!(
-        r.verdict,
-        EntryVerdict::Misprint | EntryVerdict::Unexplained
-    );
-    html! { td class=(word) tabindex=[focus.then_some("0")] data-tip=(tip) { (e.printed) } }
+    html! { td class=(word) tabindex=[wrong(r.verdict).then_some("0")] data-tip=(tip) { (e.printed) } }
 }
 
 #[cfg(test)]

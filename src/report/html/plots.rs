@@ -1,5 +1,9 @@
 //! Diagrams within a page as SVG, whose colours the page's style gives.
 
+use super::prose::prose;
+use crate::report::axis::{Format, marks};
+use crate::report::svg::panel::{Curve, Panel};
+use crate::report::svg::style::{GREEN, ORANGE, PURPLE};
 use maud::{Markup, html};
 
 /// A coordinate to a tenth.
@@ -7,8 +11,63 @@ fn tenths(x: f64) -> String {
     format!("{x:.1}")
 }
 
-/// Lines in doubly logarithmic axes, with their names.
-pub fn lines(lines: &[(String, Vec<(f64, f64)>)]) -> Markup {
+/// The plotting area of a panel, and the room for marks left of it and below.
+const PANEL: [f64; 2] = [560.0, 220.0];
+const ROOM: [f64; 2] = [64.0, 34.0];
+
+/// Curves over a common abscissa, with their names.
+pub fn panel(panel: &Panel) -> Markup {
+    let [(x0, x1), (y0, y1)] = panel.ranges();
+    let ([w, h], [left, below]) = (PANEL, ROOM);
+    let size = |a: f64, b: f64| if b > a { b - a } else { 1.0 };
+    let px = |x: f64| left + (x - x0) / size(x0, x1) * w;
+    let py = |y: f64| 8.0 + (y1 - y) / size(y0, y1) * h;
+    let (across, up) = (marks(x0, x1, 7), marks(y0, y1, 6));
+    let (of_x, of_y) = (Format::of(&across), Format::of(&up));
+    let points = |c: &Curve| {
+        let seen = c
+            .points
+            .iter()
+            .filter(|p| p.0.is_finite() && p.1.is_finite());
+        let at = seen.map(|p| format!("{:.1},{:.1}", px(p.0), py(p.1)));
+        at.collect::<Vec<_>>().join(" ")
+    };
+    html! {
+        figure.panel { "\n"
+            figcaption { b { (prose(&panel.y)) } " over " (prose(&panel.x))
+                span.keys { @for c in panel.curves.iter().filter(|c| !c.name.is_empty()) {
+                    " " span { span.(class(c)) { (if c.dashed { "╌╌" } else { "━━" }) } " " (prose(c.name)) }
+                } }
+            } "\n"
+            svg viewBox={ "0 0 " (left + w + 28.0) " " (h + below) } role="img"
+                aria-label={ (panel.y) " over " (panel.x) } { "\n"
+                @for y in &up {
+                    path.grid d={ "M" (left) " " (tenths(py(*y))) "h" (w) } {}
+                    text x=(left - 6.0) y=(tenths(py(*y) + 4.0)) text-anchor="end" { (of_y.text(*y)) } "\n"
+                }
+                @for x in &across {
+                    text x=(tenths(px(*x))) y=(h + 26.0) text-anchor="middle" { (of_x.text(*x)) } "\n"
+                }
+                path.axis d={ "M" (left) " 8v" (h) "h" (w) } {} "\n"
+                @for c in &panel.curves {
+                    polyline.(class(c)).dashed[c.dashed].fine[c.width < 2] points=(points(c)) {} "\n"
+                }
+            }
+        } "\n"
+    }
+}
+
+fn class(curve: &Curve) -> &'static str {
+    match curve.colour {
+        ORANGE => "c1",
+        GREEN => "c3",
+        PURPLE => "c4",
+        _ => "c2",
+    }
+}
+
+/// Lines in doubly logarithmic axes, with their names; the label says what they are.
+pub fn lines(label: &str, lines: &[(String, Vec<(f64, f64)>)]) -> Markup {
     const W: f64 = 330.0;
     const H: f64 = 230.0;
     let shown = |p: &&(f64, f64)| p.0 > 0.0 && p.1 > 0.0;
@@ -32,8 +91,8 @@ pub fn lines(lines: &[(String, Vec<(f64, f64)>)]) -> Markup {
         points.collect::<Vec<String>>().join(" ")
     };
     html! {
-        svg viewBox={ "0 0 " (W + 60.0) " " (H + 34.0) } role="img"
-            aria-label="error against work, both logarithmic" {
+        svg viewBox={ "0 0 " (W + 70.0) " " (H + 34.0) } role="img"
+            aria-label=(label) {
             @for e in (y0 as i32..=y1 as i32).filter(|e| e % every == 0) {
                 @let y = py(f64::from(e));
                 path.grid d={ "M46 " (tenths(y)) "h" (W) } {}
@@ -49,7 +108,7 @@ pub fn lines(lines: &[(String, Vec<(f64, f64)>)]) -> Markup {
         }
         div.keys {
             @for (k, (name, _)) in lines.iter().enumerate() {
-                span { span.{ "k" (k % 3) } { "▬" } " " (name) } " "
+                span { span.{ "k" (k % 3) } { "▬" } " " (prose(name)) } " "
             }
         }
     }
@@ -61,17 +120,44 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_panel_has_its_curves_their_names_and_marks_of_one_format() {
+        let curve = |name, colour, dashed| Curve {
+            name,
+            points: vec![(0.0, 0.0), (1.0, f64::NAN), (2.0, 0.0015)],
+            colour,
+            width: 2,
+            dashed,
+        };
+        let curves = vec![curve("D_n", ORANGE, false), curve("", GREEN, true)];
+        let html = panel(&Panel::new("time, s", "|y − a_0|, lifts", curves)).into_string();
+        for part in [
+            "<b>|y − a<sub>0</sub>|, lifts</b> over time, s",
+            "<span class=\"c1\">━━</span> D<sub>n</sub>",
+            "<polyline class=\"c3 dashed\" points=\"64.0,228.0 624.0,18.5\">",
+        ] {
+            assert!(html.contains(part), "{part} is missing in {html}");
+        }
+        assert_eq!(
+            html.matches("class=\"c3").count(),
+            1,
+            "a curve without a name is in the legend"
+        );
+        let up = between(&html, "text-anchor=\"end\">", "</text>");
+        assert_eq!(up, ["0", "0.0005", "0.0010", "0.0015"]);
+    }
+
+    #[test]
     fn lines_leave_out_what_has_no_logarithm() {
         let line = vec![(1.0, 1e-3), (10.0, 0.0), (100.0, 1e-5)];
-        let svg = lines(&[("a".into(), line)]).into_string();
+        let svg = lines("", &[("a".into(), line)]).into_string();
         let points = svg.split("points=\"").nth(1).unwrap();
         assert_eq!(points.split('"').next().unwrap().split(' ').count(), 2);
-        assert!(lines(&[]).into_string().contains("no data"));
+        assert!(lines("", &[]).into_string().contains("no data"));
     }
 
     /// The points of the only line.
     fn placed(line: &[(f64, f64)]) -> (String, String) {
-        let svg = lines(&[("a".into(), line.to_vec())]).into_string();
+        let svg = lines("", &[("a".into(), line.to_vec())]).into_string();
         let points = svg.split("points=\"").nth(1).unwrap();
         (points.split('"').next().unwrap().into(), svg)
     }
@@ -111,7 +197,7 @@ mod tests {
     #[test]
     fn axes_have_their_marks_where_they_belong() {
         let (_, svg) = placed(&[(1.6, 1.0), (100.0, 1e-2)]);
-        assert!(svg.contains("viewBox=\"0 0 390 264\""), "{svg}");
+        assert!(svg.contains("viewBox=\"0 0 400 264\""), "{svg}");
         assert!(svg.contains("class=\"axis\" d=\"M46 8V238H376\""), "{svg}");
         let grid = between(&svg, "class=\"grid\" d=\"", "\"");
         assert_eq!(grid, ["M46 238.0h330", "M46 123.0h330", "M46 8.0h330"]);
@@ -125,7 +211,7 @@ mod tests {
     #[test]
     fn the_fourth_line_looks_like_the_first() {
         let line = |name: &str| (name.to_string(), vec![(1.0, 1.0), (10.0, 0.1)]);
-        let svg = lines(&["a", "b", "c", "d"].map(line)).into_string();
+        let svg = lines("", &["a", "b", "c", "d"].map(line)).into_string();
         let classes = between(&svg, "<polyline class=\"", "\"");
         assert_eq!(classes, ["s0", "s1", "s2", "s0"]);
         let keys = between(&svg, "<span class=\"", "\"");

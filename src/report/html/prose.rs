@@ -1,9 +1,12 @@
 //! Prose and formulas as HTML.
 
 use maud::{Markup, PreEscaped, html};
+#[cfg(feature = "report")]
 use pulldown_latex::config::DisplayMode;
+#[cfg(feature = "report")]
 use pulldown_latex::{Parser, RenderConfig, Storage, push_mathml};
 
+#[cfg(feature = "report")]
 /// MathML of a formula in LaTeX; its text if it cannot be typeset.
 pub fn math(latex: &str, text: &str, display: DisplayMode) -> Markup {
     let storage = Storage::new();
@@ -22,9 +25,11 @@ pub fn math(latex: &str, text: &str, display: DisplayMode) -> Markup {
     }
 }
 
+#[cfg(feature = "report")]
 /// Longer expressions stay text, which wraps.
 const LONGEST: usize = 90;
 
+#[cfg(feature = "report")]
 /// An expression of the ledger's own language, typeset.
 pub fn expression(text: &str) -> Markup {
     let short = text.chars().count() <= LONGEST;
@@ -80,7 +85,9 @@ fn raised(text: &str) -> String {
                 out.truncate(out.len() - name.len());
                 out.push_str(letter);
             }
-            out.push_str(&format!("<{tag}>{}</{tag}>", raised(&inner)));
+            let named = GREEK.iter().find(|(name, _)| *name == inner);
+            let inner = named.map_or_else(|| raised(&inner), |(_, letter)| letter.to_string());
+            out.push_str(&format!("<{tag}>{inner}</{tag}>"));
             word.clear();
             i = next;
             continue;
@@ -166,6 +173,7 @@ mod tests {
             ("_n", "_n"),
             ("phi_1 and phi", "φ<sub>1</sub> and phi"),
             ("dphi_1", "dφ<sub>1</sub>"),
+            ("C_phi", "C<sub>φ</sub>"),
             ("2 phi_1", "2 φ<sub>1</sub>"),
             ("∇_x", "∇<sub>x</sub>"),
             ("∇f_x", "∇f_x"),

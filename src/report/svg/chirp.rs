@@ -1,7 +1,7 @@
 //! Drawings of a cam-driven oscillator: its motion over time, charts, the cam's spectrum.
 
 pub use super::panel::tick;
-use super::panel::{CannotDraw, Curve, Place, curve, dashed, drawn, legend, panel, titled};
+use super::panel::{CannotDraw, Curve, Panel, Place, curve, dashed, drawn, legend, titled};
 use super::style::{AXIS, BLUE, GREEN, GRID, INK, ORANGE};
 use crate::solvers::chirp_chart::{Chart, ChartPoint, Period};
 use plotters::prelude::*;
@@ -39,6 +39,19 @@ pub struct History<'a> {
 
 /// The motion over time.
 pub fn history(history: &History) -> Result<String, CannotDraw> {
+    let panels = history_panels(history);
+    drawn((1000, 1080), |root, page| {
+        let areas =
+            titled(root, page, history.name, &history.note)?.split_evenly((panels.len(), 1));
+        areas
+            .iter()
+            .zip(&panels)
+            .try_for_each(|(area, panel)| panel.draw(area, page))
+    })
+}
+
+/// Displacements, acceleration and speed over time.
+pub fn history_panels(history: &History) -> [Panel; 3] {
     let all = &history.columns;
     let thinned = |i: usize| -> Vec<(f64, f64)> {
         let ends = all.iter().flat_map(|b| {
@@ -51,63 +64,60 @@ pub fn history(history: &History) -> Result<String, CannotDraw> {
         all.iter().map(|b| (b.times[0], f(b))).collect()
     };
     let (mean, unit) = (history.mean, history.unit);
-    drawn((1000, 1080), |root, page| {
-        let areas = titled(root, page, history.name, &history.note)?.split_evenly((3, 1));
-        let motion = [
-            finely(curve("cam f", thinned(1), GREEN)),
-            finely(curve("y", thinned(0), BLUE)),
-            dashed("envelope", along(&|b| mean + b.envelope), ORANGE),
-            dashed("", along(&|b| mean - b.envelope), ORANGE),
-        ];
-        panel(
-            &areas[0],
-            page,
-            ("time, s", &format!("displacement, {unit}")),
-            &motion,
-        )?;
-        let acceleration = [finely(curve("y″", thinned(2), BLUE))];
-        panel(
-            &areas[1],
-            page,
-            ("time, s", &format!("acceleration, {unit}/s²")),
-            &acceleration,
-        )?;
-        let speed = [curve("shaft", along(&|b| b.speed), ORANGE)];
-        panel(&areas[2], page, ("time, s", "speed, rad/s"), &speed)
-    })
+    let motion = [
+        finely(curve("cam f", thinned(1), GREEN)),
+        finely(curve("y", thinned(0), BLUE)),
+        dashed("envelope", along(&|b| mean + b.envelope), ORANGE),
+        dashed("", along(&|b| mean - b.envelope), ORANGE),
+    ];
+    let acceleration = [finely(curve("y″", thinned(2), BLUE))];
+    let speed = [curve("shaft", along(&|b| b.speed), ORANGE)];
+    [
+        Panel::new("time, s", format!("displacement, {unit}"), motion),
+        Panel::new("time, s", format!("acceleration, {unit}/s²"), acceleration),
+        Panel::new("time, s", "speed, rad/s", speed),
+    ]
 }
 
 /// C_φ(ξ) of each law, formula against true peak, under a name and a line about it.
 pub fn chart(name: &str, note: &str, charts: &[(&str, &Chart)]) -> Result<String, CannotDraw> {
     let rows = charts.len();
-    let xi = match charts.first().map(|(_, chart)| chart.period) {
-        Some(Period::Turn) => "ξ, the turn as period",
-        _ => "ξ, the rise as period",
-    };
     drawn((1240, 100 + 360 * rows as u32), |root, page| {
         let areas = titled(root, page, name, note)?.split_evenly((rows, 2));
-        for ((law, chart), pair) in charts.iter().zip(areas.chunks(2)) {
-            let along = |f: fn(&ChartPoint) -> f64| -> Vec<(f64, f64)> {
-                chart.points.iter().map(|p| (chart.xi(p), f(p))).collect()
-            };
-            let displacement = [
-                curve("true peak of |y − a_0|", along(|p| p.displacement), BLUE),
-                dashed("formula (19), Σ|A_k|", along(|p| p.bound), ORANGE),
-            ];
-            let label = format!("{law}: displacement, lifts");
-            panel(&pair[0], page, (xi, &label), &displacement)?;
-            let points = chart.points.iter();
-            let rigid = points.map(|p| (chart.xi(p), chart.rigid[0]));
-            let acceleration = [
-                curve("true peak C_φ", along(|p| p.acceleration), BLUE),
-                dashed("w² Σ|D_k − A_k|", along(|p| p.acceleration_bound), ORANGE),
-                curve("C", rigid.collect(), GREEN),
-            ];
-            let label = format!("{law}: C_φ, h(Ω/β)²");
-            panel(&pair[1], page, (xi, &label), &acceleration)?;
+        for (charted, pair) in charts.iter().zip(areas.chunks(2)) {
+            let panels = chart_panels(charted);
+            pair.iter()
+                .zip(&panels)
+                .try_for_each(|(area, panel)| panel.draw(area, page))?;
         }
         Ok(())
     })
+}
+
+/// Displacement and acceleration of a law over the frequency criterion.
+pub fn chart_panels((law, chart): &(&str, &Chart)) -> [Panel; 2] {
+    let xi = match chart.period {
+        Period::Turn => "ξ, the turn as period",
+        Period::Rise => "ξ, the rise as period",
+    };
+    let along = |f: fn(&ChartPoint) -> f64| -> Vec<(f64, f64)> {
+        chart.points.iter().map(|p| (chart.xi(p), f(p))).collect()
+    };
+    let displacement = [
+        curve("true peak of |y − a_0|", along(|p| p.displacement), BLUE),
+        dashed("formula (19), Σ|A_k|", along(|p| p.bound), ORANGE),
+    ];
+    let points = chart.points.iter();
+    let rigid = points.map(|p| (chart.xi(p), chart.rigid[0]));
+    let acceleration = [
+        curve("true peak C_φ", along(|p| p.acceleration), BLUE),
+        dashed("w² Σ|D_k − A_k|", along(|p| p.acceleration_bound), ORANGE),
+        curve("C", rigid.collect(), GREEN),
+    ];
+    [
+        Panel::new(xi, format!("{law}: displacement, lifts"), displacement),
+        Panel::new(xi, format!("{law}: C_φ, h(Ω/β)²"), acceleration),
+    ]
 }
 
 /// The spectrum of a cam's displacement, in lifts.

@@ -159,6 +159,10 @@ fn pivot(view: &View, name: &str, at: Point) -> Markup {
         g stroke=(INK) stroke-width="1.6" { "\n"
             path d=(format!("M{x:.1} {y:.1}l-13 22h26z")) fill=(PAPER) {} "\n"
             path d=(format!("M{:.1} {:.1}h44", x - 22.0, y + 22.0)) {} "\n"
+            @for k in 0..6 {
+                @let foot = x - 18.0 + 8.0 * f64::from(k);
+                path d=(format!("M{foot:.1} {:.1}l-7 8", y + 22.0)) stroke-width="1.1" {} "\n"
+            }
             circle cx=(format!("{x:.1}")) cy=(format!("{y:.1}")) r="5" fill=(PAPER) {} "\n"
         } "\n"
         (label(name, (x + 18.0, y + 18.0), INK))

@@ -125,6 +125,10 @@ fn every_part_stands_where_it_is() {
         ]
     );
     let ground = attributes(&svg, "path", "d");
+    let (hatches, ground): (Vec<&str>, Vec<&str>) = ground
+        .iter()
+        .map(|d| &**d)
+        .partition(|d| d.ends_with("l-7 8"));
     let due = [
         "M70.0 626.0l-13 22h26z",
         "M48.0 648.0h44",
@@ -132,6 +136,11 @@ fn every_part_stands_where_it_is() {
         "M908.0 148.0h44",
     ];
     assert_eq!(ground, due);
+    assert_eq!(hatches.len(), 2 * 6);
+    assert_eq!(
+        (hatches[0], hatches[11]),
+        ("M52.0 648.0l-7 8", "M952.0 148.0l-7 8")
+    );
     let groups: Vec<_> = svg
         .lines()
         .filter(|l| l.contains("opacity=") && l.starts_with("<g "))

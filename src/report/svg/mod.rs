@@ -1,12 +1,17 @@
 //! Drawings as SVG, for light and dark pages.
 
+#[cfg(feature = "report")]
 pub mod chirp;
 pub mod linkage;
 mod mechanism;
-mod panel;
+#[cfg(feature = "report")]
+pub(crate) mod panel;
+#[cfg(feature = "report")]
 pub mod reduced;
+#[cfg(feature = "report")]
 pub mod run_up;
-mod style;
+pub(crate) mod style;
 mod view;
 
+#[cfg(feature = "report")]
 pub use panel::CannotDraw;

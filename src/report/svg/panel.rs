@@ -1,9 +1,11 @@
 //! What the drawings of motions have in common: the page, its title, panels of named curves.
 
 use super::style::{AXIS, GRID, INK, PAPER, SOFT, head, hex, legible};
+use crate::report::axis::Format;
 use maud::{Markup, html};
 use plotters::coord::Shift;
-use plotters::coord::ranged1d::Ranged;
+use plotters::coord::ranged1d::{BoldPoints, Ranged};
+use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 use std::ops::Range;
 
@@ -16,7 +18,46 @@ pub type Drawn = Result<(), Box<dyn std::error::Error + Send + Sync>>;
 pub type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Chart<'a, 'b, X, Y> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<X, Y>>;
 
+/// Curves over a common abscissa, for a drawing as for a page.
+pub struct Panel {
+    /// What the abscissa is; a panel of a drawing without one shares that of a panel below.
+    pub x: String,
+    /// What the ordinate is.
+    pub y: String,
+    pub curves: Vec<Curve>,
+}
+
+impl Panel {
+    pub fn new(x: &str, y: impl Into<String>, curves: impl Into<Vec<Curve>>) -> Panel {
+        Panel {
+            x: x.into(),
+            y: y.into(),
+            curves: curves.into(),
+        }
+    }
+
+    pub fn draw(&self, area: &Area, page: &mut Page) -> Drawn {
+        panel(area, page, (&self.x, &self.y), &self.curves)
+    }
+
+    /// The ends of its axes.
+    pub fn ranges(&self) -> [(f64, f64); 2] {
+        let points = || self.curves.iter().flat_map(|c| c.points.iter());
+        [abscissae(&self.curves), padded(points().map(|p| p.1))]
+    }
+}
+
+/// The ends of the curves' abscissa.
+fn abscissae(curves: &[Curve]) -> (f64, f64) {
+    let points = curves.iter().flat_map(|c| c.points.iter());
+    let (low, high) = points.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), p| {
+        (a.min(p.0), b.max(p.0))
+    });
+    if low <= high { (low, high) } else { (0.0, 1.0) }
+}
+
 /// A curve; one without a name is not in the legend.
+#[derive(Clone)]
 pub struct Curve {
     pub name: &'static str,
     pub points: Vec<(f64, f64)>,
@@ -158,12 +199,7 @@ pub fn titled<'a>(
 /// Curves over a common abscissa, their names in a line above. A panel without a label of its
 /// abscissa shares that of a panel below.
 pub fn panel(area: &Area, page: &mut Page, labels: (&str, &str), curves: &[Curve]) -> Drawn {
-    let points = curves.iter().flat_map(|c| c.points.iter());
-    let ends = points.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), p| {
-        (a.min(p.0), b.max(p.0))
-    });
-    let ends = if ends.0 <= ends.1 { ends } else { (0.0, 1.0) };
-    panel_over(ends, area, page, labels, curves)
+    panel_over(abscissae(curves), area, page, labels, curves)
 }
 
 /// A panel with these ends of its abscissa.
@@ -179,7 +215,17 @@ pub fn panel_over(
     let (low, high) = padded(points.map(|p| p.1));
     let last = if last > first { last } else { first + 1.0 };
     let named = curves.iter().any(|c| !c.name.is_empty());
-    let most = (area.dim_in_pixel().0.saturating_sub(112) / 60).clamp(3, 11);
+    let most = (area.dim_in_pixel().0.saturating_sub(112) / 60).clamp(3, 11) as usize;
+    let format = |from: f64, to: f64, most| {
+        let marks = RangedCoordf64::from(from..to).key_points(BoldPoints(most));
+        let near = 1e-9 * (to - from);
+        let zeroed = marks
+            .into_iter()
+            .map(|x| if x.abs() < near { 0.0 } else { x });
+        let format = Format::of(&zeroed.collect::<Vec<f64>>());
+        move |x: &f64| format.text(if x.abs() < near { 0.0 } else { *x })
+    };
+    let (abscissa, ordinate) = (format(first, last, most), format(low, high, 7));
     let mut chart = ChartBuilder::on(area)
         .margin(8)
         .margin_right(20)
@@ -189,16 +235,10 @@ pub fn panel_over(
         .build_cartesian_2d(first..last, low..high)?;
     chart
         .configure_mesh()
-        .x_labels(most as usize)
+        .x_labels(most)
         .y_labels(7)
-        .x_label_formatter(&|x| tick(*x))
-        .y_label_formatter(&|y| {
-            tick(if y.abs() < 1e-9 * (high - low) {
-                0.0
-            } else {
-                *y
-            })
-        })
+        .x_label_formatter(&abscissa)
+        .y_label_formatter(&ordinate)
         .x_desc(labels.0)
         .y_desc(&labels.1)
         .label_style(("sans-serif", 15).into_font().color(&INK))
@@ -244,7 +284,7 @@ pub fn legend(area: &Area, curves: &[Curve]) -> Drawn {
     Ok(())
 }
 
-/// A tick's label without needless zeros.
+/// A number without needless zeros.
 pub fn tick(y: f64) -> String {
     match y.abs() {
         0.0 => "0".into(),

@@ -356,7 +356,9 @@ fn small_values_have_labels_of_their_own() {
         });
         let svg = svg.unwrap();
         let left = placed(&svg).into_iter().filter(|t| t.1[1] < 270.0);
-        let ticks: Vec<f64> = left.map(|t| t.0.parse().unwrap()).collect();
+        let ticks: Vec<f64> = left
+            .map(|t| t.0.replace('−', "-").parse().unwrap())
+            .collect();
         assert!(
             ticks.len() > 2 && ticks.is_sorted_by(|a, b| a < b),
             "{ticks:?}"

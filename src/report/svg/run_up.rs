@@ -1,7 +1,7 @@
 //! Drawings of a run: speed, torques and energies over time, and work against precision.
 
 use super::panel::{
-    Area, CannotDraw, Curve, Drawn, Page, Place, curve, drawn, legend, panel, tick, titled,
+    Area, CannotDraw, Curve, Drawn, Page, Panel, Place, curve, drawn, legend, panel, tick, titled,
 };
 use super::style::{AXIS, BLUE, GREEN, GRID, INK, ORANGE, PURPLE};
 use crate::solvers::run_up::Sample;
@@ -55,12 +55,7 @@ pub fn draw(
     drawn((1000, 1080), |root, page| {
         let areas = titled(root, page, name, &note)?.split_evenly((PANELS.len(), 1));
         for (k, (area, (label, courses))) in areas.iter().zip(PANELS).enumerate() {
-            // What is zero throughout is not drawn.
-            let seen: Vec<Course> = courses
-                .iter()
-                .filter(|c| courses.len() == 1 || samples.iter().any(|s| c.2(s) != 0.0))
-                .copied()
-                .collect();
+            let seen = seen(courses, samples);
             let last = k + 1 == PANELS.len();
             let Some(start) = start else {
                 let time = if last { "time, s" } else { "" };
@@ -87,6 +82,24 @@ pub fn draw(
         }
         Ok(())
     })
+}
+
+/// What is zero throughout is not drawn.
+fn seen(courses: &[Course], samples: &[Sample]) -> Vec<Course> {
+    let drawn = |c: &&Course| courses.len() == 1 || samples.iter().any(|s| c.2(s) != 0.0);
+    courses.iter().filter(drawn).copied().collect()
+}
+
+/// The panels of a page; what is zero throughout the `whole` run is not drawn.
+pub fn panels(samples: &[Sample], whole: &[Sample]) -> Vec<Panel> {
+    let panel = |(label, courses): &(&str, &[Course])| {
+        Panel::new(
+            "time, s",
+            *label,
+            curves(&seen(courses, whole), samples, 1.0),
+        )
+    };
+    PANELS.iter().map(panel).collect()
 }
 
 /// The courses over time, in seconds divided by `scale`.

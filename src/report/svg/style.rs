@@ -1,7 +1,13 @@
 //! Colours of the drawings on light and on dark pages, and what stands at the head of each file.
 
 use maud::{Markup, PreEscaped, html};
+#[cfg(feature = "report")]
 use plotters::style::RGBColor;
+
+/// A colour, as `plotters` has it in the build with charts.
+#[cfg(not(feature = "report"))]
+#[derive(Clone, Copy)]
+pub struct RGBColor(pub u8, pub u8, pub u8);
 
 pub const PAPER: RGBColor = RGBColor(255, 255, 255);
 pub const INK: RGBColor = RGBColor(29, 33, 37);

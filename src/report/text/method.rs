@@ -7,7 +7,7 @@ use crate::audit::{
     CaseReport, ErrorMap, Kinds, MethodReport, OutputStatistics, RegionReport, Spread, Verdict,
 };
 use crate::report::words::audit::{
-    budgets, candidate, holds, kinds, mark, proved, share, undecided, verdict,
+    budgets, candidate, cases, holds, kinds, mark, proved, share, undecided, verdict,
 };
 use crate::report::words::numbers::{percent, short, short_if};
 use anstyle::Style;
@@ -100,11 +100,7 @@ fn is_recorded(report: &MethodReport, case: &CaseReport) -> bool {
 
 fn heading(report: &MethodReport, width: usize) -> String {
     let (word, tone) = verdict(report);
-    let recorded = match report.recorded {
-        0 => String::new(),
-        n => format!(", {n} over budget as recorded"),
-    };
-    let count = format!("{} of {} cases{recorded}", report.passed, report.cases);
+    let count = cases(report);
     let used = report.method.chars().count() + word.len() + 2 + count.len();
     let gap = width.saturating_sub(used).max(2);
     let line = |label: &str, text: &str| format!("  {label:<10} {}\n", wrap(text, 13, width));

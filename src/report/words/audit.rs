@@ -16,6 +16,20 @@ pub fn verdict(report: &MethodReport) -> (&'static str, Tone) {
     }
 }
 
+/// How many cases failed, or how many passed where none did.
+pub fn cases(report: &MethodReport) -> String {
+    let recorded = match report.recorded {
+        0 => String::new(),
+        n => format!(", {n} over budget as recorded"),
+    };
+    let all = report.cases;
+    match report.failed() {
+        0 if report.passed() => format!("{} of {all} cases{recorded}", report.passed),
+        0 => format!("{} of {all} cases passed{recorded}", report.passed),
+        n => format!("{n} of {all} cases failed{recorded}"),
+    }
+}
+
 /// The verdict on a case.
 pub fn of_case(verdict: Verdict) -> (&'static str, Tone) {
     match verdict {
@@ -33,7 +47,7 @@ pub struct Worst {
     pub ulps: String,
     /// In u (1 + condition).
     pub conditioned: String,
-    /// Largest share of a budget.
+    /// Largest share of a budget; NaN where there is none.
     pub of_budget: f64,
 }
 
@@ -117,7 +131,7 @@ pub fn proved(bound: &ProvedBound) -> String {
 /// How near a budget so large a share of it is.
 pub fn share(of_budget: f64) -> Tone {
     match of_budget {
-        x if x <= 0.5 => Tone::Plain,
+        x if x <= 0.5 || x.is_nan() => Tone::Plain,
         x if x <= 1.0 => Tone::Doubt,
         _ => Tone::Bad,
     }
@@ -143,7 +157,7 @@ pub fn totals(reports: &[MethodReport]) -> String {
         0 => String::new(),
         n => format!(", {n} over budget as recorded"),
     };
-    let (cases, passed) = (sum(|r| r.cases), sum(|r| r.passed));
+    let cases = sum(|r| r.cases);
     let (all, good) = (reports.len(), sum(|r| u64::from(r.passed())));
     match good == all {
         true => {
@@ -154,7 +168,10 @@ pub fn totals(reports: &[MethodReport]) -> String {
                 count(cases, "case")
             )
         }
-        false => format!("{good} of {all} methods pass, {passed} of {cases} cases{recorded}"),
+        false => {
+            let failed = sum(MethodReport::failed);
+            format!("{good} of {all} methods pass, {failed} of {cases} cases failed{recorded}")
+        }
     }
 }
 

@@ -1,8 +1,10 @@
 //! What more than one form of a report says in the same words.
 
 pub mod audit;
+#[cfg(feature = "report")]
 pub mod ledger;
 pub mod numbers;
+#[cfg(feature = "report")]
 pub mod paper;
 mod tone;
 

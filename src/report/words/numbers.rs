@@ -24,11 +24,12 @@ pub fn short_if(there: bool, x: f64) -> String {
     }
 }
 
-/// A share in per cent.
+/// A share in per cent; a dash where there is none.
 pub fn percent(x: f64) -> String {
-    match x.is_finite() {
-        true => format!("{} %", short(x * 100.0)),
-        false => x.to_string(),
+    match x {
+        x if x.is_nan() => "–".into(),
+        x if x.is_infinite() => x.to_string(),
+        x => format!("{} %", short(x * 100.0)),
     }
 }
 
@@ -121,7 +122,7 @@ mod tests {
         }
         assert_eq!(short_if(true, 1.0), "1.00");
         assert_eq!(percent(f64::INFINITY), "inf");
-        assert_eq!(percent(f64::NAN), "NaN");
+        assert_eq!(percent(f64::NAN), "–");
         assert_eq!(
             [0, 1, 2].map(|n| count(n, "case")),
             ["0 cases", "1 case", "2 cases"]

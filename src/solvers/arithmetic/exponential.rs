@@ -265,7 +265,10 @@ pub(crate) fn turn<R: Real>(sin: Dd<R>, cos: Dd<R>, n: R) -> (Dd<R>, Dd<R>) {
 
 /// `e^{−z²} = (re + i im) 2^k` at `z = a + i y`, `a ≥ 0`, without the power of two, and
 /// `ROUND + k`; the phase has to be below [`LARGE_PHASE`].
-#[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
+#[cfg_attr(
+    not(all(target_arch = "x86_64", feature = "vectors")),
+    allow(dead_code)
+)]
 #[inline(always)]
 pub(crate) fn exp_minus_square<R: Real>(a: R, y: R) -> (Dd<R>, Dd<R>, R) {
     product(exp(exponent(a, y)), reduce(phase(a, y)))

@@ -52,7 +52,7 @@ pub(crate) trait Task: Sized {
     }
     /// Runs it with AVX2 and FMA, as a function of its own. In development builds there is one of it, not one for
     /// each module that calls it.
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
     #[cfg_attr(debug_assertions, inline(never))]
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn with_avx2(self, v: pulp::x86::V3) -> Self::Output {
@@ -63,7 +63,7 @@ pub(crate) trait Task: Sized {
 /// Runs the task with the best instructions of this processor.
 #[inline(always)]
 pub(crate) fn with_best<T: Task>(task: T) -> T::Output {
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
     match x86::BEST.get() {
         Some(Some(v)) => return v.call(task),
         None => return x86::first(task),
@@ -145,7 +145,7 @@ impl Lanes for Plain {
     }
 }
 
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 mod x86 {
     use super::{Lanes, Task, Vectors};
     use crate::pack::Pack;

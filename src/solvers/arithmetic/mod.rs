@@ -6,12 +6,12 @@ pub(crate) mod double_double_functions;
 pub(crate) mod exponential;
 pub(crate) mod hex;
 pub(crate) mod lanes;
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 pub(crate) mod pack;
 pub(crate) mod payne_hanek;
 pub(crate) mod real;
 mod tables;
 #[cfg(test)]
 pub(crate) mod tests;
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 pub(crate) mod two;

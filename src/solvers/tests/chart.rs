@@ -198,7 +198,11 @@ fn the_return_that_is_nearest() {
             let p = chart.points[0];
             assert_eq!(chart.xi(&p), p.xi_turn);
             let whole = (d.turns(p.t) - due).round();
-            let target = (due + whole).max(0.0);
+            let target = due + whole;
+            if target <= 0.0 {
+                assert!(p.dwell_amplitude.is_nan() && p.dwell_phase.is_nan());
+                continue;
+            }
             let (mut a, mut b) = ((p.t - 1.0).max(0.0), p.t + 1.0);
             for _ in 0..100 {
                 let m = 0.5 * (a + b);
@@ -210,12 +214,11 @@ fn the_return_that_is_nearest() {
             assert!((p.dwell_phase - v.phase).abs() < 1e-6, "{omega0} {eps}");
         }
     }
-    // Where the shaft turns back before it, the time asked for is kept.
+    // Where the shaft turns back before it, no dwell ends.
     let r = started(7.0, -7.0);
     let chart = Chart::new(&r, Period::Turn, &[W / 0.5]).expect("a chart");
     let p = chart.points[0];
-    let v = r.free_vibration(p.t).expect("a time").expect("vibrates");
-    assert!(close(p.dwell_amplitude * LIFT, v.amplitude));
+    assert!(p.dwell_amplitude.is_nan() && p.dwell_phase.is_nan());
 }
 
 /// Peaks of a rigid follower: `C_a` and `max |s′s″|`, those of the steeper stroke.

@@ -112,7 +112,7 @@ impl Tree {
         own.map(|target| {
             let path = target["src_path"].as_str().context("src_path")?;
             let inside = Path::new(path).strip_prefix(&root).context("src_path")?;
-            Ok(inside.to_string_lossy().into_owned())
+            Ok(without_detours(&inside.to_string_lossy()))
         })
         .collect()
     }
@@ -224,13 +224,25 @@ fn spans(message: &Value) -> Vec<CompileError> {
     all.filter_map(|s| {
         let number = |key: &str| s[key].as_u64().map(|n| n as usize);
         Some(CompileError {
-            file: s["file_name"].as_str()?.to_owned(),
+            file: without_detours(s["file_name"].as_str()?),
             bytes: number("byte_start")?..number("byte_end")?,
             primary: s["is_primary"] == true,
             message: text.to_owned(),
         })
     })
     .collect()
+}
+
+/// The path without `folder/..`: the program's files lie outside its package's folder.
+fn without_detours(path: &str) -> String {
+    let mut parts: Vec<&str> = Vec::new();
+    for part in path.split('/') {
+        match (part, parts.last()) {
+            ("..", Some(&folder)) if folder != ".." => drop(parts.pop()),
+            _ => parts.push(part),
+        }
+    }
+    parts.join("/")
 }
 
 fn write_if_other(path: &Path, bytes: &[u8]) -> Result<()> {
@@ -241,4 +253,17 @@ fn write_if_other(path: &Path, bytes: &[u8]) -> Result<()> {
         fs::create_dir_all(folder)?;
     }
     fs::write(path, bytes).with_context(|| path.display().to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::without_detours;
+
+    #[test]
+    fn paths_out_of_a_folder_are_shortened() {
+        assert_eq!(without_detours("src/cli/../program.rs"), "src/program.rs");
+        let test = without_detours("src/cli/../../tests/cli/main.rs");
+        assert_eq!(test, "tests/cli/main.rs");
+        assert_eq!(without_detours("../src/lib.rs"), "../src/lib.rs");
+    }
 }

@@ -18,16 +18,13 @@ fn what_is_wrong_is_said() {
     let o = outputs(Limit::Ulps(4.0));
     let said = |got: f64, d: Due| judge(&o, &SolverAnswer::Values(vec![got]), &due(d), None);
     let zero = said(-0.0, Due::zero(false));
-    assert_eq!(
-        zero.why().as_deref(),
-        Some("x (value 0) is -0.0 where 0.0 is due")
-    );
+    assert_eq!(zero.why().as_deref(), Some("x (value 0) is -0, expected 0"));
     assert_eq!(
         (zero.kind, zero.components[0].kind),
         (Some(Kind::WrongZero), Some(Kind::WrongZero))
     );
     let nan = said(f64::NAN, Due::zero(false));
-    assert_eq!(nan.why().as_deref(), Some("x (value 0) is NaN"));
+    assert_eq!(nan.why().as_deref(), Some("x (value 0) is NaN, expected 0"));
     assert_eq!(nan.kind, Some(Kind::Nan));
     let number = |x: f64| Due::Number(Ball::exact(64, x));
     assert_eq!(said(f64::INFINITY, number(1.0)).kind, Some(Kind::Infinity));
@@ -35,7 +32,7 @@ fn what_is_wrong_is_said() {
     assert_eq!((over.kind, over.components[0].kind), (None, None));
     assert_eq!(
         over.why().as_deref(),
-        Some("x (value 0) is 2.000 times its budget off")
+        Some("x (value 0) is 1.0000000000000018e0, expected 1e0: 2.000 times its budget off")
     );
     let far = |times: f64| {
         said(1.0 + 4.0 * times * f64::EPSILON, number(1.0))
@@ -200,9 +197,19 @@ fn a_norm_s_budget_is_for_numbers_and_decided_by_bounds() {
         assert_eq!(found.verdict, verdict, "{k}");
         assert_eq!(found.reason.is_some(), verdict != Verdict::Pass);
         if verdict == Verdict::Undecided {
-            assert!(found.why().unwrap().contains("cannot be decided"));
+            assert!(
+                found
+                    .why()
+                    .unwrap()
+                    .contains("the reference cannot decide it")
+            );
         } else if verdict == Verdict::Over {
-            assert!(found.why().unwrap().contains("over its budget"));
+            assert!(
+                found
+                    .why()
+                    .unwrap()
+                    .contains(" times its budget, expected at most 1")
+            );
         }
     }
     // A component that is already as wrong keeps its reason.
@@ -371,12 +378,84 @@ fn multiples_of_a_budget_are_shown() {
         let value = Reason::Value {
             output: "x",
             number: 0,
-            got: 1.0,
+            got: 1e300,
+            due: -0.25,
             fault,
         };
         assert_eq!(
             value.to_string(),
-            format!("x (value 0) is {due} times its budget off")
+            format!("x (value 0) is 1e300, expected -2.5e-1: {due} times its budget off")
         );
+    }
+}
+
+/// Whatever is wrong, the reason says what came and what was expected, and no number is long.
+#[test]
+fn reasons_say_what_was_expected() {
+    let numbers = |values: &[f64]| {
+        let dues = values.iter().map(|x| Due::Number(Ball::exact(64, *x)));
+        ReferenceAnswer::Dues(dues.collect(), Proof::Exact)
+    };
+    let given = |values: &[f64]| SolverAnswer::Values(values.to_vec());
+    let refusal = |word: &str| SolverAnswer::Declines(Some(word.into()));
+    let nan = || ReferenceAnswer::Dues(vec![Due::NotANumber], Proof::Exact);
+    let infinity = || ReferenceAnswer::Dues(vec![Due::Infinity { negative: true }], Proof::Exact);
+    let singular = || ReferenceAnswer::Refuses("singular");
+    for (answer, reference, due) in [
+        (
+            given(&[f64::NAN]),
+            numbers(&[0.25]),
+            "x (value 0) is NaN, expected 2.5e-1",
+        ),
+        (given(&[1e300]), nan(), "x (value 0) is 1e300, expected NaN"),
+        (
+            given(&[-1e300]),
+            infinity(),
+            "x (value 0) is -1e300, expected -inf",
+        ),
+        (
+            given(&[1.0]),
+            numbers(&[1.0, 2.0]),
+            "1 value, expected 2 values",
+        ),
+        (
+            given(&[1e300]),
+            singular(),
+            "1e300, expected the refusal \"singular\"",
+        ),
+        (
+            given(&[1.0; 7]),
+            singular(),
+            "7 values, expected the refusal \"singular\"",
+        ),
+        (
+            refusal("overflow"),
+            singular(),
+            "the refusal \"overflow\", expected the refusal \"singular\"",
+        ),
+        (
+            refusal("overflow"),
+            numbers(&[1e300, 0.5]),
+            "the refusal \"overflow\", expected 1e300, 5e-1",
+        ),
+        (
+            SolverAnswer::Declines(None),
+            numbers(&[1.0; 9]),
+            "a refusal, expected 9 values",
+        ),
+        (
+            SolverAnswer::Fails("\"x\" is no number".into()),
+            numbers(&[0.5]),
+            "\"x\" is no number, expected 5e-1",
+        ),
+        (
+            SolverAnswer::Unanswered("no line in 5 s".into()),
+            numbers(&[0.5]),
+            "no line in 5 s, expected 5e-1",
+        ),
+    ] {
+        let o = outputs(Limit::Ulps(4.0));
+        let found = judge(&o, &answer, &reference, None);
+        assert_eq!(found.why().as_deref(), Some(due));
     }
 }

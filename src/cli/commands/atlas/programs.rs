@@ -127,6 +127,7 @@ const HOW: ProgramArgs = ProgramArgs {
     decimal: false,
     binary: false,
     timeout: PATIENCE,
+    run_timeout: Duration::from_secs(3600),
 };
 
 /// A program that has ended, with its answers and what went wrong, if anything did.

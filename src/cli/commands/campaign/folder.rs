@@ -2,16 +2,18 @@
 
 use crate::cli::complain;
 use crate::cli::failure::Failure;
-use crate::cli::files::temporary::Temporary;
+use crate::cli::files::output::Output;
 use mechaudit::campaign::{Content, Deal, Found, Header, Identity, Plan, Record};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::fs::{self, File, OpenOptions, TryLockError};
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// Grows when the plan's file changes its meaning.
 const SCHEMA: u32 = 1;
+/// Judgements of a campaign at most: years of a thousand cores.
+const MOST_WORK: u64 = 1_000_000_000_000_000;
 const PLAN: &str = "plan.json";
 const SHARDS: &str = "shards";
 
@@ -62,14 +64,9 @@ impl Claim {
 
 /// Writes a file of the folder that appears whole.
 fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    let failed = |e: io::Error| Failure::cannot("write", path, e);
-    let folder = path.parent().unwrap_or(Path::new("."));
-    let temporary = Temporary::new(folder, 0o666).map_err(failed)?;
-    let mut file = temporary.file();
-    file.write_all(bytes).map_err(failed)?;
-    temporary.persist(path).map_err(failed)?;
+    Output::open(Some(path))?.text(bytes)?;
     // The name as well survives a loss of power, where the system can say so.
-    if let Ok(folder) = File::open(folder) {
+    if let Ok(folder) = File::open(path.parent().unwrap_or(Path::new("."))) {
         let _ = folder.sync_all();
     }
     Ok(())
@@ -79,6 +76,14 @@ impl Folder {
     /// Makes the folder of a plan. One that is there already has to be the same campaign's.
     pub fn make(path: &Path, plan: Plan, shards: u64) -> Result<Folder, Failure> {
         let deal = Deal::new(&plan, shards);
+        if deal.work() > MOST_WORK {
+            let work = deal.work() as f64;
+            return Err(Failure::new(format!(
+                "{}: {work:.2e} judgements are more than the {MOST:e} of a campaign: take fewer cases, hunts or evaluations",
+                plan.name,
+                MOST = MOST_WORK as f64
+            )));
+        }
         if deal.units() < shards {
             let units = deal.units();
             return Err(Failure::new(format!(

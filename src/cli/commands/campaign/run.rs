@@ -202,6 +202,10 @@ fn outcome(stopped: bool, failed: &[(u64, String)]) -> Result<Outcome, Failure> 
     }
 }
 
+/// The time that a program has for a shard: plans deal shards of minutes, and one that takes a day
+/// has been dealt wrongly.
+const SHARD: Duration = Duration::from_secs(24 * 3600);
+
 /// Lets a program answer the cases of a shard.
 fn answers(
     program: &Program,
@@ -211,6 +215,7 @@ fn answers(
 ) -> Result<Option<Who>, Box<dyn Error + Send + Sync>> {
     let spoken = ProgramArgs {
         timeout: Duration::try_from_secs_f64(program.timeout)?,
+        run_timeout: SHARD,
         decimal: program.decimal,
         binary: program.binary,
     };

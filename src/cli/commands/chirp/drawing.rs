@@ -26,13 +26,23 @@ pub fn history(
         chirp::tick(oscillator.n()),
         machine.harmonics
     );
-    Ok(chirp::history(&History {
+    Ok(chirp::history(&motion(machine, run, response, note))?)
+}
+
+/// The motion over time, for a drawing or a page.
+pub fn motion<'a>(
+    machine: &'a CamOscillator,
+    run: &Run,
+    response: &CamResponse,
+    note: String,
+) -> History<'a> {
+    History {
         name: &machine.name,
         note,
         unit: machine.unit,
         mean: response.mean(),
         columns: columns(run, response),
-    })?)
+    }
 }
 
 fn columns(run: &Run, response: &CamResponse) -> Vec<Column> {
@@ -87,6 +97,11 @@ pub fn chart(machine: &CamOscillator, charts: &[LawChart]) -> Result<String, Fai
 
 /// The harmonics of the cam's displacement.
 pub fn spectrum(machine: &CamOscillator) -> Result<String, Failure> {
+    Ok(chirp::spectrum(&harmonics(machine)?)?)
+}
+
+/// The harmonics in lifts, for a drawing or a page.
+pub fn harmonics(machine: &CamOscillator) -> Result<Spectrum<'_>, Failure> {
     let series = FourierSeries::new(&machine.drive.cycle);
     let lift = machine.drive.cycle.lift().abs();
     let all = series.harmonics(machine.harmonics);
@@ -97,12 +112,12 @@ pub fn spectrum(machine: &CamOscillator) -> Result<String, Failure> {
             .map(|(n, d)| (f64::from(n), f(n, d) / lift))
             .collect()
     };
-    Ok(chirp::spectrum(&Spectrum {
+    Ok(Spectrum {
         name: &machine.name,
         law: &machine.law,
         harmonics: of(&|_, amplitude| amplitude),
         beyond: of(&|order, _| series.tail_bound(order, 0)),
-    })?)
+    })
 }
 
 #[cfg(test)]

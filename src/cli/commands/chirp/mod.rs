@@ -1,6 +1,7 @@
 //! A cam-driven oscillator given in a file, while its shaft speeds up or slows down.
 
 mod drawing;
+mod page;
 mod rows;
 
 use crate::cli::args::{ChirpArgs, ChirpRows};
@@ -8,8 +9,12 @@ use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
 use crate::cli::files::source;
+use crate::cli::forecast;
+use crate::cli::progress::waiting;
 use mechaudit::machine::CamOscillator;
 use mechaudit::report::columns::Columns;
+use mechaudit::solvers::chirp_chart::{CamResponse, Chart, ChirpChartError};
+use std::time::Instant;
 
 /// The oscillator that the arguments name.
 pub fn machine(args: &ChirpArgs) -> Result<CamOscillator, Failure> {
@@ -35,7 +40,11 @@ pub fn chirp(args: &ChirpArgs) -> Result<Outcome, Failure> {
         ChirpRows::Chart if machine.chart.is_none() => return Err(missing("chart")),
         _ => {}
     }
-    let columns = Columns::of(rows::names(wanted, &machine), &args.units.units, false)?;
+    let form = args.format.rows();
+    let columns = match form {
+        Some(_) => Columns::of(rows::names(wanted, &machine), &args.units.units, false)?,
+        None => Columns::from(Vec::new()),
+    };
     let output = Output::open(args.output.as_deref())?;
     let drawing = |file, due: bool| {
         let folder = args.svg.as_ref().filter(|_| due);
@@ -45,8 +54,14 @@ pub fn chirp(args: &ChirpArgs) -> Result<Outcome, Failure> {
     let history = drawing("history.svg", machine.run.is_some())?;
     let chart = drawing("chart.svg", machine.chart.is_some())?;
     let own = machine.response(&machine.drive).map_err(in_file)?;
-    let charts = match chart.is_some() || wanted == ChirpRows::Chart {
-        true => machine.charts().map_err(in_file)?,
+    let shown = form.is_none() && page::parts(args, &machine).contains(&ChirpRows::Chart);
+    let charts = match chart.is_some() || wanted == ChirpRows::Chart || shown {
+        true => {
+            look_ahead(&machine)
+                .map_err(in_file)?
+                .map_err(|f| f.about(args.file.display()))?;
+            waiting("chart", || machine.charts()).map_err(in_file)?
+        }
         false => Vec::new(),
     };
     if let Some(drawing) = spectrum {
@@ -58,16 +73,49 @@ pub fn chirp(args: &ChirpArgs) -> Result<Outcome, Failure> {
     if let Some(drawing) = chart {
         drawing.text(&drawing::chart(&machine, &charts)?)?;
     }
-    output.write(|out| match wanted {
-        ChirpRows::History => rows::history(out, (args.format, columns), &machine, &own),
-        ChirpRows::Chart => rows::chart(out, (args.format, columns), &machine, &charts),
-        ChirpRows::Spectrum => rows::spectrum(out, (args.format, columns), &machine),
+    output.write(|out| {
+        let Some(form) = form else {
+            let page = page::page(args, &machine, &own, &charts)?;
+            return Ok(out.write_all(page.as_bytes())?);
+        };
+        match wanted {
+            ChirpRows::History => rows::history(out, (form, columns), &machine, &own),
+            ChirpRows::Chart => rows::chart(out, (form, columns), &machine, &charts),
+            ChirpRows::Spectrum => rows::spectrum(out, (form, columns), &machine),
+        }
     })?;
     complain(&rows::harmonics_line(&machine));
     for chart in &charts {
         complain(&rows::chart_line(chart));
     }
     Ok(Outcome::AsExpected)
+}
+
+/// Harmonics with which a point of a chart is tried.
+const TRIED: u32 = 64;
+
+/// Estimates the time of the charts from a point with few harmonics: both the samples of a turn and
+/// the terms of each grow with them.
+fn look_ahead(machine: &CamOscillator) -> Result<Result<(), Failure>, ChirpChartError> {
+    let Some(plan) = &machine.chart else {
+        return Ok(Ok(()));
+    };
+    let (Some((_, drive)), Some(&last)) = (plan.drives.first(), plan.grid.last()) else {
+        return Ok(Ok(()));
+    };
+    let few = machine.harmonics.min(TRIED);
+    let response = CamResponse::new(drive.clone(), few, machine.initial)?;
+    let begin = Instant::now();
+    Chart::new(&response, plan.period, &[last])?;
+    let ratio = f64::from(machine.harmonics) / f64::from(few);
+    let points = plan.grid.len() * plan.drives.len();
+    let each = begin.elapsed().as_secs_f64() * ratio.powi(2);
+    let seconds = each * points as f64 / rayon::current_num_threads() as f64;
+    let what = format!(
+        "{points} points of charts with {} harmonics",
+        machine.harmonics
+    );
+    Ok(forecast::work(&what, seconds))
 }
 
 #[cfg(test)]
@@ -157,6 +205,33 @@ mod tests {
                 assert!(*name != "chart.svg" || svg.contains("0050"), "{svg}");
             }
         }
+    }
+
+    /// A page has every section that the file has, or the one that is asked for, and the units asked for.
+    #[test]
+    fn a_page_has_the_sections_of_the_file() {
+        let coarse = CHART.replace("step = 0.1", "step = 4.0");
+        let both = format!("{coarse}\n[run]\nduration = \"2 s\"\nstep = \"1 ms\"\n");
+        for (text, more, due) in [
+            (RUN_UP.to_string(), "", &["history", "spectrum"][..]),
+            (coarse.clone(), "", &["chart", "spectrum"]),
+            (both.clone(), "", &["history", "chart", "spectrum"]),
+            (both, "--rows chart --units rpm", &["chart"]),
+        ] {
+            let folder = tempdir().unwrap();
+            let page = run(folder.path(), &text, &format!("--format html {more}")).unwrap();
+            assert!(page.starts_with("<!doctype html>") && page.len() < 2_000_000);
+            for key in ["history", "chart", "spectrum"] {
+                let found = page.contains(&format!("<h2 id=\"{key}\">"));
+                assert_eq!(found, due.contains(&key), "{key}");
+                assert_eq!(page.contains(&format!("data-topic=\"{key}\"")), found);
+            }
+            assert!(page.matches("<polyline").count() >= due.len());
+            assert_eq!(page.contains("<th>speed_rpm</th>"), more.ends_with("rpm"));
+        }
+        let folder = tempdir().unwrap();
+        let why = run(folder.path(), RUN_UP, "--format html --units kg").unwrap_err();
+        assert!(why.to_string().contains("no column can be in kg"), "{why}");
     }
 
     #[test]

@@ -1,11 +1,11 @@
 //! The rows of a cam-driven oscillator: motion over time, chart, spectrum.
 
-use crate::cli::args::{ChirpRows, CsvOrJson};
+use crate::cli::args::ChirpRows;
 use crate::cli::failure::Failure;
 use mechaudit::machine::cam_oscillator::{CamOscillator, LawChart};
 use mechaudit::report::cell::Cell;
 use mechaudit::report::columns::Columns;
-use mechaudit::report::rows::Rows;
+use mechaudit::report::rows::{Form, Rows};
 use mechaudit::solvers::chirp_chart::{CamResponse, ChartPoint, Period, State};
 use mechaudit::solvers::fourier_series::FourierSeries;
 use rayon::prelude::*;
@@ -64,7 +64,9 @@ fn about(machine: &CamOscillator) -> Map<String, Value> {
     put("lift_unit", json!(machine.unit));
     put("lift", json!(cycle.lift()));
     put("C_v", json!(peaks.velocity));
-    put("C_a", json!(peaks.acceleration));
+    put("C_a", json!(peaks.acceleration.max(peaks.deceleration)));
+    put("C_a_accelerating", json!(peaks.acceleration));
+    put("C_a_decelerating", json!(peaks.deceleration));
     put("C_j", json!(peaks.jerk.is_finite().then_some(peaks.jerk)));
     put("harmonics", json!(machine.harmonics));
     let series = FourierSeries::new(cycle);
@@ -125,7 +127,7 @@ pub fn names(rows: ChirpRows, machine: &CamOscillator) -> Vec<String> {
 /// The motion over time.
 pub fn history(
     out: &mut dyn Write,
-    (format, columns): (CsvOrJson, Columns),
+    (format, columns): (Form, Columns),
     machine: &CamOscillator,
     response: &CamResponse,
 ) -> Result<(), Failure> {
@@ -171,7 +173,7 @@ pub fn history(
 /// The charts of all laws.
 pub fn chart(
     out: &mut dyn Write,
-    (format, columns): (CsvOrJson, Columns),
+    (format, columns): (Form, Columns),
     machine: &CamOscillator,
     charts: &[LawChart],
 ) -> Result<(), Failure> {
@@ -198,11 +200,14 @@ pub fn chart(
                 k_dc,
                 k_dm,
                 k_dn,
-                p.dwell_amplitude,
-                p.dwell_phase.to_degrees(),
             ];
             let mut cells = vec![Cell::Word(c.law.clone())];
             cells.extend(values.map(Cell::Float));
+            let dwell = [p.dwell_amplitude, p.dwell_phase.to_degrees()];
+            cells.extend(dwell.map(|x| match x.is_nan() {
+                true => Cell::Empty,
+                false => Cell::Float(x),
+            }));
             rows.row(&cells)?;
         }
     }
@@ -212,7 +217,7 @@ pub fn chart(
 /// The harmonics of the cam's displacement.
 pub fn spectrum(
     out: &mut dyn Write,
-    (format, columns): (CsvOrJson, Columns),
+    (format, columns): (Form, Columns),
     machine: &CamOscillator,
 ) -> Result<(), Failure> {
     let series = FourierSeries::new(&machine.drive.cycle);

@@ -1,9 +1,11 @@
 use super::*;
 use mechaudit::machine::Source;
+use mechaudit::report::glossary::topics;
 use mechaudit::solvers::chirp_chart::Chart;
 use std::f64::consts::PI;
 
 const RUN_UP: &str = include_str!("../../../../examples/chirp-run-up.toml");
+const CHART: &str = include_str!("../../../../examples/chirp-chart.toml");
 
 /// The run-up with its cam's law, duration and harmonics changed.
 fn machine(law: &str, harmonics: u32) -> CamOscillator {
@@ -122,6 +124,8 @@ fn what_is_known_of_the_whole() {
         near("lift", 0.02);
         near("C_v", velocity);
         near("C_a", acceleration);
+        near("C_a_accelerating", acceleration);
+        near("C_a_decelerating", acceleration);
         match jerk {
             Some(jerk) => near("C_j", jerk),
             None => assert!(found["C_j"].is_null()),
@@ -130,13 +134,68 @@ fn what_is_known_of_the_whole() {
     }
 }
 
+/// A cycloid whose acceleration takes 0.6 of the stroke: 2π/1.2 and −2π/0.8.
+#[test]
+fn both_sides_of_an_asymmetric_law_are_named() {
+    let law = "{ name = \"cycloidal\", acceleration_fraction = 0.6 }";
+    let text = RUN_UP.replace("\"modified-sine\"", law);
+    let machine = CamOscillator::read(&Source::toml(text), Some(4)).unwrap();
+    let found = about(&machine);
+    for (key, due) in [
+        ("C_a", PI / 0.4),
+        ("C_a_accelerating", PI / 0.6),
+        ("C_a_decelerating", PI / 0.4),
+    ] {
+        let x = found[key].as_f64().unwrap();
+        assert!((x / due - 1.0).abs() < 1e-12, "{key}: {x}");
+    }
+}
+
+/// The motion begins while the follower returns: before the end of the first high dwell nothing
+/// has dwelt.
+#[test]
+fn rows_before_the_first_dwell_have_no_vibration_of_one() {
+    let text = r#"
+[oscillator]
+frequency = "100 rad/s"
+damping_ratio = 0.02
+[cam]
+lift = "20 mm"
+law = "cycloidal"
+rise = "120 deg"
+high_dwell = "60 deg"
+return = "120 deg"
+low_dwell = "60 deg"
+start = "-230 deg"
+[speed]
+start = "15 rad/s"
+acceleration = "-1 rad/s^2"
+[chart]
+from = 2.23
+to = 2.63
+step = 0.4
+"#;
+    let machine = CamOscillator::read(&Source::toml(text), Some(12)).unwrap();
+    let mut out = Vec::new();
+    let form = (Form::Csv, columns(ChirpRows::Chart, &machine));
+    chart(&mut out, form, &machine, &machine.charts().unwrap()).unwrap();
+    let out = String::from_utf8(out).unwrap();
+    let ends: Vec<Vec<&str>> = out
+        .lines()
+        .map(|l| l.rsplit(',').take(2).collect())
+        .collect();
+    assert_eq!(ends[0], ["dwell_phase_deg", "dwell_amplitude"]);
+    assert_eq!(ends[1], ["", ""], "{out}");
+    assert!(ends[2].iter().all(|x| x.parse::<f64>().is_ok()), "{out}");
+}
+
 /// More rows than are computed together, each in its place.
 #[test]
 fn a_history_has_a_row_for_each_step() {
     let machine = machine("3-4-5", 4);
     let response = machine.response(&machine.drive).unwrap();
     let mut out = Vec::new();
-    let form = (CsvOrJson::Csv, columns(ChirpRows::History, &machine));
+    let form = (Form::Csv, columns(ChirpRows::History, &machine));
     history(&mut out, form, &machine, &response).unwrap();
     let text = String::from_utf8(out).unwrap();
     let head = "t_s,shaft_deg,speed_rad_per_s,xi_rise,xi_turn,f_m,y_m,v_m_per_s,a_m_per_s2,\
@@ -183,7 +242,7 @@ fn no_run_has_no_rows() {
     let response = machine.response(&machine.drive).unwrap();
     machine.run = None;
     let mut out = Vec::new();
-    let form = (CsvOrJson::Csv, columns(ChirpRows::History, &machine));
+    let form = (Form::Csv, columns(ChirpRows::History, &machine));
     history(&mut out, form, &machine, &response).unwrap();
     assert!(out.is_empty());
 }
@@ -193,7 +252,7 @@ fn charts_have_a_row_for_each_point() {
     let machine = machine("3-4-5", 4);
     let charts = [law_chart(&[4.0, 9.0]), law_chart(&[])];
     let mut out = Vec::new();
-    let form = (CsvOrJson::Json, columns(ChirpRows::Chart, &machine));
+    let form = (Form::Json, columns(ChirpRows::Chart, &machine));
     chart(&mut out, form, &machine, &charts).unwrap();
     let found: Value = serde_json::from_slice(&out).unwrap();
     assert_eq!(found["law"], "3-4-5");
@@ -233,7 +292,7 @@ fn charts_have_a_row_for_each_point() {
 fn a_spectrum_has_a_row_for_each_harmonic() {
     let machine = machine("3-4-5", 3);
     let mut out = Vec::new();
-    let form = (CsvOrJson::Json, columns(ChirpRows::Spectrum, &machine));
+    let form = (Form::Json, columns(ChirpRows::Spectrum, &machine));
     spectrum(&mut out, form, &machine).unwrap();
     let found: Value = serde_json::from_slice(&out).unwrap();
     let mean = found["a_0"].as_f64().unwrap();
@@ -251,5 +310,22 @@ fn a_spectrum_has_a_row_for_each_harmonic() {
             (d * delta.cos() - a).abs() < 1e-15 && (d * delta.sin() + b).abs() < 1e-15,
             "{row}"
         );
+    }
+}
+
+#[test]
+fn every_column_has_a_meaning() {
+    for text in [RUN_UP, CHART] {
+        let machine = CamOscillator::read(&Source::toml(text), Some(5)).unwrap();
+        for (rows, key) in [
+            (ChirpRows::History, "history"),
+            (ChirpRows::Chart, "chart"),
+            (ChirpRows::Spectrum, "spectrum"),
+        ] {
+            let topic = topics(&[key]).next().unwrap();
+            for name in names(rows, &machine) {
+                assert!(topic.find(&name).is_some(), "{key}: {name} has no entry");
+            }
+        }
     }
 }

@@ -8,8 +8,11 @@ use crate::cli::failure::{Failure, Outcome, chain};
 use crate::cli::files::output::write_to;
 use crate::cli::number::{Number, NumberError};
 use crate::cli::process::wire::shortened;
-use mechaudit::audit::{Layout, LayoutError, SolverAnswer, Uncertified, answer_of, hex_float};
-use mechaudit::methods::{Evaluable, evaluable, find_evaluable};
+use mechaudit::audit::{
+    Layout, LayoutError, SolverAnswer, Uncertified, answer_of, hex_float, selected_outputs,
+};
+use mechaudit::methods::{CertifiedValue, Evaluable, certified_digits, evaluable, find_evaluable};
+use mechaudit::reference::nearest_f64;
 use rayon::prelude::*;
 use rug::Rational;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -20,6 +23,9 @@ const LINES: usize = 1024;
 const LONGEST: usize = 1 << 20;
 /// How many lines' worth of text is held at a time.
 const BUFFER: usize = 1 << 16;
+
+/// The word in the place of a value without certified digits.
+const UNDECIDED: &str = "undecided";
 
 /// A line with its number, counted from one.
 struct Line {
@@ -40,24 +46,34 @@ enum EvalError {
     Layout(#[from] LayoutError),
     #[error("{0}")]
     OutsideDomain(String),
-    #[error("refused: {0}")]
-    Refused(&'static str),
+    #[error("refused: {}", refused(.word, .why.as_deref()))]
+    Refused {
+        word: &'static str,
+        why: Option<String>,
+    },
     #[error("{0}, no input")]
     NotAnInput(&'static str),
     /// A solver that answers neither with values nor with a refusal.
     #[error("{0:?}")]
     NoAnswer(SolverAnswer),
+    /// There is no number of which digits could be certified.
     #[error(transparent)]
     Uncertified(Uncertified),
-    #[error("{0} digits could not be certified")]
-    Digits(u32),
+}
+
+/// The name of a refusal, and what is known of it beyond that.
+fn refused(word: &str, why: Option<&str>) -> String {
+    match why {
+        Some(why) => format!("{word}: {why}"),
+        None => word.into(),
+    }
 }
 
 impl EvalError {
     /// Whether the line is right and its value could not be had.
     fn is_undecided(&self) -> bool {
-        use EvalError::{Digits, NoAnswer, Uncertified};
-        matches!(self, NoAnswer(_) | Uncertified(_) | Digits(_))
+        use EvalError::{NoAnswer, Uncertified};
+        matches!(self, NoAnswer(_) | Uncertified(_))
     }
 }
 
@@ -70,8 +86,12 @@ pub fn eval(args: &EvalArgs) -> Result<Outcome, Failure> {
         let known: Vec<&str> = evaluable().iter().map(|m| m.name()).collect();
         Failure::no_such("method", name, &known)
     })?;
+    let mut evaluation = Evaluation::new(&*method, args.digits);
+    if let Some(names) = &args.outputs {
+        evaluation.selected = selected_outputs(&*method, names)?;
+    }
     if binary::is_asked_for() && args.digits.is_none() {
-        return binary::stream(&*method);
+        return binary::stream(&evaluation);
     }
     let threads = args.threads.unwrap_or(0);
     let pool = rayon::ThreadPoolBuilder::new()
@@ -81,7 +101,7 @@ pub fn eval(args: &EvalArgs) -> Result<Outcome, Failure> {
     let mut outcome = Outcome::AsExpected;
     write_to(|out| {
         let input = BufReader::with_capacity(BUFFER, std::io::stdin().lock());
-        outcome = stream(&*method, args.digits, &pool, input, out)?;
+        outcome = stream(&evaluation, &pool, input, out)?;
         Ok(())
     })?;
     Ok(outcome)
@@ -99,21 +119,16 @@ fn list() -> Result<Outcome, Failure> {
 
 /// Reads some lines, computes them side by side, writes them in order, and so on.
 pub fn stream(
-    method: &dyn Evaluable,
-    digits: Option<u32>,
+    evaluation: &Evaluation,
     pool: &rayon::ThreadPool,
     mut input: BufReader<impl Read>,
     out: &mut dyn Write,
 ) -> Result<Outcome, Failure> {
-    let evaluation = Evaluation {
-        method,
-        layout: Layout::new(method),
-        digits,
-    };
     let most = LINES * pool.current_num_threads();
     let mut lines = Vec::new();
     let mut number = 0;
     let mut more = true;
+    let mut outcome = Outcome::AsExpected;
     while more {
         lines.clear();
         // What has arrived is answered before more is waited for.
@@ -137,41 +152,83 @@ pub fn stream(
             }),
         };
         for (line, answer) in lines.iter().zip(answers) {
-            let e = match answer {
-                Ok(None) => continue,
-                Ok(Some(text)) => {
-                    writeln!(out, "{text}")?;
-                    continue;
-                }
-                Err(e) => e,
+            let Some(answer) = answer.transpose() else {
+                continue;
             };
-            out.flush()?;
-            let shown = format!("line {} ({:?})", line.number, shortened(&line.text));
-            if e.is_undecided() {
-                complain(&format!("{shown}: {}", chain(&e)));
-                return Ok(Outcome::Finding);
+            let shown = || format!("line {} ({:?})", line.number, shortened(&line.text));
+            let open = match answer {
+                Ok(answer) => {
+                    writeln!(out, "{}", answer.text)?;
+                    answer.open
+                }
+                Err(e) => {
+                    out.flush()?;
+                    if !e.is_undecided() {
+                        return Err(Failure::caused(e).about(shown()));
+                    }
+                    complain(&format!("{}: {}", shown(), chain(&e)));
+                    return Ok(Outcome::Finding);
+                }
+            };
+            if let Some(why) = open {
+                outcome = Outcome::Finding;
+                // In the order of the lines, where both go to a terminal.
+                out.flush()?;
+                complain(&format!("{}: {why}", shown()));
             }
-            return Err(Failure::caused(e).about(shown));
         }
         out.flush()?;
     }
-    Ok(Outcome::AsExpected)
+    Ok(outcome)
 }
 
 fn has_line(buffer: &[u8]) -> bool {
     buffer.contains(&b'\n')
 }
 
+/// The answer to a line.
+struct Answer {
+    /// The values, separated by commas.
+    text: String,
+    /// Why some of them are undecided, if some are.
+    open: Option<String>,
+}
+
 /// What is done to every line.
-struct Evaluation<'a> {
+pub struct Evaluation<'a> {
     method: &'a dyn Evaluable,
     layout: Layout,
     digits: Option<u32>,
+    /// For each output, whether its values are asked for.
+    selected: Vec<bool>,
 }
 
-impl Evaluation<'_> {
+impl<'a> Evaluation<'a> {
+    /// All outputs of a method, in floating point or with so many certified digits.
+    pub fn new(method: &'a dyn Evaluable, digits: Option<u32>) -> Evaluation<'a> {
+        Evaluation {
+            layout: Layout::new(method),
+            selected: vec![true; method.outputs().len()],
+            method,
+            digits,
+        }
+    }
+
+    /// Whether value `i` of an answer is asked for.
+    fn is_selected(&self, i: usize) -> bool {
+        self.selected[i % self.selected.len()]
+    }
+
+    /// The values that are asked for, of all.
+    fn selected<T>(&self, values: Vec<T>) -> Vec<T> {
+        let all = values.into_iter().enumerate();
+        all.filter(|(i, _)| self.is_selected(*i))
+            .map(|(_, value)| value)
+            .collect()
+    }
+
     /// The values of a line; nothing for a blank one or a comment.
-    fn answer(&self, line: &Line) -> Result<Option<String>, EvalError> {
+    fn answer(&self, line: &Line) -> Result<Option<Answer>, EvalError> {
         if line.text.len() > LONGEST {
             return Err(EvalError::TooLong);
         }
@@ -188,52 +245,139 @@ impl Evaluation<'_> {
         if let Some(why) = self.method.refusal(&x) {
             return Err(EvalError::OutsideDomain(why));
         }
-        let values = match self.digits {
+        let answer = match self.digits {
             None => match answer_of(self.method, &x) {
-                SolverAnswer::Values(values) => values.into_iter().map(hex_float).collect(),
-                SolverAnswer::Refuses(why) => return Err(EvalError::Refused(why)),
+                SolverAnswer::Values(values) => Answer {
+                    text: joined(self.selected(values).into_iter().map(hex_float)),
+                    open: None,
+                },
+                SolverAnswer::Refuses(word) => {
+                    let why = self.method.explanation(&x);
+                    return Err(EvalError::Refused { word, why });
+                }
                 other => return Err(EvalError::NoAnswer(other)),
             },
             Some(count) => {
                 let exact: Result<Vec<_>, _> = numbers.iter().map(Number::exact).collect();
-                digits(self.method, &exact?, count)?
+                self.certified(&exact?, count)?
             }
         };
-        Ok(Some(values.join(",")))
+        Ok(Some(answer))
+    }
+
+    /// That many certified digits of each value.
+    fn certified(&self, x: &[Rational], digits: u32) -> Result<Answer, EvalError> {
+        let found = certified_digits(self.method, x, digits, |i| self.is_selected(i));
+        let values = match found {
+            Ok(values) => self.selected(values),
+            Err(Uncertified::Refused(word)) => {
+                let nearest: Vec<f64> = x.iter().map(nearest_f64).collect();
+                let why = self.method.explanation(&nearest);
+                return Err(EvalError::Refused { word, why });
+            }
+            Err(other) => return Err(EvalError::Uncertified(other)),
+        };
+        Ok(Answer::certified(values, digits))
     }
 }
 
-/// That many certified digits of each value.
-fn digits(method: &dyn Evaluable, x: &[Rational], digits: u32) -> Result<Vec<String>, EvalError> {
-    for bits in precisions(digits) {
-        let values = method.certify(x, bits).map_err(|e| match e {
-            Uncertified::Refused(why) => EvalError::Refused(why),
-            other => EvalError::Uncertified(other),
-        })?;
-        let texts = values.iter().map(|v| v.to_decimal(digits as usize));
-        if let Some(texts) = texts.collect() {
-            return Ok(texts);
+impl Answer {
+    /// The decimals of the values, `undecided` in the place of one that has none.
+    fn certified(values: Vec<CertifiedValue>, digits: u32) -> Answer {
+        let open = values.iter().filter(|v| v.decimal.is_none()).count();
+        let all = values.len();
+        let word = |decimal: Option<String>| decimal.unwrap_or_else(|| UNDECIDED.into());
+        Answer {
+            text: joined(values.into_iter().map(|v| word(v.decimal))),
+            open: (open > 0).then(|| {
+                format!("{open} of {all} values undecided: {digits} digits could not be certified")
+            }),
         }
     }
-    Err(EvalError::Digits(digits))
 }
 
-/// Bits to try: two digits and four bits more than are asked for, and twice as many up to three times. Most references
-/// keep to the relative accuracy asked for, so that the first time is enough.
-fn precisions(digits: u32) -> [u32; 4] {
-    let first = ((f64::from(digits) + 2.0) * std::f64::consts::LOG2_10).ceil() as u32 + 4;
-    [1, 2, 4, 8].map(|times| times * first)
+fn joined(values: impl Iterator<Item = String>) -> String {
+    values.collect::<Vec<_>>().join(",")
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use mechaudit::reference::{Ball, Mag};
 
+    /// A value that is zero is proved to be, others have all digits, and the next line is answered
+    /// too.
     #[test]
-    fn precisions_double() {
-        assert_eq!(precisions(1), [14, 28, 56, 112]);
-        assert_eq!(precisions(60), [210, 420, 840, 1680]);
-        assert_eq!(precisions(1000), [3333, 6666, 13_332, 26_664]);
+    fn a_zero_costs_no_line() {
+        for (name, line, zeros) in [
+            ("cam-law", "0.5,0,0.5,2,0.25,0.75", 1),
+            ("slider-crank", "0.1,0.3,0,0,0,1", 3),
+            ("four-bar", "2,3,2,3,0.5,1", 4),
+        ] {
+            let lines = format!("{line}\n{line}\n");
+            let (out, end) = streamed(name, Some(20), lines.as_bytes());
+            assert_eq!(end, Ok(Outcome::AsExpected), "{name}: {out}");
+            assert_eq!(out.lines().count(), 2, "{name}: {out}");
+            for line in out.lines() {
+                let found = line.split(',').filter(|v| *v == "0").count();
+                assert_eq!(found, zeros, "{name}: {line}");
+            }
+        }
+    }
+
+    /// A ball about zero has no digits; the values beside it keep theirs.
+    #[test]
+    fn an_undecided_value_has_a_word_in_its_place() {
+        let value = |radius: f64, decimal: Option<&str>| CertifiedValue {
+            value: Ball::exact(64, 0.0).widened(Mag::from_f64(radius)).into(),
+            decimal: decimal.map(String::from),
+        };
+        let values = vec![
+            value(0.0, Some("0")),
+            value(1e-300, None),
+            value(0.0, Some("0")),
+        ];
+        let answer = Answer::certified(values, 5);
+        assert_eq!(answer.text, "0,undecided,0");
+        let why = "1 of 3 values undecided: 5 digits could not be certified";
+        assert_eq!(answer.open.as_deref(), Some(why));
+        let answer = Answer::certified(vec![value(0.0, Some("0"))], 5);
+        assert_eq!((&*answer.text, answer.open), ("0", None));
+    }
+
+    /// Outputs that are not asked for are left out, in every row, with digits and without.
+    #[test]
+    fn outputs_are_those_asked_for() {
+        let method = find_evaluable("class-iii-assembly-modes").unwrap();
+        let selected = selected_outputs(&*method, &["phi3[k]", "phi5"]).unwrap();
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(1);
+        let pool = pool.build().unwrap();
+        let line = "0.1,1.04,0.6,0.64,0.485,0.22,-0.6859,0.75,0.93,1.285,1.035,0.25178\n";
+        let values = |digits, selected: Vec<bool>| {
+            let evaluation = Evaluation {
+                selected,
+                ..Evaluation::new(&*method, digits)
+            };
+            let mut out = Vec::new();
+            stream(
+                &evaluation,
+                &pool,
+                BufReader::new(line.as_bytes()),
+                &mut out,
+            )
+            .unwrap();
+            let out = String::from_utf8(out).unwrap();
+            let texts = out.trim().split(',').map(String::from);
+            texts.collect::<Vec<String>>()
+        };
+        for digits in [None, Some(12)] {
+            let all = values(digits, vec![true; 4]);
+            let some = values(digits, selected.clone());
+            let due = all
+                .chunks(4)
+                .flat_map(|row| [row[1].clone(), row[3].clone()]);
+            assert_eq!(some, due.collect::<Vec<String>>());
+        }
     }
 
     /// Counts how often something is handed on.
@@ -262,7 +406,7 @@ mod tests {
             let input = BufReader::with_capacity(text.len(), text.as_bytes());
             let mut out = Handed::default();
             let pool = pool.build().unwrap();
-            let end = stream(&*method, None, &pool, input, &mut out);
+            let end = stream(&Evaluation::new(&*method, None), &pool, input, &mut out);
             assert!(matches!(end, Ok(Outcome::AsExpected)));
             (
                 String::from_utf8(out.text).unwrap().lines().count(),
@@ -295,11 +439,15 @@ mod tests {
                 let (Some(exact), Some(values)) = (exact, solved(&point.input)) else {
                     return false;
                 };
-                let Ok(texts) = digits(&*method, &exact, 20) else {
+                let Ok(answer) = Evaluation::new(&*method, Some(20)).certified(&exact, 20) else {
                     return false;
                 };
+                let texts: Vec<&str> = answer.text.split(',').collect();
                 assert_eq!(texts.len(), values.len(), "{name}");
                 for (text, value) in texts.iter().zip(values) {
+                    if *text == UNDECIDED {
+                        return false;
+                    }
                     let certified: f64 = text.parse().unwrap();
                     // Some are the small difference of others.
                     let size = value.abs().max(1e-6);
@@ -330,7 +478,12 @@ mod tests {
             .build()
             .unwrap();
         let mut out = Vec::new();
-        let end = stream(&*method, digits, &pool, BufReader::new(input), &mut out);
+        let end = stream(
+            &Evaluation::new(&*method, digits),
+            &pool,
+            BufReader::new(input),
+            &mut out,
+        );
         (
             String::from_utf8(out).unwrap(),
             end.map_err(|e| e.to_string()),
@@ -384,18 +537,53 @@ mod tests {
         assert!(end.unwrap_err().starts_with("line 1 ("));
     }
 
+    /// Which knot or entry a refusal is about.
+    #[test]
+    fn refusals_name_the_place() {
+        for (name, line, due) in [
+            (
+                "cubic-spline-not-a-knot",
+                "0,1,1,2,5,6,7,8,0.5,1.5",
+                "refused: knots not increasing: knots[2] = 1 is not greater than its predecessor 1",
+            ),
+            (
+                "tridiagonal",
+                "1,0,0,1,3,4",
+                "refused: zero pivot: the pivot of row 0 is 0: elimination without row exchanges ends here, \
+                 tridiagonal-pivoting exchanges rows",
+            ),
+            (
+                "tridiagonal",
+                "1,inf,2,1,3,4",
+                "refused: not finite: diagonal[0] = inf is not finite",
+            ),
+        ] {
+            let (_, end) = streamed(name, None, format!("{line}\n").as_bytes());
+            let why = end.unwrap_err();
+            assert!(why.ends_with(due), "{why}");
+        }
+        let line = b"0,1,1,2,5,6,7,8,0.5,1.5\n";
+        let (_, end) = streamed("cubic-spline-not-a-knot", Some(9), line);
+        assert!(end.unwrap_err().contains("knots[2] = 1 is not greater"));
+    }
+
     /// Its line is right, and its value cannot be had.
     #[test]
     fn some_errors_are_no_fault_of_the_line() {
         use mechaudit::audit::Uncertified as Why;
         for (e, due) in [
             (EvalError::TooLong, false),
-            (EvalError::Refused("no"), false),
+            (
+                EvalError::Refused {
+                    word: "no",
+                    why: None,
+                },
+                false,
+            ),
             (EvalError::OutsideDomain("no".into()), false),
             (EvalError::NotAnInput("cut off"), false),
             (EvalError::NoAnswer(SolverAnswer::Declines(None)), true),
             (EvalError::Uncertified(Why::Refused("no")), true),
-            (EvalError::Digits(5), true),
         ] {
             assert_eq!(e.is_undecided(), due, "{e}");
         }

@@ -23,7 +23,7 @@ pub fn hunt(args: &HuntArgs) -> Result<Outcome, Failure> {
         evaluations: args.evals,
         seed: args.seed,
     };
-    let folder = Some(args.hard.as_path()).filter(|f| f.is_dir());
+    let folder = args.hard.as_deref();
     let known = match folder {
         Some(folder) => hard_folder::read(folder, &*method)?.unwrap_or_default(),
         None => method.hard(),
@@ -51,13 +51,16 @@ pub fn hunt(args: &HuntArgs) -> Result<Outcome, Failure> {
     write_to(|out| {
         write!(out, "{}", report(&method, &found, &new, args.evals))?;
         write!(out, "{}", inputs(&method, &found, &numbers, args))?;
-        let folder = args.hard.display();
-        let place = args.hard.join(format!("{}.csv", method.name()));
-        let closing = match (&added, new.len()) {
-            (Some(Err(_)), n) => format!("{n} NOT recorded."),
-            (_, 0) => "Nothing worse than what is recorded.".to_string(),
-            (Some(Ok(_)), n) => format!("{n} added to {}.", place.display()),
-            (None, _) => format!("Not recorded: there is no folder {folder}."),
+        let closing = match (folder, &added, new.len()) {
+            (_, Some(Err(_)), n) => format!("{n} NOT recorded."),
+            (_, _, 0) => "Nothing worse than what is recorded.".to_string(),
+            (Some(folder), _, n) => {
+                let place = folder.join(format!("{}.csv", method.name()));
+                format!("{n} added to {}.", place.display())
+            }
+            (None, _, n) => {
+                format!("{n} worse than what is recorded; --hard DIR adds them to a folder.")
+            }
         };
         Ok(writeln!(out, "{closing}")?)
     })?;
@@ -100,7 +103,7 @@ fn inputs(
             origin: match number {
                 Some((number, _)) => Origin::Hard {
                     number: *number,
-                    folder: Some(args.hard.to_string_lossy().into_owned()),
+                    folder: args.hard.as_ref().map(|f| f.to_string_lossy().into_owned()),
                 },
                 None => Origin::Given,
             },
@@ -193,7 +196,7 @@ mod tests {
             method: "erf".into(),
             evals: 5,
             seed: 2,
-            hard: PathBuf::new(),
+            hard: None,
         };
         let known = |output: &str, share: f64| HardCase {
             share,
@@ -247,7 +250,7 @@ mod tests {
             method: "erf".into(),
             evals: 5,
             seed: 2,
-            hard: PathBuf::from(hard),
+            hard: Some(PathBuf::from(hard)),
         }
     }
 

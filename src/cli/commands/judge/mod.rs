@@ -32,6 +32,11 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
             "--inputs and --values, or --table, are needed",
         ));
     };
+    if [inputs_path, values_path].map(|p| p.as_path()) == [Path::new("-"); 2] {
+        return Err(Failure::new(
+            "--inputs and --values cannot both be standard input: name a file for one of them",
+        ));
+    }
     let output = Output::open(args.output.as_deref())?;
     let method = scope::judged(&*method, &args.scope)?.without_laws();
     let settings = Settings {

@@ -8,9 +8,10 @@ use crate::cli::process::bounded::Bounded;
 use crate::cli::process::wire::{FIELDS, LONGEST};
 use mechaudit::audit::{
     Agreement, CandidateReport, Case, CaseReport, Column, ComponentJudgement, EntryJudgement,
-    Judgement, Kind, Layout, LayoutError, Limit, Method, Origin, Reproduce, Settings, SolverAnswer,
-    Tally, Variant, Verdict, csv_line, did_you_mean, judge_printed,
+    Judgement, Kind, Layout, LayoutError, Limit, Method, Origin, Printed, PrintedUnit, Reproduce,
+    Settings, SolverAnswer, Tally, Variant, Verdict, csv_line, did_you_mean, judge_printed,
 };
+use mechaudit::machine::quantity;
 use mechaudit::reference::{Decimal, DecimalError, nearest_f64};
 use mechaudit::report::json as in_json;
 use mechaudit::report::text::style::{BAD, BOLD, DIM, DOUBT, GOOD, PLAIN, paint};
@@ -19,6 +20,7 @@ use mechaudit::report::words::numbers::short;
 use rayon::prelude::*;
 use rug::Rational;
 use serde_json::json;
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::io::Read;
 use std::path::Path;
@@ -42,8 +44,16 @@ pub enum TableError {
         name: String,
         known: Vec<String>,
     },
-    #[error("{name} is in [{due}], not in [{unit}]: convert the column")]
+    #[error("{name} is in [{due}], and [{unit}] is no unit of the same")]
     Unit {
+        name: String,
+        due: &'static str,
+        unit: String,
+    },
+    #[error(
+        "{name} is in [{due}]: a number in [{unit}] is no rational number of them, and inputs are taken exactly; convert the column"
+    )]
+    Degrees {
         name: String,
         due: &'static str,
         unit: String,
@@ -94,7 +104,14 @@ struct Entry {
     value: usize,
     column: usize,
     text: String,
-    number: Decimal,
+    printed: Printed,
+}
+
+/// A column of the table, and its unit if that is not the method's.
+struct Heading {
+    name: String,
+    column: Column,
+    unit: Option<PrintedUnit>,
 }
 
 /// An entry with its verdict.
@@ -112,7 +129,10 @@ const LIMIT: Limit = Limit::LastDigit(0.5);
 /// printed, and its outputs.
 pub fn judge(method: &dyn Method, path: &Path, args: &JudgeArgs) -> Result<Outcome, Failure> {
     let output = Output::open(args.output.as_deref())?;
-    let file = std::fs::File::open(path).map_err(|e| Failure::in_file(path, e))?;
+    let file: Box<dyn Read> = match path == Path::new("-") {
+        true => Box::new(std::io::stdin().lock()),
+        false => Box::new(std::fs::File::open(path).map_err(|e| Failure::in_file(path, e))?),
+    };
     let (header, mut rows) = read(method, file).map_err(|e| Failure::in_file(path, e))?;
     if let Some(line) = args.line {
         rows.retain(|r| r.line == line);
@@ -157,9 +177,13 @@ pub fn judge(method: &dyn Method, path: &Path, args: &JudgeArgs) -> Result<Outco
             let (word, style) = if good { ("pass", GOOD) } else { ("FAIL", BAD) };
             let (all, name) = (judged.len(), paint(BOLD, method.name()));
             let word = paint(style, word);
+            let counted = match all - agreeing {
+                0 => format!("{agreeing} of {all} entries agree"),
+                n => format!("{n} of {all} entries do not agree"),
+            };
             writeln!(
                 out,
-                "{name}  {word}  {agreeing} of {all} entries agree within half a unit of their last digit"
+                "{name}  {word}  {counted} within half a unit of their last digit"
             )?;
             let (near, far) = (count(Agreement::LastDigit), count(Agreement::Differs));
             let (open, none) = (count(Agreement::Undecided), count(Agreement::NoValue));
@@ -193,7 +217,7 @@ pub fn judge(method: &dyn Method, path: &Path, args: &JudgeArgs) -> Result<Outco
 /// A row judged: as a case of the report, and entry by entry.
 fn judged(variant: &Variant, row: Row, settings: &Settings) -> (CaseReport, Vec<Judged>) {
     let entries = row.entries.iter();
-    let due: Vec<(usize, &Decimal)> = entries.map(|e| (e.value, &e.number)).collect();
+    let due: Vec<(usize, &Printed)> = entries.map(|e| (e.value, &e.printed)).collect();
     let found = judge_printed(variant, &row.input, &due, settings);
     let outputs = variant.outputs();
     let component = |(entry, found): (&Entry, &EntryJudgement)| {
@@ -215,15 +239,20 @@ fn judged(variant: &Variant, row: Row, settings: &Settings) -> (CaseReport, Vec<
     };
     let components: Vec<ComponentJudgement> =
         (row.entries.iter().zip(&found)).map(component).collect();
-    let worst = components.iter().max_by_key(|c| c.verdict);
-    let verdict = worst.map_or(Verdict::Pass, |c| c.verdict);
-    let reason = worst
-        .filter(|_| verdict != Verdict::Pass)
-        .map(|c| match verdict {
-            Verdict::Over => format!("{} is not rounded from the value", c.output),
-            Verdict::Undecided => format!("{} cannot be decided", c.output),
-            _ => format!("{} has no such value", c.output),
-        });
+    let worst = (0..components.len()).max_by_key(|&k| (components[k].verdict, Reverse(k)));
+    let verdict = worst.map_or(Verdict::Pass, |k| components[k].verdict);
+    let reason = worst.filter(|_| verdict != Verdict::Pass).map(|k| {
+        let (printed, expected) = (&row.entries[k].text, expected(&found[k]));
+        let open = match verdict {
+            Verdict::Undecided => ": the reference cannot decide it",
+            _ => "",
+        };
+        format!(
+            "{} is {printed}, expected {expected}{open}",
+            components[k].output
+        )
+    });
+    let worst = worst.map(|k| &components[k]);
     let case = CaseReport {
         case: Case {
             method: variant.name(),
@@ -232,9 +261,7 @@ fn judged(variant: &Variant, row: Row, settings: &Settings) -> (CaseReport, Vec<
             origin: Origin::Line { number: row.line },
         },
         answer: Some(SolverAnswer::Values(
-            (row.entries.iter())
-                .map(|e| nearest_f64(&e.number.value))
-                .collect(),
+            (row.entries.iter()).map(|e| e.printed.nearest()).collect(),
         )),
         judgement: Judgement {
             verdict,
@@ -263,6 +290,12 @@ fn judged(variant: &Variant, row: Row, settings: &Settings) -> (CaseReport, Vec<
     (case, judged.collect())
 }
 
+/// The reference beside an entry, or why there is none.
+fn expected(found: &EntryJudgement) -> String {
+    let reason = || found.reason.clone().unwrap_or_else(|| "a value".into());
+    found.reference.clone().unwrap_or_else(reason)
+}
+
 /// The entries that do not agree.
 fn table(header: &[String], judged: &[Judged]) -> String {
     let mut table = Table::new(
@@ -275,8 +308,7 @@ fn table(header: &[String], judged: &[Judged]) -> String {
             Agreement::LastDigit | Agreement::Undecided => DOUBT,
             _ => BAD,
         };
-        let reason = j.found.reason.clone().unwrap_or_default();
-        let reference = j.found.reference.clone().unwrap_or(reason);
+        let reference = expected(&j.found);
         let units = match j.found.units {
             u if u.is_nan() => "–".into(),
             u => short(u),
@@ -307,28 +339,27 @@ pub fn read(method: &dyn Method, input: impl Read) -> Result<(Vec<String>, Vec<R
     if header.len() > FIELDS {
         return Err(TableError::TooManyColumns);
     }
-    let mut names = Vec::new();
-    let mut columns = Vec::new();
+    let mut headings: Vec<Heading> = Vec::new();
     for text in header {
-        let (name, column) = column(method, &layout, text)?;
-        if names.contains(&name) {
-            return Err(TableError::SameColumn(name));
+        let heading = heading(method, &layout, text)?;
+        if headings.iter().any(|h| h.column == heading.column) {
+            return Err(TableError::SameColumn(heading.name));
         }
-        names.push(name);
-        columns.push(column);
+        headings.push(heading);
     }
+    let columns: Vec<Column> = headings.iter().map(|h| h.column).collect();
     complete(method, &layout, &columns)?;
     let mut rows = Vec::new();
     for record in reader.records() {
         let record = record?;
         let line = record.position().map_or(0, |at| csv_line(&text, at));
-        let row = row(&layout, &columns, &record, line);
+        let row = row(&layout, &headings, &record, line);
         rows.push(row.map_err(|source| TableError::Line { line, source })?);
     }
     if rows.iter().all(|r| r.entries.is_empty()) {
         return Err(TableError::Empty);
     }
-    Ok((names, rows))
+    Ok((headings.into_iter().map(|h| h.name).collect(), rows))
 }
 
 /// What the reader says, without its own preface.
@@ -343,31 +374,66 @@ fn reason(e: &csv::Error) -> String {
     }
 }
 
-/// A column by its name, which a unit in brackets may follow.
-fn column(
-    method: &dyn Method,
-    layout: &Layout,
-    text: &str,
-) -> Result<(String, Column), TableError> {
+/// Whether a part of the input is an imaginary part, which is zero in a table that has no column
+/// for it.
+fn is_imaginary(layout: &Layout, part: usize) -> bool {
+    layout.is_single(part) && layout.input_column(part, 0).starts_with("Im ")
+}
+
+/// A column by its name, which a unit in brackets may follow. Where there are real and imaginary
+/// parts, a name without either means the real part, and so does `x`.
+fn heading(method: &dyn Method, layout: &Layout, text: &str) -> Result<Heading, TableError> {
     let (name, unit) = match text.strip_suffix(']').and_then(|t| t.split_once(" [")) {
         Some((name, unit)) => (name.trim_end(), Some(unit)),
         None => (text, None),
     };
-    let Some(column) = layout.column(name) else {
+    let real = || match name {
+        "x" => layout.column("Re z"),
+        name => layout.column(&format!("Re {name}")),
+    };
+    let Some(column) = layout.column(name).or_else(real) else {
         return Err(TableError::NoColumn {
             method: method.name(),
             name: name.into(),
             known: layout.columns(),
         });
     };
-    match (unit, layout.unit(column)) {
-        (Some(unit), due) if unit != due => Err(TableError::Unit {
-            name: name.into(),
-            due,
-            unit: unit.into(),
-        }),
-        _ => Ok((name.into(), column)),
-    }
+    let due = layout.unit(column);
+    let unit = match unit.filter(|unit| *unit != due) {
+        None => None,
+        Some(unit) => {
+            let factor = factor(due, unit).ok_or_else(|| TableError::Unit {
+                name: name.into(),
+                due,
+                unit: unit.into(),
+            })?;
+            if factor.degrees != 0 && matches!(column, Column::Input { .. }) {
+                return Err(TableError::Degrees {
+                    name: name.into(),
+                    due,
+                    unit: unit.into(),
+                });
+            }
+            Some(factor)
+        }
+    };
+    Ok(Heading {
+        name: name.into(),
+        column,
+        unit,
+    })
+}
+
+/// The factor from a unit to another of the same dimension.
+fn factor(from: &str, to: &str) -> Option<PrintedUnit> {
+    let [from, to] = [from, to].map(|text| quantity::unit(text).ok());
+    let (from, to) = (from?, to?);
+    let is_same = from.dimension == to.dimension;
+    let degrees = from.dimension[3] * (i32::from(to.degrees) - i32::from(from.degrees));
+    is_same.then(|| PrintedUnit {
+        by: from.scale / to.scale,
+        degrees,
+    })
 }
 
 /// Whether every input has its column, and there is something to judge.
@@ -388,6 +454,9 @@ fn complete(method: &dyn Method, layout: &Layout, columns: &[Column]) -> Result<
             (true, _) => 1,
             (false, last) => last.map_or(0, |k| k + 1),
         };
+        if is_imaginary(layout, part) {
+            continue;
+        }
         if let Some(k) = (0..due).find(|k| !there(*k)) {
             let column = layout.input_column(part, k);
             return Err(TableError::NoInput { method, column });
@@ -399,19 +468,19 @@ fn complete(method: &dyn Method, layout: &Layout, columns: &[Column]) -> Result<
 /// The input and the entries of a line.
 fn row(
     layout: &Layout,
-    columns: &[Column],
+    headings: &[Heading],
     record: &csv::StringRecord,
     line: u64,
 ) -> Result<Row, RowError> {
-    if record.len() != columns.len() {
+    if record.len() != headings.len() {
         return Err(RowError::Fields {
             found: record.len(),
-            due: columns.len(),
+            due: headings.len(),
         });
     }
     let mut parts: Vec<BTreeMap<usize, Rational>> = vec![BTreeMap::new(); layout.parts()];
     let mut entries = Vec::new();
-    for (k, (text, column)) in record.iter().zip(columns).enumerate() {
+    for (k, (text, heading)) in record.iter().zip(headings).enumerate() {
         // Nothing was printed here, or a vector is shorter than in other lines.
         if text.is_empty() {
             continue;
@@ -419,17 +488,24 @@ fn row(
         if text.len() > FIELD {
             return Err(RowError::LongField);
         }
-        let number = Decimal::parse(text)?;
-        match *column {
+        match heading.column {
             Column::Input { part, index } => {
-                parts[part].insert(index, number.value);
+                let number = Decimal::parse(text)?.value;
+                let scaled = heading.unit.iter().fold(number, |x, unit| x / &unit.by);
+                parts[part].insert(index, scaled);
             }
             Column::Value(value) => entries.push(Entry {
                 value,
                 column: k,
                 text: text.into(),
-                number,
+                printed: Printed::parse(text)?.in_unit(heading.unit.clone()),
             }),
+        }
+    }
+    let has = |column: Column| headings.iter().any(|h| h.column == column);
+    for (part, found) in parts.iter_mut().enumerate() {
+        if is_imaginary(layout, part) && !has(Column::Input { part, index: 0 }) {
+            found.insert(0, Rational::new());
         }
     }
     for (part, found) in parts.iter().enumerate() {

@@ -8,6 +8,7 @@ use crate::cli::files::output::Output;
 use crate::cli::progress::Progress;
 use mechaudit::machine::crank_angles::{Grid, decimal};
 use mechaudit::machine::dyad::{self, ASSEMBLIES, Dyad, Proved, number};
+use mechaudit::machine::planar::{Columns, Further};
 use mechaudit::reference::nearest_f64;
 use mechaudit::report::cell::Cell;
 use mechaudit::report::rows::Rows;
@@ -17,12 +18,7 @@ use mechaudit::solvers::dyad::Assembly;
 /// Computes the linkage as the arguments ask for.
 pub fn linkage(args: &LinkageArgs, dyad: &Dyad) -> Result<Outcome, Failure> {
     let kind = dyad.shape.type_name();
-    if dyad.shape.has_bodies() {
-        return Err(Failure::new(format!(
-            "{}: [bodies] is not possible with type = {kind:?} here: rows with masses are for class-iii only; runup takes them",
-            args.file.display()
-        )));
-    }
+    let further = further(args, dyad).map_err(|f| f.about(args.file.display()))?;
     let assemblies = match (args.all_branches, args.branch) {
         (true, _) => ASSEMBLIES.to_vec(),
         (false, None) => vec![dyad.assembly],
@@ -36,27 +32,33 @@ pub fn linkage(args: &LinkageArgs, dyad: &Dyad) -> Result<Outcome, Failure> {
         },
     };
     let grid = args.grid(dyad.start.clone())?;
-    let columns = args.columns(dyad::names(dyad), args.digits.is_some())?;
+    let mut names = dyad::names(dyad);
+    names.extend(further.iter().flat_map(Further::names));
+    let columns = args.columns(names, args.digits.is_some())?;
     let output = Output::open(args.output.as_deref())?;
     if let (Some(folder), [assembly]) = (&args.svg, &assemblies[..]) {
         let drawing = Output::within(folder, "mechanism.svg")?;
         drawing.text(drawn::dyad(dyad, *assembly))?;
     }
     if let (Some(cad), [assembly]) = (shown::Cad::open(args)?, &assemblies[..]) {
-        let motion = shown::dyad(args, dyad, *assembly, None);
+        let motion = shown::dyad(args, dyad, *assembly, None, None);
         cad.draw(motion.map_err(|f| f.about(args.file.display()))?)?;
     }
-    let lines = facts::lines(dyad, &assemblies);
+    let meetings = dyad::meetings(dyad, &grid);
+    let mut lines = facts::lines(dyad, &assemblies);
+    lines.extend(facts::meeting_lines(&meetings));
     let mut count = 0;
     let outcome = output.write(|out| {
-        let Some(form) = shown::form(args.format) else {
+        let Some(form) = args.format.rows() else {
             count = 1;
-            let motion = shown::dyad(args, dyad, assemblies[0], Some((&grid, &columns)))?;
+            let shown = Some((&grid, &columns));
+            let motion = shown::dyad(args, dyad, assemblies[0], shown, further.as_ref())?;
             return shown::page(out, &motion, &lines);
         };
-        let about = facts::json(dyad, &assemblies);
+        let about = facts::json(dyad, &assemblies, &meetings);
         let mut rows = Rows::begin(out, form, columns, &about)?;
-        let outcome = all_rows(args, dyad, &assemblies, &grid, &mut rows, &mut count);
+        let asked = (dyad, further.as_ref());
+        let outcome = all_rows(args, asked, &assemblies, &grid, &mut rows, &mut count);
         let outcome = outcome.map_err(|f| f.about(args.file.display()))?;
         rows.end()?;
         Ok(outcome)
@@ -68,9 +70,41 @@ pub fn linkage(args: &LinkageArgs, dyad: &Dyad) -> Result<Outcome, Failure> {
     Ok(outcome)
 }
 
+/// The columns beyond those of the linkage itself.
+fn further(args: &LinkageArgs, dyad: &Dyad) -> Result<Option<Further>, Failure> {
+    let columns = Columns {
+        paths: args.paths,
+        reactions: args.reactions,
+    };
+    if args.digits.is_some() {
+        if let Some((_, name)) = [(args.paths, "--paths"), (args.reactions, "--reactions")]
+            .iter()
+            .find(|asked| asked.0)
+        {
+            let kind = dyad.shape.type_name();
+            let text =
+                format!("{name} has no certified digits with type = {kind:?}: leave out --digits");
+            return Err(Failure::new(text));
+        }
+        if dyad.shape.has_bodies() {
+            complain("the reduced masses have no certified digits and are left out");
+        }
+        return Ok(None);
+    }
+    Further::of(dyad, columns).map_err(Failure::caused)
+}
+
+/// A value that does not exist is NaN.
+fn number_or_none(x: f64) -> Cell {
+    match x.is_nan() {
+        true => Cell::Empty,
+        false => Cell::Float(x),
+    }
+}
+
 fn all_rows(
     args: &LinkageArgs,
-    dyad: &Dyad,
+    (dyad, further): (&Dyad, Option<&Further>),
     assemblies: &[Assembly],
     grid: &Grid,
     rows: &mut Rows,
@@ -87,12 +121,22 @@ fn all_rows(
                     let row = row.map_err(Failure::caused)?;
                     (
                         Cell::Float(nearest_f64(&degrees)),
-                        row.map(|v| v.map(Cell::Float)),
+                        row.map(|row| {
+                            let at = nearest_f64(&degrees);
+                            let more = further.map(|f| f.values(at, &row));
+                            let all = row.into_iter().chain(more.unwrap_or_default());
+                            all.map(number_or_none).collect::<Vec<_>>()
+                        }),
                     )
                 }
                 Some(digits) => {
                     let row = match dyad::certified(dyad, &degrees, assembly, digits) {
-                        Proved::Values(digits) => Some(digits.map(Cell::certified)),
+                        Proved::Values(digits) => Some(digits.map(Cell::certified).to_vec()),
+                        Proved::Singular(digits) => Some(
+                            digits
+                                .map(|d| d.map_or(Cell::Empty, Cell::Decimal))
+                                .to_vec(),
+                        ),
                         Proved::Unreachable => None,
                     };
                     (Cell::Decimal(decimal(&degrees)), row)

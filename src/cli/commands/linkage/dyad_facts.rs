@@ -1,6 +1,7 @@
 //! Type, range and dead positions of a four-bar linkage or slider-crank, in words and as JSON.
 
-use mechaudit::machine::dyad::{Dyad, Shape, Turn, dead, number, swing, turn};
+use mechaudit::machine::dyad::{Dyad, Meeting, Shape, Turn, dead, number, swing, turn};
+use mechaudit::reference::nearest_f64;
 use mechaudit::solvers::dyad::{Assembly, FourBar, GrashofType};
 use serde_json::{Map, Value, json};
 
@@ -23,7 +24,7 @@ fn word(assembly: Assembly) -> &'static str {
 }
 
 /// What a JSON file begins with.
-pub fn json(dyad: &Dyad, assemblies: &[Assembly]) -> Map<String, Value> {
+pub fn json(dyad: &Dyad, assemblies: &[Assembly], meetings: &[Meeting]) -> Map<String, Value> {
     let mut map = Map::new();
     let mut put = |key: &str, value: Value| map.insert(key.into(), value);
     put("schema_version", json!(1));
@@ -48,6 +49,10 @@ pub fn json(dyad: &Dyad, assemblies: &[Assembly]) -> Map<String, Value> {
     let part = |[from, to]: &[f64; 2]| json!({ "from_deg": from, "to_deg": to });
     let ranges: Option<Vec<Value>> = parts.map(|p| p.iter().map(part).collect());
     put("crank_ranges", json!(ranges));
+    let singular = meetings
+        .iter()
+        .map(|m| json!({ "phi1_deg": nearest_f64(&m.degrees), "kind": meeting_word(m) }));
+    put("singular_rows", Value::Array(singular.collect()));
     let branches: Vec<Value> = assemblies.iter().map(|a| branch_json(dyad, *a)).collect();
     put("branches", json!(branches));
     map
@@ -71,6 +76,25 @@ fn branch_json(dyad: &Dyad, assembly: Assembly) -> Value {
         value["swing_deg"] = json!(swing(solver, assembly));
     }
     value
+}
+
+fn meeting_word(meeting: &Meeting) -> &'static str {
+    match meeting.passes {
+        true => "change point",
+        false => "end of the range",
+    }
+}
+
+/// A line about each crank angle, within one turn, at which both branches have one position.
+pub fn meeting_lines(meetings: &[Meeting]) -> Vec<String> {
+    let of = |m: &Meeting| {
+        format!(
+            "at phi1 = {} deg both branches meet ({}): the row gives the position, and derivatives do not exist there",
+            nearest_f64(&m.degrees),
+            meeting_word(m)
+        )
+    };
+    meetings.iter().map(of).collect()
 }
 
 /// Lines for stderr.

@@ -36,6 +36,13 @@ pub fn dead_line(branch: &Branch) -> Option<String> {
     (!all.is_empty()).then(|| format!("{line} {}", all.join(", ")))
 }
 
+/// One line about crank angles in degrees that have no row because they lie at an end of the branch.
+pub fn left_out_line(left_out: &[f64]) -> Option<String> {
+    let all: Vec<String> = left_out.iter().map(|d| format!("{d} deg")).collect();
+    let line = "no row where the position is singular and assembly modes merge: at";
+    (!all.is_empty()).then(|| format!("{line} {}", all.join(", ")))
+}
+
 pub fn fold_json(fold: &Fold) -> Value {
     json!({
         "phi1_deg": fold.phi1.to_degrees(),

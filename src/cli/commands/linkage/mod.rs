@@ -8,7 +8,7 @@ mod planar;
 mod planar_facts;
 mod shown;
 
-use crate::cli::args::{LinkageArgs, LinkageFormat};
+use crate::cli::args::{LinkageArgs, RowsFormat};
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
@@ -26,6 +26,7 @@ use mechaudit::solvers::class_iii::{BranchMap, State};
 use mechaudit::solvers::units::Angle;
 use rug::Rational;
 use serde_json::{Value, json};
+use std::f64::consts::TAU;
 
 /// Rows at most.
 const MOST_ROWS: u64 = 10_000_000;
@@ -39,23 +40,20 @@ pub fn linkage(args: &LinkageArgs) -> Result<Outcome, Failure> {
     let linkage = machine::Linkage::read(&source).map_err(|e| Failure::in_file(&args.file, e))?;
     match linkage {
         machine::Linkage::ClassIii(linkage) => {
-            args.only_planar()?;
+            args.not_of_class_iii()?;
             of_class_iii(args, &linkage)
         }
-        machine::Linkage::Dyad(linkage) => {
-            args.only_planar()?;
-            dyad::linkage(args, &linkage)
-        }
+        machine::Linkage::Dyad(linkage) => dyad::linkage(args, &linkage),
         machine::Linkage::Planar(machine) => planar::linkage(args, &machine),
     }
 }
 
 impl LinkageArgs {
-    /// Refuses what is there for type = "planar" alone.
-    fn only_planar(&self) -> Result<(), Failure> {
+    /// Refuses what is there for the other types.
+    fn not_of_class_iii(&self) -> Result<(), Failure> {
         for (given, name) in [(self.paths, "--paths"), (self.reactions, "--reactions")] {
             if given {
-                let text = format!("{name} is for files with type = \"planar\"");
+                let text = format!("{name} is not for files with type = \"class-iii\"");
                 return Err(Failure::new(text).about(self.file.display()));
             }
         }
@@ -64,7 +62,7 @@ impl LinkageArgs {
 
     /// Refuses what does not go together.
     fn consistent(&self) -> Result<(), Failure> {
-        let page = self.format == LinkageFormat::Html;
+        let page = self.format == RowsFormat::Html;
         let shown = [
             (self.svg.is_some(), "--svg draws"),
             (self.dxf.is_some(), "--dxf draws"),
@@ -149,23 +147,42 @@ fn of_class_iii(args: &LinkageArgs, linkage: &Linkage) -> Result<Outcome, Failur
     let plan = plan(&grid, &branch);
     let mut lines = vec![facts::range_line(&branch)];
     lines.extend(facts::dead_line(&branch));
+    let left_out = left_out(&grid, &branch);
+    lines.extend(facts::left_out_line(&left_out));
     let reached = plan.count();
     let outcome = output.write(|out| {
-        let Some(form) = shown::form(args.format) else {
+        let Some(form) = args.format.rows() else {
             let motion = shown::class_iii(args, linkage, &branch, Some((&plan, &columns)))?;
             return shown::page(out, &motion, &lines);
         };
-        let facts = facts::of_branch(linkage, &branch);
+        let mut facts = facts::of_branch(linkage, &branch);
+        facts.insert("rows_left_out_phi1_deg".into(), json!(left_out));
         let mut rows = Rows::begin(out, form, columns, &facts)?;
         let outcome = one_branch(linkage, &branch, plan, args.digits, &mut rows)?;
         rows.end()?;
         Ok(outcome)
     })?;
     lines.iter().for_each(|l| complain(l));
-    if reached == 0 {
+    if reached == 0 && left_out.is_empty() {
         complain("no crank angle of the window asked for lies in that range");
     }
     Ok(outcome)
+}
+
+/// Crank angles in degrees that are asked for and lie at an end of the branch, where no row is.
+fn left_out(grid: &Grid, branch: &Branch) -> Vec<f64> {
+    let class_iii::Reach::Part { low, high } = branch.reach else {
+        return Vec::new();
+    };
+    // Rows end a millionth of a radian before the last position found.
+    const NEAR: f64 = 3e-6;
+    let at_end = |degrees: &f64| {
+        let angle = degrees.to_radians();
+        let off = |end: f64| (angle - end - ((angle - end) / TAU).round() * TAU).abs();
+        off(low.phi1).min(off(high.phi1)) <= NEAR && shown::on_branch(angle, branch).is_none()
+    };
+    let asked = (0..grid.count as i64).map(|k| nearest_f64(&grid.angle(k)));
+    asked.filter(at_end).collect()
 }
 
 fn undecided_in(cells: &[Cell]) -> usize {

@@ -7,7 +7,9 @@ use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
 use crate::cli::progress::Progress;
 use mechaudit::machine::crank_angles::decimal;
-use mechaudit::machine::planar::{self, Branch, Certifier, Columns, Machine, NotExact};
+use mechaudit::machine::planar::{
+    self, Branch, Certifier, Columns, End, MARGIN, Machine, NotExact, Reach,
+};
 use mechaudit::reference::nearest_f64;
 use mechaudit::report::cell::Cell;
 use mechaudit::report::columns::Columns as Shown;
@@ -15,9 +17,11 @@ use mechaudit::report::rows::Rows;
 use mechaudit::report::svg::linkage as drawn;
 use mechaudit::solvers::planar::{BranchMap, Loads, State};
 use rug::Rational;
+use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::f64::consts::TAU;
 
-/// The values of the drive: as shown (degrees or metres) and in radians or metres; angles in degrees exactly.
+/// The values of the drive: as shown (degrees or metres) and in radians or metres; as shown, exactly.
 struct Values(Vec<(f64, f64)>, Vec<Rational>);
 
 impl Values {
@@ -34,8 +38,15 @@ impl Values {
                 "the drive is a displacement: drive.range and drive.step of the file say which rows there are, not --from-deg and --to-deg",
             ));
         }
-        let all = displacements(window).map(|s| (s, s));
-        Ok(Values(all.collect(), Vec::new()))
+        let all: Vec<(f64, f64)> = displacements(window).map(|s| (s, s)).collect();
+        let exact = match &machine.exact_window {
+            Some([from, _, step]) => {
+                let at = |k: usize| Rational::from(step * Rational::from(k)) + from;
+                (0..all.len()).map(at).collect()
+            }
+            None => Vec::new(),
+        };
+        Ok(Values(all, exact))
     }
 }
 
@@ -73,6 +84,7 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
     let asked = Asked {
         columns,
         certifier: certifier.as_ref(),
+        reasons: Reasons::default(),
     };
     if args.all_branches {
         let outcome = all_branches(args, machine, &values, &asked, shown);
@@ -92,8 +104,14 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
     let mut lines = facts::lines(machine);
     lines.push(facts::modes_line(machine, &branch));
     lines.push(facts::range_line(machine, &branch));
+    // With certified digits the end of a branch has a row.
+    let drives = values.0.iter().filter(|_| asked.certifier.is_none());
+    let left_out =
+        drives.filter_map(|(shown, drive)| Some((*shown, branch.end_at(machine, *drive)?)));
+    let left_out: Vec<(f64, End)> = left_out.collect();
+    lines.extend(facts::left_out_line(machine, &left_out));
     let (any, undecided) = output.write(|out| {
-        let Some(form) = shown::form(args.format) else {
+        let Some(form) = args.format.rows() else {
             let window = shown::Window {
                 drives: &values.0,
                 named: &shown,
@@ -103,14 +121,15 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
             shown::page(out, &motion, &lines)?;
             return Ok((true, 0));
         };
-        let about = facts::of_branch(machine, &branch);
+        let about = facts::of_branch(machine, &branch, &left_out);
         let mut rows = Rows::begin(out, form, shown, &about)?;
         let written = one_branch(machine, &branch, &values, &asked, &mut rows)?;
         rows.end()?;
         Ok(written)
     })?;
     lines.iter().for_each(|l| complain(l));
-    if !any {
+    asked.reasons.say();
+    if !any && left_out.is_empty() {
         complain("no value of the drive asked for lies in that range");
     }
     Ok(Outcome::decided(undecided, args.digits.unwrap_or(0)))
@@ -130,9 +149,68 @@ fn start(args: &LinkageArgs, machine: &Machine, first: f64) -> f64 {
 struct Asked<'a> {
     columns: Columns,
     certifier: Option<&'a Certifier<'a>>,
+    reasons: Reasons,
+}
+
+/// Why digits of rows are missing.
+#[derive(Default)]
+struct Reasons(RefCell<Vec<String>>);
+
+impl Reasons {
+    fn of_row(&self, machine: &Machine, value: &Rational, reason: Option<String>) {
+        let unit = if machine.rotary() { "deg" } else { "m" };
+        let line = |reason| format!("undecided at {} {unit}: {reason}", decimal(value));
+        self.0.borrow_mut().extend(reason.map(line));
+    }
+
+    /// Says the first of them, and how many more there are.
+    fn say(&self) {
+        const MOST: usize = 10;
+        let all = self.0.borrow();
+        all.iter().take(MOST).for_each(|line| complain(line));
+        if all.len() > MOST {
+            complain(&format!("undecided in {} more rows", all.len() - MOST));
+        }
+    }
 }
 
 impl Asked<'_> {
+    /// The certified row of the singular position at the value of that number, if the branch ends
+    /// there.
+    fn at_the_end(
+        &self,
+        machine: &Machine,
+        values: &Values,
+        number: usize,
+        branch: &Branch,
+    ) -> Option<Vec<Cell>> {
+        let certifier = self.certifier?;
+        let Reach::Part { low, high } = branch.reach else {
+            return None;
+        };
+        let (drive, solver) = (values.0[number].1, &machine.solver);
+        let here = solver.drive_of(&branch.start);
+        for end in [low, high].into_iter().flatten() {
+            let off = match machine.rotary() {
+                true => (drive - end.drive) - TAU * ((drive - end.drive) / TAU).round(),
+                false => drive - end.drive,
+            };
+            if off.abs() > MARGIN {
+                continue;
+            }
+            let beyond = (machine.inner(end.drive) - here).signum() * 2.0 * MARGIN;
+            let (last, _) = solver.follow_as_far(&branch.start, machine.inner(end.drive) + beyond);
+            let at = solver.singularity(&last)?;
+            let value = &values.1[number];
+            let row = certifier.singular_row(value, &at.angles, &last, self.columns.paths);
+            self.reasons.of_row(machine, value, row.reason);
+            let mut cells = vec![Cell::Decimal(decimal(value)), Cell::Count(branch.mode)];
+            cells.extend(row.digits.into_iter().map(Cell::certified));
+            return Some(cells);
+        }
+        None
+    }
+
     /// The row of a position at the value of that number.
     fn row(
         &self,
@@ -150,10 +228,11 @@ impl Asked<'_> {
                 cells
             }
             Some(certifier) => {
-                let degrees = &values.1[number];
-                let mut cells = vec![Cell::Decimal(decimal(degrees)), Cell::Count(branch)];
-                let row = certifier.values(degrees, state, self.columns.paths);
-                cells.extend(row.into_iter().map(Cell::certified));
+                let value = &values.1[number];
+                let mut cells = vec![Cell::Decimal(decimal(value)), Cell::Count(branch)];
+                let row = certifier.row(value, state, self.columns.paths);
+                self.reasons.of_row(machine, value, row.reason);
+                cells.extend(row.digits.into_iter().map(Cell::certified));
                 cells
             }
         }
@@ -173,6 +252,11 @@ fn one_branch(
     let (mut any, mut undecided) = (false, 0);
     for (done, &(_, drive)) in values.0.iter().enumerate() {
         let Some(at) = branch.turned_to(machine, drive) else {
+            if let Some(cells) = asked.at_the_end(machine, values, done, branch) {
+                undecided += undecided_in(&cells);
+                rows.row(&cells)?;
+                any = true;
+            }
             continue;
         };
         let next = machine.solver.follow(&here, machine.inner(at));
@@ -233,6 +317,7 @@ fn all_branches(
     facts::map_lines(machine, &map)
         .iter()
         .for_each(|l| complain(l));
+    asked.reasons.say();
     if let Some(certifier) = asked.certifier {
         undecided += prove_counts(certifier, values, &map);
     }
@@ -241,6 +326,12 @@ fn all_branches(
 
 /// Proves at every value of the drive how many modes there are; at how many that is open or another number.
 fn prove_counts(certifier: &Certifier, values: &Values, map: &BranchMap) -> usize {
+    if !certifier.counts_modes() {
+        complain(
+            "undecided whether these are all assembly modes: slides and slots have displacements without a bound",
+        );
+        return 1;
+    }
     let progress = Progress::new();
     let mut open = 0;
     for (number, (degrees, samples)) in values.1.iter().zip(&map.rows).enumerate() {

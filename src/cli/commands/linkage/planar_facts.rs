@@ -71,14 +71,13 @@ fn drawing(machine: &Machine) -> Value {
 /// One line about the modes at the start.
 pub fn modes_line(machine: &Machine, branch: &Branch) -> String {
     let at = machine.drive_text(machine.outer(machine.solver.drive_of(&branch.start)));
-    let all = if branch.complete {
-        "all"
-    } else {
-        "perhaps not all"
-    };
     let plural = if branch.modes == 1 { "" } else { "s" };
+    let (found, all) = match branch.complete {
+        true => ("", ", all that there are"),
+        false => (" found", "; there may be more"),
+    };
     format!(
-        "{} assembly mode{plural} at {at}, {all} that there are; this is number {}",
+        "{} assembly mode{plural}{found} at {at}{all}; this is number {}",
         branch.modes, branch.mode
     )
 }
@@ -110,6 +109,19 @@ pub fn range_line(machine: &Machine, branch: &Branch) -> String {
             )
         }
     }
+}
+
+/// One line about values of the drive without a row, as shown and with the end that each lies at.
+pub fn left_out_line(machine: &Machine, left_out: &[(f64, End)]) -> Option<String> {
+    const MOST: usize = 8;
+    let unit = if machine.rotary() { "deg" } else { "m" };
+    let of = |(drive, end): &(f64, End)| format!("{drive} {unit} ({})", singular_word(end.kind));
+    let mut all: Vec<String> = left_out.iter().take(MOST).map(of).collect();
+    if left_out.len() > MOST {
+        all.push(format!("{} more", left_out.len() - MOST));
+    }
+    let line = "no row where the position is singular and branches meet: at";
+    (!all.is_empty()).then(|| format!("{line} {}", all.join(", ")))
 }
 
 /// What a JSON file begins with.
@@ -157,7 +169,11 @@ fn shown(machine: &Machine, drive: f64) -> f64 {
 }
 
 /// What is known of a branch.
-pub fn of_branch(machine: &Machine, branch: &Branch) -> Map<String, Value> {
+pub fn of_branch(
+    machine: &Machine,
+    branch: &Branch,
+    left_out: &[(f64, End)],
+) -> Map<String, Value> {
     let mut map = head(machine);
     let unit = if machine.rotary() { "deg" } else { "m" };
     map.insert("branch".into(), json!(branch.mode));
@@ -172,6 +188,10 @@ pub fn of_branch(machine: &Machine, branch: &Branch) -> Map<String, Value> {
     let end = |e: End| json!({ format!("drive_{unit}"): shown(machine, e.drive), "kind": singular_word(e.kind) });
     let ends = ends.map(|[low, high]| json!({ "from": low.map(end), "to": high.map(end) }));
     map.insert("drive_range".into(), json!(ends));
+    let left_out = left_out
+        .iter()
+        .map(|(drive, e)| json!({ format!("drive_{unit}"): drive, "kind": singular_word(e.kind) }));
+    map.insert("rows_left_out".into(), Value::Array(left_out.collect()));
     map
 }
 
@@ -201,12 +221,12 @@ pub fn of_map(machine: &Machine, branches: &BranchMap) -> Map<String, Value> {
 /// Lines about all branches.
 pub fn map_lines(machine: &Machine, map: &BranchMap) -> Vec<String> {
     let counts = || map.rows.iter().map(Vec::len);
-    let all = match map.complete {
-        true => "all that there are",
-        false => "perhaps not all",
+    let (found, all) = match map.complete {
+        true => ("", ", all that there are"),
+        false => (" found", "; there may be more"),
     };
     let mut lines = vec![format!(
-        "{} branches, from {} to {} assembly modes at a value of the drive, {all}",
+        "{} branches{found}, from {} to {} assembly modes at a value of the drive{all}",
         map.branches,
         counts().min().unwrap_or(0),
         counts().max().unwrap_or(0)

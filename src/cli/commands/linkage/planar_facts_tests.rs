@@ -54,7 +54,7 @@ fn a_four_bar_has_a_driver_and_a_dyad() {
     let machine = machine(&rocking());
     let groups = "one degree of freedom; groups in the order of solving: crank (driver); coupler, rocker (dyad, order 2)";
     assert_eq!(lines(&machine), [groups]);
-    let found = of_branch(&machine, &branch(&machine));
+    let found = of_branch(&machine, &branch(&machine), &[]);
     let due = json!({
         "schema_version": 1,
         "mechaudit_version": env!("CARGO_PKG_VERSION"),
@@ -84,6 +84,7 @@ fn a_four_bar_has_a_driver_and_a_dyad() {
         "full_rotation": true,
         "turns_to_close": 1,
         "drive_range": null,
+        "rows_left_out": [],
     });
     assert_eq!(Value::Object(found), due);
 }
@@ -141,7 +142,10 @@ fn how_far_a_branch_reaches() {
             reach,
             ..branch(machine)
         };
-        (range_line(machine, &branch), of_branch(machine, &branch))
+        (
+            range_line(machine, &branch),
+            of_branch(machine, &branch, &[]),
+        )
     };
     let fold = |drive| {
         Some(End {
@@ -297,7 +301,7 @@ fn branches_begin_and_end() {
     assert_eq!(
         map_lines(&boom, &made),
         [
-            "4 branches, from 0 to 0 assembly modes at a value of the drive, perhaps not all",
+            "4 branches found, from 0 to 0 assembly modes at a value of the drive; there may be more",
             "1 positions were found by continuation or by the search for all modes, but not by both",
             "singular position at 1.25 m: branch 3 begins there",
             "singular position at 1.25 m: branch 3 ends there",

@@ -1,6 +1,6 @@
 //! A branch as it is shown: in motion on a page, and a position of it in a DXF file.
 
-use crate::cli::args::{LinkageArgs, LinkageFormat};
+use crate::cli::args::{LinkageArgs, RowsFormat};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
 use mechaudit::machine::crank_angles::{Grid, Plan};
@@ -17,18 +17,9 @@ use mechaudit::solvers::units::Angle;
 use rug::Rational;
 use std::io::Write;
 
-/// The form of rows; none of a page.
-pub fn form(format: LinkageFormat) -> Option<Form> {
-    match format {
-        LinkageFormat::Csv => Some(Form::Csv),
-        LinkageFormat::Json => Some(Form::Json),
-        LinkageFormat::Html => None,
-    }
-}
-
 /// The form of rows where a page is refused before.
-pub fn rows(format: LinkageFormat) -> Form {
-    form(format).unwrap_or(Form::Json)
+pub fn rows(format: RowsFormat) -> Form {
+    format.rows().unwrap_or(Form::Json)
 }
 
 /// Whether a unit is one of length.
@@ -162,6 +153,7 @@ pub fn dyad(
     dyad: &dyad::Dyad,
     assembly: Assembly,
     page: Option<(&Grid, &Columns)>,
+    further: Option<&planar::Further>,
 ) -> Result<Motion, Failure> {
     let (all, start, closed) = match page {
         Some((grid, _)) if args.asks_for_window() => {
@@ -199,7 +191,8 @@ pub fn dyad(
                 first = positions.len();
             }
             positions.push(position);
-            rows.push(row.to_vec());
+            let more = further.map(|f| f.values(*degrees, &row));
+            rows.push([&row[..], &more.unwrap_or_default()].concat());
         }
     }
     let mut motion = dyad::motion(dyad, &positions, first, closed);

@@ -95,7 +95,7 @@ fn what_does_not_go_together() {
         assert_eq!(args(line).consistent().is_ok(), due, "{line}");
     }
     for (line, due) in [("", true), ("--paths", false), ("--reactions", false)] {
-        assert_eq!(args(line).only_planar().is_ok(), due, "{line}");
+        assert_eq!(args(line).not_of_class_iii().is_ok(), due, "{line}");
     }
 }
 

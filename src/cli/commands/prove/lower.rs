@@ -1,13 +1,13 @@
 //! The lower half-plane.
 
-use super::{boxes, place, up, watched};
+use super::{boxes, nothing_within, place, up, watched};
 use crate::cli::args::ProveArgs;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::print_as;
 use mechaudit::audit::hex_float;
 use mechaudit::proof::Rectangle;
 use mechaudit::proof::lower::{
-    BY_HAND, LOWER_HALF_PLANE, Leaf, NOT_PROVED, Region, Theorem, theorem,
+    BY_HAND, LOWER_HALF_PLANE, Leaf, NOT_PROVED, Region, Theorem, roots, theorem,
 };
 use mechaudit::report::text::style::{BAD, BOLD, DIM, PLAIN, paint};
 use mechaudit::report::text::table::Table;
@@ -25,10 +25,13 @@ pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
         let why = "is for the upper half-plane: below the axis targets are fixed";
         return Err(Failure::new(format!("{option} {why}")));
     }
+    let within = args.within;
+    if !roots().iter().any(|r| r.is_below(within)) {
+        return Err(nothing_within(within));
+    }
     let boxes = boxes(args)?;
     let begin = Instant::now();
-    let within = args.within;
-    let found = watched("faddeeva", move |watch| {
+    let found = watched("faddeeva", false, move |watch| {
         theorem(LOWER_HALF_PLANE, within, watch)
     })?;
     let Some(found) = found else {

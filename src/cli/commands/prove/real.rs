@@ -87,7 +87,8 @@ impl Theorem {
     /// Nothing if the user ends it.
     fn of(function: Function, target: f64) -> Result<Option<Theorem>, Failure> {
         let begin = Instant::now();
-        let found = watched(function.name(), move |watch| {
+        let closer = target < function.ulps();
+        let found = watched(function.name(), closer, move |watch| {
             let code = Code::of_the_solver(function)?;
             Ok(real_line(&code, function, target, watch))
         })?;

@@ -103,7 +103,7 @@ fn open_rectangles_are_no_proof() {
 #[test]
 fn a_proof_is_waited_for() {
     let ended = |found: Result<Option<u32>, ProofError>| {
-        let found = watched("some", move |watch| {
+        let found = watched("some", false, move |watch| {
             watch.of.store(3, Ordering::Relaxed);
             std::thread::sleep(2 * interrupt::POLL);
             found
@@ -114,6 +114,29 @@ fn a_proof_is_waited_for() {
         let due = found.clone().map_err(|e: ProofError| e.to_string());
         assert_eq!(ended(found), due);
     }
+}
+
+/// It ends by itself, which is no end by the user.
+#[test]
+fn a_proof_that_gives_up_says_so() {
+    let looked_at = |parts: u64| {
+        watched("some", true, move |watch| {
+            watch.of.store(7, Ordering::Relaxed);
+            watch.looked_at.store(parts, Ordering::Relaxed);
+            Ok(None::<u32>)
+        })
+    };
+    assert!(matches!(looked_at(MOST_PARTS), Ok(None)));
+    let why = looked_at(MOST_PARTS + 1).unwrap_err().to_string();
+    let due = "some: given up after 3e7 rectangles or intervals, with 0 of 7 parts done: take a larger target";
+    assert_eq!(why, due);
+    let watch = Watch::default();
+    watch.looked_at.store(MOST_PARTS / 100, Ordering::Relaxed);
+    let said = at_most("some", &watch, 2.0);
+    assert!(
+        said.ends_with("takes 3e7 rectangles or intervals at most, about 3 minutes"),
+        "{said}"
+    );
 }
 
 #[test]
@@ -255,7 +278,7 @@ fn targets_are_those_asked_for() {
             component,
             ..UPPER_HALF_PLANE
         };
-        let found = proved(target, Some(0.01)).unwrap().unwrap();
+        let found = proved(target, false, Some(0.01)).unwrap().unwrap();
         assert!(found.open.is_empty());
         found.summary().unwrap()
     };

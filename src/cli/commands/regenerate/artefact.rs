@@ -52,6 +52,8 @@ pub enum Form {
     Csv,
     Rust,
     Json,
+    /// A chapter of the book, which has no header.
+    Chapter,
 }
 
 /// A generated file.
@@ -75,6 +77,9 @@ impl Artefact {
 
 /// A file with its header.
 pub fn document(name: &str, form: Form, made: &Made) -> Outcome<String> {
+    if form == Form::Chapter {
+        return Ok(made.body.clone());
+    }
     let command = format!("mechaudit regenerate {name}");
     let version = env!("CARGO_PKG_VERSION");
     if form == Form::Json {
@@ -130,6 +135,7 @@ pub fn digest(text: &str) -> String {
 /// What is wrong with the digest in a file's header, if anything is.
 pub fn broken(form: Form, text: &str) -> Option<String> {
     let (said, content) = match form {
+        Form::Chapter => return None,
         Form::Json => {
             let Ok(Value::Object(mut whole)) = serde_json::from_str(text) else {
                 return Some("it is no JSON object".into());

@@ -15,6 +15,7 @@ use crate::cli::failure::{Failure, Outcome, chain};
 use crate::cli::files::output::{Output, write_to};
 use crate::cli::progress::Progress;
 use artefact::{Artefact, Form, Made, MakeError, broken, difference};
+use mechaudit::report::glossary;
 use mechaudit::report::text::style::{BAD, DIM, GOOD, paint};
 use mechaudit::{methods, papers};
 use std::io::ErrorKind;
@@ -24,6 +25,7 @@ const VALUES: &str = "reference/values";
 const PUBLISHED: &str = "reference/published";
 const SOLVERS: &str = "src/solvers";
 const ATLAS: &str = "reference/atlas";
+const BOOK: &str = "src/book";
 
 /// Every generated file.
 fn artefacts() -> Vec<Artefact> {
@@ -73,6 +75,19 @@ fn artefacts() -> Vec<Artefact> {
         atlas("atlas-claims", Form::Csv, atlas::claims),
         atlas("atlas", Form::Json, atlas::document),
     ]);
+    all.push(Artefact {
+        name: "columns".into(),
+        path: Path::new(BOOK).join("columns.md"),
+        form: Form::Chapter,
+        make: Box::new(|| {
+            Ok(Made {
+                title: String::new(),
+                facts: Vec::new(),
+                recipe: String::new(),
+                body: glossary::chapter(),
+            })
+        }),
+    });
     all.extend([
         rust(
             "arithmetic-tables",
@@ -206,6 +221,7 @@ mod tests {
             (VALUES, ".csv"),
             (PUBLISHED, "-errata.json"),
             (ATLAS, ""),
+            (BOOK, "columns.md"),
             ("src/solvers/arithmetic", "tables.rs"),
             ("src/solvers/special/faddeeva", "tables.rs"),
             ("src/solvers/special/faddeeva", "constants.rs"),

@@ -1,6 +1,7 @@
 //! Outcome, events, steady cycle and flywheel of a run, in words and as JSON.
 
-use mechaudit::machine::run_up::{Coefficients, Machine, Steady};
+use crate::cli::failure::said;
+use mechaudit::machine::run_up::{Coefficients, Machine, MotorKind, Steady};
 use mechaudit::solvers::run_up::{Counts, Cycle, Event, EventKind, InertiaRange, Motion, Outcome};
 use serde_json::{Map, Value, json};
 
@@ -9,7 +10,7 @@ pub fn steady_lines(steady: &Steady) -> Vec<String> {
     let mut lines = Vec::new();
     match &steady.cycle {
         None => {}
-        Some(Err(e)) => lines.push(format!("no steady cycle: {e}")),
+        Some(Err(e)) => lines.push(said("no steady cycle", e)),
         Some(Ok(c)) => lines.push(format!(
             "steady cycle: {:.6} rad/s in the mean, from {:.6} (at {:.2} deg) to {:.6} rad/s (at {:.2} deg), coefficient of fluctuation {:.6}, {:.3e} of a disturbance left after a turn",
             c.mean,
@@ -23,7 +24,7 @@ pub fn steady_lines(steady: &Steady) -> Vec<String> {
     }
     match &steady.flywheel {
         None => {}
-        Some(Err(e)) => lines.push(format!("no flywheel: {e}")),
+        Some(Err(e)) => lines.push(said("no flywheel", e)),
         Some(Ok(f)) if f.inertia == 0.0 => lines.push(format!(
             "flywheel: none is needed for a coefficient of fluctuation of {}",
             steady.wanted
@@ -127,6 +128,28 @@ pub fn ending(machine: &Machine, motion: &Motion) -> String {
             end.phi.to_degrees().rem_euclid(360.0)
         ),
     }
+}
+
+/// One line about where the crank came to rest and turned back.
+pub fn swings(machine: &Machine, motion: &Motion) -> Option<String> {
+    let rests = || motion.events.iter().filter(|e| e.kind == EventKind::Rest);
+    // The last one is where a stalled crank stays.
+    let stays = usize::from(matches!(motion.outcome, Outcome::Stalled { .. }));
+    let count = rests().count().saturating_sub(stays);
+    let first = rests().next().filter(|_| count > 0)?;
+    let stalled = match machine.motor {
+        MotorKind::Off => "",
+        _ => "stalled: ",
+    };
+    let times = match count {
+        1 => "once".into(),
+        n => format!("{n} times"),
+    };
+    Some(format!(
+        "{stalled}the crank comes to rest and goes on from there {times}, first after {:.6} s at phi1 = {:.3} deg",
+        first.t,
+        first.phi.to_degrees().rem_euclid(360.0)
+    ))
 }
 
 /// What there is to say about stiffness.

@@ -121,9 +121,17 @@ fn cycles_and_flywheels_have_a_line_each() {
     assert_eq!(lines(Some(Ok(cycle())), None), [found]);
     assert_eq!(
         lines(Some(Err(stalled())), Some(Err(refused()))),
+        [stalled().to_string(), format!("no flywheel: {}", refused()),]
+    );
+    // What an error says itself is not said before it.
+    let lost = CycleError::NotFound {
+        iterations: 50,
+        change: 1e-300,
+    };
+    assert_eq!(
+        lines(Some(Err(lost)), None),
         [
-            format!("no steady cycle: {}", stalled()),
-            format!("no flywheel: {}", refused()),
+            "no steady cycle found in 50 iterations: the speed at the section still changes by 1e-300 rad/s in a turn"
         ]
     );
     for (inertia, due) in [

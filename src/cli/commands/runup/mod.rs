@@ -10,15 +10,18 @@ use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
 use crate::cli::files::source;
+use crate::cli::progress::waiting;
 use mechaudit::machine::class_iii::Reach;
 use mechaudit::machine::run_up::{
     COLUMNS, Coefficients, Machine, MachineError, Overrides, Steady, row,
 };
 use mechaudit::report::cell::Cell;
 use mechaudit::report::columns::Columns;
-use mechaudit::report::rows::Rows;
+use mechaudit::report::html::run::{Figure, Section, page};
+use mechaudit::report::rows::{Form, Rows};
 use mechaudit::report::svg::run_up as drawings;
-use mechaudit::solvers::run_up::{Equation, Motion, Plan, inertia_range, run};
+use mechaudit::solvers::run_up::{Equation, Motion, Plan, Sample, inertia_range, run};
+use std::io::Write;
 
 /// The machine that the arguments name.
 pub fn machine(args: &RunupArgs) -> Result<Machine, Failure> {
@@ -72,30 +75,52 @@ pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
     let warning = inertia_range(&*machine.model, machine.plan.phi)
         .ok()
         .and_then(|range| facts::light(&machine, &range));
-    let motion = run(&equation, &machine.plan).map_err(in_file)?;
-    let steady = Steady::of(&machine, &equation, &motion);
+    let motion = waiting("run-up", || run(&equation, &machine.plan)).map_err(in_file)?;
+    let steady = waiting("steady cycle", || Steady::of(&machine, &equation, &motion));
+    let form = args.format.rows();
+    let start = start::short_start(&motion.samples).filter(|_| drawing.is_some() || form.is_none());
+    let start =
+        start.map(|duration| run(&equation, &enlarged(&machine.plan, duration)).map_err(in_file));
+    let start = start.transpose()?.map(|m| m.samples);
     if let Some(drawing) = drawing {
-        let start = start::short_start(&motion.samples);
-        let start = start
-            .map(|duration| run(&equation, &enlarged(&machine.plan, duration)).map_err(in_file));
-        let start = start.transpose()?.map(|m| m.samples);
         drawing.text(&drawings::draw(
             &machine.name,
             &motion.samples,
             start.as_deref(),
         )?)?;
     }
+    let about = facts::json(&machine, &motion, &steady, warning.as_deref());
+    let lines: Vec<String> = warning
+        .into_iter()
+        .chain(lines(&machine, &motion, &steady))
+        .collect();
     output.write(|out| {
-        let about = facts::json(&machine, &motion, &steady, warning.as_deref());
-        let mut rows = Rows::begin(out, args.format, columns, &about)?;
-        for sample in &motion.samples {
-            rows.row(&row(sample).map(Cell::Float))?;
+        let write = |out: &mut dyn Write, form| -> Result<(), Failure> {
+            let mut rows = Rows::begin(out, form, columns, &about)?;
+            for sample in &motion.samples {
+                rows.row(&row(sample).map(Cell::Float))?;
+            }
+            Ok(rows.end()?)
+        };
+        if let Some(form) = form {
+            return write(out, form);
         }
-        Ok(rows.end()?)
+        let mut table = Vec::new();
+        write(&mut table, Form::Table)?;
+        let panels = |samples: &[Sample]| drawings::panels(samples, &motion.samples);
+        let section = |key, title: &str, samples: &[Sample], table| Section {
+            key,
+            title: title.into(),
+            figures: panels(samples).into_iter().map(Figure::Panel).collect(),
+            table,
+        };
+        let mut sections = vec![section("runup", "The run", &motion.samples, table)];
+        if let Some(start) = &start {
+            sections.push(section("start", "Its start, enlarged", start, Vec::new()));
+        }
+        Ok(out.write_all(page(&machine.name, "run-up", &lines, &sections).as_bytes())?)
     })?;
-    for line in warning.into_iter().chain(lines(&machine, &motion, &steady)) {
-        complain(&line);
-    }
+    lines.iter().for_each(|l| complain(l));
     Ok(Outcome::AsExpected)
 }
 
@@ -109,7 +134,8 @@ fn enlarged(plan: &Plan, duration: f64) -> Plan {
 }
 
 fn lines(machine: &Machine, motion: &Motion, steady: &Steady) -> Vec<String> {
-    let mut lines = vec![facts::ending(machine, motion)];
+    let mut lines: Vec<String> = facts::swings(machine, motion).into_iter().collect();
+    lines.push(facts::ending(machine, motion));
     lines.extend(facts::stiff(machine, motion));
     lines.push(facts::cost(machine, motion));
     lines.extend(facts::steady_lines(steady));

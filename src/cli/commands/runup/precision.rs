@@ -8,10 +8,12 @@ use crate::cli::progress::Progress;
 use mechaudit::machine::run_up::{self, FINEST, MOMENTS, Machine};
 use mechaudit::report::cell::Cell;
 use mechaudit::report::columns::Columns;
-use mechaudit::report::rows::Rows;
+use mechaudit::report::html::run::{Figure, Section, page};
+use mechaudit::report::rows::{Form, Rows};
 use mechaudit::report::svg::run_up::{Work, work_precision};
 use mechaudit::solvers::run_up::{Equation, Method};
 use serde_json::{Map, json};
+use std::io::Write;
 
 /// The columns of a row.
 pub const COLUMNS: [&str; 4] = ["method", "tolerance", "evaluations", "error_rad_per_s"];
@@ -42,13 +44,16 @@ pub fn table(
         });
         drawing.text(&work_precision(&machine.name, &works)?)?;
     }
-    output.write(|out| {
+    let note = format!(
+        "the column error_rad_per_s is the worst difference of the speed at {MOMENTS} moments of the run from verner98 at tolerance {FINEST:e}, which is not itself certified; the evaluations are those of the whole run"
+    );
+    let write = |out: &mut dyn Write, form| -> Result<(), Failure> {
         let mut about = Map::new();
         about.insert("schema_version".into(), json!(1));
         about.insert("mechaudit_version".into(), json!(env!("CARGO_PKG_VERSION")));
         about.insert("name".into(), json!(machine.name));
         about.insert("duration_s".into(), json!(machine.plan.duration));
-        let mut rows = Rows::begin(out, args.format, columns, &about)?;
+        let mut rows = Rows::begin(out, form, columns, &about)?;
         for p in &points {
             rows.row(&[
                 Cell::Name(p.method.name()),
@@ -58,9 +63,51 @@ pub fn table(
             ])?;
         }
         Ok(rows.end()?)
+    };
+    output.write(|out| {
+        if let Some(form) = args.format.rows() {
+            return write(out, form);
+        }
+        let mut table = Vec::new();
+        write(&mut table, Form::Table)?;
+        let line = |m: &Method| {
+            let of = points.iter().filter(|p| p.method == *m);
+            let at = of.map(|p| (p.evaluations as f64, p.error.max(1e-16)));
+            (m.name().to_string(), at.collect())
+        };
+        let caption =
+            "worst error of the speed found, rad/s, over evaluations of the right-hand side";
+        let section = Section {
+            key: "work-precision",
+            title: "Work and precision".into(),
+            figures: vec![Figure::Logarithmic(
+                caption.into(),
+                Method::ALL.iter().map(line).collect(),
+            )],
+            table,
+        };
+        let page = page(
+            &machine.name,
+            "work and precision",
+            std::slice::from_ref(&note),
+            &[section],
+        );
+        Ok(out.write_all(page.as_bytes())?)
     })?;
-    complain(&format!(
-        "error_rad_per_s is the worst difference of the speed at {MOMENTS} moments of the run from verner98 at tolerance {FINEST:e}, which is not itself certified; evaluations are those of the whole run"
-    ));
+    complain(&note);
     Ok(Outcome::AsExpected)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mechaudit::report::glossary::topics;
+
+    #[test]
+    fn every_column_has_a_meaning() {
+        let topic = topics(&["work-precision"]).next().unwrap();
+        for name in COLUMNS {
+            assert!(topic.find(name).is_some(), "{name} has no entry");
+        }
+    }
 }

@@ -14,7 +14,7 @@ use crate::reference::class_iii::{ExactAngle, Linkage};
 use crate::reference::run_up as certified;
 use crate::reference::run_up::LinkageCurve;
 use crate::solvers::run_up::{
-    ClassIiiModel, ConstantInertia, Drive, Equation, Hybrid, Kloss, Method as Integration, Motion,
+    ClassIiiModel, ConstantInertia, Drive, Equation, EventKind, Hybrid, Kloss, Method as Integration, Motion,
     Motor, Outcome, Plan, ReducedModel, Resistance, Settings, Splined, Stretch, run_recorded,
 };
 use crate::solvers::units::{AngularVelocity, Inertia, Torque};
@@ -75,7 +75,7 @@ fn solver_model(i: RunUpInput) -> Result<Box<dyn ReducedModel>, &'static str> {
         return Ok(Box::new(ConstantInertia(0.0)));
     }
     let (first, nodes) = (i.linkage.phi1, i.nodes as usize);
-    let linkage = i.linkage.geometry.solver().ok_or("geometry")?;
+    let linkage = i.linkage.geometry.solver()?;
     let masses = i.linkage.masses().ok_or("masses")?;
     let state = i.linkage.state(&linkage)?;
     let model = ClassIiiModel::new(linkage, masses, state);
@@ -123,8 +123,10 @@ fn motion_with(i: RunUpInput, settings: Settings) -> Result<(Motion, Vec<Stretch
     };
     let (motion, stretches) =
         run_recorded(&Equation::new(&*model, &drive), &plan).map_err(|_| "no motion")?;
+    // The reference does not follow a crank through standstill.
+    let rests = motion.events.iter().any(|e| e.kind == EventKind::Rest);
     match motion.outcome {
-        Outcome::TimeUp => Ok((motion, stretches)),
+        Outcome::TimeUp if !rests => Ok((motion, stretches)),
         _ => Err("stopped"),
     }
 }
@@ -140,7 +142,7 @@ fn curve(i: ClassIiiInput<Rational>, bits: u32) -> Result<Arc<LinkageCurve>, Unc
     if let Some((_, _, c)) = known.iter().find(|(k, b, _)| *b == bits && *k == key) {
         return Ok(c.clone());
     }
-    let geometry = i.geometry.exact();
+    let geometry = i.geometry.exact()?;
     let offset = ExactAngle::Radians(i.phi1.clone());
     let linkage = Linkage::new(&geometry, bits);
     let start = i.configuration(&linkage, &offset.to_ball(bits))?;

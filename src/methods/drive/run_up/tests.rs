@@ -121,7 +121,7 @@ fn what_does_not_run_is_refused_by_its_name() {
         change(&mut i.linkage);
         refusal(i)
     };
-    assert_eq!(of_linkage(|l| l.geometry.l1 = -0.1), Some("geometry"));
+    assert_eq!(of_linkage(|l| l.geometry.l1 = -0.1), Some("not positive"));
     assert_eq!(of_linkage(|l| l.m2 = -1.0), Some("masses"));
     assert_eq!(
         of_linkage(|l| l.geometry.x5 = 10.0),

@@ -134,3 +134,92 @@ fn conditions_of_two_equations() {
     );
     assert_eq!(Tridiagonal::conditions(&[f64::NAN, 3.0]), None);
 }
+
+/// The sweep ends at a pivot that is zero; the matrix is regular, and the solver with row
+/// exchanges solves it.
+#[test]
+fn a_zero_pivot_is_named_and_is_no_failure_of_the_sweep() {
+    use crate::audit::{Case, Origin, Settings, SolverAnswer, Verdict, audit_case, judge_case};
+    let case = |method: &'static str, input: &[f64]| Case {
+        method,
+        region: "given",
+        input: input.to_vec(),
+        origin: Origin::Line { number: 1 },
+    };
+    let swap = [1.0, 0.0, 0.0, 1.0, 3.0, 4.0];
+    let ring = [1.0, 2.0, 1.0, 0.0, 3.0, 1.0, 1.0, 1.0, 1.0, 1.0, 2.0, 3.0];
+    let settings = Settings::default();
+    for (name, input) in [("tridiagonal", &swap[..]), ("cyclic-tridiagonal", &ring)] {
+        let method = crate::methods::find(name).unwrap();
+        assert_eq!(
+            method.solve(input),
+            SolverAnswer::Refuses("zero pivot"),
+            "{name}"
+        );
+        let own = audit_case(&*method, case(name, input), &settings);
+        assert_eq!(
+            own.judgement.verdict,
+            Verdict::Pass,
+            "{name}: {:?}",
+            own.judgement
+        );
+        // Values are due nevertheless, and no other refusal.
+        for (answer, due) in [
+            (SolverAnswer::Refuses("singular"), Verdict::WrongKind),
+            (SolverAnswer::Declines(None), Verdict::WrongKind),
+            (
+                SolverAnswer::Declines(Some("zero pivot".into())),
+                Verdict::Pass,
+            ),
+        ] {
+            let judged = judge_case(&*method, case(name, input), answer, &settings);
+            assert_eq!(
+                judged.judgement.verdict, due,
+                "{name}: {:?}",
+                judged.judgement
+            );
+        }
+    }
+    let method = crate::methods::find("tridiagonal").unwrap();
+    let values = SolverAnswer::Values(vec![4.0, 3.0]);
+    let judged = judge_case(&*method, case("tridiagonal", &swap), values, &settings);
+    assert_eq!(judged.judgement.verdict, Verdict::Pass);
+    // Where no pivot is zero the word is wrong.
+    let regular = [1.0, 2.0, 2.0, 1.0, 3.0, 3.0];
+    let answer = SolverAnswer::Refuses("zero pivot");
+    let judged = judge_case(&*method, case("tridiagonal", &regular), answer, &settings);
+    assert_eq!(judged.judgement.verdict, Verdict::WrongKind);
+    let pivoting = crate::methods::find("tridiagonal-pivoting").unwrap();
+    assert_eq!(pivoting.solve(&swap), SolverAnswer::Values(vec![4.0, 3.0]));
+}
+
+/// A system of 2000 rows is judged with its condition numbers, by O(n) operations: they are those
+/// that the exact formula gives where the right-hand side is that of the unknowns 1.
+#[test]
+fn long_systems_are_judged() {
+    use crate::audit::{Case, Origin, Settings, Verdict, audit_case};
+    let n = 2000;
+    let third = 1.0 / 3.0;
+    let beside = vec![third; n - 1];
+    let mut d = vec![4.0 + 2.0 * third; n];
+    (d[0], d[n - 1]) = (4.0 + third, 4.0 + third);
+    let input = [&beside[..], &vec![4.0; n], &beside, &d].concat();
+    let method = crate::methods::find("tridiagonal").unwrap();
+    let case = Case {
+        method: "tridiagonal",
+        region: "given",
+        input,
+        origin: Origin::Line { number: 1 },
+    };
+    let report = audit_case(&*method, case, &Settings::default());
+    assert_eq!(
+        report.judgement.verdict,
+        Verdict::Pass,
+        "{:?}",
+        report.judgement.reason
+    );
+    // In the middle |A⁻¹| 1 is 1/(4 − 2/3), and |A| |x| + |d| is 2 (4 + 2/3).
+    let due = 2.0 * (4.0 + 2.0 * third) / (4.0 - 2.0 * third);
+    let condition = report.judgement.components[n / 2].condition;
+    assert!((condition / due - 1.0).abs() < 1e-12, "{condition}, {due}");
+}

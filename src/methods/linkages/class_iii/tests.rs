@@ -21,7 +21,19 @@ fn what_is_no_linkage_is_refused_by_its_name() {
     assert_eq!(refusal(&good), None);
     let mut input = good;
     input.geometry.l1 = -0.1;
-    assert_eq!(refusal(&input), Some("geometry"));
+    assert_eq!(refusal(&input), Some("not positive"));
+    for length in 0..6 {
+        for value in [0.0, -0.3] {
+            let mut numbers = good.to_vec();
+            numbers[length] = value;
+            let input = ClassIii::unpack(&numbers).unwrap();
+            assert_eq!(refusal(&input), Some("not positive"));
+            let numbers = exact(&numbers).unwrap();
+            let reference = ClassIii::reference(ClassIii::unpack(&numbers).unwrap(), 128);
+            let due = Uncertified::Refused("not positive");
+            assert_eq!(reference.map(|_| ()), Err(due));
+        }
+    }
     let mut input = good;
     input.m5 = -1.0;
     assert_eq!(refusal(&input), Some("masses"));

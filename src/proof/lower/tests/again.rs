@@ -1,8 +1,8 @@
 use super::*;
 use crate::pinned::{bit_by_bit, counted, largest, units};
 use mechaudit_reference::faddeeva::w_f64;
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use rand::rngs::ChaCha8Rng;
+use rand::{Rng, SeedableRng};
 use rug::Float;
 
 fn proved(change: impl FnOnce(&mut code::Again)) -> [f64; 3] {

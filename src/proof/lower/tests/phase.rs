@@ -1,8 +1,8 @@
 use super::*;
 use crate::evaluation::here;
 use crate::pinned::{bit_by_bit, counted, largest};
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use rand::rngs::ChaCha8Rng;
+use rand::{Rng, SeedableRng};
 use rug::Float;
 use std::sync::LazyLock;
 

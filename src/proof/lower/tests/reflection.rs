@@ -1,8 +1,8 @@
 use super::*;
 use crate::pinned::{bit_by_bit, counted, largest, units};
 use mechaudit_reference::Mag;
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use rand::rngs::ChaCha8Rng;
+use rand::{Rng, SeedableRng};
 use rug::{Float, Rational};
 
 fn at(a: [f64; 2], b: [f64; 2]) -> Rectangle {

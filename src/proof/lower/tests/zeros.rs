@@ -3,8 +3,8 @@ use crate::pinned::{self, bit_by_bit, counted};
 use mechaudit_reference::faddeeva::w_f64;
 use mechaudit_solvers::faddeeva::{Branch, branch, faddeeva};
 use num_complex::Complex;
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use rand::rngs::ChaCha8Rng;
+use rand::{Rng, SeedableRng};
 use rug::Float;
 use std::sync::LazyLock;
 

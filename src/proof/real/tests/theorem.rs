@@ -9,8 +9,8 @@ use mechaudit_reference::faddeeva as certified;
 use mechaudit_reference::faddeeva::Scaled;
 use mechaudit_solvers::faddeeva::proof::real_line as code;
 use mechaudit_solvers::faddeeva::{dawson_real, erf_real, erfc_real, erfcx_real};
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use rand::rngs::ChaCha8Rng;
+use rand::{Rng, SeedableRng};
 use rug::{Float, Rational};
 
 fn solvers(function: Function) -> Code {
@@ -383,9 +383,10 @@ fn refined(function: Function, target: f64, at: Interval) -> Certificate {
         function,
         target,
         formula: (code.choice)(function, at.negative, at.ends[0]),
+        watch: &Watch::default(),
     };
     let mut found = Certificate::default();
-    refined.refine(at, 0, &mut found);
+    refined.refine(at, 0, &mut found).expect("not stopped");
     found
 }
 
@@ -416,9 +417,12 @@ fn intervals_are_halved_until_the_bound_is_good() {
             function: Function::Erf,
             target: 0.1,
             formula: choice(Function::Erf, false, 1.0),
+            watch: &Watch::default(),
         };
         let mut found = Certificate::default();
-        refined.refine(at(false, 1.0, 1.0 + 1e-10), depth, &mut found);
+        refined
+            .refine(at(false, 1.0, 1.0 + 1e-10), depth, &mut found)
+            .expect("not stopped");
         assert_eq!(found.leaves.len(), leaves);
     }
     // A formula that serves nowhere there leaves every number open.
@@ -428,13 +432,16 @@ fn intervals_are_halved_until_the_bound_is_good() {
         function: Function::Erf,
         target: 0.875,
         formula: Formula::Far,
+        watch: &Watch::default(),
     };
     let mut found = Certificate::default();
-    wrong.refine(
-        at(false, 1.0, f64::from_bits(1f64.to_bits() + 7)),
-        0,
-        &mut found,
-    );
+    wrong
+        .refine(
+            at(false, 1.0, f64::from_bits(1f64.to_bits() + 7)),
+            0,
+            &mut found,
+        )
+        .expect("not stopped");
     assert!(found.leaves.is_empty() && found.open.len() == 8);
     let watch = Watch::default();
     watch.stop.store(true, std::sync::atomic::Ordering::Relaxed);
@@ -601,11 +608,13 @@ fn leaves_bit_by_bit() {
         let some = roots.iter().step_by(roots.len() / 7 + 1);
         let mut whole = Certificate::default();
         for &(at, formula) in some {
+            let watch = Watch::default();
             let refined = |target: f64| Refined {
                 code: &code,
                 function,
                 target,
                 formula,
+                watch: &watch,
             };
             // Each is a few hundred numbers, so that halving comes to an end.
             let ends = [
@@ -613,8 +622,12 @@ fn leaves_bit_by_bit() {
                 f64::from_bits((at.ends[0].to_bits() + 300).min(at.ends[1].to_bits())),
             ];
             let at = Interval { ends, ..at };
-            refined(0.51).refine(at, 0, &mut whole);
-            refined(0.0).refine(at, DEPTH - 4, &mut whole);
+            refined(0.51)
+                .refine(at, 0, &mut whole)
+                .expect("not stopped");
+            refined(0.0)
+                .refine(at, DEPTH - 4, &mut whole)
+                .expect("not stopped");
         }
         found.push(("leaves", digest([&whole]), whole.leaves.len() as f64));
     }
@@ -649,8 +662,9 @@ fn leaves_bit_by_bit() {
             function: Function::Erf,
             target: 0.0,
             formula,
+            watch: &Watch::default(),
         };
-        refined.refine(at, 0, &mut found);
+        refined.refine(at, 0, &mut found).expect("not stopped");
         (found.leaves.len(), found.open.len())
     });
     found.push(counted("many", counts));

@@ -271,7 +271,7 @@ impl Path<'_> {
 #[cfg(test)]
 mod tests {
     use super::super::tests::oscillator;
-    use super::super::{Attachment, Body, Drive, Joint, Mechanism};
+    use super::super::{Attachment, Body, Drive, Joint, Mechanism, Real};
     use super::*;
     use crate::class_iii::ExactAngle;
 
@@ -368,7 +368,7 @@ mod tests {
         let origin = || [Rational::new(), Rational::new()];
         let slide = Joint::Slide {
             a: Attachment::ground(origin()),
-            direction: [Rational::from(1), Rational::new()],
+            direction: [Rational::from(1), Rational::new()].map(Real::from),
             b: Attachment::body(0, origin()),
             turn: ExactAngle::Radians(Rational::new()),
         };

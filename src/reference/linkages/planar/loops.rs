@@ -4,7 +4,7 @@
 //! `P = Σ z u_k` over the joints on the way from the ground to its body, a term of a slide having its displacement as a
 //! further factor. A joint that closes a loop says that two such forms are equal.
 
-use super::mechanism::{Attachment, Body, Frame, Joint, MechanismError, Point};
+use super::mechanism::{Attachment, Body, Frame, Joint, MechanismError, Place};
 use crate::class_iii::ExactAngle;
 use rug::Rational;
 
@@ -12,7 +12,7 @@ use rug::Rational;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Term {
     /// z.
-    pub z: Point,
+    pub z: Place,
     /// The coordinate s; none is one.
     pub slide: Option<usize>,
     /// The body whose direction is u; none is the ground, u = 1.
@@ -61,7 +61,7 @@ fn add(form: &mut Form, term: Term) {
 pub(super) fn difference(a: &Form, b: &Form) -> Form {
     let mut out = a.clone();
     for t in b {
-        let z = [-t.z[0].clone(), -t.z[1].clone()];
+        let z = t.z.clone().map(|x| -x);
         add(&mut out, Term { z, ..t.clone() });
     }
     out
@@ -106,7 +106,7 @@ impl Link<'_> {
                 continue;
             };
             if let Some(t) = &self.travel {
-                let z = t.z.clone().map(|x| x * sign);
+                let z = t.z.clone().map(|x| x * &Rational::from(sign));
                 add(&mut form, Term { z, ..t.clone() });
             }
             let back = Attachment::body(new, to.point.clone().map(|x| -x));
@@ -130,6 +130,8 @@ impl Loops {
         }
         let links = joints.iter().zip(&slides);
         let mut open: Vec<Link> = links.filter_map(|(j, slide)| link(j, *slide)).collect();
+        // On a guide of the ground a body's place has no angle in it.
+        open.sort_by_key(|l| l.travel.is_none() || l.a.frame != Frame::Ground);
         let mut origins: Vec<Option<Form>> = vec![None; bodies.len()];
         loop {
             let before = open.len();
@@ -155,7 +157,10 @@ impl Loops {
         Ok(Loops {
             coordinates,
             closures,
-            relations: joints.iter().filter_map(|j| relation(j, &slides)).collect(),
+            relations: joints
+                .iter()
+                .filter_map(|j| relation(j, joints, &slides))
+                .collect(),
             origins: origins.into_iter().flatten().collect(),
         })
     }
@@ -191,24 +196,32 @@ fn link(joint: &Joint, slide: Option<usize>) -> Option<Link<'_>> {
     }
 }
 
-fn relation(joint: &Joint, slides: &[Option<usize>]) -> Option<Relation> {
+/// Multiples of the angles of frames; the ground's is zero.
+fn turns<const N: usize>(of: [(Frame, Rational); N]) -> Vec<(usize, Rational)> {
+    let turns = of.into_iter();
+    turns.filter_map(|(f, k)| Some((f.body()?, k))).collect()
+}
+
+fn relation(joint: &Joint, joints: &[Joint], slides: &[Option<usize>]) -> Option<Relation> {
     let one = || Rational::from(1);
     match joint {
         Joint::Pin { .. } | Joint::Slot { .. } => None,
-        Joint::Slide { a, b, turn, .. } => {
-            let side = |at: &Attachment, k: i32| Some((at.frame.body()?, Rational::from(k)));
-            Some(Relation {
-                terms: [side(b, 1), side(a, -1)].into_iter().flatten().collect(),
-                constant: turn.clone(),
-            })
-        }
+        Joint::Slide { a, b, turn, .. } => Some(Relation {
+            terms: turns([(b.frame, one()), (a.frame, -one())]),
+            constant: turn.clone(),
+        }),
         Joint::Gear {
             a,
             b,
+            carrier,
             ratio,
             offset,
         } => Some(Relation {
-            terms: vec![(*b, one()), (*a, Rational::from(-ratio))],
+            terms: turns([
+                (*b, one()),
+                (*a, Rational::from(-ratio)),
+                (*carrier, Rational::from(ratio - 1u32)),
+            ]),
             constant: offset.clone(),
         }),
         Joint::Rack {
@@ -216,9 +229,16 @@ fn relation(joint: &Joint, slides: &[Option<usize>]) -> Option<Relation> {
             slide,
             ratio,
             offset,
-        } => Some(Relation {
-            terms: vec![(slides[*slide]?, one()), (*pinion, Rational::from(-ratio))],
-            constant: ExactAngle::Radians(offset.clone()),
-        }),
+        } => {
+            let mut terms = vec![(slides[*slide]?, one())];
+            terms.extend(turns([(*pinion, Rational::from(-ratio))]));
+            if let Joint::Slide { a, .. } | Joint::Slot { a, .. } = &joints[*slide] {
+                terms.extend(turns([(a.frame, ratio.clone())]));
+            }
+            Some(Relation {
+                terms,
+                constant: ExactAngle::Radians(offset.clone()),
+            })
+        }
     }
 }

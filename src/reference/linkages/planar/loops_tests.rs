@@ -2,7 +2,7 @@
 
 use super::energy::Forces;
 use super::tests::{cranked, four_bar};
-use super::{Attachment, Body, Drive, Joint, Linkage, Mechanism, MechanismError, Point};
+use super::{Attachment, Body, Drive, Joint, Linkage, Mechanism, MechanismError, Point, Real};
 use crate::class_iii::ExactAngle;
 use crate::class_iii::tests::q;
 use crate::dyad;
@@ -73,7 +73,7 @@ fn a_guide_on_the_slider() {
     let joints = vec![
         Joint::Slide {
             a: b(2, at("0", "0")),
-            direction: at("0.5", "0"),
+            direction: at("0.5", "0").map(Real::from),
             b: Attachment::ground(at("0", "0")),
             turn: ExactAngle::Radians(q("0.25")),
         },
@@ -110,7 +110,7 @@ fn a_guide_between_two_bodies() {
             guide,
             Joint::Slot {
                 a: Attachment::ground(at("1", "0")),
-                direction: at("0", "0.5"),
+                direction: at("0", "0.5").map(Real::from),
                 b: b(1, at("1", "1")),
             },
         ];
@@ -120,13 +120,13 @@ fn a_guide_between_two_bodies() {
     let (turn, direction) = (ExactAngle::Radians(q("0.25")), at("2", "0"));
     let on_crank = linkage(Joint::Slide {
         a: b(0, at("0", "0")),
-        direction: direction.clone(),
+        direction: direction.clone().map(Real::from),
         b: b(1, at("1", "1")),
         turn: turn.clone(),
     });
     let on_block = linkage(Joint::Slide {
         a: b(1, at("1", "1")),
-        direction,
+        direction: direction.map(Real::from),
         b: b(0, at("0", "0")),
         turn,
     });
@@ -164,7 +164,7 @@ fn bad_parts_are_refused() {
     // A rack on a pin, and on a joint that does not exist.
     for slide in [0, 2] {
         let rack = Joint::Rack {
-            pinion: 0,
+            pinion: super::Frame::Body(0),
             slide,
             ratio: q("1"),
             offset: Rational::new(),
@@ -175,7 +175,7 @@ fn bad_parts_are_refused() {
     let slot = |direction: Point| {
         let slot = Joint::Slot {
             a: Attachment::ground(at("1", "0")),
-            direction,
+            direction: direction.map(Real::from),
             b: b(0, at("1", "0")),
         };
         Mechanism::new(vec![body("0", "0")], vec![hung(), slot]).unwrap_err()
@@ -202,7 +202,7 @@ fn bad_parts_are_refused() {
 fn a_spring_across_a_slide_by_its_derivatives() {
     let joints = vec![Joint::Slide {
         a: Attachment::ground(at("0", "0")),
-        direction: at("1", "0"),
+        direction: at("1", "0").map(Real::from),
         b: Attachment::body(0, at("0", "0")),
         turn: ExactAngle::Radians(q("0")),
     }];

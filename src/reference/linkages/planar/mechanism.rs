@@ -1,10 +1,14 @@
 //! A mechanism in exact data.
 
+use super::real::Real;
 use crate::class_iii::ExactAngle;
 use rug::Rational;
 
 /// A point or a vector, in the unit of length of the mechanism.
 pub type Point = [Rational; 2];
+
+/// A point or a vector whose coordinates need not be fractions.
+pub type Place = [Real; 2];
 
 /// What a point belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,23 +35,23 @@ pub struct Attachment {
     /// Whose point.
     pub frame: Frame,
     /// Where in it.
-    pub point: Point,
+    pub point: Place,
 }
 
 impl Attachment {
     /// A point of a body.
-    pub fn body(index: usize, point: Point) -> Attachment {
+    pub fn body<N: Into<Real>>(index: usize, point: [N; 2]) -> Attachment {
         Attachment {
             frame: Frame::Body(index),
-            point,
+            point: point.map(N::into),
         }
     }
 
     /// A point of the ground.
-    pub fn ground(point: Point) -> Attachment {
+    pub fn ground<N: Into<Real>>(point: [N; 2]) -> Attachment {
         Attachment {
             frame: Frame::Ground,
-            point,
+            point: point.map(N::into),
         }
     }
 }
@@ -91,7 +95,7 @@ pub enum Joint {
         /// A point of the guide.
         a: Attachment,
         /// The guide's direction d in the axes of a's frame; not zero.
-        direction: Point,
+        direction: Place,
         /// A point of the slider.
         b: Attachment,
         /// Angle from the axes of a's frame to those of b's.
@@ -102,30 +106,34 @@ pub enum Joint {
         /// A point of the slot.
         a: Attachment,
         /// The slot's direction d in the axes of a's frame; not zero.
-        direction: Point,
+        direction: Place,
         /// The pin's centre.
         b: Attachment,
     },
-    /// Gears with fixed centres: `ψ_b = ratio ψ_a + offset`.
+    /// Gears whose centres a carrier holds: `ψ_b − ψ_c = ratio (ψ_a − ψ_c) + offset`, with ψ_c = 0
+    /// where that is the ground.
     Gear {
         /// One gear.
-        a: usize,
+        a: Frame,
         /// The other.
-        b: usize,
-        /// Turns of b for one turn of a; negative where they mesh outside.
+        b: Frame,
+        /// What holds the centres.
+        carrier: Frame,
+        /// Turns of b for one turn of a, as the carrier sees them; negative where they mesh outside.
         ratio: Rational,
-        /// ψ_b at ψ_a = 0.
+        /// `ψ_b − ψ_c` at `ψ_a = ψ_c`.
         offset: ExactAngle,
     },
-    /// Rack and pinion with a fixed centre: `s = ratio ψ + offset` for the coordinate s of a slide.
+    /// Rack and pinion: `s = ratio (ψ − ψ_a) + offset` for the coordinate s of a slide with its
+    /// guide on a.
     Rack {
         /// The pinion.
-        pinion: usize,
+        pinion: Frame,
         /// The index of the joint that is the rack's slide.
         slide: usize,
         /// Travel for an angle of one radian.
         ratio: Rational,
-        /// Travel at ψ = 0.
+        /// Travel at `ψ = ψ_a`.
         offset: Rational,
     },
 }
@@ -281,12 +289,18 @@ fn check(bodies: &[Body], joints: &[Joint]) -> Result<(), MechanismError> {
                 a, b, direction, ..
             }
             | Joint::Slot { a, b, direction } => ([a.frame, b.frame], Some(direction)),
-            Joint::Gear { a, b, .. } => ([Frame::Body(*a), Frame::Body(*b)], None),
-            Joint::Rack { pinion, slide, .. } => {
-                if !joints.get(*slide).is_some_and(Joint::slides) {
+            Joint::Gear { a, b, carrier, .. } => {
+                if !exists(carrier) {
                     return Err(MechanismError::Missing { joint });
                 }
-                ([Frame::Body(*pinion), Frame::Ground], None)
+                ([*a, *b], None)
+            }
+            Joint::Rack { pinion, slide, .. } => {
+                let Some(Joint::Slide { a, .. } | Joint::Slot { a, .. }) = joints.get(*slide)
+                else {
+                    return Err(MechanismError::Missing { joint });
+                };
+                ([*pinion, a.frame], None)
             }
         };
         if !frames.iter().all(exists) {
@@ -295,7 +309,7 @@ fn check(bodies: &[Body], joints: &[Joint]) -> Result<(), MechanismError> {
         if frames[0] == frames[1] {
             return Err(MechanismError::Itself { joint });
         }
-        if direction.is_some_and(|d| d.iter().all(Rational::is_zero)) {
+        if direction.is_some_and(|d| d.iter().all(Real::is_zero)) {
             return Err(MechanismError::Direction { joint });
         }
     }

@@ -5,11 +5,15 @@
 //! `z u_k` and `z s u_k`, so that the loops are closed by equations of that kind. A [`Linkage`] adds a [`Drive`], which
 //! is one more linear equation, and a precision.
 //!
-//! [`Linkage::position`] encloses by Krawczyk's operator, which proves existence and uniqueness; [`Linkage::modes`] finds
-//! all positions and proves that none is missing, [`Linkage::nearest`] the one next to approximate coordinates;
-//! [`Linkage::series`], [`Linkage::reduced_inertia`] and
-//! [`Linkage::multipliers`] give derivatives of any order, inertia and reactions; [`Linkage::from_rest`] the motion under
-//! conservative forces. A [`Drawing`] may have any number of degrees of freedom, which exact ranks tell. At a change point or a dead position of the drive the answer is [`Undecided`](crate::Undecided).
+//! [`Linkage::position`] encloses by Krawczyk's operator, which proves existence and uniqueness;
+//! [`Linkage::modes`] finds all positions and proves that none is missing, [`Linkage::nearest`] the one
+//! next to approximate coordinates; [`Linkage::series`], [`Linkage::reduced_inertia`] and
+//! [`Linkage::multipliers`] give derivatives of any order, inertia and reactions;
+//! [`Linkage::from_rest`] the motion under conservative forces. [`Linkage::special`] decides singular
+//! positions and zeros by exact algebra where directions are simple numbers, [`Linkage::family`]
+//! motions like those of parallelograms. A [`Drawing`] may have any number of degrees of freedom,
+//! which exact ranks tell. At other change points and dead positions of the drive the answer is
+//! [`Undecided`](crate::Undecided).
 //!
 //! ```
 //! use mechaudit_reference::Ball;
@@ -40,9 +44,11 @@ mod chart;
 mod conservative;
 #[cfg(test)]
 mod conservative_tests;
+mod determined;
 mod disc;
 mod enclosure;
 mod energy;
+mod exact_rates;
 mod freedom;
 #[cfg(test)]
 mod freedom_tests;
@@ -62,10 +68,13 @@ mod panel;
 mod reactions;
 #[cfg(test)]
 mod reactions_tests;
+mod real;
 mod scalar;
 mod series;
 #[cfg(test)]
 mod soundness_tests;
+mod special;
+mod surd;
 mod system;
 
 pub use enclosure::{Linkage, Position};
@@ -73,9 +82,15 @@ pub use enclosure::{Linkage, Position};
 mod tests;
 
 pub use conservative::{Course, Moment};
+pub use determined::Determined;
 pub use energy::{Forces, Spring};
+pub use exact_rates::ExactRates;
 pub use freedom::{Drawing, DrawnPin, Freedom, Mobility};
 pub use joint_forces::JointForces;
-pub use mechanism::{Attachment, Body, Drive, Frame, Joint, Mechanism, MechanismError, Point};
+pub use mechanism::{
+    Attachment, Body, Drive, Frame, Joint, Mechanism, MechanismError, Place, Point,
+};
 pub use reactions::Rates;
+pub use real::Real;
 pub use series::Series;
+pub use special::{ExactDrive, Special};

@@ -2,7 +2,7 @@
 
 use super::modes::{Found, intersection};
 use super::tests::{cranked, four_bar};
-use super::{Attachment, Body, Drive, Joint, Linkage, Mechanism};
+use super::{Attachment, Body, Drive, Frame, Joint, Linkage, Mechanism, Real};
 use crate::class_iii::tests::q;
 use crate::class_iii::{self, ExactAngle, Geometry};
 use crate::{Ball, Mag};
@@ -94,8 +94,9 @@ fn gears_count_the_turns() {
             pin(b(2, at("0.5")), b(3, at("0"))),
             pin(b(1, at("2.5")), b(3, at("2"))),
             Joint::Gear {
-                a: 0,
-                b: 2,
+                a: Frame::Body(0),
+                b: Frame::Body(2),
+                carrier: Frame::Ground,
                 ratio: q(ratio),
                 offset: ExactAngle::Radians(q("0.25")),
             },
@@ -338,7 +339,7 @@ fn slides_are_undecided() {
         pin(b(1, at("3")), b(2, at("0"))),
         Joint::Slide {
             a: Attachment::ground(at("0")),
-            direction: at("1"),
+            direction: at("1").map(Real::from),
             b: b(2, at("0")),
             turn: ExactAngle::Radians(q("0")),
         },

@@ -105,8 +105,9 @@ fn forces_are_for_pins_without_springs() {
     let mut joints = linkage.mechanism().joints().to_vec();
     assert!(joints.iter().all(|j| matches!(j, Joint::Pin { .. })));
     joints.push(Joint::Gear {
-        a: 0,
-        b: 3,
+        a: super::Frame::Body(0),
+        b: super::Frame::Body(3),
+        carrier: super::Frame::Ground,
         ratio: q("2"),
         offset: crate::class_iii::ExactAngle::Radians(q("0")),
     });

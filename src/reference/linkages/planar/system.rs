@@ -78,8 +78,8 @@ fn sum<T: Scalar>(a: &mut [T; 2], b: &[T; 2]) {
 impl BallForm {
     pub(super) fn new(form: &Form, bits: u32) -> BallForm {
         let term = |t: &super::loops::Term| BallTerm {
-            re: Ball::rational(bits, &t.z[0]),
-            im: Ball::rational(bits, &t.z[1]),
+            re: t.z[0].to_ball(bits),
+            im: t.z[1].to_ball(bits),
             slide: t.slide,
             body: t.body,
         };

@@ -89,7 +89,7 @@ fn a_slider_crank_by_its_quadratic() {
         pin(b(0, at("1", "0")), b(1, origin())),
         Joint::Slide {
             a: Attachment::ground(at("0", "0.5")),
-            direction: at("1", "0"),
+            direction: at("1", "0").map(Real::from),
             b: b(2, origin()),
             turn: ExactAngle::Radians(q("0.25")),
         },
@@ -129,24 +129,25 @@ fn a_slot_a_gear_and_a_rack() {
         pin(Attachment::ground(origin()), b(1, origin())),
         Joint::Slot {
             a: b(1, origin()),
-            direction: at("0.5", "0"),
+            direction: at("0.5", "0").map(Real::from),
             b: b(0, at("1", "0")),
         },
         pin(Attachment::ground(at("5", "0")), b(2, origin())),
         Joint::Gear {
-            a: 1,
-            b: 2,
+            a: Frame::Body(1),
+            b: Frame::Body(2),
+            carrier: Frame::Ground,
             ratio: q("-1.5"),
             offset: ExactAngle::Degrees(q("60")),
         },
         Joint::Slide {
             a: Attachment::ground(origin()),
-            direction: at("0", "1"),
+            direction: at("0", "1").map(Real::from),
             b: b(3, origin()),
             turn: ExactAngle::Radians(q("0")),
         },
         Joint::Rack {
-            pinion: 1,
+            pinion: Frame::Body(1),
             slide: 5,
             ratio: q("2"),
             offset: q("-1"),
@@ -242,7 +243,7 @@ pub(super) fn oscillator() -> (Linkage, Forces) {
     mass.mass = q("2");
     let joints = vec![Joint::Slide {
         a: Attachment::ground(origin()),
-        direction: at("1", "0"),
+        direction: at("1", "0").map(Real::from),
         b: Attachment::body(0, origin()),
         turn: ExactAngle::Radians(q("0")),
     }];

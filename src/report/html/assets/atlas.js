@@ -89,7 +89,7 @@ document.addEventListener("DOMContentLoaded", () => {
       width, height: 380, marginLeft: 56, marginBottom: 40, marginRight: width > 600 ? 170 : 24,
       x: { type: "log", domain: [1e-17, 10], reverse: false, label: `worst relative error ${words}`, ticks: [-16, -12, -8, -4, 0].map((e) => 10 ** e),
         tickFormat: (v) => `10${superscript(Math.round(Math.log10(v)))}` },
-      y: { type: "log", grid: true, label: "ns a value", ticks: 5, tickFormat: "~g", nice: true },
+      y: { type: "log", grid: true, label: "ns a value", nice: true, ticks: [0, 1, 2, 3, 4, 5, 6, 7].map((e) => 10 ** e), tickFormat: (v) => `10${superscript(Math.round(Math.log10(v)))}` },
       marks: [
         Plot.dot(rows, { x: "error", y: "ns", r: 4, fill: "var(--blue)" }),
       ],

@@ -36,6 +36,8 @@ document.addEventListener("DOMContentLoaded", () => {
     parts[0].type = "button";
     parts[0].addEventListener("click", () => dialog.close());
     parts[1].id = "case-title";
+    const meaning = document.querySelector(`section[data-m="${m}"] .meaning[data-r="${region}"]`);
+    if (meaning) parts.push(element("p", meaning.textContent, "soft"));
     if (whole) {
       const verdict = parts.at(parts.push(element("p")) - 1);
       verdict.append(element("span", whole.verdict, "sign", whole.tone), whole.reason ? `: ${whole.reason}` : "");

@@ -3,6 +3,7 @@
 // with a place on the drawing.
 const figures = (() => {
   const ulps = (x) => (x === null || x === undefined ? "no number" : `${d3.format(".3~g")(x)} ulps`);
+  const ten = (v) => `10${power(Math.round(Math.log10(v))).slice(1)}`;
   const power = (k) => `2${String(k).replace("-", "⁻").replace(/\d/g, (d) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[d])}`;
 
   function plot(options) {
@@ -12,7 +13,37 @@ const figures = (() => {
     svg.setAttribute("role", "img");
     for (const e of mechaudit.all("[aria-label]", svg)) e.removeAttribute("aria-label");
     svg.setAttribute("aria-label", options.label);
+    indices(svg);
     return svg;
+  }
+
+  // A symbol's index stands lower: that of I_n, but not of omega_crank.
+  const INDEX = /(?<!\w)([dD]?\p{L})_([\p{L}\d]+)(?!\w)/u;
+  function indices(svg) {
+    for (const text of mechaudit.all("text", svg)) {
+      const found = text.childElementCount === 0 && INDEX.exec(text.textContent);
+      if (!found) continue;
+      const [whole, symbol, index] = found;
+      const before = text.textContent.slice(0, found.index) + symbol;
+      const parts = [[index, "0.3em", "75%"], [text.textContent.slice(found.index + whole.length), "-0.225em", null]];
+      text.textContent = before;
+      for (const [words, dy, size] of parts) {
+        const part = d3.select(text).append("tspan").attr("dy", dy).text(words);
+        if (size) part.attr("font-size", size);
+      }
+    }
+  }
+
+  // Round numbers within a range, and one format in which each is told from the others.
+  function axisOf([low, high], count) {
+    const ticks = d3.ticks(low, high, count);
+    const largest = d3.max(ticks, Math.abs) ?? 0;
+    const step = ticks.length > 1 ? ticks[1] - ticks[0] : largest;
+    const plain = largest === 0 || (largest >= 1e-3 && largest < 1e6);
+    const write = (v, n) => (plain ? v.toFixed(n) : v.toExponential(n).replace("e+", "e"));
+    let digits = 0;
+    while (digits < 12 && ticks.some((v) => Math.abs(write(v, digits) - v) > 1e-6 * step)) digits += 1;
+    return { ticks, tickFormat: (v) => (v === 0 ? "0" : write(v, digits).replace("-", "−")) };
   }
 
   // Reading out by pointer and by arrow keys; a click or Enter opens the case of the item.
@@ -96,7 +127,7 @@ const figures = (() => {
       width, height: 190, marginLeft: 46, marginBottom: 34,
       x: { domain: ends, ticks: [from(-1.5), ...ticks], tickFormat: (e) => (e < low ? "exact" : power(e)),
         label: "error, ulps" },
-      y: { type: "log", domain: [0.7, most * 1.4], grid: true, label: "values", ticks: decades(1, most, 5), tickFormat: "~s" },
+      y: { type: "log", domain: [0.7, most * 1.4], grid: true, label: "values", ticks: decades(1, most, 5), tickFormat: ten },
       marks: [
         Plot.rect(data, { x1: "x1", x2: "x2", y1: () => 0.7, y2: "n", fill: "var(--blue)" }),
         ...(limit ? [Plot.ruleX([limit], { stroke: "var(--bad)", strokeDasharray: "4 3", strokeWidth: 1.5 })] : []),
@@ -124,7 +155,7 @@ const figures = (() => {
   function axis(values, width) {
     const sizes = values.map(Math.abs).filter((v) => v > 0).sort((a, b) => a - b);
     if (sizes.length === 0 || sizes.at(-1) < 1e3 * d3.quantileSorted(sizes, 0.5)) {
-      return { at: (v) => v, options: { tickFormat: "~g", ticks: Math.floor(width / 80) } };
+      return { at: (v) => v, options: axisOf(d3.extent(values), Math.floor(width / 80)) };
     }
     // Four decades below the median and eight above; what is beyond stands at the ends.
     const middle = Math.floor(Math.log10(d3.quantileSorted(sizes, 0.5)));
@@ -163,7 +194,7 @@ const figures = (() => {
       width, height: 220, marginLeft: 52, marginBottom: 34,
       x: { label: name, ...along.options },
       y: { type: "log", domain: [1e-3, ceiling * 1.5], grid: true, label: `${output.name}, ulps`,
-        ticks: decades(1e-3, ceiling, 6), tickFormat: "~g" },
+        ticks: decades(1e-3, ceiling, 6), tickFormat: ten },
       marks: [
         ...(output.limit ? [Plot.ruleY([output.limit], { stroke: "var(--bad)", strokeDasharray: "4 3" })] : []),
         Plot.dot(rows.filter((r) => !r.wrong), { ...mark, r: 2.2, strokeOpacity: 0.75 }),
@@ -180,5 +211,5 @@ const figures = (() => {
       svg, reading(svg, items, open));
   }
 
-  return { figure, histogram, plot, reading, scatter, ulps };
+  return { axisOf, figure, histogram, plot, reading, scatter, ulps };
 })();

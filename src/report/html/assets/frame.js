@@ -95,6 +95,23 @@ const mechaudit = (() => {
     });
   }
 
+  // What a card on a phone needs: each cell knows the head of its column, and each element its part in the table.
+  function stack(table) {
+    const heads = all("thead th", table).map((th) => th.textContent);
+    table.classList.add("stack");
+    if (table.tBodies[0].rows.length > 12) table.parentElement.classList.add("long");
+    table.setAttribute("role", "table");
+    for (const row of table.rows) row.setAttribute("role", "row");
+    for (const th of all("thead th", table)) th.setAttribute("role", "columnheader");
+    for (const row of table.tBodies[0].rows) {
+      for (const cell of row.cells) {
+        const [k, own] = [cell.cellIndex, cell.tagName === "TH"];
+        cell.setAttribute("role", own ? "rowheader" : "cell");
+        if (k > 0 && !own && !["", "verdict", "region", "reason, or the command"].includes(heads[k])) cell.dataset.label = heads[k];
+      }
+    }
+  }
+
   function select(element) {
     const range = document.createRange();
     range.selectNodeContents(element);
@@ -126,6 +143,7 @@ const mechaudit = (() => {
   function start() {
     theme(document.getElementById("theme"));
     all(".filter[data-of]").forEach(filter);
+    all("table:not(.entries)").forEach(stack);
     all("table.sortable").forEach(sortable);
     document.addEventListener("click", (event) => {
       const button = event.target.closest?.("button.copy");

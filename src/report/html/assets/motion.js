@@ -18,8 +18,6 @@ document.addEventListener("DOMContentLoaded", () => {
   const drive = (k) => `${motion.drive[k].toFixed(motion.unit === "°" ? 3 : 5)}${motion.unit === "°" ? "°" : ` ${motion.unit}`}`;
   const axis = `${motion.symbol}, ${motion.unit === "°" ? "degrees" : motion.unit}`;
 
-  const tick = (v) => String(Number(v.toPrecision(6))).replace("-", "−");
-
   let charts = [];
   function draw() {
     const width = Math.max(280, Math.min(700, box.clientWidth));
@@ -35,11 +33,12 @@ document.addEventListener("DOMContentLoaded", () => {
       const line = (data, extra) => Plot.line(data, { x: "at", y: "value", z: "piece", clip: true, ...extra });
       const last = i + 1 === shown.length;
       const unit = course.unit && `, ${course.unit}`;
+      const domain = d3.nice(low, high, 5);
       const chart = figures.plot({
         width, height: last ? 190 : 165, marginLeft: 60, marginBottom: last ? 36 : 22,
         label: `${course.name} over ${motion.symbol}`,
-        x: { label: last ? axis : null, ticks: Math.floor(width / 70) },
-        y: { label: `${course.name}${unit}`, grid: true, nice: true, domain: course.range, tickFormat: tick },
+        x: { label: last ? axis : null, ...figures.axisOf(d3.extent(motion.drive), Math.floor(width / 70)) },
+        y: { label: `${course.name}${unit}`, grid: true, domain, ...figures.axisOf(domain, 5) },
         marks: [
           ...(course.range[0] <= 0 && course.range[1] >= 0 ? [Plot.ruleY([0], { stroke: "var(--edge)" })] : []),
           ...(rows[1] ? [line(rows[1], { stroke: "var(--orange)", strokeDasharray: "5 4" })] : []),

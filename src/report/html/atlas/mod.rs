@@ -64,6 +64,7 @@ pub fn page(found: &Atlas, maps: &[(String, Map)]) -> String {
         styles: &[AUDIT_CSS, ATLAS_CSS],
         contents: contents(found, !maps.is_empty()),
         main,
+        columns: (&["atlas"], &[]),
         data: &[("atlas-data", embedded(&data))],
         scripts: &[D3_JS, PLOT_JS, FIGURES_JS, ATLAS_JS],
     };
@@ -153,7 +154,6 @@ fn figures(maps: usize) -> Markup {
             } "\n"
             div.js #atlas-keys {} "\n"
             div.js.figures #atlas-maps {} "\n"
-            p.only-print { "The maps are drawn by the page's script." } "\n"
         } "\n"
         section { "\n"
             h2 #work { "Work and precision" } "\n"

@@ -65,7 +65,7 @@ fn line(row: &Row) -> Markup {
     let rising: u64 = row.jumps.iter().map(|j| j.rising).sum();
     html! {
         tr {
-            td.left title=(row.source) { (row.name) }
+            td.left.region data-v=(row.name) { (row.name) small.meaning { (row.source) } }
             (of(norm("ordinary"), |f| f.worst)) (of(norm("ordinary"), |f| f.p99)) (of(norm("ordinary"), |f| f.median))
             (re("ordinary")) (error(ordinary.and_then(|p| p.im)))
             (of(norm("beside-axis"), |f| f.worst)) (re("beside-axis")) (re("grid")) (re("wings"))
@@ -132,7 +132,7 @@ pub fn lines(found: &Atlas) -> Markup {
                 tbody { "\n"
                     @for row in &found.profiles {
                         tr {
-                            td.left title=(row.source) { (row.name) }
+                            td.left.region { (row.name) small.meaning { (row.source) } }
                             @for region in regions {
                                 @let part = row.part(region).filter(|p| p.cases > 0);
                                 (error(part.and_then(|p| p.norm.as_ref()).map(|f| f.worst)))

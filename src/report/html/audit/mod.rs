@@ -1,5 +1,6 @@
 //! The report of an audit as one page without outside parts, whosever code was audited.
 
+#[cfg(feature = "report")]
 mod campaign;
 mod comparison;
 mod data;
@@ -12,6 +13,7 @@ use super::assets::{AUDIT_CSS, AUDIT_JS, D3_JS, FIGURES_JS, MAP_JS, PLOT_JS};
 use super::page::{Page, class, verdict};
 use super::{convergence, page::entry_of_contents};
 use crate::audit::{Comparison, ConvergenceReport, MethodReport, Uncertified};
+#[cfg(feature = "report")]
 use crate::campaign::{PartSum, Plan};
 use crate::report::baseline::Changes;
 use crate::report::words::Tone;
@@ -47,6 +49,7 @@ pub fn page(
     parts.page()
 }
 
+#[cfg(feature = "report")]
 /// A campaign as far as it is done, so many of its shards.
 pub fn campaign(plan: &Plan, (done, shards): (u64, u64), found: &[PartSum]) -> String {
     let labels: Vec<String> = plan.parts.iter().map(|p| p.label()).collect();
@@ -134,6 +137,7 @@ impl Parts<'_> {
             h1 { (self.title) } "\n"
             (verdict(tone, word, &format!("{}.", self.totals)))
             @if let Some(first) = reports.first().filter(|_| self.kind != "campaign") { p.soft { (settings(&first.settings)) } "\n" }
+            (units())
             (news(&self.named))
             (self.first)
             @if let Some(changes) = self.changes { (comparison::changes(changes)) }
@@ -142,10 +146,6 @@ impl Parts<'_> {
                 (method::section(k, name, report, &data, reports.len() <= 3))
             }
             @if let Some(reports) = self.approximations { (convergence::all(reports)) }
-            p.soft.small {
-                "An ulp is the unit in the last place of the unrounded reference; u is 2" sup { "-53" }
-                "; worst found is the largest of a sample."
-            } "\n"
             dialog #case aria-labelledby="case-title" {} "\n"
         };
         let page = Page {
@@ -154,10 +154,19 @@ impl Parts<'_> {
             styles: &[AUDIT_CSS],
             contents: self.contents(several),
             main,
+            columns: (self.topics(), &[]),
             data: &[("audit-data", super::page::embedded(&data))],
             scripts: &[D3_JS, PLOT_JS, FIGURES_JS, MAP_JS, AUDIT_JS],
         };
         page.write()
+    }
+
+    fn topics(&self) -> &[&str] {
+        match (self.kind, self.changes) {
+            ("campaign", _) => &["audit", "campaign"],
+            ("comparison", _) | (_, Some(_)) => &["audit", "compare"],
+            _ => &["audit"],
+        }
     }
 
     fn contents(&self, several: bool) -> Markup {
@@ -187,6 +196,17 @@ impl Parts<'_> {
 /// The name of a section.
 fn anchor(k: usize) -> String {
     format!("method-{k}")
+}
+
+/// The units of errors, a line each.
+fn units() -> Markup {
+    html! {
+        ul.units.small { "\n"
+            li { b { "ulp" } ": the unit in the last place of the unrounded reference; rounded correctly, a result is off by ½ at most." } "\n"
+            li { b { "u(1+cond)" } ": u = 2" sup { "−53" } ", times one plus the condition number: what rounded inputs alone may cost." } "\n"
+            li { b { "budget" } ": the error that is allowed; a case fails above 100 % of it. Worst is the worst found of a sample." } "\n"
+        } "\n"
+    }
 }
 
 /// What is over budget, and laws that do not hold.
@@ -235,7 +255,7 @@ mod tests {
         whole(&page);
         let order = [
             "<title>Audit of 2 methods: NOT as expected</title>",
-            "NOT as expected</span>: 1 of 2 methods pass, 799 of 800 cases.",
+            "NOT as expected</span>: 1 of 2 methods pass, 1 of 800 cases failed.",
             "1 of 400 cases do not pass",
             "id=\"overview\"",
             "id=\"method-0\"",

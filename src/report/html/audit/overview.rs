@@ -77,7 +77,7 @@ fn row(k: usize, r: &MethodReport, data: &Data) -> Markup {
             td data-v=(sorting(ulps)) { (Worst::of(r).ulps) }
             td data-v=(sorting(r.total.max_of_budget)) { (percent(r.total.max_of_budget)) }
             td.left.strip { @for (i, region) in r.regions.iter().enumerate() {
-                button.heat.(heat(region.failed() > 0, region.max_of_budget)) title=(spoken(region))
+                button.heat.(heat(region.failed() > 0, region.max_of_budget)) aria-label=(spoken(region))
                     data-c=[data.worst_of(k, i)] {
                     (cell(region))
                 }
@@ -96,7 +96,7 @@ pub fn legend() -> Markup {
             ] {
                 span.heat.(class) { (name) } " "
             }
-            span.js { "A cell opens its worst case; ✗ counts answers of the wrong kind." }
+            span.js { "A cell opens its worst case and says what its region is; ✗ counts answers of the wrong kind." }
         } "\n"
     }
 }
@@ -183,9 +183,9 @@ mod tests {
             "<td>400</td><td>1</td>",
             "<td data-v=\"9.500e0\">9.50</td>",
             "<td data-v=\"1.750e0\">175.0 %</td>",
-            "<button class=\"heat h4\" title=\"wide: 400 of 400 cases pass, worst 175.0 % of its budget\" \
+            "<button class=\"heat h4\" aria-label=\"wide: 400 of 400 cases pass, worst 175.0 % of its budget\" \
              data-c=\"0\">175 %</button>",
-            "<button class=\"heat h5\" title=\"near: 399 of 400 cases pass, worst 175.0 % of its budget\" \
+            "<button class=\"heat h5\" aria-label=\"near: 399 of 400 cases pass, worst 175.0 % of its budget\" \
              data-c=\"0\">✗ 3</button>",
         ] {
             assert!(rows[0].contains(part), "{part} is missing in {}", rows[0]);

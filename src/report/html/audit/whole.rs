@@ -117,7 +117,7 @@ mod tests {
         let due = json!({
             "verdict": "over budget",
             "tone": "t-bad",
-            "reason": "phi2 (value 0) is 1.750 times its budget off",
+            "reason": "phi2 (value 0) is 7.5e-1, expected 7.500000000000008e-1: 1.750 times its budget off",
             "input": [
                 ["", "", "0.1", "0x1.999999999999ap-4"],
                 ["", "", "-2.0", "-0x1p+1"],

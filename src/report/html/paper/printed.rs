@@ -1,6 +1,7 @@
 //! Every printed entry in one table, to be sorted and filtered.
 
 use super::super::page::{counted, filter};
+use super::super::prose::prose;
 use crate::papers::{Entry, PaperReport};
 use crate::report::words::numbers::{clipped, short};
 use crate::report::words::paper::entry;
@@ -36,7 +37,7 @@ pub fn table(report: &PaperReport) -> Markup {
                 thead { tr {
                     th { "table" } th { "row" } th.left { "column" } th { "printed" } th { "recomputed" }
                     th.left data-sort="none" { "deviation" } th.left { "verdict" }
-                    @for v in &variants { th { (spoken(v)) } }
+                    @for v in &variants { th.given { (spoken(v)) } }
                 } } "\n"
                 tbody { "\n"
                     @for e in &report.entries { (row(e, &variants, last, verdict(e))) }
@@ -53,7 +54,7 @@ fn row(e: &Entry, variants: &BTreeSet<&str>, last: &str, verdict: &str) -> Marku
     let digits = e.printed.trim_start_matches('-').len() + 3;
     html! {
         tr data-verdict=(verdict) {
-            td { (e.table) } td { (e.row) } td.left { (e.column) }
+            td { (e.table) } td { (e.row) } td.left { (prose(e.column)) }
             td { (e.printed) }
             td { @if let Some(r) = of(last) { (clipped(&r.recomputed, digits)) } }
             td.left { (bar(units)) }

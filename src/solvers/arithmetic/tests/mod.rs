@@ -2,7 +2,7 @@
 
 mod double_double;
 pub(crate) mod exact;
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 mod packs;
 mod payne_hanek;
 mod real;

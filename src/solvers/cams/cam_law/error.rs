@@ -22,7 +22,11 @@ pub enum CamLawError {
         value: f64,
     },
     /// Sine, constant and cosine part that do not fill the rise.
-    #[error("b + c + d = {sum}, but the three parts must fill the rise: b + c + d = 1")]
+    #[error(
+        "b + c + d = {}, but the shares of sine, constant and cosine must fill the rise: they add up to 1 but for their \
+         rounding, as 0.25, 0.5 and 0.25 do",
+        without_rounding(*.sum)
+    )]
     PartsSum {
         /// Their sum.
         sum: f64,
@@ -126,5 +130,14 @@ pub(super) fn finite(name: &'static str, value: f64) -> Result<f64, CamLawError>
     match value.is_finite() {
         true => Ok(value),
         false => Err(CamLawError::NotFinite { name, value }),
+    }
+}
+
+/// A sum without the figures that are those of rounding, if it is not 1 without them.
+fn without_rounding(sum: f64) -> f64 {
+    let rounded = (sum * 1e12).round() / 1e12;
+    match sum.abs() < 1e3 && rounded != 1.0 {
+        true => rounded,
+        false => sum,
     }
 }

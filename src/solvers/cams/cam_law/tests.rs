@@ -245,6 +245,18 @@ fn refusals() {
     };
     says(MotionLaw::scca(0.5, 0.5, 0.5), "b + c + d = 1.5");
     says(
+        MotionLaw::scca(0.333, 0.333, 0.333),
+        "b + c + d = 0.999, but",
+    );
+    says(
+        MotionLaw::scca(0.333, 0.333, 0.333),
+        "add up to 1 but for their rounding",
+    );
+    says(
+        MotionLaw::scca(0.25, 0.5, 0.25 + 1e-14),
+        "b + c + d = 1.00000000000001, but",
+    );
+    says(
         MotionLaw::scca(-0.5, 1.0, 0.5),
         "b = -0.5 must not be negative",
     );

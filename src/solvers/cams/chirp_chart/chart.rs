@@ -39,9 +39,11 @@ pub struct ChartPoint {
     pub acceleration: f64,
     /// `K_dc`, `K_dM`, `K_dN` (2).
     pub dynamic_coefficients: [f64; 3],
-    /// Amplitude of the free vibration at the end of the high dwell; NaN if overdamped.
+    /// Amplitude of the free vibration at the end of the high dwell that is nearest; NaN if
+    /// overdamped, and where nothing has dwelt: without a high dwell, and before the end of the
+    /// first one.
     pub dwell_amplitude: f64,
-    /// Its phase there, in (−π, π]; NaN if overdamped.
+    /// Its phase there, in (−π, π]; NaN where the amplitude is.
     pub dwell_phase: f64,
 }
 
@@ -162,7 +164,10 @@ fn point(
     // The moment is a force times df/dθ, in h²(Ω/β)²/β.
     let moment = peaks.moment * TAU * drive.cycle.rise().turns / (lift * rate).powi(2);
     let power = peaks.power / (lift * lift * rate.powi(3));
-    let vibration = response.free_vibration(response.start_of_return(t))?;
+    let vibration = match response.end_of_dwell(t) {
+        Some(end) => response.free_vibration(end)?,
+        None => None,
+    };
     Ok(ChartPoint {
         xi_rise: drive.criterion(speed, Period::Rise),
         xi_turn: drive.criterion(speed, Period::Turn),

@@ -359,8 +359,10 @@ impl CamResponse {
         }))
     }
 
-    /// The first time from `t` on, or within a turn before, at which the return begins.
-    pub(super) fn start_of_return(&self, t: f64) -> f64 {
+    /// The time nearest to `t` at which a high dwell ends and the return begins; none if there is
+    /// no high dwell, if it ended before the motion began, or if the shaft turns back before its
+    /// end.
+    pub(super) fn end_of_dwell(&self, t: f64) -> Option<f64> {
         let cycle = &self.drive.cycle;
         let due = cycle.start() + cycle.rise().turns + cycle.high_dwell();
         let now = self.drive.turns(t);
@@ -369,10 +371,11 @@ impl CamResponse {
         // On the nearer side, as the turn that is looked at is centred.
         let ahead = TAU * if ahead > 0.5 { ahead - 1.0 } else { ahead };
         let square = speed * speed + 2.0 * self.drive.chirp.eps * ahead;
-        match square > 0.0 {
-            true => (t + 2.0 * ahead / (speed + square.sqrt().copysign(speed))).max(0.0),
-            false => t,
+        if cycle.high_dwell() == 0.0 || square <= 0.0 {
+            return None;
         }
+        let end = t + 2.0 * ahead / (speed + square.sqrt().copysign(speed));
+        (end > 0.0).then_some(end)
     }
 }
 

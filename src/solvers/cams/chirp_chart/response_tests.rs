@@ -85,6 +85,6 @@ fn seams_of_a_turn() {
     let refused = Err(ChirpChartError::Criterion { xi });
     assert_eq!(drive(2.0, 0.5).time_of(xi, Period::Turn), refused);
     let r = CamResponse::new(drive(2.0, 0.0), 3, None).expect("a response");
-    let t = r.start_of_return(0.0);
+    let t = r.end_of_dwell(0.0).expect("a dwell");
     assert!((t - 0.25 * TAU).abs() < 1e-15, "{t}");
 }

@@ -16,12 +16,22 @@ use super::model::{Coefficients, ModelError, ReducedModel, checked_angle};
 use crate::cubic_spline::{Boundary, CubicSplineError, Extrapolation, Grid, UniformCubicSpline};
 use std::f64::consts::TAU;
 
+/// Nodes of the splines at most: each of them is the end of a step of every turn, so that more take
+/// longer than a run with exact coefficients.
+pub const MOST_NODES: usize = 100_000;
+
 /// Why there are no splines.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SplinedError {
     /// Fewer than three nodes.
     #[error("{nodes} nodes over a turn, at least 3 are needed")]
     TooFewNodes {
+        /// The number given.
+        nodes: usize,
+    },
+    /// More than [`MOST_NODES`].
+    #[error("{nodes:e} nodes over a turn, at most {MOST_NODES} are taken")]
+    TooManyNodes {
         /// The number given.
         nodes: usize,
     },
@@ -56,6 +66,9 @@ impl Splined {
     ) -> Result<Splined, SplinedError> {
         if nodes < 3 {
             return Err(SplinedError::TooFewNodes { nodes });
+        }
+        if nodes > MOST_NODES {
+            return Err(SplinedError::TooManyNodes { nodes });
         }
         let step = TAU / nodes as f64;
         let values: Vec<Coefficients> = (0..=nodes)
@@ -182,6 +195,10 @@ mod tests {
         assert_eq!(splined.knots().len(), 12);
         let e = Splined::new(&model, START, 2).unwrap_err();
         assert_eq!(e, SplinedError::TooFewNodes { nodes: 2 });
+        // Refused before any of them has a value.
+        let nodes = 100_000_000_000_000;
+        let e = Splined::new(&model, START, nodes).unwrap_err();
+        assert_eq!(e, SplinedError::TooManyNodes { nodes });
     }
 
     #[test]

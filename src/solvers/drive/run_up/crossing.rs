@@ -53,12 +53,12 @@ impl Limits {
 /// The first crossing of a limit found within the step just taken, with its time.
 ///
 /// `before` is the acceleration at the beginning of the step where extrema are looked for, zero if
-/// its sign is not known; it becomes that at the end. `acceleration` is that of a state.
+/// its sign is not known; it becomes that at the end. `acceleration` is that of a time and state.
 pub(super) fn crossing(
     stepper: &mut dyn Stepper,
     limits: &Limits,
     before: &mut Option<f64>,
-    acceleration: &dyn Fn(&State) -> f64,
+    acceleration: &dyn Fn(f64, &State) -> f64,
 ) -> Option<(f64, Pause)> {
     let (a, b) = (stepper.t_before(), stepper.t());
     let mut left = a;
@@ -71,7 +71,7 @@ pub(super) fn crossing(
             }
         };
         let reference = before.filter(|b| *b != 0.0);
-        let now = before.map(|_| acceleration(&y));
+        let now = before.map(|_| acceleration(right, &y));
         let turned = |now: f64| reference.is_some_and(|r| r * now < 0.0);
         let here = |y: &State, now: Option<f64>| {
             limits
@@ -86,7 +86,7 @@ pub(super) fn crossing(
                     break;
                 }
                 let y = stepper.between(middle);
-                let now = reference.map(|_| acceleration(&y));
+                let now = reference.map(|_| acceleration(middle, &y));
                 // What is found first may change on the way.
                 match here(&y, now) {
                     Some(earlier) => (hi, pause) = (middle, earlier),

@@ -67,7 +67,7 @@ fn no_more_looks_than_needed() {
     let speeds = (f64::NEG_INFINITY, f64::INFINITY);
     for (a, b, looks) in [(1.0, 3.0, [1.5, 2.0, 2.5]), (2.0, 10.0, [4.0, 6.0, 8.0])] {
         let mut s = Watched(a, b, state(b, 1.0), |t| state(t, 1.0), Vec::new());
-        let unused = |_: &State| unreachable!("no turning points");
+        let unused = |_: f64, _: &State| unreachable!("no turning points");
         let none = crossing(&mut s, &limits((0.0, b), speeds), &mut None, &unused);
         assert_eq!((none, &s.4[..]), (None, &looks[..]));
         // Just behind the first look: the quarter is halved until its ends are neighbours, which
@@ -90,15 +90,15 @@ fn no_more_looks_than_needed() {
 fn an_acceleration_of_zero_at_a_look() {
     let open = (f64::NEG_INFINITY, f64::INFINITY);
     let l = limits(open, open);
-    let find = |sign: f64, acceleration: &dyn Fn(&State) -> f64| {
+    let find = |sign: f64, acceleration: &dyn Fn(f64, &State) -> f64| {
         let mut s = Watched(1.0, 3.0, state(3.0, 1.0), |t| state(t, 1.0), Vec::new());
         crossing(&mut s, &l, &mut Some(sign), acceleration)
     };
     for sign in [1.0, -1.0] {
         // From zero, so that it is +0 at the look whatever the sign.
-        let touching = |y: &State| 0.0 + sign * (y[PHI] - 2.0).powi(2);
+        let touching = |_: f64, y: &State| 0.0 + sign * (y[PHI] - 2.0).powi(2);
         assert_eq!(find(sign, &touching), None);
-        let through = |y: &State| sign * (2.0 - y[PHI]);
+        let through = |_: f64, y: &State| sign * (2.0 - y[PHI]);
         let due = Some((2.0f64.next_up(), Pause::Extremum));
         assert_eq!(find(sign, &through), due);
     }

@@ -6,7 +6,7 @@ use crate::units::{Inertia, Torque};
 /// Resistance to the crank's motion: `−(c_0 sign ψ + c_1 ψ + c_2 |ψ| ψ)`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Resistance {
-    /// c_0 in N·m. At rest it takes no sides: a run ends when the crank comes to rest.
+    /// c_0 in N·m. At rest it takes no sides: it holds the crank against any torque up to its own.
     pub constant: Torque,
     /// c_1 in N·m·s.
     pub viscous_n_m_s: f64,
@@ -122,12 +122,20 @@ impl Drive {
         &self.resistance
     }
 
-    /// Torque of the motor at the crank and its slope by ψ.
+    /// Torque of the motor at the crank and its slope by ψ, at the beginning of a run.
     ///
     /// # Errors
     /// [`OutsideTable`].
     pub fn motor_torque(&self, psi: f64) -> Result<(f64, f64), OutsideTable> {
-        let (m, d) = self.motor.torque_and_slope(self.ratio * psi)?;
+        self.motor_torque_at(0.0, psi)
+    }
+
+    /// The same at a time in s.
+    ///
+    /// # Errors
+    /// [`OutsideTable`].
+    pub fn motor_torque_at(&self, time: f64, psi: f64) -> Result<(f64, f64), OutsideTable> {
+        let (m, d) = self.motor.torque_and_slope_at(time, self.ratio * psi)?;
         Ok((self.ratio * m, self.ratio * self.ratio * d))
     }
 

@@ -70,12 +70,26 @@ impl<'a> Equation<'a> {
         self.drive
     }
 
-    /// The forces while the crank turns in the direction `sign` (±1, the side that a constant
+    /// The forces at the beginning of a run while the crank turns in the direction `sign` (±1, the side that a constant
     /// resistance takes).
     ///
     /// # Errors
     /// [`EquationError`].
     pub fn forces(&self, phi: f64, psi: f64, sign: f64) -> Result<Forces, EquationError> {
+        self.forces_at(0.0, phi, psi, sign)
+    }
+
+    /// The same at a time in s, for motors whose torque depends on it.
+    ///
+    /// # Errors
+    /// [`EquationError`].
+    pub fn forces_at(
+        &self,
+        time: f64,
+        phi: f64,
+        psi: f64,
+        sign: f64,
+    ) -> Result<Forces, EquationError> {
         let c = self.model.coefficients(phi)?;
         if !(c.inertia >= 0.0) {
             let value = c.inertia;
@@ -88,7 +102,7 @@ impl<'a> Equation<'a> {
                 value: inertia,
             });
         }
-        let (motor, motor_slope) = self.drive.motor_torque(psi)?;
+        let (motor, motor_slope) = self.drive.motor_torque_at(time, psi)?;
         let (resistance, resistance_slope) = self.drive.resisting_torque(psi, sign);
         let torque = motor + resistance + c.moment - 0.5 * psi * psi * c.inertia_derivative;
         Ok(Forces {

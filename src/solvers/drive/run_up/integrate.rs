@@ -116,10 +116,10 @@ struct Rhs<'a> {
 }
 
 impl ODE<f64, State> for Rhs<'_> {
-    fn diff(&self, _: f64, y: &State, dydt: &mut State) {
+    fn diff(&self, t: f64, y: &State, dydt: &mut State) {
         self.evaluations.set(self.evaluations.get() + 1);
         let psi = y[PSI];
-        match self.equation.forces(y[PHI], psi, self.sign) {
+        match self.equation.forces_at(t, y[PHI], psi, self.sign) {
             Ok(f) => {
                 *dydt = [
                     psi,
@@ -234,9 +234,14 @@ impl<'a> Integrator<'a> {
         }
     }
 
-    fn derivative(&self, y: &State) -> State {
+    /// From here on the crank turns in the direction `sign`.
+    pub fn turn(&mut self, sign: f64) {
+        self.rhs.sign = sign;
+    }
+
+    fn derivative(&self, t: f64, y: &State) -> State {
         let mut d = [0.0; 6];
-        self.rhs.diff(0.0, y, &mut d);
+        self.rhs.diff(t, y, &mut d);
         d
     }
 
@@ -244,7 +249,7 @@ impl<'a> Integrator<'a> {
     /// over a good part of the whole time, where there may be no linkage or motor any more. Steps
     /// grow up to tenfold at a time.
     fn first_step(&self, end: f64) -> f64 {
-        let (d, psi) = (self.derivative(&self.y), self.y[PSI].abs());
+        let (d, psi) = (self.derivative(self.t, &self.y), self.y[PSI].abs());
         let (acceleration, damping) = (d[PSI].abs(), d[DAMPING].abs());
         let shortest = [
             1.0 / damping,
@@ -336,7 +341,7 @@ impl<'a> Integrator<'a> {
             .map(|_| match self.at_extremum {
                 // Its sign says nothing; that at the first look does.
                 true => 0.0,
-                false => self.derivative(&self.y)[PSI],
+                false => self.derivative(self.t, &self.y)[PSI],
             });
         loop {
             if self.counts.steps + self.counts.rejected >= self.settings.max_steps {
@@ -390,7 +395,7 @@ impl<'a> Integrator<'a> {
             }
             (rejections, unsound) = (0, 0);
             let found = limits.and_then(|limits| {
-                let of = |y: &State| self.derivative(y)[PSI];
+                let of = |t: f64, y: &State| self.derivative(t, y)[PSI];
                 crossing(&mut *stepper, limits, &mut acceleration, &of)
             });
             if found.is_some() {
@@ -448,14 +453,16 @@ impl<'a> Integrator<'a> {
     /// and the step, undone to first order.
     fn settle(&mut self, pause: Pause) {
         self.at_extremum = pause == Pause::Extremum;
-        let d = self.derivative(&self.y);
+        let d = self.derivative(self.t, &self.y);
         let shift = match pause {
             Pause::Angle(phi) => (phi - self.y[PHI]) / d[PHI],
             Pause::Speed(psi) => (psi - self.y[PSI]) / d[PSI],
             Pause::End | Pause::Extremum => 0.0,
         };
+        // Next to a turning point the crank would turn within the shift, and the standstill be missed.
+        let turns = matches!(pause, Pause::Angle(_)) && (shift * d[PSI]).abs() >= d[PHI].abs();
         // Where what changes stands still, the quotient is infinite or not a number.
-        if shift.abs() <= self.h {
+        if shift.abs() <= self.h && !turns {
             let before = self.t;
             self.t += shift;
             self.record(before, Taken::Tangent);

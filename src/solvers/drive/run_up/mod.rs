@@ -42,6 +42,9 @@
 //! A step that crosses a spline's knot, a dead position, a kink of the motor's curve, a target speed
 //! or standstill is located on the dense output and then **taken again** up to there, so the state
 //! at such a stop has the accuracy of the step and not that of the interpolation.
+//!
+//! From standstill the crank goes on in the direction of the torque there, as a pendulum does, unless the constant
+//! resistance holds it. Then the run ends, or waits for a motor whose torque is a table over time ([`TimedTorque`]).
 
 mod coefficients;
 mod drive;
@@ -50,6 +53,7 @@ mod equation;
 mod model;
 mod motor;
 mod planar_model;
+mod timed;
 
 #[cfg(feature = "run-up")]
 mod crossing;
@@ -70,9 +74,11 @@ mod steady;
 #[cfg(feature = "run-up")]
 mod stepper;
 #[cfg(all(test, feature = "run-up"))]
+mod swing_tests;
+#[cfg(all(test, feature = "run-up"))]
 mod tests;
 
-pub use coefficients::{Hybrid, Splined, SplinedError};
+pub use coefficients::{Hybrid, MOST_NODES, Splined, SplinedError};
 pub use drive::{Drive, Resistance};
 pub use dyad_model::{FourBarModel, SliderCrankModel};
 pub use equation::{Equation, EquationError, Forces};
@@ -82,6 +88,7 @@ pub use model::{
 };
 pub use motor::{Kloss, Motor, MotorError, OutsideTable, TableReading, TorqueTable};
 pub use planar_model::{PlanarModel, PlanarModelError};
+pub use timed::TimedTorque;
 
 #[cfg(feature = "run-up")]
 pub use flywheel::{Flywheel, FlywheelError, flywheel};

@@ -102,11 +102,11 @@ pub struct Sample {
 pub enum EventKind {
     /// The driven links turned back.
     DeadPosition,
-    /// So many turns since the start.
+    /// So many turns since the start. A crank that swings back through an angle that it has just passed has not made one.
     Turn(i64),
     /// The target speed was reached.
     Target,
-    /// The crank came to rest.
+    /// The crank came to rest, to turn back or to stay.
     Rest,
 }
 
@@ -143,8 +143,9 @@ pub enum Outcome {
     TimeUp,
     /// The target speed was reached.
     Target,
-    /// The crank came to rest, or did not start: what drives it does not overcome what holds it.
-    /// Whether it would then swing back is not followed.
+    /// The crank came to rest and stays there, or did not start: what drives it does not overcome what holds it, or it
+    /// would turn at a speed that the motor's table does not cover. At the start a motor that weights overcome counts as
+    /// held; later the crank turns back.
     Stalled {
         /// Sum of the torques at rest there, the constant resistance left out, N·m.
         torque: f64,

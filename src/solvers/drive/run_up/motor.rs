@@ -1,5 +1,6 @@
 //! Torque of a motor at its own shaft as a function of its speed.
 
+use super::timed::TimedTorque;
 use crate::cubic_spline::{Boundary, CubicSpline, CubicSplineError};
 use crate::units::{AngularVelocity, Torque};
 
@@ -51,6 +52,25 @@ pub enum MotorError {
     /// A reducer without a ratio.
     #[error("the reducer's ratio must not be zero")]
     NoRatio,
+    /// A torque over time without points.
+    #[error("the torque over time has no points")]
+    NoPoints,
+    /// A torque over time that does not begin with the run.
+    #[error("the first time of the torque, {time} s, must be 0 s")]
+    FirstTime {
+        /// The first time in s.
+        time: f64,
+    },
+    /// Times that do not increase.
+    #[error("the time of point {point}, {time} s, must be greater than the one before, {before} s")]
+    TimesNotIncreasing {
+        /// The number of the point, counted from 1.
+        point: usize,
+        /// Its time in s.
+        time: f64,
+        /// The time before it in s.
+        before: f64,
+    },
     /// A table that is no curve.
     #[error("torque-speed table: {0}")]
     Table(#[from] CubicSplineError),
@@ -208,6 +228,9 @@ pub enum TableReading {
     Cubic,
 }
 
+/// The part of a table's range by which a speed may lie outside of it.
+const ROUNDING: f64 = 1e-12;
+
 /// A tabulated torque–speed curve. Nothing is read outside its first and last speed.
 #[derive(Clone, Debug)]
 pub struct TorqueTable {
@@ -236,9 +259,12 @@ impl TorqueTable {
     /// Torque and its slope.
     fn read(&self, speed: f64) -> Result<(f64, f64), OutsideTable> {
         let (first, last) = (self.speeds[0], self.speeds[self.speeds.len() - 1]);
-        if !(first <= speed && speed <= last) {
+        // A step that ends at the first or last speed does so within rounding.
+        let slack = ROUNDING * (last - first);
+        if !(first - slack <= speed && speed <= last + slack) {
             return Err(OutsideTable { speed, first, last });
         }
+        let speed = speed.clamp(first, last);
         if let Some(spline) = &self.cubic {
             let jet = spline
                 .jet(speed)
@@ -273,6 +299,8 @@ pub enum Motor {
     Kloss(Kloss),
     /// A tabulated curve.
     Table(TorqueTable),
+    /// A torque over time.
+    Timed(TimedTorque),
 }
 
 impl Motor {
@@ -298,11 +326,19 @@ impl Motor {
         })
     }
 
-    /// Torque in N·m and its slope in N·m·s at a speed in rad/s, both at the motor's shaft.
+    /// Torque in N·m and its slope in N·m·s at a speed in rad/s, both at the motor's shaft, at the beginning of a run.
     ///
     /// # Errors
     /// [`OutsideTable`] for a speed that a table does not cover.
     pub fn torque_and_slope(&self, speed: f64) -> Result<(f64, f64), OutsideTable> {
+        self.torque_and_slope_at(0.0, speed)
+    }
+
+    /// The same at a time in s, for motors whose torque depends on it.
+    ///
+    /// # Errors
+    /// As [`Motor::torque_and_slope`].
+    pub fn torque_and_slope_at(&self, time: f64, speed: f64) -> Result<(f64, f64), OutsideTable> {
         Ok(match self {
             Motor::Off => (0.0, 0.0),
             Motor::Constant(m) => (m.n_m(), 0.0),
@@ -315,6 +351,7 @@ impl Motor {
             }
             Motor::Kloss(k) => (k.torque(speed), k.slope(speed)),
             Motor::Table(t) => t.read(speed)?,
+            Motor::Timed(t) => (t.torque(time), 0.0),
         })
     }
 
@@ -323,6 +360,23 @@ impl Motor {
         match self {
             Motor::Table(t) => &t.speeds,
             _ => &[],
+        }
+    }
+
+    /// Whether the torque is known on that side (±1) of standstill.
+    #[cfg(feature = "run-up")]
+    pub(super) fn is_known_beside_rest(&self, sign: f64) -> bool {
+        match self {
+            Motor::Table(t) => t.speeds.iter().any(|w| sign * w > 0.0),
+            _ => true,
+        }
+    }
+
+    /// The torque over time, where that is what the motor gives.
+    pub fn timed(&self) -> Option<&TimedTorque> {
+        match self {
+            Motor::Timed(t) => Some(t),
+            _ => None,
         }
     }
 

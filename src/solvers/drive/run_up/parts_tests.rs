@@ -61,7 +61,7 @@ fn limits_are_met_to_the_last_bit() {
     // φ = 2t, ψ = 5 − t from 1 to 3.
     let at = |limits: Limits| {
         let mut s = Known::new(1.0, 3.0, |t| state(2.0 * t, 5.0 - t));
-        crossing(&mut s, &limits, &mut None, &|_| {
+        crossing(&mut s, &limits, &mut None, &|_, _| {
             unreachable!("no turning points")
         })
     };
@@ -84,7 +84,7 @@ fn limits_are_met_to_the_last_bit() {
     );
     // Backwards and faster.
     let mut s = Known::new(1.0, 3.0, |t| state(-2.0 * t, 5.0 + t));
-    let never = |_: &State| unreachable!("no turning points");
+    let never = |_: f64, _: &State| unreachable!("no turning points");
     let found = crossing(&mut s, &limits((-5.0, 0.0), OPEN), &mut None, &never);
     close(found, 2.5, Pause::Angle(-5.0));
     let found = crossing(&mut s, &limits(OPEN, (0.0, 6.5)), &mut None, &never);
@@ -98,21 +98,21 @@ fn turning_points() {
     for sign in [1.0, -1.0] {
         for zero in [1.3, 1.9, 2.4, 2.95] {
             let mut s = Known::new(1.0, 3.0, |t| state(t, t));
-            let acceleration = |y: &State| sign * (zero - y[PSI]);
+            let acceleration = |_: f64, y: &State| sign * (zero - y[PSI]);
             let mut before = Some(sign * (zero - 1.0));
             let (t, what) = crossing(&mut s, &limits(OPEN, OPEN), &mut before, &acceleration)
                 .expect("a turning point");
             assert!(what == Pause::Extremum && (t - zero).abs() < 2e-15, "{t}");
         }
         let mut s = Known::new(1.0, 3.0, |t| state(t, t));
-        let acceleration = |y: &State| sign * (y[PSI] - 1.0) * (2.75 - y[PSI]);
+        let acceleration = |_: f64, y: &State| sign * (y[PSI] - 1.0) * (2.75 - y[PSI]);
         let mut before = Some(0.0);
         let (t, _) = crossing(&mut s, &limits(OPEN, OPEN), &mut before, &acceleration)
             .expect("a turning point");
         assert!((t - 2.75).abs() < 2e-15, "{t}");
         // None: what is known afterwards is the sign at the end.
         let mut before = Some(sign);
-        let steady = |y: &State| sign * y[PSI];
+        let steady = |_: f64, y: &State| sign * y[PSI];
         assert_eq!(
             crossing(&mut s, &limits(OPEN, OPEN), &mut before, &steady),
             None

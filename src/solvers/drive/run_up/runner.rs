@@ -6,6 +6,7 @@ use super::integrate::{Counts, Integrator, Stuck};
 use super::motion::{Event, EventKind, Motion, Outcome, Plan, RunError, Sample, Turn};
 use super::record::Stretch;
 use super::stepper::{PHI, PSI, WORK};
+use super::timed::TimedTorque;
 use std::f64::consts::TAU;
 
 /// Events kept at most; a run of so many turns has said what it had to say.
@@ -67,7 +68,7 @@ fn sample(
     sign: f64,
     start_energy: f64,
 ) -> Result<Sample, EquationError> {
-    let f = equation.forces(y[PHI], y[PSI], sign)?;
+    let f = equation.forces_at(t, y[PHI], y[PSI], sign)?;
     let kinetic_energy = 0.5 * f.inertia * y[PSI] * y[PSI];
     let work = WORK.map(|i| y[i]);
     Ok(Sample {
@@ -85,22 +86,49 @@ fn sample(
     })
 }
 
+/// The direction in which a crank at rest goes, that of the torque; `Err` with the torque where it stays.
+fn from_rest(equation: &Equation, t: f64, phi: f64) -> Result<Result<f64, f64>, EquationError> {
+    // No resistance at rest but its constant part, which is compared below.
+    let f = equation.forces_at(t, phi, 0.0, 0.0)?;
+    let torque = f.motor + f.linkage.moment;
+    let held = torque.abs() <= equation.drive().resistance().constant.n_m();
+    let sign = torque.signum();
+    // A table of speeds may end at standstill.
+    let drive = equation.drive();
+    let known = drive.motor().is_known_beside_rest(sign * drive.ratio());
+    Ok(match held || !known {
+        true => Err(torque),
+        false => Ok(sign),
+    })
+}
+
 /// The direction in which the crank starts: that of its speed, else that of the torque. `Err` with
 /// the torque where it cannot start.
 fn direction(equation: &Equation, plan: &Plan) -> Result<Result<f64, f64>, EquationError> {
-    // No resistance at rest but its constant part, which is compared below.
     let f = equation.forces(plan.phi, plan.psi, 0.0)?;
     if plan.psi != 0.0 {
         return Ok(Ok(plan.psi.signum()));
     }
     let torque = f.motor + f.linkage.moment;
-    let held = torque.abs() <= equation.drive().resistance().constant.n_m();
-    // Weights that turn the crank against its motor: it does not start.
-    let wrong_way = f.motor * torque < 0.0;
-    Ok(match held || wrong_way {
-        true => Err(torque),
-        false => Ok(torque.signum()),
-    })
+    // Weights that turn the crank against its motor: it does not start. One that changes with time may yet do so.
+    let wrong_way = f.motor * torque < 0.0 && equation.drive().motor().timed().is_none();
+    match wrong_way {
+        true => Ok(Err(torque)),
+        false => from_rest(equation, 0.0, plan.phi),
+    }
+}
+
+/// The time from `t` on at which a motor's torque over time moves a crank that is held at rest.
+fn release(equation: &Equation, t: f64, phi: f64) -> Result<Option<f64>, EquationError> {
+    let drive = equation.drive();
+    let Some(timed) = drive.motor().timed() else {
+        return Ok(None);
+    };
+    let moment = equation.model().coefficients(phi)?.moment;
+    let held = drive.resistance().constant.n_m();
+    let mut limits = [-held, held].map(|limit| (limit - moment) / drive.ratio());
+    limits.sort_by(f64::total_cmp);
+    Ok(timed.first_outside(t, limits))
 }
 
 /// Runs the machine.
@@ -139,15 +167,24 @@ fn run_with(
 ) -> Result<(Motion, Vec<Stretch>), RunError> {
     plan.check()?;
     let at_start = |source| RunError::Equation { t: 0.0, source };
-    let sign = match direction(equation, plan).map_err(at_start)? {
-        Ok(sign) => sign,
+    let (sign, held) = match direction(equation, plan).map_err(at_start)? {
+        Ok(sign) => (sign, false),
         Err(torque) => {
-            let motion = not_started(equation, plan, torque).map_err(at_start)?;
-            return Ok((motion, Vec::new()));
+            let later = release(equation, 0.0, plan.phi).map_err(at_start)?;
+            if !later.is_some_and(|t| t < plan.duration) {
+                let motion = not_started(equation, plan, torque).map_err(at_start)?;
+                return Ok((motion, Vec::new()));
+            }
+            (0.0, true)
         }
     };
     let mut run = Run::begin(equation, plan, sign)?;
     run.integrator.stretches = stretches;
+    if held {
+        run.start = at_rest(run.start);
+        run.samples.iter_mut().for_each(|s| *s = at_rest(*s));
+        run.go_on_from_rest()?;
+    }
     let outcome = run.all()?;
     let stretches = run.integrator.stretches.take().unwrap_or_default();
     Ok((run.end(outcome)?, stretches))
@@ -173,6 +210,25 @@ fn not_started(equation: &Equation, plan: &Plan, torque: f64) -> Result<Motion, 
     })
 }
 
+/// The sample of a crank that the resistance holds.
+fn at_rest(sample: Sample) -> Sample {
+    Sample {
+        acceleration: 0.0,
+        resistance: -(sample.motor + sample.weights),
+        ..sample
+    }
+}
+
+/// The last passage of the angle at the start, whole turns on.
+#[derive(Clone, Copy)]
+struct Passage {
+    /// Whole turns since the start.
+    turns: i64,
+    t: f64,
+    psi: f64,
+    balance: f64,
+}
+
 /// A run under way.
 struct Run<'a> {
     equation: &'a Equation<'a>,
@@ -183,6 +239,9 @@ struct Run<'a> {
     samples: Vec<Sample>,
     events: Vec<Event>,
     turns: Vec<Turn>,
+    passage: Passage,
+    /// When the crank was at rest last.
+    rested: Option<f64>,
     /// Angles at which to stop, in one turn.
     angles: Vec<f64>,
     /// Speeds at which to stop.
@@ -211,6 +270,13 @@ impl<'a> Run<'a> {
             samples: plan.sampling.map(|_| start).into_iter().collect(),
             events: Vec::new(),
             turns: Vec::new(),
+            passage: Passage {
+                turns: 0,
+                t: 0.0,
+                psi: plan.psi,
+                balance: 0.0,
+            },
+            rested: None,
             angles,
             speeds,
         })
@@ -221,7 +287,7 @@ impl<'a> Run<'a> {
             let (phi, psi) = (self.integrator.y[PHI], self.integrator.y[PSI]);
             let (low, high) = between(&self.speeds, psi);
             let limits = Limits {
-                end: self.plan.duration,
+                end: self.next_moment(),
                 angles: neighbours(&self.angles, phi),
                 speeds: match (psi == 0.0, self.sign > 0.0) {
                     (false, _) => (low, high),
@@ -236,12 +302,9 @@ impl<'a> Run<'a> {
                 Pause::End => return Ok(Outcome::TimeUp),
                 Pause::Speed(0.0) => {
                     self.event(EventKind::Rest);
-                    let torque = self
-                        .equation
-                        .forces(self.integrator.y[PHI], 0.0, 0.0)
-                        .map(|f| f.motor + f.linkage.moment)
-                        .map_err(|e| self.integrator.error(Stuck::Equation(e)))?;
-                    return Ok(Outcome::Stalled { torque });
+                    if let Some(outcome) = self.go_on_from_rest()? {
+                        return Ok(outcome);
+                    }
                 }
                 Pause::Speed(w) if self.plan.target == Some(w) => {
                     self.event(EventKind::Target);
@@ -257,16 +320,77 @@ impl<'a> Run<'a> {
         }
     }
 
+    /// The end of the run, or the next moment at which the motor's torque has a kink.
+    fn next_moment(&self) -> f64 {
+        let times = self
+            .equation
+            .drive()
+            .motor()
+            .timed()
+            .map(TimedTorque::times);
+        let mut later = times
+            .into_iter()
+            .flatten()
+            .filter(|t| **t > self.integrator.t);
+        let end = self.plan.duration;
+        later.next().map_or(end, |t| t.min(end))
+    }
+
+    /// Turns the crank in the direction of the torque, once there is enough of it; the outcome where it stays at rest.
+    fn go_on_from_rest(&mut self) -> Result<Option<Outcome>, RunError> {
+        let (t, phi) = (self.integrator.t, self.integrator.y[PHI]);
+        let refused = |e| RunError::Equation { t, source: e };
+        let mut way = from_rest(self.equation, t, phi).map_err(refused)?;
+        if let Err(torque) = way {
+            let later = release(self.equation, t, phi).map_err(refused)?;
+            match later.filter(|later| *later < self.plan.duration) {
+                Some(later) => self.wait(later)?,
+                None => return Ok(Some(Outcome::Stalled { torque })),
+            }
+            way = from_rest(self.equation, self.integrator.t, phi).map_err(refused)?;
+        }
+        let again = self.rested.replace(self.integrator.t) == Some(self.integrator.t);
+        match way {
+            Ok(sign) if !again => {
+                self.sign = sign;
+                self.integrator.turn(sign);
+                Ok(None)
+            }
+            // Nothing has moved since: the torque is too small to be told from none.
+            Ok(_) => Ok(Some(Outcome::Stalled { torque: 0.0 })),
+            Err(torque) => Ok(Some(Outcome::Stalled { torque })),
+        }
+    }
+
+    /// Stays at rest until the time `later`.
+    fn wait(&mut self, later: f64) -> Result<(), RunError> {
+        if let Some(dt) = self.plan.sampling {
+            loop {
+                let t = self.samples.len() as f64 * dt;
+                if t > later {
+                    break;
+                }
+                let (y, energy) = (&self.integrator.y, self.start.kinetic_energy);
+                let found = sample(self.equation, t, y, 0.0, energy);
+                let found = found.map_err(|e| self.integrator.error(Stuck::Equation(e)))?;
+                self.samples.push(at_rest(found));
+            }
+        }
+        self.integrator.t = later;
+        Ok(())
+    }
+
     fn advance(&mut self, limits: &Limits) -> Result<Pause, RunError> {
         let (equation, sign, energy) = (self.equation, self.sign, self.start.kinetic_energy);
         let sampling = self.plan.sampling;
         let samples = &mut self.samples;
         if let Some(dt) = sampling.filter(|_| self.integrator.ends_steps_at_samples()) {
-            let end = limits.end.min(samples.len() as f64 * dt);
+            let due = samples.len() as f64 * dt;
+            let end = limits.end.min(due);
             let limits = Limits { end, ..*limits };
             let pause = self.integrator.advance(&limits, &mut |_, _, _| ());
             let pause = pause.map_err(|s| self.integrator.error(s))?;
-            if pause == Pause::End {
+            if pause == Pause::End && end == due {
                 let s = self.sample()?;
                 self.samples.push(s);
             }
@@ -327,27 +451,30 @@ impl<'a> Run<'a> {
         if !is(self.plan.phi) {
             return None;
         }
-        self.event(EventKind::Turn(((phi - self.plan.phi) / TAU).round() as i64));
-        self.turn()
+        let now = Passage {
+            turns: ((phi - self.plan.phi) / TAU).round() as i64,
+            t: self.integrator.t,
+            psi: self.integrator.y[PSI],
+            balance: self.sample().map_or(f64::NAN, |s| s.balance),
+        };
+        let before = std::mem::replace(&mut self.passage, now);
+        if now.turns == before.turns {
+            return None;
+        }
+        self.event(EventKind::Turn(now.turns));
+        self.turn(before, now)
     }
 
-    fn turn(&mut self) -> Option<Outcome> {
-        let y = self.integrator.y;
-        let balance = self.sample().map_or(f64::NAN, |s| s.balance);
-        let (t0, psi0) = match self.turns.last() {
-            Some(last) => (last.t, last.psi),
-            None => (0.0, self.plan.psi),
-        };
-        let before: f64 = self.turns.iter().map(|t| t.imbalance).sum();
+    fn turn(&mut self, before: Passage, now: Passage) -> Option<Outcome> {
         let turn = Turn {
-            t: self.integrator.t,
-            psi: y[PSI],
-            mean: self.sign * TAU / (self.integrator.t - t0),
-            imbalance: balance - before,
+            t: now.t,
+            psi: now.psi,
+            mean: self.sign * TAU / (now.t - before.t),
+            imbalance: now.balance - before.balance,
         };
         self.turns.push(turn);
         let settled = self.plan.settled?;
-        if !((turn.psi - psi0).abs() <= settled * turn.psi.abs()) {
+        if !((turn.psi - before.psi).abs() <= settled * turn.psi.abs()) {
             return None;
         }
         let mean = turn.mean;

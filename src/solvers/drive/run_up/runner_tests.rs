@@ -2,7 +2,8 @@
 
 use super::*;
 use crate::run_up::{
-    Coefficients, ConstantInertia, Drive, Method, ModelError, Motor, ReducedModel, Settings,
+    Coefficients, ConstantInertia, Drive, Method, ModelError, Motor, ReducedModel, Resistance,
+    Settings,
 };
 use crate::units::Torque;
 
@@ -108,17 +109,23 @@ fn directions_from_rest() {
     assert_eq!((way(0.0, 0.0), way(3.0, -3.0)), (Err(0.0), Err(0.0)));
 }
 
-/// A run that comes to rest says with what torque.
+/// A run that stays at rest says with what torque: here friction of 4 N·m holds the crank.
 #[test]
 fn the_torque_at_rest() {
     let model = Simple {
         moment: -5.0,
         ..FREE
     };
-    let drive = constant(2.0);
+    let none = crate::units::Inertia::from_kg_m2(0.0);
+    let friction = Resistance {
+        constant: Torque::from_n_m(4.0),
+        ..Resistance::default()
+    };
+    let motor = Motor::constant(Torque::from_n_m(2.0)).unwrap();
+    let drive = Drive::new(motor, 1.0, none, none, friction).unwrap();
     let motion = run(&Equation::new(&model, &drive), &from(0.0, 4.0, 9.0)).unwrap();
     assert_eq!(motion.outcome, Outcome::Stalled { torque: -3.0 });
-    assert!((motion.end.t - 4.0 / 3.0).abs() < 1e-14);
+    assert!((motion.end.t - 4.0 / 7.0).abs() < 1e-14);
     assert_eq!(motion.events.last().unwrap().kind, EventKind::Rest);
 }
 

@@ -95,24 +95,6 @@ pub enum GeometryError {
         /// Its value in metres.
         value: f64,
     },
-    /// The joints B and D of the ternary link coincide.
-    #[error(
-        "joints B and D of link 4 coincide (lB = l4 = {value} m, phiB = 0): the group falls into dyads and is not of class III"
-    )]
-    JointsCoincide {
-        /// The common length in metres.
-        value: f64,
-    },
-    /// The fixed pivots O3 and O5 coincide.
-    #[error(
-        "pivots O3 and O5 coincide at ({x}, {y}) m: links 3, 4, 5 form a rigid triangle and the group is not of class III"
-    )]
-    PivotsCoincide {
-        /// x in metres.
-        x: f64,
-        /// y in metres.
-        y: f64,
-    },
 }
 
 /// A linkage whose geometry has been checked.
@@ -137,8 +119,23 @@ pub(super) struct Lengths {
     pub o5: Complex64,
 }
 
+impl GeometryError {
+    /// The rule that is broken, in two words.
+    pub fn name(&self) -> &'static str {
+        match self {
+            GeometryError::NotFinite { .. } => "not finite",
+            GeometryError::NotPositive { .. } => "not positive",
+            GeometryError::OutOfRange { .. } => "out of range",
+        }
+    }
+}
+
 impl ClassIii {
-    /// Checks the geometry: finite, positive lengths, and a group that really is of class III.
+    /// Checks the geometry: finite numbers and positive lengths, since a link without length has
+    /// no direction.
+    ///
+    /// Joints B and D or pivots O3 and O5 may coincide. The group then falls into dyads or holds a
+    /// rigid triangle, and the loop equations are the same.
     ///
     /// # Errors
     /// [`GeometryError`] names the first dimension that breaks a rule.
@@ -158,12 +155,6 @@ impl ClassIii {
         }
         let v = named.map(|n| n.1);
         let eb = Complex64::new(v[6].cos(), v[6].sin());
-        if v[5] == v[3] && eb == Complex64::new(1.0, 0.0) {
-            return Err(GeometryError::JointsCoincide { value: v[3] });
-        }
-        if v[7] == v[9] && v[8] == v[10] {
-            return Err(GeometryError::PivotsCoincide { x: v[7], y: v[8] });
-        }
         let l = Lengths {
             l1: v[0],
             l2: v[1],

@@ -84,14 +84,44 @@ pub(crate) mod tests {
                 assert!(e.to_string().contains(text), "{e}");
             }
         }
-        let mut w = v;
-        (w[5], w[6]) = (w[3], 0.0);
-        let e = ClassIii::new(Geometry::from_values(&w)).unwrap_err();
-        assert!(matches!(e, GeometryError::JointsCoincide { .. }));
-        let mut w = v;
-        (w[9], w[10]) = (w[7], w[8]);
-        let e = ClassIii::new(Geometry::from_values(&w)).unwrap_err();
-        assert!(matches!(e, GeometryError::PivotsCoincide { .. }));
+    }
+
+    /// B on D, O3 on O5, and both at once: modes that close the loops, as many as the reference
+    /// proves.
+    #[test]
+    fn joints_and_pivots_may_coincide() {
+        let screen = [
+            0.1, 1.04, 0.6, 0.64, 0.485, 0.22, -0.6859, 0.75, 0.93, 1.285, 1.035,
+        ];
+        let on_d = [
+            0.25, 1.34, 0.61, 0.51, 0.8, 0.51, 0.0, -0.06, 0.73, 0.47, 0.73,
+        ];
+        let on_pivot = {
+            let mut v = screen;
+            (v[9], v[10]) = (v[7], v[8]);
+            v
+        };
+        let on_both = {
+            let mut v = on_pivot;
+            (v[5], v[6]) = (v[3], 0.0);
+            v
+        };
+        for (v, phi1, count) in [
+            (on_d, -2.49, 2),
+            (on_d, 0.525, 2),
+            (on_pivot, -2.19, 4),
+            (on_both, -0.03, 4),
+        ] {
+            let linkage = ClassIii::new(Geometry::from_values(&v)).unwrap();
+            let modes = linkage.assembly_modes(Angle::from_rad(phi1)).modes;
+            assert_eq!(modes.len(), count, "{v:?} {phi1}");
+            for m in &modes {
+                let (a, b) = linkage.residual(loops::unit(phi1), &loops::Frame::new(&linkage.l, m));
+                assert!(a.norm().max(b.norm()) < 1e-15, "{v:?} {m:?}");
+                let state = linkage.state(Angle::from_rad(phi1), *m).unwrap();
+                assert!(state.rates.first.iter().all(|r| r.is_finite()));
+            }
+        }
     }
 }
 

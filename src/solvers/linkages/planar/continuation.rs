@@ -206,7 +206,7 @@ impl Mechanism {
         let n = self.chain.unknowns;
         bounds(&self.chain, &state.pose, &mut work.bounds);
         work.sums.clear();
-        work.sums.resize(n, [0.0; 3]);
+        work.sums.resize(n, [0.0; 4]);
         for row in 0..n {
             let b = work.bounds[row];
             if b == Bound::default() {
@@ -219,12 +219,20 @@ impl Mechanism {
                 sum[0] += a * b.k;
                 sum[1] += a * b.m;
                 sum[2] += a * b.w;
+                sum[3] += a;
             }
         }
         let largest = |i: usize| work.sums.iter().fold(0.0f64, |m, s| m.max(s[i]));
         let [kappa, mu, omega] = [0, 1, 2].map(largest);
         let nu = state.rates[0].iter().fold(0.0f64, |m, x| m.max(x.abs()));
-        Step::proved([kappa, mu, omega], nu)
+        let mut step = Step::proved([kappa, mu, omega], nu);
+        // The state itself is known to the rounding of its residual only, which next to a change point is as much as
+        // the branches are apart.
+        let extent = state.pose.p.iter().fold(1.0, |m: f64, p| m.max(p.norm()));
+        if !(largest(3) * f64::EPSILON * extent <= 0.25 * step.radius) {
+            step.length = 0.0;
+        }
+        step
     }
 
     /// The state at another value of the drive, within the anchor's radius of its tangent's end, into `next`.

@@ -484,3 +484,24 @@ fn branches_end_where_they_fold() {
         "{e}"
     );
 }
+
+/// Coupler and rocker in one line at half a turn, where the two branches cross: neither is followed through, whichever way it
+/// comes and wherever it starts.
+#[test]
+fn branches_end_at_a_change_point() {
+    let mechanism = four_bar([1.0, 2.0, 4.0, 5.0]);
+    for k in 0..20 {
+        let from = -2.0 + 0.2 * f64::from(k);
+        for start in mechanism.assembly_modes(from).states {
+            for turn in [-6.0, 6.0] {
+                let (last, e) = mechanism.follow_as_far(&start, from + turn);
+                let end = std::f64::consts::PI.copysign(turn);
+                assert!(e.is_some(), "{from} {turn}");
+                assert!(
+                    (mechanism.drive_of(&last) - end).abs() < 1e-5,
+                    "{from} {turn}"
+                );
+            }
+        }
+    }
+}

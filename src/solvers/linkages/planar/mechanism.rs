@@ -6,6 +6,7 @@ use super::error::MechanismError;
 use super::model::Description;
 use super::structure::{Structure, structure};
 use super::triad::Triad;
+use super::windings::Windings;
 
 /// A planar mechanism whose drive determines its motion.
 #[derive(Clone, Debug)]
@@ -15,6 +16,7 @@ pub struct Mechanism {
     pub(super) chain: Chain,
     /// For each group, whether it is a triad of pins.
     pub(super) triads: Vec<Option<Triad>>,
+    pub(super) windings: Windings,
 }
 
 impl Mechanism {
@@ -63,11 +65,13 @@ impl Mechanism {
             }
         }
         let triads = chain.blocks.iter().map(|b| Triad::of(&chain, b)).collect();
+        let windings = Windings::new(&description, &chain);
         Ok(Mechanism {
             description,
             structure,
             chain,
             triads,
+            windings,
         })
     }
 

@@ -39,6 +39,7 @@ mod singular;
 mod state;
 mod structure;
 mod triad;
+mod windings;
 
 pub use branches::{BranchEnd, BranchMap, BranchSample};
 pub use error::{MechanismError, NearestError, PositionError};

@@ -89,7 +89,7 @@ pub enum Joint {
 
 impl Joint {
     /// The point and the guide of a slide or slot.
-    pub(super) fn guided(&self) -> Option<(&Point, &Guide)> {
+    pub fn guided(&self) -> Option<(&Point, &Guide)> {
         match self {
             Joint::Slide { slider, guide, .. } => Some((slider, guide)),
             Joint::Slot { pin, slot } => Some((pin, slot)),

@@ -8,6 +8,7 @@ use super::mechanism::Mechanism;
 use super::newton::Work;
 use super::pose::Pose;
 use super::state::State;
+use super::windings::wind;
 
 /// Every position that closes the loops at one value of the drive.
 #[derive(Clone, Debug)]
@@ -17,7 +18,8 @@ pub struct Modes {
     /// The positions, ordered by their unknowns. Singular ones, which have no rates, are left out.
     pub states: Vec<State>,
     /// Whether the method finds every isolated position: a closed form or a resultant for dyads and
-    /// triads, for other groups a homotopy none of whose paths was lost.
+    /// triads, for other groups a homotopy none of whose paths was lost; and whether all windings were tried: whole turns
+    /// of an angle behind which gears or racks are somewhere else.
     pub complete: bool,
     /// Whether positions are so close to merging that rounding may have added or removed them, or one
     /// of them is singular.
@@ -46,6 +48,8 @@ const FARTHEST: f64 = 1e-2;
 const SAME: f64 = 1e-9;
 /// Solutions nearer than this may have been told apart, or not, by rounding: it moves them by its root where they merge.
 const MERGING: f64 = 1e-6;
+/// Positions kept at most; beyond them the result is not complete.
+const MOST_POSITIONS: usize = 10_000;
 
 impl Mechanism {
     /// All assembly modes at one value of the drive, in radians or metres.
@@ -54,6 +58,11 @@ impl Mechanism {
     /// degree 6, other groups by a homotopy with C(2n, n) paths up to n = 6. Groups that have gears
     /// among their unknowns, and larger ones, are not solved: then the result is empty and not
     /// complete.
+    ///
+    /// Where a gear or rack follows an angle that pins give up to whole turns, each turn that moves something is a mode of
+    /// its own: a wheel with twice the teeth has two positions. With gears these are as many as the least common
+    /// denominator of the ratios; with a rack they are finitely many where pins join it to its guide, else endless, and the
+    /// result is not complete.
     pub fn assembly_modes(&self, drive: f64) -> Modes {
         let chain = &self.chain;
         let mut modes = Modes {
@@ -70,13 +79,21 @@ impl Mechanism {
         let mut poses = vec![start];
         for k in 0..chain.blocks.len() {
             let mut next = Vec::new();
-            for pose in &poses {
+            for pose in &self.windings.before(chain, k, poses) {
                 let found = self.solve_block(k, pose, &mut work);
                 modes.complete &= !found.incomplete;
                 modes.near_singular |= found.near;
                 next.extend(found.poses);
             }
-            poses = next;
+            poses = self.windings.after(k, next);
+            if poses.len() > MOST_POSITIONS {
+                modes.complete = false;
+                poses.truncate(MOST_POSITIONS);
+            }
+        }
+        modes.complete &= !self.windings.endless;
+        if self.windings.overlap() {
+            self.keep_one_of_each(&mut poses);
         }
         modes.states.reserve_exact(poses.len());
         for pose in poses {
@@ -90,6 +107,20 @@ impl Mechanism {
             pairs.fold(std::cmp::Ordering::Equal, std::cmp::Ordering::then)
         });
         modes
+    }
+
+    /// Removes positions that are another one but for whole turns.
+    fn keep_one_of_each(&self, poses: &mut Vec<Pose>) {
+        let chain = &self.chain;
+        let same =
+            |a: &Pose, b: &Pose| (0..chain.unknowns).all(|k| chain.apart(k, a.u[k], b.u[k]) < SAME);
+        let mut kept: Vec<Pose> = Vec::new();
+        for pose in poses.drain(..) {
+            if !kept.iter().any(|k| same(k, &pose)) {
+                kept.push(pose);
+            }
+        }
+        *poses = kept;
     }
 
     fn solve_block(&self, k: usize, pose: &Pose, work: &mut Work) -> Found {
@@ -138,6 +169,7 @@ impl Mechanism {
         for x in solutions {
             let mut trial = pose.clone();
             system.settle(&self.chain, block, &mut trial, &x);
+            wind(&self.chain, block, &mut trial);
             self.collect(block, trial, work, &mut found);
         }
         found

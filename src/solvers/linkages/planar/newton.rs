@@ -18,7 +18,7 @@ pub(super) struct Work {
     pub correction: Vec<f64>,
     pub bounds: Vec<Bound>,
     /// Row sums of `|J⁻¹|` times the bounds.
-    pub sums: Vec<[f64; 3]>,
+    pub sums: Vec<[f64; 4]>,
     /// Unknowns before they are refined.
     pub before: Vec<f64>,
     /// The last first correction of [`Chain::newton_within`].

@@ -33,7 +33,7 @@ pub enum SingularKind {
     ChangePoint,
 }
 
-/// Below this share of `‖F_φ‖`, `w·F_φ` counts as zero. A branch is followed to within about 1e-8 of a
+/// Below this share of `‖F_φ‖`, `w·F_φ` counts as zero. A branch is followed to within about 1e-7 of a
 /// change point.
 const NOTHING: f64 = 1e-5;
 

@@ -1,18 +1,18 @@
 //! W(z) at many points, by vectors where they pay.
 
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 use super::batch;
 use super::plane;
 use super::points::Points;
 use num_complex::Complex;
 
 /// Batches shorter than this are not worth sorting.
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 const SHORT: usize = 64;
 
 /// W at all points.
 pub(super) fn all<P: Points>(points: &mut P) {
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
     if points.len() >= SHORT && batch::with_best_vectors(points) {
         return;
     }

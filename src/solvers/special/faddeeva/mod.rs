@@ -55,7 +55,7 @@
 //! AVX-512. All give the same bits.
 
 mod asymptotic;
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 mod batch;
 mod branch;
 mod constants;

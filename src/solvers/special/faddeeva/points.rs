@@ -11,14 +11,20 @@ pub(super) trait Points {
     /// Takes the values at the points from `start` on.
     fn store(&mut self, start: usize, w: &[Complex<f64>]);
     /// N points from `start` on and the room for their values, if they need not be moved.
-    #[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
+    #[cfg_attr(
+        not(all(target_arch = "x86_64", feature = "vectors")),
+        allow(dead_code)
+    )]
     fn chunk<const N: usize>(&mut self, _: usize) -> Option<Room<'_, N>> {
         None
     }
 }
 
 /// Points, and the room for their values.
-#[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
+#[cfg_attr(
+    not(all(target_arch = "x86_64", feature = "vectors")),
+    allow(dead_code)
+)]
 pub(super) type Room<'a, const N: usize> = (&'a [Complex<f64>; N], &'a mut [Complex<f64>; N]);
 
 /// Points and values stored as complex numbers.

@@ -10,7 +10,7 @@
 
 use crate::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use crate::lanes::Vectors;
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 use crate::pack::{Pack, Wide, columns};
 use crate::real::Real;
 
@@ -218,7 +218,7 @@ fn real_polynomial<L: Vectors>(
 }
 
 /// [`polynomial`] for several points with a row each.
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 #[inline(always)]
 pub(super) fn polynomials<S: Wide, const N: usize>(
     simd: S,
@@ -232,14 +232,14 @@ pub(super) fn polynomials<S: Wide, const N: usize>(
 }
 
 /// Several points with a row each, and the distances from the centres.
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 pub(super) struct OnRows<'a, S: Wide> {
     pub rows: [&'a [f64; 40]; 8],
     pub dx: Pack<S>,
     pub dy: Pack<S>,
 }
 
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 impl<S: Wide> OnRows<'_, S> {
     /// [`complex_row`]
     #[inline(always)]

@@ -9,12 +9,12 @@
 //! and the zeros are stored as three `f64`, from which δ keeps 100 bits however small it is.
 
 use super::constants::TWO_OVER_SQRT_PI;
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 use super::taylor::polynomials;
 use super::taylor::{polynomial, square};
 use crate::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use crate::lanes::{Lanes, Vectors};
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 use crate::pack::{Pack, Wide, columns};
 use crate::real::{ROUND, Real};
 use std::f64::consts::{FRAC_1_PI, TAU};
@@ -109,7 +109,7 @@ fn times_two_over_sqrt_pi<R: Real>(x: Dd<R>) -> R {
 }
 
 /// [`near_zero`] for several points with a zero each: `true` where it fails.
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 #[inline(always)]
 pub(super) fn near_zeros<S: Wide>(
     simd: S,

@@ -78,7 +78,7 @@ fn lookups_find_the_numbers() {
     }
     for i in &sets {
         hold(Plain, &y, &bend, i);
-        #[cfg(target_arch = "x86_64")]
+        #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
         {
             use pulp::x86::{V3, V4};
             if let Some(v) = V3::try_new() {

@@ -47,7 +47,7 @@ pub(super) trait Work {
 /// Runs the work with the best lookup of this processor.
 #[inline]
 pub(super) fn with_best<W: Work>(work: W) -> W::Output {
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
     {
         use pulp::x86::{V3, V4};
         if let Some(v) = V4::try_new() {
@@ -68,7 +68,7 @@ pub(super) fn with_best<W: Work>(work: W) -> W::Output {
 
 /// Points close together share a few neighbouring numbers of the table, which then are loaded once
 /// and distributed by a permutation.
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 mod x86 {
     use super::{GROUP, Lane, Lookup, Plain};
     use pulp::cast;

@@ -353,7 +353,7 @@ fn every_lookup_agrees(s: &UniformCubicSpline, x: &[f64], sorted: bool) -> usize
     };
     use lookup::Work;
     compare("plain", &mut |b| b.run(lookup::Plain).unwrap());
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
     {
         use pulp::x86::{V3, V4};
         if let Some(v) = V3::try_new() {

@@ -96,7 +96,7 @@ fn facts_of_a_branch() {
 #[test]
 fn facts_of_dyads() {
     let facts = |dyad: &Dyad, assemblies: &[mechaudit::solvers::dyad::Assembly]| {
-        Value::Object(dyad_facts::json(dyad, assemblies))
+        Value::Object(dyad_facts::json(dyad, assemblies, &[]))
     };
     for (lengths, kind, full, points) in [
         ([1.0, 4.0, 3.0, 3.5], "crank-rocker", true, false),

@@ -160,7 +160,8 @@ fn windows_of_dyads() {
         let args = args(line);
         let grid = args.grid(dyad.start.clone()).unwrap();
         let columns = Columns::from(mechaudit::machine::dyad::names(dyad));
-        let motion = shown::dyad(&args, dyad, ASSEMBLIES[0], Some((&grid, &columns))).unwrap();
+        let motion =
+            shown::dyad(&args, dyad, ASSEMBLIES[0], Some((&grid, &columns)), None).unwrap();
         assert!(motion.courses.len() > 3);
         motion
     };
@@ -222,11 +223,11 @@ fn a_position_of_a_dyad() {
         (&held, "--from-deg -100", Some(260.0)),
         (&held, "--from-deg 0", None),
     ] {
-        let found = shown::dyad(&args(line), dyad, ASSEMBLIES[1], None);
+        let found = shown::dyad(&args(line), dyad, ASSEMBLIES[1], None, None);
         begins(found, due, line);
     }
     // Nobody has asked for 0 degrees, where it does not reach.
-    let motion = shown::dyad(&args(""), &held, ASSEMBLIES[0], None).unwrap();
+    let motion = shown::dyad(&args(""), &held, ASSEMBLIES[0], None, None).unwrap();
     assert!((15.0..17.0).contains(&shown_first(&motion)));
 }
 

@@ -1,7 +1,7 @@
 //! Tests of the parts of the Faddeeva function.
 
 mod bits;
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 mod branch;
 mod paths;
 mod seams;

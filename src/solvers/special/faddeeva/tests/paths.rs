@@ -104,7 +104,7 @@ fn lengths_have_to_agree() {
     assert_eq!((b, c), ([7.0; 3], [7.0; 4]));
 }
 
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 #[test]
 fn every_set_of_vectors() {
     use super::super::batch::batch;

@@ -1,22 +1,66 @@
-//! A file under way: without a name until it is whole, where the system can do that; elsewhere under
-//! a temporary name that goes with the program.
+//! Files under way: they have no name until they are whole, where the system can do that; elsewhere
+//! they have a temporary name.
 
-use crate::cli::process::interrupt::{self, Unwanted};
 use std::fs::{File, OpenOptions};
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 use tempfile::{Builder, NamedTempFile, TempPath};
+
+/// Called before a file gets a temporary name.
+static BEFORE_NAMES: OnceLock<fn()> = OnceLock::new();
+/// Files with a temporary name, which no end of the program may leave behind.
+static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+fn all_unfinished() -> MutexGuard<'static, Vec<PathBuf>> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Has `listen` called before a file gets a temporary name: by a program that removes those files
+/// when a signal ends it. The first call counts.
+pub fn before_names(listen: fn()) {
+    let _ = BEFORE_NAMES.set(listen);
+}
+
+/// Removes the files that are under way: for a program that a signal ends.
+pub fn remove_unfinished() {
+    for path in all_unfinished().drain(..) {
+        let _ = std::fs::remove_file(path);
+    }
+}
+
+/// A temporary name in the list of those to be removed, as long as it lives.
+struct Unfinished(PathBuf);
+
+impl Unfinished {
+    fn new(path: &Path) -> Unfinished {
+        if let Some(listen) = BEFORE_NAMES.get() {
+            listen();
+        }
+        all_unfinished().push(path.into());
+        Unfinished(path.into())
+    }
+}
+
+impl Drop for Unfinished {
+    fn drop(&mut self) {
+        all_unfinished().retain(|p| *p != self.0);
+    }
+}
 
 /// A file of a folder that nobody else sees yet.
 pub struct Temporary {
     file: File,
     folder: PathBuf,
     /// Its temporary name, if it has one.
-    name: Option<(TempPath, Unwanted)>,
+    name: Option<(TempPath, Unfinished)>,
 }
 
 impl Temporary {
-    /// A new one with those permissions, less the umask.
+    /// Makes one with those permissions, less the umask.
+    ///
+    /// # Errors
+    /// The folder cannot be written to.
     pub fn new(folder: &Path, mode: u32) -> io::Result<Temporary> {
         #[cfg(target_os = "linux")]
         if let Some(file) = unnamed(folder, mode) {
@@ -47,14 +91,18 @@ impl Temporary {
         })
     }
 
+    /// The file, to be written to.
     pub fn file(&self) -> &File {
         &self.file
     }
 
-    /// Gives it its name at last, in the place of whatever has it.
+    /// Gives it its name, in the place of whatever has it.
+    ///
+    /// # Errors
+    /// The file cannot be written to its end, or the name cannot be given.
     pub fn persist(self, path: &Path) -> io::Result<()> {
         self.file.sync_all()?;
-        let (name, unwanted) = match self.name {
+        let (name, unfinished) = match self.name {
             Some(named) => named,
             // A link takes no other file's place, so it takes a detour.
             None => match link(&self.file, path) {
@@ -65,7 +113,7 @@ impl Temporary {
             },
         };
         name.persist(path).map_err(|e| e.error)?;
-        drop(unwanted);
+        drop(unfinished);
         Ok(())
     }
 }
@@ -74,19 +122,19 @@ impl Temporary {
 fn at_free_name<T>(
     folder: &Path,
     mut make: impl FnMut(&Path) -> io::Result<T>,
-) -> io::Result<(T, (TempPath, Unwanted))> {
+) -> io::Result<(T, (TempPath, Unfinished))> {
     // The error that tempfile gives names the temporary file, which means nothing to anybody.
     let mut code = None;
     let made = Builder::new()
         .prefix(".mechaudit-")
         .make_in(folder, |path| {
-            let unwanted = interrupt::unwanted(path);
+            let unfinished = Unfinished::new(path);
             let made = make(path).inspect_err(|e| code = e.raw_os_error());
-            Ok((made?, unwanted))
+            Ok((made?, unfinished))
         });
     let made = made.map_err(|e| code.map_or(e, io::Error::from_raw_os_error));
-    let ((made, unwanted), name) = made.map(NamedTempFile::into_parts)?;
-    Ok((made, (name, unwanted)))
+    let ((made, unfinished), name) = made.map(NamedTempFile::into_parts)?;
+    Ok((made, (name, unfinished)))
 }
 
 /// A file without a name that can be given one later.
@@ -132,7 +180,7 @@ mod tests {
         let names = || std::fs::read_dir(folder.path()).unwrap().count();
         let left = Temporary::named(folder.path(), 0o600).unwrap();
         assert_eq!(names(), 1);
-        interrupt::remove_unwanted();
+        remove_unfinished();
         assert_eq!(names(), 0);
         drop(left);
         let whole = Temporary::named(folder.path(), 0o666).unwrap();
@@ -140,7 +188,7 @@ mod tests {
         let path = folder.path().join("file");
         whole.persist(&path).unwrap();
         // A file that is whole stays.
-        interrupt::remove_unwanted();
+        remove_unfinished();
         assert_eq!(std::fs::read(&path).unwrap(), b"all");
         assert_eq!(names(), 1);
     }

@@ -1,0 +1,100 @@
+//! Marks of an axis: round numbers, all written in one format.
+
+/// How the marks of an axis are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Format {
+    decimals: usize,
+    exponent: bool,
+}
+
+impl Format {
+    /// The shortest format that tells these marks apart and shows each of them exactly.
+    pub fn of(marks: &[f64]) -> Format {
+        let largest = marks.iter().fold(0.0, |a: f64, x| a.max(x.abs()));
+        let steps = marks.windows(2).map(|w| (w[1] - w[0]).abs());
+        let step = steps.fold(f64::INFINITY, f64::min).min(largest);
+        let exponent = largest != 0.0 && !(1e-3..1e6).contains(&largest);
+        let with = |decimals| Format { decimals, exponent };
+        let exact = |f: &Format| {
+            let back = |x: &f64| f.text(*x).replace('−', "-").parse().unwrap_or(f64::NAN);
+            marks.iter().all(|x| (back(x) - x).abs() <= 1e-6 * step)
+        };
+        (0..12).map(with).find(exact).unwrap_or(with(12))
+    }
+
+    /// A mark.
+    pub fn text(&self, x: f64) -> String {
+        // What is zero has no sign.
+        let x = if x == 0.0 { 0.0 } else { x };
+        let text = match self.exponent {
+            _ if x == 0.0 => "0".to_string(),
+            true => format!("{x:.*e}", self.decimals),
+            false => format!("{x:.*}", self.decimals),
+        };
+        text.replacen('-', "−", usize::from(x < 0.0))
+    }
+}
+
+/// Round numbers within a range, about so many: multiples of 1, 2 or 5 times a power of ten.
+pub fn marks(low: f64, high: f64, about: usize) -> Vec<f64> {
+    let raw = (high - low) / about.max(1) as f64;
+    if !(raw > 0.0 && raw.is_finite()) {
+        return vec![low];
+    }
+    let decade = 10f64.powf(raw.log10().floor());
+    let factor = [1.0, 2.0, 5.0, 10.0]
+        .into_iter()
+        .find(|f| f * decade >= 0.999 * raw);
+    let step = factor.unwrap_or(10.0) * decade;
+    let (first, last) = (
+        (low / step - 1e-9).ceil() as i64,
+        (high / step + 1e-9).floor() as i64,
+    );
+    (first..=last).map(|k| k as f64 * step).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_marks_of_an_axis_are_written_alike() {
+        for (marks, due) in [
+            (
+                &[0.0, 0.0005, 0.001, 0.0015][..],
+                &["0", "0.0005", "0.0010", "0.0015"][..],
+            ),
+            (&[0.0, 2.5e-4, 5e-4], &["0", "2.5e-4", "5.0e-4"]),
+            (&[-0.5, 0.0, 0.5, 1.0], &["−0.5", "0", "0.5", "1.0"]),
+            (
+                &[500_000.0, 1_000_000.0, 1_500_000.0],
+                &["5.0e5", "1.0e6", "1.5e6"],
+            ),
+            (&[0.0, 50.0, 100.0], &["0", "50", "100"]),
+            (&[1000.0, 1000.25], &["1000.00", "1000.25"]),
+            (&[0.1 + 0.2, 0.4], &["0.3", "0.4"]),
+            (&[-0.0], &["0"]),
+        ] {
+            let format = Format::of(marks);
+            let texts: Vec<String> = marks.iter().map(|x| format.text(*x)).collect();
+            assert_eq!(texts, due);
+        }
+    }
+
+    #[test]
+    fn marks_are_round_and_within_the_range() {
+        for (low, high, about, due) in [
+            (0.0, 1.0, 5, &[0.0, 0.2, 0.4, 0.6, 0.8, 1.0][..]),
+            (-3.0, 12.0, 4, &[0.0, 5.0, 10.0]),
+            (0.0, 0.7, 3, &[0.0, 0.5]),
+            (5.0, 5.0, 3, &[5.0]),
+        ] {
+            let found = marks(low, high, about);
+            assert_eq!(found.len(), due.len(), "{found:?}");
+            assert!(
+                found.iter().zip(due).all(|(a, b)| (a - b).abs() < 1e-12),
+                "{found:?}"
+            );
+        }
+    }
+}
