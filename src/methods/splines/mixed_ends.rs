@@ -164,6 +164,10 @@ impl Definition for CubicSplineMixedEnds {
         kind.reference(i.problem(), bits)
     }
 
+    fn explanation(i: Self::Input<'_, f64>) -> Option<String> {
+        i.kind()?.explanation(i.problem())
+    }
+
     fn refusal(i: Self::Input<'_, f64>) -> Option<String> {
         let ends = [
             ("left", i.left, i.left_value),

@@ -315,7 +315,7 @@ impl Spline {
         }
         let period = Rational::from(last - first);
         let turns = (Rational::from(x - first) / &period).floor();
-        let rest = Rational::from(x - Rational::from(&turns * &period));
+        let rest = x - Rational::from(&turns * &period);
         (turns, rest)
     }
 
