@@ -5,7 +5,7 @@
 //!
 //! | module | what it holds | needs |
 //! |---|---|---|
-//! | [`solvers`] (crate `mechaudit-solvers`) | Faddeeva function, tridiagonal systems, cubic splines, linkages, reduction to the crank, run-up under a motor, cams | nothing but `f64`; time integration: feature `run-up` |
+//! | [`solvers`] (crate `mechaudit-solvers`) | Faddeeva function, tridiagonal systems, cubic splines, PCHIP and Akima interpolants, linkages, reduction to the crank, run-up under a motor, cams | nothing but `f64`; time integration: feature `run-up` |
 //! | `reference` (`mechaudit-reference`) | balls over MPFR, exact rational systems and splines, linkages enclosed by Krawczyk's operator | feature `oracle` |
 //! | `audit` (`mechaudit-audit`) | domains, cases, budgets, the judge, statistics | feature `oracle` |
 //! | `candidate` | your own code in place of a method's solver | feature `oracle` |

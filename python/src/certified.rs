@@ -4,7 +4,7 @@ use crate::errors::{DomainError, Undecided, value_error};
 use crate::pool::pool;
 use mechaudit::audit::Uncertified;
 use mechaudit::methods::{Evaluable, certified_digits, evaluable};
-use mechaudit::reference::cubic_spline::Spline;
+use mechaudit::reference::cubic_spline::{End, Spline};
 use mechaudit::reference::faddeeva::{self, Scaled};
 use mechaudit::reference::{Ball, ComplexBall};
 use pyo3::exceptions::PyValueError;
@@ -174,33 +174,40 @@ pub enum Ask {
     Integral((Fraction, Fraction)),
 }
 
-/// Exact values of the cubic spline through exact points: a fraction for each question.
+/// Exact values of the spline through exact points: a fraction for each question. `kinds` has a condition
+/// for each end, or the one name of a spline that has none.
 #[pyfunction]
 pub fn spline(
     py: Python<'_>,
     x: Vec<Fraction>,
     y: Vec<Fraction>,
-    kind: &str,
+    kinds: Vec<String>,
     ends: (Fraction, Fraction),
     asked: Vec<Ask>,
 ) -> PyResult<Vec<Fraction>> {
     let all = |v: &[Fraction]| v.iter().map(rational).collect::<PyResult<Vec<Rational>>>();
     let (x, y, first, last) = (all(&x)?, all(&y)?, rational(&ends.0)?, rational(&ends.1)?);
-    let fitted = py.detach(|| {
+    let end = |kind: &str, value| {
         Some(match kind {
-            "second" => Spline::second_derivatives(&x, &y, &first, &last),
-            "first" => Spline::clamped(&x, &y, &first, &last),
-            "not-a-knot" => Spline::not_a_knot(&x, &y),
-            "periodic" => Spline::periodic(&x, &y),
+            "second" => End::SecondDerivative(value),
+            "first" => End::FirstDerivative(value),
+            "not-a-knot" => End::NotAKnot,
+            _ => return None,
+        })
+    };
+    let names: Vec<&str> = kinds.iter().map(String::as_str).collect();
+    let fitted = py.detach(|| {
+        Some(match names[..] {
+            ["periodic"] => Spline::periodic(&x, &y),
+            ["pchip"] => Spline::pchip(&x, &y),
+            ["akima"] => Spline::akima(&x, &y),
+            ["makima"] => Spline::modified_akima(&x, &y),
+            [a, b] => Spline::with_ends(&x, &y, end(a, &first)?, end(b, &last)?),
             _ => return None,
         })
     });
     let fitted = fitted
-        .ok_or_else(|| {
-            PyValueError::new_err(format!(
-                "bc_type: an exact spline has the same kind of condition at both ends, not {kind:?}"
-            ))
-        })?
+        .ok_or_else(|| PyValueError::new_err(format!("kinds: there is no exact spline {names:?}")))?
         .map_err(value_error)?;
     let mut answers = Vec::with_capacity(asked.len());
     for ask in &asked {

@@ -35,6 +35,7 @@ mod _mechaudit {
         special::add_to(module)?;
         module.add_function(wrap_pyfunction!(files::write_file, module)?)?;
         module.add_class::<spline::Spline>()?;
+        module.add_class::<spline::HermiteSpline>()?;
         module.add_function(wrap_pyfunction!(linear::solve_tridiagonal, module)?)?;
         module.add_function(wrap_pyfunction!(linear::solve_cyclic, module)?)?;
         #[cfg(feature = "oracle")]

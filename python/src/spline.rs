@@ -1,10 +1,11 @@
-//! Cubic splines, one column of ordinates at a time.
+//! Splines, one column of ordinates at a time.
 
 use crate::errors::value_error;
 use mechaudit::solvers::cubic_spline::{
-    Boundary, CubicSpline, CubicSplineError, End, EvaluationError, Extrapolation,
+    Boundary, CubicSpline, CubicSplineError, End, EvaluationError, Extrapolation, Jet,
     UniformCubicSpline,
 };
+use mechaudit::solvers::hermite_spline::{HermiteSpline as Hermite, Slopes};
 use numpy::{PyArray1, PyReadonlyArray1, ToPyArray};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -68,15 +69,26 @@ impl Kind {
             Kind::Arbitrary(s) => s.jets(x)?,
             Kind::Uniform(s) => s.jets(x)?,
         };
-        for (out, jet) in out.iter_mut().zip(jets) {
-            *out = match order {
-                1 => jet.first,
-                2 => jet.second,
-                3 => jet.third,
-                _ => 0.0,
-            };
-        }
-        Ok(out)
+        Ok(derivatives(&jets, order))
+    }
+}
+
+/// The derivatives of an order from 1.
+fn derivatives(jets: &[Jet], order: u32) -> Vec<f64> {
+    let one = |jet: &Jet| match order {
+        1 => jet.first,
+        2 => jet.second,
+        3 => jet.third,
+        _ => 0.0,
+    };
+    jets.iter().map(one).collect()
+}
+
+/// The behaviour outside the knots.
+fn extrapolation(wrap: bool) -> Extrapolation {
+    match wrap {
+        true => Extrapolation::Wrap,
+        false => Extrapolation::EndPolynomial,
     }
 }
 
@@ -105,11 +117,8 @@ impl Spline {
             }
             CubicSpline::fit(x.to_vec(), y.to_vec(), boundary).map(Kind::Arbitrary)
         });
-        let how = match wrap {
-            true => Extrapolation::Wrap,
-            false => Extrapolation::EndPolynomial,
-        };
-        Ok(Spline(fitted.map_err(value_error)?.extrapolated(how)))
+        let fitted = fitted.map_err(value_error)?;
+        Ok(Spline(fitted.extrapolated(extrapolation(wrap))))
     }
 
     /// Whether the knots were found to be equally spaced.
@@ -146,5 +155,67 @@ impl Spline {
             Kind::Uniform(s) => s.second_derivatives(),
         }
         .to_pyarray(py)
+    }
+}
+
+/// A piecewise cubic through one column of ordinates, with slopes from neighbouring points.
+#[pyclass(frozen, module = "mechaudit._mechaudit")]
+pub struct HermiteSpline(Hermite);
+
+#[pymethods]
+impl HermiteSpline {
+    /// Fits it; `slopes` is `pchip`, `akima` or `makima`.
+    #[new]
+    fn new(
+        py: Python<'_>,
+        x: PyReadonlyArray1<'_, f64>,
+        y: PyReadonlyArray1<'_, f64>,
+        slopes: &str,
+        wrap: bool,
+    ) -> PyResult<HermiteSpline> {
+        let rule = match slopes {
+            "pchip" => Slopes::Pchip,
+            "akima" => Slopes::Akima,
+            "makima" => Slopes::ModifiedAkima,
+            _ => {
+                return Err(PyValueError::new_err(format!(
+                    "slopes are 'pchip', 'akima' or 'makima', not {slopes:?}"
+                )));
+            }
+        };
+        let (x, y) = (x.as_slice()?, y.as_slice()?);
+        let fitted = py.detach(|| Hermite::fit(x.to_vec(), y.to_vec(), rule));
+        let fitted = fitted.map_err(value_error)?;
+        Ok(HermiteSpline(
+            fitted.with_extrapolation(extrapolation(wrap)),
+        ))
+    }
+
+    /// A derivative at finite points; outside the knots that of the polynomial of the end.
+    fn values<'py>(
+        &self,
+        py: Python<'py>,
+        x: PyReadonlyArray1<'py, f64>,
+        order: u32,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let x = x.as_slice()?;
+        let values = py.detach(|| {
+            if order > 0 {
+                return self.0.jets(x).map(|jets| derivatives(&jets, order));
+            }
+            let mut out = vec![0.0; x.len()];
+            self.0.values(x, &mut out).map(|()| out)
+        });
+        Ok(values.map_err(value_error)?.to_pyarray(py))
+    }
+
+    /// The integral from `a` to `b`.
+    fn integral(&self, a: f64, b: f64) -> PyResult<f64> {
+        self.0.integral(a, b).map_err(value_error)
+    }
+
+    /// The slopes at the knots.
+    fn slopes<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.0.slopes().to_pyarray(py)
     }
 }

@@ -6,7 +6,14 @@ from fractions import Fraction
 import mechaudit
 import numpy as np
 import pytest
-from mechaudit import CubicSpline, solve_cyclic, solve_tridiagonal
+from mechaudit import (
+    Akima1DInterpolator,
+    CubicSpline,
+    PchipInterpolator,
+    solve_cyclic,
+    solve_tridiagonal,
+)
+from scipy import interpolate
 from scipy.interpolate import CubicSpline as Theirs
 from scipy.linalg import solve_banded
 
@@ -121,6 +128,60 @@ def test_exact_values(bc_type):
     assert s.certified(0.5) == -2
     with pytest.raises(ValueError, match="certified=True"):
         CubicSpline(x, y).certified(1)
+
+
+LOCAL = [
+    (PchipInterpolator, interpolate.PchipInterpolator, {}, "pchip"),
+    (Akima1DInterpolator, interpolate.Akima1DInterpolator, {}, "akima"),
+    (Akima1DInterpolator, interpolate.Akima1DInterpolator, {"method": "makima"}, "modified-akima"),
+]
+
+
+@pytest.mark.parametrize(("ours", "theirs", "named", "method"), LOCAL)
+@pytest.mark.parametrize("nu", [-1, 0, 1, 2, 3, 4])
+def test_local_slopes_beside_scipy(ours, theirs, named, method, nu):
+    s, t = ours(X, Y, **named), theirs(X, Y, **named)
+    at = rng.uniform(-4, 6, (5, 7))
+    due = t(at, nu) if nu >= 0 else t.antiderivative(-nu)(at)
+    np.testing.assert_allclose(s(at, nu), due, rtol=1e-8, atol=1e-8 * np.nanmax(np.abs(due)))
+    np.testing.assert_allclose(s.c, t.c, rtol=1e-6, atol=1e-6 * np.abs(t.c).max())
+    np.testing.assert_allclose(s.integrate(0, 1), t.integrate(0, 1), rtol=1e-9, atol=1e-11)
+    again = pickle.loads(pickle.dumps(s))
+    assert type(again) is ours and np.array_equal(again(X), s(X)) and not s.uniform
+
+
+@pytest.mark.parametrize(("ours", "theirs", "named", "method"), LOCAL)
+@pytest.mark.skipif(not mechaudit.HAS_ORACLE, reason="needs references")
+def test_local_slopes_exactly(ours, theirs, named, method):
+    x, y = [0, 1, 3, 4, 6], [0, 1, 5, 4, 4]
+    s = ours(x, y, certified=True, **named)
+    at = Fraction(5, 2)
+    for nu in range(4):
+        assert abs(float(s.certified(at, nu)) - s(2.5, nu)) < 1e-13
+    assert abs(float(s.certified_integral(0, 5)) - s.integrate(0, 5)) < 1e-13
+
+
+def test_local_slopes_refuse():
+    with pytest.raises(ValueError, match="real values"):
+        PchipInterpolator([0, 1], [0, 1j])
+    with pytest.raises(NotImplementedError):
+        Akima1DInterpolator([0, 1], [0, 1], method="smooth")
+    assert np.isnan(Akima1DInterpolator([0, 1], [0, 1])(2))
+    assert PchipInterpolator([0, 1], [0, 1])(2) == 2
+    assert PchipInterpolator([0, 1, 2], [0, 1, 0], extrapolate="periodic")(2.5) == 0.75
+
+
+def test_a_small_bend_far_from_a_large_one():
+    x, y = np.arange(8.0), [0, 0, 1e-12, 3e-12, 4e-12, 4e-12, 1, 2]
+    assert abs(Akima1DInterpolator(x, y)(2.0, 1) - 1.5e-12) < 1e-26
+
+
+@pytest.mark.skipif(not mechaudit.HAS_ORACLE, reason="needs references")
+def test_exact_values_with_mixed_ends():
+    s = CubicSpline([0, 1, 2], [0, 1, 8], bc_type=((1, 0.0), (2, 12.0)), certified=True)
+    assert s.certified("1/3") == Fraction(1, 27)
+    s = CubicSpline([0, 1, 2, 3], [0, 1, 8, 27], bc_type=("not-a-knot", (1, 27.0)), certified=True)
+    assert s.certified("5/2") == Fraction(125, 8)
 
 
 def test_systems():

@@ -6,7 +6,7 @@ import sys
 import mpmath as mp
 
 
-def run(script, table):
+def run(script, table, program=f"mpmath {mp.__version__}"):
     """Writes `table()` beside the script, with `.csv` for `.py`; with `--check` compares instead."""
     path = pathlib.Path(script).with_suffix(".csv")
     if sys.argv[1:] not in ([], ["--check"]):
@@ -17,6 +17,6 @@ def run(script, table):
         temporary.write_text(text)
         os.replace(temporary, path)
     elif path.read_text() != text:
-        sys.exit(f"{path.name} differs from what mpmath {mp.__version__} gives")
+        sys.exit(f"{path.name} differs from what {program} gives")
     else:
         print(f"{path.name}: {text.count(chr(10)) - 1} rows as recorded")

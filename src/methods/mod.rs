@@ -146,6 +146,14 @@ registry! {
         Fn(SplineProblem<'_>), |f, i| f(i.into());
     CubicSplineUniform "cubic-spline-uniform":
         Fn(UniformSplineProblem<'_>), |f, i| f(i.into());
+    CubicSplineMixedEnds "cubic-spline-mixed-ends":
+        Fn(CubicSplineMixedEndsInput<'_>), |f, i| f(i);
+    Pchip "pchip":
+        Fn(SplineProblem<'_>), |f, i| f(i.into());
+    Akima "akima":
+        Fn(SplineProblem<'_>), |f, i| f(i.into());
+    ModifiedAkima "modified-akima":
+        Fn(SplineProblem<'_>), |f, i| f(i.into());
 }
 "linkages" {
     FourBar "four-bar":

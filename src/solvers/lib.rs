@@ -4,7 +4,7 @@
 //! |---|---|
 //! | special | [`faddeeva`] |
 //! | linear | [`tridiagonal`], [`cyclic_tridiagonal`] |
-//! | splines | [`cubic_spline`] |
+//! | splines | [`cubic_spline`], [`hermite_spline`] |
 //! | linkages | [`class_iii`], [`dyad`], [`planar`], [`reduction`] |
 //! | drive | [`run_up`] |
 //! | cams | [`cam_law`], [`fourier_series`], [`chirp_oscillator`], [`chirp_chart`] |
@@ -65,4 +65,4 @@ pub use linkages::{class_iii, dyad, planar, reduction};
 #[cfg(feature = "special")]
 pub use special::faddeeva;
 #[cfg(feature = "splines")]
-pub use splines::cubic_spline;
+pub use splines::{cubic_spline, hermite_spline};

@@ -169,3 +169,46 @@ fn mpmath_agrees_on_the_n_four_bar() {
     }
     assert_eq!(rows, 72);
 }
+
+/// scipy computes in floats, with values of the order of 10.
+#[test]
+fn scipy_agrees_on_interpolants() {
+    use mechaudit::audit::{ReferenceAnswer, SolverAnswer};
+    let text = include_str!("../../reference/independent/splines.csv");
+    let numbers = |text: &str| -> Vec<f64> {
+        let number = |t: &str| t.parse().expect("a number");
+        text.split_whitespace().map(number).collect()
+    };
+    let mut rows = 0;
+    for line in text.lines().skip(1) {
+        let cells: Vec<&str> = line.split(',').collect();
+        let [name, x, y, ends, q, due @ ..] = &cells[..] else {
+            panic!("{line}");
+        };
+        let method = mechaudit::methods::find(name).expect("a method");
+        let input = [x, y, ends, q, q].map(|cell| numbers(cell)).concat();
+        let exact: Vec<Rational> = input
+            .iter()
+            .filter_map(|x| Rational::from_f64(*x))
+            .collect();
+        let ReferenceAnswer::Values(reference) = method.reference(&exact, BITS) else {
+            panic!("{line}: no values");
+        };
+        let SolverAnswer::Values(solved) = method.solve(&input) else {
+            panic!("{line}: our solver refuses");
+        };
+        assert_eq!(due.len(), 4);
+        for (k, due) in due.iter().enumerate() {
+            let due: f64 = due.parse().expect("a number");
+            for ours in [reference.values[k].to_f64(), solved[k]] {
+                let allowed = 1e-11 * due.abs().max(10.0);
+                assert!(
+                    (ours - due).abs() <= allowed,
+                    "{line}: {ours}, expected {due}"
+                );
+            }
+        }
+        rows += 1;
+    }
+    assert_eq!(rows, 200);
+}

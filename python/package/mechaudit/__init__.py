@@ -4,7 +4,7 @@
 `mechaudit.special`       the Faddeeva function and its relatives as NumPy ufuncs
 `mechaudit.certified`     the same functions with certified digits
 `mechaudit.audit`         the audit of a callable; `compare`, `judge`, `points`, `case`, `vectors`
-`mechaudit.CubicSpline`   cubic splines with scipy's interface
+`mechaudit.CubicSpline`   cubic splines with scipy's interface; `PchipInterpolator`, `Akima1DInterpolator`
 `mechaudit.Linkage`       linkages of class III, four-bars and slider-cranks; `Cam`
 ========================  ====================================================================
 
@@ -28,12 +28,14 @@ if TYPE_CHECKING:
     from ._linear import Solution, Stability, solve_cyclic, solve_tridiagonal
     from ._machines import Cam, Linkage, Rows
     from ._methods import methods
-    from ._spline import CubicSpline
+    from ._spline import Akima1DInterpolator, CubicSpline, PchipInterpolator
     from ._vectors import Vectors, vectors
 
 #: Where each name is defined: loaded when it is first asked for, so that importing costs little.
 _HOMES = {
+    "Akima1DInterpolator": "_spline",
     "CubicSpline": "_spline",
+    "PchipInterpolator": "_spline",
     "Solution": "_linear",
     "Stability": "_linear",
     "solve_cyclic": "_linear",
@@ -64,12 +66,14 @@ __all__ = [
     "Undecided",
     "__version__",
     "special",
+    "Akima1DInterpolator",
     "Cam",
     "Case",
     "Comparison",
     "CubicSpline",
     "Finding",
     "Linkage",
+    "PchipInterpolator",
     "Report",
     "Rows",
     "Solution",

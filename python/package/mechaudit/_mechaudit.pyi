@@ -18,6 +18,7 @@ __all__ = [
     "dawsn",
     "voigt_profile",
     "write_file",
+    "HermiteSpline",
     "Spline",
     "solve_tridiagonal",
     "solve_cyclic",
@@ -60,7 +61,7 @@ def zero(function: str, k: int, digits: int) -> list[_Component]: ...
 def spline(
     x: list[_Fraction],
     y: list[_Fraction],
-    kind: str,
+    kinds: list[str],
     ends: tuple[_Fraction, _Fraction],
     asked: list[Any],
 ) -> list[_Fraction]: ...
@@ -76,6 +77,13 @@ class Spline:
     def values(self, x: _F64, order: int) -> _F64: ...
     def integral(self, a: float, b: float) -> float: ...
     def second_derivatives(self) -> _F64: ...
+
+@final
+class HermiteSpline:
+    def __new__(cls, x: _F64, y: _F64, slopes: str, wrap: bool) -> HermiteSpline: ...
+    def values(self, x: _F64, order: int) -> _F64: ...
+    def integral(self, a: float, b: float) -> float: ...
+    def slopes(self) -> _F64: ...
 
 @final
 class Run:

@@ -1,4 +1,4 @@
-"""Cubic splines with the interface of `scipy.interpolate.CubicSpline`."""
+"""Splines with the interfaces of scipy's `CubicSpline`, `PchipInterpolator` and `Akima1DInterpolator`."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from . import _mechaudit
 from ._checks import whole
 from ._exact import exact, hexadecimal, of_hexadecimal
 
-__all__ = ["CubicSpline"]
+__all__ = ["Akima1DInterpolator", "CubicSpline", "PchipInterpolator"]
 
 #: Orders of derivatives and integrals: each integral is one more pass over the coefficients.
 _HIGHEST_ORDER = 100
@@ -138,15 +138,19 @@ class CubicSpline:
         self._ends = ends
         wrap = self.extrapolate == "periodic"
         self._columns = [
-            _mechaudit.Spline(
-                x,
-                np.ascontiguousarray(column),
-                None if ends is None else [(kind, float(v[k])) for kind, v in ends],
-                wrap,
-            )
-            for k, column in enumerate(self._y.T)
+            self._made(np.ascontiguousarray(column), k, wrap) for k, column in enumerate(self._y.T)
         ]
         self._certified = certified
+
+    def _made(self, column: Any, k: int, wrap: bool) -> Any:
+        """The solver's spline through one column of ordinates."""
+        ends = None if self._ends is None else [(kind, float(v[k])) for kind, v in self._ends]
+        return _mechaudit.Spline(self.x, column, ends, wrap)
+
+    def _again(self, extrapolate: bool | str) -> CubicSpline:
+        """The same spline with another behaviour outside of its knots."""
+        y, bc_type, _ = self._arguments
+        return CubicSpline(self.x, y, self.axis, bc_type, extrapolate)
 
     def _conditions(self, bc_type: Any, y: Any) -> Any:
         if isinstance(bc_type, str):
@@ -212,11 +216,11 @@ class CubicSpline:
 
     @property
     def c(self) -> Any:
-        m = np.stack([s.second_derivatives() for s in self._columns], axis=-1)
-        c = self._joined(self._coefficients(m))
+        c = self._joined(self._coefficients())
         return c.reshape(4, len(self.x) - 1, *self._shape)
 
-    def _coefficients(self, m: Any) -> Any:
+    def _coefficients(self) -> Any:
+        m = np.stack([s.second_derivatives() for s in self._columns], axis=-1)
         h = np.diff(self.x)[:, None]
         slope = np.diff(self._y, axis=0) / h
         low, high = m[:-1], m[1:]
@@ -286,8 +290,7 @@ class CubicSpline:
 
     def _integrated(self, order: int) -> Any:
         """Coefficients of the integral of that order which is zero at the first knot."""
-        m = np.stack([s.second_derivatives() for s in self._columns], axis=-1)
-        c = self._coefficients(m)
+        c = self._coefficients()
         h = np.diff(self.x)[:, None]
         for _ in range(order):
             powers = np.arange(c.shape[0], 0, -1)[:, None, None]
@@ -320,13 +323,8 @@ class CubicSpline:
         a, b = float(a), float(b)
         if not extrapolate and (min(a, b) < self.x[0] or max(a, b) > self.x[-1]):
             found = np.full(len(self._columns), np.nan)
-        elif extrapolate == "periodic" and self.extrapolate != "periodic":
-            y, bc_type, _ = self._arguments
-            again = CubicSpline(self.x, y, self.axis, bc_type, "periodic")
-            return again.integrate(a, b)
-        elif extrapolate != "periodic" and self.extrapolate == "periodic":
-            y, bc_type, _ = self._arguments
-            return CubicSpline(self.x, y, self.axis, bc_type, True).integrate(a, b)
+        elif (extrapolate == "periodic") != (self.extrapolate == "periodic"):
+            return self._again("periodic" if extrapolate == "periodic" else True).integrate(a, b)
         else:
             found = np.array([s.integral(a, b) for s in self._columns])
         return np.asarray(self._joined(found).reshape(self._shape))
@@ -430,20 +428,145 @@ class CubicSpline:
             raise ValueError("certified values need a spline made with certified=True")
         if len(self._columns) != 1:
             raise ValueError(f"certified values are for one column of ordinates, got {len(self._columns)}")
-        if self._ends is None:
-            kind, values = "periodic", (0.0, 0.0)
-        else:
-            (kind, first), (other, last) = self._ends
-            if kind != other:
-                raise ValueError("certified values need the same kind of condition at both ends")
-            values = (float(first[0]), float(last[0]))
+        kinds, values = self._exact_kinds()
         fractions = [
             [hexadecimal(Fraction(*float(t).as_integer_ratio())) for t in column]
             for column in (self.x, self._y[:, 0], values)
         ]
         low, high = fractions[2]
-        found = _mechaudit.spline(fractions[0], fractions[1], kind, (low, high), asked)
+        found = _mechaudit.spline(fractions[0], fractions[1], kinds, (low, high), asked)
         return [of_hexadecimal(q) for q in found]
+
+    def _exact_kinds(self) -> tuple[list[str], tuple[float, float]]:
+        """What makes the exact spline the only one: a kind, or one for each end, and the end values."""
+        if self._ends is None:
+            return ["periodic"], (0.0, 0.0)
+        (kind, first), (other, last) = self._ends
+        return [kind, other], (float(first[0]), float(last[0]))
+
+
+class _LocalSpline(CubicSpline):
+    """Slopes at the knots from neighbouring points instead of a condition for each end."""
+
+    _slopes: str
+
+    def _start(self, x: Any, y: Any, axis: int, extrapolate: Any, certified: bool) -> None:
+        if np.iscomplexobj(y):
+            raise ValueError(f"`{type(self).__name__}` only works with real values for `y`.")
+        super().__init__(x, y, axis, "natural", extrapolate, certified=certified)
+
+    def _made(self, column: Any, k: int, wrap: bool) -> Any:
+        return _mechaudit.HermiteSpline(self.x, column, self._slopes, wrap)
+
+    @property
+    def uniform(self) -> bool:
+        return False
+
+    def _coefficients(self) -> Any:
+        s = np.stack([column.slopes() for column in self._columns], axis=-1)
+        h = np.diff(self.x)[:, None]
+        slope = np.diff(self._y, axis=0) / h
+        over_left, over_right = s[:-1] - slope, s[1:] - slope
+        both = over_left + over_right
+        return np.stack([both / h / h, -(both + over_left) / h, s[:-1], self._y[:-1]])
+
+    def _exact_kinds(self) -> tuple[list[str], tuple[float, float]]:
+        return [self._slopes], (0.0, 0.0)
+
+
+class PchipInterpolator(_LocalSpline):
+    """Monotone piecewise cubic interpolant of Fritsch and Butland, with the interface of scipy's.
+
+    Parameters
+    ----------
+    x, y, axis
+        As of `CubicSpline`; `y` is real.
+    extrapolate : {True, False, 'periodic', None}
+        Outside of the knots: the polynomial of the end, NaN, or periodically. None is True.
+    certified : bool
+        Answer `certified` as well: everything rational arithmetic gives.
+
+    Examples
+    --------
+    >>> from mechaudit import PchipInterpolator
+    >>> s = PchipInterpolator([0, 1, 3, 4], [0, 1, 5, 4], certified=True)
+    >>> s.certified(1, nu=1)
+    Fraction(9, 7)
+    """
+
+    _slopes = "pchip"
+
+    def __init__(
+        self,
+        x: Any,
+        y: Any,
+        axis: int = 0,
+        extrapolate: bool | str | None = None,
+        *,
+        certified: bool = False,
+    ) -> None:
+        self._start(x, y, axis, extrapolate, certified)
+
+    def _again(self, extrapolate: bool | str) -> CubicSpline:
+        return PchipInterpolator(self.x, self._arguments[0], self.axis, extrapolate)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        y, _, certified = self._arguments
+        return _rebuilt_pchip, (self.x, y, self.axis, self.extrapolate, certified)
+
+
+class Akima1DInterpolator(_LocalSpline):
+    """Akima's interpolant of 1970 or the modified one, with the interface of scipy's.
+
+    Where both of Akima's weights are exactly 0 the slope is the mean of the two chords; scipy takes its
+    fallback already below 1e-9 of the largest sum of weights anywhere in the data.
+
+    Parameters
+    ----------
+    x, y, axis
+        As of `CubicSpline`; `y` is real.
+    method : {'akima', 'makima'}
+        Akima's weights, or those of MATLAB's `makima`.
+    extrapolate : {True, False, 'periodic', None}
+        Outside of the knots: the polynomial of the end, NaN, or periodically. None is False.
+    certified : bool
+        Answer `certified` as well: everything rational arithmetic gives.
+    """
+
+    def __init__(
+        self,
+        x: Any,
+        y: Any,
+        axis: int = 0,
+        *,
+        method: str = "akima",
+        extrapolate: bool | str | None = None,
+        certified: bool = False,
+    ) -> None:
+        if method not in ("akima", "makima"):
+            raise NotImplementedError(f"`method`={method} is unsupported.")
+        self._slopes = method
+        self._start(x, y, axis, False if extrapolate is None else extrapolate, certified)
+
+    def _again(self, extrapolate: bool | str) -> CubicSpline:
+        y = self._arguments[0]
+        return Akima1DInterpolator(self.x, y, self.axis, method=self._slopes, extrapolate=extrapolate)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        y, _, certified = self._arguments
+        return _rebuilt_akima, (self.x, y, self.axis, self._slopes, self.extrapolate, certified)
+
+
+def _rebuilt_pchip(x: Any, y: Any, axis: int, extrapolate: Any, certified: bool) -> PchipInterpolator:
+    return PchipInterpolator(x, y, axis, extrapolate, certified=certified)
+
+
+def _rebuilt_akima(
+    x: Any, y: Any, axis: int, method: str, extrapolate: Any, certified: bool
+) -> Akima1DInterpolator:
+    return Akima1DInterpolator(
+        x, y, axis, method=method, extrapolate=extrapolate, certified=certified
+    )
 
 
 def _has_complex_end(bc_type: Any) -> bool:

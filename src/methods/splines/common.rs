@@ -7,19 +7,30 @@
 use crate::audit::{Output, ReferenceAnswer, Rows, Uncertified};
 use crate::methods::Number;
 use crate::methods::common::conditioned;
-use crate::reference::cubic_spline::{Spline as ExactSpline, SplineError};
+use crate::reference::cubic_spline::{End as ExactEnd, Spline as ExactSpline, SplineError};
 use crate::solvers::cubic_spline::{
-    Boundary, CubicSpline, CubicSplineError, EvaluationError, Grid, Spline,
+    Boundary, CubicSpline, CubicSplineError, End, EvaluationError, Extrapolation, Grid, Jet, Spline,
 };
+use crate::solvers::hermite_spline::{HermiteSpline, Slopes};
 use rug::Rational;
 
-/// The end conditions.
+/// What makes a spline on arbitrary knots the only one.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum EndCondition {
-    SecondDerivatives,
-    Clamped,
-    NotAKnot,
+pub(super) enum Kind {
+    /// A cubic spline with a condition for each end.
+    Ends([EndKind; 2]),
+    /// A periodic cubic spline.
     Periodic,
+    /// Slopes from neighbouring points.
+    Local(Slopes),
+}
+
+/// The condition at one end.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum EndKind {
+    NotAKnot,
+    FirstDerivative,
+    SecondDerivative,
 }
 
 /// A spline to be made and where it is asked for.
@@ -47,23 +58,78 @@ impl<T: Number> Copy for SplineProblem<'_, T> {}
 /// Ends are given where the kind has them.
 const ENDS: &str = "an input of this kind has end values";
 
-impl EndCondition {
-    pub(super) fn end_values(self) -> usize {
+impl EndKind {
+    /// The order of the derivative that is given, if one is.
+    pub(super) fn order(self) -> Option<i32> {
         match self {
-            EndCondition::SecondDerivatives | EndCondition::Clamped => 2,
-            EndCondition::NotAKnot | EndCondition::Periodic => 0,
+            EndKind::NotAKnot => None,
+            EndKind::FirstDerivative => Some(1),
+            EndKind::SecondDerivative => Some(2),
+        }
+    }
+}
+
+/// A fitted spline of either form.
+pub(super) trait Fitted {
+    fn jet(&self, x: f64) -> Result<Jet, EvaluationError>;
+    fn integral(&self, a: f64, b: f64) -> Result<f64, EvaluationError>;
+}
+
+impl<G: Grid> Fitted for Spline<G> {
+    fn jet(&self, x: f64) -> Result<Jet, EvaluationError> {
+        self.jet(x)
+    }
+    fn integral(&self, a: f64, b: f64) -> Result<f64, EvaluationError> {
+        self.integral(a, b)
+    }
+}
+
+impl Fitted for HermiteSpline {
+    fn jet(&self, x: f64) -> Result<Jet, EvaluationError> {
+        self.jet(x)
+    }
+    fn integral(&self, a: f64, b: f64) -> Result<f64, EvaluationError> {
+        self.integral(a, b)
+    }
+}
+
+impl Kind {
+    pub(super) const SECOND_DERIVATIVES: Kind = Kind::Ends([EndKind::SecondDerivative; 2]);
+    pub(super) const CLAMPED: Kind = Kind::Ends([EndKind::FirstDerivative; 2]);
+    pub(super) const NOT_A_KNOT: Kind = Kind::Ends([EndKind::NotAKnot; 2]);
+
+    /// The orders of the derivatives given at the ends.
+    pub(super) fn end_orders(self) -> [Option<i32>; 2] {
+        match self {
+            Kind::Ends(kinds) => kinds.map(EndKind::order),
+            Kind::Periodic | Kind::Local(_) => [None; 2],
         }
     }
 
-    fn try_fit(self, p: SplineProblem) -> Result<CubicSpline, CubicSplineError> {
-        let ends = || p.ends.expect(ENDS);
+    fn try_fit(self, p: SplineProblem) -> Result<Box<dyn Fitted>, CubicSplineError> {
+        let (x, y) = (p.x.to_vec(), p.y.to_vec());
         let boundary = match self {
-            EndCondition::SecondDerivatives => Boundary::second_derivatives(ends()[0], ends()[1]),
-            EndCondition::Clamped => Boundary::clamped(ends()[0], ends()[1]),
-            EndCondition::NotAKnot => Boundary::NOT_A_KNOT,
-            EndCondition::Periodic => Boundary::Periodic,
+            Kind::Ends(kinds) => {
+                let end = |i: usize| {
+                    let value = || p.ends.expect(ENDS)[i];
+                    match kinds[i] {
+                        EndKind::NotAKnot => End::NotAKnot,
+                        EndKind::FirstDerivative => End::FirstDerivative(value()),
+                        EndKind::SecondDerivative => End::SecondDerivative(value()),
+                    }
+                };
+                Boundary::Ends(end(0), end(1))
+            }
+            Kind::Periodic => Boundary::Periodic,
+            Kind::Local(slopes) => {
+                return Ok(Box::new(HermiteSpline::fit(x, y, slopes)?));
+            }
         };
-        CubicSpline::fit(p.x.to_vec(), p.y.to_vec(), boundary)
+        let s = CubicSpline::fit(x, y, boundary)?;
+        Ok(Box::new(match self {
+            Kind::Periodic => s.with_extrapolation(Extrapolation::Wrap),
+            _ => s,
+        }))
     }
 
     /// Why there is no spline, with the place.
@@ -71,12 +137,12 @@ impl EndCondition {
         self.try_fit(p).err().map(|e| e.to_string())
     }
 
-    pub(super) fn fit(self, p: SplineProblem) -> Result<CubicSpline, &'static str> {
+    pub(super) fn fit(self, p: SplineProblem) -> Result<Box<dyn Fitted>, &'static str> {
         self.try_fit(p).map_err(|e| word(&e))
     }
 
     pub(super) fn solve(self, p: SplineProblem) -> Result<Vec<f64>, &'static str> {
-        outputs_of(&self.fit(p)?, p.queries)
+        outputs_of(&*self.fit(p)?, p.queries)
     }
 
     pub(super) fn reference(
@@ -84,14 +150,22 @@ impl EndCondition {
         p: SplineProblem<Rational>,
         bits: u32,
     ) -> Result<ReferenceAnswer, Uncertified> {
-        let ends = || p.ends.expect(ENDS);
         let spline = match self {
-            EndCondition::SecondDerivatives => {
-                ExactSpline::second_derivatives(p.x, p.y, ends()[0], ends()[1])
+            Kind::Ends(kinds) => {
+                let end = |i: usize| {
+                    let value = || p.ends.expect(ENDS)[i];
+                    match kinds[i] {
+                        EndKind::NotAKnot => ExactEnd::NotAKnot,
+                        EndKind::FirstDerivative => ExactEnd::FirstDerivative(value()),
+                        EndKind::SecondDerivative => ExactEnd::SecondDerivative(value()),
+                    }
+                };
+                ExactSpline::with_ends(p.x, p.y, end(0), end(1))
             }
-            EndCondition::Clamped => ExactSpline::clamped(p.x, p.y, ends()[0], ends()[1]),
-            EndCondition::NotAKnot => ExactSpline::not_a_knot(p.x, p.y),
-            EndCondition::Periodic => ExactSpline::periodic(p.x, p.y),
+            Kind::Periodic => ExactSpline::periodic(p.x, p.y),
+            Kind::Local(Slopes::Pchip) => ExactSpline::pchip(p.x, p.y),
+            Kind::Local(Slopes::Akima) => ExactSpline::akima(p.x, p.y),
+            Kind::Local(Slopes::ModifiedAkima) => ExactSpline::modified_akima(p.x, p.y),
         };
         let refused = |e| {
             Uncertified::Refused(match e {
@@ -101,7 +175,16 @@ impl EndCondition {
                 SplineError::NotPeriodic => "not periodic",
             })
         };
-        reference_of(&spline.map_err(refused)?, p.x, p.queries, bits)
+        let spline = spline.map_err(refused)?;
+        match self {
+            Kind::Periodic => Ok(values_of(
+                p.queries,
+                bits,
+                |q| spline.eval_periodic(q),
+                |a, b| spline.integral_periodic(a, b),
+            )),
+            _ => reference_of(&spline, p.x, p.queries, bits),
+        }
     }
 }
 
@@ -118,7 +201,7 @@ fn word(e: &CubicSplineError) -> &'static str {
 }
 
 /// What the solver gives for the two queries.
-pub(super) fn outputs_of<G: Grid>(s: &Spline<G>, q: [f64; 2]) -> Result<Vec<f64>, &'static str> {
+pub(super) fn outputs_of(s: &dyn Fitted, q: [f64; 2]) -> Result<Vec<f64>, &'static str> {
     let refuse = |e: EvaluationError| match e {
         EvaluationError::Outside { .. } => "outside",
         _ => "not finite",
@@ -142,13 +225,22 @@ pub(super) fn reference_of(
     if q.iter().any(|q| **q < x[0] || **q > x[x.len() - 1]) {
         return Err(Uncertified::Refused("outside"));
     }
+    Ok(values_of(q, bits, |q| s.eval(q), |a, b| s.integral(a, b)))
+}
+
+fn values_of(
+    q: [&Rational; 2],
+    bits: u32,
+    eval: impl Fn(&Rational) -> [Rational; 4],
+    integral: impl Fn(&Rational, &Rational) -> Rational,
+) -> ReferenceAnswer {
     let mut values = Vec::new();
-    let integral = s.integral(q[0], q[1]);
-    values.extend(s.eval(q[0]));
+    let integral = integral(q[0], q[1]);
+    values.extend(eval(q[0]));
     values.push(integral.clone());
-    values.extend(s.eval(q[1]));
+    values.extend(eval(q[1]));
     values.push(-integral);
-    Ok(ReferenceAnswer::exact(&values, bits))
+    ReferenceAnswer::exact(&values, bits)
 }
 
 const REASON: &str = "every weight of S, S', S'' and S''' is a product of a few factors, each with a \
@@ -156,8 +248,24 @@ const REASON: &str = "every weight of S, S', S'' and S''' is a product of a few 
     with a componentwise backward error of 13 u at most, or from divided differences where four knots leave one \
     cubic; the sum over the data is the condition";
 
+const LOCAL_REASON: &str = "differences of neighbouring chord slopes are taken in twice the working precision, where their \
+    error is a few u^2 of the chord slopes, far below the u of them that the data's rounding is worth; slopes and \
+    their excess over the chords are sums of two products of a few factors, each with a relative error of a few u; \
+    where a comparison of slopes could go either way the slope is continuous, but for Akima's two vanishing \
+    weights, where solver and reference both decide exactly; the sum over the data is the condition, on whichever \
+    side it is larger";
+
 /// The five outputs with their budgets in units of the conditioned limit.
 pub(super) fn outputs(k: f64) -> Vec<Output> {
+    budgeted(k, REASON)
+}
+
+/// [`outputs`] of interpolants with local slopes.
+pub(super) fn local_outputs(k: f64) -> Vec<Output> {
+    budgeted(k, LOCAL_REASON)
+}
+
+fn budgeted(k: f64, reason: &'static str) -> Vec<Output> {
     [
         ("S", "y"),
         ("S'", "y/x"),
@@ -165,7 +273,7 @@ pub(super) fn outputs(k: f64) -> Vec<Output> {
         ("S'''", "y/x^3"),
         ("integral", "x y"),
     ]
-    .map(|(name, unit)| conditioned(name, unit, k, REASON))
+    .map(|(name, unit)| conditioned(name, unit, k, reason))
     .to_vec()
 }
 
@@ -182,7 +290,7 @@ mod tests {
     use crate::audit::{Draw, Settings, SolverAnswer, Verdict, audit_method, judge};
     use crate::methods::definition::exact;
 
-    const NAMES: [&str; 7] = [
+    const NAMES: [&str; 11] = [
         "tridiagonal",
         "cyclic-tridiagonal",
         "cubic-spline-second-derivatives",
@@ -190,6 +298,10 @@ mod tests {
         "cubic-spline-not-a-knot",
         "cubic-spline-periodic",
         "cubic-spline-uniform",
+        "cubic-spline-mixed-ends",
+        "pchip",
+        "akima",
+        "modified-akima",
     ];
 
     #[test]
@@ -267,11 +379,19 @@ mod tests {
             ("cubic-spline-clamped", 2),
             ("cubic-spline-not-a-knot", 0),
             ("cubic-spline-periodic", 0),
+            ("pchip", 0),
+            ("akima", 0),
+            ("modified-akima", 0),
         ] {
             let method = crate::methods::find(name).expect("registered");
             for (x, y, queries, due) in inputs {
                 let input = [x, y, &[0.5, 0.25][..ends], &queries].concat();
                 let answer = method.solve(&input);
+                // A periodic spline goes on.
+                if name == "cubic-spline-periodic" && due == "outside" {
+                    assert!(matches!(answer, SolverAnswer::Values(_)), "{input:?}");
+                    continue;
+                }
                 assert_eq!(answer, SolverAnswer::Refuses(due), "{name} {input:?}");
                 let Some(exact) = exact(&input).filter(|_| due != "overflow") else {
                     continue;
@@ -305,6 +425,50 @@ mod tests {
         assert_eq!(periodic.conditions(&uneven), None);
         let answer = periodic.reference(&exact(&uneven).unwrap(), 128);
         assert!(matches!(answer, ReferenceAnswer::Refuses("not periodic")));
+    }
+
+    /// Other conventions at exact decisions are over budget, and the one of the definition passes.
+    #[test]
+    fn conventions_are_told_apart() {
+        let judged = |name: &str, place: &str, change: &dyn Fn(&mut Vec<f64>)| {
+            let method = crate::methods::find(name).expect("registered");
+            let domain = method.domain();
+            let case = domain.check_points.iter().find(|p| p.name == place);
+            let case = &case.expect("a check point").input;
+            let reference = method.reference(&exact(case).unwrap(), 128);
+            let conditions = method.conditions(case);
+            let SolverAnswer::Values(mut values) = method.solve(case) else {
+                panic!("{name} refuses {place}");
+            };
+            change(&mut values);
+            let answer = SolverAnswer::Values(values);
+            let outputs = method.outputs();
+            judge(&outputs, &answer, &reference, conditions.as_deref()).verdict
+        };
+        // q0 = 1.5 lies before the knot 2 with chords 0 and 1, where Akima's weights are both 0: a slope
+        // of 0 or 1 there instead of 1/2 changes S by 1/16.
+        for other in [0.0625, -0.0625] {
+            let moved = |v: &mut Vec<f64>| v[0] += other;
+            assert_eq!(
+                judged("akima", "two-straight-pieces", &moved),
+                Verdict::Over
+            );
+        }
+        for place in ["two-straight-pieces", "a-step", "level"] {
+            assert_eq!(judged("akima", place, &|_| ()), Verdict::Pass, "{place}");
+        }
+        // A threshold of 10⁻⁹ of the largest weight gives 0.5·10⁻¹² at knot 2, where 1.5·10⁻¹² is due.
+        let place = "small-bend-far-from-a-large-one";
+        let with_threshold = |v: &mut Vec<f64>| v[5] += 1.25e-13;
+        assert_eq!(judged("akima", place, &|_| ()), Verdict::Pass);
+        assert_eq!(judged("akima", place, &with_threshold), Verdict::Over);
+        // Without its clippings the parabola's slope at the left end is −0.5 for 0, 6.5 for 3.
+        for (place, slope) in [("end-slope-zero", -0.5), ("end-slope-limited", 3.5)] {
+            let (k, w) = (0.25, 0.75);
+            let unclipped = |v: &mut Vec<f64>| v[0] += k * w * w * slope;
+            assert_eq!(judged("pchip", place, &unclipped), Verdict::Over, "{place}");
+            assert_eq!(judged("pchip", place, &|_| ()), Verdict::Pass, "{place}");
+        }
     }
 
     #[test]

@@ -1,10 +1,14 @@
 //! `Σ_j |x_j ∂f/∂x_j|` of splines, by differences at 256 bits.
 //!
 //! An estimate, as every condition is here; no reference value depends on it. The spline is solved
-//! for its slopes by ordinary elimination in floats, and again with each datum times `1 + 2⁻⁹⁰`.
-//! Queries stay on their segments, so that the one-sided third derivative is well defined.
+//! for its slopes by ordinary elimination in floats, and again with each datum times `1 + 2⁻⁹⁰`; local
+//! slopes, which have kinks, also with `1 − 2⁻⁹⁰`, and the larger change counts. Queries stay on their
+//! segments, so that one-sided derivatives are well defined; where both of Akima's weights vanish the
+//! slope stays the mean of two chords, which it is by definition at the input alone.
 
-use super::common::{EndCondition, SplineProblem};
+use super::common::{EndKind, Kind, SplineProblem};
+use crate::methods::common::largest;
+use crate::solvers::hermite_spline::Slopes as LocalSlopes;
 use rug::{Assign, Float};
 
 const BITS: u32 = 256;
@@ -82,92 +86,234 @@ fn eliminate(mut a: Vec<Vec<Float>>) -> Option<Vec<Float>> {
     Some(x)
 }
 
-impl<'a> Slopes<'a> {
-    fn new(kind: EndCondition, problem: SplineProblem<'a, Float>) -> Option<Slopes<'a>> {
-        let SplineProblem { x, y, ends, .. } = problem;
-        let difference = |p: &[Float]| Float::with_val(BITS, &p[1] - &p[0]);
-        let h: Vec<Float> = x.windows(2).map(difference).collect();
-        let delta: Vec<Float> = y
-            .windows(2)
-            .zip(&h)
-            .map(|(p, h)| difference(p) / h)
-            .collect();
-        let n = h.len();
-        let periodic = kind == EndCondition::Periodic;
-        let size = if periodic { n } else { n + 1 };
-        let mut rows = vec![vec![Float::new(BITS); size + 1]; size];
-        let one = float(1.0);
-        let smooth =
-            |row: &mut Vec<Float>, (p, q): (usize, usize), (i, j, k): (usize, usize, usize)| {
-                let (a, b) = (
-                    Float::with_val(BITS, &one / &h[p]),
-                    Float::with_val(BITS, &one / &h[q]),
-                );
-                row[j] += Float::with_val(BITS, &a + &b) * 2;
-                row[size] += sum(&[(&a, &delta[p]), (&b, &delta[q])]) * 3;
-                row[i] += a;
-                row[k] += b;
-            };
-        if periodic {
-            for (i, row) in rows.iter_mut().enumerate() {
-                let before = (i + n - 1) % n;
-                smooth(row, (before, i), (before, i, (i + 1) % n));
-            }
-        } else {
-            for (i, row) in rows.iter_mut().enumerate().take(n).skip(1) {
-                smooth(row, (i - 1, i), (i - 1, i, i + 1));
-            }
+/// Steps, and the slopes of the chords over them.
+fn chords(x: &[Float], y: &[Float]) -> (Vec<Float>, Vec<Float>) {
+    let difference = |p: &[Float]| Float::with_val(BITS, &p[1] - &p[0]);
+    let h: Vec<Float> = x.windows(2).map(difference).collect();
+    let delta = y
+        .windows(2)
+        .zip(&h)
+        .map(|(p, h)| difference(p) / h)
+        .collect();
+    (h, delta)
+}
+
+/// Adds to a row, whose last number is the right-hand side, that `S''` is continuous between the
+/// segments `p` and `q` with the knots `i`, `j`, `k`.
+fn smooth(
+    row: &mut [Float],
+    (h, delta): (&[Float], &[Float]),
+    (p, q): (usize, usize),
+    (i, j, k): (usize, usize, usize),
+) {
+    let last = row.len() - 1;
+    let one = float(1.0);
+    let (a, b) = (
+        Float::with_val(BITS, &one / &h[p]),
+        Float::with_val(BITS, &one / &h[q]),
+    );
+    row[j] += Float::with_val(BITS, &a + &b) * 2;
+    row[last] += sum(&[(&a, &delta[p]), (&b, &delta[q])]) * 3;
+    row[i] += a;
+    row[k] += b;
+}
+
+/// The condition at the end that is knot `i`.
+fn end_row(
+    end: EndKind,
+    (h, delta): (&[Float], &[Float]),
+    i: usize,
+    value: Option<&Float>,
+) -> Option<Vec<Float>> {
+    let n = h.len();
+    let mut row = vec![Float::new(BITS); n + 2];
+    let (segment, other) = if i == 0 { (0, 1) } else { (n - 1, n - 1) };
+    match end {
+        EndKind::FirstDerivative => {
+            row[i] = float(1.0);
+            row[n + 1] = value?.clone();
         }
-        match kind {
-            EndCondition::Periodic => {}
-            EndCondition::Clamped => {
-                let [first, last] = ends?;
-                for (i, v) in [(0, first), (n, last)] {
-                    rows[i][i] = one.clone();
-                    rows[i][size] = v.clone();
+        EndKind::SecondDerivative => {
+            row[i] = float(2.0);
+            row[other] = float(1.0);
+            let bend = with(value? * &h[segment]) / 2u32;
+            let chord = with(&delta[segment] * 3u32);
+            row[n + 1] = if i == 0 { chord - bend } else { chord + bend };
+        }
+        EndKind::NotAKnot => {
+            let a = if i == 0 { 0 } else { n.checked_sub(2)? };
+            if n < 2 {
+                return None;
+            }
+            let square = |h: &Float| Float::with_val(BITS, h.square_ref()).recip();
+            let (p, q) = (square(&h[a]), square(&h[a + 1]));
+            row[a + 1] = Float::with_val(BITS, &p - &q);
+            let turned = -q;
+            row[n + 1] = sum(&[(&p, &delta[a]), (&turned, &delta[a + 1])]) * 2;
+            row[a] = p;
+            row[a + 2] = turned;
+        }
+    }
+    Some(row)
+}
+
+/// The slopes of Fritsch and Butland, with the ends of Moler's `pchiptx`.
+fn pchip(h: &[Float], delta: &[Float]) -> Vec<Float> {
+    let n = h.len();
+    let end = |i: usize, j: usize| {
+        let (near, far, p, q) = (&h[i], &h[j], &delta[i], &delta[j]);
+        let steps = with(near + far);
+        let slope = (with(near + &steps) * p - with(near * q)) / steps;
+        let limit = with(p * 3u32);
+        let sign = |x: &Float| x.cmp0();
+        if sign(&slope) != sign(p) {
+            Float::new(BITS)
+        } else if sign(q) != sign(p) && slope.cmp_abs(&limit).is_some_and(|o| o.is_gt()) {
+            limit
+        } else {
+            slope
+        }
+    };
+    let inner = |i: usize| {
+        let product = with(&delta[i - 1] * &delta[i]);
+        if product <= 0 {
+            return Float::new(BITS);
+        }
+        let (a, b) = (
+            with(&h[i] * 2u32) + &h[i - 1],
+            with(&h[i - 1] * 2u32) + &h[i],
+        );
+        product * with(&a + &b) / sum(&[(&a, &delta[i]), (&b, &delta[i - 1])])
+    };
+    let mut s = vec![end(0, 1)];
+    s.extend((1..n).map(inner));
+    s.push(end(n - 1, n - 2));
+    s
+}
+
+/// Two chords more at each end.
+fn continued(delta: &[Float]) -> Vec<Float> {
+    let beyond = |near: &Float, far: &Float| with(near * 2u32) - far;
+    let mut m = delta.to_vec();
+    for _ in 0..2 {
+        m.insert(0, beyond(&m[0], &m[1]));
+        m.push(beyond(&m[m.len() - 1], &m[m.len() - 2]));
+    }
+    m
+}
+
+/// The weights of the chords before and after a knot, from the two chords on either side of it.
+fn weights(rule: LocalSlopes, m: &[Float]) -> [Float; 2] {
+    let weight = |a: &Float, b: &Float| {
+        let difference = with(a - b).abs();
+        match rule {
+            LocalSlopes::ModifiedAkima => difference + with(a + b).abs() / 2u32,
+            _ => difference,
+        }
+    };
+    [weight(&m[3], &m[2]), weight(&m[1], &m[0])]
+}
+
+fn weighted(rule: LocalSlopes, delta: &[Float], level: &[bool]) -> Vec<Float> {
+    let slope = |(m, level): (&[Float], &bool)| {
+        if *level {
+            return with(&m[1] + &m[2]) / 2u32;
+        }
+        let [a, b] = weights(rule, m);
+        sum(&[(&a, &m[1]), (&b, &m[2])]) / with(&a + &b)
+    };
+    continued(delta).windows(4).zip(level).map(slope).collect()
+}
+
+/// At which knots both of Akima's weights vanish.
+fn level_knots(kind: Kind, x: &[Float], y: &[Float]) -> Vec<bool> {
+    match kind {
+        Kind::Local(rule) if rule != LocalSlopes::Pchip && x.len() > 2 => {
+            let both_vanish = |m: &[Float]| weights(rule, m).iter().all(Float::is_zero);
+            let m = continued(&chords(x, y).1);
+            m.windows(4).map(both_vanish).collect()
+        }
+        _ => vec![false; x.len()],
+    }
+}
+
+/// A query: whole periods, and the segment that holds the rest.
+struct Place {
+    turns: Float,
+    segment: usize,
+}
+
+impl Place {
+    fn new(kind: Kind, x: &[Float], q: &Float) -> Place {
+        let (first, last) = (&x[0], &x[x.len() - 1]);
+        let is_inside = first <= q && q <= last;
+        let turns = match kind {
+            Kind::Periodic if !is_inside => (with(q - first) / with(last - first)).floor(),
+            _ => Float::new(BITS),
+        };
+        let mut place = Place { turns, segment: 0 };
+        let rest = place.rest(x, q);
+        place.segment = x[1..x.len() - 1].partition_point(|k| *k <= rest);
+        place
+    }
+
+    /// The query without whole periods.
+    fn rest(&self, x: &[Float], q: &Float) -> Float {
+        let period = with(&x[x.len() - 1] - &x[0]);
+        with(q - with(&self.turns * &period))
+    }
+}
+
+impl<'a> Slopes<'a> {
+    /// `level` says at which knots both of Akima's weights vanish.
+    fn new(kind: Kind, problem: SplineProblem<'a, Float>, level: &[bool]) -> Option<Slopes<'a>> {
+        let SplineProblem { x, y, ends, .. } = problem;
+        let (h, delta) = chords(x, y);
+        let n = h.len();
+        let s = match kind {
+            Kind::Local(_) if n == 1 => vec![delta[0].clone(); 2],
+            Kind::Local(LocalSlopes::Pchip) => pchip(&h, &delta),
+            Kind::Local(rule) => weighted(rule, &delta, level),
+            Kind::Periodic => {
+                let mut rows = vec![vec![Float::new(BITS); n + 1]; n];
+                for (i, row) in rows.iter_mut().enumerate() {
+                    let before = (i + n - 1) % n;
+                    smooth(row, (&h, &delta), (before, i), (before, i, (i + 1) % n));
                 }
+                let mut s = eliminate(rows)?;
+                s.push(s[0].clone());
+                s
             }
-            EndCondition::SecondDerivatives => {
-                let [first, last] = ends?;
-                let row = |own: usize, other: usize, rhs: Float, rows: &mut Vec<Vec<Float>>| {
-                    rows[own][own] = float(2.0);
-                    rows[own][other] = one.clone();
-                    rows[own][size] = rhs;
-                };
-                let bend =
-                    |d: &Float, h: &Float, m: Float| Float::with_val(BITS, d * 3u32) - m * h / 2u32;
-                let left = bend(&delta[0], &h[0], first.clone());
-                let right = bend(&delta[n - 1], &h[n - 1], -last.clone());
-                row(0, 1, left, &mut rows);
-                row(n, n - 1, right, &mut rows);
-            }
-            EndCondition::NotAKnot if n < 3 => {
+            Kind::Ends([EndKind::NotAKnot, EndKind::NotAKnot]) if n < 3 => {
                 // One parabola, or a line: S'' is the same at both ends of each end segment.
+                let mut rows = vec![vec![Float::new(BITS); n + 2]; n + 1];
+                for i in 1..n {
+                    smooth(&mut rows[i], (&h, &delta), (i - 1, i), (i - 1, i, i + 1));
+                }
                 for (i, a) in [(0, 0), (n, n - 1)] {
-                    rows[i][a] = one.clone();
-                    rows[i][a + 1] = one.clone();
-                    rows[i][size] = Float::with_val(BITS, &delta[a] * 2u32);
+                    rows[i][a] = float(1.0);
+                    rows[i][a + 1] = float(1.0);
+                    rows[i][n + 1] = Float::with_val(BITS, &delta[a] * 2u32);
                 }
                 if n == 1 {
                     rows[1] = vec![float(1.0), float(-1.0), float(0.0)];
                 }
+                eliminate(rows)?
             }
-            EndCondition::NotAKnot => {
-                for (i, a) in [(0, 0), (n, n - 2)] {
-                    let square = |h: &Float| Float::with_val(BITS, h.square_ref()).recip();
-                    let (p, q) = (square(&h[a]), square(&h[a + 1]));
-                    rows[i][a + 1] = Float::with_val(BITS, &p - &q);
-                    let turned = -q;
-                    rows[i][size] = sum(&[(&p, &delta[a]), (&turned, &delta[a + 1])]) * 2;
-                    rows[i][a] = p;
-                    rows[i][a + 2] = turned;
+            Kind::Ends([first, last]) => {
+                let mut rows = vec![vec![Float::new(BITS); n + 2]; n + 1];
+                for i in 1..n {
+                    smooth(&mut rows[i], (&h, &delta), (i - 1, i), (i - 1, i, i + 1));
                 }
+                for (k, end) in [(0, first), (1, last)] {
+                    let i = k * n;
+                    let value = ends.map(|ends| ends[k]);
+                    let row = end_row(end, (&h, &delta), i, value)?;
+                    rows[i] = row;
+                }
+                eliminate(rows)?
             }
-        }
-        let mut s = eliminate(rows)?;
-        if periodic {
-            s.push(s[0].clone());
-        }
+        };
         Some(Slopes { h, delta, y, x, s })
     }
 
@@ -187,18 +333,31 @@ impl<'a> Slopes<'a> {
         [value, first, second, d * 6u32, part]
     }
 
-    fn outputs(&self, queries: [&Float; 2], segments: &[usize]) -> Vec<Float> {
-        let at = [0, 1].map(|k| self.at(segments[k], queries[k]));
-        let mut integral = Float::with_val(BITS, &at[1][4] - &at[0][4]);
-        let (lo, hi) = (segments[0].min(segments[1]), segments[0].max(segments[1]));
-        for i in lo..hi {
+    /// `∫ S` from the first knot.
+    fn area(&self, place: &Place, part: &Float) -> Float {
+        let whole = |i: usize| {
             let [.., whole] = self.at(i, &self.x[i + 1]);
-            if segments[0] < segments[1] {
-                integral += whole;
-            } else {
-                integral -= whole;
+            whole
+        };
+        let mut area = part.clone();
+        for i in 0..place.segment {
+            area += whole(i);
+        }
+        if !place.turns.is_zero() {
+            for i in 0..self.h.len() {
+                area += whole(i) * &place.turns;
             }
         }
+        area
+    }
+
+    fn outputs(&self, queries: [&Float; 2], places: &[Place]) -> Vec<Float> {
+        let at = [0, 1].map(|k| {
+            let rest = places[k].rest(self.x, queries[k]);
+            self.at(places[k].segment, &rest)
+        });
+        let area = |k: usize| self.area(&places[k], &at[k][4]);
+        let integral = area(1) - area(0);
         let mut out = Vec::new();
         for (k, [v, d, dd, ddd, _]) in at.into_iter().enumerate() {
             let i = if k == 0 {
@@ -212,46 +371,54 @@ impl<'a> Slopes<'a> {
     }
 }
 
-/// The conditions of the ten outputs: of a kind, at an input that begins with `x[n]`, `y[n]`.
+/// The conditions of the ten outputs: of a kind, at an input that begins with `x[n]`, `y[n]`. Numbers
+/// that choose are no data.
 pub(super) fn conditions(
-    kind: EndCondition,
+    kind: Kind,
     input: &[f64],
+    is_data: &[bool],
     unpack: fn(&[Float]) -> Option<SplineProblem<'_, Float>>,
 ) -> Option<Vec<f64>> {
     let mut data: Vec<Float> = input.iter().map(|&v| float(v)).collect();
     let p = unpack(&data)?;
     let increasing = p.x.windows(2).all(|w| w[0] < w[1]);
-    if p.x.len() < 2
-        || !increasing
-        || (kind == EndCondition::Periodic && p.y[0] != p.y[p.y.len() - 1])
-    {
+    if p.x.len() < 2 || !increasing || (kind == Kind::Periodic && p.y[0] != p.y[p.y.len() - 1]) {
         return None;
     }
-    let segment = |q: &Float| p.x[1..p.x.len() - 1].partition_point(|k| k <= q);
-    let segments: Vec<usize> = p.queries.into_iter().map(segment).collect();
+    let places = p.queries.map(|q| Place::new(kind, p.x, q));
+    let level = level_knots(kind, p.x, p.y);
     let run = |data: &[Float]| -> Option<Vec<Float>> {
         let p = unpack(data)?;
-        Some(Slopes::new(kind, p)?.outputs(p.queries, &segments))
+        Some(Slopes::new(kind, p, &level)?.outputs(p.queries, &places))
     };
     let n = p.x.len();
     let base = run(&data)?;
     let mut total = vec![0.0; base.len()];
-    let moved = float(1.0) + (float(1.0) >> STEP);
+    let sides: &[f64] = match kind {
+        Kind::Local(_) => &[1.0, -1.0],
+        _ => &[1.0],
+    };
     for j in 0..data.len() {
         // The last ordinate of a periodic spline is the first one.
-        if input[j] == 0.0 || (kind == EndCondition::Periodic && j == 2 * n - 1) {
+        if input[j] == 0.0 || !is_data[j] || (kind == Kind::Periodic && j == 2 * n - 1) {
             continue;
         }
-        let old = data.clone();
-        data[j] *= &moved;
-        if kind == EndCondition::Periodic && j == n {
-            data[2 * n - 1] = data[j].clone();
+        let mut change = vec![0f64; base.len()];
+        for side in sides {
+            let old = data.clone();
+            data[j] *= float(1.0) + (float(*side) >> STEP);
+            if kind == Kind::Periodic && j == n {
+                data[2 * n - 1] = data[j].clone();
+            }
+            let shifted = run(&data)?;
+            data = old;
+            for ((c, a), b) in change.iter_mut().zip(&shifted).zip(&base) {
+                let d = Float::with_val(64, a - b) << STEP;
+                *c = largest([*c, d.to_f64().abs()]);
+            }
         }
-        let shifted = run(&data)?;
-        data = old;
-        for ((t, a), b) in total.iter_mut().zip(&shifted).zip(&base) {
-            let d = Float::with_val(64, a - b) << STEP;
-            *t += d.to_f64().abs();
+        for (t, c) in total.iter_mut().zip(change) {
+            *t += c;
         }
     }
     Some(total)

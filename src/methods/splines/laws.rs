@@ -1,34 +1,68 @@
 //! Identities that splines on arbitrary knots have to satisfy bit for bit.
 
-use super::common::{EndCondition, SplineProblem};
+use super::common::{Kind, SplineProblem};
 use crate::audit::Law;
 use crate::methods::common::held;
 
-impl EndCondition {
+impl Kind {
     /// `S(x_i) = y_i` bit for bit.
     pub(super) fn knots_residual(self, p: SplineProblem) -> Option<f64> {
         let s = self.fit(p).ok()?;
-        held(interpolates(p, |x| s.value(x).ok()))
+        held(interpolates(p, |x| s.jet(x).ok().map(|j| j.value)))
     }
 
     /// Abscissae times 4 and ordinates times 8 give the same bits in the new units.
     pub(super) fn scaling_residual(self, p: SplineProblem) -> Option<f64> {
         let base = self.solve(p).ok()?;
-        let end = match self {
-            EndCondition::SecondDerivatives => 0.5,
-            _ => 2.0,
-        };
+        // An ordinate's unit over that of an abscissa, as often as the end value has it.
+        let unit = |order: Option<i32>| 8.0 / 4f64.powi(order.unwrap_or(0));
+        let [first, last] = self.end_orders().map(unit);
         let times = |v: &[f64], f: f64| -> Vec<f64> { v.iter().map(|v| v * f).collect() };
         let (x, y) = (times(p.x, 4.0), times(p.y, 8.0));
         let Ok(scaled) = self.solve(SplineProblem {
             x: &x,
             y: &y,
-            ends: p.ends.map(|ends| ends.map(|v| v * end)),
+            ends: p.ends.map(|[a, b]| [a * first, b * last]),
             queries: p.queries.map(|q| q * 4.0),
         }) else {
             return held(false);
         };
         held(in_other_units(&base, &scaled))
+    }
+
+    /// Mirrored points give the mirrored `S` and `S'` bit for bit.
+    pub(super) fn reflection_residual(self, p: SplineProblem) -> Option<f64> {
+        let mirrored =
+            |v: &[f64], sign: f64| -> Vec<f64> { v.iter().rev().map(|v| sign * v).collect() };
+        let (x, y) = (mirrored(p.x, -1.0), mirrored(p.y, 1.0));
+        let s = self.fit(p).ok()?;
+        let Ok(turned) = self.fit(SplineProblem { x: &x, y: &y, ..p }) else {
+            return held(false);
+        };
+        let same = p.queries.iter().map(|&q| {
+            let (a, b) = (s.jet(q).ok()?, turned.jet(-q).ok()?);
+            Some(a.value == b.value && a.first == -b.first)
+        });
+        held(
+            same.collect::<Option<Vec<bool>>>()?
+                .into_iter()
+                .all(|same| same),
+        )
+    }
+
+    /// At the ends of each segment the slope is between none and three times that of the chord, which
+    /// makes the interpolant monotone there (Fritsch & Carlson 1980); 4 u are allowed for rounding.
+    pub(super) fn monotone_residual(self, p: SplineProblem) -> Option<f64> {
+        let s = self.fit(p).ok()?;
+        let slopes: Option<Vec<f64>> = p.x.iter().map(|x| Some(s.jet(*x).ok()?.first)).collect();
+        let slopes = slopes?;
+        let segments = slopes.windows(2).zip(p.x.windows(2)).zip(p.y.windows(2));
+        held(segments.into_iter().all(|((s, x), y)| {
+            let chord = (y[1] - y[0]) / (x[1] - x[0]);
+            let limit = 3.0 * chord.abs() * (1.0 + 2.0 * f64::EPSILON);
+            s.iter()
+                .all(|s| s.abs() <= limit && s * chord.signum() >= 0.0)
+        }))
     }
 
     /// `S'` at the ends is what was given there, bit for bit.
@@ -52,7 +86,7 @@ fn in_other_units(here: &[f64], there: &[f64]) -> bool {
     there.iter().copied().eq(due)
 }
 
-/// The law of [`EndCondition::knots_residual`].
+/// The law of [`Kind::knots_residual`].
 pub(super) fn knots_law(residual: fn(&[f64]) -> Option<f64>) -> Law {
     Law {
         name: "interpolation",
@@ -61,7 +95,7 @@ pub(super) fn knots_law(residual: fn(&[f64]) -> Option<f64>) -> Law {
     }
 }
 
-/// The law of [`EndCondition::scaling_residual`].
+/// The law of [`Kind::scaling_residual`].
 pub(super) fn scaling_law(residual: fn(&[f64]) -> Option<f64>) -> Law {
     Law {
         name: "scaling",
@@ -70,7 +104,25 @@ pub(super) fn scaling_law(residual: fn(&[f64]) -> Option<f64>) -> Law {
     }
 }
 
-/// The law of [`EndCondition::ends_residual`].
+/// The law of [`Kind::reflection_residual`].
+pub(super) fn reflection_law(residual: fn(&[f64]) -> Option<f64>) -> Law {
+    Law {
+        name: "reflection",
+        statement: "x -> -x leaves S as it is and changes the sign of S', exactly",
+        residual,
+    }
+}
+
+/// The law of [`Kind::monotone_residual`].
+pub(super) fn monotone_law(residual: fn(&[f64]) -> Option<f64>) -> Law {
+    Law {
+        name: "monotone",
+        statement: "0 <= S'(x_i)/delta <= 3 for the chords delta on both sides, within 4 u",
+        residual,
+    }
+}
+
+/// The law of [`Kind::ends_residual`].
 pub(super) fn ends_law(residual: fn(&[f64]) -> Option<f64>) -> Law {
     Law {
         name: "ends",
@@ -123,7 +175,7 @@ mod tests {
     /// A straight line with slope 1 at both ends.
     #[test]
     fn laws_of_a_line() {
-        let kind = EndCondition::Clamped;
+        let kind = Kind::CLAMPED;
         let p = SplineProblem {
             ends: Some([1.0, 1.0]),
             ..problem(&[0.0, 1.0, 3.0], &[5.0, 6.0, 8.0])
@@ -136,7 +188,7 @@ mod tests {
         assert_eq!(kind.scaling_residual(lost), None);
         assert_eq!(kind.ends_residual(lost), None);
         // With second derivatives of 1 given a line is left, and its slopes are others.
-        let bent = EndCondition::SecondDerivatives;
+        let bent = Kind::SECOND_DERIVATIVES;
         assert_eq!(bent.ends_residual(p), Some(f64::INFINITY));
     }
 }

@@ -1,11 +1,12 @@
 //! Cubic splines on arbitrary knots, a method for each kind of end condition.
 
-use super::common::{self, EndCondition, SplineProblem};
-use super::laws::{ends_law, knots_law, scaling_law};
+use super::common::{self, Kind, SplineProblem};
+use super::laws::{ends_law, knots_law, monotone_law, reflection_law, scaling_law};
 use super::{conditions, domain};
 use crate::audit::{Domain, Law, Output, ReferenceAnswer, Rows, Uncertified};
 use crate::methods::definition::Definition;
 use crate::methods::inputs::{Number, inputs};
+use crate::solvers::hermite_spline::Slopes;
 use rug::Rational;
 
 inputs! {
@@ -60,7 +61,10 @@ problems! {
 }
 
 macro_rules! on_knots {
-    ($(#[$doc:meta])* $method:ident($input:ident), $kind:expr, $summary:literal, $($law:expr),*) => {
+    (
+        $(#[$doc:meta])* $method:ident($input:ident), $kind:expr, $summary:literal,
+        $source:literal, $outputs:expr, $($law:expr),*
+    ) => {
         $(#[$doc])*
         ///
         /// A candidate is a `Fn(SplineProblem) -> [[S, S', S'', S''', integral]; 2]`.
@@ -70,10 +74,10 @@ macro_rules! on_knots {
         impl Definition for $method {
             type Input<'a, T: Number> = $input<'a, T>;
             const SUMMARY: &'static str = $summary;
-            const SOURCE: &'static str = "Zinchenko 2008, eqs (8)-(17), on arbitrary knots";
+            const SOURCE: &'static str = $source;
 
             fn outputs() -> Vec<Output> {
-                common::outputs(16.0)
+                $outputs
             }
             fn rows() -> Option<Rows> {
                 Some(common::ROWS)
@@ -85,16 +89,17 @@ macro_rules! on_knots {
                 $kind.solve(i.into())
             }
             fn reference(
-        i: Self::Input<'_, Rational>,
-        bits: u32,
-    ) -> Result<ReferenceAnswer, Uncertified> {
+                i: Self::Input<'_, Rational>,
+                bits: u32,
+            ) -> Result<ReferenceAnswer, Uncertified> {
                 $kind.reference(i.into(), bits)
             }
             fn explanation(i: Self::Input<'_, f64>) -> Option<String> {
                 $kind.explanation(i.into())
             }
             fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
-                conditions::conditions($kind, numbers, |data| Some(Self::unpack(data)?.into()))
+                let all = vec![true; numbers.len()];
+                conditions::conditions($kind, numbers, &all, |data| Some(Self::unpack(data)?.into()))
             }
             fn laws() -> Vec<Law> {
                 vec![
@@ -110,28 +115,78 @@ macro_rules! on_knots {
 on_knots!(
     /// Cubic splines with given second derivatives at the ends.
     CubicSplineSecondDerivatives(CubicSplineSecondDerivativesInput),
-    EndCondition::SecondDerivatives,
+    Kind::SECOND_DERIVATIVES,
     "cubic spline with given second derivatives at the ends (natural if zero)",
+    "Zinchenko 2008, eqs (8)-(17), on arbitrary knots",
+    common::outputs(16.0),
 );
 
 on_knots!(
     /// Cubic splines with given first derivatives at the ends.
     CubicSplineClamped(CubicSplineClampedInput),
-    EndCondition::Clamped,
+    Kind::CLAMPED,
     "cubic spline with given first derivatives at the ends",
-    ends_law(|v| EndCondition::Clamped.ends_residual(Self::unpack(v)?.into()))
+    "Zinchenko 2008, eqs (8)-(17), on arbitrary knots",
+    common::outputs(16.0),
+    ends_law(|v| Kind::CLAMPED.ends_residual(Self::unpack(v)?.into()))
 );
 
 on_knots!(
     /// Not-a-knot cubic splines.
     CubicSplineNotAKnot(SplineInput),
-    EndCondition::NotAKnot,
+    Kind::NOT_A_KNOT,
     "cubic spline whose third derivative is continuous at the second knots from the ends",
+    "Zinchenko 2008, eqs (8)-(17), on arbitrary knots",
+    common::outputs(16.0),
 );
 
 on_knots!(
-    /// Periodic cubic splines; unequal first and last ordinates have to be refused.
+    /// Periodic cubic splines, which go on beyond their knots; unequal first and last ordinates have to be
+    /// refused.
     CubicSplinePeriodic(SplineInput),
-    EndCondition::Periodic,
+    Kind::Periodic,
     "periodic cubic spline",
+    "Zinchenko 2008, eqs (8)-(17), on arbitrary knots",
+    common::outputs(16.0),
+);
+
+macro_rules! local {
+    ($(#[$doc:meta])* $method:ident, $slopes:ident, $summary:literal, $source:literal $(, $law:expr)*) => {
+        on_knots!(
+            $(#[$doc])*
+            $method(SplineInput),
+            Kind::Local(Slopes::$slopes),
+            $summary,
+            $source,
+            common::local_outputs(16.0),
+            reflection_law(|v| Kind::Local(Slopes::$slopes).reflection_residual($method::unpack(v)?.into()))
+            $(, $law)*
+        );
+    };
+}
+
+local!(
+    /// PCHIP: the monotone piecewise cubic interpolant of Fritsch and Butland, as MATLAB's `pchip`, SLATEC's
+    /// `PCHIM` and scipy's `PchipInterpolator` define it.
+    Pchip,
+    Pchip,
+    "monotone piecewise cubic Hermite interpolant (PCHIP)",
+    "Fritsch & Butland 1984, weighted harmonic mean; ends: Moler 2004, sections 3.4 and 3.6 (pchiptx)",
+    monotone_law(|v| Kind::Local(Slopes::Pchip).monotone_residual(Pchip::unpack(v)?.into()))
+);
+
+local!(
+    /// Akima's interpolant; the mean of two chords where both weights vanish.
+    Akima,
+    Akima,
+    "Akima's piecewise cubic interpolant of 1970",
+    "Akima, J. ACM 17 (1970) 589-602, eq. (1), ends by section 2.3"
+);
+
+local!(
+    /// The modified Akima interpolant, MATLAB's `makima`.
+    ModifiedAkima,
+    ModifiedAkima,
+    "modified Akima piecewise cubic interpolant (makima)",
+    "Moler & Ionita 2019, Makima piecewise cubic interpolation; ends by Akima 1970, section 2.3"
 );

@@ -44,16 +44,17 @@ pub struct Spline {
     x: Vec<Rational>,
     y: Vec<Rational>,
     /// Slopes at the knots.
-    s: Vec<Rational>,
+    pub(super) s: Vec<Rational>,
 }
 
-struct Data {
-    h: Vec<Rational>,
-    delta: Vec<Rational>,
+/// Steps, and the slopes of the chords over them.
+pub(super) struct Data {
+    pub(super) h: Vec<Rational>,
+    pub(super) delta: Vec<Rational>,
 }
 
 impl Data {
-    fn new(x: &[Rational], y: &[Rational]) -> Result<Data, SplineError> {
+    pub(super) fn new(x: &[Rational], y: &[Rational]) -> Result<Data, SplineError> {
         if x.len() != y.len() {
             return Err(SplineError::Length {
                 knots: x.len(),
@@ -102,6 +103,41 @@ impl Data {
         equation([(a, p), (a + 1, middle), (a + 2, -q)], vec![rhs])
     }
 
+    /// The slopes of the parabola through three points.
+    fn parabola(&self) -> Vec<Rational> {
+        let c = Rational::from(&self.delta[1] - &self.delta[0])
+            / Rational::from(&self.h[0] + &self.h[1]);
+        let (p, q) = (
+            Rational::from(&self.h[0] * &c),
+            Rational::from(&self.h[1] * &c),
+        );
+        vec![
+            Rational::from(&self.delta[0] - &p),
+            Rational::from(&self.delta[0] + &p),
+            Rational::from(&self.delta[1] + &q),
+        ]
+    }
+
+    /// The condition at the end that is knot `i`, the first or the last one.
+    fn end(&self, i: usize, end: End) -> Equation {
+        let n = self.h.len();
+        let (segment, other) = match i {
+            0 => (0, 1),
+            _ => (n - 1, n - 1),
+        };
+        match end {
+            End::FirstDerivative(v) => equation([(i, Rational::from(1))], vec![v.clone()]),
+            End::SecondDerivative(v) => {
+                let entries = [(i, Rational::from(2)), (other, Rational::from(1))];
+                let chords = Rational::from(&self.delta[segment] * 3);
+                let bent = Rational::from(&self.h[segment] * v) / 2;
+                let rhs = if i == 0 { chords - bent } else { chords + bent };
+                equation(entries, vec![rhs])
+            }
+            End::NotAKnot => self.not_a_knot(if i == 0 { 0 } else { n - 2 }),
+        }
+    }
+
     fn open(&self, first: Equation, last: Equation) -> Vec<Rational> {
         let n = self.h.len();
         let mut rows = vec![first];
@@ -117,13 +153,47 @@ fn solve(n: usize, rows: Vec<Equation>) -> Vec<Rational> {
     x.into_iter().flatten().collect()
 }
 
+/// What is asked of a spline at one end.
+#[derive(Clone, Copy, Debug)]
+pub enum End<'a> {
+    /// The second derivative there.
+    SecondDerivative(&'a Rational),
+    /// The first derivative there.
+    FirstDerivative(&'a Rational),
+    /// The third derivative is continuous at the neighbouring knot.
+    NotAKnot,
+}
+
 impl Spline {
-    fn new(x: &[Rational], y: &[Rational], s: Vec<Rational>) -> Spline {
+    pub(super) fn new(x: &[Rational], y: &[Rational], s: Vec<Rational>) -> Spline {
         Spline {
             x: x.to_vec(),
             y: y.to_vec(),
             s,
         }
+    }
+
+    /// With a condition for each end. Not-a-knot at both ends gives the line of two knots and the
+    /// parabola of three; at one end alone it needs three knots.
+    ///
+    /// # Errors
+    /// [`SplineError`].
+    pub fn with_ends(
+        x: &[Rational],
+        y: &[Rational],
+        first: End,
+        last: End,
+    ) -> Result<Spline, SplineError> {
+        let d = Data::new(x, y)?;
+        let n = d.h.len();
+        let free = [first, last].map(|end| matches!(end, End::NotAKnot));
+        let s = match (n, free) {
+            (1, [true, true]) => vec![d.delta[0].clone(); 2],
+            (2, [true, true]) => d.parabola(),
+            (1, [true, false] | [false, true]) => return Err(SplineError::TooFew(x.len())),
+            _ => d.open(d.end(0, first), d.end(n, last)),
+        };
+        Ok(Spline::new(x, y, s))
     }
 
     /// With given second derivatives at the ends.
@@ -136,16 +206,8 @@ impl Spline {
         first: &Rational,
         last: &Rational,
     ) -> Result<Spline, SplineError> {
-        let d = Data::new(x, y)?;
-        let n = d.h.len();
-        let row = |own: usize, other: usize, rhs: Rational| {
-            let entries = [(own, Rational::from(2)), (other, Rational::from(1))];
-            equation(entries, vec![rhs])
-        };
-        let left = Rational::from(&d.delta[0] * 3) - Rational::from(&d.h[0] * first) / 2;
-        let right = Rational::from(&d.delta[n - 1] * 3) + Rational::from(&d.h[n - 1] * last) / 2;
-        let s = d.open(row(0, 1, left), row(n, n - 1, right));
-        Ok(Spline::new(x, y, s))
+        let end = End::SecondDerivative;
+        Spline::with_ends(x, y, end(first), end(last))
     }
 
     /// With zero second derivatives at the ends.
@@ -166,11 +228,8 @@ impl Spline {
         first: &Rational,
         last: &Rational,
     ) -> Result<Spline, SplineError> {
-        let d = Data::new(x, y)?;
-        let n = d.h.len();
-        let row = |i: usize, v: &Rational| equation([(i, Rational::from(1))], vec![v.clone()]);
-        let s = d.open(row(0, first), row(n, last));
-        Ok(Spline::new(x, y, s))
+        let end = End::FirstDerivative;
+        Spline::with_ends(x, y, end(first), end(last))
     }
 
     /// With continuous third derivatives at the second and the last knot but one. Two knots give
@@ -179,22 +238,7 @@ impl Spline {
     /// # Errors
     /// [`SplineError`].
     pub fn not_a_knot(x: &[Rational], y: &[Rational]) -> Result<Spline, SplineError> {
-        let d = Data::new(x, y)?;
-        let s = match d.h.len() {
-            1 => vec![d.delta[0].clone(); 2],
-            2 => {
-                let c =
-                    Rational::from(&d.delta[1] - &d.delta[0]) / Rational::from(&d.h[0] + &d.h[1]);
-                let (p, q) = (Rational::from(&d.h[0] * &c), Rational::from(&d.h[1] * &c));
-                vec![
-                    Rational::from(&d.delta[0] - &p),
-                    Rational::from(&d.delta[0] + &p),
-                    Rational::from(&d.delta[1] + &q),
-                ]
-            }
-            n => d.open(d.not_a_knot(0), d.not_a_knot(n - 2)),
-        };
-        Ok(Spline::new(x, y, s))
+        Spline::with_ends(x, y, End::NotAKnot, End::NotAKnot)
     }
 
     /// With first and second derivatives that agree at the two ends.
@@ -260,6 +304,35 @@ impl Spline {
         let first = (Rational::from(&c * 2) + Rational::from(&du * 3)) * &u + s;
         let second = c * 2 + du * 6;
         [value, first, second, d * 6]
+    }
+
+    /// A point as a whole number of periods, the distance of the end knots, and the rest within the
+    /// first of them.
+    fn wrap(&self, x: &Rational) -> (Rational, Rational) {
+        let (first, last) = (&self.x[0], &self.x[self.x.len() - 1]);
+        if first <= x && x <= last {
+            return (Rational::new(), x.clone());
+        }
+        let period = Rational::from(last - first);
+        let turns = (Rational::from(x - first) / &period).floor();
+        let rest = x - Rational::from(&turns * &period);
+        (turns, rest)
+    }
+
+    /// As [`Spline::eval`], continued with the period of the end knots' distance.
+    pub fn eval_periodic(&self, x: &Rational) -> [Rational; 4] {
+        self.eval(&self.wrap(x).1)
+    }
+
+    /// As [`Spline::integral`], continued with the period of the end knots' distance.
+    pub fn integral_periodic(&self, a: &Rational, b: &Rational) -> Rational {
+        let ((before, a), (after, b)) = (self.wrap(a), self.wrap(b));
+        let turns = after - before;
+        let part = self.integral(&a, &b);
+        if turns == 0 {
+            return part;
+        }
+        part + turns * self.integral(&self.x[0], &self.x[self.x.len() - 1])
     }
 
     /// `∫ S` from the first knot of segment `i` to `x`, with the cubic of that segment.

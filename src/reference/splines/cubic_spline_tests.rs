@@ -77,6 +77,82 @@ fn a_cubic_is_reproduced_and_integrated() {
     }
 }
 
+/// Each pair of conditions is met, and a cubic comes back from any pair.
+#[test]
+fn mixed_ends_meet_their_conditions() {
+    let (u, v) = (Rational::from(3), Rational::from((-5, 2)));
+    let ends = |v| {
+        [
+            End::FirstDerivative(v),
+            End::SecondDerivative(v),
+            End::NotAKnot,
+        ]
+    };
+    let cube = |x: &Rational| x.clone().square() * x;
+    for n in 1..7usize {
+        let x: Vec<Rational> = (0..=n).map(|i| Rational::from((i * i + i, 2))).collect();
+        let y: Vec<Rational> = (0..=n).map(|i| Rational::from((i * i * 5) % 7)).collect();
+        for (i, first) in ends(&u).into_iter().enumerate() {
+            for (j, last) in ends(&v).into_iter().enumerate() {
+                let s = Spline::with_ends(&x, &y, first, last);
+                if n == 1 && (i == 2) != (j == 2) {
+                    assert_eq!(s.unwrap_err(), SplineError::TooFew(2));
+                    continue;
+                }
+                let s = s.unwrap();
+                check(&s);
+                if i < 2 {
+                    assert_eq!(s.eval(&x[0])[i + 1], u);
+                } else if n > 1 {
+                    assert_eq!(s.eval_on(0, &x[1])[3], s.eval_on(1, &x[1])[3]);
+                }
+                if j < 2 {
+                    assert_eq!(s.eval(&x[n])[j + 1], v);
+                } else if n > 1 {
+                    assert_eq!(s.eval_on(n - 2, &x[n])[3], s.eval_on(n - 1, &x[n])[3]);
+                }
+            }
+        }
+        // Of x³ slope and second derivative are 3x² and 6x.
+        let y: Vec<Rational> = x.iter().map(cube).collect();
+        let slope = x[n].clone().square() * 3;
+        let (zero, bend) = (Rational::new(), Rational::from(&x[n] * 6));
+        for (first, last) in [
+            (End::FirstDerivative(&zero), End::SecondDerivative(&bend)),
+            (End::SecondDerivative(&zero), End::FirstDerivative(&slope)),
+        ] {
+            let s = Spline::with_ends(&x, &y, first, last).unwrap();
+            let at = Rational::from((2, 3));
+            assert_eq!(s.eval(&at)[0], cube(&at));
+        }
+    }
+}
+
+/// Values come back after each period, and integrals add up over it.
+#[test]
+fn periods_repeat() {
+    let s = Spline::periodic(&q(&[1, 2, 4, 6]), &q(&[3, -1, 2, 3])).unwrap();
+    let (a, b) = (Rational::from((3, 2)), Rational::from((11, 3)));
+    let whole = s.integral(&Rational::from(1), &Rational::from(6));
+    let inside = s.integral(&a, &b);
+    for m in -3..4 {
+        let far = Rational::from(&b + 5 * m);
+        assert_eq!(s.eval_periodic(&far), s.eval(&b));
+        let due = Rational::from(&whole * m) + &inside;
+        assert_eq!(s.integral_periodic(&a, &far), due);
+        assert_eq!(s.integral_periodic(&far, &a), -due);
+    }
+    // The last knot is the first one of the next period.
+    assert_eq!(
+        s.eval_periodic(&Rational::from(11))[3],
+        s.eval(&Rational::from(1))[3]
+    );
+    assert_eq!(
+        s.eval_periodic(&Rational::from(6))[3],
+        s.eval(&Rational::from(6))[3]
+    );
+}
+
 #[test]
 fn refusals() {
     assert_eq!(

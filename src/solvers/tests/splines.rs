@@ -2,9 +2,10 @@
 
 use super::{Answer, hold, same};
 use crate::cubic_spline::{
-    Boundary, CubicSpline, CubicSplineError as Error, EvaluationError, Grid, Spline,
-    UniformCubicSpline,
+    Boundary, CubicSpline, CubicSplineError as Error, End, EvaluationError, Extrapolation, Grid,
+    Spline, UniformCubicSpline,
 };
+use crate::hermite_spline::{HermiteSpline, Slopes};
 
 fn word(e: Error) -> String {
     match e {
@@ -80,6 +81,10 @@ fn on_knots(method: &str, ends: usize, boundary: fn(&[f64]) -> Boundary) {
             let s =
                 CubicSpline::fit(x[..n].to_vec(), x[n..2 * n].to_vec(), boundary).map_err(word)?;
             assert_eq!(s.values_at_knots(), &x[n..2 * n]);
+            let s = match boundary {
+                Boundary::Periodic => s.with_extrapolation(Extrapolation::Wrap),
+                Boundary::Ends(..) => s,
+            };
             outputs(&s, &x[x.len() - 2..])
         })],
     );
@@ -93,6 +98,58 @@ fn on_any_knots() {
     on_knots("cubic-spline-clamped", 2, |e| Boundary::clamped(e[0], e[1]));
     on_knots("cubic-spline-not-a-knot", 0, |_| Boundary::NOT_A_KNOT);
     on_knots("cubic-spline-periodic", 0, |_| Boundary::Periodic);
+}
+
+/// A code and a value for each end stand between the ordinates and the queries.
+#[test]
+fn with_mixed_ends() {
+    let end = |code: f64, value: f64| match code {
+        0.0 if value == 0.0 => Ok(End::NotAKnot),
+        1.0 => Ok(End::FirstDerivative(value)),
+        2.0 => Ok(End::SecondDerivative(value)),
+        _ => Err("bad end".to_string()),
+    };
+    let fit = |x: &[f64]| -> Answer {
+        let n = (x.len() - 6) / 2;
+        let (points, rest) = x.split_at(2 * n);
+        let boundary = Boundary::Ends(end(rest[0], rest[1])?, end(rest[2], rest[3])?);
+        let (x, y) = points.split_at(n);
+        let s = CubicSpline::fit(x.to_vec(), y.to_vec(), boundary).map_err(word)?;
+        outputs(&s, &rest[4..])
+    };
+    hold("cubic-spline-mixed-ends", &[("fit", &fit)]);
+}
+
+/// Single values, jets and batches, which have the same bits.
+#[test]
+fn with_local_slopes() {
+    for (method, slopes) in [
+        ("pchip", Slopes::Pchip),
+        ("akima", Slopes::Akima),
+        ("modified-akima", Slopes::ModifiedAkima),
+    ] {
+        let fit = |x: &[f64]| -> Answer {
+            let n = (x.len() - 2) / 2;
+            let (points, q) = x.split_at(2 * n);
+            let (x, y) = points.split_at(n);
+            let s = HermiteSpline::fit(x.to_vec(), y.to_vec(), slopes).map_err(word)?;
+            let jets = s.jets(q).map_err(|e| match e {
+                EvaluationError::Outside { .. } => "outside".to_string(),
+                _ => "not finite".into(),
+            })?;
+            let mut values = [0.0; 2];
+            s.values(q, &mut values).expect("inside");
+            let mut out = Vec::new();
+            for (k, j) in jets.iter().enumerate() {
+                let single = s.value(q[k]).expect("inside");
+                assert!(same(single, j.value) && same(single, values[k]));
+                let integral = s.integral(q[k], q[1 - k]).expect("inside");
+                out.extend([j.value, j.first, j.second, j.third, integral]);
+            }
+            Ok(out)
+        };
+        hold(method, &[("fit", &fit)]);
+    }
 }
 
 fn uniform(x: &[f64]) -> Result<UniformCubicSpline, Error> {

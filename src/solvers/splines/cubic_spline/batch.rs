@@ -5,6 +5,7 @@ use super::evaluate::Jet;
 use super::grid::Grid;
 use super::lookup::{GROUP, Lookup, Work, with_best};
 use super::spline::Spline;
+use crate::splines::piecewise::Piecewise;
 
 /// Points examined at a time, so that they stay in the first-level cache.
 const BLOCK: usize = 1024;

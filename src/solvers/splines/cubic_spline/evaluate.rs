@@ -4,6 +4,7 @@ use super::boundary::Known;
 use super::error::EvaluationError as Error;
 use super::grid::{Grid, Interval, blend, fractions};
 use super::spline::{Extrapolation, Spline};
+use crate::splines::piecewise::{Piecewise, Place, Sum};
 use std::marker::PhantomData;
 
 /// Value and derivatives at a point.
@@ -86,33 +87,6 @@ impl<G: Grid> Cell<G> {
     }
 }
 
-/// Where a point lies.
-pub(super) enum Place {
-    /// Between the knots, after wrapping if that is asked for.
-    Inside(f64),
-    Before,
-    After,
-}
-
-/// Neumaier's compensated sum.
-#[derive(Default)]
-struct Sum {
-    sum: f64,
-    rest: f64,
-}
-
-impl Sum {
-    fn add(&mut self, x: f64) {
-        let s = self.sum + x;
-        self.rest += if self.sum.abs() >= x.abs() {
-            (self.sum - s) + x
-        } else {
-            (x - s) + self.sum
-        };
-        self.sum = s;
-    }
-}
-
 /// Between which points (12) and (11) give `S` and `S'`: all but those beside a given slope.
 pub(super) fn plain<G: Grid>(grid: &G, known: [Known; 2]) -> (f64, f64) {
     let n = grid.segments();
@@ -178,59 +152,6 @@ impl<G: Grid> Spline<G> {
         }
     }
 
-    pub(super) fn place(&self, index: usize, x: f64) -> Result<Place, Error> {
-        if !x.is_finite() {
-            return Err(Error::NotFinite { index, x });
-        }
-        let (first, last) = self.grid.span();
-        if first <= x && x <= last {
-            return Ok(Place::Inside(x));
-        }
-        match self.extrapolation {
-            Extrapolation::Error => Err(Error::Outside {
-                index,
-                x,
-                first,
-                last,
-            }),
-            Extrapolation::Wrap => {
-                let offset = (x - first).rem_euclid(last - first);
-                let wrapped = first + offset;
-                // The distance overflows only when nothing of the point's place is left.
-                if wrapped.is_nan() {
-                    return Err(Error::NotFinite { index, x });
-                }
-                Ok(Place::Inside(wrapped.clamp(first, last)))
-            }
-            _ if x < first => Ok(Place::Before),
-            _ => Ok(Place::After),
-        }
-    }
-
-    fn outside(&self, x: f64, before: bool) -> Jet {
-        let (first, last) = self.grid.span();
-        let (i, end) = if before {
-            (0, first)
-        } else {
-            (self.grid.segments() - 1, last)
-        };
-        match self.extrapolation {
-            Extrapolation::EndPolynomial => self.jet_on(i, x),
-            Extrapolation::Clamp => Jet {
-                value: self.y[if before { 0 } else { i + 1 }],
-                ..Jet::default()
-            },
-            _ => {
-                let at = self.jet_on(i, end);
-                Jet {
-                    value: at.value + at.first * (x - end),
-                    first: at.first,
-                    ..Jet::default()
-                }
-            }
-        }
-    }
-
     /// `S` beside an end with a given slope.
     #[cold]
     #[inline(never)]
@@ -246,8 +167,10 @@ impl<G: Grid> Spline<G> {
 
     pub(super) fn value_in_batch(&self, index: usize, x: f64) -> Result<f64, Error> {
         Ok(match self.place(index, x)? {
-            Place::Inside(x) if self.is_plain(x, x) => self.cell(self.grid.locate(x)).value(x),
-            Place::Inside(x) => self.value_beside(x),
+            Place::Inside { x, .. } if self.is_plain(x, x) => {
+                self.cell(self.grid.locate(x)).value(x)
+            }
+            Place::Inside { x, .. } => self.value_beside(x),
             Place::Before => self.outside(x, true).value,
             Place::After => self.outside(x, false).value,
         })
@@ -268,7 +191,7 @@ impl<G: Grid> Spline<G> {
     /// As [`Spline::value`].
     pub fn jet(&self, x: f64) -> Result<Jet, Error> {
         Ok(match self.place(0, x)? {
-            Place::Inside(x) => self.jet_on(self.grid.locate(x), x),
+            Place::Inside { x, below } => self.jet_on(self.segment(x, below), x),
             Place::Before => self.outside(x, true),
             Place::After => self.outside(x, false),
         })
@@ -280,47 +203,16 @@ impl<G: Grid> Spline<G> {
     /// # Errors
     /// As [`Spline::value`], for either limit (index 0 and 1).
     pub fn integral(&self, a: f64, b: f64) -> Result<f64, Error> {
-        self.place(0, a)?;
-        self.place(1, b)?;
-        let sign = if a <= b { 1.0 } else { -1.0 };
-        let (a, b) = if a <= b { (a, b) } else { (b, a) };
-        let (first, last) = self.grid.span();
-        let mut sum = Sum::default();
-        if self.extrapolation == Extrapolation::Wrap && (a < first || b > last) {
-            let period = last - first;
-            let turns = |x: f64| ((x - first) / period).floor();
-            let offset = |x: f64| (first + (x - first).rem_euclid(period)).clamp(first, last);
-            // ∫ from a to the end of its turn, whole turns, from the start of b's turn to b.
-            let whole = turns(b) - turns(a);
-            if whole == 0.0 {
-                self.inside(offset(a), offset(b).max(offset(a)), &mut sum);
-            } else {
-                self.inside(offset(a), last, &mut sum);
-                self.inside(first, offset(b), &mut sum);
-                if whole > 1.0 {
-                    let mut turn = Sum::default();
-                    self.inside(first, last, &mut turn);
-                    sum.add((whole - 1.0) * (turn.sum + turn.rest));
-                }
-            }
-            return Ok(sign * (sum.sum + sum.rest));
-        }
-        if a < first {
-            sum.add(self.tail(a, b.min(first), true));
-        }
-        if b > last {
-            sum.add(self.tail(a.max(last), b, false));
-        }
-        if a < last && b > first {
-            self.inside(a.max(first), b.min(last), &mut sum);
-        }
-        Ok(sign * (sum.sum + sum.rest))
+        self.integral_between(a, b)
     }
 
-    /// Simpson's rule on a cubic outside the knots.
-    fn tail(&self, a: f64, b: f64, before: bool) -> f64 {
-        let f = |x| self.outside(x, before).value;
-        (b - a) * (f(a) + 4.0 * f(0.5 * a + 0.5 * b) + f(b)) / 6.0
+    /// The segment of a point that may lie a little below the float `x`.
+    fn segment(&self, x: f64, below: bool) -> usize {
+        let i = self.grid.locate(x);
+        match below && i > 0 && x == self.grid.knot(i) {
+            true => i - 1,
+            false => i,
+        }
     }
 
     /// Adds the integral between two points of the span, `a ≤ b`.
@@ -353,22 +245,26 @@ impl<G: Grid> Spline<G> {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+impl<G: Grid> Piecewise for Spline<G> {
+    #[inline(always)]
+    fn ends(&self) -> (f64, f64) {
+        self.grid.span()
+    }
 
-    /// Neumaier's example and its like: what a sum loses is kept, whichever term is larger.
-    #[test]
-    fn sums_keep_what_they_lose() {
-        let sum = |terms: &[f64]| {
-            let mut s = Sum::default();
-            terms.iter().for_each(|x| s.add(*x));
-            (s.sum, s.rest)
-        };
-        assert_eq!(sum(&[1.0, 1e100, 1.0, -1e100]), (0.0, 2.0));
-        let big = 2f64.powi(53);
-        assert_eq!(sum(&[big, 1.0, 1.0, 1.0]), (big, 3.0));
-        assert_eq!(sum(&[1.0, big, 1.0, -big]), (0.0, 2.0));
-        assert_eq!(sum(&[0.5, 0.25]), (0.75, 0.0));
+    fn ordinates(&self) -> &[f64] {
+        &self.y
+    }
+
+    #[inline(always)]
+    fn beyond(&self) -> Extrapolation {
+        self.extrapolation
+    }
+
+    fn jet_of(&self, segment: usize, x: f64) -> Jet {
+        self.jet_on(segment, x)
+    }
+
+    fn add_inside(&self, a: f64, b: f64, sum: &mut Sum) {
+        self.inside(a, b, sum);
     }
 }

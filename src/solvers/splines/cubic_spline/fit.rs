@@ -8,7 +8,7 @@ use super::spline::{CubicSpline, Extrapolation, Spline};
 use crate::cyclic_tridiagonal::CyclicSweep;
 use crate::tridiagonal::{Sweep, TridiagonalError};
 
-pub(super) fn check_values(y: &[f64]) -> Result<(), Error> {
+pub(in crate::splines) fn check_values(y: &[f64]) -> Result<(), Error> {
     match y.iter().position(|v| v.is_nan() || v.abs() > LARGEST) {
         None => Ok(()),
         Some(index) if y[index].is_finite() => Err(Error::Overflow { knot: index }),

@@ -5,7 +5,7 @@ use super::lookup::{GROUP, Lookup};
 use crate::hex::hex;
 
 /// Knots and ordinates beyond this are refused, so that evaluation cannot overflow.
-pub(super) const LARGEST: f64 = hex("0x1p1000");
+pub(in crate::splines) const LARGEST: f64 = hex("0x1p1000");
 
 mod sealed {
     pub trait Sealed {}
@@ -19,9 +19,9 @@ pub struct Interval {
     origin: f64,
     left: (f64, f64),
     right: (f64, f64),
-    pub(super) h: f64,
+    pub(in crate::splines) h: f64,
     /// `1/h`.
-    pub(super) per_h: f64,
+    pub(in crate::splines) per_h: f64,
 }
 
 /// The knots of a spline. Implemented by [`Knots`] and [`UniformKnots`] only.
@@ -176,7 +176,7 @@ pub struct UniformKnots {
 /// `k` and `w`, each from its own knot, so that it keeps its relative accuracy down to 0; then both
 /// divided by their sum, to first order, so that the other one is exactly 1 there.
 #[inline(always)]
-pub(super) fn fractions((a, b): (f64, f64), per_h: f64) -> (f64, f64) {
+pub(in crate::splines) fn fractions((a, b): (f64, f64), per_h: f64) -> (f64, f64) {
     let (k, w) = (a * per_h, b * per_h);
     let rest = 1.0 - (k + w);
     (k + k * rest, w + w * rest)

@@ -46,6 +46,10 @@ pub use error::{CubicSplineError, EvaluationError};
 pub use evaluate::Jet;
 pub use grid::{Grid, Knots, UniformKnots};
 pub use spline::{CubicSpline, Extrapolation, Spline, UniformCubicSpline};
+pub(super) use {
+    fit::check_values,
+    grid::{LARGEST, fractions},
+};
 
 #[cfg(test)]
 mod batch_tests;
