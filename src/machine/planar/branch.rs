@@ -138,11 +138,25 @@ pub enum PlanarError {
 impl Machine {
     /// The user's drive in words.
     pub fn drive_text(&self, drive: f64) -> String {
+        self.rounded_text(drive, [1e9, 1e12])
+    }
+
+    /// The user's drive at the end of a branch in words. A change point is a double root, so that
+    /// half of the digits are known; a fold is refined to nearly all.
+    pub fn end_text(&self, drive: f64, kind: Option<SingularKind>) -> String {
+        match kind {
+            Some(SingularKind::ChangePoint) => self.rounded_text(drive, [1e6, 1e8]),
+            _ => self.drive_text(drive),
+        }
+    }
+
+    /// The drive rounded to parts of a degree or of a metre.
+    fn rounded_text(&self, drive: f64, [degree, metre]: [f64; 2]) -> String {
         // Adding 0 takes the sign from a zero.
-        let rounded = |x: f64, places: f64| (x * places).round() / places + 0.0;
+        let rounded = |x: f64, parts: f64| (x * parts).round() / parts + 0.0;
         match self.rotary() {
-            true => format!("{} deg", rounded(drive.to_degrees(), 1e9)),
-            false => format!("{} m", rounded(drive, 1e12)),
+            true => format!("{} deg", rounded(drive.to_degrees(), degree)),
+            false => format!("{} m", rounded(drive, metre)),
         }
     }
 

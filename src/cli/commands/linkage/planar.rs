@@ -8,7 +8,7 @@ use crate::cli::files::output::Output;
 use crate::cli::progress::Progress;
 use mechaudit::machine::crank_angles::decimal;
 use mechaudit::machine::planar::{
-    self, Branch, Certifier, Columns, End, MARGIN, Machine, NotExact, Reach,
+    self, Branch, Certifier, Columns, End, MARGIN, Machine, NotExact,
 };
 use mechaudit::reference::nearest_f64;
 use mechaudit::report::cell::Cell;
@@ -19,7 +19,6 @@ use mechaudit::solvers::planar::{BranchMap, Loads, State};
 use rug::Rational;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
-use std::f64::consts::TAU;
 
 /// The values of the drive: as shown (degrees or metres) and in radians or metres; as shown, exactly.
 struct Values(Vec<(f64, f64)>, Vec<Rational>);
@@ -184,31 +183,37 @@ impl Asked<'_> {
         number: usize,
         branch: &Branch,
     ) -> Option<Vec<Cell>> {
-        let certifier = self.certifier?;
-        let Reach::Part { low, high } = branch.reach else {
-            return None;
-        };
-        let (drive, solver) = (values.0[number].1, &machine.solver);
-        let here = solver.drive_of(&branch.start);
-        for end in [low, high].into_iter().flatten() {
-            let off = match machine.rotary() {
-                true => (drive - end.drive) - TAU * ((drive - end.drive) / TAU).round(),
-                false => drive - end.drive,
-            };
-            if off.abs() > MARGIN {
-                continue;
-            }
-            let beyond = (machine.inner(end.drive) - here).signum() * 2.0 * MARGIN;
-            let (last, _) = solver.follow_as_far(&branch.start, machine.inner(end.drive) + beyond);
-            let at = solver.singularity(&last)?;
-            let value = &values.1[number];
-            let row = certifier.singular_row(value, &at.angles, &last, self.columns.paths);
-            self.reasons.of_row(machine, value, row.reason);
-            let mut cells = vec![Cell::Decimal(decimal(value)), Cell::Count(branch.mode)];
-            cells.extend(row.digits.into_iter().map(Cell::certified));
-            return Some(cells);
-        }
-        None
+        let end = branch.end_at(machine, values.0[number].1)?;
+        self.of_end(
+            machine,
+            values,
+            number,
+            end.drive,
+            (branch.mode, &branch.start),
+        )
+    }
+
+    /// The certified row of the singular position in which a branch ends, from a position on it, at
+    /// the value of that number.
+    fn of_end(
+        &self,
+        machine: &Machine,
+        values: &Values,
+        number: usize,
+        end: f64,
+        (branch, from): (usize, &State),
+    ) -> Option<Vec<Cell>> {
+        let (certifier, solver) = (self.certifier?, &machine.solver);
+        let end = machine.inner(end);
+        let beyond = (end - solver.drive_of(from)).signum() * 2.0 * MARGIN;
+        let (last, _) = solver.follow_as_far(from, end + beyond);
+        let at = solver.singularity(&last)?;
+        let value = &values.1[number];
+        let row = certifier.singular_row(value, &at.angles, &last, self.columns.paths);
+        self.reasons.of_row(machine, value, row.reason);
+        let mut cells = vec![Cell::Decimal(decimal(value)), Cell::Count(branch)];
+        cells.extend(row.digits.into_iter().map(Cell::certified));
+        Some(cells)
     }
 
     /// The row of a position at the value of that number.
@@ -295,19 +300,42 @@ fn all_branches(
         };
         return Err(Failure::new(why));
     }
+    let drives = values.0.iter();
+    let singular: Vec<Singular> = drives.map(|v| Singular::at(machine, &map, v.1)).collect();
+    // With certified digits the end of a branch has a row.
+    let both = values.0.iter().zip(&singular);
+    let both = both.filter(|_| asked.certifier.is_none());
+    let left_out = both.filter_map(|(v, s)| Some((v.0, s.missing.first()?.1)));
+    let left_out: Vec<(f64, End)> = left_out.collect();
     let mut undecided = output.write(|out| {
-        let about = facts::of_map(machine, &map);
+        let about = facts::of_map(machine, &map, &left_out);
         let mut rows = Rows::begin(out, shown::rows(args.format), shown, &about)?;
         let mut undecided = 0;
         let mut loads = BTreeMap::new();
-        for (number, samples) in map.rows.iter().enumerate() {
-            for s in samples {
+        for (number, (samples, singular)) in map.rows.iter().zip(&singular).enumerate() {
+            let mut add = |cells: &[Cell]| {
+                undecided += undecided_in(cells);
+                rows.row(cells)
+            };
+            for s in samples.iter().filter(|s| !singular.is_missing(s.branch)) {
                 let on = loads
                     .entry(s.branch)
                     .or_insert_with(|| machine.loads_on(&s.state));
-                let cells = asked.row(machine, values, number, s.branch, (on.as_ref(), &s.state));
-                undecided += undecided_in(&cells);
-                rows.row(&cells)?;
+                add(&asked.row(machine, values, number, s.branch, (on.as_ref(), &s.state)))?;
+            }
+            let ends = singular.missing.iter();
+            for (branch, end) in ends.filter(|_| asked.certifier.is_some()) {
+                let sample = samples.iter().find(|s| s.branch == *branch);
+                let cells = match (sample, nearest(&map, number, *branch)) {
+                    (Some(s), _) => {
+                        Some(asked.row(machine, values, number, *branch, (None, &s.state)))
+                    }
+                    (None, Some(from)) => {
+                        asked.of_end(machine, values, number, end.drive, (*branch, from))
+                    }
+                    (None, None) => None,
+                };
+                cells.map_or(Ok(()), |cells| add(&cells))?;
             }
         }
         rows.end()?;
@@ -316,12 +344,50 @@ fn all_branches(
     facts::lines(machine).iter().for_each(|l| complain(l));
     facts::map_lines(machine, &map)
         .iter()
+        .chain(&facts::left_out_line(machine, &left_out))
         .for_each(|l| complain(l));
     asked.reasons.say();
     if let Some(certifier) = asked.certifier {
         undecided += prove_counts(certifier, values, &map);
     }
     Ok(Outcome::decided(undecided, args.digits.unwrap_or(0)))
+}
+
+/// Branches that begin or end at a value of the drive, where the position is singular: they have no
+/// row there in floating point.
+struct Singular {
+    missing: Vec<(usize, End)>,
+}
+
+impl Singular {
+    fn at(machine: &Machine, map: &BranchMap, drive: f64) -> Singular {
+        let mut missing: Vec<(usize, End)> = Vec::new();
+        for e in &map.ends {
+            let end = End {
+                drive: facts::end_drive(machine, e),
+                kind: e.at.as_ref().map(|s| s.kind),
+            };
+            if (end.drive - drive).abs() <= MARGIN {
+                missing.extend(e.branches.iter().map(|&b| (b, end)));
+            }
+        }
+        missing.sort_by_key(|(branch, _)| *branch);
+        missing.dedup_by_key(|(branch, _)| *branch);
+        Singular { missing }
+    }
+
+    fn is_missing(&self, branch: usize) -> bool {
+        self.missing.iter().any(|(b, _)| *b == branch)
+    }
+}
+
+/// The position on a branch at the value that is nearest to the one of that number.
+fn nearest(map: &BranchMap, number: usize, branch: usize) -> Option<&State> {
+    let all = map.rows.iter().enumerate().filter_map(|(k, samples)| {
+        let found = samples.iter().find(|s| s.branch == branch)?;
+        Some((k.abs_diff(number), &found.state))
+    });
+    all.min_by_key(|(apart, _)| *apart).map(|(_, state)| state)
 }
 
 /// Proves at every value of the drive how many modes there are; at how many that is open or another number.

@@ -87,7 +87,7 @@ pub fn range_line(machine: &Machine, branch: &Branch) -> String {
     let end = |e: Option<End>, whole: f64| match e {
         Some(e) => format!(
             "{} ({})",
-            machine.drive_text(e.drive),
+            machine.end_text(e.drive, e.kind),
             singular_word(e.kind)
         ),
         None => machine.drive_text(whole),
@@ -188,19 +188,26 @@ pub fn of_branch(
     let end = |e: End| json!({ format!("drive_{unit}"): shown(machine, e.drive), "kind": singular_word(e.kind) });
     let ends = ends.map(|[low, high]| json!({ "from": low.map(end), "to": high.map(end) }));
     map.insert("drive_range".into(), json!(ends));
-    let left_out = left_out
-        .iter()
-        .map(|(drive, e)| json!({ format!("drive_{unit}"): drive, "kind": singular_word(e.kind) }));
-    map.insert("rows_left_out".into(), Value::Array(left_out.collect()));
+    map.insert("rows_left_out".into(), rows_left_out(unit, left_out));
     map
 }
 
-fn end_drive(machine: &Machine, e: &BranchEnd) -> f64 {
+fn rows_left_out(unit: &str, left_out: &[(f64, End)]) -> Value {
+    let of = |(drive, e): &(f64, End)| json!({ format!("drive_{unit}"): drive, "kind": singular_word(e.kind) });
+    Value::Array(left_out.iter().map(of).collect())
+}
+
+/// The user's drive at an end of branches.
+pub fn end_drive(machine: &Machine, e: &BranchEnd) -> f64 {
     machine.outer(e.at.as_ref().map_or(e.drive, |s| s.drive))
 }
 
 /// What is known of all branches.
-pub fn of_map(machine: &Machine, branches: &BranchMap) -> Map<String, Value> {
+pub fn of_map(
+    machine: &Machine,
+    branches: &BranchMap,
+    left_out: &[(f64, End)],
+) -> Map<String, Value> {
     let mut map = head(machine);
     let unit = if machine.rotary() { "deg" } else { "m" };
     map.insert("branches".into(), json!(branches.branches));
@@ -215,6 +222,7 @@ pub fn of_map(machine: &Machine, branches: &BranchMap) -> Map<String, Value> {
         })
     });
     map.insert("ends".into(), Value::Array(ends.collect()));
+    map.insert("rows_left_out".into(), rows_left_out(unit, left_out));
     map
 }
 
@@ -247,10 +255,11 @@ pub fn map_lines(machine: &Machine, map: &BranchMap) -> Vec<String> {
             (_, true) => ("branches", "begin"),
             (_, false) => ("branches", "end"),
         };
+        let kind = e.at.as_ref().map(|s| s.kind);
         lines.push(format!(
             "{} at {}: {noun} {} {verb} there",
-            singular_word(e.at.as_ref().map(|s| s.kind)),
-            machine.drive_text(end_drive(machine, e)),
+            singular_word(kind),
+            machine.end_text(end_drive(machine, e), kind),
             branches.join(" and ")
         ));
     }

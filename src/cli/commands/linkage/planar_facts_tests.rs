@@ -259,7 +259,7 @@ fn branches_begin_and_end() {
         };
         assert!(line.ends_with(due), "{line}");
     }
-    let facts = of_map(&machine, &map);
+    let facts = of_map(&machine, &map, &[]);
     assert_eq!(facts["branches"], map.branches);
     assert_eq!(
         (&facts["modes_complete"], &facts["unmatched"]),
@@ -309,7 +309,7 @@ fn branches_begin_and_end() {
             "singular position at 1.25 m: branches 1 and 3 end there",
         ]
     );
-    let facts = of_map(&boom, &made);
+    let facts = of_map(&boom, &made, &[]);
     assert_eq!(
         (&facts["modes_complete"], &facts["unmatched"]),
         (&json!(false), &json!(1))
