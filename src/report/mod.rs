@@ -7,9 +7,7 @@
 pub mod atlas;
 mod axis;
 pub mod baseline;
-#[cfg(feature = "report")]
 pub mod cell;
-#[cfg(feature = "report")]
 pub mod columns;
 #[cfg(feature = "report")]
 pub mod csv;

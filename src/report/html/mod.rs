@@ -14,8 +14,11 @@ pub mod linkage;
 mod motion;
 pub(crate) mod page;
 #[cfg(feature = "report")]
+mod panel;
+#[cfg(feature = "report")]
 pub mod paper;
 mod plots;
 mod prose;
+#[cfg(feature = "report")]
 pub mod run;
 mod spark;

@@ -3,7 +3,7 @@
 use super::assets::RUN_CSS;
 use super::page::Page;
 use super::prose::prose;
-use super::{linkage::sentence, plots};
+use super::{linkage::sentence, panel, plots};
 use crate::report::cell::Cell;
 use crate::report::svg::panel::Panel;
 use crate::report::words::numbers::short;
@@ -71,7 +71,7 @@ fn section(s: &Section) -> Markup {
 
 fn figure(figure: &Figure) -> Markup {
     match figure {
-        Figure::Panel(panel) => plots::panel(panel),
+        Figure::Panel(panel) => panel::panel(panel),
         Figure::Logarithmic(caption, lines) => html! {
             figure.panel { figcaption { (prose(caption)) } div.lines { div { (plots::lines(caption, lines)) } } } "\n"
         },
