@@ -8,7 +8,7 @@ use crate::units::{Acceleration, Angle, Inertia, Length, Mass};
 
 fn linkage(x: &[f64]) -> Result<ClassIii, String> {
     let geometry = Geometry::from_values(x[..11].try_into().expect("eleven"));
-    ClassIii::new(geometry).map_err(|_| "geometry".into())
+    ClassIii::new(geometry).map_err(|e| e.name().into())
 }
 
 fn masses(x: &[f64]) -> Masses {
