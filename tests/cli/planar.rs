@@ -563,7 +563,6 @@ fn drawn_bodies_have_certified_digits() {
         ("watt-1", "--step-deg 360 --all-branches"),
         ("pmksweb-92", "--step-deg 360 --all-branches"),
         ("jansen-leg", "--from-deg 10 --step-deg 90"),
-        ("cylinder-boom", ""),
     ];
     for (name, over) in all {
         let line = format!("linkage examples/{name}.toml {over}");
