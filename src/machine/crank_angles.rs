@@ -111,7 +111,7 @@ impl Grid {
         let turns = turns.min(recur.unwrap_or(u64::MAX)).min(MOST_TURNS);
         let off = Rational::from(degrees - &self.from);
         let off = &off - Rational::from(&off / &round).floor() * &round;
-        let all = (0..turns).map(|k| Rational::from(&round * Rational::from(k)) + &off);
+        let all = (0..turns).map(|k| (&round * Rational::from(k)) + &off);
         let found = all.take_while(|x| *x <= last);
         let mut found = found.filter(|x| *Rational::from(x / &self.step).denom() == 1);
         found.next().map(|x| x + &self.from)

@@ -206,5 +206,12 @@ mod tests {
         ] {
             assert_ne!(outcome(text), Outcome::Proved, "{text}");
         }
+        // At the cut an enclosure holds neither side.
+        for text in [
+            "arg(y*exp(-i*pi)) + sqrt(x)*sqrt(y) - sqrt(x*y) = pi",
+            "at((z^2 - 1)/(z - 1), z, 1 + arg(y*exp(-i*pi)) - pi) = 2",
+        ] {
+            assert_ne!(outcome(text), Outcome::Refuted, "{text}");
+        }
     }
 }

@@ -62,6 +62,17 @@ pub(super) fn sqrt(z: &ComplexBall) -> Result<ComplexBall, SymbolicError> {
     Err(wide())
 }
 
+/// The argument in (−π, π]; refused for what may lie on either side of the cut.
+pub(super) fn arg(z: &ComplexBall) -> Result<Ball, SymbolicError> {
+    let p = z.re.prec();
+    match () {
+        () if z.im.is_zero() && z.re.is_positive() => Ok(Ball::integer(p, 0)),
+        () if z.im.is_zero() && z.re.is_negative() => Ok(Ball::pi(p)),
+        () if z.re.is_positive() || !z.im.contains_zero() => Ok(z.arg()),
+        () => Err(SymbolicError::Wide("an argument".into())),
+    }
+}
+
 /// Upper bound on `|z|`.
 pub(super) fn size(z: &ComplexBall) -> f64 {
     z.magnitude().to_f64()
@@ -285,6 +296,24 @@ mod tests {
             let found = sqrt(&ComplexBall::new(re, im)).unwrap_err();
             assert_eq!(found.to_string(), "an enclosure is too wide for a root");
         }
+    }
+
+    /// A number on the cut has the argument π, and one that may lie on either side has none.
+    #[test]
+    fn arguments_at_the_cut() {
+        let exact = arg(&at((-3, 2), (0, 1))).unwrap();
+        assert!(exact.overlaps(&Ball::pi(128)) && exact.rad().to_f64() < 1e-30);
+        assert!(arg(&at((3, 2), (0, 1))).unwrap().is_zero());
+        for sign in [1, -1] {
+            let beside = arg(&at((-3, 2), (sign, 1_000_000))).unwrap();
+            assert_eq!(beside.is_positive(), sign > 0);
+        }
+        let tiny = Ball::integer(128, 0).widened(Mag::power_of_two(-100));
+        let crossing = ComplexBall::new(Ball::integer(128, -1), tiny.clone());
+        assert!(matches!(arg(&crossing), Err(SymbolicError::Wide(_))));
+        let right = ComplexBall::new(Ball::integer(128, 1), tiny.clone());
+        assert!(arg(&right).unwrap().contains_zero());
+        assert!(arg(&ComplexBall::new(tiny.clone(), tiny)).is_err());
     }
 
     /// A result that vanishes has a radius still, and one beyond all numbers is any number.

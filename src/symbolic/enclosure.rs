@@ -215,7 +215,7 @@ impl Domain for Enclosures<'_> {
             Func::Re => Ok(real(x.re.clone())),
             Func::Im => Ok(real(x.im.clone())),
             Func::Abs => Ok(real(x.norm_sqr().sqrt())),
-            Func::Arg => Ok(real(x.arg())),
+            Func::Arg => complex::arg(x).map(real),
             Func::Arctan if x.im.is_zero() => Ok(real(x.re.atan2(&Ball::integer(BITS, 1)))),
             // |arctan′| = 1/|1 + z²| ≤ 1/(1 − |Im z|)² ≤ 4 on the way from Re z to z.
             Func::Arctan if x.im.contains_zero() && x.im.magnitude() <= Mag::from_f64(0.5) => {
@@ -313,23 +313,21 @@ pub fn enclose_form(
     form: &ExpSum,
     point: &Point,
 ) -> Result<ComplexBall, SymbolicError> {
-    let mut sum = ComplexBall::zero(BITS);
-    for (p, c) in form.terms() {
-        let p = enclose_fraction(algebra, p, point, BITS)?;
-        let c = enclose_fraction(algebra, c, point, BITS)?;
-        sum = &sum + &(&c * &complex::exp(&p));
-    }
-    Ok(sum)
+    limited(LIMIT, || Values::new(algebra, point, BITS).form(form))
 }
 
 /// Samples at which a function is looked at to see that it is not zero.
 const SAMPLES: u32 = 3;
 
+fn excludes_zero(z: &ComplexBall) -> bool {
+    !z.re.contains_zero() || !z.im.contains_zero()
+}
+
 /// Returns true if an enclosure at a sample point excludes zero.
 pub(super) fn is_somewhere_not_zero(algebra: &Algebra, f: &Fraction) -> bool {
     (0..SAMPLES).any(|turn| {
         let value = enclose_fraction(algebra, f, &Point::sample(turn), BITS);
-        value.is_ok_and(|z| !z.re.contains_zero() || !z.im.contains_zero())
+        value.is_ok_and(|z| excludes_zero(&z))
     })
 }
 
@@ -337,7 +335,7 @@ pub(super) fn is_somewhere_not_zero(algebra: &Algebra, f: &Fraction) -> bool {
 pub(super) fn is_form_somewhere_not_zero(algebra: &Algebra, form: &ExpSum) -> bool {
     (0..SAMPLES).any(|turn| {
         let value = enclose_form(algebra, form, &Point::sample(turn));
-        value.is_ok_and(|z| !z.re.contains_zero() || !z.im.contains_zero())
+        value.is_ok_and(|z| excludes_zero(&z))
     })
 }
 
@@ -348,58 +346,90 @@ pub(super) fn enclose_fraction(
     point: &Point,
     bits: u32,
 ) -> Result<ComplexBall, SymbolicError> {
-    let num = enclose_poly(algebra, f.num(), point, bits)?;
-    if f.den().is_one() {
-        return Ok(num);
-    }
-    let den = enclose_poly(algebra, f.den(), point, bits)?;
-    complex::quotient(&num, &den).ok_or_else(|| SymbolicError::NotInvertible(f.den().to_string()))
+    Values::new(algebra, point, bits).fraction(f)
 }
 
-fn enclose_poly(
-    algebra: &Algebra,
-    p: &Poly,
-    point: &Point,
-    bits: u32,
-) -> Result<ComplexBall, SymbolicError> {
-    let mut values: BTreeMap<Symbol, ComplexBall> = BTreeMap::new();
-    let mut sum = ComplexBall::zero(bits);
-    for (m, c) in p.terms() {
-        let mut product = ComplexBall::rational(bits, &c.re, &c.im);
-        for (x, k) in m {
-            if !values.contains_key(x) {
-                values.insert(*x, enclose_symbol(algebra, *x, point, bits)?);
-            }
-            for _ in 0..*k {
-                step(1)?;
-                product = &product * &values[x];
-            }
+/// Enclosures of normal forms at a point; those of symbols are kept.
+pub(super) struct Values<'a> {
+    algebra: &'a Algebra,
+    point: &'a Point,
+    /// The working precision.
+    pub bits: u32,
+    known: BTreeMap<Symbol, ComplexBall>,
+}
+
+impl<'a> Values<'a> {
+    fn new(algebra: &'a Algebra, point: &'a Point, bits: u32) -> Values<'a> {
+        Values {
+            algebra,
+            point,
+            bits,
+            known: BTreeMap::new(),
         }
-        sum = &sum + &product;
     }
-    Ok(sum)
-}
 
-fn enclose_symbol(
-    algebra: &Algebra,
-    x: Symbol,
-    point: &Point,
-    bits: u32,
-) -> Result<ComplexBall, SymbolicError> {
-    if let Some((_, p)) = algebra.roots().iter().find(|(s, _)| *s == x) {
-        return complex::sqrt(&enclose_poly(algebra, p, point, bits)?);
+    /// The value of a sum of exponentials.
+    pub(super) fn form(&mut self, form: &ExpSum) -> Result<ComplexBall, SymbolicError> {
+        let mut sum = ComplexBall::zero(self.bits);
+        for (p, c) in form.terms() {
+            let p = self.fraction(p)?;
+            let c = self.fraction(c)?;
+            sum = &sum + &(&c * &complex::exp(&p));
+        }
+        Ok(sum)
     }
-    if let Some((_, z)) = algebra.antiderivatives().iter().find(|(g, _)| *g == x) {
-        return complex::antiderivative(&enclose_fraction(algebra, z, point, bits)?);
+
+    /// The value of a fraction.
+    pub(super) fn fraction(&mut self, f: &Fraction) -> Result<ComplexBall, SymbolicError> {
+        let num = self.poly(f.num())?;
+        if f.den().is_one() {
+            return Ok(num);
+        }
+        let den = self.poly(f.den())?;
+        complex::quotient(&num, &den)
+            .ok_or_else(|| SymbolicError::NotInvertible(f.den().to_string()))
     }
-    if let Some((_, kernel)) = algebra.kernels().iter().find(|(k, _)| *k == x) {
-        return kernel.enclose(algebra, point, bits);
+
+    fn poly(&mut self, p: &Poly) -> Result<ComplexBall, SymbolicError> {
+        let mut sum = ComplexBall::zero(self.bits);
+        for (m, c) in p.terms() {
+            let mut product = ComplexBall::rational(self.bits, &c.re, &c.im);
+            for (x, k) in m {
+                let value = self.symbol(*x)?;
+                for _ in 0..*k {
+                    step(2)?;
+                    product = &product * &value;
+                }
+            }
+            sum = &sum + &product;
+        }
+        Ok(sum)
     }
-    let re = match x == Symbol::PI {
-        true => Ball::pi(bits),
-        false => Ball::rational(bits, &point.value(&x.name())?),
-    };
-    Ok(ComplexBall::new(re, Ball::integer(bits, 0)))
+
+    fn symbol(&mut self, x: Symbol) -> Result<ComplexBall, SymbolicError> {
+        if let Some(value) = self.known.get(&x) {
+            return Ok(value.clone());
+        }
+        let algebra = self.algebra;
+        let roots = algebra.roots().iter();
+        let integrals = algebra.antiderivatives().iter();
+        let kernels = algebra.kernels().iter();
+        let value = if let Some((_, p)) = roots.clone().find(|(s, _)| *s == x) {
+            complex::sqrt(&self.poly(p)?)?
+        } else if let Some((_, z)) = integrals.clone().find(|(g, _)| *g == x) {
+            complex::antiderivative(&self.fraction(z)?)?
+        } else if let Some((_, kernel)) = kernels.clone().find(|(k, _)| *k == x) {
+            kernel.enclose(self)?
+        } else {
+            let re = match x == Symbol::PI {
+                true => Ball::pi(self.bits),
+                false => Ball::rational(self.bits, &self.point.value(&x.name())?),
+            };
+            ComplexBall::new(re, Ball::integer(self.bits, 0))
+        };
+        self.known.insert(x, value.clone());
+        Ok(value)
+    }
 }
 
 #[cfg(test)]

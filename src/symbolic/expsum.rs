@@ -150,7 +150,13 @@ impl Mul for &ExpSum {
     type Output = ExpSum;
     fn mul(self, b: &ExpSum) -> ExpSum {
         let mut out = ExpSum::zero();
+        let size = |f: &Fraction| (f.num().terms().count() + f.den().terms().count()) as u64;
         for (p, c) in &self.terms {
+            let each = 10 + size(p) + size(c);
+            // Past the limit the result is discarded.
+            if !spend(each * b.terms.len() as u64) {
+                return ExpSum::zero();
+            }
             for (q, d) in &b.terms {
                 out.accumulate(c * d, p + q);
             }

@@ -4,8 +4,9 @@
 //! between kernels are not known: what holds for indeterminates in their place holds, and a divisor
 //! with a kernel in it is accepted only if an enclosure excludes zero.
 
-use super::enclosure::{BITS, Point, enclose_form, enclose_fraction};
+use super::enclosure::Values;
 use super::error::unsupported;
+use super::work::spend;
 use super::{Algebra, Derivation, ExpSum, Fraction, Poly, Symbol, SymbolicError, complex};
 use mechaudit_reference::{Ball, ComplexBall};
 
@@ -42,24 +43,19 @@ impl Kernel {
     }
 
     /// An enclosure of its value.
-    pub(super) fn enclose(
-        &self,
-        algebra: &Algebra,
-        point: &Point,
-        bits: u32,
-    ) -> Result<ComplexBall, SymbolicError> {
+    pub(super) fn enclose(&self, values: &mut Values) -> Result<ComplexBall, SymbolicError> {
+        let bits = values.bits;
+        let real = |re| ComplexBall::new(re, Ball::integer(bits, 0));
         match self {
-            Kernel::Exp(p) => Ok(complex::exp(&enclose_fraction(algebra, p, point, bits)?)),
+            Kernel::Exp(p) => Ok(complex::exp(&values.fraction(p)?)),
             Kernel::Inverse(e) => {
-                let one = ComplexBall::new(Ball::integer(BITS, 1), Ball::integer(BITS, 0));
-                complex::quotient(&one, &enclose_form(algebra, e, point)?)
-                    .ok_or_else(|| SymbolicError::NotInvertible(algebra.text(e)))
+                complex::quotient(&real(Ball::integer(bits, 1)), &values.form(e)?)
+                    .ok_or_else(|| SymbolicError::NotInvertible(e.to_string()))
             }
+            // The argument is real, whatever the ball says.
             Kernel::Arctan(f) => {
-                // The argument is real, whatever the ball says.
-                let x = enclose_fraction(algebra, f, point, bits)?.re;
-                let angle = x.atan2(&Ball::integer(bits, 1));
-                Ok(ComplexBall::new(angle, Ball::integer(bits, 0)))
+                let x = values.fraction(f)?.re;
+                Ok(real(x.atan2(&Ball::integer(bits, 1))))
             }
         }
     }
@@ -127,6 +123,9 @@ impl Algebra {
             };
             let mut next = Vec::new();
             for (c, p) in out {
+                if !spend(10 + c.num().terms().count() as u64) {
+                    return Vec::new();
+                }
                 let below = c.den().coefficients(*x);
                 let lowest = below.len() - 1;
                 // A sum in the denominator stays.

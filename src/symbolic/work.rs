@@ -10,7 +10,7 @@ use std::cell::Cell;
 
 /// Operations allowed for one decision: products of terms, weighted by their length, and nodes of
 /// expressions. A few seconds of processor time.
-pub(super) const LIMIT: u64 = 4_000_000;
+pub(super) const LIMIT: u64 = 2_000_000;
 
 thread_local! {
     static LEFT: Cell<Option<u64>> = const { Cell::new(None) };

@@ -1,7 +1,6 @@
 //! Diagrams within a page as SVG, whose colours the page's style gives.
 
 use super::prose::prose;
-use crate::report::axis::{Format, marks};
 use maud::{Markup, html};
 
 /// A coordinate to a tenth.
