@@ -34,16 +34,10 @@ fn definitions_and_objects() {
 #[test]
 fn bad_input_is_one_line() {
     let d = run_on("x = )", &["identity"]);
-    refused(
-        &d,
-        "line 1 (\"x = )\"): character 5: unexpected ')'",
-    );
+    refused(&d, "line 1 (\"x = )\"): character 5: unexpected ')'");
     refused(&run_on("", &["identity"]), "no equation on standard input");
     let d = run_on("x = x", &["identity", "--define", "x == 1"]);
-    refused(
-        &d,
-        "--define \"x == 1\": character 4: unexpected '='",
-    );
+    refused(&d, "--define \"x == 1\": character 4: unexpected '='");
     refused(
         &run(&["identity", "x = x"]),
         "see mechaudit identity --help",

@@ -15,7 +15,10 @@ fn bad_files() {
     bad(b"name = \"\xff\xfe\"", "not UTF-8");
     bad(b"[geometry", "line 1");
     bad(b"{\"geometry\": ", "line 1");
-    bad(b"name = \"x\"", "type is missing: it is \"class-iii\", \"four-bar\"");
+    bad(
+        b"name = \"x\"",
+        "type is missing: it is \"class-iii\", \"four-bar\"",
+    );
     bad(b"type = \"class-iii\"", "[geometry] is missing");
     let changes = r#"
         l5 = "48.5 cm" |                    | geometry.l5 is missing

@@ -40,7 +40,7 @@ impl Values {
         let all: Vec<(f64, f64)> = displacements(window).map(|s| (s, s)).collect();
         let exact = match &machine.exact_window {
             Some([from, _, step]) => {
-                let at = |k: usize| Rational::from(step * Rational::from(k)) + from;
+                let at = |k: usize| (step * Rational::from(k)) + from;
                 (0..all.len()).map(at).collect()
             }
             None => Vec::new(),

@@ -14,8 +14,9 @@ use crate::reference::class_iii::{ExactAngle, Linkage};
 use crate::reference::run_up as certified;
 use crate::reference::run_up::LinkageCurve;
 use crate::solvers::run_up::{
-    ClassIiiModel, ConstantInertia, Drive, Equation, EventKind, Hybrid, Kloss, Method as Integration, Motion,
-    Motor, Outcome, Plan, ReducedModel, Resistance, Settings, Splined, Stretch, run_recorded,
+    ClassIiiModel, ConstantInertia, Drive, Equation, EventKind, Hybrid, Kloss,
+    Method as Integration, Motion, Motor, Outcome, Plan, ReducedModel, Resistance, Settings,
+    Splined, Stretch, run_recorded,
 };
 use crate::solvers::units::{AngularVelocity, Inertia, Torque};
 use rug::Rational;
