@@ -9,6 +9,9 @@ use super::{ExpSum, Fraction, Gauss, Poly, Symbol, SymbolicError};
 use rug::Rational;
 use std::collections::BTreeMap;
 
+/// Characters after which the text of a normal form ends in an ellipsis.
+const LONGEST_TEXT: usize = 20_000;
+
 /// Images of symbols under a derivation; symbols that are not named are constants.
 pub type Derivation = BTreeMap<Symbol, ExpSum>;
 
@@ -283,34 +286,39 @@ impl Algebra {
         Ok(Fraction::symbol(g))
     }
 
-    /// A normal form as text, with `sqrt(…)` for the roots and `G(…)` for the antiderivative.
+    /// A normal form as text, with `sqrt(…)` for the roots and `G(…)` for the antiderivative. A text
+    /// that is very long ends in an ellipsis.
     pub fn text(&self, e: &ExpSum) -> String {
-        self.spelled(&e.to_string())
+        let mut out = String::new();
+        self.spell(&e.to_string(), &mut out);
+        out
     }
 
-    /// With what generated names stand for in their places: of it others may be part.
-    fn spelled(&self, text: &str) -> String {
-        let roots = self.roots.iter();
-        let roots = roots.map(|(s, p)| (s.name(), "sqrt", p.to_string()));
-        let values = self.antiderivatives.iter();
-        let values = values.map(|(g, z)| (g.name(), "G", z.to_string()));
-        let kernels = self.kernels.iter().map(|(k, kernel)| {
-            let (function, inner) = kernel.text();
-            (k.name(), function, inner)
-        });
-        let mut names: Vec<_> = roots.chain(values).chain(kernels).collect();
-        // The signs of a series cannot be typed.
-        let (index, sum) = (Symbol::INDEX.name(), Symbol::SERIES.name());
-        names.extend([(index, "n", String::new()), (sum, "Σ", String::new())]);
+    /// Writes a text with what generated names stand for in their places.
+    fn spell(&self, text: &str, out: &mut String) {
+        let generated = self.roots.iter().map(|r| r.0);
+        let generated = generated.chain(self.antiderivatives.iter().map(|g| g.0));
+        let generated = generated.chain(self.kernels.iter().map(|k| k.0));
+        let generated = generated.chain([Symbol::INDEX, Symbol::SERIES]);
+        let mut names: Vec<(String, Symbol)> = generated.map(|s| (s.name(), s)).collect();
         // G:12 is not G:1.
-        names.sort_by_key(|(name, ..)| std::cmp::Reverse(name.len()));
-        let (mut out, mut rest) = (String::new(), text);
+        names.sort_by_key(|(name, _)| std::cmp::Reverse(name.len()));
+        let mut rest = text;
         while let Some(c) = rest.chars().next() {
-            let found = names.iter().find(|(name, ..)| rest.starts_with(name));
-            let passed = if let Some((name, function, inner)) = found {
-                out += function;
+            if out.len() > LONGEST_TEXT {
+                if !out.ends_with('…') {
+                    out.push('…');
+                }
+                return;
+            }
+            let found = names.iter().find(|(name, _)| rest.starts_with(name));
+            let passed = if let Some((name, symbol)) = found {
+                let (function, inner) = self.meaning(*symbol);
+                out.push_str(function);
                 if !inner.is_empty() {
-                    out += &format!("({})", self.spelled(inner));
+                    out.push('(');
+                    self.spell(&inner, out);
+                    out.push(')');
                 }
                 name.len()
             } else {
@@ -319,7 +327,24 @@ impl Algebra {
             };
             rest = &rest[passed..];
         }
-        out
+    }
+
+    /// The function and the argument that a generated name stands for. The signs of a series cannot
+    /// be typed.
+    fn meaning(&self, x: Symbol) -> (&'static str, String) {
+        if let Some((_, p)) = self.roots.iter().find(|(s, _)| *s == x) {
+            return ("sqrt", p.to_string());
+        }
+        if let Some((_, z)) = self.antiderivatives.iter().find(|(g, _)| *g == x) {
+            return ("G", z.to_string());
+        }
+        if let Some((_, kernel)) = self.kernels.iter().find(|(k, _)| *k == x) {
+            return kernel.text();
+        }
+        match x == Symbol::INDEX {
+            true => ("n", String::new()),
+            false => ("Σ", String::new()),
+        }
     }
 
     /// Conjugated, all symbols being real.
