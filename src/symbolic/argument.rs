@@ -170,6 +170,7 @@ mod tests {
             "arg(exp(7*i)) = 7 - 2*pi",
             "D(x, x)*arg(exp(7*i)) = 7 - 2*pi",
             "arg(exp(5*i*pi/4)) = -3*pi/4",
+            "arg(exp(9*i*pi/7)) = -5*pi/7",
             "arg(exp(-7*i*pi)) = pi",
             "arg(-x) = pi",
             "arg(x/y) = 0",

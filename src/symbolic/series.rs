@@ -171,6 +171,7 @@ mod tests {
         let lines = ["s = series(n, x)", "y: z = series(n, x)"];
         for text in [
             "series(n, a[n])*series(n, b[n]) = series(n, a[n]*b[n])",
+            "series(n, a[n])*series(n, b[n]) = series(n, 1)*series(n, a[n]*b[n])",
             "series(n, x) + 1 = series(n, x + 1)",
             "exp(series(n, x)) = series(n, exp(x))",
             "s^2 = series(n, x^2)",

@@ -173,6 +173,7 @@ mod tests {
     fn what_is_no_square_has_no_root() {
         for (adjoined, text) in [
             (&["sqrt(2)"][..], "3 + sqrt(2)"),
+            (&["sqrt(2)"], "4 + sqrt(2)"),
             (&["sqrt(2)", "sqrt(3)"], "1 + sqrt(2) + sqrt(3)"),
             (&["sqrt(x)"], "x + sqrt(x) + 1"),
             (&["sqrt(2)"], "2 + sqrt(2)"),
