@@ -19,7 +19,7 @@ pub enum Due {
     },
     /// This infinity: the number is larger than any ball holds, or the value really is infinite.
     Infinity {
-        /// Whether it is −∞.
+        /// True for −∞.
         negative: bool,
     },
     /// NaN: there is no value.

@@ -280,7 +280,7 @@ fn judge_refusal(word: Option<&str>, reference: &ReferenceAnswer) -> Judgement {
     }
 }
 
-/// What came, and what was expected in its place.
+/// The answer found and the answer expected.
 fn beside(came: &str, reference: &ReferenceAnswer) -> String {
     let expected = match reference {
         ReferenceAnswer::Refuses(word) => format!("the refusal {word:?}"),

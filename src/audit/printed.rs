@@ -52,14 +52,14 @@ impl EntryJudgement {
     }
 }
 
-/// What a table prints in the place of a value.
+/// An entry that a table prints for a value.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PrintedNumber {
     /// A decimal number.
     Decimal(Decimal),
     /// `inf` or `-inf`.
     Infinity {
-        /// Whether it is −∞.
+        /// True for −∞.
         negative: bool,
     },
     /// `nan`.
@@ -131,7 +131,7 @@ impl Printed {
         }
     }
 
-    /// Whether the entry is what is due, where that is no number.
+    /// Returns true if the entry is the expected one, where no number is expected.
     fn is(&self, due: &Due) -> bool {
         match (&self.number, due) {
             (PrintedNumber::Nan, Due::NotANumber) => true,

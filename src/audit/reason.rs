@@ -17,7 +17,7 @@ pub enum Reason {
         number: usize,
         /// What was answered.
         got: f64,
-        /// What is due: the nearest number, an infinity or NaN.
+        /// The expected value: the nearest number, an infinity or NaN.
         due: f64,
         /// What is wrong with it.
         fault: Fault,

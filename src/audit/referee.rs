@@ -74,7 +74,7 @@ impl Referee<'_> {
             Some(x) => method.reference(x.numbers(), bits),
             None => method.reference_not_finite(input),
         };
-        // Where they cannot be had of this reference they may be of a finer one.
+        // A finer reference may give them where this one does not.
         if self.conditions.is_none() && self.judge.conditional && self.exact.is_some() {
             self.conditions = method.conditions_beside(input, &reference);
         }

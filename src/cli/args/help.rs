@@ -32,7 +32,7 @@ fn fitted(line: &str) -> String {
         (None, None) => return continued(line),
     };
     let column = line[..from].chars().count() - mark.len();
-    // What goes on after a line that is all comment is one too.
+    // A line that continues a comment line is a comment too.
     let start = if line.starts_with("  # ") { "  #" } else { "" };
     let indent = format!("{start:<column$}{mark}");
     let mut out = line[..from].to_string();

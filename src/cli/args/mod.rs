@@ -289,7 +289,7 @@ mod tests {
         known.and_then(|m| crate::cli::asked::find(m).err().map(|e| e.to_string()))
     }
 
-    /// Whether the words name a command, or a command of a command.
+    /// Returns true if the words name a command or a subcommand.
     fn is_name(grammar: &clap::Command, words: &[String]) -> bool {
         let [first, rest @ ..] = words else {
             return true;
