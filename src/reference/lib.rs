@@ -6,6 +6,7 @@
 //! | folder | modules |
 //! |---|---|
 //! | arithmetic | [`Ball`], [`ComplexBall`], [`Mag`], [`Decimal`], [`HexFloat`], Taylor models |
+//! | elementary | [`elementary`]: functions of balls |
 //! | special | [`faddeeva`], [`hartmann_tran`] |
 //! | linear | [`tridiagonal`], [`BallLu`] |
 //! | splines | [`cubic_spline`] |
@@ -29,6 +30,7 @@ mod arithmetic;
 mod cams;
 #[cfg(feature = "run-up")]
 mod drive;
+pub mod elementary;
 mod linear;
 #[cfg(feature = "linkages")]
 mod linkages;
