@@ -14,8 +14,8 @@ mod comparison;
 mod convergence;
 mod csv_line;
 mod domain;
-mod due;
 mod exact;
+mod expected;
 mod hard;
 mod hex_float;
 mod hunt;
@@ -58,7 +58,7 @@ pub use comparison::{
 pub use convergence::{Approximation, ConvergenceReport, LevelError, LevelReport, convergence};
 pub use csv_line::csv_line;
 pub use domain::{CheckPoint, Domain, Draw, Region};
-pub use due::Due;
+pub use expected::Expected;
 pub use hard::{HARD_HEADER, HardCase, HardCaseError, HardCaseFault, rounded_up};
 pub use hex_float::{hex_float, write_hex_float};
 pub use hunt::{Hunt, HuntSettings, Worst, hunt, hunt_until};
