@@ -57,7 +57,7 @@ pub use comparison::{
 };
 pub use convergence::{Approximation, ConvergenceReport, LevelError, LevelReport, convergence};
 pub use csv_line::csv_line;
-pub use domain::{CheckPoint, Domain, Draw, Region};
+pub use domain::{CheckPoint, Domain, Draw, Region, Sampler};
 pub use expected::Expected;
 pub use hard::{HARD_HEADER, HardCase, HardCaseError, HardCaseFault, rounded_up};
 pub use hex_float::{hex_float, write_hex_float};

@@ -28,11 +28,7 @@ impl Method for Plain {
         Vec::new()
     }
     fn domain(&self) -> Domain {
-        let region = |name, sample| Region {
-            name,
-            description: "",
-            sample,
-        };
+        let region = crate::planted::region;
         Domain {
             regions: vec![
                 region("mid", |d| vec![3.0, d.uniform(1.0, 2.0), 0.0]),

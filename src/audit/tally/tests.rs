@@ -5,9 +5,7 @@ use crate::answer::{Proof, Reference, ReferenceAnswer, SolverAnswer};
 use crate::case::Origin;
 use crate::judged::judge_case_briefly;
 use crate::kind::{Kind, Kinds};
-use crate::{
-    Budget, CandidateReport, CheckPoint, Domain, Input, Law, Limit, NormBudget, Output, Region,
-};
+use crate::{Budget, CandidateReport, CheckPoint, Domain, Input, Law, Limit, NormBudget, Output};
 use mechaudit_reference::Ball;
 use proptest::prelude::*;
 use rug::Rational;
@@ -44,11 +42,7 @@ impl Method for Twice {
             .to_vec()
     }
     fn domain(&self) -> Domain {
-        let region = |name, sample| Region {
-            name,
-            description: "planted",
-            sample,
-        };
+        let region = crate::planted::region;
         Domain {
             regions: vec![
                 region("small", |d| vec![d.uniform(1.0, 2.0)]),
