@@ -33,7 +33,7 @@ mod tests {
             "class-iii",
             "faddeeva.voigt",
         ];
-        for (name, due) in [
+        for (name, expected) in [
             ("fadeeva", Some("faddeeva")),
             ("Four-Bar", Some("four-bar")),
             ("fourbar", Some("four-bar")),
@@ -43,7 +43,7 @@ mod tests {
             ("no-such-method", None),
             ("", None),
         ] {
-            assert_eq!(nearest(name, &known), due, "{name}");
+            assert_eq!(nearest(name, &known), expected, "{name}");
         }
         // Alike to four fifths, and a little more.
         assert_eq!(nearest("abxcdeyz", &["abucdevw"]), None);

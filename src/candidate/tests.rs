@@ -313,14 +313,14 @@ fn effort_multiplies_the_cases() {
         let (settings, ..) = audit.cases(cases).effort(effort).planned(&*method).unwrap();
         settings.cases_per_region
     };
-    for (cases, effort, due) in [
+    for (cases, effort, expected) in [
         (200, 1.0, 200),
         (200, 0.001, 1),
         (10, 1.05, 11),
         (0, 7.0, 0),
         (u64::MAX, 2.0, u64::MAX),
     ] {
-        assert_eq!(of(cases, effort), due, "{cases} {effort}");
+        assert_eq!(of(cases, effort), expected, "{cases} {effort}");
     }
 }
 

@@ -197,7 +197,7 @@ impl<D: Definition> Method for Entry<D> {
         match reference {
             ReferenceAnswer::Values(r) => D::conditions_at(numbers, &r.values),
             ReferenceAnswer::Refuses(_) | ReferenceAnswer::Failed(_) => None,
-            ReferenceAnswer::Dues(..) | ReferenceAnswer::Undecided(_) => D::conditions(numbers),
+            ReferenceAnswer::Expected(..) | ReferenceAnswer::Undecided(_) => D::conditions(numbers),
         }
     }
     fn twin(&self, numbers: &[f64]) -> Option<Vec<Ball>> {
@@ -342,7 +342,7 @@ mod tests {
         assert!(refused.signs_of_zero(&input).is_empty() && refused.twin(&input).is_none());
         let limit = find("faddeeva").unwrap();
         let found = limit.reference_not_finite(&[f64::INFINITY, 0.0]);
-        assert!(matches!(found, ReferenceAnswer::Dues(..)));
+        assert!(matches!(found, ReferenceAnswer::Expected(..)));
     }
 
     /// Numbers of vectors are boxed in inputs that are long enough; the others are drawn again.

@@ -1,6 +1,6 @@
 //! Which cases are drawn and what references answer, pinned bit by bit.
 
-use mechaudit::audit::{Case, Cases, Due, Method, ReferenceAnswer, Settings};
+use mechaudit::audit::{Case, Cases, Expected, Method, ReferenceAnswer, Settings};
 use mechaudit::methods;
 use rug::Rational;
 use std::fmt::{Debug, Write};
@@ -147,16 +147,16 @@ fn conditions() {
 
 /// Adds an answer to the digest; the accuracy of its worst value in bits, if that is neither exact nor without digits.
 fn add(digest: &mut Digest, answer: ReferenceAnswer) -> Option<i64> {
-    let dues = match answer {
-        ReferenceAnswer::Values(r) => r.values.into_iter().map(Due::Number).collect(),
-        ReferenceAnswer::Dues(dues, _) => dues,
+    let expected = match answer {
+        ReferenceAnswer::Values(r) => r.values.into_iter().map(Expected::Number).collect(),
+        ReferenceAnswer::Expected(expected, _) => expected,
         other => {
             digest.add(other);
             return None;
         }
     };
     let mut worst = None;
-    for due in dues {
+    for due in expected {
         let Some(ball) = due.number() else {
             digest.add(due);
             continue;

@@ -7,8 +7,8 @@ pub(super) mod regions;
 use super::branches::nearest;
 use super::relatives::{NORM, PROOF, number};
 use crate::audit::{
-    BranchAt, Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ProvedBound, ProvedError,
-    ReferenceAnswer, Uncertified,
+    BranchAt, Budget, Domain, Expected, Law, Limit, NormBudget, Output, Proof, ProvedBound,
+    ProvedError, ReferenceAnswer, Uncertified,
 };
 use crate::methods::common::output;
 use crate::methods::definition::Definition;
@@ -48,46 +48,50 @@ pub(super) fn asked(bits: u32) -> u32 {
     bits.saturating_sub(SPARED).max(64)
 }
 
-/// A component as it is due. What no ball holds is beyond every `f64` or below all of them.
-pub(super) fn due(part: &Scaled) -> Due {
+/// Converts a component. A value that no ball holds is beyond every `f64` or below all of them.
+pub(super) fn expected_part(part: &Scaled) -> Expected {
     let direct = part.to_ball();
     if direct.is_finite() {
-        return Due::Number(direct);
+        return Expected::Number(direct);
     }
     if !part.ball.is_finite() || part.ball.contains_zero() {
-        return Due::Number(part.ball.widened(Mag::INFINITY));
+        return Expected::Number(part.ball.widened(Mag::INFINITY));
     }
     // The factor is within 2^±(2^29), the exponent beyond that of a ball.
     match part.exponent < 0 {
-        true => Due::Number(Ball::new(Float::new(64), Mag::power_of_two(-5000))),
-        false => Due::Infinity {
+        true => Expected::Number(Ball::new(Float::new(64), Mag::power_of_two(-5000))),
+        false => Expected::Infinity {
             negative: part.ball.is_negative(),
         },
     }
 }
 
-fn dues(re: &Rational, im: &Rational, bits: u32) -> Result<Vec<Due>, Undecided> {
+fn expected_parts(re: &Rational, im: &Rational, bits: u32) -> Result<Vec<Expected>, Undecided> {
     let bits = asked(bits);
     Ok(match w(re, im, bits) {
-        Ok(w) => vec![Due::Number(w.re), Due::Number(w.im)],
-        Err(_) => w_scaled(re, im, bits)?.iter().map(due).collect(),
+        Ok(w) => vec![Expected::Number(w.re), Expected::Number(w.im)],
+        Err(_) => w_scaled(re, im, bits)?.iter().map(expected_part).collect(),
     })
 }
 
 /// The limits at infinity, where there are any. W tends to 0 in the closed upper half-plane and
 /// for Im z < 0 with Re z → ±∞, to +∞ down the imaginary axis, on which it is real.
-pub(super) fn dues_not_finite(x: f64, y: f64) -> [Due; 2] {
+pub(super) fn expected_not_finite(x: f64, y: f64) -> [Expected; 2] {
     if x == 0.0 && y == f64::NEG_INFINITY {
-        return [Due::Infinity { negative: false }, number(0)];
+        return [Expected::Infinity { negative: false }, number(0)];
     }
     if x.is_nan() || y.is_nan() {
-        let im = if x == 0.0 { number(0) } else { Due::NotANumber };
-        return [Due::NotANumber, im];
+        let im = if x == 0.0 {
+            number(0)
+        } else {
+            Expected::NotANumber
+        };
+        return [Expected::NotANumber, im];
     }
     if y > f64::NEG_INFINITY {
         return [number(0), number(0)];
     }
-    [Due::NotANumber, Due::NotANumber]
+    [Expected::NotANumber, Expected::NotANumber]
 }
 
 /// On the imaginary axis `Im W(x + iy) = −x E′(y) + …`, `E = erfcx`, and erfcx falls everywhere. At
@@ -154,11 +158,14 @@ impl Definition for Faddeeva {
     }
 
     fn reference(z: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
-        Ok(ReferenceAnswer::Dues(dues(z.re, z.im, bits)?, PROOF))
+        Ok(ReferenceAnswer::Expected(
+            expected_parts(z.re, z.im, bits)?,
+            PROOF,
+        ))
     }
 
     fn reference_not_finite(z: Self::Input<'_, f64>) -> ReferenceAnswer {
-        ReferenceAnswer::Dues(dues_not_finite(z.re, z.im).to_vec(), Proof::Exact)
+        ReferenceAnswer::Expected(expected_not_finite(z.re, z.im).to_vec(), Proof::Exact)
     }
 
     fn certify(z: Self::Input<'_, Rational>, bits: u32) -> Result<Vec<Scaled>, Uncertified> {
@@ -190,9 +197,9 @@ mod tests {
         }
     }
 
-    fn reference(x: f64, y: f64) -> Vec<Due> {
+    fn reference(x: f64, y: f64) -> Vec<Expected> {
         let exact = [x, y].map(|v| Rational::from_f64(v).unwrap());
-        dues(&exact[0], &exact[1], 128).unwrap()
+        expected_parts(&exact[0], &exact[1], 128).unwrap()
     }
 
     #[test]
@@ -203,19 +210,19 @@ mod tests {
         assert_eq!(d[1].to_decimal(5).unwrap(), "5.6419e-201");
         // W(−10^200 i) = 2e^{10^400}.
         let d = reference(0.0, -1e200);
-        assert!(matches!(d[0], Due::Infinity { negative: false }));
+        assert!(matches!(d[0], Expected::Infinity { negative: false }));
         assert!(d[1].number().unwrap().is_zero());
         // Off the axis both components have the sign of the phase −2xy: here cos 2 < 0, sin 2 > 0.
         let tiny = 2f64.powi(-600);
         let d = reference(tiny, -(2f64.powi(600)));
-        assert!(matches!(d[0], Due::Infinity { negative: true }));
-        assert!(matches!(d[1], Due::Infinity { negative: false }));
+        assert!(matches!(d[0], Expected::Infinity { negative: true }));
+        assert!(matches!(d[1], Expected::Infinity { negative: false }));
     }
 
     #[test]
     fn at_infinity() {
         let inf = f64::INFINITY;
-        let shown = |x, y| dues_not_finite(x, y).map(|d| d.to_decimal(3).unwrap());
+        let shown = |x, y| expected_not_finite(x, y).map(|d| d.to_decimal(3).unwrap());
         assert_eq!(shown(inf, 0.0), ["0", "0"]);
         assert_eq!(shown(-inf, -5.0), ["0", "0"]);
         assert_eq!(shown(3.0, inf), ["0", "0"]);

@@ -5,7 +5,7 @@ use super::regions::zero_of_erfi;
 use super::{
     C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, exponential, odd_limit, on_axis, on_the_real_line,
 };
-use crate::audit::{Due, Law, ProvedBound};
+use crate::audit::{Expected, Law, ProvedBound};
 use crate::reference::Ball;
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{dawson, dawson_batch, dawson_real};
@@ -45,7 +45,7 @@ impl Relative for Dawson {
         1.0 - 2.0 * z * value
     }
 
-    fn limit(x: f64, y: f64) -> [Due; 2] {
+    fn limit(x: f64, y: f64) -> [Expected; 2] {
         odd_limit(0, x, y)
     }
 

@@ -6,7 +6,7 @@ use super::{
     C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, erf_from_w, exponential, odd_limit, odd_signs,
     on_the_real_line,
 };
-use crate::audit::{Due, Law, ProvedBound};
+use crate::audit::{Expected, Law, ProvedBound};
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{erf, erf_real, erfc, faddeeva as w};
 use std::f64::consts::FRAC_2_SQRT_PI;
@@ -43,7 +43,7 @@ impl Relative for Erf {
         FRAC_2_SQRT_PI * exponential(-z * z)
     }
 
-    fn limit(x: f64, y: f64) -> [Due; 2] {
+    fn limit(x: f64, y: f64) -> [Expected; 2] {
         odd_limit(1, x, y)
     }
 

@@ -8,7 +8,7 @@ use super::{
     C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, erf_from_w, exponential, negated, odd_limit,
     odd_signs,
 };
-use crate::audit::{Due, Law};
+use crate::audit::{Expected, Law};
 use crate::methods::common::held;
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{dawson, erf, erfi, erfi_real};
@@ -46,7 +46,7 @@ impl Relative for Erfi {
         FRAC_2_SQRT_PI * exponential(z * z)
     }
 
-    fn limit(x: f64, y: f64) -> [Due; 2] {
+    fn limit(x: f64, y: f64) -> [Expected; 2] {
         let [re, im] = odd_limit(1, -y, x);
         [im, negated(re)]
     }

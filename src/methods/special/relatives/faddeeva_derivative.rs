@@ -2,7 +2,7 @@
 
 use super::laws::{point, same_pair, within};
 use super::{C, Exact, NORM, Relative, Zeros, infinity, number, on_axis};
-use crate::audit::{Draw, Due, Law, Region};
+use crate::audit::{Draw, Expected, Law, Region};
 use crate::methods::common::{held, region};
 use crate::methods::special::faddeeva::curves::{BITS_OF_ZEROS, Beside, zero as zero_of_w};
 use crate::reference::ComplexBall;
@@ -49,15 +49,19 @@ impl Relative for FaddeevaDerivative {
 
     /// W' tends to 0 in the closed upper half-plane and for Re z → ±∞, to +i∞ down the imaginary
     /// axis, on which it is imaginary.
-    fn limit(x: f64, y: f64) -> [Due; 2] {
-        let re = if x == 0.0 { number(0) } else { Due::NotANumber };
+    fn limit(x: f64, y: f64) -> [Expected; 2] {
+        let re = if x == 0.0 {
+            number(0)
+        } else {
+            Expected::NotANumber
+        };
         if x.is_nan() || y.is_nan() {
-            return [re, Due::NotANumber];
+            return [re, Expected::NotANumber];
         }
         match (y > f64::NEG_INFINITY, x == 0.0) {
             (true, _) => [number(0), number(0)],
             (false, true) => [re, infinity(1.0)],
-            (false, false) => [Due::NotANumber, Due::NotANumber],
+            (false, false) => [Expected::NotANumber, Expected::NotANumber],
         }
     }
 

@@ -10,10 +10,10 @@ pub(super) mod laws;
 mod regions;
 
 use super::branches::nearest;
-use super::faddeeva::{ComplexInput, asked, due};
+use super::faddeeva::{ComplexInput, asked, expected_part};
 use crate::audit::{
-    BranchAt, Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ProvedBound, ProvedError,
-    ReferenceAnswer, Region, Uncertified,
+    BranchAt, Budget, Domain, Expected, Law, Limit, NormBudget, Output, Proof, ProvedBound,
+    ProvedError, ReferenceAnswer, Region, Uncertified,
 };
 use crate::methods::common::output;
 use crate::methods::definition::{Definition, Registered};
@@ -81,8 +81,8 @@ pub trait Relative: Registered {
     /// The derivative at `z`, from the value there, to a few digits: points next to zero curves are found with it.
     fn slope(z: C, value: C) -> C;
 
-    /// What is due at an argument that is not finite.
-    fn limit(x: f64, y: f64) -> [Due; 2];
+    /// Returns the expected values at an argument that is not finite.
+    fn limit(x: f64, y: f64) -> [Expected; 2];
     /// Whether the limit of each component, where it is zero, is −0; `None` where there is no limit
     /// of the sign.
     fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2];
@@ -116,36 +116,42 @@ fn erf_from_w(w: fn(C) -> C, z: C) -> C {
 }
 
 /// An exact small number.
-pub(super) fn number(n: i64) -> Due {
-    Due::Number(Ball::integer(64, n))
+pub(super) fn number(n: i64) -> Expected {
+    Expected::Number(Ball::integer(64, n))
 }
 
 /// The infinity of the sign of `x`.
-pub(super) fn infinity(x: f64) -> Due {
-    Due::Infinity {
+pub(super) fn infinity(x: f64) -> Expected {
+    Expected::Infinity {
         negative: x.is_sign_negative(),
     }
 }
 
 /// `−d`
-pub(super) fn negated(d: Due) -> Due {
+pub(super) fn negated(d: Expected) -> Expected {
     match d {
-        Due::Number(ball) => Due::Number(-ball),
-        Due::Infinity { negative } => Due::Infinity {
+        Expected::Number(ball) => Expected::Number(-ball),
+        Expected::Infinity { negative } => Expected::Infinity {
             negative: !negative,
         },
-        Due::Zero { ball, negative } => Due::Zero {
+        Expected::Zero { ball, negative } => Expected::Zero {
             ball,
             negative: !negative,
         },
-        Due::NotANumber => Due::NotANumber,
+        Expected::NotANumber => Expected::NotANumber,
     }
 }
 
 /// The limits of an odd function that is real on the real axis and imaginary on the imaginary one,
 /// that tends to ±`right` for Re z → ±∞ and to ±i∞ along the imaginary axis.
-pub(super) fn odd_limit(right: i64, x: f64, y: f64) -> [Due; 2] {
-    let known = |zero| if zero { number(0) } else { Due::NotANumber };
+pub(super) fn odd_limit(right: i64, x: f64, y: f64) -> [Expected; 2] {
+    let known = |zero| {
+        if zero {
+            number(0)
+        } else {
+            Expected::NotANumber
+        }
+    };
     if x.is_nan() || y.is_nan() {
         return [known(x == 0.0), known(y == 0.0)];
     }
@@ -156,7 +162,7 @@ pub(super) fn odd_limit(right: i64, x: f64, y: f64) -> [Due; 2] {
         ],
         (false, true) if x == 0.0 => [number(0), infinity(y)],
         // No limit.
-        _ => [Due::NotANumber, Due::NotANumber],
+        _ => [Expected::NotANumber, Expected::NotANumber],
     }
 }
 
@@ -192,14 +198,14 @@ impl<F: Relative> Definition for F {
 
     fn reference(z: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
         let parts = (F::EXACT)(z.re, z.im, asked(bits))?;
-        Ok(ReferenceAnswer::Dues(
-            parts.iter().map(due).collect(),
+        Ok(ReferenceAnswer::Expected(
+            parts.iter().map(expected_part).collect(),
             PROOF,
         ))
     }
 
     fn reference_not_finite(z: Self::Input<'_, f64>) -> ReferenceAnswer {
-        ReferenceAnswer::Dues(F::limit(z.re, z.im).to_vec(), Proof::Exact)
+        ReferenceAnswer::Expected(F::limit(z.re, z.im).to_vec(), Proof::Exact)
     }
 
     fn branch(z: Self::Input<'_, f64>) -> Option<BranchAt> {
