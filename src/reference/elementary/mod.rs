@@ -20,15 +20,27 @@
 //! MPFR is [`NoValue::Overflow`]. A value that is too small for them is a ball around zero.
 
 mod arithmetic;
+mod error;
+mod exponential;
+mod gamma;
+mod hyperbolic;
 mod steps;
 mod support;
+mod trigonometric;
+mod voigt;
 
 use crate::{Ball, ComplexBall};
 
 pub use arithmetic::{
     add, cbrt, div, fabs, fdim, fma, fmax, fmin, hypot, mul, powi, recip, sqr, sqrt, sub,
 };
+pub use error::{dawson, erf, erfc, erfcx, erfi};
+pub use exponential::{exp, exp2, exp10, expm1, log, log1p, log2, log10, pow};
+pub use gamma::{digamma, lgamma, tgamma};
+pub use hyperbolic::{acosh, asinh, atanh, cosh, sinh, tanh};
 pub use steps::{ceil, copysign, floor, fmod, nearbyint, remainder, round, trunc};
+pub use trigonometric::{acos, asin, atan, atan2, cos, cospi, sin, sinpi, tan, tanpi};
+pub use voigt::voigt;
 
 /// Reason why a function of balls gives no ball.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]

@@ -5,7 +5,7 @@
 
 use super::arithmetic::fabs;
 use super::support::{
-    Directed, ends, finish, float_above, hull, increasing, nearest, unsigned, with_prec,
+    Directed, ends, finish, float_above, hull, nearest, unsigned, with_prec,
 };
 use super::{Evaluated, NoValue};
 use crate::{Ball, Mag};
