@@ -8,6 +8,7 @@ use super::series;
 use super::walk::{Definitions, Domain, Scope, walk};
 use super::work::{LIMIT, limited};
 use super::{Algebra, Derivation, ExpSum, Fraction, Gauss, Poly, Symbol, SymbolicError};
+use rug::Rational;
 
 /// Evaluates expressions to normal forms.
 #[derive(Clone, Debug, Default)]
@@ -371,6 +372,26 @@ impl Algebra {
         let minus_i = ExpSum::constant(Gauss::i_power(3));
         Ok((self.product(&minus_i, &sine), cosine))
     }
+}
+
+/// Returns true if the normal form of an expression is zero at rational values of its symbols.
+pub(super) fn proves_zero(
+    definitions: &Definitions,
+    e: &Expr,
+    names: &[String],
+    values: &[Rational],
+) -> bool {
+    let mut definitions = definitions.clone();
+    for (name, value) in names.iter().zip(values) {
+        let size = Expr::Num(value.clone().abs().to_string());
+        let value = match *value < 0 {
+            true => Expr::Neg(Box::new(size)),
+            false => size,
+        };
+        definitions.set(name, value);
+    }
+    let form = Exact::default().value(&definitions, e);
+    form.is_ok_and(|form| form.is_zero())
 }
 
 /// Returns true for functions that are not differentiated like analytic ones.

@@ -206,6 +206,10 @@ pub trait Domain: Sized {
             false => Ok(product),
         }
     }
+    /// Infinity, where it is a limit of an integral or of a sum.
+    fn infinity(&mut self) -> Result<Self::V, SymbolicError> {
+        unsupported("inf other than as a limit")
+    }
     /// A named constant; by default the value of its definition.
     fn named_constant(
         &mut self,
@@ -506,7 +510,7 @@ fn named<D: Domain>(d: &mut D, scope: &mut Scope<D::V>, name: &str) -> Result<D:
     let definitions = scope.definitions;
     let Some(e) = definitions.names.get(name) else {
         if name == "inf" {
-            return unsupported("inf other than as a limit");
+            return d.infinity();
         }
         // Inside a series over n, x_n is a term of a sequence.
         let suffix = scope.series.as_ref().map(|n| format!("_{n}"));
