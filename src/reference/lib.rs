@@ -36,6 +36,7 @@ mod linear;
 mod linkages;
 #[cfg(test)]
 mod pinned;
+pub mod roots;
 mod special;
 mod splines;
 
@@ -46,7 +47,7 @@ use linear::lu;
 pub use cams::{cam_law, chirp_oscillator, fourier_series};
 #[cfg(feature = "run-up")]
 pub use drive::{pendulum, run_up};
-pub use linear::tridiagonal;
+pub use linear::{dense, eigenvalues, tridiagonal};
 #[cfg(feature = "linkages")]
 pub use linkages::{class_iii, dyad, planar};
 pub use special::{faddeeva, hartmann_tran};
@@ -56,6 +57,7 @@ pub use ball::{Ball, dot};
 pub use complex::ComplexBall;
 pub use decimal::{Decimal, DecimalError, nearest_f64};
 pub use hex_float::{HexFloat, HexFloatError};
+pub use linear::matrix::{LinearError, Matrix};
 pub use lu::BallLu;
 pub use mag::Mag;
 
