@@ -12,6 +12,7 @@
 //! | linkages | [`class_iii`], [`dyad`], [`planar`] |
 //! | drive | [`run_up`], [`pendulum`] |
 //! | cams | [`cam_law`], [`fourier_series`], [`chirp_oscillator`] |
+//! | quadrature | [`quadrature`] |
 //!
 //! Features: `linkages`, `cams` and `run-up` (folder `drive`), all on by default.
 //!
@@ -34,6 +35,7 @@ mod linear;
 mod linkages;
 #[cfg(test)]
 mod pinned;
+pub mod quadrature;
 mod special;
 mod splines;
 
