@@ -13,6 +13,7 @@
 //! | linkages | [`class_iii`], [`dyad`], [`planar`] |
 //! | drive | [`run_up`], [`pendulum`] |
 //! | cams | [`cam_law`], [`fourier_series`], [`chirp_oscillator`] |
+//! | quadrature | [`quadrature`] |
 //!
 //! Features: `linkages`, `cams` and `run-up` (folder `drive`), all on by default.
 //!
@@ -37,6 +38,7 @@ mod linkages;
 #[cfg(test)]
 mod pinned;
 pub mod roots;
+pub mod quadrature;
 mod special;
 mod splines;
 
