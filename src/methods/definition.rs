@@ -22,8 +22,6 @@ pub trait Typed {
 pub trait Registered: Typed + Sync + 'static {
     /// The text of `reference/hard/NAME.csv`.
     const HARD: &'static str;
-    /// Names of earlier releases, which `eval` still takes.
-    const FORMER: &'static [&'static str];
     /// The layout of its numbers, made once.
     fn layout() -> &'static Layout;
 }
@@ -127,8 +125,6 @@ pub trait Evaluable: Method {
     fn refusal(&self, numbers: &[f64]) -> Option<String>;
     /// The place and the rule behind a refusal, in words, where its name leaves them open.
     fn explanation(&self, numbers: &[f64]) -> Option<String>;
-    /// Names of earlier releases.
-    fn former_names(&self) -> &'static [&'static str];
 }
 
 /// The method that a definition makes.
@@ -233,9 +229,6 @@ impl<D: Definition> Evaluable for Entry<D> {
     fn explanation(&self, numbers: &[f64]) -> Option<String> {
         D::explanation(D::unpack(numbers)?)
     }
-    fn former_names(&self) -> &'static [&'static str] {
-        D::FORMER
-    }
 }
 
 /// [`Definition::conditions`] by [`Definition::conditions_at`] at values of so many bits, or of up
@@ -264,13 +257,13 @@ pub(super) fn exact(numbers: &[f64]) -> Option<Vec<Rational>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::methods::{find, find_evaluable};
+    use crate::methods::find;
 
     /// A number too few, one too many, none.
     #[test]
     fn what_is_not_laid_out_as_it_should_be_is_refused() {
         for name in ["four-bar", "faddeeva", "cam-law", "planar-linkage"] {
-            let method = find_evaluable(name).unwrap();
+            let method = find(name).unwrap();
             let good = method.domain().check_points[0].input.clone();
             assert!(method.admits(&good), "{name}");
             let longer = [&good[..], &[0.5]].concat();
@@ -384,15 +377,5 @@ mod tests {
             let why = SampleBox::read(&*method, text).unwrap_err().to_string();
             assert!(why.starts_with(due), "{why}");
         }
-    }
-
-    #[test]
-    fn names_of_earlier_releases_are_known_to_eval_alone() {
-        let faddeeva = find_evaluable("faddeeva.w").unwrap();
-        assert_eq!(faddeeva.name(), "faddeeva");
-        assert_eq!(faddeeva.former_names(), ["faddeeva.w"]);
-        assert!(find("faddeeva.w").is_none());
-        assert!(find_evaluable("run-up").unwrap().former_names().is_empty());
-        assert!(find_evaluable("faddeeva.").is_none() && find_evaluable("").is_none());
     }
 }

@@ -1,20 +1,17 @@
-//! The method and the settings that arguments and environment ask for.
+//! Looks up the method and the settings that arguments and environment name.
 
 use crate::cli::args::RunArgs;
 use crate::cli::failure::Failure;
-use mechaudit::audit::{Method, Settings};
-use mechaudit::methods;
+use mechaudit::audit::Settings;
+use mechaudit::methods::{self, Evaluable};
 use mechaudit::reference::Decimal;
 
-/// The method of that name.
-pub fn find(name: &str) -> Result<Box<dyn Method>, Failure> {
-    methods::find(name).ok_or_else(|| {
-        let known: Vec<&str> = methods::registry().iter().map(|m| m.name()).collect();
-        Failure::no_such("method", name, &known)
-    })
+/// Returns the method that an argument names.
+pub fn method(text: &str) -> Result<Box<dyn Evaluable>, Failure> {
+    methods::resolve(text).map_err(Failure::caused)
 }
 
-/// The settings that arguments and environment ask for.
+/// Returns the settings that arguments and environment select.
 pub fn settings(args: &RunArgs) -> Result<Settings, Failure> {
     let effort = effort(std::env::var_os("MECHAUDIT_EFFORT").as_deref())?;
     Ok(at_effort(args, effort))
