@@ -195,5 +195,4 @@ pub fn spectrum(spectrum: &Spectrum) -> Result<String, CannotDraw> {
 }
 
 #[cfg(test)]
-#[path = "chirp_tests.rs"]
 mod tests;

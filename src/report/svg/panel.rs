@@ -316,5 +316,4 @@ fn padded(values: impl Iterator<Item = f64>) -> (f64, f64) {
 }
 
 #[cfg(test)]
-#[path = "panel_tests.rs"]
 pub(super) mod tests;

@@ -196,5 +196,4 @@ fn diagram(body: &Area, page: &mut Page, methods: &[Work]) -> Drawn {
 }
 
 #[cfg(test)]
-#[path = "run_up_tests.rs"]
 mod tests;

@@ -4,7 +4,7 @@ use mechaudit::machine::run_up::Overrides;
 use mechaudit::solvers::run_up::{CycleError, Flywheel, FlywheelError, Sample, Turn};
 use std::f64::consts::{PI, TAU};
 
-const FOUR_BAR: &str = include_str!("../../../../examples/four-bar-run-up.toml");
+const FOUR_BAR: &str = include_str!("../../../../../examples/four-bar-run-up.toml");
 
 /// The crank-rocker of the example with some of its lines changed.
 fn machine(changes: &[(&str, &str)]) -> Machine {

@@ -5,7 +5,7 @@ use crate::machine::Source;
 use crate::machine::planar::{Columns, certified_names, names, values};
 use std::f64::consts::TAU;
 
-const WATT: &str = include_str!("../../../examples/watt-1.toml");
+const WATT: &str = include_str!("../../../../examples/watt-1.toml");
 
 fn read(text: &str) -> Machine {
     Machine::read(&Source::toml(text)).unwrap()
@@ -47,7 +47,7 @@ fn what_has_no_certified_digits_is_named() {
     let twice = close.replace("5.00000000000000000001 cm", "5 cm");
     assert!(Certifier::new(&read(&twice), 10).is_ok());
     // Sides that make a triangle only when rounded; a guide along it.
-    let jansen = include_str!("../../../examples/jansen-leg.toml");
+    let jansen = include_str!("../../../../examples/jansen-leg.toml");
     let flat = |longest: &str| {
         let sides = "sides = [\"41.5 cm\", \"55.8 cm\", \"40.1 cm\"]";
         let most = format!("sides = [\"{longest}\", \"20 cm\", \"21.5 cm\"]");
@@ -118,7 +118,7 @@ fn change_points_have_exact_positions() {
     assert!(off.digits.iter().all(Option::is_none));
     assert!(off.reason.unwrap().contains("no simple numbers"));
     // Every position of the screen's parallelograms has its links in line at 0 degrees.
-    let rhombus = read(include_str!("../../../examples/n-four-bar.toml"));
+    let rhombus = read(include_str!("../../../../examples/n-four-bar.toml"));
     let modes = rhombus.solver.assembly_modes(0.1).states;
     let certifier = Certifier::new(&rhombus, 15).unwrap();
     for angles in [[0.0; 5], [0.0, 0.0, half, 0.0, half]] {

@@ -4,9 +4,9 @@ use super::*;
 use crate::machine::Source;
 use crate::machine::planar::{choose, path};
 
-const QUICK_RETURN: &str = include_str!("../../../examples/quick-return.toml");
-const RACK: &str = include_str!("../../../examples/rack-and-wheel.toml");
-const BOOM: &str = include_str!("../../../examples/cylinder-boom.toml");
+const QUICK_RETURN: &str = include_str!("../../../../examples/quick-return.toml");
+const RACK: &str = include_str!("../../../../examples/rack-and-wheel.toml");
+const BOOM: &str = include_str!("../../../../examples/cylinder-boom.toml");
 
 fn read(text: &str) -> Machine {
     Machine::read(&Source::toml(text)).unwrap()
@@ -93,7 +93,7 @@ fn bodies_are_drawn_between_their_points() {
         let (sin, cos) = (90.0 * k as f64).to_radians().sin_cos();
         assert_near(motion.points[3].at(k), [0.05 * cos, 0.12 + 0.05 * sin], "A");
     }
-    let watt = read(include_str!("../../../examples/watt-1.toml"));
+    let watt = read(include_str!("../../../../examples/watt-1.toml"));
     let start = watt.start.at.unwrap().to_radians();
     let branch = choose(&watt, start, None).unwrap();
     let motion = super::motion(&watt, &path(&watt, &branch, 2), 0, false);

@@ -160,7 +160,7 @@ fn hulls_have_no_inner_points() {
 #[test]
 fn a_linkage_of_class_iii_is_drawn_between_its_joints() {
     use crate::machine::{Linkage, Source, class_iii};
-    let text = include_str!("../examples/sand-screen.toml");
+    let text = include_str!("../../examples/sand-screen.toml");
     let Linkage::ClassIii(linkage) = Linkage::read(&Source::toml(text)).unwrap() else {
         unreachable!("of class III");
     };

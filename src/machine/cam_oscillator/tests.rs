@@ -3,7 +3,7 @@
 use super::*;
 
 fn read(law: &str) -> Result<CamOscillator, Refusal> {
-    let text = include_str!("../../examples/chirp-run-up.toml");
+    let text = include_str!("../../../examples/chirp-run-up.toml");
     let law = text.replacen("law = \"modified-sine\"", &format!("law = {law}"), 1);
     assert_ne!(law, text);
     CamOscillator::read(&Source::toml(law), Some(20))
@@ -11,7 +11,7 @@ fn read(law: &str) -> Result<CamOscillator, Refusal> {
 
 #[test]
 fn a_chart_has_the_points_asked_for() {
-    let text = include_str!("../../examples/chirp-chart.toml");
+    let text = include_str!("../../../examples/chirp-chart.toml");
     let machine = CamOscillator::read(&Source::toml(text), Some(20)).unwrap();
     let file: toml::Table = text.parse().unwrap();
     let of = |key| file["chart"][key].as_float().unwrap();
@@ -43,7 +43,7 @@ fn a_law_by_a_table() {
 #[test]
 fn a_run_ends_with_a_row() {
     let read = |duration: f64, step: f64| {
-        let mut file: toml::Table = include_str!("../../examples/chirp-run-up.toml")
+        let mut file: toml::Table = include_str!("../../../examples/chirp-run-up.toml")
             .parse()
             .unwrap();
         let run = file["run"].as_table_mut().unwrap();
@@ -70,7 +70,7 @@ fn a_run_ends_with_a_row() {
 #[test]
 fn charts_have_points_and_laws() {
     let read = |changes: &[(&str, &str)]| {
-        let mut file: toml::Table = include_str!("../../examples/chirp-chart.toml")
+        let mut file: toml::Table = include_str!("../../../examples/chirp-chart.toml")
             .parse()
             .unwrap();
         let chart = file["chart"].as_table_mut().unwrap();
@@ -111,7 +111,7 @@ fn charts_have_points_and_laws() {
 #[test]
 fn harmonics_reach_beyond_the_resonance() {
     let harmonics = |period: Option<&str>| {
-        let mut file: toml::Table = include_str!("../../examples/chirp-chart.toml")
+        let mut file: toml::Table = include_str!("../../../examples/chirp-chart.toml")
             .parse()
             .unwrap();
         let cam = file["cam"].as_table_mut().unwrap();
@@ -134,7 +134,7 @@ fn harmonics_reach_beyond_the_resonance() {
 
 /// The description of the run-up with other values; a value without text is taken out.
 fn changed(changes: &[(&str, &str, &str)]) -> Result<CamOscillator, Refusal> {
-    let text = include_str!("../../examples/chirp-run-up.toml");
+    let text = include_str!("../../../examples/chirp-run-up.toml");
     let mut file: toml::Table = text.parse().unwrap();
     for (section, key, value) in changes {
         let empty = || toml::Value::Table(toml::Table::new());
@@ -440,7 +440,7 @@ fn charts_have_a_period() {
 #[test]
 fn harmonics_are_those_asked_for() {
     let read = |file: Option<u32>, option: Option<u32>| {
-        let mut text = include_str!("../../examples/chirp-run-up.toml").to_string();
+        let mut text = include_str!("../../../examples/chirp-run-up.toml").to_string();
         if let Some(n) = file {
             text = format!("harmonics = {n}\n{text}");
         }

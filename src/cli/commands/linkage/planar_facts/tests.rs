@@ -3,8 +3,8 @@ use crate::cli::commands::linkage::tests::read;
 use mechaudit::machine::{Linkage, planar};
 use std::f64::consts::{PI, TAU};
 
-const BOOM: &str = include_str!("../../../../examples/cylinder-boom.toml");
-const WATT: &str = include_str!("../../../../examples/watt-1.toml");
+const BOOM: &str = include_str!("../../../../../examples/cylinder-boom.toml");
+const WATT: &str = include_str!("../../../../../examples/watt-1.toml");
 
 /// Bars A–B, B–C and C–D between the pins A and D of the ground, driven at A.
 fn four_bar([a, b, c, d]: [[i32; 2]; 4]) -> String {

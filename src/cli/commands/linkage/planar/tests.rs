@@ -2,9 +2,9 @@ use super::super::tests::{args, read};
 use super::*;
 use mechaudit::machine::Linkage;
 
-const WATT: &str = include_str!("../../../../examples/watt-1.toml");
-const BOOM: &str = include_str!("../../../../examples/cylinder-boom.toml");
-const QUICK: &str = include_str!("../../../../examples/quick-return.toml");
+const WATT: &str = include_str!("../../../../../examples/watt-1.toml");
+const BOOM: &str = include_str!("../../../../../examples/cylinder-boom.toml");
+const QUICK: &str = include_str!("../../../../../examples/quick-return.toml");
 
 fn mechanism(text: &str) -> Box<Machine> {
     match read(text) {

@@ -4,8 +4,8 @@ use mechaudit::report::glossary::topics;
 use mechaudit::solvers::chirp_chart::Chart;
 use std::f64::consts::PI;
 
-const RUN_UP: &str = include_str!("../../../../examples/chirp-run-up.toml");
-const CHART: &str = include_str!("../../../../examples/chirp-chart.toml");
+const RUN_UP: &str = include_str!("../../../../../examples/chirp-run-up.toml");
+const CHART: &str = include_str!("../../../../../examples/chirp-chart.toml");
 
 /// The run-up with its cam's law, duration and harmonics changed.
 fn machine(law: &str, harmonics: u32) -> CamOscillator {

@@ -4,7 +4,7 @@ use super::*;
 use crate::machine::{Linkage, Source, class_iii};
 
 fn linkage() -> class_iii::Linkage {
-    let text = include_str!("../../../examples/no-full-turn.toml");
+    let text = include_str!("../../../../examples/no-full-turn.toml");
     match Linkage::read(&Source::toml(text)).unwrap() {
         Linkage::ClassIii(linkage) => *linkage,
         _ => unreachable!("of class III"),
@@ -58,7 +58,7 @@ fn a_dead_position_at_the_start_counts_once() {
 }
 
 fn screen() -> ClassIii {
-    let text = include_str!("../../../examples/sand-screen.toml");
+    let text = include_str!("../../../../examples/sand-screen.toml");
     match Linkage::read(&Source::toml(text)).unwrap() {
         Linkage::ClassIii(linkage) => linkage.solver,
         _ => unreachable!("of class III"),

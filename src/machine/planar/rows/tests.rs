@@ -4,11 +4,11 @@ use super::*;
 use crate::machine::Source;
 use crate::machine::planar::{Branch, choose};
 
-const QUICK_RETURN: &str = include_str!("../../../examples/quick-return.toml");
-const RACK: &str = include_str!("../../../examples/rack-and-wheel.toml");
-const BOOM: &str = include_str!("../../../examples/cylinder-boom.toml");
-const WATT: &str = include_str!("../../../examples/watt-1.toml");
-const SCREEN: &str = include_str!("../../../examples/sand-screen-bodies.toml");
+const QUICK_RETURN: &str = include_str!("../../../../examples/quick-return.toml");
+const RACK: &str = include_str!("../../../../examples/rack-and-wheel.toml");
+const BOOM: &str = include_str!("../../../../examples/cylinder-boom.toml");
+const WATT: &str = include_str!("../../../../examples/watt-1.toml");
+const SCREEN: &str = include_str!("../../../../examples/sand-screen-bodies.toml");
 
 fn read(text: &str) -> Machine {
     Machine::read(&Source::toml(text)).unwrap()

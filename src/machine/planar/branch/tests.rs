@@ -3,7 +3,7 @@
 use super::*;
 use crate::machine::Source;
 
-const BOOM: &str = include_str!("../../../examples/cylinder-boom.toml");
+const BOOM: &str = include_str!("../../../../examples/cylinder-boom.toml");
 
 fn read(text: &str) -> Machine {
     Machine::read(&Source::toml(text)).unwrap()

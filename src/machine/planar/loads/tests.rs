@@ -104,7 +104,7 @@ fn masses_are_those_of_their_bodies() {
 /// Tables over a displacement are in metres.
 #[test]
 fn tables_are_over_the_drive() {
-    let boom = include_str!("../../../examples/cylinder-boom.toml");
+    let boom = include_str!("../../../../examples/cylinder-boom.toml");
     let text = boom.replace(
         "value = \"2 kN\"",
         "table = [[\"90 cm\", \"1 kN\"], [\"1.4 m\", \"3 kN\"]]",
@@ -213,7 +213,7 @@ fn loads_that_are_not_whole_are_refused() {
 /// The section's angles, or the drawing's if it says nothing and all bodies are drawn.
 #[test]
 fn the_start_is_told_or_drawn() {
-    let watt = include_str!("../../../examples/watt-1.toml");
+    let watt = include_str!("../../../../examples/watt-1.toml");
     let start = |section: &str| read(&format!("{watt}[start]\n{section}\n")).unwrap().start;
     let drawn = read(watt).unwrap();
     let line = 2f64.atan2(1.0);
@@ -257,7 +257,7 @@ fn the_start_is_told_or_drawn() {
     let part = read(&part).unwrap();
     assert!(part.start.at.is_none() && part.start.near.is_empty() && part.drawing.is_none());
     // A displacement is in metres, and nothing is added to it.
-    let boom = read(include_str!("../../../examples/cylinder-boom.toml")).unwrap();
+    let boom = read(include_str!("../../../../examples/cylinder-boom.toml")).unwrap();
     assert_eq!(
         (boom.inner(1.25), boom.outer(1.25), boom.rotary()),
         (1.25, 1.25, false)

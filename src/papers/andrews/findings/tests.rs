@@ -22,7 +22,7 @@ fn angles_that_are_not_opposite_once_are_found() {
 
 /// The committed motion; at t = 0 a 0 stands for what vanishes.
 fn motion() -> Vec<Vec<Ball>> {
-    let text = include_str!("../../../reference/values/andrews-motion.csv");
+    let text = include_str!("../../../../reference/values/andrews-motion.csv");
     let mut reader = csv::ReaderBuilder::new()
         .comment(Some(b'#'))
         .from_reader(text.as_bytes());
