@@ -6,7 +6,7 @@ use crate::exact::proves_zero;
 use crate::graph::{Graph, Id};
 use crate::{Definitions, Expr};
 use mechaudit_reference::elementary::NoValue;
-use mechaudit_reference::{Ball, Mag, nearest_f64};
+use mechaudit_reference::{Ball, Mag};
 use rug::Rational;
 
 /// How accurate a value has to be.
@@ -149,16 +149,25 @@ impl<'g> Certified<'g> {
                             lacking => ("a value that is not accurate enough", lacking),
                         },
                     },
-                    Err(Stop { node, reason: NoValue::Undefined(reason) }) => {
+                    Err(Stop {
+                        node,
+                        reason: NoValue::Undefined(reason),
+                    }) => {
                         answers[k] = Some(self.undefined(node, reason));
                         continue;
                     }
-                    Err(Stop { node, reason: NoValue::Undecided(reason) }) => {
+                    Err(Stop {
+                        node,
+                        reason: NoValue::Undecided(reason),
+                    }) => {
                         open.push((k, node, reason));
                         needed = needed.max(prec.saturating_mul(2));
                         continue;
                     }
-                    Err(Stop { node, reason: NoValue::Overflow { .. } }) => {
+                    Err(Stop {
+                        node,
+                        reason: NoValue::Overflow { .. },
+                    }) => {
                         open.push((k, node, "a number beyond the exponents"));
                         needed = needed.max(prec.saturating_mul(2));
                         continue;
@@ -192,7 +201,9 @@ impl<'g> Certified<'g> {
                 }
                 break;
             }
-            prec = needed.clamp(prec + 32, prec.saturating_mul(4)).next_multiple_of(64);
+            prec = needed
+                .clamp(prec + 32, prec.saturating_mul(4))
+                .next_multiple_of(64);
         }
         answers.into_iter().flatten().collect()
     }
@@ -208,7 +219,8 @@ impl<'g> Certified<'g> {
         self.evaluator.reset(prec != self.constants);
         self.constants = prec;
         for (k, input) in inputs.iter().enumerate() {
-            self.evaluator.set_input(k, Value::Real(Ball::rational(prec, input)));
+            self.evaluator
+                .set_input(k, Value::Real(Ball::rational(prec, input)));
         }
     }
 
@@ -224,9 +236,8 @@ impl<'g> Certified<'g> {
             return false;
         };
         let expression = expressions.iter().find(|e| e.0 == node).map(|e| e.1);
-        expression.is_some_and(|e| {
-            proves_zero(definitions, e, self.evaluator.graph().inputs(), inputs)
-        })
+        expression
+            .is_some_and(|e| proves_zero(definitions, e, self.evaluator.graph().inputs(), inputs))
     }
 }
 
@@ -246,7 +257,7 @@ fn lacking(ball: &Ball, goal: Goal) -> u32 {
         }
     };
     let accuracy = ball.accuracy_bits();
-    match i64::from(bits) - accuracy {
+    match i64::from(bits).saturating_sub(accuracy) {
         lacking if lacking <= 0 => 0,
         _ if ball.contains_zero() => u32::MAX,
         lacking => u32::try_from(lacking).unwrap_or(u32::MAX),

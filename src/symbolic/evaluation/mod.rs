@@ -7,8 +7,15 @@
 
 mod adaptive;
 mod ball;
+mod complex;
 mod float;
+mod germ;
 mod huge;
+mod integral;
+mod root;
+mod shim;
+#[cfg(test)]
+mod tests;
 
 pub use adaptive::{Answer, Certified, Goal, Undecided};
 pub use ball::{Balls, Value};
@@ -118,6 +125,11 @@ impl<'g, I: Interpretation> Evaluator<'g, I> {
         if let Some(id) = self.graph.find(Node::Input(k as u32)) {
             self.known[id as usize] = Some(value);
         }
+    }
+
+    /// Gives a node a value.
+    fn set(&mut self, id: Id, value: I::V) {
+        self.known[id as usize] = Some(value);
     }
 
     /// Gives the variables of a binder values and forgets what depends on the old ones.
@@ -304,7 +316,9 @@ impl<'g, I: Interpretation> Evaluator<'g, I> {
         let mut limit = |limit: Id| {
             let value = self.value(limit)?.clone();
             let integer = self.interpretation.to_integer(&value);
-            integer.ok_or(stop(NoValue::Undefined("a limit of a sum that is no integer")))
+            integer.ok_or(stop(NoValue::Undefined(
+                "a limit of a sum that is no integer",
+            )))
         };
         let (from, to) = (limit(from)?, limit(to)?);
         let mut sum: Option<I::V> = None;
