@@ -34,7 +34,7 @@ fn expanded(rows: &[Vec<Rational>]) -> Rational {
         rest.iter().map(without).collect()
     };
     let term = |(j, a): (usize, &Rational)| {
-        let term = Rational::from(a * expanded(&minor(j)));
+        let term = a * expanded(&minor(j));
         if j % 2 == 0 { term } else { -term }
     };
     first.iter().enumerate().map(term).sum()
@@ -48,7 +48,11 @@ fn hilbert(n: usize) -> Matrix<Rational> {
 fn inverse_hilbert(n: u32, i: u32, j: u32) -> rug::Integer {
     let c = |a: u32, b: u32| rug::Integer::from(a).binomial(b);
     let size = c(n + i, n - j - 1) * c(n + j, n - i - 1) * c(i + j, i).square() * (i + j + 1);
-    if (i + j) % 2 == 0 { size } else { -size }
+    if (i + j).is_multiple_of(2) {
+        size
+    } else {
+        -size
+    }
 }
 
 #[test]
