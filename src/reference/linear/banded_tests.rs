@@ -127,6 +127,21 @@ fn the_least_eigenvalue_is_bounded_from_below() {
     assert!(defect >= Mag::from_f64(0.25) && defect < Mag::from_f64(0.26));
 }
 
+/// Factors in 8 bits of an indefinite matrix: an off-diagonal entry rounds to 1, and the pivots are
+/// positive.
+#[test]
+fn what_factors_leave_out_counts() {
+    let ball = |x: f64| Ball::exact(64, x);
+    let rows = vec![
+        vec![ball(1.0)],
+        vec![ball(1.0 + 1.0 / 256.0), ball(1.0 + 1.0 / 128.0)],
+    ];
+    let s = Symmetric { rows };
+    let sigma = Float::with_val(53, 1.0 / 4096.0);
+    assert!(Factors::new(&s, &sigma, 8).is_some());
+    assert!(least_eigenvalue(&s, &(sigma * 4u32), 8).is_none());
+}
+
 /// The error is bounded by the residual, and needs it.
 #[test]
 fn a_residual_bounds_the_error() {

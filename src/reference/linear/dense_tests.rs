@@ -182,6 +182,16 @@ fn balls_hold_the_solutions_of_all_corners() {
     assert!(d.rad() < Mag::from_f64(0.5));
 }
 
+/// One equation `a x = 1` with a in [3/4, 5/4]: the bound is reached.
+#[test]
+fn the_bound_on_the_error_is_needed() {
+    let ball = |r: f64| Ball::new(rug::Float::with_val(64, 1), Mag::from_f64(r));
+    let one = |x: Ball| Matrix::new(1, 1, vec![x]).unwrap();
+    let x = solve_balls(&one(ball(0.25)), &one(ball(0.0)), 64).unwrap();
+    assert!(x.at(0, 0).contains(&Rational::from((4, 3))));
+    assert!(x.at(0, 0).rad() < Mag::from_f64(0.34));
+}
+
 /// The enclosures of long systems, on short ones: the same numbers as by exact solution.
 #[test]
 fn an_approximate_inverse_encloses_what_is_exact() {

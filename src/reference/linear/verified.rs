@@ -10,7 +10,7 @@
 use super::exact;
 use super::matrix::{LinearError, Matrix};
 use crate::{Ball, Mag, dot};
-use rug::{Float, Rational};
+use rug::Float;
 
 /// Rounds of refinement; each gains as many bits as the contraction has.
 const ROUNDS: u32 = 30;
