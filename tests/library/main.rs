@@ -31,6 +31,8 @@ mod layouts;
 #[cfg(feature = "oracle")]
 mod ledger;
 #[cfg(feature = "oracle")]
+mod linear_witness;
+#[cfg(feature = "oracle")]
 mod methods;
 #[cfg(feature = "oracle")]
 mod peaucellier;
