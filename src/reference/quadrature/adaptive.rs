@@ -62,6 +62,9 @@ pub(super) trait Path {
     type Value: Value;
     /// Encloses the values for all parameters in a ball.
     fn value(&mut self, t: &Ball, bits: u32) -> Option<Self::Value>;
+    /// Whether values are real: the part of an ellipse above the real line is then enough, because the
+    /// integrand continues by reflection (Schwarz) to a function that agrees with it on the line.
+    const MIRRORS: bool;
     /// Bounds the integrand where it is proved to be holomorphic on the whole rectangle.
     fn bound(&mut self, t: &ComplexBall, bits: u32) -> Option<Mag>;
 }
@@ -202,39 +205,110 @@ struct Ellipse {
     nodes: u32,
 }
 
-/// The ellipse that needs the fewest nodes, of those on which the integrand is proved to be holomorphic.
+/// Parts of an ellipse: the interval of the major axis in units of the half-axis, and the height above it.
+const PARTS: [([f64; 2], f64); 5] = [
+    ([-1.0, -0.96], 0.2801),
+    ([0.96, 1.0], 0.2801),
+    ([-0.96, -0.8], 0.6001),
+    ([0.8, 0.96], 0.6001),
+    ([-0.8, 0.8], 1.0),
+];
+
+/// A panel as a midpoint and half the width.
+struct Around<'a> {
+    mid: &'a Ball,
+    reach: Mag,
+}
+
+impl Around<'_> {
+    /// Bounds the integrand on a rectangle beside the panel, if it is holomorphic there.
+    fn bound<P: Path>(
+        &self,
+        path: &mut P,
+        [from, to]: [Mag; 2],
+        height: Mag,
+        budget: &mut Budget,
+    ) -> Option<Mag> {
+        let bits = self.mid.prec();
+        let of = |x: Mag| Ball::new(x.to_float(), Mag::ZERO).with_prec(bits);
+        // From −from to `to`, each rounded away from zero.
+        let along = Ball::between(bits, (-of(from)).mid(), of(to).mid());
+        let across = match P::MIRRORS {
+            true => of(height.shift(-1)).widened(height.shift(-1)),
+            false => Ball::integer(bits, 0).widened(height),
+        };
+        budget.spent += 1;
+        let most = path.bound(&ComplexBall::new(self.mid + &along, across), bits)?;
+        most.is_finite().then_some(most)
+    }
+
+    /// Bounds it on an ellipse: on a rectangle around it, or on several around its parts.
+    fn over_ellipse<P: Path>(
+        &self,
+        path: &mut P,
+        rho: f64,
+        parted: bool,
+        budget: &mut Budget,
+    ) -> Option<Mag> {
+        let [major, minor] = nodes::half_axes(rho).map(|axis| axis.mul(self.reach));
+        if !parted {
+            return self.bound(path, [major, major], minor, budget);
+        }
+        let mut most = Mag::ZERO;
+        for (ends, height) in PARTS {
+            let bits = self.mid.prec();
+            let [from, to] = ends.map(|x| Ball::new(major.to_float() * x, Mag::ZERO));
+            let middle = self.mid + &Ball::between(bits, from.mid(), to.mid());
+            let half = Mag::ZERO;
+            let part = Around {
+                mid: &middle,
+                reach: half,
+            };
+            let height = minor.mul(Mag::from_f64(height));
+            most = most.max(part.bound(path, [Mag::ZERO; 2], height, budget)?);
+        }
+        Some(most)
+    }
+}
+
+/// The ellipse that needs the fewest nodes, of those on which the integrand is proved to be holomorphic; or whether
+/// there is one at all.
 fn ellipse<P: Path>(
     path: &mut P,
     panel: &Panel<P::Value>,
-    [mid, half]: [&Ball; 2],
+    around: &Around,
     tolerance: Mag,
     greatest: u32,
     budget: &mut Budget,
 ) -> Result<Ellipse, bool> {
-    let bits = mid.prec();
-    let reach = half.magnitude();
     let mut best: Option<Ellipse> = None;
     let mut least = f64::INFINITY;
+    let mut parted = false;
     let mut known = false;
-    let mut i = usize::from(!panel.refused);
-    loop {
+    let first = 1;
+    let mut i = first;
+    while i < ELLIPSES.len() {
         let rho = ELLIPSES[i];
-        let [major, minor] = nodes::half_axes(rho);
-        let box_ = ComplexBall::new(
-            mid.widened(reach.mul(major)),
-            Ball::integer(bits, 0).widened(reach.mul(minor)),
-        );
-        budget.spent += 1;
-        let Some(most) = path.bound(&box_, bits).filter(|most| most.is_finite()) else {
-            // A smaller ellipse where the first is too large.
-            if i == 1 && !panel.refused {
-                i = 0;
-                continue;
+        let mut most = around.over_ellipse(path, rho, parted, budget);
+        if most.is_none() && !known && !parted {
+            // A jump on the panel itself makes all else futile.
+            let on = [around.reach; 2];
+            if panel.refused && around.bound(path, on, Mag::ZERO, budget).is_none() {
+                return Err(false);
             }
-            break;
+            parted = true;
+            most = around.over_ellipse(path, rho, parted, budget);
+        }
+        let Some(most) = most else {
+            // A smaller one where the first is too large.
+            if known || i == 0 {
+                break;
+            }
+            i = 0;
+            continue;
         };
         known = true;
-        let most = most.mul(reach);
+        let most = most.mul(around.reach);
         if let Some(nodes) = nodes::degree(most, rho, tolerance, greatest)
             && best.as_ref().is_none_or(|best| nodes < best.nodes)
         {
@@ -244,7 +318,7 @@ fn ellipse<P: Path>(
         let digits = most.exponent().unwrap_or(0) - tolerance.exponent().unwrap_or(0) + 3;
         let nodes = digits as f64 / (2.0 * rho.log2());
         let done = best.as_ref().is_some_and(|best| best.nodes <= FEW);
-        if nodes > 0.9 * least || done || i + 1 == ELLIPSES.len() || (i == 0 && !panel.refused) {
+        if nodes > 0.9 * least || done || i < first {
             break;
         }
         least = nodes;
@@ -273,8 +347,11 @@ fn gauss<P: Path>(
         let bits = bits + finer;
         (exact(&panel.lower).with_prec(bits) + exact(&panel.upper).with_prec(bits)).shift(-1)
     };
-    let (mid, half) = (mid_of(64), half_of(64));
-    let found = ellipse(path, panel, [&mid, &half], tolerance, greatest, budget);
+    let around = Around {
+        mid: &mid_of(64),
+        reach: half_of(64).magnitude(),
+    };
+    let found = ellipse(path, panel, &around, tolerance, greatest, budget);
     let Ellipse {
         rho,
         most,

@@ -514,3 +514,92 @@ fn what_hinders_is_named() {
     assert!(found.value.is_none());
     assert!(matches!(&found.hindrance, Some(Hindrance::Interval(a, b)) if *a <= 0 && *b >= 0));
 }
+
+#[test]
+#[ignore]
+fn timing() {
+    let goal = Goal::digits(30);
+    let run = |name: &str, f: &mut dyn FnMut() -> Integral<Ball>| {
+        let first = std::time::Instant::now();
+        let found = f();
+        let once = first.elapsed();
+        let start = std::time::Instant::now();
+        let mut n = 0;
+        while start.elapsed().as_millis() < 200 {
+            f();
+            n += 1;
+        }
+        eprintln!("{name}: {} evaluations, {:?}, first {once:?}; {:?}", found.evaluations, start.elapsed() / n, found.value.map(|v| (v.mid().to_f64(), v.rad().to_f64())));
+    };
+    let one = Germ::constant(&Ball::integer(64, 1), 2);
+    let all = [Limit::MinusInfinity, Limit::PlusInfinity];
+    let mut sine = smooth(|z, _, _| Some(c::sin(z)));
+    run("sin", &mut || integrate(&mut sine, &number(0), &number(100), &goal));
+    let mut lorentz = Formula {
+        f: |z: &ComplexBall, _, bits| c::div(&c::real(1, bits), &(&c::real(1, bits) + &(z * z))),
+        growth: |x: &Germ| one.add(&x.mul(x)?)?.recip(),
+    };
+    run("lorentz 0..1", &mut || integrate(&mut lorentz, &number(0), &number(1), &goal));
+    run("lorentz", &mut || integrate(&mut lorentz, &number(0), &all[1], &goal));
+    let mut circle = Formula {
+        f: |z: &ComplexBall, _, bits| c::sqrt(&(&c::real(1, bits) - &(z * z))),
+        growth: |x: &Germ| one.sub(&x.mul(x)?)?.sqrt(),
+    };
+    run("circle", &mut || integrate(&mut circle, &number(0), &number(1), &goal));
+    let mut rump = smooth(|z, _, _| Some(c::sin(&(z + &c::exp(z)))));
+    run("sin(x+e^x)", &mut || integrate(&mut rump, &number(0), &number(8), &goal));
+    let mut gauss = Formula {
+        f: |z: &ComplexBall, _, _| Some(c::exp(&-&(z * z))),
+        growth: |x: &Germ| x.mul(x)?.neg().exp(),
+    };
+    run("gauss", &mut || integrate(&mut gauss, &number(0), &all[1], &goal));
+    let mut sech = Formula {
+        f: |z: &ComplexBall, _, bits| c::div(&c::real(2, bits), &(&c::exp(z) + &c::exp(&-z))),
+        growth: |x: &Germ| Germ::constant(&Ball::integer(64, 2), 2).div(&x.exp()?.add(&x.neg().exp()?)?),
+    };
+    run("sech", &mut || integrate(&mut sech, &number(0), &all[1], &goal));
+    let mut bose = Formula {
+        f: |z: &ComplexBall, _, bits| {
+            let e = c::exp(&-z);
+            c::div(&(z * &e), &(&c::real(1, bits) + &e))
+        },
+        growth: |x: &Germ| {
+            let e = x.neg().exp()?;
+            x.mul(&e)?.div(&one.add(&e)?)
+        },
+    };
+    run("bose", &mut || integrate(&mut bose, &number(0), &all[1], &goal));
+    let mut log = Formula { f: |z: &ComplexBall, _, _| c::ln(z), growth: |x: &Germ| x.ln() };
+    run("log", &mut || integrate(&mut log, &number(0), &number(1), &goal));
+    let mut root = Formula {
+        f: |z: &ComplexBall, _, bits| c::div(&c::real(1, bits), &c::sqrt(z)?),
+        growth: |x: &Germ| x.sqrt()?.recip(),
+    };
+    run("rsqrt", &mut || integrate(&mut root, &number(0), &number(1), &goal));
+    let mut arcsine = Formula {
+        f: |z: &ComplexBall, _, bits| c::div(&c::real(1, bits), &c::sqrt(&(&c::real(1, bits) - &(z * z)))?),
+        growth: |x: &Germ| one.sub(&x.mul(x)?)?.sqrt()?.recip(),
+    };
+    run("arcsine", &mut || integrate(&mut arcsine, &number(-1), &number(1), &goal));
+    let mut large = smooth(|z, _, _| {
+        let (mut power, mut square, mut n) = (c::real(1, z.re.prec()), z.clone(), 1000u32);
+        while n > 0 {
+            if n & 1 == 1 { power = &power * &square; }
+            square = &square * &square;
+            n >>= 1;
+        }
+        Some(&power * &c::exp(&-z))
+    });
+    run("x^1000 e^-x", &mut || integrate(&mut large, &number(0), &number(10_000), &goal));
+    let mut spike = smooth(|z, _, bits| {
+        let mut sum = c::real(0, bits);
+        for (scale, at, power) in [(10, 2, 2), (100, 4, 4), (1000, 6, 6)] {
+            let at = Ball::rational(bits.max(z.re.prec()), &(at, 10).into());
+            let x = (z - &ComplexBall::new(at, Ball::integer(bits, 0))).scaled(&Ball::integer(bits, scale));
+            let sech = c::div(&c::real(2, bits), &(&c::exp(&x) + &c::exp(&-&x)))?;
+            sum = &sum + &(0..power).fold(c::real(1, bits), |p, _| &p * &sech);
+        }
+        Some(sum)
+    });
+    run("spike", &mut || integrate(&mut spike, &number(0), &number(1), &goal));
+}
