@@ -271,6 +271,23 @@ impl Around<'_> {
     }
 }
 
+/// The ellipse that was the best one of the last panel, which the next one begins with.
+#[derive(Clone, Copy)]
+struct Hint {
+    index: usize,
+    parted: bool,
+    /// Whether a larger one was worse.
+    capped: bool,
+}
+
+impl Hint {
+    const FIRST: Hint = Hint {
+        index: 1,
+        parted: false,
+        capped: false,
+    };
+}
+
 /// The ellipse that needs the fewest nodes, of those on which the integrand is proved to be holomorphic; or whether
 /// there is one at all.
 fn ellipse<P: Path>(
@@ -279,52 +296,67 @@ fn ellipse<P: Path>(
     around: &Around,
     tolerance: Mag,
     greatest: u32,
+    hint: &mut Hint,
     budget: &mut Budget,
 ) -> Result<Ellipse, bool> {
+    // A jump on the panel itself makes all else futile.
+    if panel.refused {
+        let on = [around.reach; 2];
+        around.bound(path, on, Mag::ZERO, budget).ok_or(false)?;
+    }
+    let mut parted = hint.parted && panel.depth == 0;
+    let mut i = hint.index;
+    let mut most = around.over_ellipse(path, ELLIPSES[i], parted, budget);
+    while most.is_none() {
+        match (parted, i) {
+            (false, _) => parted = true,
+            (true, 0) => return Err(false),
+            (true, _) => i -= 1,
+        }
+        most = around.over_ellipse(path, ELLIPSES[i], parted, budget);
+    }
+    let lowered = i < hint.index;
     let mut best: Option<Ellipse> = None;
     let mut least = f64::INFINITY;
-    let mut parted = false;
-    let mut known = false;
-    let first = 1;
-    let mut i = first;
-    while i < ELLIPSES.len() {
+    let mut next = Hint {
+        index: i,
+        parted,
+        capped: lowered,
+    };
+    while let Some(size) = most {
         let rho = ELLIPSES[i];
-        let mut most = around.over_ellipse(path, rho, parted, budget);
-        if most.is_none() && !known && !parted {
-            // A jump on the panel itself makes all else futile.
-            let on = [around.reach; 2];
-            if panel.refused && around.bound(path, on, Mag::ZERO, budget).is_none() {
-                return Err(false);
-            }
-            parted = true;
-            most = around.over_ellipse(path, rho, parted, budget);
-        }
-        let Some(most) = most else {
-            // A smaller one where the first is too large.
-            if known || i == 0 {
-                break;
-            }
-            i = 0;
-            continue;
-        };
-        known = true;
-        let most = most.mul(around.reach);
-        if let Some(nodes) = nodes::degree(most, rho, tolerance, greatest)
+        let size = size.mul(around.reach);
+        if let Some(nodes) = nodes::degree(size, rho, tolerance, greatest)
             && best.as_ref().is_none_or(|best| nodes < best.nodes)
         {
-            best = Some(Ellipse { rho, most, nodes });
+            best = Some(Ellipse {
+                rho,
+                most: size,
+                nodes,
+            });
         }
         // Estimated nodes, whatever their number.
-        let digits = most.exponent().unwrap_or(0) - tolerance.exponent().unwrap_or(0) + 3;
+        let digits = size.exponent().unwrap_or(0) - tolerance.exponent().unwrap_or(0) + 3;
         let nodes = digits as f64 / (2.0 * rho.log2());
-        let done = best.as_ref().is_some_and(|best| best.nodes <= FEW);
-        if nodes > 0.9 * least || done || i < first {
+        if nodes > 0.9 * least {
+            next.capped = true;
             break;
         }
-        least = nodes;
+        (least, next.index) = (nodes, i);
+        let few = best.as_ref().is_some_and(|best| best.nodes <= FEW);
+        let capped = lowered || hint.capped && panel.depth == 0;
+        if few || capped || i + 1 == ELLIPSES.len() {
+            next.capped = capped;
+            break;
+        }
         i += 1;
+        most = around.over_ellipse(path, ELLIPSES[i], parted, budget);
+        next.capped = most.is_none();
     }
-    best.ok_or(known)
+    if best.is_some() {
+        *hint = next;
+    }
+    best.ok_or(true)
 }
 
 /// The most rounding errors may widen a sum before it is done again with more bits.
@@ -335,6 +367,7 @@ fn gauss<P: Path>(
     panel: &Panel<P::Value>,
     tolerance: Mag,
     greatest: u32,
+    hint: &mut Hint,
     budget: &mut Budget,
 ) -> Outcome<P::Value> {
     let Some(direct) = &panel.direct else {
@@ -351,7 +384,7 @@ fn gauss<P: Path>(
         mid: &mid_of(64),
         reach: half_of(64).magnitude(),
     };
-    let found = ellipse(path, panel, &around, tolerance, greatest, budget);
+    let found = ellipse(path, panel, &around, tolerance, greatest, hint, budget);
     let Ellipse {
         rho,
         most,
@@ -414,6 +447,7 @@ pub(super) fn adaptive<P: Path>(
         queue.push(panel(path, ends, 0, false, tolerance, budget));
     }
     let greatest = u32::try_from(60 + tolerance.relative.max(0) / 2).unwrap_or(u32::MAX);
+    let mut hint = Hint::FIRST;
     let mut total = P::Value::zero();
     let mut hindered = None;
     while let Some(top) = queue.pop() {
@@ -425,7 +459,7 @@ pub(super) fn adaptive<P: Path>(
             continue;
         }
         if budget.spent < budget.limit {
-            match gauss(path, &top, tolerance.now, greatest, budget) {
+            match gauss(path, &top, tolerance.now, greatest, &mut hint, budget) {
                 Outcome::Done(value) => {
                     tolerance.see(value.mignitude());
                     total = total.plus(&value);
