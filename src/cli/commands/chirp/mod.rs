@@ -115,7 +115,7 @@ fn look_ahead(machine: &CamOscillator) -> Result<Result<(), Failure>, ChirpChart
         "{points} points of charts with {} harmonics",
         machine.harmonics
     );
-    Ok(forecast::work(&what, seconds))
+    Ok(forecast::check_duration(&what, seconds))
 }
 
 #[cfg(test)]
