@@ -6,6 +6,8 @@
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
 #[cfg(feature = "oracle")]
+mod campaigns;
+#[cfg(feature = "oracle")]
 mod conditions;
 #[cfg(feature = "oracle")]
 mod documented_accuracy;
