@@ -125,7 +125,7 @@ pub fn claims(atlas: &Atlas, out: &mut dyn Write) -> Result<(), ::csv::Error> {
     table(&columns, &atlas.claims, out)
 }
 
-/// What is about all regions stands in their line.
+/// A note about all regions stands in their line.
 fn whole<'a>(&(row, part): &(&'a Row, &Part)) -> Option<&'a Row> {
     (part.region == "all").then_some(row)
 }
