@@ -143,7 +143,7 @@ pub fn w_ball(z: &ComplexBall, prec: u32) -> ComplexBall {
 }
 
 /// An upper bound on |w'| over the ball; `rho` its radius, `size` a bound on |w| at its midpoint.
-fn slope(z: &ComplexBall, rho: Mag, size: Mag) -> Mag {
+pub(crate) fn slope(z: &ComplexBall, rho: Mag, size: Mag) -> Mag {
     let low = z.im.lower();
     let flat = Mag::from_f64(FRAC_2_SQRT_PI.next_up());
     if low < 0 {
