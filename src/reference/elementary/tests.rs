@@ -75,8 +75,33 @@ fn hostile() -> Vec<Ball> {
     let power = |bits: u32, e: i32| (Float::with_val(bits, 1) << (e - 1)) * 1.5f64;
     let mut mids = vec![Float::new(2), -Float::new(2)];
     let far = [
-        exp_min(), exp_min() + 1, -(1 << 29), -(1 << 20), -5000, -300, -60, -1, 0, 1, 2, 3, 10, 20,
-        26, 27, 28, 40, 64, 65, 300, 5000, 140_000, 1 << 20, 1 << 29, exp_max() - 1, exp_max(),
+        exp_min(),
+        exp_min() + 1,
+        -(1 << 29),
+        -(1 << 20),
+        -5000,
+        -300,
+        -60,
+        -1,
+        0,
+        1,
+        2,
+        3,
+        10,
+        20,
+        26,
+        27,
+        28,
+        40,
+        64,
+        65,
+        300,
+        5000,
+        140_000,
+        1 << 20,
+        1 << 29,
+        exp_max() - 1,
+        exp_max(),
     ];
     for e in far {
         for bits in [2, 64] {
@@ -84,7 +109,17 @@ fn hostile() -> Vec<Ball> {
             mids.push(-power(bits, e.max(exp_min() + 1)));
         }
     }
-    for x in [-1.0, 1.0, 0.5, -0.5, -2.5, -7.0, 1e300, -1e300, 2.0f64.powi(-1000) - 3.0] {
+    for x in [
+        -1.0,
+        1.0,
+        0.5,
+        -0.5,
+        -2.5,
+        -7.0,
+        1e300,
+        -1e300,
+        2.0f64.powi(-1000) - 3.0,
+    ] {
         mids.push(Float::with_val(53, x));
     }
     mids.push(Float::with_val(2000, -5) + (Float::with_val(53, 1) >> 1500u32));
@@ -119,7 +154,9 @@ fn no_ball_panics_or_runs_long() {
         let start = Instant::now();
         run();
         let seconds = start.elapsed().as_secs_f64();
-        if seconds > 0.05 { eprintln!("{seconds:.3} {name}"); }
+        if seconds > 0.05 {
+            eprintln!("{seconds:.3} {name}");
+        }
         if seconds > longest.0 {
             longest = (seconds, name);
         }
@@ -137,7 +174,13 @@ fn no_ball_panics_or_runs_long() {
     for (name, f) in TWO {
         for x in &some {
             for y in &some {
-                let text = format!("{name} {} ± {:?}, {} ± {:?}", x.mid(), x.rad(), y.mid(), y.rad());
+                let text = format!(
+                    "{name} {} ± {:?}, {} ± {:?}",
+                    x.mid(),
+                    x.rad(),
+                    y.mid(),
+                    y.rad()
+                );
                 timed(text, &|| drop(f(x, y, 64)));
             }
         }

@@ -81,9 +81,8 @@ fn log_modulus_1p(z: &ComplexBall, prec: u32) -> real::Evaluated {
     };
     let value = real::log1p(&q, p)?.shift(-1);
     let turn = slope_of_log(&shifted);
-    real::error::widened(real::support::with_prec(&value, prec)?, turn).or_else(|_| {
-        real::log(&inner(real::hypot(&shifted.re, &shifted.im, p))?, prec)
-    })
+    real::error::widened(real::support::with_prec(&value, prec)?, turn)
+        .or_else(|_| real::log(&inner(real::hypot(&shifted.re, &shifted.im, p))?, prec))
 }
 
 /// `(|x| r_x + |y| r_y)/|z|²`, a bound on the change of ln |z| over a box.
@@ -164,7 +163,9 @@ pub fn sqrt(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
 fn off_cut(z: &ComplexBall) -> Result<(), NoValue> {
     let low = || real::support::ends(&z.re, BITS)[0].clone();
     if is_across(z) && low() <= 0 {
-        return Err(NoValue::Undecided("the operand meets the negative real axis"));
+        return Err(NoValue::Undecided(
+            "the operand meets the negative real axis",
+        ));
     }
     Ok(())
 }

@@ -155,7 +155,10 @@ fn log_of_product(z: &ComplexBall, n: u32, p: u32) -> ComplexEvaluated {
         return Err(NoValue::Undecided("the branch of a logarithm"));
     }
     let turned = real::mul(&whole, &Ball::pi(p).shift(1), p)?;
-    Ok(ComplexBall::new(found.re, real::add(&found.im, &turned, p)?))
+    Ok(ComplexBall::new(
+        found.re,
+        real::add(&found.im, &turned, p)?,
+    ))
 }
 
 /// ln Γ at an exact midpoint on the axis or above, in balls of `p` bits.
@@ -179,14 +182,25 @@ fn log_gamma_above(m: &ComplexBall, p: u32) -> ComplexEvaluated {
     let half_angle = real::sinpi(&m.re, p)?;
     // e^{t}(cos a) − 1 = expm1(t) cos a − 2 sin²(a/2)
     let cosine = real::cospi(&twice, p)?;
-    let re = real::sub(&real::mul(&grown, &cosine, p)?, &real::sqr(&half_angle, p)?.shift(1), p)?;
+    let re = real::sub(
+        &real::mul(&grown, &cosine, p)?,
+        &real::sqr(&half_angle, p)?.shift(1),
+        p,
+    )?;
     let im = real::mul(&real::exp(&fall, p)?, &real::sinpi(&twice, p)?, p)?;
     let inside = log(&-&ComplexBall::new(re, im), p)?;
     // L = inside − ln 2 + iπ(1/2 − z)
-    let log_two = Ball::new(Float::with_val(p, Constant::Log2), Mag::power_of_two(-i64::from(p)));
+    let log_two = Ball::new(
+        Float::with_val(p, Constant::Log2),
+        Mag::power_of_two(-i64::from(p)),
+    );
     let gap = real::sub(&Ball::exact(53, 0.5), &m.re, bits)?;
     let of_sine = ComplexBall::new(
-        real::add(&real::sub(&inside.re, &log_two, p)?, &real::mul(&pi, &m.im, p)?, p)?,
+        real::add(
+            &real::sub(&inside.re, &log_two, p)?,
+            &real::mul(&pi, &m.im, p)?,
+            p,
+        )?,
         real::add(&inside.im, &real::mul(&pi, &gap, p)?, p)?,
     );
     let log_pi = real::log(&pi, p)?;
@@ -235,7 +249,10 @@ fn psi_above(z: &ComplexBall) -> Result<Mag, NoValue> {
     if *z.re.mid() >= 0.5 && z.re.is_positive() {
         return right(z);
     }
-    let other = ComplexBall::new(real::sub(&exact(BITS, 1), &z.re, z.re.prec().max(BITS))?, z.im.clone());
+    let other = ComplexBall::new(
+        real::sub(&exact(BITS, 1), &z.re, z.re.prec().max(BITS))?,
+        z.im.clone(),
+    );
     if !other.re.is_positive() {
         return Err(NoValue::Undecided("the operand is too wide"));
     }

@@ -41,10 +41,7 @@ fn arcs(m: &ComplexBall, p: u32) -> Result<[Ball; 3], NoValue> {
 }
 
 /// A value above the axis, or its conjugate below.
-fn by_side(
-    z: &ComplexBall,
-    value: impl Fn(&ComplexBall) -> ComplexEvaluated,
-) -> ComplexEvaluated {
+fn by_side(z: &ComplexBall, value: impl Fn(&ComplexBall) -> ComplexEvaluated) -> ComplexEvaluated {
     let m = middle(z);
     if m.im.mid().is_sign_negative() {
         return Ok(value(&m.conj())?.conj());
@@ -112,7 +109,11 @@ fn atanh_above(m: &ComplexBall, p: u32) -> ComplexEvaluated {
     let re = real::log1p(&quotient, p)?.shift(-2);
     let angle = |x: &Ball| real::atan2(&m.im, x, p);
     let im = real::add(&angle(&sum)?, &angle(&gap)?, p)?.shift(-1);
-    let re = if m.re.mid().is_sign_negative() { -re } else { re };
+    let re = if m.re.mid().is_sign_negative() {
+        -re
+    } else {
+        re
+    };
     Ok(ComplexBall::new(re, im))
 }
 

@@ -107,14 +107,8 @@ const REACH: i32 = 1 << 12;
 /// The midpoint with components that are not very small, and the greatest distance from it.
 fn clipped(z: &ComplexBall) -> (ComplexBall, Mag) {
     let of = |x: &Ball| match x.mid().get_exp() {
-        Some(e) if e < -REACH => (
-            Ball::new(Float::new(x.prec()), Mag::ZERO),
-            x.magnitude(),
-        ),
-        _ => (
-            Ball::new(unsigned(x.mid().clone()), Mag::ZERO),
-            x.rad(),
-        ),
+        Some(e) if e < -REACH => (Ball::new(Float::new(x.prec()), Mag::ZERO), x.magnitude()),
+        _ => (Ball::new(unsigned(x.mid().clone()), Mag::ZERO), x.rad()),
     };
     let ((re, r), (im, s)) = (of(&z.re), of(&z.im));
     let rho = if s.is_zero() {

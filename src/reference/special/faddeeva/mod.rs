@@ -43,11 +43,11 @@ use std::f64::consts::FRAC_2_SQRT_PI;
 use value::{scaled, value};
 
 pub use derivatives::{taylor, w_derivative, w_derivative_scaled};
+pub(crate) use related::Relative;
 pub use related::{
     dawson, dawson_scaled, erf, erf_scaled, erfc, erfc_scaled, erfcx, erfcx_scaled, erfi,
     erfi_scaled, voigt, voigt_scaled,
 };
-pub(crate) use related::Relative;
 pub use scaled::Scaled;
 pub use voigt_hwhm::voigt_hwhm;
 pub use zeros::{zero, zero_of_erf};
