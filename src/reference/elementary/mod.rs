@@ -69,4 +69,6 @@ pub type Evaluated = Result<Ball, NoValue>;
 pub type ComplexEvaluated = Result<ComplexBall, NoValue>;
 
 #[cfg(test)]
+mod radius_tests;
+#[cfg(test)]
 mod tests;

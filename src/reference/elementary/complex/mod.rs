@@ -125,3 +125,6 @@ fn clipped(z: &ComplexBall) -> (ComplexBall, Mag) {
 fn f64_down(x: &Float) -> f64 {
     x.to_f64_round(Round::Down)
 }
+
+#[cfg(test)]
+mod tests;
