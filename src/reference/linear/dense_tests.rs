@@ -136,6 +136,29 @@ fn dependent_columns_are_refused_with_a_proof() {
     ));
 }
 
+/// Long systems are refused as short ones are, and what nobody waits for is refused at once.
+#[test]
+fn work_is_bounded() {
+    let flat = q(3, 3, &[1, 2, 3, 4, 5, 6, 7, 8, 9]);
+    let refused = exact::check_regular(&flat, &Cleared::new(&flat));
+    assert!(matches!(refused, Err(LinearError::Singular { .. })));
+    let large = |n: usize, x: f64| {
+        Matrix::from_fn(n, n, |i, j| {
+            let on = if i == j { 3.0 } else { 0.0 };
+            Rational::from_f64(on + x * (1.0 + (i * 7 + j * 3) as f64)).unwrap()
+        })
+    };
+    let a = large(120, 1e-300);
+    assert!(matches!(
+        inverse_exactly(&a),
+        Err(LinearError::Undecided(_))
+    ));
+    assert!(matches!(
+        determinant_balls(&large(1001, 0.0).balls(64), 64),
+        Err(LinearError::Undecided(_))
+    ));
+}
+
 /// A wide matrix of balls holds a singular one, and is not solved.
 #[test]
 fn balls_that_hold_a_singular_matrix_are_undecided() {

@@ -287,6 +287,15 @@ fn undecided(reason: &str) -> LinearError {
     LinearError::Undecided(Undecided::new(u32::MAX, reason))
 }
 
+/// Checks that a matrix is regular modulo a prime, and so regular.
+pub(super) fn check_regular(a: &Matrix<Rational>, cleared: &Cleared) -> Result<(), LinearError> {
+    let is_regular = |p| modular::inverse(cleared.modulo(p), p).is_some();
+    match modular::primes().take(TRIALS).any(is_regular) {
+        true => Ok(()),
+        false => Err(singular(a)),
+    }
+}
+
 /// Solves `A X = B` exactly, for every column of B.
 pub(super) fn solve(
     a: &Matrix<Rational>,
@@ -321,12 +330,11 @@ pub(super) fn solve(
 ///
 /// The denominator of any solution divides the determinant of an integer matrix; the quotient
 /// follows from its residues modulo primes whose product exceeds twice Hadamard's bound on it.
-pub(super) fn determinant(a: &Matrix<Rational>) -> Result<Rational, LinearError> {
+pub(super) fn determinant(
+    a: &Matrix<Rational>,
+    cleared: &Cleared,
+) -> Result<Rational, LinearError> {
     let n = a.rows();
-    if n == 0 {
-        return Ok(Rational::from(1));
-    }
-    let cleared = Cleared::new(a);
     let Some(lifting) = Lifting::new(&cleared.matrix) else {
         return match singular(a) {
             LinearError::Singular { .. } => Ok(Rational::new()),
