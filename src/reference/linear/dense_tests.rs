@@ -235,6 +235,27 @@ fn an_approximate_inverse_encloses_what_is_exact() {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+    /// Floating-point numbers of any size: the same fractions as by elimination.
+    #[test]
+    fn elimination_gives_the_same_fractions(
+        v in prop::collection::vec(prop_oneof![4 => prop::num::f64::NORMAL, 1 => Just(0.0)], 30),
+        n in 1usize..6,
+    ) {
+        let a = Matrix::from_f64(n, n, &v[..n * n]).unwrap();
+        let b = Matrix::from_f64(n, 1, &v[25..25 + n]).unwrap();
+        let equation = |i: usize| {
+            let row = a.row(i).iter().cloned().enumerate();
+            crate::tridiagonal::equation(row, vec![b.at(i, 0).clone()])
+        };
+        let due = crate::tridiagonal::solve_sparse(n, (0..n).map(equation).collect());
+        match (solve_exactly(&a, &b), due) {
+            (Ok(x), Some(due)) => prop_assert_eq!(x.entries(), due.concat()),
+            (Err(LinearError::Singular { .. }), None) => {}
+            (found, _) => prop_assert!(false, "{:?}", found),
+        }
+    }
+
     /// Solutions solve, inverses invert, determinants are those of Laplace's expansion, and
     /// residuals of least squares are orthogonal to the columns.
     #[test]
