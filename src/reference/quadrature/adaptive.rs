@@ -206,7 +206,7 @@ struct Ellipse {
 }
 
 /// Parts of an ellipse: the interval of the major axis in units of the half-axis, and the height above it.
-const PARTS: [([f64; 2], f64); 5] = [
+pub(super) const PARTS: [([f64; 2], f64); 5] = [
     ([-1.0, -0.96], 0.2801),
     ([0.96, 1.0], 0.2801),
     ([-0.96, -0.8], 0.6001),
