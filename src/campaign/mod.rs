@@ -22,4 +22,4 @@ pub use plan::{Kind, Part, Plan, PlanError, Program, VariantError};
 pub use proofs::{OfFormula, ProofTally};
 pub use record::{Found, Header, Record, RecordError};
 pub use shard::{Answering, Content, PartContent, ShardError, Who, run};
-pub use sum::{PartSum, Sum, SumError, document};
+pub use sum::{PartSum, Sum, SumError};

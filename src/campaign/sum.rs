@@ -1,14 +1,10 @@
 //! The sum of shards.
 
-use super::deal::Deal;
 use super::hunts::HuntTally;
-use super::identity::Identity;
 use super::plan::{Kind, Plan};
 use super::proofs::ProofTally;
 use super::shard::{Content, PartContent, Who};
 use crate::audit::{CandidateReport, Method, MethodReport, StoredError, Tally};
-use crate::report::json;
-use serde_json::{Value, json};
 
 /// What was found in a part, by the shards added so far.
 enum Gathered {
@@ -196,32 +192,6 @@ impl<'a> Sum<'a> {
         });
         finished.collect()
     }
-}
-
-/// The sum as JSON: the same bytes however the campaign was cut, run and added up.
-pub fn document(plan: &Plan, identity: &Identity, parts: &[PartSum]) -> Value {
-    let shown = parts.iter().zip(&plan.parts).map(|(sum, part)| {
-        let found = match sum {
-            PartSum::Report(report) => json::method(report),
-            PartSum::Hunts(hunts, method) => hunts.json(&**method),
-            PartSum::Proof(found) => found.json(),
-        };
-        json!({ "kind": part.kind, "label": part.label(), "found": found })
-    });
-    json!({
-        "schema_version": json::SCHEMA_VERSION,
-        "mechaudit_version": identity.program,
-        "name": plan.name,
-        "passed": parts.iter().all(PartSum::passed),
-        "digests": {
-            "plan": plan.digest(),
-            "references": identity.references,
-            "solvers": identity.solvers,
-        },
-        "work": Deal::new(plan, 1).work(),
-        "plan": plan.parts,
-        "parts": shown.collect::<Vec<Value>>(),
-    })
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! The enclosed motion of Andrews' squeezing mechanism.
 
-use super::artefact::{Made, Outcome, certified};
+use crate::cli::files::artefact::{Made, Outcome, certified};
 use mechaudit::papers::andrews::{BITS, DIGITS, QUANTITIES, TIMES, data, motion, printed, unit};
 use std::fmt::Write as _;
 

@@ -15,7 +15,7 @@ mod tests;
 pub use arithmetic::tables as arithmetic_tables;
 pub use relatives::{constants, tables as relatives_tables};
 
-use super::artefact::{Made, MakeError, Outcome};
+use crate::cli::files::artefact::{Made, MakeError, Outcome};
 use mechaudit::reference::{Ball, ComplexBall, Undecided, faddeeva};
 use rug::Rational;
 use rug::ops::Pow;

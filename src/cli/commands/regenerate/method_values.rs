@@ -1,6 +1,6 @@
 //! Certified values of a method at inputs from every region of its domain.
 
-use super::artefact::{Made, MakeError, Outcome};
+use crate::cli::files::artefact::{Made, MakeError, Outcome};
 use crate::cli::process::wire;
 use mechaudit::audit::{
     Case, Cases, Expected, Layout, Method, Origin, ReferenceAnswer, Settings, Uncertified,

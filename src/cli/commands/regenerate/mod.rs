@@ -1,9 +1,7 @@
 //! Generated files: regenerated, or compared with what is held.
 
 mod andrews_motion;
-mod artefact;
 mod atlas;
-pub mod errata;
 mod faddeeva_tables;
 mod method_values;
 mod n_four_bar_motion;
@@ -12,9 +10,10 @@ mod sand_screen;
 use crate::cli::args::RegenerateArgs;
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome, chain};
+use crate::cli::files::artefact::{self, Artefact, Form, Made, MakeError, broken, difference};
+use crate::cli::files::errata;
 use crate::cli::files::output::{Output, write_to};
 use crate::cli::progress::Progress;
-use artefact::{Artefact, Form, Made, MakeError, broken, difference};
 use mechaudit::report::glossary;
 use mechaudit::report::text::style::{BAD, DIM, GOOD, paint};
 use mechaudit::{methods, papers};

@@ -266,7 +266,7 @@ fn nodes_are_squares_of_steps() {
 /// Files that are made in a moment, as they are committed: headers with the digest of their recipe as well.
 #[test]
 fn constants_and_tables_of_arithmetic_are_those_that_are_held() {
-    use super::super::artefact::{Form, document};
+    use crate::cli::files::artefact::{Form, document};
     for (name, file, make) in [
         (
             "arithmetic-tables",
@@ -286,7 +286,7 @@ fn constants_and_tables_of_arithmetic_are_those_that_are_held() {
 
 #[test]
 fn relatives_are_those_that_are_held() {
-    use super::super::artefact::{Form, document};
+    use crate::cli::files::artefact::{Form, document};
     let name = "faddeeva-relatives-tables";
     let text = document(name, Form::Rust, &relatives_tables().unwrap()).unwrap();
     assert_eq!(text, held("special/faddeeva/relatives_tables.rs"));
