@@ -74,7 +74,9 @@ pub use nearest::{did_you_mean, nearest};
 pub use no_such::NoSuch;
 pub use panel::{Answered, Panel};
 pub use parts::ErrorParts;
-pub use printed::{Agreement, EntryJudgement, Printed, PrintedNumber, PrintedUnit, judge_printed};
+pub use printed::{
+    Agreement, EntryJudgement, Printed, PrintedNumber, PrintedUnit, agreement, judge_printed,
+};
 pub use reason::{Fault, Reason, written};
 pub use referee::{Judge, Referee};
 pub use report::{

@@ -219,7 +219,7 @@ fn against(value: &Ball, printed: &Printed) -> EntryJudgement {
             bits: 0,
         };
     };
-    let agreement = agreement(&value, decimal);
+    let agreement = agreement_of(&value, decimal);
     let off = decimal.units_off(value.ball());
     let undecided = agreement == Agreement::Undecided;
     EntryJudgement {
@@ -271,8 +271,13 @@ fn in_unit(value: &Ball, unit: Option<&PrintedUnit>) -> InUnit {
     InUnit::Enclosed(scaled)
 }
 
+/// Judges a printed decimal against an enclosure of its value, in exact arithmetic.
+pub fn agreement(printed: &Decimal, value: &Ball) -> Agreement {
+    agreement_of(&in_unit(value, None), printed)
+}
+
 /// In exact arithmetic: a tie is one only against an exact reference.
-fn agreement(value: &InUnit, printed: &Decimal) -> Agreement {
+fn agreement_of(value: &InUnit, printed: &Decimal) -> Agreement {
     let (mid, radius) = match value {
         InUnit::Exact(value, _) => (value.clone(), Rational::new()),
         InUnit::Enclosed(ball) => {

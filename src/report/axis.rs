@@ -1,4 +1,4 @@
-//! Marks of an axis: round numbers, all written in one format.
+//! Axes: their ends, and marks at round numbers, all written in one format.
 
 /// How the marks of an axis are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,7 +24,7 @@ impl Format {
 
     /// A mark.
     pub fn text(&self, x: f64) -> String {
-        // What is zero has no sign.
+        // Zero has no sign.
         let x = if x == 0.0 { 0.0 } else { x };
         let text = match self.exponent {
             _ if x == 0.0 => "0".to_string(),
@@ -35,22 +35,63 @@ impl Format {
     }
 }
 
-/// Round numbers within a range, about so many: multiples of 1, 2 or 5 times a power of ten.
-pub fn marks(low: f64, high: f64, about: usize) -> Vec<f64> {
-    let raw = (high - low) / about.max(1) as f64;
+/// At most `most` round numbers within a range: multiples of 1, 2 or 5 times a power of ten.
+pub fn at_most(low: f64, high: f64, most: usize) -> Vec<f64> {
+    let raw = (high - low) / most.max(1) as f64;
     if !(raw > 0.0 && raw.is_finite()) {
         return vec![low];
     }
     let decade = 10f64.powf(raw.log10().floor());
-    let factor = [1.0, 2.0, 5.0, 10.0]
-        .into_iter()
-        .find(|f| f * decade >= 0.999 * raw);
-    let step = factor.unwrap_or(10.0) * decade;
-    let (first, last) = (
-        (low / step - 1e-9).ceil() as i64,
-        (high / step + 1e-9).floor() as i64,
-    );
+    let within = |step: f64| {
+        let ends = [(low / step - 1e-9).ceil(), (high / step + 1e-9).floor()];
+        ends.map(|k| k as i64)
+    };
+    let few = |step: &f64| {
+        let [first, last] = within(*step);
+        last - first < most as i64
+    };
+    let steps = [0.5, 1.0, 2.0, 5.0, 10.0].map(|f| f * decade);
+    let step = steps.into_iter().find(few).unwrap_or(20.0 * decade);
+    let [first, last] = within(step);
     (first..=last).map(|k| k as f64 * step).collect()
+}
+
+/// An axis: its name, its ends, and the marks on it. A logarithmic axis has logarithms for values.
+pub struct Axis {
+    pub label: String,
+    pub range: (f64, f64),
+    pub marks: Vec<(f64, String)>,
+}
+
+impl Axis {
+    /// An axis with at most `most` round numbers on it.
+    pub fn linear(label: &str, range: (f64, f64), most: usize) -> Axis {
+        let marks = at_most(range.0, range.1, most);
+        let format = Format::of(&marks);
+        Axis {
+            label: label.into(),
+            range,
+            marks: marks.iter().map(|x| (*x, format.text(*x))).collect(),
+        }
+    }
+
+    /// An axis of powers of ten, at most `most` of which are named by `name`, with exponents that
+    /// are multiples of one number.
+    pub fn decades(label: &str, range: (f64, f64), most: i32, name: fn(f64) -> String) -> Axis {
+        let powers = || range.0.ceil() as i32..=range.1.floor() as i32;
+        let every = (powers().count() as i32 + most - 1) / most;
+        let named = powers().filter(|k| k % every.max(1) == 0).map(f64::from);
+        Axis {
+            label: label.into(),
+            range,
+            marks: named.map(|k| (k, name(k))).collect(),
+        }
+    }
+
+    /// How far a value is along the axis, from 0 to 1.
+    pub fn part(&self, x: f64) -> f64 {
+        (x - self.range.0) / (self.range.1 - self.range.0)
+    }
 }
 
 #[cfg(test)]
@@ -82,17 +123,25 @@ mod tests {
     }
 
     #[test]
-    fn marks_are_round_and_within_the_range() {
-        for (low, high, about, due) in [
-            (0.0, 1.0, 5, &[0.0, 0.2, 0.4, 0.6, 0.8, 1.0][..]),
+    fn marks_are_round_within_the_range_and_not_too_many() {
+        for (low, high, most, due) in [
+            (0.0, 1.0, 6, &[0.0, 0.2, 0.4, 0.6, 0.8, 1.0][..]),
+            (0.0, 1.0, 5, &[0.0, 0.5, 1.0]),
             (-3.0, 12.0, 4, &[0.0, 5.0, 10.0]),
+            (
+                0.0,
+                10.0,
+                11,
+                &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0],
+            ),
             (0.0, 0.7, 3, &[0.0, 0.5]),
+            (0.9, 2.1, 2, &[1.0, 2.0]),
             (5.0, 5.0, 3, &[5.0]),
         ] {
-            let found = marks(low, high, about);
-            assert_eq!(found.len(), due.len(), "{found:?}");
+            let found = at_most(low, high, most);
+            let same = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-12;
             assert!(
-                found.iter().zip(due).all(|(a, b)| (a - b).abs() < 1e-12),
+                found.len() == due.len() && found.iter().zip(due).all(same),
                 "{found:?}"
             );
         }

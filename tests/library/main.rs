@@ -6,6 +6,8 @@
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
 #[cfg(feature = "oracle")]
+mod campaigns;
+#[cfg(feature = "oracle")]
 mod conditions;
 #[cfg(feature = "oracle")]
 mod documented_accuracy;
@@ -31,6 +33,8 @@ mod layouts;
 #[cfg(feature = "oracle")]
 mod ledger;
 #[cfg(feature = "oracle")]
+mod linear_witness;
+#[cfg(feature = "oracle")]
 mod methods;
 #[cfg(feature = "oracle")]
 mod peaucellier;
@@ -47,7 +51,9 @@ mod run_up_witness;
 #[cfg(feature = "oracle")]
 mod signatures;
 #[cfg(feature = "oracle")]
-mod solver_values_written;
+mod solver_bits;
+#[cfg(feature = "oracle")]
+mod solver_values;
 #[cfg(feature = "oracle")]
 mod swept_peak;
 #[cfg(feature = "oracle")]

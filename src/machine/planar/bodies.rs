@@ -16,7 +16,7 @@ pub(super) struct Bodies {
     exact: Vec<Vec<Option<reference::Place>>>,
     /// The angle of each body's line in its frame.
     pub lines: Vec<f64>,
-    /// Whether a body is given by points of the drawing.
+    /// True if a body is given by points of the drawing.
     pub drawn: Vec<bool>,
 }
 
@@ -278,5 +278,4 @@ fn third_point([ab, bc, ca]: [&Rational; 3], clockwise: bool) -> Option<referenc
 }
 
 #[cfg(test)]
-#[path = "bodies_tests.rs"]
 mod tests;

@@ -301,7 +301,7 @@ fn driven(
     }
 }
 
-/// What the drive does.
+/// The motion of the drive.
 pub(super) struct DriveMotion {
     pub speed: Option<[f64; 2]>,
     pub window: Option<[f64; 3]>,
@@ -374,5 +374,4 @@ pub(super) fn drive(source: &Source, file: &File, rotary: bool) -> Result<DriveM
 }
 
 #[cfg(test)]
-#[path = "joints_tests.rs"]
 mod tests;

@@ -214,8 +214,8 @@ fn forces(machine: &Machine) -> Vec<(usize, usize, bool)> {
     all
 }
 
-/// The values of a row from the column after `branch` on, with the branch's loads. Forces that are not determined are
-/// NaN.
+/// The values of a row from the column after `branch` on, with the branch's loads. Forces that are
+/// not determined are NaN.
 pub fn values(
     machine: &Machine,
     loads: Option<&Loads>,
@@ -301,5 +301,4 @@ fn asked(machine: &Machine, loads: Option<&Loads>, state: &State, columns: Colum
 }
 
 #[cfg(test)]
-#[path = "rows_tests.rs"]
 mod tests;

@@ -3,7 +3,6 @@
 #[cfg(feature = "report")]
 pub mod chirp;
 pub mod linkage;
-mod mechanism;
 #[cfg(feature = "report")]
 pub(crate) mod panel;
 #[cfg(feature = "report")]
@@ -12,6 +11,3 @@ pub mod reduced;
 pub mod run_up;
 pub(crate) mod style;
 mod view;
-
-#[cfg(feature = "report")]
-pub use panel::CannotDraw;

@@ -68,10 +68,10 @@ pub fn chirp(args: &ChirpArgs) -> Result<Outcome, Failure> {
         drawing.text(&drawing::spectrum(&machine)?)?;
     }
     if let (Some(drawing), Some(run)) = (history, &machine.run) {
-        drawing.text(&drawing::history(&machine, run, &own)?)?;
+        drawing.text(&drawing::history(&machine, run, &own))?;
     }
     if let Some(drawing) = chart {
-        drawing.text(&drawing::chart(&machine, &charts)?)?;
+        drawing.text(&drawing::chart(&machine, &charts))?;
     }
     output.write(|out| {
         let Some(form) = form else {
@@ -207,7 +207,8 @@ mod tests {
         }
     }
 
-    /// A page has every section that the file has, or the one that is asked for, and the units asked for.
+    /// A page has every section that the file has, or the one that is asked for, and the units
+    /// asked for.
     #[test]
     fn a_page_has_the_sections_of_the_file() {
         let coarse = CHART.replace("step = 0.1", "step = 4.0");

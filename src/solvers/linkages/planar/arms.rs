@@ -1,18 +1,6 @@
 //! Derivatives of pins that hang on nothing but pins: their arms are the same at every position.
 
-use super::chain::{Chain, Closure, Entry, Spot};
-use num_complex::Complex64;
-
-/// A vector fixed on a body, which turns with an unknown or the drive.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Arm {
-    pub body: usize,
-    /// The unknown's column, or that of the drive.
-    pub column: usize,
-    pub arm: Complex64,
-    /// How fast the body turns with it, negative on the way to the closure's point b.
-    pub by: f64,
-}
+use super::chain::{Arm, Chain, Closure, Entry, Spot};
 
 /// The arms of each pin without slides on the way to it.
 pub(super) fn constant(chain: &Chain) -> Vec<Option<Vec<Arm>>> {

@@ -4,7 +4,7 @@
 //! `k ‖δ‖² + 2 m ‖δ‖ |s| + w s²` in the maximum norm. An arm that turns by θ contributes its length
 //! times θ², a displacement t along a turning rail 2 |t θ|. Displacements may grow by [`SLACK`].
 
-use super::chain::{Chain, Closure, Entry, Rail, Spot, Travel};
+use super::chain::{Bound, Chain, Closure, Entry, Rail, Spot, Travel};
 use super::pose::Pose;
 use num_complex::Complex64;
 use std::cell::Cell;
@@ -12,17 +12,6 @@ use std::cell::Cell;
 /// How far unknowns and drive may move within one step, so that the bounds hold: radians or units of
 /// length.
 pub(super) const SLACK: f64 = 0.25;
-
-/// Bounds of one row.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Bound {
-    /// Of the unknowns twice.
-    pub k: f64,
-    /// Of the unknowns and the drive.
-    pub m: f64,
-    /// Of the drive twice.
-    pub w: f64,
-}
 
 /// Bounds of the first derivatives, beside those of the second.
 #[derive(Clone, Copy, Debug, Default)]

@@ -1,7 +1,7 @@
 //! The bounds hold, and are near what they bound.
 
-use super::bounds::{Bound, SLACK, bounds};
-use super::chain::{Entry, Rail};
+use super::bounds::{SLACK, bounds};
+use super::chain::{Bound, Entry, Rail};
 use super::equilibrium_tests::*;
 use super::pose::Pose;
 use super::tests::*;

@@ -221,8 +221,8 @@ fn change_points_are_told() {
     assert_eq!(modes.states.len(), 2);
     for start in &modes.states {
         let mut state = start.clone();
-        let mut work = Work::new(&m.chain);
-        let e = m.advance(&mut state, 4.0, &mut work).unwrap_err();
+        let mut follower = Follower::new(&m.chain);
+        let e = m.advance(&mut state, 4.0, &mut follower).unwrap_err();
         assert!(
             matches!(e, PositionError::Ends { drive } if (drive - std::f64::consts::PI).abs() < 1e-3),
             "{e}"

@@ -1,7 +1,7 @@
 //! All branches over a range of the drive, and the singular positions where they begin and end.
 
+use super::continuation::Follower;
 use super::mechanism::Mechanism;
-use super::newton::Work;
 use super::singular::Singularity;
 use super::state::State;
 
@@ -76,10 +76,10 @@ impl Mechanism {
         map.complete &= modes.complete && !modes.near_singular;
         let mut open = modes.states;
         let mut next = Vec::new();
-        let mut work = Work::new(&self.chain);
+        let mut follower = Follower::new(&self.chain);
         let mut ended = Vec::new();
         for mut sample in living {
-            match self.advance(&mut sample.state, drive, &mut work) {
+            match self.advance(&mut sample.state, drive, &mut follower) {
                 Ok(()) => {
                     let apart = |s: &State| self.distance(s, &sample.state);
                     let nearest = (0..open.len())
@@ -99,7 +99,7 @@ impl Mechanism {
             map.branches += 1;
             if let Some(before) = before {
                 let mut back = state.clone();
-                match self.advance(&mut back, before, &mut work) {
+                match self.advance(&mut back, before, &mut follower) {
                     Ok(()) => map.unmatched += 1,
                     Err(_) => born.push(BranchSample {
                         branch,
@@ -147,7 +147,7 @@ impl Mechanism {
 
 /// Whether two singular positions are one: angles are known by the square root of rounding alone.
 fn is_same(a: &Singularity, b: &Singularity) -> bool {
-    let near = |(x, y): (&f64, &f64)| super::isotropic::wrapped(x - y).abs() < 1e-3;
+    let near = |(x, y): (&f64, &f64)| super::plane::wrapped(x - y).abs() < 1e-3;
     (a.drive - b.drive).abs() < 1e-7 && a.angles.iter().zip(&b.angles).all(near)
 }
 

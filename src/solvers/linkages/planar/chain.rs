@@ -6,11 +6,9 @@
 //! closure equations. Group by group there are as many as unknowns, so the Jacobian is block
 //! triangular. Lengths are in units of a power of two metres near the largest dimension.
 
-use super::arms::Arm;
-use super::bounds::Bound;
 use super::check::unit;
-use super::isotropic::wrapped;
 use super::model::{Guide, Point};
+use super::plane::wrapped;
 use num_complex::Complex64;
 
 /// A point fixed on a body, in the chain's unit.
@@ -126,6 +124,28 @@ pub(super) struct Tie {
     pub b: usize,
     pub offset: f64,
     pub drive: f64,
+}
+
+/// Bounds on the second derivatives of one row.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Bound {
+    /// Of the unknowns twice.
+    pub k: f64,
+    /// Of the unknowns and the drive.
+    pub m: f64,
+    /// Of the drive twice.
+    pub w: f64,
+}
+
+/// A vector fixed on a body, which turns with an unknown or the drive.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Arm {
+    pub body: usize,
+    /// The unknown's column, or that of the drive.
+    pub column: usize,
+    pub arm: Complex64,
+    /// How fast the body turns with it, negative on the way to the closure's point b.
+    pub by: f64,
 }
 
 /// Unknowns and closures of one group.

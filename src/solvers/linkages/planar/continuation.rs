@@ -19,7 +19,8 @@
 //! the ball, and they join continuously. A step of that length stays on the branch; longer ones are
 //! divided. Near a singular position the steps shrink to nothing.
 
-use super::bounds::{Bound, SLACK, bounds};
+use super::bounds::{SLACK, bounds};
+use super::chain::{Bound, Chain};
 use super::error::PositionError;
 use super::mechanism::Mechanism;
 use super::newton::Work;
@@ -113,7 +114,26 @@ impl Anchor {
     }
 }
 
-/// The largest difference.
+/// Memory of a continuation.
+#[derive(Clone, Debug)]
+pub(super) struct Follower {
+    pub work: Work,
+    anchor: Anchor,
+    /// Memory for the next state.
+    spare: Option<State>,
+}
+
+impl Follower {
+    pub(super) fn new(chain: &Chain) -> Follower {
+        Follower {
+            work: Work::new(chain),
+            anchor: Anchor::default(),
+            spare: None,
+        }
+    }
+}
+
+/// Returns the largest difference.
 fn apart(a: &[f64], b: &[f64]) -> f64 {
     let pairs = a.iter().zip(b);
     pairs.fold(0.0, |m, (a, b)| m.max((a - b).abs()))
@@ -128,15 +148,14 @@ impl Mechanism {
     /// [`Mechanism::singularity`] tells what is there.
     pub fn follow(&self, from: &State, to: f64) -> Result<State, PositionError> {
         let mut state = from.clone();
-        let mut work = Work::new(&self.chain);
-        self.advance(&mut state, to, &mut work)?;
+        self.advance(&mut state, to, &mut Follower::new(&self.chain))?;
         Ok(state)
     }
 
     /// Follows the branch as far as it goes: the last state, and why it is not at `to`.
     pub fn follow_as_far(&self, from: &State, to: f64) -> (State, Option<PositionError>) {
         let mut state = from.clone();
-        let end = self.advance(&mut state, to, &mut Work::new(&self.chain));
+        let end = self.advance(&mut state, to, &mut Follower::new(&self.chain));
         (state, end.err())
     }
 
@@ -153,12 +172,12 @@ impl Mechanism {
         &self,
         state: &mut State,
         to: f64,
-        work: &mut Work,
+        follower: &mut Follower,
     ) -> Result<(), PositionError> {
         let to = self.checked(to)?;
-        let mut next = work.spare.take().unwrap_or_else(|| state.clone());
-        let end = self.steps(state, &mut next, to, work);
-        work.spare = Some(next);
+        let mut next = follower.spare.take().unwrap_or_else(|| state.clone());
+        let end = self.steps(state, &mut next, to, follower);
+        follower.spare = Some(next);
         end
     }
 
@@ -168,31 +187,31 @@ impl Mechanism {
         state: &mut State,
         next: &mut State,
         to: f64,
-        work: &mut Work,
+        follower: &mut Follower,
     ) -> Result<(), PositionError> {
+        let Follower { work, anchor, .. } = follower;
         for _ in 0..MOST_STEPS {
             if state.pose.drive == to {
                 return Ok(());
             }
-            let kept = work.anchor.holds(state, to);
+            let kept = anchor.holds(state, to);
             if !kept {
                 let step = self.longest_step(state, work);
-                work.anchor.moor(state, step);
+                anchor.moor(state, step);
             }
-            let anchor = std::mem::take(&mut work.anchor);
             let drive = anchor.towards(to);
-            let found = anchor.step.length > 0.0 && self.correct(state, next, drive, &anchor, work);
+            let found = anchor.step.length > 0.0 && self.correct(state, next, drive, anchor, work);
             if !found && kept {
                 // Another proof, from here, before the branch counts as ended.
+                anchor.step.length = 0.0;
                 continue;
             }
-            work.anchor = anchor;
             if !found {
                 return Err(PositionError::Ends {
                     drive: self.outer_drive(state.pose.drive),
                 });
             }
-            work.anchor.last.clone_from(&next.pose.u);
+            anchor.last.clone_from(&next.pose.u);
             std::mem::swap(state, next);
         }
         Err(PositionError::TooManySteps {
@@ -289,10 +308,10 @@ impl Mechanism {
         drives: impl IntoIterator<Item = f64>,
         mut visit: impl FnMut(&State),
     ) -> Result<(), PositionError> {
-        let mut work = Work::new(&self.chain);
+        let mut follower = Follower::new(&self.chain);
         let mut here = start.clone();
         for drive in drives {
-            self.advance(&mut here, drive, &mut work)?;
+            self.advance(&mut here, drive, &mut follower)?;
             visit(&here);
         }
         Ok(())

@@ -1,6 +1,6 @@
 //! Steps are proved: what the proof says of a ball holds in samples of it, and no step is shorter than it has to be.
 
-use super::super::bounds::Bound;
+use super::super::chain::Bound;
 use super::super::dense::Matrix;
 use super::super::equilibrium_tests::*;
 use super::super::pose::Pose;
@@ -383,21 +383,27 @@ fn wild_predictions_are_given_up() {
 #[test]
 fn proofs_serve_while_they_reach() {
     for (what, mechanism, start) in states() {
-        let mut work = Work::new(&mechanism.chain);
+        let mut follower = Follower::new(&mechanism.chain);
         let from = start.pose.drive;
-        let step = mechanism.longest_step(&start, &mut work);
+        let step = mechanism.longest_step(&start, &mut follower.work);
         let mut state = start.clone();
         let to = |share: f64| mechanism.outer_drive(from + share * step.length);
         for share in [0.2, 0.4, 0.6, 0.8] {
-            mechanism.advance(&mut state, to(share), &mut work).unwrap();
-            assert_eq!(work.anchor.drive, from, "{what}");
-            assert!(work.anchor.last == state.pose.u, "{what}");
+            mechanism
+                .advance(&mut state, to(share), &mut follower)
+                .unwrap();
+            assert_eq!(follower.anchor.drive, from, "{what}");
+            assert!(follower.anchor.last == state.pose.u, "{what}");
         }
         let last = state.pose.drive;
-        work.anchor.step.radius = 0.0;
-        mechanism.advance(&mut state, to(0.9), &mut work).unwrap();
-        assert_eq!(work.anchor.drive, last, "{what}");
-        mechanism.advance(&mut state, to(1.1), &mut work).unwrap();
+        follower.anchor.step.radius = 0.0;
+        mechanism
+            .advance(&mut state, to(0.9), &mut follower)
+            .unwrap();
+        assert_eq!(follower.anchor.drive, last, "{what}");
+        mechanism
+            .advance(&mut state, to(1.1), &mut follower)
+            .unwrap();
         assert!(mechanism.drive_of(&state) == to(1.1), "{what}");
     }
 }

@@ -15,7 +15,8 @@
 //! groups of variables: 2 for every dyad, 6 for a triad.
 
 use super::chain::{Block, Chain, Closure, Entry, Rail, Spot, Travel};
-use super::pose::{Pose, cross, dot};
+use super::plane::{cross, dot, wrapped};
+use super::pose::Pose;
 use num_complex::Complex64;
 
 /// Coefficients of `(1, x)`.
@@ -339,13 +340,6 @@ impl Isotropic {
         }
         pose.place(chain, &block.placed);
     }
-}
-
-/// An angle brought into (−π, π].
-pub(super) fn wrapped(angle: f64) -> f64 {
-    use std::f64::consts::{PI, TAU};
-    let a = angle - TAU * (angle / TAU).round();
-    if a <= -PI { a + TAU } else { a }
 }
 
 /// `factor a bᴴ`.

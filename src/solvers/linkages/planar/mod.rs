@@ -33,6 +33,7 @@ mod motion;
 mod nearest;
 mod newton;
 mod pebbles;
+mod plane;
 mod pose;
 mod reactions;
 mod singular;

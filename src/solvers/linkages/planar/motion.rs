@@ -1,7 +1,8 @@
 //! First and second derivatives of the bodies' poses with respect to the drive.
 
 use super::chain::{Chain, Closure, Entry, Rail, Spot, Travel};
-use super::pose::{Pose, cross, dot, quarter};
+use super::plane::{cross, dot, quarter};
+use super::pose::Pose;
 use num_complex::Complex64;
 
 /// Position with two derivatives.

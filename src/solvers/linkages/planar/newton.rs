@@ -1,11 +1,8 @@
 //! Newton's method on the closures, and memory for it.
 
-use super::bounds::Bound;
-use super::chain::{Block, Chain};
-use super::continuation::Anchor;
+use super::chain::{Block, Bound, Chain};
 use super::dense::{Factors, Matrix};
-use super::pose::Pose;
-use super::state::State;
+use super::pose::{LITTLE, Pose};
 
 /// Memory that is used again.
 #[derive(Clone, Debug, Default)]
@@ -23,10 +20,6 @@ pub(super) struct Work {
     pub before: Vec<f64>,
     /// The last first correction of [`Chain::newton_within`].
     pub size: f64,
-    /// What is proved about the way ahead of a continuation.
-    pub anchor: Anchor,
-    /// Memory for the next state of a continuation.
-    pub spare: Option<State>,
 }
 
 impl Work {
@@ -178,6 +171,20 @@ impl Chain {
         }
         pose.place(self, &self.order);
         self.newton(pose, None, work)
+    }
+}
+
+impl Pose {
+    /// One more correction of Newton's method, by which directions turn as computed, where an angle beyond a radian is
+    /// rounded by more than a direction is: rates are theirs.
+    pub(super) fn settle(&mut self, chain: &Chain, factors: &Factors, work: &mut Work) {
+        self.residual(chain, &chain.closures, &mut work.residual);
+        let (residual, step) = (&work.residual, &mut work.step);
+        factors.solve(|r| -residual[r], step);
+        if step.iter().all(|d| d.abs() <= LITTLE) {
+            self.u.iter_mut().zip(&*step).for_each(|(u, d)| *u += d);
+            self.turn_little(chain, step);
+        }
     }
 }
 

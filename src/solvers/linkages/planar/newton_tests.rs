@@ -1,5 +1,6 @@
 //! What is promised of Newton's iteration: when it ends, how far it goes, and by which factors.
 
+use super::super::State;
 use super::super::tests::*;
 use super::*;
 

@@ -1,27 +1,14 @@
 //! Where the bodies are, the closures' residual and their Jacobian.
 
 use super::chain::{Chain, Closure, Entry, Rail, Spot, Travel};
-use super::dense::{Factors, Matrix};
-use super::newton::Work;
+use super::dense::Matrix;
+use super::plane::{cross, dot, quarter};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-pub(super) fn dot(a: Complex64, b: Complex64) -> f64 {
-    a.re * b.re + a.im * b.im
-}
-
-pub(super) fn cross(a: Complex64, b: Complex64) -> f64 {
-    a.re * b.im - a.im * b.re
-}
-
-/// `i a`: a quarter turn.
-pub(super) fn quarter(a: Complex64) -> Complex64 {
-    Complex64::new(-a.im, a.re)
-}
-
 /// Angles below this have squares that rounding hides.
-const LITTLE: f64 = 1e-8;
+pub(super) const LITTLE: f64 = 1e-8;
 
 /// Directions and origins of all bodies for given unknowns.
 #[derive(Clone, Debug, Default)]
@@ -97,18 +84,6 @@ impl Pose {
                 None => e,
             }
         });
-    }
-
-    /// One more correction of Newton's method, by which directions turn as computed, where an angle beyond a radian is
-    /// rounded by more than a direction is: rates are theirs.
-    pub(super) fn settle(&mut self, chain: &Chain, factors: &Factors, work: &mut Work) {
-        self.residual(chain, &chain.closures, &mut work.residual);
-        let (residual, step) = (&work.residual, &mut work.step);
-        factors.solve(|r| -residual[r], step);
-        if step.iter().all(|d| d.abs() <= LITTLE) {
-            self.u.iter_mut().zip(&*step).for_each(|(u, d)| *u += d);
-            self.turn_little(chain, step);
-        }
     }
 
     /// The body's angle, not reduced by whole turns.

@@ -1,6 +1,7 @@
 //! Places, residuals and their Jacobian for every kind of joint.
 
 use super::super::equilibrium_tests::*;
+use super::super::newton::Work;
 use super::super::tests::*;
 use super::super::*;
 use super::*;
@@ -19,7 +20,7 @@ fn closed(mechanism: &Mechanism) -> Vec<State> {
         let mut pose = anywhere(mechanism, &mut random);
         pose.drive = 0.4;
         pose.place(&mechanism.chain, &mechanism.chain.order);
-        let work = &mut super::super::newton::Work::new(&mechanism.chain);
+        let work = &mut Work::new(&mechanism.chain);
         if mechanism.chain.newton(&mut pose, None, work) {
             states.extend(State::new(mechanism, pose));
         }

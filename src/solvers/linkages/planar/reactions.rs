@@ -16,7 +16,8 @@ use super::chain::{Chain, Closure, Entry, Rail, Spot, spot};
 use super::loads::{Load, Loads, stretch};
 use super::mechanism::Mechanism;
 use super::model::{Joint, Point};
-use super::pose::{Pose, cross, dot, quarter};
+use super::plane::{cross, dot, quarter};
+use super::pose::Pose;
 use super::state::State;
 use num_complex::Complex64;
 

@@ -3,7 +3,7 @@
 //! [`class_iii`]: crate::class_iii
 
 use super::chain::{Block, Chain, Closure, Entry, Spot};
-use super::isotropic::wrapped;
+use super::plane::wrapped;
 use super::pose::Pose;
 use crate::class_iii::{ClassIii, Geometry};
 use crate::units::{Angle, Length};

@@ -14,7 +14,8 @@
 
 use super::chain::{Block, Chain, Closure, spot};
 use super::model::{Description, Joint, Point};
-use super::pose::{Pose, dot};
+use super::plane::dot;
+use super::pose::Pose;
 use std::f64::consts::TAU;
 
 /// Turns of one angle, and turns for one rack, at most; a mechanism with more counts as having endlessly many.
