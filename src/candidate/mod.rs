@@ -78,8 +78,8 @@ pub fn audit<'a, M: Typed>(candidate: impl Candidate<M> + 'a) -> Audit<'a> {
     Audit::new(registered::<M>(), move |x| candidate.answer(x))
 }
 
-/// Audits a function from the method's inputs to its outputs, both laid out as `mechaudit list`
-/// says.
+/// Audits a function from the method's inputs to its outputs, both laid out as
+/// `mechaudit describe` says.
 ///
 /// # Errors
 /// A name that is not in the registry.

@@ -19,7 +19,7 @@ use args::{Args, Command};
 use clap::{CommandFactory, FromArgMatches};
 use commands::{
     atlas, audit, campaign, chirp, compare, converge, describe, eval, hunt, identity, judge,
-    linkage, list, paper, points, prove, regenerate, runup, shell,
+    linkage, paper, points, prove, regenerate, runup, shell,
 };
 use failure::{Failure, Outcome};
 use mechaudit::message;
@@ -68,7 +68,7 @@ fn run(args: Args) -> Result<Outcome, Failure> {
         Some(Command::Regenerate(a)) => regenerate::regenerate(&a),
         Some(Command::Completions(a)) => shell::completions(&a),
         Some(Command::Man(a)) => shell::man(&a),
-        Some(Command::List(a)) => list::list(&a),
+        Some(Command::List(a)) => describe::list(&a),
         Some(Command::Prove(a)) => prove::prove(&a),
         Some(Command::Paper(a)) => paper::paper(&a),
         Some(Command::Linkage(a)) => linkage::linkage(&a),

@@ -1,6 +1,6 @@
-//! Arguments of `mechaudit compare` and `mechaudit describe`.
+//! Arguments of `mechaudit compare`.
 
-use super::{ProgramArgs, RunArgs, ScopeArgs, TextOrJson, WhereArgs};
+use super::{ProgramArgs, RunArgs, ScopeArgs, WhereArgs};
 use clap::{Args as ClapArgs, ValueEnum};
 use std::path::PathBuf;
 
@@ -17,11 +17,6 @@ of one, divided by their number: start-up apart, the protocol included. The meth
 called in this process.
 
 The exit code is 1 if one of them is over budget.";
-
-pub const AFTER_DESCRIBE: &str = "\
-Examples:
-  mechaudit describe faddeeva
-  mechaudit describe cubic-spline-clamped --format json";
 
 /// Arguments of `compare`.
 #[derive(ClapArgs, Debug)]
@@ -74,14 +69,4 @@ pub enum CompareFormat {
     Csv,
     /// A page to be opened in a browser
     Html,
-}
-
-/// Arguments of `describe`.
-#[derive(ClapArgs, Debug)]
-pub struct DescribeArgs {
-    /// The method
-    pub method: String,
-    /// Form of the description
-    #[arg(long, value_enum, default_value = "text")]
-    pub format: TextOrJson,
 }

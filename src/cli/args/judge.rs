@@ -18,8 +18,8 @@ Answers are matched with inputs in their order; comments (#) are skipped in both
 answer that cannot be read is judged as one, and those after it still count. See mechaudit \
 points --help for what an answer looks like.
 
-A table begins with a line of names, those of the inputs and of outputs (see mechaudit list \
-METHOD), in any order, with their unit in brackets or without: phi1 [rad]. Values in another unit \
+A table begins with a line of names, those of the inputs and of outputs (see mechaudit \
+describe METHOD), in any order, with their unit in brackets or without: phi1 [rad]. Values in another unit \
 of the same, as phi2 [deg] or x [mm], are judged in it; an input in degrees is refused, for it is no \
 exact number of radians. Vectors and rows are counted from 0: diagonal[0], S[1]. Without a column \
 Im z the inputs are real, and x and erf are short for Re z and Re erf. Inputs are taken exactly as \

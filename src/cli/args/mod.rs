@@ -6,13 +6,13 @@ mod campaign;
 mod chirp;
 mod compare;
 mod converge;
+mod describe;
 mod eval;
 mod help;
 mod hunt;
 mod identity;
 mod judge;
 mod linkage;
-mod list;
 mod number;
 mod paper;
 mod points;
@@ -30,14 +30,14 @@ pub use campaign::{
     StatusArgs,
 };
 pub use chirp::{ChirpArgs, ChirpRows};
-pub use compare::{CompareArgs, CompareFormat, DescribeArgs};
+pub use compare::{CompareArgs, CompareFormat};
 pub use converge::ConvergeArgs;
+pub use describe::{DescribeArgs, ListArgs};
 pub use eval::EvalArgs;
 pub use hunt::HuntArgs;
 pub use identity::IdentityArgs;
 pub use judge::JudgeArgs;
 pub use linkage::LinkageArgs;
-pub use list::ListArgs;
 pub use paper::{PaperArgs, PaperFormat};
 pub use points::PointsArgs;
 pub use prove::{Part, ProveArgs};
@@ -55,7 +55,7 @@ Examples:
   mechaudit                                    audit every paper and every method, in brief
   mechaudit --verbose                          the same with every finding and output in full
   mechaudit --cases 1000 --seed 7              more cases from another stream
-  mechaudit list                               what is audited, where and how closely
+  mechaudit list                               every method and paper
   mechaudit linkage examples/sand-screen.toml --step-deg 7.5 --format csv
   echo 1.5,-0.25 | mechaudit eval faddeeva --digits 50
 
@@ -113,11 +113,11 @@ pub enum Command {
     /// Published algorithms for W(z) and Voigt, and what is claimed about them, beside certified values
     #[command(after_help = help::text(atlas::AFTER_HELP, &["atlas", "claims"]))]
     Atlas(AtlasArgs),
-    /// Describe a method to whoever writes a candidate: inputs, outputs, budgets, domain, protocol
-    #[command(after_help = help::text(compare::AFTER_DESCRIBE, &["describe"]))]
+    /// Show a method's inputs, outputs, budgets and protocol
+    #[command(after_help = help::text(describe::AFTER_DESCRIBE, &["describe"]))]
     Describe(DescribeArgs),
-    /// List the methods with their domains and budgets, and the papers
-    #[command(after_help = help::text(list::AFTER_HELP, &[]))]
+    /// List the methods and the papers
+    #[command(after_help = help::text(describe::AFTER_LIST, &[]))]
     List(ListArgs),
     /// Write inputs of a method, for programs in any language
     #[command(after_help = help::text(points::AFTER_HELP, &[]))]

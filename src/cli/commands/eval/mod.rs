@@ -3,6 +3,7 @@
 mod binary;
 
 use crate::cli::args::EvalArgs;
+use crate::cli::commands::describe::short;
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome, chain};
 use crate::cli::files::output::write_to;
@@ -107,7 +108,7 @@ pub fn eval(args: &EvalArgs) -> Result<Outcome, Failure> {
 fn list() -> Result<Outcome, Failure> {
     write_to(|out| {
         for m in registry() {
-            writeln!(out, "{:<31} {}", m.name(), m.summary())?;
+            write!(out, "{}", short(&*m, usize::MAX))?;
         }
         Ok(())
     })?;
