@@ -78,7 +78,7 @@ fn run(args: Args) -> Result<Outcome, Failure> {
     }
 }
 
-/// What a command comes to, without the program around it.
+/// Runs a command without the program around it.
 #[cfg(test)]
 fn ran(words: &[&str]) -> Result<Outcome, Failure> {
     let words = [&["mechaudit"], words].concat();
@@ -109,7 +109,7 @@ fn grammar() -> clap::Command {
     negative_numbers(Args::command())
 }
 
-/// Help and version as asked for; a usage error as one line.
+/// Prints help or version, or a usage error as one line.
 fn usage(e: &clap::Error) -> ExitCode {
     if !e.use_stderr() {
         let _ = e.print();
@@ -126,7 +126,7 @@ fn usage(e: &clap::Error) -> ExitCode {
     ExitCode::from(2)
 }
 
-/// What is wrong, without the grammar's preface and its usage.
+/// Returns a message without the grammar's preface and its usage.
 fn in_one_line(text: &str) -> String {
     let text = text.strip_prefix("error: ").unwrap_or(text);
     let end = text.find("\n\nUsage").or_else(|| text.find("\n\nFor more"));

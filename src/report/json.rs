@@ -52,7 +52,8 @@ pub fn method(report: &MethodReport) -> Value {
     let mut value = serde_json::to_value(report).unwrap_or(Value::Null);
     let cases = |all: &[CaseReport]| -> Value {
         let all = all.iter();
-        all.map(|f| case(f, &report.again(&f.case))).collect()
+        all.map(|f| case(f, &report.reproduce_command(&f.case)))
+            .collect()
     };
     value["passed_all"] = json!(report.passed());
     value["worst"] = cases(&report.worst);

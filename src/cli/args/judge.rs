@@ -49,8 +49,8 @@ pub struct JudgeArgs {
     /// The answers; `-` reads standard input
     #[arg(long, value_name = "FILE", requires = "inputs")]
     pub values: Option<PathBuf>,
-    /// Only the input on this line of its file, or the row of the table, with everything that is known
-    /// of it
+    /// Only the input on this line of its file, or the row of the table, with everything that is
+    /// known of it
     #[arg(long, value_name = "N", value_parser = number::whole)]
     pub line: Option<u64>,
     /// A published table in CSV: inputs and printed decimals; `-` reads standard input
@@ -61,7 +61,7 @@ pub struct JudgeArgs {
     /// Form of the report
     #[arg(long, value_enum, default_value = "text")]
     pub format: AuditFormat,
-    /// Write to this file, whole or not at all, or to a device or pipe; - is standard output
+    /// Write atomically to FILE (`-` is standard output)
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }

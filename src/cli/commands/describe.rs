@@ -1,5 +1,5 @@
-//! Descriptions of methods, from the layout that the judge reads answers by: `describe` prints the long
-//! form, `list` the short one.
+//! Descriptions of methods, from the layout that the judge reads answers by: `describe` prints the
+//! long form, `list` the short one.
 
 use crate::cli::args::{DescribeArgs, ListArgs};
 use crate::cli::failure::{Failure, Outcome};
@@ -71,7 +71,8 @@ fn budgets(method: &dyn Method, layout: &Layout) -> Vec<(Vec<String>, Budget)> {
     groups
 }
 
-/// Returns the shortest case with an answer of values among the first of the regions; check points come before them.
+/// Returns the shortest case with an answer of values among the first of the regions; check points
+/// come before them.
 fn example(method: &dyn Method) -> Option<(Case, Vec<f64>)> {
     let settings = Settings {
         cases_per_region: 3,

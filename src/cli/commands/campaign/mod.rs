@@ -64,7 +64,7 @@ fn status(args: &StatusArgs) -> Result<Outcome, Failure> {
     Ok(Outcome::of(status.done == status.shards))
 }
 
-/// How far a campaign is.
+/// The progress of a campaign.
 #[derive(Default)]
 struct Status {
     name: String,

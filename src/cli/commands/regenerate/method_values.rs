@@ -99,7 +99,7 @@ fn chosen(method: &dyn Method, settings: &Settings) -> Outcome<Vec<Case>> {
     Ok(all)
 }
 
-/// What is written of a case.
+/// Returns the rows of a case.
 struct Row {
     value: String,
     radius: String,

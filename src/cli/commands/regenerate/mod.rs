@@ -204,7 +204,8 @@ mod tests {
     use super::*;
     use std::collections::BTreeSet;
 
-    /// Every generated file of the folders is made and compared: none is left out of what is chosen without a name.
+    /// Every generated file of the folders is made and compared: none is left out of what is chosen
+    /// without a name.
     #[test]
     fn no_file_of_the_folders_is_left_out() {
         let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
