@@ -108,7 +108,7 @@ impl Failure {
         }
     }
 
-    /// What cannot be done to a file or folder: "read", "write".
+    /// Creates the failure to "read" or "write" a file or folder.
     pub fn cannot(act: &str, path: &Path, e: impl Into<Box<dyn Error + Send + Sync>>) -> Failure {
         Failure::caused(e).about(format!("cannot {act} {}", path.display()))
     }
@@ -248,7 +248,7 @@ mod tests {
         }
     }
 
-    /// What nobody reads is no failure, other errors of files are said.
+    /// A closed pipe is no failure; other errors of files are printed.
     #[test]
     fn a_closed_pipe_is_quiet() {
         use std::io::{Error as Io, ErrorKind};

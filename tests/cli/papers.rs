@@ -162,7 +162,8 @@ fn errata_are_written_whole_and_checked() {
     refused(&run(&["paper", "zinchenko", "--check"]), "--ledger");
 }
 
-/// A page for people: contents that lead to every part, no markup left as it was typed. `tests/browser` opens it.
+/// A page for people: contents that lead to every part, no markup left as it was typed.
+/// `tests/browser` opens it.
 fn readable(html: &str) {
     let text = markup(html);
     for raw in ["`", "kg m^2", "rad/s^2", "series(n"] {

@@ -49,14 +49,14 @@ pub struct AuditArgs {
     /// Form of the report
     #[arg(long, value_enum, default_value = "text")]
     pub format: AuditFormat,
-    /// Judge a grid of the complex plane besides, for functions of a complex variable; a page has it
-    /// in any case
+    /// Judge a grid of the complex plane, too, for functions of a complex variable; a page always
+    /// has it
     #[arg(long, conflicts_with_all = ["case", "check_point", "hard_case", "at", "exec"])]
     pub maps: bool,
-    /// Write to this file, whole or not at all, or to a device or pipe; - is standard output
+    /// Write atomically to FILE (`-` is standard output)
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// A report of `audit` in JSON: says what is better and worse since
+    /// Show the changes since this report of `audit` in JSON
     #[arg(long, value_name = "FILE", requires = "method")]
     pub baseline: Option<PathBuf>,
     #[command(flatten)]
@@ -75,19 +75,19 @@ pub struct ExecArgs {
     pub program: ProgramArgs,
 }
 
-/// How programs are spoken to.
+/// The protocol between the audit and a program.
 #[derive(ClapArgs, Clone, Debug)]
 pub struct ProgramArgs {
-    /// Seconds without a line from the program after which it is ended
+    /// Seconds without an answer after which the program is ended
     #[arg(long, value_name = "S", default_value = "60", value_parser = seconds, requires = "exec")]
     pub timeout: Duration,
-    /// Seconds after which the program is ended, however many lines it has written
+    /// Seconds after which the program is ended, however much it has answered
     #[arg(long, value_name = "S", default_value = "3600", value_parser = seconds, requires = "exec")]
     pub run_timeout: Duration,
-    /// Give the program decimals instead of hexadecimal floats
+    /// Write inputs as decimals instead of hexadecimal floats
     #[arg(long, requires = "exec")]
     pub decimal: bool,
-    /// Speak with the program in binary frames of 64-bit words instead of lines; it sees
+    /// Use binary frames of 64-bit words instead of lines; the program finds
     /// MECHAUDIT_PROTOCOL=binary in its environment
     #[arg(long, requires = "exec", conflicts_with = "decimal")]
     pub binary: bool,

@@ -44,7 +44,7 @@ pub fn everything(args: &RunArgs, verbose: bool) -> Result<Outcome, Failure> {
     let started = Instant::now();
     // Side by side: parts of a paper that follow one from another leave a core to the others.
     let shown = Arc::clone(&progress);
-    let read = interrupt::unless_asked(move || {
+    let read = interrupt::unless_requested(move || {
         let keys = papers::keys().into_par_iter();
         keys.filter_map(|key| Some((key, paper(key, &shown)?)))
             .collect::<Vec<_>>()
@@ -125,7 +125,8 @@ impl<'a> Panel<'a> {
         Panel { progress, seconds }
     }
 
-    /// Judges all methods until the user asks to stop; `show` gets each report as soon as it is there.
+    /// Judges all methods until the user asks to stop; `show` gets each report as soon as it is
+    /// there.
     fn judge_all(
         &mut self,
         workload: &Workload,
@@ -277,7 +278,7 @@ fn mark_incomplete(extras: &ReportExtras, reports: &mut [MethodReport]) {
 
 /// Returns the convergence of all approximations, unless the user asks to stop.
 fn approximations() -> Option<Vec<Result<ConvergenceReport, Uncertified>>> {
-    interrupt::unless_asked(|| {
+    interrupt::unless_requested(|| {
         let all = methods::approximations();
         all.par_iter().map(|a| convergence(&**a)).collect()
     })

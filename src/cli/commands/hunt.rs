@@ -74,7 +74,8 @@ fn is_good(found: &Hunt, new: &[HardCase]) -> bool {
     new.iter().all(|c| c.share <= 1.0) && found.failures.is_empty()
 }
 
-/// Every input found, with the outputs that it is the worst for and the command that judges it again.
+/// Every input found, with the outputs that it is the worst for and the command that judges it
+/// again.
 fn inputs(
     method: &dyn Method,
     found: &Hunt,

@@ -1,7 +1,7 @@
 use super::*;
 use crate::audit::Kind;
 
-/// What is not known is left out of the words, and only that.
+/// Unknown facts, and only those, are left out of the words.
 #[test]
 fn errors_in_words() {
     let of = |ulps: f64, conditioned: f64, condition: f64| {
@@ -217,7 +217,7 @@ fn budgets_are_grouped() {
     }
 }
 
-/// What came, and how to ask for the case again.
+/// The answer that came, and the command that judges the case again.
 #[test]
 fn a_case_says_what_came_and_where_it_is() {
     use crate::candidate::Audit;

@@ -55,7 +55,7 @@ fn what_a_part_leaves_out() {
     assert_eq!((hunt.hunts, hunt.evaluations), (1, 5));
 }
 
-/// What a part says of cases, outputs and budgets holds for the method as it is judged.
+/// Cases, outputs and budgets of a part hold for the method as it is judged.
 #[test]
 fn a_part_is_judged_as_it_says() {
     let of = |more: &str| {
@@ -300,7 +300,8 @@ fn a_plan_that_was_read_is_checked_again() {
     );
 }
 
-/// Methods in their order, each with every seed; the file's seed where a part has none, one where the file has none.
+/// Methods in their order, each with every seed; the file's seed where a part has none, one where
+/// the file has none.
 #[test]
 fn a_part_of_the_file_is_one_for_each_method_and_seed() {
     let of = |head: &str, more: &str| {
@@ -394,7 +395,7 @@ fn settings_and_labels_are_those_of_the_part() {
     assert!((0..24).all(|i| (0.0..=1.0).contains(&cases.get(i).input[0])));
 }
 
-/// What a kind has no use for is not in the part.
+/// A part has no entries that its kind does not use.
 #[test]
 fn parts_hold_what_their_kind_has() {
     let of = |part: &str| {

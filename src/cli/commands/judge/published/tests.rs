@@ -5,8 +5,8 @@ use mechaudit::report::text::style::plain;
 use serde_json::Value;
 use std::error::Error;
 
-/// erf 0.5 = 0.52049987781304653768…, erf 1 = 0.84270079294971486934…: an entry that agrees, one whose last digit is off
-/// by one, and one that is 27 units off.
+/// erf 0.5 = 0.52049987781304653768…, erf 1 = 0.84270079294971486934…: an entry that agrees, one
+/// whose last digit is off by one, and one that is 27 units off.
 const ERF: &str = "Re z,Im z,Re erf\n0.5,0,0.5205\n# a note\n0.5,0,0.5204\n1,0,0.8400\n";
 
 /// Judges a table in a file: what it came to, the report, and the table's place.
@@ -251,7 +251,7 @@ fn what_is_no_table_is_refused_in_one_line() {
     assert_eq!(hole, "the column diagonal[0] of tridiagonal is missing");
 }
 
-/// What cannot be decided is marked as a doubt, with the reason in place of digits.
+/// An undecided entry is marked as a doubt, with the reason in place of digits.
 #[test]
 fn what_is_open_is_listed_with_its_reason() {
     let entry = |agreement: Agreement, units: f64| Judged {

@@ -1,7 +1,9 @@
 use super::*;
 use crate::audit::{HuntSettings, hunt};
-use crate::campaign::run;
+use crate::campaign::{Deal, Identity, run};
 use crate::machine::Source;
+use crate::report::json;
+use crate::report::json::campaign as document;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};

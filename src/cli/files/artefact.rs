@@ -11,7 +11,7 @@ use std::path::PathBuf;
 /// A calculation that may stay undecided.
 pub type Outcome<T> = Result<T, Box<dyn Error + Send + Sync>>;
 
-/// Why a file cannot be made, where no layer below says it.
+/// The reason why a file cannot be made, where no layer below gives it.
 #[derive(Debug, thiserror::Error)]
 pub enum MakeError {
     #[error("there is no paper {0:?}")]
@@ -34,9 +34,9 @@ pub enum MakeError {
     Value { case: String, value: usize },
 }
 
-/// What a recipe gives.
+/// The result of a recipe.
 pub struct Made {
-    /// What the file holds.
+    /// The contents of the file.
     pub title: String,
     /// Precision, seed, counts.
     pub facts: Vec<(&'static str, String)>,
@@ -46,7 +46,7 @@ pub struct Made {
     pub body: String,
 }
 
-/// How a header is written.
+/// The form of a header.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     Csv,
@@ -120,7 +120,7 @@ pub fn document(name: &str, form: Form, made: &Made) -> Outcome<String> {
     Ok(format!("{}\n{}", header.join("\n"), made.body))
 }
 
-/// That many certified digits of a number known to so many bits.
+/// Returns certified digits of a number known to `bits` bits.
 pub fn certified(ball: &Ball, digits: usize, bits: u32) -> Result<String, MakeError> {
     ball.to_decimal(digits)
         .ok_or(MakeError::Digits { digits, bits })
@@ -132,7 +132,7 @@ pub fn digest(text: &str) -> String {
     bytes.iter().map(|b| format!("{b:02x}")).collect()
 }
 
-/// What is wrong with the digest in a file's header, if anything is.
+/// Returns the fault of the digest in a file's header, if there is one.
 pub fn broken(form: Form, text: &str) -> Option<String> {
     let (said, content) = match form {
         Form::Chapter => return None,

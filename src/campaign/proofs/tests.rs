@@ -180,7 +180,8 @@ fn the_largest_bounds_are_kept_with_their_rectangles() {
     assert_eq!(names, ["asymptotic, 4 terms", "strip"]);
 }
 
-/// Whatever order rectangles come in, their sum is that of all together, but for the number of parts.
+/// Whatever order rectangles come in, their sum is that of all together, but for the number of
+/// parts.
 #[test]
 fn rectangles_add_up_in_any_order() {
     let whole = made_up();

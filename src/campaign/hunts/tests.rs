@@ -88,7 +88,7 @@ proptest! {
     }
 }
 
-/// What is worse than anything recorded, by a hundredth or more, is new; over budget and new is no pass.
+/// A share above every recorded one by a hundredth is new; new and over budget is no pass.
 #[test]
 fn what_is_worse_than_recorded_is_new() {
     let methods = crate::methods::registry();
@@ -130,7 +130,8 @@ fn what_is_worse_than_recorded_is_new() {
     assert!(!failing.passed(&**method));
 }
 
-/// A hunt of a seed: its worst inputs by the numbers of their outputs, its failures by their commands.
+/// A hunt of a seed: its worst inputs by the numbers of their outputs, its failures by their
+/// commands.
 #[test]
 fn a_hunt_is_added_with_its_seed() {
     use crate::audit::Worst as Found;
