@@ -28,7 +28,10 @@ impl Draw {
     }
 
     /// Returns the hash that the streams of a region share.
+    ///
+    /// A study is named by the path of its file; its streams do not depend on the folder.
     pub(super) fn named(method: &str, region: &str) -> u64 {
+        let method = method.rsplit(['/', '\\']).next().unwrap_or(method);
         let names = method.bytes().chain([0]).chain(region.bytes()).chain([0]);
         hashed(0xcbf2_9ce4_8422_2325, names)
     }

@@ -38,6 +38,14 @@ impl Outcome {
         Outcome::of(undecided == 0)
     }
 
+    /// Turns what is as expected into a finding.
+    pub fn or_finding(self) -> Outcome {
+        match self {
+            Outcome::AsExpected => Outcome::Finding,
+            other => other,
+        }
+    }
+
     pub fn unless_interrupted(interrupted: bool, good: bool) -> Outcome {
         match interrupted {
             true => Outcome::Interrupted,

@@ -135,6 +135,13 @@ pub trait Evaluable: Method {
     fn has_solver(&self) -> bool {
         true
     }
+    /// Audits another of the method's own solvers.
+    ///
+    /// # Errors
+    /// A name that is not the name of a solver.
+    fn select_solver(&mut self, name: &str) -> Result<(), String> {
+        Err(format!("{} has one solver, and none of the name {name:?}", self.name()))
+    }
     /// Remarks that a report shows with the method.
     fn remarks(&self) -> &[String] {
         &[]

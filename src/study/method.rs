@@ -136,6 +136,11 @@ impl Evaluable for Study {
         !self.solvers.is_empty()
     }
 
+    fn select_solver(&mut self, name: &str) -> Result<(), String> {
+        *self = self.clone().with_solver(name).map_err(|e| e.to_string())?;
+        Ok(())
+    }
+
     fn remarks(&self) -> &[String] {
         &self.problem().notes
     }

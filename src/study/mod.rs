@@ -146,7 +146,39 @@ impl Study {
             true => core::picked(&text, &stem, core),
             false => read::problem(&text, &stem),
         };
-        problem.and_then(Study::new).map_err(fault)
+        let mut study = problem.and_then(Study::new).map_err(fault)?;
+        study.name = intern(path);
+        Ok(study)
+    }
+
+    /// Opens every core of `FILE.fpcore`, each by itself.
+    ///
+    /// # Errors
+    /// A file that cannot be read as a sequence of cores.
+    pub fn open_all(file: &str) -> Result<Vec<Result<Study, StudyError>>, StudyError> {
+        let fault = |e: StudyError| e.in_file(file);
+        let text = read_text(file).map_err(fault)?;
+        let stem = Path::new(file)
+            .file_stem()
+            .map_or(file.into(), |s| s.to_string_lossy());
+        let mut all = Study::cores(&text, &stem).map_err(fault)?;
+        // A core is named by its own name, or by its number where another has the same.
+        let names: Vec<Option<&str>> = all
+            .iter()
+            .map(|s| s.as_ref().ok().map(|s| s.name))
+            .collect();
+        for (k, study) in all.iter_mut().enumerate() {
+            if let Ok(study) = study {
+                let is_unique = names.iter().filter(|n| **n == Some(study.name)).count() == 1;
+                let core = if is_unique {
+                    study.name.to_string()
+                } else {
+                    (k + 1).to_string()
+                };
+                study.name = intern(&format!("{file}#{core}"));
+            }
+        }
+        Ok(all.into_iter().map(|study| study.map_err(fault)).collect())
     }
 
     /// Begins a study of one formula, for tests.

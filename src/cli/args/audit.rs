@@ -15,6 +15,8 @@ Examples:
   mechaudit audit four-bar --check-point NAME --format json
   mechaudit audit faddeeva --at 1.5,-0x1p-2    one input
   mechaudit audit erfc --hard my-hard-cases    what a hunt has recorded there
+  mechaudit audit study.toml --solver stable   a problem of your own
+  mechaudit audit cores/*.fpcore --format json many at once
   mechaudit audit --format html --output audit.html
   mechaudit audit --format junit --output audit.xml
   mechaudit audit erfc --maps --format json    errors over the complex plane
@@ -37,8 +39,11 @@ Ctrl-C ends an audit with a report of what is judged until then and exit code 13
 /// Arguments of `audit`.
 #[derive(ClapArgs, Debug)]
 pub struct AuditArgs {
-    /// The method; all methods if left out
-    pub method: Option<String>,
+    /// The methods, or files of studies (.toml, .fpcore); all methods if left out
+    pub method: Vec<String>,
+    /// Audit this solver of a study's file instead of the first
+    #[arg(long, value_name = "NAME", requires = "method", conflicts_with = "exec")]
+    pub solver: Option<String>,
     #[command(flatten)]
     pub place: WhereArgs,
     /// Only this input, its numbers separated by commas

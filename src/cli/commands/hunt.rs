@@ -17,6 +17,7 @@ use mechaudit::report::words::numbers::percent;
 /// Hunts and records.
 pub fn hunt(args: &HuntArgs) -> Result<Outcome, Failure> {
     let method = lookup::method(&args.method)?;
+    lookup::has_solver(&*method)?;
     let settings = HuntSettings {
         evaluations: args.evals,
         seed: args.seed,
