@@ -4,7 +4,6 @@ use crate::audit::{
     Format, Limit, Method, NoSuch, SampleBox, Sampling, SamplingError, Settings, Variant,
 };
 use crate::machine::{Refusal, Source};
-use crate::methods;
 use crate::proof::first_rectangles;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -348,7 +347,7 @@ impl Part {
     /// # Panics
     /// If the plan was not checked and names no method.
     pub fn method(&self) -> Box<dyn Method> {
-        methods::resolve(&self.method).expect("the plan was checked")
+        crate::resolve(&self.method).expect("the plan was checked")
     }
 
     /// The settings of its audit.
@@ -400,7 +399,7 @@ impl Part {
     }
 
     fn check(&self) -> Result<(), String> {
-        let method = methods::resolve(&self.method).map_err(|e| e.to_string())?;
+        let method = crate::resolve(&self.method).map_err(|e| e.to_string())?;
         if self.kind == Kind::Proof {
             if self.method != "faddeeva" {
                 let name = &self.method;

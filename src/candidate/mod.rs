@@ -33,7 +33,8 @@ use crate::audit::{
     CandidateReport, Case, Cases, Format, Limit, Near, NoSuch, SampleBox, Sampling, SamplingError,
     Settings, SolverAnswer, Variant, audit_method, audit_one,
 };
-use crate::methods::{self, Evaluable, MethodError};
+use crate::methods::{self, Evaluable};
+use crate::resolve::{MethodError, resolve};
 
 /// The reason why an audit cannot be run.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -41,6 +42,10 @@ pub enum AuditError {
     /// There is no method of that name.
     #[error(transparent)]
     Method(#[from] MethodError),
+    /// A study that cannot be read.
+    #[cfg(feature = "studies")]
+    #[error(transparent)]
+    Study(#[from] crate::study::StudyError),
     /// No region, check point or output of that name.
     #[error(transparent)]
     NoSuch(#[from] NoSuch),
@@ -87,7 +92,7 @@ pub fn audit_by_name<'a, R: IntoAnswer>(
     name: &str,
     candidate: impl Fn(&[f64]) -> R + Sync + 'a,
 ) -> Result<Audit<'a>, AuditError> {
-    let method = methods::resolve(name)?;
+    let method = resolve(name)?;
     Ok(Audit::new(method, move |x| candidate(x).into_answer()))
 }
 
@@ -120,7 +125,7 @@ pub struct Audit<'a> {
 }
 
 impl<'a> Audit<'a> {
-    fn new(
+    pub(crate) fn new(
         method: Box<dyn Evaluable>,
         candidate: impl Fn(&[f64]) -> SolverAnswer + Sync + 'a,
     ) -> Audit<'a> {

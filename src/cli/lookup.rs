@@ -5,7 +5,7 @@ use mechaudit::methods::{self, Evaluable};
 
 /// Returns the method that an argument names.
 pub fn method(text: &str) -> Result<Box<dyn Evaluable>, Failure> {
-    methods::resolve(text).map_err(Failure::caused)
+    mechaudit::resolve(text).map_err(Failure::caused)
 }
 
 /// Returns the method that an argument names, or all methods without one.

@@ -1,5 +1,6 @@
 //! The definition of a method in its file, and the [`Method`] that the registry makes of it.
 
+use super::certified::CertifiedValue;
 use super::inputs::{Field, Fields, Number, Row};
 use crate::audit::{
     BranchAt, Domain, HardCase, Input, Law, Layout, Method, NormBudget, Output, ProvedBound,
@@ -125,6 +126,19 @@ pub trait Evaluable: Method {
     fn refusal(&self, numbers: &[f64]) -> Option<String>;
     /// The place and the rule behind a refusal, in words, where its name leaves them open.
     fn explanation(&self, numbers: &[f64]) -> Option<String>;
+    /// Certified decimals of all values, where the method knows more of single values than
+    /// [`Evaluable::certify`] does: that one is undefined, or undecided beside others.
+    fn digits(&self, _numbers: &[Rational], _digits: u32) -> Option<Vec<CertifiedValue>> {
+        None
+    }
+    /// Returns true if the method has a solver to be audited.
+    fn has_solver(&self) -> bool {
+        true
+    }
+    /// Remarks that a report shows with the method.
+    fn remarks(&self) -> &[String] {
+        &[]
+    }
 }
 
 /// The method that a definition makes.

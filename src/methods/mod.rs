@@ -20,7 +20,7 @@ mod special;
 mod splines;
 mod typed;
 
-use crate::audit::{Layout, did_you_mean};
+use crate::audit::Layout;
 use definition::{Entry, Registered};
 use num_complex::Complex;
 use std::sync::OnceLock;
@@ -234,40 +234,6 @@ registry! {
 /// ```
 pub fn find(name: &str) -> Option<Box<dyn Evaluable>> {
     registry().into_iter().find(|m| m.name() == name)
-}
-
-/// Returns the method that a text names. The command line, the plans of campaigns and candidates all
-/// resolve their METHOD here.
-///
-/// # Errors
-/// A text that names no method.
-///
-/// ```
-/// use mechaudit::methods::resolve;
-///
-/// assert_eq!(resolve("erf")?.name(), "erf");
-/// let why = resolve("errf").err().unwrap().to_string();
-/// assert!(why.starts_with("there is no method \"errf\" (did you mean \"erf\"?)"));
-/// # Ok::<(), mechaudit::methods::MethodError>(())
-/// ```
-pub fn resolve(text: &str) -> Result<Box<dyn Evaluable>, MethodError> {
-    find(text).ok_or_else(|| MethodError::Unknown {
-        name: text.into(),
-        known: registry().iter().map(|m| m.name()).collect(),
-    })
-}
-
-/// The reason why a text names no method.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum MethodError {
-    /// No method has that name.
-    #[error("there is no method {name:?}{}; there are: {}", did_you_mean(.name, .known), .known.join(", "))]
-    Unknown {
-        /// The name.
-        name: String,
-        /// The names of all methods.
-        known: Vec<&'static str>,
-    },
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ use crate::{Definitions, Expr};
 use mechaudit_reference::elementary::NoValue;
 use mechaudit_reference::{Ball, Mag};
 use rug::Rational;
+use std::sync::Arc;
 
 /// How accurate a value has to be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,15 +68,24 @@ impl Balls {
     }
 }
 
+/// The expressions of nodes, for the symbolic algebra.
+#[derive(Clone, Debug, Default)]
+pub struct Algebraic {
+    /// The names in them that are defined.
+    pub definitions: Definitions,
+    /// Nodes with their expressions.
+    pub expressions: Vec<(Id, Expr)>,
+}
+
 /// Certified values of the nodes of a graph.
-pub struct Certified<'g> {
-    evaluator: Evaluator<'g, Balls>,
+pub struct Certified {
+    evaluator: Evaluator<Balls>,
     /// The highest working precision.
     limit: u32,
     /// Values of constants at this precision are at hand.
     constants: u32,
     /// The expressions of nodes, by which the symbolic algebra proves zeros.
-    expressions: Option<(&'g Definitions, Vec<(Id, &'g Expr)>)>,
+    algebra: Option<Arc<Algebraic>>,
 }
 
 /// The working precision that is tried first to name the nearest binary64.
@@ -84,25 +94,21 @@ const FIRST: u32 = 80;
 /// The highest working precision unless another is set.
 pub const LIMIT: u32 = 16_384;
 
-impl<'g> Certified<'g> {
+impl Certified {
     /// Creates an evaluator with a limit on the working precision.
-    pub fn new(graph: &'g Graph, limit: u32) -> Certified<'g> {
+    pub fn new(graph: Arc<Graph>, limit: u32) -> Certified {
         Certified {
             evaluator: Evaluator::new(graph, Balls::new(FIRST)),
             limit: limit.max(64),
             constants: 0,
-            expressions: None,
+            algebra: None,
         }
     }
 
     /// Lets the symbolic algebra decide whether these nodes are zero, where balls do not.
     #[must_use]
-    pub fn with_algebra(
-        mut self,
-        definitions: &'g Definitions,
-        expressions: Vec<(Id, &'g Expr)>,
-    ) -> Certified<'g> {
-        self.expressions = Some((definitions, expressions));
+    pub fn with_algebra(mut self, algebra: Arc<Algebraic>) -> Certified {
+        self.algebra = Some(algebra);
         self
     }
 
@@ -232,10 +238,14 @@ impl<'g> Certified<'g> {
     }
 
     fn is_zero(&self, node: Id, inputs: &[Rational]) -> bool {
-        let Some((definitions, expressions)) = &self.expressions else {
+        let Some(Algebraic {
+            definitions,
+            expressions,
+        }) = self.algebra.as_deref()
+        else {
             return false;
         };
-        let expression = expressions.iter().find(|e| e.0 == node).map(|e| e.1);
+        let expression = expressions.iter().find(|e| e.0 == node).map(|e| &e.1);
         expression
             .is_some_and(|e| proves_zero(definitions, e, self.evaluator.graph().inputs(), inputs))
     }

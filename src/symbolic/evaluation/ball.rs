@@ -274,8 +274,8 @@ impl Interpretation for Balls {
         (x.rad().is_zero() && *x.mid() == n).then_some(n)
     }
 
-    fn bound(evaluator: &mut Evaluator<'_, Balls>, binder: u32) -> Result<Value, Stop> {
-        let graph = evaluator.graph();
+    fn bound(evaluator: &mut Evaluator<Balls>, binder: u32) -> Result<Value, Stop> {
+        let graph = evaluator.graph().clone();
         let node = graph.find(Node::Bound(binder)).unwrap_or(0);
         let stop = |reason| Stop { node, reason };
         match graph.binder(binder).binding {

@@ -344,7 +344,7 @@ impl Interpretation for Floating {
         (a.fract() == 0.0 && a.abs() < 9e15).then_some(*a as i64)
     }
 
-    fn bound(evaluator: &mut Evaluator<'_, Floating>, binder: u32) -> Result<f64, Stop> {
+    fn bound(evaluator: &mut Evaluator<Floating>, binder: u32) -> Result<f64, Stop> {
         let node = evaluator.graph().find(Node::Bound(binder)).unwrap_or(0);
         let reason = NoValue::Undefined("an integral, a root or an infinite sum in floating point");
         Err(Stop { node, reason })

@@ -294,7 +294,7 @@ impl Interpretation for Germs {
         self.balls().to_integer(&x)
     }
 
-    fn bound(evaluator: &mut Evaluator<'_, Germs>, binder: u32) -> Result<Near, Stop> {
+    fn bound(evaluator: &mut Evaluator<Germs>, binder: u32) -> Result<Near, Stop> {
         let node = evaluator.graph().find(Node::Bound(binder)).unwrap_or(0);
         Err(Stop {
             node,

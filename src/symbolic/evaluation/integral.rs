@@ -9,15 +9,15 @@ use mechaudit_reference::quadrature::{self, End, Goal, Growth, Integrand, Limit}
 use mechaudit_reference::{Ball, ComplexBall};
 
 /// The body of an integral as a function of its variable.
-struct Body<'e, 'g> {
-    evaluator: &'e mut Evaluator<'g, Balls>,
+struct Body<'e> {
+    evaluator: &'e mut Evaluator<Balls>,
     binder: u32,
     body: Id,
     /// Where the integrand is undefined on a whole interval.
     undefined: Option<Stop>,
 }
 
-impl Body<'_, '_> {
+impl Body<'_> {
     fn value(&mut self, variable: Value, holomorphic: bool, bits: u32) -> Result<Value, Stop> {
         let balls = &mut self.evaluator.interpretation;
         let outside = (balls.prec, balls.holomorphic);
@@ -43,7 +43,7 @@ impl Body<'_, '_> {
     }
 }
 
-impl Integrand for Body<'_, '_> {
+impl Integrand for Body<'_> {
     fn enclose(&mut self, z: &ComplexBall, holomorphic: bool, bits: u32) -> Option<ComplexBall> {
         if z.im.is_zero() && (!holomorphic || z.re.rad().is_zero()) {
             return self.real(&z.re, bits)?.to_complex();
@@ -62,10 +62,10 @@ impl Integrand for Body<'_, '_> {
 
     fn growth(&mut self, end: &End, k: u32) -> Option<Growth> {
         let bits = self.evaluator.interpretation.prec;
-        let graph = self.evaluator.graph();
-        let mut germs = Evaluator::new(graph, Germs { k, bits });
+        let graph = self.evaluator.graph().clone();
+        let mut germs = Evaluator::new(graph.clone(), Germs { k, bits });
         // What does not depend on the variable is constant.
-        for id in leaves(graph, self.body, self.binder) {
+        for id in leaves(&graph, self.body, self.binder) {
             let value = self.evaluator.value(id).ok()?.real()?.clone();
             let constant = germs.interpretation.constant_of(&value);
             germs.set(id, constant);
@@ -107,8 +107,8 @@ fn leaves(graph: &Graph, body: Id, binder: u32) -> Vec<Id> {
 }
 
 /// A limit of an integral.
-fn limit(evaluator: &mut Evaluator<'_, Balls>, id: Id) -> Result<Limit, Stop> {
-    let graph = evaluator.graph();
+fn limit(evaluator: &mut Evaluator<Balls>, id: Id) -> Result<Limit, Stop> {
+    let graph = evaluator.graph().clone();
     match graph.node(id) {
         Node::Infinity => return Ok(Limit::PlusInfinity),
         Node::Neg(a) if graph.node(a) == Node::Infinity => return Ok(Limit::MinusInfinity),
@@ -125,7 +125,7 @@ fn limit(evaluator: &mut Evaluator<'_, Balls>, id: Id) -> Result<Limit, Stop> {
 
 /// The value of an integral from one node to another.
 pub(super) fn integral(
-    evaluator: &mut Evaluator<'_, Balls>,
+    evaluator: &mut Evaluator<Balls>,
     binder: u32,
     node: Id,
     [from, to, body]: [Id; 3],

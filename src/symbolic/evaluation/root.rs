@@ -10,7 +10,7 @@ use std::cell::RefCell;
 
 /// The only root of a body between two nodes.
 pub(super) fn root(
-    evaluator: &mut Evaluator<'_, Balls>,
+    evaluator: &mut Evaluator<Balls>,
     binder: u32,
     node: Id,
     [from, to, body, slope]: [Id; 4],

@@ -1,9 +1,10 @@
 //! Values of formulas in balls and in floating point.
 
-use super::{Answer, Certified, Elementary, Evaluator, Floating, Format, Goal};
+use super::{Algebraic, Answer, Certified, Elementary, Evaluator, Floating, Format, Goal};
 use crate::graph::Graph;
 use crate::{Definitions, parse};
 use rug::Rational;
+use std::sync::Arc;
 
 /// The value of a formula of x, to so many digits, or the reason why there is none.
 fn value(text: &str, x: (i64, i64), digits: usize) -> String {
@@ -12,7 +13,11 @@ fn value(text: &str, x: (i64, i64), digits: usize) -> String {
     let mut graph = Graph::new(["x".to_string()]);
     let id = graph.build(&definitions, &e).unwrap();
     let goal = Goal::Bits((digits as f64 * 3.33) as u32 + 8);
-    let mut certified = Certified::new(&graph, 4096).with_algebra(&definitions, vec![(id, &e)]);
+    let algebra = Algebraic {
+        definitions,
+        expressions: vec![(id, e)],
+    };
+    let mut certified = Certified::new(Arc::new(graph), 4096).with_algebra(Arc::new(algebra));
     match &certified.values(&[Rational::from(x)], &[id], goal)[0] {
         Answer::Number(ball) => ball.to_decimal(digits).unwrap_or_else(|| "?".into()),
         Answer::Zero => "0".into(),
@@ -95,7 +100,8 @@ fn floating_point_has_one_rounding_an_operation() {
     let mut at = |text: &str, format: Format, x: f64, y: f64| {
         let id = graph.build(&definitions, &parse(text).unwrap()).unwrap();
         let elementary = Elementary::Platform;
-        let mut evaluator = Evaluator::new(&graph, Floating { format, elementary });
+        let graph = Arc::new(graph.clone());
+        let mut evaluator = Evaluator::new(graph, Floating { format, elementary });
         evaluator.set_input(0, x);
         evaluator.set_input(1, y);
         *evaluator.value(id).unwrap()

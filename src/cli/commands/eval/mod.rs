@@ -284,11 +284,18 @@ impl Answer {
     fn certified(values: Vec<CertifiedValue>, digits: u32) -> Answer {
         let open = values.iter().filter(|v| v.decimal.is_none()).count();
         let all = values.len();
+        let known = values.iter().filter(|v| v.decimal.is_none());
+        let reasons: Vec<String> = known.filter_map(|v| v.why.clone()).collect();
         let word = |decimal: Option<String>| decimal.unwrap_or_else(|| UNDECIDED.into());
         Answer {
             text: joined(values.into_iter().map(|v| word(v.decimal))),
-            open: (open > 0).then(|| {
-                format!("{open} of {all} values undecided: {digits} digits could not be certified")
+            open: (open > 0).then(|| match reasons.is_empty() {
+                true => {
+                    format!(
+                        "{open} of {all} values undecided: {digits} digits could not be certified"
+                    )
+                }
+                false => format!("{open} of {all} values undecided: {}", reasons.join("; ")),
             }),
         }
     }
@@ -329,6 +336,7 @@ mod tests {
         let value = |radius: f64, decimal: Option<&str>| CertifiedValue {
             value: Ball::exact(64, 0.0).widened(Mag::from_f64(radius)).into(),
             decimal: decimal.map(String::from),
+            why: None,
         };
         let values = vec![
             value(0.0, Some("0")),

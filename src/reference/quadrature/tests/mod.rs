@@ -1,4 +1,9 @@
+mod functions;
+mod soundness;
+mod table;
+
 use super::*;
+use functions as c;
 
 /// An integrand from closures: the values, and the behaviour at ends.
 struct Formula<F, G> {
@@ -30,182 +35,6 @@ where
     }
 }
 
-/// Complex functions of a formula.
-mod c {
-    use crate::{Ball, ComplexBall};
-
-    pub fn real(n: i64, bits: u32) -> ComplexBall {
-        ComplexBall::new(Ball::integer(bits, n), Ball::integer(bits, 0))
-    }
-
-    pub fn is_real(z: &ComplexBall) -> bool {
-        z.im.is_zero()
-    }
-
-    /// A monotone function of a wide ball from its ends.
-    fn wide(x: &Ball, f: impl Fn(&Ball) -> Ball) -> Ball {
-        if x.rad() < crate::Mag::from_f64(1e-3) {
-            return f(x);
-        }
-        let [low, high] = [x.lower(), x.upper()].map(|end| f(&Ball::new(end, crate::Mag::ZERO)));
-        low.union(&high)
-    }
-
-    /// The cosine of a wide ball: ±1 where a multiple of π may lie in it.
-    fn cos(x: &Ball) -> Ball {
-        if x.rad() < crate::Mag::from_f64(1e-3) || x.magnitude().to_f64() > 1e6 {
-            return x.sin_cos().1;
-        }
-        let pi = std::f64::consts::PI;
-        let mut range = wide(x, |x| x.sin_cos().1);
-        let [low, high] = [x.lower(), x.upper()].map(|end| end.to_f64() / pi);
-        if high - low > 2.0 {
-            return Ball::integer(64, 0).widened(crate::Mag::from_f64(1.0));
-        }
-        for k in (low - 1e-9).ceil() as i64..=(high + 1e-9).floor() as i64 {
-            range = range.union(&Ball::integer(64, 1 - 2 * (k & 1)));
-        }
-        range
-    }
-
-    fn sin(x: &Ball) -> Ball {
-        if x.rad() < crate::Mag::from_f64(1e-3) {
-            return x.sin_cos().0;
-        }
-        cos(&(x - Ball::pi(x.prec()).shift(-1)))
-    }
-
-    fn square(x: &Ball) -> Ball {
-        let of = |m: crate::Mag| {
-            Ball::new(m.to_float(), crate::Mag::ZERO)
-                .with_prec(x.prec())
-                .square()
-        };
-        match x.rad().shift(20) < x.magnitude() {
-            true => x.square(),
-            false => of(x.mignitude()).union(&of(x.magnitude())),
-        }
-    }
-
-    pub fn exp(z: &ComplexBall) -> ComplexBall {
-        let size = wide(&z.re, Ball::exp);
-        match is_real(z) {
-            true => ComplexBall::new(size, z.im.clone()),
-            false => ComplexBall::new(cos(&z.im), sin(&z.im)).scaled(&size),
-        }
-    }
-
-    /// `1/cosh z` from the smaller exponential.
-    pub fn sech(z: &ComplexBall) -> Option<ComplexBall> {
-        let z = if z.re.is_negative() { -z } else { z.clone() };
-        let bits = z.re.prec();
-        if z.re.is_positive() {
-            let e = exp(&-&z);
-            return div(
-                &e.scaled(&Ball::integer(bits, 2)),
-                &(&real(1, bits) + &(&e * &e)),
-            );
-        }
-        // Where the real part is small: cosh x cos y + i sinh x sin y, and cosh falls to 1.
-        let (up, down) = (wide(&z.re, Ball::exp), wide(&-&z.re, Ball::exp));
-        let most = Ball::new(z.re.magnitude().to_float(), crate::Mag::ZERO)
-            .with_prec(bits)
-            .exp();
-        let most = (&most + most.recip()).shift(-1);
-        let cosh = if z.re.rad().is_zero() {
-            most
-        } else {
-            most.union(&Ball::integer(bits, 1))
-        };
-        let sinh = (&up - &down).shift(-1);
-        if is_real(&z) {
-            return Some(ComplexBall::new(cosh.recip(), z.im.clone()));
-        }
-        div(
-            &real(1, bits),
-            &ComplexBall::new(&cosh * &cos(&z.im), &sinh * &sin(&z.im)),
-        )
-    }
-
-    /// `sin z = sin x cosh y + i cos x sinh y`.
-    pub fn sine(z: &ComplexBall) -> ComplexBall {
-        let (s, c) = (sin(&z.re), cos(&z.re));
-        if is_real(z) {
-            return ComplexBall::new(s, z.im.clone());
-        }
-        let (up, down) = (wide(&z.im, Ball::exp), wide(&-&z.im, Ball::exp));
-        let (cosh, sinh) = ((&up + &down).shift(-1), (&up - &down).shift(-1));
-        ComplexBall::new(&s * &cosh, &c * &sinh)
-    }
-
-    pub fn div(a: &ComplexBall, b: &ComplexBall) -> Option<ComplexBall> {
-        if b.re.contains_zero() && b.im.contains_zero() {
-            return None;
-        }
-        if is_real(a) && is_real(b) {
-            return Some(ComplexBall::new(&a.re / &b.re, a.im.clone()));
-        }
-        let inverse = (square(&b.re) + square(&b.im)).recip();
-        Some((a * &b.conj()).scaled(&inverse)).filter(ComplexBall::is_finite)
-    }
-
-    /// The principal logarithm off the cut.
-    pub fn ln(z: &ComplexBall) -> Option<ComplexBall> {
-        if is_real(z) {
-            return z
-                .re
-                .is_positive()
-                .then(|| ComplexBall::new(z.re.ln(), z.im.clone()));
-        }
-        if !z.re.is_positive() && z.im.contains_zero() {
-            return None;
-        }
-        let bits = z.re.prec();
-        let exact = |m: crate::Mag| Ball::new(m.to_float(), crate::Mag::ZERO).with_prec(bits);
-        let narrow = z.radius().shift(20) < z.mignitude();
-        if narrow {
-            return Some(ComplexBall::new(z.norm_sqr().ln().shift(-1), z.arg()));
-        }
-        let size = exact(z.mignitude()).ln().union(&exact(z.magnitude()).ln());
-        // The greatest and the least angle lie in corners.
-        let corner = |x: rug::Float, y: rug::Float| {
-            let [x, y] = [x, y].map(|t| Ball::new(t, crate::Mag::ZERO));
-            y.atan2(&x)
-        };
-        let (x, y) = (&z.re, &z.im);
-        let angle = corner(x.lower(), y.lower())
-            .union(&corner(x.lower(), y.upper()))
-            .union(&corner(x.upper(), y.lower()))
-            .union(&corner(x.upper(), y.upper()));
-        let value = ComplexBall::new(size, angle);
-        Some(value).filter(ComplexBall::is_finite)
-    }
-
-    /// The principal root off the cut, and of real intervals from zero on.
-    pub fn sqrt(z: &ComplexBall) -> Option<ComplexBall> {
-        if is_real(z) {
-            if z.re.is_positive() {
-                return Some(ComplexBall::new(z.re.sqrt(), z.im.clone()));
-            }
-            if z.re.lower() < 0 {
-                return None;
-            }
-            let bits = z.re.prec();
-            let high = Ball::new(z.re.upper(), crate::Mag::ZERO)
-                .with_prec(bits)
-                .sqrt()
-                .upper();
-            let zero = rug::Float::new(bits);
-            return Some(ComplexBall::new(
-                Ball::between(bits, &zero, &high),
-                z.im.clone(),
-            ));
-        }
-        let half = ln(z)?.scaled(&Ball::integer(z.re.prec(), 1).shift(-1));
-        Some(exp(&half))
-    }
-}
-
 fn number(n: i64) -> Limit {
     Limit::Finite(Ball::integer(64, n))
 }
@@ -230,7 +59,6 @@ fn smooth_integrands() {
         let goal = Goal::digits(digits);
         let bits = 4 * digits + 64;
         let check = |found: Integral<Ball>, due: Ball, name: &str| {
-            eprintln!("{name} {digits}: {} evaluations", found.evaluations);
             reached(&found, &due, i64::from(digits), name);
         };
         let mut sine = smooth(|z, _, _| Some(c::sine(z)));
@@ -274,7 +102,6 @@ fn singular_ends() {
         let goal = Goal::digits(digits);
         let bits = 4 * digits + 64;
         let check = |found: Integral<Ball>, due: Ball, name: &str| {
-            eprintln!("{name} {digits}: {} evaluations", found.evaluations);
             reached(&found, &due, i64::from(digits), name);
         };
         let of = |n: i64| Ball::integer(bits, n);
@@ -354,7 +181,6 @@ fn infinite_ends() {
         let goal = Goal::digits(digits);
         let bits = 4 * digits + 64;
         let check = |found: Integral<Ball>, due: Ball, name: &str| {
-            eprintln!("{name} {digits}: {} evaluations", found.evaluations);
             reached(&found, &due, i64::from(digits), name);
         };
         let of = |n: i64| Ball::integer(bits, n);
@@ -474,7 +300,6 @@ fn jumps_and_kinks() {
         let goal = Goal::digits(digits);
         let bits = 4 * digits + 64;
         let check = |found: Integral<Ball>, due: Ball, name: &str| {
-            eprintln!("{name} {digits}: {} evaluations", found.evaluations);
             reached(&found, &due, i64::from(digits), name);
         };
         let mut steps = smooth(|z, holomorphic, bits| floor(z, holomorphic, bits));
@@ -545,7 +370,6 @@ fn segments() {
     assert!(found.hindrance.is_none());
     // Twice the imaginary part of (2/3) z^(3/2) at −1 + i, in polar form, less that at −1: real parts cancel.
     let value = found.value.unwrap();
-    eprintln!("{value:?}");
     assert!(value.re.contains_zero() && value.radius().to_f64() < 1e-29);
 }
 
@@ -592,146 +416,4 @@ fn what_hinders_is_named() {
     let found = integrate(&mut pole, &number(-1), &number(2), &goal);
     assert!(found.value.is_none());
     assert!(matches!(&found.hindrance, Some(Hindrance::Interval(a, b)) if *a <= 0 && *b >= 0));
-}
-
-#[test]
-#[ignore]
-fn timing() {
-    let goal = Goal::digits(30);
-    let run = |name: &str, f: &mut dyn FnMut() -> Integral<Ball>| {
-        let first = std::time::Instant::now();
-        let found = f();
-        let once = first.elapsed();
-        let start = std::time::Instant::now();
-        let mut n = 0;
-        while start.elapsed().as_millis() < 200 {
-            f();
-            n += 1;
-        }
-        eprintln!(
-            "{name}: {} evaluations, {:?}, first {once:?}; {:?}",
-            found.evaluations,
-            start.elapsed() / n.max(1),
-            found.value.map(|v| (v.mid().to_f64(), v.rad().to_f64()))
-        );
-    };
-    let one = Germ::constant(&Ball::integer(64, 1), 2);
-    let all = [Limit::MinusInfinity, Limit::PlusInfinity];
-    let mut sine = smooth(|z, _, _| Some(c::sine(z)));
-    run("sin", &mut || {
-        integrate(&mut sine, &number(0), &number(100), &goal)
-    });
-    let mut lorentz = Formula {
-        f: |z: &ComplexBall, _, bits| c::div(&c::real(1, bits), &(&c::real(1, bits) + &(z * z))),
-        growth: |x: &Germ| one.add(&x.mul(x)?)?.recip(),
-    };
-    run("lorentz 0..1", &mut || {
-        integrate(&mut lorentz, &number(0), &number(1), &goal)
-    });
-    run("lorentz", &mut || {
-        integrate(&mut lorentz, &number(0), &all[1], &goal)
-    });
-    let mut circle = Formula {
-        f: |z: &ComplexBall, _, bits| c::sqrt(&(&c::real(1, bits) - &(z * z))),
-        growth: |x: &Germ| one.sub(&x.mul(x)?)?.sqrt(),
-    };
-    run("circle", &mut || {
-        integrate(&mut circle, &number(0), &number(1), &goal)
-    });
-    let mut rump = smooth(|z, _, _| Some(c::sine(&(z + &c::exp(z)))));
-    run("sin(x+e^x)", &mut || {
-        integrate(&mut rump, &number(0), &number(8), &goal)
-    });
-    let mut gauss = Formula {
-        f: |z: &ComplexBall, _, _| Some(c::exp(&-&(z * z))),
-        growth: |x: &Germ| x.mul(x)?.neg().exp(),
-    };
-    run("gauss", &mut || {
-        integrate(&mut gauss, &number(0), &all[1], &goal)
-    });
-    let mut sech = Formula {
-        f: |z: &ComplexBall, _, bits| c::div(&c::real(2, bits), &(&c::exp(z) + &c::exp(&-z))),
-        growth: |x: &Germ| {
-            Germ::constant(&Ball::integer(64, 2), 2).div(&x.exp()?.add(&x.neg().exp()?)?)
-        },
-    };
-    run("sech", &mut || {
-        integrate(&mut sech, &number(0), &all[1], &goal)
-    });
-    let mut short = Formula {
-        f: |z: &ComplexBall, _, _| c::sech(z),
-        growth: |x: &Germ| {
-            Germ::constant(&Ball::integer(64, 2), 2).div(&x.exp()?.add(&x.neg().exp()?)?)
-        },
-    };
-    run("sech direct", &mut || {
-        integrate(&mut short, &number(0), &all[1], &goal)
-    });
-    let mut bose = Formula {
-        f: |z: &ComplexBall, _, bits| {
-            let e = c::exp(&-z);
-            c::div(&(z * &e), &(&c::real(1, bits) + &e))
-        },
-        growth: |x: &Germ| {
-            let e = x.neg().exp()?;
-            x.mul(&e)?.div(&one.add(&e)?)
-        },
-    };
-    run("bose", &mut || {
-        integrate(&mut bose, &number(0), &all[1], &goal)
-    });
-    let mut log = Formula {
-        f: |z: &ComplexBall, _, _| c::ln(z),
-        growth: |x: &Germ| x.ln(),
-    };
-    run("log", &mut || {
-        integrate(&mut log, &number(0), &number(1), &goal)
-    });
-    let mut root = Formula {
-        f: |z: &ComplexBall, _, bits| c::div(&c::real(1, bits), &c::sqrt(z)?),
-        growth: |x: &Germ| x.sqrt()?.recip(),
-    };
-    run("rsqrt", &mut || {
-        integrate(&mut root, &number(0), &number(1), &goal)
-    });
-    let mut arcsine = Formula {
-        f: |z: &ComplexBall, _, bits| {
-            c::div(
-                &c::real(1, bits),
-                &c::sqrt(&(&c::real(1, bits) - &(z * z)))?,
-            )
-        },
-        growth: |x: &Germ| one.sub(&x.mul(x)?)?.sqrt()?.recip(),
-    };
-    run("arcsine", &mut || {
-        integrate(&mut arcsine, &number(-1), &number(1), &goal)
-    });
-    let mut large = smooth(|z, _, _| {
-        let (mut power, mut square, mut n) = (c::real(1, z.re.prec()), z.clone(), 1000u32);
-        while n > 0 {
-            if n & 1 == 1 {
-                power = &power * &square;
-            }
-            square = &square * &square;
-            n >>= 1;
-        }
-        Some(&power * &c::exp(&-z))
-    });
-    run("x^1000 e^-x", &mut || {
-        integrate(&mut large, &number(0), &number(10_000), &goal)
-    });
-    let mut spike = smooth(|z, _, bits| {
-        let mut sum = c::real(0, bits);
-        for (scale, at, power) in [(10, 2, 2), (100, 4, 4), (1000, 6, 6)] {
-            let at = Ball::rational(bits.max(z.re.prec()), &(at, 10).into());
-            let x = (z - &ComplexBall::new(at, Ball::integer(bits, 0)))
-                .scaled(&Ball::integer(bits, scale));
-            let sech = c::sech(&x)?;
-            sum = &sum + &(0..power).fold(c::real(1, bits), |p, _| &p * &sech);
-        }
-        Some(sum)
-    });
-    run("spike", &mut || {
-        integrate(&mut spike, &number(0), &number(1), &goal)
-    });
 }
