@@ -89,7 +89,8 @@ pub(crate) fn are_known<'a>(values: impl IntoIterator<Item = &'a Ball>, goal: u3
 /// Checks that every ball is known to `2^-goal` of its size, or of `2^-goal` of the largest one
 /// where it is smaller than that.
 pub(super) fn are_settled(values: &[Ball], goal: u32) -> bool {
-    let shift = -i64::from(goal);
+    // Two bits more, which `Ball::accuracy_bits` may round off.
+    let shift = -i64::from(goal) - 2;
     let largest = values.iter().fold(Mag::ZERO, |m, x| m.max(x.mignitude()));
     let is_settled = |x: &Ball| x.rad() <= x.mignitude().max(largest.shift(shift)).shift(shift);
     values.iter().all(is_settled)
