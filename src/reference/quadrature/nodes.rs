@@ -306,7 +306,7 @@ mod tests {
         }
         // P_n''(0) = −n(n+1) P_n(0) is the larger term of the two.
         let (middle, _) = legendre(40, &Float::new(100), 100);
-        let due = (40.0 * 41.0 * middle).to_f64().abs();
+        let due = middle.to_f64().abs() * 40.0 * 41.0;
         assert!(curvature(40, Mag::from_f64(1.0)).to_f64() >= due);
     }
 
