@@ -1,6 +1,6 @@
 //! The definition of a method in its file, and the [`Method`] that the registry makes of it.
 
-use super::inputs::{Field, Fields, Number, Row};
+use super::inputs::{Field, Fields, Number};
 use crate::audit::{
     BranchAt, Domain, HardCase, Input, Law, Layout, Method, NormBudget, Output, ProvedBound,
     ReferenceAnswer, Rows, SolverAnswer, Uncertified, conditions_by_differences,
@@ -24,8 +24,6 @@ pub trait Registered: Typed + Sync + 'static {
     const HARD: &'static str;
     /// Names of earlier releases, which `eval` still takes.
     const FORMER: &'static [&'static str];
-    /// The layout of its numbers, made once.
-    fn layout() -> &'static Layout;
 }
 
 /// Solver, reference, domain, budget and source of a method; [`Method`] says more of each.
@@ -104,15 +102,13 @@ pub trait Definition: Registered + Sized {
     fn fields() -> Vec<Field> {
         <Self::Input<'static, f64> as Fields<'static, f64>>::fields()
     }
-    /// Takes an input apart; nothing if it is not laid out as it should be.
+    /// Returns the layout of the input.
+    fn layout() -> &'static Layout {
+        <Self::Input<'static, f64> as Fields<'static, f64>>::layout()
+    }
+    /// Takes an input apart. Returns nothing if its numbers are not laid out as declared.
     fn unpack<T: Number>(numbers: &[T]) -> Option<Self::Input<'_, T>> {
-        let layout = Self::layout();
-        if (0..layout.parts()).all(|part| layout.is_single(part)) {
-            let mut row = Row::of_singles(numbers);
-            return Self::Input::take(&mut row).filter(|_| row.is_empty());
-        }
-        let nearest: Vec<f64> = numbers.iter().map(T::nearest).collect();
-        Self::Input::take(&mut Row::new(numbers, layout.lengths(&nearest).ok()?))
+        Self::Input::unpack(numbers)
     }
 }
 

@@ -20,10 +20,9 @@ mod special;
 mod splines;
 mod typed;
 
-use crate::audit::{Layout, Method};
+use crate::audit::Method;
 use definition::{Entry, Registered};
 use num_complex::Complex;
-use std::sync::OnceLock;
 
 #[cfg(feature = "splines")]
 pub use approximations::{approximations, find_approximation};
@@ -100,10 +99,6 @@ macro_rules! registry {
                     env!("CARGO_MANIFEST_DIR"), "/reference/hard/", $name, ".csv"
                 ));
                 const FORMER: &'static [&'static str] = &[$($former)?];
-                fn layout() -> &'static Layout {
-                    static LAYOUT: OnceLock<Layout> = OnceLock::new();
-                    LAYOUT.get_or_init(|| Layout::new(&Entry::<$method>::NEW))
-                }
             }
 
             // There has to be one; `mechaudit regenerate` fills it.

@@ -12,6 +12,7 @@
 #[cfg(test)]
 #[path = "tests/at_points.rs"]
 mod at_points;
+mod bound;
 mod bounds;
 mod certificate;
 mod choice;
@@ -35,12 +36,13 @@ mod tables;
 mod tracked;
 mod truncation;
 
+pub use bound::Bound;
 pub use certificate::{MOST_PARTS, Open, Watch};
 pub use code::Code;
 pub use cover::{Rectangle, hole};
 pub use error::ProofError;
 pub use evaluation::Rounding;
-pub use formula::{Bound, Formula};
+pub use formula::Formula;
 pub use prove::{
     Certificate, Leaf, Target, UPPER_HALF_PLANE, first_rectangles, on_rectangle, upper_half_plane,
 };

@@ -1,10 +1,11 @@
 //! The proof for the closed upper half-plane: rectangles halved until the bound is good enough on each.
 
+use crate::bound::Bound;
 use crate::certificate::{self, Open, Watch};
 use crate::choice::parts;
 use crate::code::Code;
 use crate::cover::{Rectangle, roots};
-use crate::formula::{Bound, Formula, bound};
+use crate::formula::{Formula, bound};
 use crate::interval::{larger, worst};
 
 /// What a rectangle is not halved below.

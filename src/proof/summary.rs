@@ -1,7 +1,7 @@
 //! What a certificate proves, in a few numbers.
 
+use crate::bound::Bound;
 use crate::cover::Rectangle;
-use crate::formula::Bound;
 use crate::prove::{Certificate, Leaf};
 
 /// A bound and the rectangle where it is attained.

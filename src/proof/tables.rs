@@ -1,7 +1,7 @@
 //! The solver's tables with their errors, each computed once.
 
 use crate::ProofError;
-use crate::formula::Bound;
+use crate::bound::Bound;
 use crate::truncation::{RowErrors, exponential_error, polynomial_error};
 use mechaudit_solvers::faddeeva::proof as code;
 use mechaudit_solvers::faddeeva::proof::{AxisRow, Row};

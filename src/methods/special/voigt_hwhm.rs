@@ -1,8 +1,8 @@
 //! Half the width of the Voigt profile.
 
-use super::faddeeva::asked;
+use super::complex::asked;
 use super::faddeeva::regions::beside;
-use super::relatives::laws::{U, same};
+use super::identities::{U, same};
 use super::voigt::regions::any_bits;
 use crate::audit::{
     Budget, CheckPoint, Domain, Draw, Due, Law, Limit, Output, Proof, ReferenceAnswer, Region,

@@ -6,7 +6,7 @@ use super::domain::{Shape, domain_of};
 use super::laws::{knots_law, scaling_law};
 use crate::audit::{Domain, Draw, Law, Output, ReferenceAnswer, Rows, Uncertified};
 use crate::methods::common::point;
-use crate::methods::definition::{Definition, Entry, Registered};
+use crate::methods::definition::{Definition, Entry};
 use crate::methods::inputs::{Number, inputs};
 use rug::Rational;
 

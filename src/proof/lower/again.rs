@@ -36,8 +36,8 @@
 //!   with `h = 1/4` and nodes from 13 on: 2⁻²²⁵; twelve terms beyond: 2⁻²⁸⁰. All of it is below [`LONG`] of M. That |w| is not as
 //!   small is the subject of [`super::apart`].
 
-use super::exponential::U;
 use super::phase::REDUCED;
+use super::phase::U;
 use crate::ProofError;
 use crate::bounds::{above, exp_up, power_up, rational};
 use crate::form::power_of_two;

@@ -17,18 +17,15 @@
 //! The products `e c`, `e s` are rounded once (u of the absolute value), or kept as two numbers to
 //! [`PRODUCT`].
 
-use super::phase::{self, Phase};
+use super::phase::{self, Phase, U, around_zero};
 use crate::ProofError;
-use crate::exact::Exact;
-use crate::form::{Form, exponent, power_of_two};
+use crate::form::{exponent, power_of_two};
 use crate::interval::{Interval, hypot_up, larger, product_up, quotient_up, sum_up, up};
 use crate::tracked::{Rounding, Setting, Tracked, evaluate};
 use crate::truncation::exponential_error;
 use mechaudit_solvers::faddeeva::proof::lower as code;
 use rayon::prelude::*;
 
-/// u = 2⁻⁵³.
-pub(crate) const U: f64 = 1.0 / 9_007_199_254_740_992.0;
 /// `9 u²`: what the pair x is wrong by, as a part of it.
 const ARGUMENT: f64 = 9.0 * U * U;
 /// A product of two pairs, `a₁b₁` exactly and `a₁b₂ + (a₂b₁ + p)` rounded twice: at most `u(2.1 + 3.2)u`, and `a₂b₂`
@@ -150,12 +147,6 @@ fn low([lo, hi]: [f64; 2]) -> f64 {
 /// An error as a part of the least value.
 fn relative(error: f64, exact: Interval) -> f64 {
     quotient_up(error, exact.mignitude())
-}
-
-/// Any number within `r` of zero.
-pub(super) fn around_zero(r: f64) -> Tracked {
-    let any = Exact::within(Interval::new(-r, r));
-    Tracked::of(Form::exact(any, i32::MIN / 4))
 }
 
 /// `e^x` over an interval of its leading part, each error as a part of it.

@@ -9,7 +9,6 @@
 //! of 64 bits from the first that is not zero are summed in pairs, at least 129 digits, and the sum is multiplied by a pair
 //! for π/2: within `2⁻¹⁰⁰` of the phase, which is below one. The stored digits are compared with those of π.
 
-use super::exponential::{U, around_zero};
 use crate::ProofError;
 use crate::bounds::{above, power_up, rational};
 use crate::exact::Exact;
@@ -20,6 +19,8 @@ use mechaudit_reference::Ball;
 use mechaudit_solvers::faddeeva::proof::lower::{self as code, Constants};
 use rug::{Integer, Rational};
 
+/// u = 2⁻⁵³.
+pub(crate) const U: f64 = 1.0 / 9_007_199_254_740_992.0;
 const BITS: u32 = 400;
 /// Above the largest reduced phase.
 pub(super) const REDUCED: f64 = 0.785_400_5;
@@ -34,6 +35,12 @@ pub(super) struct Phase {
     pub short: f64,
     /// Boxes that were run.
     pub boxes: usize,
+}
+
+/// Returns any number within `r` of zero.
+pub(super) fn around_zero(r: f64) -> Tracked {
+    let any = Exact::within(Interval::new(-r, r));
+    Tracked::of(Form::exact(any, i32::MIN / 4))
 }
 
 /// `|π/2 − Σ parts|`.

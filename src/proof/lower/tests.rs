@@ -1,4 +1,4 @@
-use super::exponential::U;
+use super::phase::U;
 use super::prove::leaves;
 use super::reflection::least_of_w;
 use super::rows::Kind;

@@ -13,7 +13,7 @@
 //! * **Rounding.** The code runs over rectangles of δ₁, in shells down to the distance of the f64 next to the zero; the
 //!   lower parts are any numbers that they may be. A rectangle on which the code surely gives up is none of these.
 
-use super::exponential::{U, around_zero};
+use super::phase::{U, around_zero};
 use super::reflection::Value;
 use crate::ProofError;
 use crate::bounds::{above, exp_up, power_up, rational};

@@ -1,8 +1,9 @@
 //! The bounds against certified values at points, and with planted faults.
 
 use super::*;
+use crate::bound::Bound;
 use crate::cover::{Rectangle, hole, roots};
-use crate::formula::{Bound, Formula, bound};
+use crate::formula::{Formula, bound};
 use crate::tracked::Rounding;
 use crate::truncation::exponential_error;
 use mechaudit_reference::faddeeva::w_f64;

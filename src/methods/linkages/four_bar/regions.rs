@@ -1,6 +1,6 @@
 //! Where the four-bar linkage is audited.
 
-use super::{FourBarInput, motion};
+use super::input::{FourBarInput, motion};
 use crate::audit::{Domain, Draw};
 use crate::methods::common::{point, region};
 use crate::solvers::dyad::{CrankRange, FourBar};

@@ -1,9 +1,7 @@
 //! Linkages drawn at random at a position: the pins first, then the bodies' frames, so that each can be assembled.
 
 use super::input::{BITS, PlanarForcesInput, PlanarLinkageInput, REACH};
-use super::kinematics::PlanarLinkage;
 use crate::audit::Draw;
-use crate::methods::definition::Definition;
 use crate::reference::Ball;
 use std::f64::consts::PI;
 
@@ -287,11 +285,10 @@ impl Linkage {
         }
     }
 
-    /// Whether angles are those of a position that the reference proves to be the nearest: [`PlanarLinkage::admits`], the
-    /// linkage being made once.
+    /// Returns the test that angles are those of a position which the reference proves to be the nearest:
+    /// [`PlanarLinkageInput::is_placed`], the linkage being made once.
     fn decider(&self) -> impl Fn(&[f64]) -> bool + use<> {
-        let numbers = crate::methods::definition::exact(&self.input().to_vec());
-        let linkage = numbers.and_then(|x| PlanarLinkage::unpack(&x)?.massless(BITS).ok());
+        let linkage = self.input().exactly(|i| i.massless(BITS).ok()).flatten();
         let phi = Ball::exact(BITS, self.phi);
         move |near| {
             let nearest = linkage.as_ref().map(|l| l.nearest(&phi, near, REACH));
@@ -305,7 +302,7 @@ impl Linkage {
         // Pins: crank, outer ones of links 2 and 3, the inner one, whose a is link 2.
         let from = [all.xb[1], all.yb[1]];
         let mut factor = d.uniform(3.0, 8.0);
-        while PlanarLinkage::admits(all.input()) || !all.is_open() {
+        while all.input().is_placed() || !all.is_open() {
             all.xa[3] = from[0] + (all.xa[3] - from[0]) * factor;
             all.ya[3] = from[1] + (all.ya[3] - from[1]) * factor;
             factor = 2.0;
@@ -315,9 +312,7 @@ impl Linkage {
 
     /// Whether the reference proves that no position is near.
     fn is_open(&self) -> bool {
-        let numbers = self.input().to_vec();
-        let exact = crate::methods::definition::exact(&numbers);
-        let placed = exact.and_then(|x| Some(PlanarLinkage::unpack(&x)?.placed(BITS).err()));
+        let placed = self.input().exactly(|i| i.placed(BITS).err());
         placed.flatten() == Some(crate::audit::Uncertified::Refused(super::input::NONE))
     }
 

@@ -1,9 +1,7 @@
 //! Forces in the pins of a planar linkage in motion.
 
-use super::input::PlanarForcesInput;
-use super::kinematics::SOURCE;
-use super::reduction::{admits, flow};
-use super::{laws, points, regions};
+use super::input::{PlanarForcesInput, SOURCE};
+use super::{conditions, laws, points, regions};
 use crate::audit::{Domain, Law, Output, ReferenceAnswer, Rows, Uncertified};
 use crate::methods::common::conditioned;
 use crate::methods::definition::Definition;
@@ -49,17 +47,11 @@ impl Definition for PlanarReactions {
     }
 
     fn admits(i: Self::Input<'_, f64>) -> bool {
-        admits(i)
+        i.is_placed()
     }
 
     fn solve(i: Self::Input<'_, f64>) -> Result<Vec<f64>, &'static str> {
-        let mechanism = i.linkage.solver()?;
-        let loads = i.loads(&mechanism)?;
-        let state = i.linkage.state(&mechanism)?;
-        let found = loads
-            .reactions(&mechanism, &state, i.speed, i.acceleration)
-            .map_err(|_| "singular")?;
-        Ok(found.joints.iter().flat_map(|j| j.force_n).collect())
+        i.forces()
     }
 
     fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
@@ -73,7 +65,7 @@ impl Definition for PlanarReactions {
     }
 
     fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
-        flow(numbers)?.0.of_reactions(&Self::unpack(numbers)?)
+        conditions::of_reactions(numbers)
     }
 
     fn laws() -> Vec<Law> {

@@ -3,7 +3,7 @@
 //! They are found with the reference, so that a case stays what it is when the solver changes.
 
 use crate::audit::Draw;
-use crate::methods::special::relatives::{C, exponential};
+use crate::methods::special::complex::{C, exponential};
 use crate::reference::faddeeva::{w_ball, w_f64, zero as certified};
 use crate::reference::{Ball, ComplexBall};
 use std::f64::consts::{FRAC_2_SQRT_PI, PI};

@@ -5,66 +5,24 @@ mod laws;
 pub(super) mod regions;
 
 use super::branches::nearest;
-use super::relatives::{NORM, PROOF, number};
+use super::complex::{ComplexInput, NORM, PROOF, asked, due, number};
 use crate::audit::{
     BranchAt, Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ProvedBound, ProvedError,
     ReferenceAnswer, Uncertified,
 };
 use crate::methods::common::output;
 use crate::methods::definition::Definition;
-use crate::methods::inputs::{Number, inputs};
+use crate::methods::inputs::Number;
+use crate::reference::Undecided;
 use crate::reference::faddeeva::{Scaled, w, w_scaled};
-use crate::reference::{Ball, Mag, Undecided};
 use crate::solvers::faddeeva::{PROVED_NORM, SEAMS, branch, faddeeva};
-use num_complex::Complex;
-use rug::{Float, Rational};
-
-inputs! {
-    /// A complex argument.
-    pub struct ComplexInput {
-        re: number "Re z", "1";
-        im: number "Im z", "1";
-    }
-}
-
-impl From<ComplexInput<'_>> for Complex<f64> {
-    fn from(z: ComplexInput<'_>) -> Complex<f64> {
-        Complex::new(z.re, z.im)
-    }
-}
+use rug::Rational;
 
 /// The Faddeeva function: input `Re z, Im z`, output `Re W, Im W`.
 ///
 /// A candidate is a `Fn(Complex<f64>) -> Complex<f64>`.
 #[derive(Clone, Copy, Debug)]
 pub struct Faddeeva;
-
-/// The reference is asked for so many bits less than the working precision: each component comes
-/// out with the accuracy asked for, and 80 bits settle every budget here.
-const SPARED: u32 = 48;
-
-/// The bits the reference is asked for at a working precision.
-pub(super) fn asked(bits: u32) -> u32 {
-    bits.saturating_sub(SPARED).max(64)
-}
-
-/// A component as it is due. What no ball holds is beyond every `f64` or below all of them.
-pub(super) fn due(part: &Scaled) -> Due {
-    let direct = part.to_ball();
-    if direct.is_finite() {
-        return Due::Number(direct);
-    }
-    if !part.ball.is_finite() || part.ball.contains_zero() {
-        return Due::Number(part.ball.widened(Mag::INFINITY));
-    }
-    // The factor is within 2^±(2^29), the exponent beyond that of a ball.
-    match part.exponent < 0 {
-        true => Due::Number(Ball::new(Float::new(64), Mag::power_of_two(-5000))),
-        false => Due::Infinity {
-            negative: part.ball.is_negative(),
-        },
-    }
-}
 
 fn dues(re: &Rational, im: &Rational, bits: u32) -> Result<Vec<Due>, Undecided> {
     let bits = asked(bits);
@@ -199,7 +157,7 @@ mod tests {
     fn what_no_ball_holds() {
         // Re W(10^200) = e^{-10^400} is not zero, Im W = 10^-200/√π.
         let d = reference(1e200, 0.0);
-        assert!(d[0].number().unwrap().magnitude() < Mag::power_of_two(-1100));
+        assert!(d[0].number().unwrap().magnitude() < crate::reference::Mag::power_of_two(-1100));
         assert_eq!(d[1].to_decimal(5).unwrap(), "5.6419e-201");
         // W(−10^200 i) = 2e^{10^400}.
         let d = reference(0.0, -1e200);

@@ -1,11 +1,13 @@
 //! Dawson's function.
 
-use super::laws::{batch_agrees, equation, odd_law, on_the_axis, point, real_argument_law};
+use super::laws::{odd_law, on_the_axis, real_argument_law};
 use super::regions::zero_of_erfi;
-use super::{
-    C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, exponential, odd_limit, on_axis, on_the_real_line,
+use super::relative::{
+    Exact, NORM_OF_PRODUCTS, Relative, Zeros, odd_limit, on_axis, on_the_real_line,
 };
 use crate::audit::{Due, Law, ProvedBound};
+use crate::methods::special::complex::{C, exponential};
+use crate::methods::special::identities::{batch_agrees, equation, point};
 use crate::reference::Ball;
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{dawson, dawson_batch, dawson_real};

@@ -1,12 +1,13 @@
 //! The error function.
 
-use super::laws::{gaussian, odd_law, on_the_axis, point, real_argument_law, within};
+use super::laws::{odd_law, on_the_axis, real_argument_law};
 use super::regions::zero_of_erf;
-use super::{
-    C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, erf_from_w, exponential, odd_limit, odd_signs,
-    on_the_real_line,
+use super::relative::{
+    Exact, NORM_OF_PRODUCTS, Relative, Zeros, erf_from_w, odd_limit, odd_signs, on_the_real_line,
 };
 use crate::audit::{Due, Law, ProvedBound};
+use crate::methods::special::complex::{C, exponential};
+use crate::methods::special::identities::{gaussian, point, within};
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{erf, erf_real, erfc, faddeeva as w};
 use std::f64::consts::FRAC_2_SQRT_PI;

@@ -1,14 +1,13 @@
 //! The complementary error function.
 
-use super::laws::{
-    conjugation_law, gaussian, on_the_axis, plain, point, real_argument_law, within,
-};
+use super::laws::{conjugation_law, on_the_axis, plain, real_argument_law};
 use super::regions::zero_of_erfc;
-use super::{
-    C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, exponential, negated, odd_limit, on_axis,
-    on_the_real_line,
+use super::relative::{
+    Exact, NORM_OF_PRODUCTS, Relative, Zeros, negated, odd_limit, on_axis, on_the_real_line,
 };
 use crate::audit::{Due, Law, ProvedBound};
+use crate::methods::special::complex::{C, exponential};
+use crate::methods::special::identities::{gaussian, point, within};
 use crate::reference::Ball;
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{erfc, erfc_real, erfcx};

@@ -1,15 +1,14 @@
 //! The imaginary error function.
 
-use super::laws::{
-    gaussian, odd_law, on_the_axis, plain, point, real_argument_law, same_pair, within,
-};
+use super::laws::{odd_law, on_the_axis, plain, real_argument_law};
 use super::regions::zero_of_erfi;
-use super::{
-    C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, erf_from_w, exponential, negated, odd_limit,
-    odd_signs,
+use super::relative::{
+    Exact, NORM_OF_PRODUCTS, Relative, Zeros, erf_from_w, negated, odd_limit, odd_signs,
 };
 use crate::audit::{Due, Law};
 use crate::methods::common::held;
+use crate::methods::special::complex::{C, exponential};
+use crate::methods::special::identities::{gaussian, point, same_pair, within};
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{dawson, erf, erfi, erfi_real};
 use std::f64::consts::FRAC_2_SQRT_PI;

@@ -1,10 +1,11 @@
 //! The derivative of the Faddeeva function.
 
-use super::laws::{point, same_pair, within};
-use super::{C, Exact, NORM, Relative, Zeros, infinity, number, on_axis};
+use super::relative::{Exact, Relative, Zeros, on_axis};
 use crate::audit::{Draw, Due, Law, Region};
 use crate::methods::common::{held, region};
+use crate::methods::special::complex::{C, NORM, infinity, number};
 use crate::methods::special::faddeeva::curves::{BITS_OF_ZEROS, Beside, zero as zero_of_w};
+use crate::methods::special::identities::{point, same_pair, within};
 use crate::reference::ComplexBall;
 use crate::reference::faddeeva::{self, w_f64};
 use crate::solvers::faddeeva::{faddeeva as w, w_derivative};

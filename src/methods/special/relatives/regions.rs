@@ -3,9 +3,10 @@
 //! Their values turn into each other by quarter turns of the plane, so every region lies around both
 //! axes.
 
-use super::{C, Relative};
+use super::relative::Relative;
 use crate::audit::{CheckPoint, Draw, Region};
 use crate::methods::common::region;
+use crate::methods::special::complex::C;
 use crate::methods::special::faddeeva::curves::{
     Along, BITS_OF_ZEROS, Beside, FEW_BITS, Line, Part, w_roughly, zero as zero_of_w,
 };

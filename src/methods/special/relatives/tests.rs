@@ -1,6 +1,10 @@
 //! Limits, signs of zero, definitions from W, what is proved.
 
+use super::relative::*;
 use super::*;
+use crate::audit::{Due, ProvedError};
+use crate::methods::special::complex::{C, infinity, number};
+use crate::reference::Ball;
 use crate::solvers::faddeeva::faddeeva as w;
 
 fn agrees<R: Relative>() {

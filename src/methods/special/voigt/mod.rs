@@ -2,9 +2,8 @@
 
 pub(super) mod regions;
 
-use super::faddeeva::{asked, due};
-use super::relatives::laws::{U, same};
-use super::relatives::{PROOF, number};
+use super::complex::{PROOF, asked, due, number};
+use super::identities::{U, same};
 use crate::audit::{Budget, Domain, Due, Law, Limit, Output, Proof, ReferenceAnswer, Uncertified};
 use crate::methods::common::{held, output};
 use crate::methods::definition::Definition;

@@ -1,6 +1,6 @@
 //! Points at which both terms of w are equal: the equation `ζ = G(ζ) − 2πim` and its real part along a line.
 
-use super::middle;
+use super::smooth::middle;
 use crate::ProofError;
 use crate::interval::{product_up, quotient_up, sqrt_up, up};
 use mechaudit_reference::{Ball, ComplexBall, Mag};

@@ -33,7 +33,6 @@ mod smooth;
 use crate::ProofError;
 use crate::certificate::Watch;
 use crate::interval::{down, up};
-use mechaudit_reference::Ball;
 use smooth::Smooth;
 use std::f64::consts::{SQRT_2, TAU};
 
@@ -142,11 +141,6 @@ fn on_lines(value: smooth::Value<'_>) -> Smooth<'_> {
         most: &|_| 56f64.exp2(),
         few: false,
     }
-}
-
-/// The middle of a ball as an `f64`.
-fn middle(x: &Ball) -> f64 {
-    x.mid().to_f64()
 }
 
 #[cfg(test)]

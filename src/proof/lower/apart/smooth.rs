@@ -6,7 +6,6 @@
 //! than 2^N, that of the differences, 2⁻¹²⁸, by less than 2⁷⁴. Where the polynomial is within 2⁻³⁰ of a whole number the function
 //! itself is computed.
 
-use super::middle;
 use crate::ProofError;
 use crate::bounds::power_up;
 use crate::certificate::Watch;
@@ -168,6 +167,11 @@ impl Smooth<'_> {
         }
         Ok(())
     }
+}
+
+/// Returns the middle of a ball as an `f64`.
+pub(super) fn middle(x: &Ball) -> f64 {
+    x.mid().to_f64()
 }
 
 /// Whether a number modulo one, in units of 2⁻¹²⁸, is within [`CLOSE`] of a whole one.

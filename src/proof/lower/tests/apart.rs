@@ -1,5 +1,6 @@
 use super::*;
 use crate::pinned::{bit_by_bit, counted, largest, of_binades, units};
+use mechaudit_reference::Ball;
 
 #[test]
 fn the_first_zeros_are_off_all_numbers_bit_by_bit() {

@@ -86,7 +86,7 @@ fn the_image_is_no_smaller() {
 /// Which rectangles of the upper half-plane are behind the bounds, and what these come to.
 #[test]
 fn bounds_and_their_rectangles_bit_by_bit() {
-    use crate::formula::Bound;
+    use crate::bound::Bound;
     use crate::prove::Leaf;
     let square = |a: f64, b: f64| Rectangle {
         a: [0.0, a],

@@ -3,7 +3,7 @@ use crate::at_points::pieces_hold_what_is_due;
 use crate::choice::follows;
 use crate::form::power_of_two;
 use crate::interval::sum_up;
-use crate::lower::exponential::U;
+use crate::lower::phase::U;
 use crate::pinned::as_proved;
 use crate::pinned::{bit_by_bit, counted, of_binades, units};
 use mechaudit_reference::faddeeva::w_f64;

@@ -6,8 +6,9 @@
 //! 1990, Thm 5.1.8). With a ball for the drive this holds for every drive in the ball. Y is an `f64` matrix taken as
 //! exact; a bad one can only make the test fail.
 
-use super::mechanism::{Drive, Mechanism, MechanismError};
+use super::mechanism::Mechanism;
 use super::mid_rad::MidRad;
+use super::parts::{Drive, MechanismError};
 use super::scalar::Scalar;
 use super::system::System;
 use crate::{Ball, BallLu, Mag, Undecided};

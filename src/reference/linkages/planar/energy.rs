@@ -2,7 +2,8 @@
 
 use super::enclosure::{Linkage, Position};
 use super::loops::difference;
-use super::mechanism::{Attachment, Body, Mechanism, Point};
+use super::mechanism::Mechanism;
+use super::parts::{Attachment, Body, Point};
 use super::scalar::Scalar;
 use super::series::{Series, product};
 use super::system::{BallForm, Pose};

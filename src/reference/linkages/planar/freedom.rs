@@ -15,7 +15,7 @@
 //!   `ω_k θ` keeps the pins for all θ: origins move by sums of `z e^{iωθ}`, and a loop closes for all θ exactly if its
 //!   terms of every frequency ω add up to zero. So parallelograms and their chains are proved to move. Else it is open.
 
-use super::mechanism::{Frame, MechanismError, Point};
+use super::parts::{Frame, MechanismError, Point};
 use rug::Rational;
 
 /// A pin of a drawing.

@@ -6,7 +6,7 @@
 
 use super::enclosure::Linkage;
 use super::energy::Forces;
-use super::mechanism::{Attachment, Frame, Joint};
+use super::parts::{Attachment, Frame, Joint};
 use super::reactions::Rates;
 use super::series::Series;
 use super::system::BallForm;

@@ -4,7 +4,7 @@
 //! `P = Σ z u_k` over the joints on the way from the ground to its body, a term of a slide having its displacement as a
 //! further factor. A joint that closes a loop says that two such forms are equal.
 
-use super::mechanism::{Attachment, Body, Frame, Joint, MechanismError, Place};
+use super::parts::{Attachment, Body, Frame, Joint, MechanismError, Place};
 use crate::class_iii::ExactAngle;
 use rug::Rational;
 

@@ -65,6 +65,7 @@ mod nearest;
 #[cfg(test)]
 mod nearest_tests;
 mod panel;
+mod parts;
 mod reactions;
 #[cfg(test)]
 mod reactions_tests;
@@ -87,9 +88,8 @@ pub use energy::{Forces, Spring};
 pub use exact_rates::ExactRates;
 pub use freedom::{Drawing, DrawnPin, Freedom, Mobility};
 pub use joint_forces::JointForces;
-pub use mechanism::{
-    Attachment, Body, Drive, Frame, Joint, Mechanism, MechanismError, Place, Point,
-};
+pub use mechanism::Mechanism;
+pub use parts::{Attachment, Body, Drive, Frame, Joint, MechanismError, Place, Point};
 pub use reactions::Rates;
 pub use real::Real;
 pub use series::Series;

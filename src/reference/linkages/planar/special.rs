@@ -14,7 +14,7 @@
 
 use super::enclosure::{Linkage, Position};
 use super::loops::{Form, Relation, Term};
-use super::mechanism::Attachment;
+use super::parts::Attachment;
 use super::real::Real;
 use super::surd::{Field, Surd, Vector, roots_near};
 use super::system::{BallForm, BallRelation, System};

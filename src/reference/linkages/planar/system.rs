@@ -1,7 +1,8 @@
 //! Loop equations at a working precision: residuals, the Jacobian, points.
 
 use super::loops::{Form, Relation};
-use super::mechanism::{Drive, Mechanism};
+use super::mechanism::Mechanism;
+use super::parts::Drive;
 use super::scalar::Scalar;
 use crate::Ball;
 

@@ -56,29 +56,16 @@ use super::pair::Member;
 use crate::{Ball, ComplexBall};
 use cells::{Cell, SIDE, cell};
 use coordinate::Coordinate;
-use far::far;
+use far::{Wanted, far};
 use fixed_point::{complex_series, mul, real_series};
 use gaussian::gaussian;
 use part::Part;
 
 /// Bits that can be hoped for.
 pub(super) const MOST_BITS: u32 = 104;
-/// Precision of the floats here.
-const PREC: u32 = 160;
 /// Beyond the cells, 1/100 less than where the nearest centre is none of theirs.
 const LIMIT: f64 = SIDE as f64 / 2.0 - 0.26;
 const _: () = assert!(2.0 * LIMIT < SIDE as f64 - 0.5);
-
-/// What is asked for, at a ± ih.
-#[derive(Clone, Copy, PartialEq)]
-enum Wanted {
-    /// w above the axis.
-    Upper,
-    /// w below it.
-    Lower,
-    /// D above it.
-    Dawson,
-}
 
 /// An enclosure of w(x + iy), or of D with y not negative, x being taken without its sign: of a relative radius
 /// of about 2^-bits if no component is much smaller than what it is the difference of.

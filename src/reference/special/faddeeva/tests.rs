@@ -106,7 +106,7 @@ proptest! {
         for (y, member) in [(dy.clone(), Member::W), (Real::Double(y.abs()), Member::Dawson)] {
             let z = Argument::new(Real::Double(x.abs()), y);
             if let Some(fast) = fast::parts(&z.x, &z.y, member, bits) {
-                let slow = ziv::decide("", 160, 3000, |prec| choice::general(&z, member, prec));
+                let slow = ziv::decide("", 160, 3000, |prec| general::general(&z, member, prec));
                 let slow = balls(slow.unwrap(), 160).unwrap();
                 prop_assert!(fast.overlaps(&slow), "{fast:?} {slow:?}");
                 let good = |a: &Ball, b: &Ball| a.rad() <= b.magnitude().shift(-i64::from(bits));

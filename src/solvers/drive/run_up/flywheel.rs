@@ -2,7 +2,7 @@
 
 use super::equation::Equation;
 use super::integrate::{Counts, Settings};
-use super::motor::MotorError;
+use super::motor_error::MotorError;
 use super::steady::{Cycle, CycleError, steady_cycle};
 use crate::units::Inertia;
 

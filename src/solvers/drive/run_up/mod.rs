@@ -52,6 +52,7 @@ mod dyad_model;
 mod equation;
 mod model;
 mod motor;
+mod motor_error;
 mod planar_model;
 mod timed;
 
@@ -86,7 +87,8 @@ pub use model::{
     ClassIiiModel, Coefficients, ConstantInertia, InertiaRange, ModelError, ReducedModel,
     inertia_range,
 };
-pub use motor::{Kloss, Motor, MotorError, OutsideTable, TableReading, TorqueTable};
+pub use motor::{Kloss, Motor, OutsideTable, TableReading, TorqueTable};
+pub use motor_error::MotorError;
 pub use planar_model::{PlanarModel, PlanarModelError};
 pub use timed::TimedTorque;
 

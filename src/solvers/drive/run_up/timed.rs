@@ -1,6 +1,6 @@
 //! Torque of a motor as a table over time, as of a soft start.
 
-use super::motor::{MotorError, finite};
+use super::motor_error::{MotorError, finite};
 
 /// A torque that is given at moments, joined by straight lines, whatever the speed. After the last moment it stays.
 #[derive(Clone, Debug, PartialEq)]

@@ -23,14 +23,12 @@ use super::quadrant::{
     circle, dawson_in_strip, gaussian, gaussian_exact, lifted, pair_times_power, product, size,
     times_power, w, w_exact,
 };
+use super::real_line::COMPLEMENT;
 use crate::double_double::Dd;
 use crate::hex::hex;
 use crate::lanes::{Lanes, Task, with_best};
 use crate::real::{ROUND, scaled, with_sign_of};
 use num_complex::Complex;
-
-/// Re z from which erfc is not computed as 1 − erf.
-pub(super) const COMPLEMENT: f64 = 0.25;
 
 /// xy below which, x being small, Re erf is linear in it.
 const LINEAR: f64 = hex("0x1p-32");

@@ -2,12 +2,13 @@
 //! are not rounded to one yet.
 
 use super::constants::{HALF_SQRT_PI, INV_SQRT_PI, TWO_OVER_SQRT_PI};
-pub(super) use super::erf::COMPLEMENT;
 use super::odd_series::{DAWSON, ERF, odd_real};
 use crate::double_double::Dd;
 use crate::exponential::{exp, exponent, pair_times_power};
 use crate::real::{ROUND, Real};
 
+/// Re z from which erfc is not computed as 1 − erf.
+pub(super) const COMPLEMENT: f64 = 0.25;
 /// |x| below which erf x and Dawson's function are Maclaurin series.
 pub(super) const SERIES: f64 = 0.5;
 /// |x| from which |erf x| rounds to 1.

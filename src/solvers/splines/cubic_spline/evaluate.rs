@@ -4,21 +4,8 @@ use super::boundary::Known;
 use super::error::EvaluationError as Error;
 use super::grid::{Grid, Interval, blend, fractions};
 use super::spline::{Extrapolation, Spline};
-use crate::splines::piecewise::{Piecewise, Place, Sum};
+use crate::splines::piecewise::{Jet, Piecewise, Place, Sum};
 use std::marker::PhantomData;
-
-/// Value and derivatives at a point.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Jet {
-    /// `S`.
-    pub value: f64,
-    /// `S'`.
-    pub first: f64,
-    /// `S''`.
-    pub second: f64,
-    /// `S'''`, of the segment to the right at a knot.
-    pub third: f64,
-}
 
 /// The part of an end segment in which `S` and `S'` come from the slope given there. The far
 /// ordinate's weight in `S` is about `3k²` there, in (12) it is `k` and most of it cancels; in `S'`

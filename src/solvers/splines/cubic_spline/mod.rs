@@ -41,9 +41,9 @@ mod lookup;
 mod spline;
 mod uniform;
 
+pub use super::piecewise::Jet;
 pub use boundary::{Boundary, End};
 pub use error::{CubicSplineError, EvaluationError};
-pub use evaluate::Jet;
 pub use grid::{Grid, Knots, UniformKnots};
 pub use spline::{CubicSpline, Extrapolation, Spline, UniformCubicSpline};
 pub(super) use {

@@ -1,7 +1,7 @@
 //! The Taylor coefficients at the centres of the cells, made on first use.
 
 use super::fixed_point::SCALE;
-use crate::faddeeva::derivatives::taylor;
+use crate::faddeeva::{general::once, recurrence::taylor};
 use crate::{Ball, Mag};
 use rug::Rational;
 use std::sync::OnceLock;
@@ -36,7 +36,7 @@ pub fn cell(i: usize, j: usize) -> Option<&'static Cell> {
 
 fn make(i: usize, j: usize) -> Option<Cell> {
     let half = |k: usize| Rational::from((k as i64, 2));
-    let c = taylor(&half(i), &half(j), TERMS - 1, 150).ok()?;
+    let c = taylor(once, &half(i), &half(j), TERMS - 1, 150).ok()?;
     if i > 0 && j > 0 {
         let both = c.iter().map(|c| Some([units(&c.re)?, units(&c.im)?]));
         return Some(Cell::Complex(both.collect::<Option<_>>()?));
@@ -84,7 +84,7 @@ mod tests {
             (19, 19),
         ] {
             let half = |k: usize| Rational::from((k as i64, 2));
-            let due = taylor(&half(i), &half(j), 39, 400).unwrap();
+            let due = taylor(once, &half(i), &half(j), 39, 400).unwrap();
             let near = |found: i128, due: &Ball| {
                 let off = Float::with_val(400, due.mid() << SCALE) - found;
                 assert!(off.clone().abs() < 0.51, "{i} {j}: {off}");

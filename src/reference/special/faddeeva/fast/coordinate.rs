@@ -1,7 +1,6 @@
 //! Coordinates as the fast evaluation takes them.
 
-use super::PREC;
-use super::fixed_point::{SCALE, fixed};
+use super::fixed_point::{PREC, SCALE, fixed};
 use crate::faddeeva::argument::Real;
 use rug::Float;
 use std::ops::Range;

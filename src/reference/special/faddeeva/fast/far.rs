@@ -1,13 +1,24 @@
 //! Beyond the cells.
 
 use super::coordinate::Coordinate;
+use super::fixed_point::PREC;
 use super::gaussian::{above_power, ball, bound, gaussian, negligible};
 use super::series::{Powers, UNIT};
-use super::{PREC, Wanted};
 use crate::faddeeva::asymptotic::{remainder, terms};
 use crate::{Ball, ComplexBall, Mag};
 use rug::Float;
 use std::sync::OnceLock;
+
+/// The function that is asked for, at a ± ih.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Wanted {
+    /// w above the axis.
+    Upper,
+    /// w below it.
+    Lower,
+    /// D above it.
+    Dawson,
+}
 
 /// √π with a relative error below 2^-160.
 static ROOT_PI: OnceLock<Float> = OnceLock::new();

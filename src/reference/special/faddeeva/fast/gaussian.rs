@@ -1,7 +1,7 @@
 //! The exponential that stands beside the series.
 
-use super::PREC;
 use super::coordinate::Coordinate;
+use super::fixed_point::PREC;
 use crate::{Ball, Mag};
 use rug::Float;
 

@@ -1,7 +1,6 @@
 //! One component with what is proved about it.
 
-use super::PREC;
-use super::fixed_point::SCALE;
+use super::fixed_point::{PREC, SCALE};
 use crate::{Ball, Mag};
 use rug::Float;
 

@@ -11,8 +11,7 @@
 //! `P + 2Ca² S` and `P − 2Cb² S`; Ca² and Cb² are at most one, taken with an error of three units, and a product
 //! brings three more: `E + 2 (F + 3|S| + 3)`, enlarged by 1 % and one unit.
 
-use super::PREC;
-use super::fixed_point::{SCALE, mul};
+use super::fixed_point::{PREC, SCALE, mul};
 use rug::Float;
 
 /// Units of 2^-UNIT.

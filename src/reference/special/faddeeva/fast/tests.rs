@@ -5,7 +5,7 @@ use super::fixed_point::SCALE;
 use super::*;
 use crate::Mag;
 use crate::faddeeva::argument::Argument;
-use crate::faddeeva::{choice, ziv};
+use crate::faddeeva::{general, ziv};
 use rug::{Float, Rational};
 
 /// Where a recurrence of error bounds ends.
@@ -90,7 +90,7 @@ fn real(x: f64) -> Real {
 /// By the general evaluation.
 fn truth(x: &Real, y: &Real, member: Member) -> ComplexBall {
     let z = Argument::new(x.clone(), y.clone());
-    let value = ziv::decide("", 300, 3000, |prec| choice::general(&z, member, prec));
+    let value = ziv::decide("", 300, 3000, |prec| general::general(&z, member, prec));
     ziv::balls(value.unwrap(), 300).unwrap()
 }
 
