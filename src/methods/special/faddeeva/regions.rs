@@ -121,6 +121,44 @@ pub(in crate::methods::special) fn listed(seams: &[f64]) -> String {
     seams.iter().map(one).collect::<Vec<_>>().join(", ")
 }
 
+/// The largest radius of the circles that [`seam`] draws.
+const FARTHEST_CIRCLE: f64 = 2000.0;
+
+/// The radii that [`seam`] draws.
+fn radii() -> impl Iterator<Item = f64> {
+    let radii = SEAMS.circles.iter().map(|c| c.sqrt());
+    radii.filter(|r| *r < FARTHEST_CIRCLE)
+}
+
+/// Draws a coordinate at which the function changes its formula: one of these lines, limits of its own
+/// included, the radius of a circle, or the side of a cell.
+pub(in crate::methods::special) fn seam(lines: &[f64], d: &mut Draw) -> f64 {
+    match d.integer(0, 3) {
+        0 => d.one_of(&radii().collect::<Vec<f64>>()),
+        1 => d.one_of(SEAMS.pitches) / 2.0 * d.one_of(&[1.0, 3.0]),
+        _ => d.one_of(lines),
+    }
+}
+
+/// The coordinates that [`seam`] draws, as text.
+pub(in crate::methods::special) fn listed_seams(lines: &[f64]) -> String {
+    let radii: Vec<f64> = radii().collect();
+    let sides: Vec<f64> = SEAMS.pitches.iter().map(|p| p / 2.0).collect();
+    format!(
+        "{}, a radius {}, or once or three times {}",
+        listed(lines),
+        listed(&radii),
+        listed(&sides)
+    )
+}
+
+/// Every coordinate that [`seam`] draws.
+#[cfg(test)]
+pub(in crate::methods::special) fn seams(lines: &[f64]) -> Vec<f64> {
+    let sides = SEAMS.pitches.iter().flat_map(|p| [p / 2.0, 1.5 * p]);
+    lines.iter().copied().chain(radii()).chain(sides).collect()
+}
+
 /// Within 1e-17 to 0.1 of the k-th zero or its mirror image.
 fn near_zero(k: usize, d: &mut Draw) -> Vec<f64> {
     let off = polar(d.log_uniform(1e-17, 0.1), whole(d));

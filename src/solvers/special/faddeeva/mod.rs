@@ -96,7 +96,7 @@ mod voigt_hwhm;
 mod zeros;
 
 pub use branch::Branch;
-pub use seams::{SEAMS, SEAMS_OF_RELATIVES, Seams};
+pub use seams::{LIMITS_OF_VOIGT, LIMITS_OF_VOIGT_HWHM, SEAMS, SEAMS_OF_RELATIVES, Seams};
 
 pub use dawson::{dawson, dawson_batch, dawson_real};
 pub use derivative::w_derivative;

@@ -8,6 +8,8 @@ use super::real_line::COMPLEMENT;
 use super::reflection::{DOMINANT, NEGLIGIBLE};
 use super::relatives_tables::MAXIMUM_OF_DAWSON;
 use super::rows::{COARSE_PITCH, FINE_PITCH, REAL_AXIS_PITCH};
+use super::voigt::{LINEAR, LORENTZ};
+use super::voigt_hwhm::{NORMAL, SERIES};
 
 /// Where one formula ends and another begins: what a test of the function has to come close to.
 #[derive(Clone, Copy, Debug)]
@@ -105,6 +107,24 @@ pub const SEAMS_OF_RELATIVES: Seams = Seams {
     hyperbolas: &[],
     pitches: SEAMS.pitches,
 };
+
+/// The limits of `|x|/(σ√2)` and `γ/(σ√2)` at which [`voigt`](super::voigt()) leaves w, whose [`SEAMS`] at
+/// `(x + iγ)/(σ√2)` are its others.
+///
+/// ```
+/// use mechaudit_solvers::faddeeva::LIMITS_OF_VOIGT;
+/// assert_eq!(LIMITS_OF_VOIGT, [0.5f64.powi(400), 2f64.powi(27)]);
+/// ```
+pub const LIMITS_OF_VOIGT: [f64; 2] = [LINEAR, LORENTZ];
+
+/// The limits of `γ/(σ√2)` between which [`voigt_hwhm`](super::voigt_hwhm()) evaluates w, whose [`SEAMS`] are its
+/// others.
+///
+/// ```
+/// use mechaudit_solvers::faddeeva::LIMITS_OF_VOIGT_HWHM;
+/// assert_eq!(LIMITS_OF_VOIGT_HWHM, [0.5f64.powi(60), 256.0]);
+/// ```
+pub const LIMITS_OF_VOIGT_HWHM: [f64; 2] = [NORMAL, SERIES];
 
 #[cfg(test)]
 #[path = "tests/seam_walk.rs"]

@@ -9,9 +9,9 @@ use crate::lanes::{Lanes, Task, with_best};
 use crate::real::ROUND;
 
 /// Distance from the centre in units of `σ√2` from which the profile is Lorentz's.
-const LORENTZ: f64 = hex("0x1p27");
+pub(super) const LORENTZ: f64 = hex("0x1p27");
 /// `γ/(σ√2)` below which the profile is linear in it.
-const LINEAR: f64 = hex("0x1p-400");
+pub(super) const LINEAR: f64 = hex("0x1p-400");
 
 /// `x = m 2^e`, `1 ≤ m < 2`, for finite `x > 0`; zero is `0 · 2⁰`.
 #[inline(always)]

@@ -27,9 +27,9 @@ use crate::real::ROUND;
 use std::f64::consts::LN_2;
 
 /// `γ/(σ√2)` below which γ does not matter: the width is `σ√(2 ln 2) + 0.53 γ + …`.
-const NORMAL: f64 = hex("0x1p-60");
+pub(super) const NORMAL: f64 = hex("0x1p-60");
 /// `γ/(σ√2)` from which three terms of the series suffice: the next one is below 2⁻⁶⁰.
-const SERIES: f64 = hex("0x1p8");
+pub(super) const SERIES: f64 = hex("0x1p8");
 
 struct Width {
     sigma: f64,
