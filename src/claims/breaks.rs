@@ -175,5 +175,4 @@ fn error(z: &[f64], re: Option<f64>) -> Option<f64> {
 }
 
 #[cfg(test)]
-#[path = "breaks_tests.rs"]
 mod tests;

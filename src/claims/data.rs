@@ -551,5 +551,4 @@ pub fn claims() -> Vec<Claim> {
 }
 
 #[cfg(test)]
-#[path = "data_tests.rs"]
 mod tests;

@@ -316,5 +316,4 @@ fn power_above(y: f64) -> f64 {
 }
 
 #[cfg(test)]
-#[path = "decide_tests.rs"]
 mod tests;

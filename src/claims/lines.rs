@@ -182,5 +182,4 @@ impl Method for HartmannTran {
 }
 
 #[cfg(test)]
-#[path = "lines_tests.rs"]
 mod tests;

@@ -129,5 +129,4 @@ fn halved(
 }
 
 #[cfg(test)]
-#[path = "seams_tests.rs"]
 mod tests;

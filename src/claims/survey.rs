@@ -292,5 +292,4 @@ fn figures(report: &MethodReport, negative: &[(&'static str, u64)], unit: f64) -
 }
 
 #[cfg(test)]
-#[path = "survey_tests.rs"]
 mod tests;

@@ -88,5 +88,4 @@ pub(crate) fn above(ball: &Ball) -> f64 {
 }
 
 #[cfg(test)]
-#[path = "tests/bounds.rs"]
 mod tests;

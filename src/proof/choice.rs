@@ -139,5 +139,4 @@ fn with_rows(piece: Rectangle, branch: Branch, out: &mut Vec<Part>) -> Result<()
 }
 
 #[cfg(test)]
-#[path = "tests/choice.rs"]
 mod tests;

@@ -104,5 +104,4 @@ pub(crate) static MACLAURIN: LazyLock<Vec<Constant>> = LazyLock::new(|| {
 });
 
 #[cfg(test)]
-#[path = "tests/constants.rs"]
 mod tests;

@@ -254,5 +254,4 @@ fn hole_in(square: [[u64; 2]; 2], rectangles: &[[[u64; 2]; 2]]) -> Option<[u64; 
 }
 
 #[cfg(test)]
-#[path = "tests/cover.rs"]
 mod tests;

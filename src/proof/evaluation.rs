@@ -401,9 +401,7 @@ pub(crate) fn evaluate<T>(
 }
 
 #[cfg(test)]
-#[path = "tests/evaluation.rs"]
 mod tests;
 
 #[cfg(test)]
-#[path = "tests/evaluation_limits.rs"]
-mod limits;
+mod limit_tests;

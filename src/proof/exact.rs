@@ -219,5 +219,4 @@ impl Mul for Exact {
 }
 
 #[cfg(test)]
-#[path = "tests/exact.rs"]
 mod tests;

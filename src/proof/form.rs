@@ -387,5 +387,4 @@ pub(crate) fn regrained(mut form: Form, sigma: Exact) -> Form {
 }
 
 #[cfg(test)]
-#[path = "tests/form.rs"]
 mod tests;

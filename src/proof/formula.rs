@@ -456,5 +456,4 @@ fn component(r: &Tracks, truncated: f64, norm: f64, sigma: Interval) -> (f64, f6
 }
 
 #[cfg(test)]
-#[path = "tests/formula.rs"]
 mod tests;

@@ -239,5 +239,4 @@ impl Div for Interval {
 }
 
 #[cfg(test)]
-#[path = "tests/interval.rs"]
 mod tests;

@@ -197,9 +197,7 @@ fn leaves(code: &Code, at: &Rectangle) -> Result<Vec<Leaf>, &'static str> {
 }
 
 #[cfg(test)]
-#[path = "tests/theorem.rs"]
 mod tests;
 
 #[cfg(test)]
-#[path = "tests/cuts.rs"]
-mod cuts;
+mod cut_tests;

@@ -141,5 +141,4 @@ impl Tables {
 }
 
 #[cfg(test)]
-#[path = "tests/tables.rs"]
 mod tests;

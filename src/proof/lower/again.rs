@@ -350,5 +350,4 @@ impl Again {
 }
 
 #[cfg(test)]
-#[path = "tests/again.rs"]
 mod tests;

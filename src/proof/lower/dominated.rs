@@ -121,5 +121,4 @@ fn exponential(u: f64, e: &Exponential, limits: &Limits) -> f64 {
 }
 
 #[cfg(test)]
-#[path = "tests/dominated.rs"]
 mod tests;

@@ -301,5 +301,4 @@ impl Exponential {
 }
 
 #[cfg(test)]
-#[path = "tests/exponential.rs"]
 mod tests;

@@ -197,5 +197,4 @@ fn difference(c: &[Rational], first: u32, sign: i32) -> f64 {
 }
 
 #[cfg(test)]
-#[path = "tests/phase.rs"]
 mod tests;

@@ -149,5 +149,4 @@ pub(super) fn reflected(w: Value, at: &Rectangle, rho: f64, cancelled: f64) -> f
 }
 
 #[cfg(test)]
-#[path = "tests/reflection.rs"]
 mod tests;

@@ -328,5 +328,4 @@ fn values(code: &Code, region: Region, at: &Rectangle) -> Result<Vec<Value>, &'s
 }
 
 #[cfg(test)]
-#[path = "tests/regions.rs"]
 mod tests;

@@ -115,5 +115,4 @@ impl Rows {
 }
 
 #[cfg(test)]
-#[path = "tests/rows.rs"]
 mod tests;

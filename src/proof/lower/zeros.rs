@@ -291,5 +291,4 @@ impl AroundZeros {
 }
 
 #[cfg(test)]
-#[path = "tests/zeros.rs"]
 mod tests;

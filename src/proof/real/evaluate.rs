@@ -418,5 +418,4 @@ fn underflowing(function: Function, ends: [f64; 2], constant: f64) -> f64 {
 }
 
 #[cfg(test)]
-#[path = "tests/evaluate.rs"]
 mod tests;

@@ -156,5 +156,4 @@ pub fn hole(function: Function, intervals: impl IntoIterator<Item = Interval>) -
 }
 
 #[cfg(test)]
-#[path = "tests/theorem.rs"]
 mod tests;

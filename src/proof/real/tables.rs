@@ -110,5 +110,4 @@ impl Tables {
 }
 
 #[cfg(test)]
-#[path = "tests/tables.rs"]
 mod tests;

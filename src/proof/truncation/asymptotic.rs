@@ -213,5 +213,4 @@ pub(crate) fn huge() -> Truncation {
 }
 
 #[cfg(test)]
-#[path = "tests/asymptotic.rs"]
 mod tests;

@@ -28,5 +28,4 @@ pub(crate) fn maclaurin(last: u32, r: f64) -> Truncation {
 }
 
 #[cfg(test)]
-#[path = "tests/maclaurin.rs"]
 mod tests;

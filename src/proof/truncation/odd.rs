@@ -36,5 +36,4 @@ pub(crate) fn pair_error([hi, lo]: [f64; 2], exact: &Ball) -> f64 {
 }
 
 #[cfg(test)]
-#[path = "tests/odd.rs"]
 mod tests;

@@ -174,5 +174,4 @@ fn certified(centre: (f64, f64)) -> Result<Vec<ComplexBall>, ProofError> {
 }
 
 #[cfg(test)]
-#[path = "tests/rows.rs"]
 mod tests;

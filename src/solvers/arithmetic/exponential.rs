@@ -402,5 +402,4 @@ fn short_product<R: Real>(a: Dd<R>, b: Dd<R>) -> Dd<R> {
 }
 
 #[cfg(test)]
-#[path = "tests/exponential.rs"]
 mod tests;

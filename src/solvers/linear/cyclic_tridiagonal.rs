@@ -229,5 +229,4 @@ mod tests {
 }
 
 #[cfg(test)]
-#[path = "cyclic_factor_tests.rs"]
 mod factor_tests;

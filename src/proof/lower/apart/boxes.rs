@@ -91,5 +91,4 @@ fn places(zeros: &[ComplexBall]) -> Result<Vec<(f64, f64)>, ProofError> {
 }
 
 #[cfg(test)]
-#[path = "../tests/boxes.rs"]
 mod tests;

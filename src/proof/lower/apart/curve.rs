@@ -129,5 +129,4 @@ pub(super) fn line(k: i32, j: u64, bits: u32) -> Result<Ball, ProofError> {
 }
 
 #[cfg(test)]
-#[path = "../tests/curve.rs"]
 mod tests;

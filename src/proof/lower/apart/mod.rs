@@ -144,5 +144,4 @@ fn on_lines(value: smooth::Value<'_>) -> Smooth<'_> {
 }
 
 #[cfg(test)]
-#[path = "../tests/apart.rs"]
 mod tests;

@@ -219,5 +219,4 @@ fn unit_differences(table: Vec<Float>, h: u64) -> Vec<u128> {
 }
 
 #[cfg(test)]
-#[path = "../tests/smooth.rs"]
 mod tests;

@@ -144,5 +144,4 @@ fn within(phi: &Ball, lo: &Float, hi: &Float) -> bool {
 }
 
 #[cfg(test)]
-#[path = "modes_tests.rs"]
 mod tests;

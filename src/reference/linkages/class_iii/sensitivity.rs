@@ -380,5 +380,4 @@ impl Linkage {
 }
 
 #[cfg(test)]
-#[path = "sensitivity_tests.rs"]
 mod tests;

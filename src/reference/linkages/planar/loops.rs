@@ -242,3 +242,6 @@ fn relation(joint: &Joint, joints: &[Joint], slides: &[Option<usize>]) -> Option
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

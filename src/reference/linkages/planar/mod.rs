@@ -54,21 +54,15 @@ mod freedom;
 mod freedom_tests;
 mod joint_forces;
 mod loops;
-#[cfg(test)]
-mod loops_tests;
 mod mechanism;
 mod mid_rad;
 mod modes;
 #[cfg(test)]
 mod modes_tests;
 mod nearest;
-#[cfg(test)]
-mod nearest_tests;
 mod panel;
 mod parts;
 mod reactions;
-#[cfg(test)]
-mod reactions_tests;
 mod real;
 mod scalar;
 mod series;

@@ -66,3 +66,6 @@ impl Linkage {
         over.iter().any(|f| !f.contains_zero())
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -109,3 +109,6 @@ impl Linkage {
         Ok(matrix.solve(&right))
     }
 }
+
+#[cfg(test)]
+mod tests;

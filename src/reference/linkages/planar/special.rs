@@ -554,5 +554,4 @@ impl Special {
 }
 
 #[cfg(test)]
-#[path = "special_tests.rs"]
 mod tests;

@@ -174,6 +174,4 @@ mod ball_tests;
 #[cfg(test)]
 mod related_tests;
 #[cfg(test)]
-mod scaled_tests;
-#[cfg(test)]
 mod tests;

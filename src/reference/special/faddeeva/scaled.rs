@@ -121,3 +121,6 @@ pub(super) fn aligned(a: &Scaled, b: &Scaled) -> (Ball, Ball, Integer) {
     let relative = |s: &Scaled| Scaled::shifted(&s.ball, &Integer::from(&s.exponent - top));
     (relative(a), relative(b), top.clone())
 }
+
+#[cfg(test)]
+mod tests;

@@ -389,5 +389,4 @@ fn places(times: [f64; 2], fastest: f64) -> Vec<f64> {
 }
 
 #[cfg(test)]
-#[path = "response_tests.rs"]
 mod tests;

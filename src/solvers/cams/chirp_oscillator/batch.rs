@@ -318,5 +318,4 @@ impl Task for Forced<'_> {
 }
 
 #[cfg(test)]
-#[path = "batch_tests.rs"]
 mod tests;

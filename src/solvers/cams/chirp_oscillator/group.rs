@@ -182,5 +182,4 @@ pub(super) fn add<L: Lanes>(lanes: L, sums: &mut [f64; CHUNK], start: usize, x: 
 }
 
 #[cfg(test)]
-#[path = "group_tests.rs"]
 mod tests;

@@ -212,5 +212,4 @@ impl Prepared {
 }
 
 #[cfg(test)]
-#[path = "harmonic_tests.rs"]
 mod tests;

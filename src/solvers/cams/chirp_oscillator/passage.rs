@@ -140,5 +140,4 @@ pub(super) fn left_behind(sweep: &Sweep, roots: &Roots) -> Option<[[C; 2]; 2]> {
 const FOLDED: f64 = 300.0;
 
 #[cfg(test)]
-#[path = "passage_tests.rs"]
 mod tests;

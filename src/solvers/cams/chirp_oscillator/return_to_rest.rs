@@ -150,5 +150,4 @@ fn far(sweep: &Sweep, roots: &Roots, omega: Dd) -> [Cd; 2] {
 }
 
 #[cfg(test)]
-#[path = "return_to_rest_tests.rs"]
 mod tests;

@@ -220,5 +220,4 @@ impl Sweep {
 const HALF_SQRT_PI: f64 = 0.886_226_925_452_758;
 
 #[cfg(test)]
-#[path = "sweep_tests.rs"]
 mod tests;

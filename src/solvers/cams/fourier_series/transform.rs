@@ -350,5 +350,4 @@ impl Transform {
 }
 
 #[cfg(test)]
-#[path = "transform_tests.rs"]
 mod tests;

@@ -103,5 +103,4 @@ pub(super) fn crossing(
 }
 
 #[cfg(test)]
-#[path = "crossing_tests.rs"]
 mod tests;

@@ -154,5 +154,4 @@ fn search(
 }
 
 #[cfg(test)]
-#[path = "flywheel_tests.rs"]
 mod tests;

@@ -479,5 +479,4 @@ impl<'a> Integrator<'a> {
 }
 
 #[cfg(test)]
-#[path = "integrate_tests.rs"]
 mod tests;

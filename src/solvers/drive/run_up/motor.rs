@@ -297,5 +297,4 @@ impl Motor {
 }
 
 #[cfg(test)]
-#[path = "motor_tests.rs"]
 mod tests;

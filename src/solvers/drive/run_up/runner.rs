@@ -508,5 +508,4 @@ impl<'a> Run<'a> {
 }
 
 #[cfg(test)]
-#[path = "runner_tests.rs"]
 mod tests;

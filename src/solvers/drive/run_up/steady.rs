@@ -270,5 +270,4 @@ fn finish(
 }
 
 #[cfg(test)]
-#[path = "steady_tests.rs"]
 mod tests;

@@ -123,5 +123,4 @@ pub(crate) fn stability(
 }
 
 #[cfg(test)]
-#[path = "stability_tests.rs"]
 mod tests;

@@ -535,13 +535,10 @@ mod tests {
 }
 
 #[cfg(test)]
-#[path = "assembly_tests.rs"]
-mod parts;
+mod parts_tests;
 
 #[cfg(test)]
-#[path = "translation_tests.rs"]
-mod translations;
+mod translation_tests;
 
 #[cfg(test)]
-#[path = "zeros_tests.rs"]
-mod zeros;
+mod zero_tests;

@@ -207,5 +207,4 @@ mod tests {
 }
 
 #[cfg(test)]
-#[path = "fold_tests.rs"]
 mod fold_tests;

@@ -239,5 +239,4 @@ impl Task for Accelerations<'_> {
 }
 
 #[cfg(test)]
-#[path = "closure_tests.rs"]
 mod tests;

@@ -344,5 +344,4 @@ mod tests {
 }
 
 #[cfg(test)]
-#[path = "step_tests.rs"]
-mod steps;
+mod step_tests;

@@ -109,5 +109,4 @@ mod tests {
 }
 
 #[cfg(test)]
-#[path = "dead_tests.rs"]
-mod built;
+mod built_tests;

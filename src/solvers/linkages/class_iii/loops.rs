@@ -157,5 +157,4 @@ impl ClassIii {
 }
 
 #[cfg(test)]
-#[path = "newton_tests.rs"]
 mod newton_tests;

@@ -151,3 +151,6 @@ pub(super) fn bounds(chain: &Chain, pose: &Pose, out: &mut Vec<Bound>) {
         out.extend((0..closure.rows()).map(|_| bound));
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -152,5 +152,4 @@ fn is_same(a: &Singularity, b: &Singularity) -> bool {
 }
 
 #[cfg(test)]
-#[path = "branch_tests.rs"]
 mod tests;

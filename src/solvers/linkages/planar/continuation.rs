@@ -335,5 +335,4 @@ impl Mechanism {
 }
 
 #[cfg(test)]
-#[path = "continuation_tests.rs"]
 mod tests;

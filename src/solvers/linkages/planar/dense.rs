@@ -335,5 +335,4 @@ impl Factors {
 }
 
 #[cfg(test)]
-#[path = "dense_tests.rs"]
 mod tests;

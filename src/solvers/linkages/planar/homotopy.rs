@@ -522,5 +522,4 @@ fn subsets(n: usize, k: usize) -> impl Iterator<Item = Vec<bool>> {
 }
 
 #[cfg(test)]
-#[path = "homotopy_tests.rs"]
 mod tests;

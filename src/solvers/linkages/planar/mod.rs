@@ -54,8 +54,6 @@ pub use state::{Displacement, State, curvature};
 pub use structure::{Group, GroupKind, Structure};
 
 #[cfg(test)]
-mod bounds_tests;
-#[cfg(test)]
 mod equilibrium_tests;
 #[cfg(test)]
 mod gear_tests;

@@ -209,5 +209,4 @@ impl Mechanism {
 }
 
 #[cfg(test)]
-#[path = "modes_tests.rs"]
 mod tests;

@@ -316,8 +316,6 @@ impl Chain {
 }
 
 #[cfg(test)]
-#[path = "nearest_estimate_tests.rs"]
 mod estimate_tests;
 #[cfg(test)]
-#[path = "nearest_tests.rs"]
 mod tests;

@@ -189,5 +189,4 @@ impl Pose {
 }
 
 #[cfg(test)]
-#[path = "newton_tests.rs"]
 mod tests;

@@ -310,5 +310,4 @@ impl Pose {
 }
 
 #[cfg(test)]
-#[path = "pose_tests.rs"]
 mod tests;

@@ -228,5 +228,4 @@ fn null_vectors(factors: &Factors, n: usize) -> (Vec<f64>, Vec<f64>) {
 }
 
 #[cfg(test)]
-#[path = "singular_tests.rs"]
 mod tests;

@@ -210,5 +210,4 @@ pub fn curvature(motion: &PointMotion) -> f64 {
 }
 
 #[cfg(test)]
-#[path = "state_tests.rs"]
 mod tests;

@@ -418,5 +418,4 @@ fn held(joint: &super::model::Named<Joint>) -> Vec<Point> {
 }
 
 #[cfg(test)]
-#[path = "windings_tests.rs"]
 mod tests;

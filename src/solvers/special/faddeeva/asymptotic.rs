@@ -246,5 +246,4 @@ pub(super) fn large<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd, f64) {
 }
 
 #[cfg(test)]
-#[path = "tests/asymptotic.rs"]
 mod tests;

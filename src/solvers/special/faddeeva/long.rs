@@ -224,5 +224,4 @@ impl Mul for Long {
 }
 
 #[cfg(test)]
-#[path = "tests/long.rs"]
 mod tests;

@@ -117,5 +117,4 @@ pub(super) fn gaussian(a: f64, y: f64) -> Complex {
 }
 
 #[cfg(test)]
-#[path = "tests/long_functions.rs"]
 mod tests;

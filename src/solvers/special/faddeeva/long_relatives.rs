@@ -48,5 +48,4 @@ pub(super) fn derivative(a: f64, y: f64) -> Complex {
 }
 
 #[cfg(test)]
-#[path = "tests/long_relatives.rs"]
 mod tests;

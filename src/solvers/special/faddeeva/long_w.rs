@@ -139,5 +139,4 @@ pub(super) fn lower(a: f64, b: f64) -> (f64, f64) {
 }
 
 #[cfg(test)]
-#[path = "tests/long_w.rs"]
 mod tests;

@@ -124,5 +124,4 @@ pub(super) fn on_imaginary_axis<R: Real>(y: R) -> R {
 }
 
 #[cfg(test)]
-#[path = "tests/maclaurin.rs"]
 mod tests;

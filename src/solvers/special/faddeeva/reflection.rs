@@ -103,5 +103,4 @@ pub(super) fn negligible<R: Real>(a: R, b: R, u: R, v: R) -> R::Mask {
 }
 
 #[cfg(test)]
-#[path = "tests/reflection.rs"]
 mod tests;

@@ -127,5 +127,4 @@ pub const LIMITS_OF_VOIGT: [f64; 2] = [LINEAR, LORENTZ];
 pub const LIMITS_OF_VOIGT_HWHM: [f64; 2] = [NORMAL, SERIES];
 
 #[cfg(test)]
-#[path = "tests/seam_walk.rs"]
 mod tests;

@@ -66,5 +66,4 @@ pub(super) fn huge(a: f64, y: f64) -> (f64, f64) {
 }
 
 #[cfg(test)]
-#[path = "tests/special.rs"]
 mod tests;

@@ -151,5 +151,4 @@ impl Task for Upper {
 }
 
 #[cfg(test)]
-#[path = "tests/trapezoidal.rs"]
 mod tests;

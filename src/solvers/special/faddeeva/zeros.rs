@@ -128,5 +128,4 @@ pub(super) fn near_zeros<S: Wide>(
 }
 
 #[cfg(test)]
-#[path = "tests/zeros.rs"]
 mod tests;

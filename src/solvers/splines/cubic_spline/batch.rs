@@ -263,3 +263,6 @@ fn check_room(x: &[f64], out: &[f64]) -> Result<(), Error> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -52,8 +52,6 @@ pub(super) use {
 };
 
 #[cfg(test)]
-mod batch_tests;
-#[cfg(test)]
 mod limit_tests;
 #[cfg(test)]
 mod tests;

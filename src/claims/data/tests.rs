@@ -78,7 +78,7 @@ fn discs_about_the_zeros_are_left_out() {
 #[test]
 fn the_atlas_decides_these_claims() {
     let held: serde_json::Value =
-        serde_json::from_str(include_str!("../../reference/atlas/atlas.json")).unwrap();
+        serde_json::from_str(include_str!("../../../reference/atlas/atlas.json")).unwrap();
     let held = held["claims"].as_array().unwrap();
     let due = claims();
     assert_eq!(held.len(), due.len());

@@ -1,11 +1,11 @@
 //! The bounds hold, and are near what they bound.
 
-use super::bounds::{SLACK, bounds};
-use super::chain::{Bound, Entry, Rail};
-use super::equilibrium_tests::*;
-use super::pose::Pose;
-use super::tests::*;
-use super::*;
+use super::super::bounds::{SLACK, bounds};
+use super::super::chain::{Bound, Entry, Rail};
+use super::super::equilibrium_tests::*;
+use super::super::pose::Pose;
+use super::super::tests::*;
+use super::super::*;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 

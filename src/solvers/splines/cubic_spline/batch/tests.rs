@@ -1,7 +1,7 @@
 //! Groups of points, lookups and ascending blocks, each for itself.
 
-use super::lookup::{GROUP, Lookup, Plain};
-use super::*;
+use super::super::lookup::{GROUP, Lookup, Plain};
+use super::super::*;
 
 fn spline(n: usize) -> UniformCubicSpline {
     let y: Vec<f64> = (0..n)

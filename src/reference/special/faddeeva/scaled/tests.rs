@@ -1,8 +1,8 @@
 //! Exactly known arguments, and numbers with exponents of any size.
 
-use super::argument::{Argument, Real};
-use super::related::times_gaussian;
-use super::scaled::{Scaled, aligned};
+use super::super::argument::{Argument, Real};
+use super::super::related::times_gaussian;
+use super::super::scaled::{Scaled, aligned};
 use crate::{Ball, Mag};
 use rug::float::Round;
 use rug::{Float, Integer, Rational};

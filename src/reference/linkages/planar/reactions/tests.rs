@@ -1,8 +1,8 @@
 //! Rates, multipliers and forces in joints for drives of other forms.
 
-use super::energy::{Forces, Spring};
-use super::tests::{cranked, four_bar};
-use super::{Attachment, Drive, Joint, Linkage, Position};
+use super::super::energy::{Forces, Spring};
+use super::super::tests::{cranked, four_bar};
+use super::super::{Attachment, Drive, Joint, Linkage, Position};
 use crate::class_iii::tests::q;
 use crate::dyad;
 use crate::pinned::{Answers, Draw, pin};
@@ -105,19 +105,19 @@ fn forces_are_for_pins_without_springs() {
     let mut joints = linkage.mechanism().joints().to_vec();
     assert!(joints.iter().all(|j| matches!(j, Joint::Pin { .. })));
     joints.push(Joint::Gear {
-        a: super::Frame::Body(0),
-        b: super::Frame::Body(3),
-        carrier: super::Frame::Ground,
+        a: super::super::Frame::Body(0),
+        b: super::super::Frame::Body(3),
+        carrier: super::super::Frame::Ground,
         ratio: q("2"),
         offset: crate::class_iii::ExactAngle::Radians(q("0")),
     });
     let mut bodies = linkage.mechanism().bodies().to_vec();
-    bodies.push(super::Body::massless("gear"));
+    bodies.push(super::super::Body::massless("gear"));
     joints.push(Joint::Pin {
         a: Attachment::ground([q("9"), q("0")]),
         b: Attachment::body(3, [q("0"), q("0")]),
     });
-    let geared = cranked(&super::Mechanism::new(bodies, joints).unwrap());
+    let geared = cranked(&super::super::Mechanism::new(bodies, joints).unwrap());
     let start = [0.9, 0.5, 1.6, 1.8].map(|x| Float::with_val(64, x));
     let at = geared.position(&ball("0.9"), &start).unwrap();
     let series = geared.series(&at, 2).unwrap();

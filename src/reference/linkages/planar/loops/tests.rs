@@ -1,8 +1,8 @@
 //! Joints in any order, from either side and at any points of the bodies.
 
-use super::energy::Forces;
-use super::tests::{cranked, four_bar};
-use super::{Attachment, Body, Drive, Joint, Linkage, Mechanism, MechanismError, Point, Real};
+use super::super::energy::Forces;
+use super::super::tests::{cranked, four_bar};
+use super::super::{Attachment, Body, Drive, Joint, Linkage, Mechanism, MechanismError, Point, Real};
 use crate::class_iii::ExactAngle;
 use crate::class_iii::tests::q;
 use crate::dyad;
@@ -164,7 +164,7 @@ fn bad_parts_are_refused() {
     // A rack on a pin, and on a joint that does not exist.
     for slide in [0, 2] {
         let rack = Joint::Rack {
-            pinion: super::Frame::Body(0),
+            pinion: super::super::Frame::Body(0),
             slide,
             ratio: q("1"),
             offset: Rational::new(),
@@ -210,7 +210,7 @@ fn a_spring_across_a_slide_by_its_derivatives() {
     let linkage = Linkage::new(&mechanism, &Drive::coordinate(1), BITS).unwrap();
     let forces = Forces {
         drive: q("10"),
-        springs: vec![super::Spring {
+        springs: vec![super::super::Spring {
             a: Attachment::body(0, at("0", "0")),
             b: Attachment::ground(at("0", "3")),
             stiffness: q("6"),
@@ -238,7 +238,7 @@ fn a_spring_across_a_slide_by_its_derivatives() {
         p(2, 2) * 3 + p(1, 3) * 4 + p(0, 4),
     ];
     let derivatives = derivatives.map(|d| d * 6);
-    let load = super::energy::Load::new(&mechanism, &forces, BITS);
+    let load = super::super::energy::Load::new(&mechanism, &forces, BITS);
     let potential = load.potential_series(&series);
     for (n, (found, factorial)) in potential.iter().zip([1, 1, 2, 6, 24]).enumerate() {
         let due = Rational::from(&derivatives[n] / factorial);

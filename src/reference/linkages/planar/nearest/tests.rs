@@ -1,8 +1,8 @@
 //! Which position is nearest is told rightly or not at all.
 
-use super::soundness_tests::both;
-use super::tests::{cranked, four_bar};
-use super::{Drive, Linkage, Position};
+use super::super::soundness_tests::both;
+use super::super::tests::{cranked, four_bar};
+use super::super::{Drive, Linkage, Position};
 use crate::class_iii::tests::q;
 use crate::pinned::{Answers, Draw, pin};
 use crate::{Ball, Mag};
