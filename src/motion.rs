@@ -203,5 +203,4 @@ pub fn hull(corners: &[[f64; 2]]) -> Vec<usize> {
 }
 
 #[cfg(test)]
-#[path = "motion_tests.rs"]
 mod tests;

@@ -558,8 +558,8 @@ impl Run {
             // Where no numbers are due, `certify` may call the refusal undecided.
             let (due, why) = match self.method.reference(&exact, 128) {
                 ReferenceAnswer::Values(r) => (Some(r.values), Some(r.proof)),
-                ReferenceAnswer::Dues(dues, p) => {
-                    let numbers = dues.iter().map(|d| d.number().cloned()).collect();
+                ReferenceAnswer::Expected(expected, p) => {
+                    let numbers = expected.iter().map(|d| d.number().cloned()).collect();
                     match numbers {
                         Some(numbers) => (Some(numbers), Some(p)),
                         None => return Err(Uncertified::NoNumber),

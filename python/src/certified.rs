@@ -3,7 +3,7 @@
 use crate::errors::{DomainError, Undecided, value_error};
 use crate::pool::pool;
 use mechaudit::audit::Uncertified;
-use mechaudit::methods::{Evaluable, certified_digits, evaluable};
+use mechaudit::methods::{Evaluable, certified_digits, registry};
 use mechaudit::reference::cubic_spline::{End, Spline};
 use mechaudit::reference::faddeeva::{self, Scaled};
 use mechaudit::reference::{Ball, ComplexBall};
@@ -92,16 +92,16 @@ pub fn uncertified(error: Uncertified, row: usize) -> PyErr {
     }
 }
 
-/// The method of that name, or of that name in an earlier release.
+/// Returns the method of that name.
 pub fn evaluable_method(name: &str) -> PyResult<&'static dyn Evaluable> {
     // Made once, and there to the end of the process.
     static ALL: OnceLock<Vec<&'static dyn Evaluable>> = OnceLock::new();
     let all = ALL.get_or_init(|| {
         let leaked = |m: Box<dyn Evaluable>| &*Box::leak(m);
-        evaluable().into_iter().map(leaked).collect()
+        registry().into_iter().map(leaked).collect()
     });
-    let named = |m: &&dyn Evaluable| m.name() == name || m.former_names().contains(&name);
-    all.iter().copied().find(named).ok_or_else(|| {
+    let named = all.iter().copied().find(|m| m.name() == name);
+    named.ok_or_else(|| {
         let known: Vec<&str> = all.iter().map(|m| m.name()).collect();
         PyValueError::new_err(format!(
             "method: there is no {name:?}; there are: {}",

@@ -1,6 +1,6 @@
 //! Answers of solver and reference.
 
-use super::due::Due;
+use super::expected::Expected;
 use mechaudit_reference::{Ball, Undecided};
 use rug::Rational;
 use serde::Serialize;
@@ -31,7 +31,7 @@ pub enum ReferenceAnswer {
     Values(Reference),
     /// One entry for each value of the solver, where infinities or NaN may be due, and why they
     /// hold.
-    Dues(Vec<Due>, Proof),
+    Expected(Vec<Expected>, Proof),
     /// There is no value, for the named reason; the solver must refuse with the same word.
     Refuses(&'static str),
     /// Not decided at this precision.
@@ -72,9 +72,9 @@ impl ReferenceAnswer {
         let zero = |b: &Ball| b.mid().is_zero() && b.rad().is_zero();
         match self {
             ReferenceAnswer::Values(r) => r.values.iter().any(zero),
-            ReferenceAnswer::Dues(dues, _) => {
-                let number = |d: &Due| matches!(d, Due::Number(ball) if zero(ball));
-                dues.iter().any(number)
+            ReferenceAnswer::Expected(expected, _) => {
+                let number = |d: &Expected| matches!(d, Expected::Number(ball) if zero(ball));
+                expected.iter().any(number)
             }
             _ => false,
         }
@@ -88,18 +88,20 @@ impl ReferenceAnswer {
     ) -> ReferenceAnswer {
         let signs = match (self.has_zeros(), &self) {
             (true, _) => signs(),
-            (false, ReferenceAnswer::Dues(..)) => return self,
+            (false, ReferenceAnswer::Expected(..)) => return self,
             (false, _) => Vec::new(),
         };
-        let signed = |(i, due): (usize, Due)| due.signed(signs.get(i).copied().flatten());
+        let signed =
+            |(i, expected): (usize, Expected)| expected.signed(signs.get(i).copied().flatten());
         match self {
             ReferenceAnswer::Values(r) => {
-                let numbers = r.values.into_iter().map(Due::Number);
-                ReferenceAnswer::Dues(numbers.enumerate().map(signed).collect(), r.proof)
+                let numbers = r.values.into_iter().map(Expected::Number);
+                ReferenceAnswer::Expected(numbers.enumerate().map(signed).collect(), r.proof)
             }
-            ReferenceAnswer::Dues(dues, proof) => {
-                ReferenceAnswer::Dues(dues.into_iter().enumerate().map(signed).collect(), proof)
-            }
+            ReferenceAnswer::Expected(expected, proof) => ReferenceAnswer::Expected(
+                expected.into_iter().enumerate().map(signed).collect(),
+                proof,
+            ),
             other => other,
         }
     }
@@ -108,7 +110,7 @@ impl ReferenceAnswer {
     pub(super) fn len(&self) -> Option<usize> {
         match self {
             ReferenceAnswer::Values(r) => Some(r.values.len()),
-            ReferenceAnswer::Dues(dues, _) => Some(dues.len()),
+            ReferenceAnswer::Expected(expected, _) => Some(expected.len()),
             _ => None,
         }
     }
@@ -120,8 +122,9 @@ impl ReferenceAnswer {
     pub fn certified(self) -> Result<Vec<Ball>, Uncertified> {
         match self {
             ReferenceAnswer::Values(r) => Ok(r.values),
-            ReferenceAnswer::Dues(dues, _) => {
-                let numbers: Option<Vec<Ball>> = dues.into_iter().map(Due::into_number).collect();
+            ReferenceAnswer::Expected(expected, _) => {
+                let numbers: Option<Vec<Ball>> =
+                    expected.into_iter().map(Expected::into_number).collect();
                 numbers.ok_or(Uncertified::NoNumber)
             }
             ReferenceAnswer::Refuses(word) => Err(Uncertified::Refused(word)),

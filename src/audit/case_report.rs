@@ -52,9 +52,10 @@ pub(super) fn decimals(
             r.values.iter().map(|b| b.rad().to_f64()).collect(),
             Some(r.proof),
         ),
-        ReferenceAnswer::Dues(dues, proof) => (
-            dues.iter().map(|d| d.to_decimal(20)).collect(),
-            dues.iter()
+        ReferenceAnswer::Expected(expected, proof) => (
+            expected.iter().map(|d| d.to_decimal(20)).collect(),
+            expected
+                .iter()
                 .map(|d| d.number().map_or(Mag::ZERO, |b| b.rad()).to_f64())
                 .collect(),
             Some(*proof),

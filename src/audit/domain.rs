@@ -3,6 +3,7 @@
 use rand::rngs::ChaCha8Rng;
 use rand::{Rng, SeedableRng};
 use std::cell::Cell;
+use std::sync::Arc;
 
 /// A value-stable stream of random numbers for one case.
 ///
@@ -129,15 +130,33 @@ fn hashed(hash: u64, bytes: impl IntoIterator<Item = u8>) -> u64 {
     bytes.into_iter().fold(hash, add)
 }
 
+/// Draws one input of a region.
+pub type Sampler = Arc<dyn Fn(&mut Draw) -> Vec<f64> + Send + Sync>;
+
 /// A part of the domain.
 #[derive(Clone)]
 pub struct Region {
-    /// Its name, without spaces.
+    /// The name, without spaces.
     pub name: &'static str,
-    /// What it holds, in words and with ranges.
+    /// The inputs of the region, in words and with ranges.
     pub description: &'static str,
     /// Draws one input.
-    pub sample: fn(&mut Draw) -> Vec<f64>,
+    pub sample: Sampler,
+}
+
+impl Region {
+    /// Creates a region from a function or a closure that draws one input.
+    pub fn new(
+        name: &'static str,
+        description: &'static str,
+        sample: impl Fn(&mut Draw) -> Vec<f64> + Send + Sync + 'static,
+    ) -> Region {
+        Region {
+            name,
+            description,
+            sample: Arc::new(sample),
+        }
+    }
 }
 
 /// One input that is always audited.
@@ -214,6 +233,15 @@ mod tests {
         assert!((0.4..0.6).contains(&share(&bits, &|x| x.is_sign_negative())));
         assert!((0.4..0.6).contains(&share(&bits, &|x| x.abs() < 1.0)));
         assert!((0.4..0.6).contains(&share(&bits, &|x| x.to_bits() & 1 == 1)));
+    }
+
+    #[test]
+    fn a_closure_draws_with_what_it_holds() {
+        let ends = vec![3.0, 5.0];
+        let region = Region::new("between", "", move |d| vec![d.uniform(ends[0], ends[1])]);
+        let input = |r: &Region| (r.sample)(&mut Draw::new(1, "method", r.name, 0));
+        assert!((3.0..5.0).contains(&input(&region)[0]));
+        assert_eq!(input(&region.clone()), input(&region));
     }
 
     #[test]

@@ -57,11 +57,11 @@ mod tests {
             vec![0.1; 299],
         ] {
             let exact = Exact::new(&input).unwrap();
-            let due: Vec<Rational> = input
+            let expected: Vec<Rational> = input
                 .iter()
                 .filter_map(|&x| Rational::from_f64(x))
                 .collect();
-            assert_eq!(exact.numbers(), due);
+            assert_eq!(exact.numbers(), expected);
             assert!(
                 Exact::new(&[1.0, f64::NAN]).is_none() && Exact::new(&[f64::INFINITY]).is_none()
             );

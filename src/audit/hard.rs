@@ -210,7 +210,7 @@ mod tests {
     /// Four figures, never less than the share, and one unit more at most.
     #[test]
     fn shares_are_rounded_up_to_four_figures() {
-        for (share, due) in [
+        for (share, expected) in [
             (0.123_41, 0.1235),
             (1234.1, 1235.0),
             (9.999_1, 10.0),
@@ -220,7 +220,7 @@ mod tests {
             (3.000_5e20, 3.001e20),
             (0.0, 0.0),
         ] {
-            assert_eq!(rounded_up(share), due, "{share}");
+            assert_eq!(rounded_up(share), expected, "{share}");
         }
         assert!(rounded_up(f64::NAN).is_nan());
         // Recorded to a hundredth more, and no farther.

@@ -2,7 +2,7 @@
 
 use super::answer::{ReferenceAnswer, SolverAnswer};
 use super::budget::{Limit, NormBudget};
-use super::due::Due;
+use super::expected::Expected;
 use super::kind::Kind;
 use super::method::Output;
 use super::reason::{Fault, Reason, written};
@@ -189,10 +189,12 @@ pub fn judge_by(
             return Judgement::wrong(Kind::Value, beside(&listed(got), reference));
         }
         (SolverAnswer::Values(got), R::Values(r)) => {
-            let numbers = r.values.iter().cloned().map(Due::Number);
+            let numbers = r.values.iter().cloned().map(Expected::Number);
             (got, Cow::Owned(numbers.collect::<Vec<_>>()))
         }
-        (SolverAnswer::Values(got), R::Dues(dues, _)) => (got, Cow::Borrowed(dues.as_slice())),
+        (SolverAnswer::Values(got), R::Expected(expected, _)) => {
+            (got, Cow::Borrowed(expected.as_slice()))
+        }
     };
     if outputs.is_empty() || got.len() != values.len() {
         let reason = format!("{}, expected {}", counted(got.len()), counted(values.len()));
@@ -204,10 +206,10 @@ pub fn judge_by(
     let mut worst = (Verdict::Pass, None, None);
     let mut squares = Squares::default();
     let mut wide = false;
-    for (i, (&g, due)) in got.iter().zip(values.iter()).enumerate() {
+    for (i, (&g, expected)) in got.iter().zip(values.iter()).enumerate() {
         let o = i % outputs.len();
-        let (lo, hi) = due.distance(g, rules.format);
-        let size = due.number().map(Ball::mignitude);
+        let (lo, hi) = expected.distance(g, rules.format);
+        let size = expected.number().map(Ball::mignitude);
         squares.add(size, lo, hi);
         let place = Place {
             output: &outputs[o],
@@ -216,7 +218,7 @@ pub fn judge_by(
             scale: scales.get(o).copied().unwrap_or((Mag::ZERO, Mag::ZERO)),
             format: rules.format,
         };
-        let c = component(g, due, [lo, hi], place);
+        let c = component(g, expected, [lo, hi], place);
         wide |= c.of_budget > 1.0 / 16.0 && lo.shift(1) < hi;
         if c.verdict > worst.0 {
             let fault = match c.verdict {
@@ -228,7 +230,7 @@ pub fn judge_by(
                 output: outputs[o].name,
                 number: i,
                 got: g,
-                due: due.nearest(),
+                expected: expected.nearest(),
                 fault,
             };
             worst = (c.verdict, c.kind, Some(reason));
@@ -267,7 +269,7 @@ pub fn judge_by(
 fn judge_refusal(word: Option<&str>, reference: &ReferenceAnswer) -> Judgement {
     let named = word.map_or("a refusal".into(), |w| format!("the refusal {w:?}"));
     match reference {
-        ReferenceAnswer::Refuses(due) if word.is_none_or(|w| w == *due) => Judgement {
+        ReferenceAnswer::Refuses(expected) if word.is_none_or(|w| w == *expected) => Judgement {
             verdict: Verdict::Pass,
             reason: None,
             kind: None,
@@ -287,8 +289,8 @@ fn beside(came: &str, reference: &ReferenceAnswer) -> String {
         ReferenceAnswer::Values(r) => {
             listed(&r.values.iter().map(Ball::to_f64).collect::<Vec<f64>>())
         }
-        ReferenceAnswer::Dues(dues, _) => {
-            listed(&dues.iter().map(Due::nearest).collect::<Vec<f64>>())
+        ReferenceAnswer::Expected(expected, _) => {
+            listed(&expected.iter().map(Expected::nearest).collect::<Vec<f64>>())
         }
         ReferenceAnswer::Undecided(_) | ReferenceAnswer::Failed(_) => return came.into(),
     };
@@ -370,17 +372,22 @@ struct Place<'a> {
 }
 
 /// What is wrong in the kind of a value that is known to be.
-fn wrong_kind(got: f64, due: &Due) -> Kind {
+fn wrong_kind(got: f64, expected: &Expected) -> Kind {
     match got {
         g if g.is_nan() => Kind::Nan,
-        g if due.wrong_zero(g) => Kind::WrongZero,
+        g if expected.wrong_zero(g) => Kind::WrongZero,
         g if g.is_infinite() => Kind::Infinity,
         _ => Kind::Finite,
     }
 }
 
 /// Judges a value whose error is between the two bounds.
-fn component(got: f64, due: &Due, [lo, hi]: [Mag; 2], place: Place) -> ComponentJudgement {
+fn component(
+    got: f64,
+    expected: &Expected,
+    [lo, hi]: [Mag; 2],
+    place: Place,
+) -> ComponentJudgement {
     let Place {
         output,
         condition,
@@ -389,7 +396,7 @@ fn component(got: f64, due: &Due, [lo, hi]: [Mag; 2], place: Place) -> Component
         format,
     } = place;
     let limit = output.budget.limit;
-    let Some(reference) = due.number() else {
+    let Some(reference) = expected.number() else {
         let (verdict, of_budget) = match lo.is_zero() {
             true => (Verdict::Pass, 0.0),
             false => (Verdict::WrongKind, f64::INFINITY),
@@ -397,7 +404,7 @@ fn component(got: f64, due: &Due, [lo, hi]: [Mag; 2], place: Place) -> Component
         return ComponentJudgement {
             output: output.name,
             verdict,
-            kind: (verdict == Verdict::WrongKind).then(|| wrong_kind(got, due)),
+            kind: (verdict == Verdict::WrongKind).then(|| wrong_kind(got, expected)),
             ulps: f64::NAN,
             conditioned: f64::NAN,
             of_budget,
@@ -430,7 +437,7 @@ fn component(got: f64, due: &Due, [lo, hi]: [Mag; 2], place: Place) -> Component
     let allowed = terms.bound(scale.1, Mag::mul, Mag::add);
     let certain = terms.bound(scale.0, Mag::mul_below, Mag::add_below);
     let verdict = match allowed {
-        _ if got.is_nan() || due.wrong_zero(got) => Verdict::WrongKind,
+        _ if got.is_nan() || expected.wrong_zero(got) => Verdict::WrongKind,
         _ if !reference.is_finite() => Verdict::Undecided,
         _ if certain.is_some_and(|a| hi <= a) => Verdict::Pass,
         // An infinity for a number or a number for an infinity.
@@ -451,7 +458,7 @@ fn component(got: f64, due: &Due, [lo, hi]: [Mag; 2], place: Place) -> Component
     ComponentJudgement {
         output: output.name,
         verdict,
-        kind: (verdict == Verdict::WrongKind).then(|| wrong_kind(got, due)),
+        kind: (verdict == Verdict::WrongKind).then(|| wrong_kind(got, expected)),
         ulps,
         conditioned,
         of_budget: allowed.map_or(f64::INFINITY, |a| hi.div(a).to_f64()),

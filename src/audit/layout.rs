@@ -13,12 +13,12 @@ use serde::Serialize;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum LayoutError {
     /// Too few or too many.
-    #[error("{found} numbers where {due} are due: {layout}")]
+    #[error("{found} numbers where {expected} are due: {layout}")]
     Count {
         /// How many there are.
         found: usize,
         /// How many there should be.
-        due: usize,
+        expected: usize,
         /// The layout.
         layout: String,
     },
@@ -238,7 +238,7 @@ impl Layout {
                 true => Ok(lengths.into_iter().flatten().collect()),
                 false => Err(LayoutError::Count {
                     found,
-                    due: fixed,
+                    expected: fixed,
                     layout: self.input(),
                 }),
             };

@@ -14,8 +14,8 @@ mod comparison;
 mod convergence;
 mod csv_line;
 mod domain;
-mod due;
 mod exact;
+mod expected;
 mod hard;
 mod hex_float;
 mod hunt;
@@ -57,8 +57,8 @@ pub use comparison::{
 };
 pub use convergence::{Approximation, ConvergenceReport, LevelError, LevelReport, convergence};
 pub use csv_line::csv_line;
-pub use domain::{CheckPoint, Domain, Draw, Region};
-pub use due::Due;
+pub use domain::{CheckPoint, Domain, Draw, Region, Sampler};
+pub use expected::Expected;
 pub use hard::{HARD_HEADER, HardCase, HardCaseError, HardCaseFault, rounded_up};
 pub use hex_float::{hex_float, write_hex_float};
 pub use hunt::{Hunt, HuntSettings, Worst, hunt, hunt_until};
@@ -74,7 +74,9 @@ pub use nearest::{did_you_mean, nearest};
 pub use no_such::NoSuch;
 pub use panel::{Answered, Panel};
 pub use parts::ErrorParts;
-pub use printed::{Agreement, EntryJudgement, Printed, PrintedNumber, PrintedUnit, judge_printed};
+pub use printed::{
+    Agreement, EntryJudgement, Printed, PrintedNumber, PrintedUnit, agreement, judge_printed,
+};
 pub use reason::{Fault, Reason, written};
 pub use referee::{Judge, Referee};
 pub use report::{

@@ -1,20 +1,17 @@
-//! The known name closest to a misspelt one.
+//! Finds the known name closest to a misspelt one.
 
-/// How alike two names have to be.
+/// The similarity above which a name is suggested.
 const ALIKE: f64 = 0.8;
 
-/// The name that is most like the one asked for, if any is.
+/// Returns the known name most like `name`, if one is similar enough.
 pub fn nearest<'a, K: AsRef<str>>(name: &str, known: &'a [K]) -> Option<&'a str> {
     let alike = |k: &str| strsim::jaro_winkler(&name.to_lowercase(), &k.to_lowercase());
-    // Of `faddeeva.erf` the last part may be what was asked for.
-    let last = |k: &str| alike(k.rsplit('.').next().unwrap_or(k));
-    let known = known.iter().map(K::as_ref);
-    let known = known.map(|k| (k, alike(k).max(last(k))));
+    let known = known.iter().map(K::as_ref).map(|k| (k, alike(k)));
     let best = known.max_by(|a, b| a.1.total_cmp(&b.1))?;
     (best.1 > ALIKE).then_some(best.0)
 }
 
-/// ` (did you mean "…"?)`, or nothing.
+/// Returns ` (did you mean "…"?)`, or an empty text where no known name is similar.
 pub fn did_you_mean(name: &str, known: &[impl AsRef<str>]) -> String {
     nearest(name, known).map_or(String::new(), |n| format!(" (did you mean {n:?}?)"))
 }
@@ -25,25 +22,18 @@ mod tests {
 
     #[test]
     fn slips_of_the_pen_and_nothing_else() {
-        let known = [
-            "faddeeva",
-            "four-bar",
-            "erf",
-            "erfc",
-            "class-iii",
-            "faddeeva.voigt",
-        ];
-        for (name, due) in [
+        let known = ["faddeeva", "four-bar", "erf", "erfc", "class-iii", "voigt"];
+        for (name, expected) in [
             ("fadeeva", Some("faddeeva")),
             ("Four-Bar", Some("four-bar")),
             ("fourbar", Some("four-bar")),
             ("erff", Some("erf")),
             ("clas-iii", Some("class-iii")),
-            ("voigt", Some("faddeeva.voigt")),
+            ("voight", Some("voigt")),
             ("no-such-method", None),
             ("", None),
         ] {
-            assert_eq!(nearest(name, &known), due, "{name}");
+            assert_eq!(nearest(name, &known), expected, "{name}");
         }
         // Alike to four fifths, and a little more.
         assert_eq!(nearest("abxcdeyz", &["abucdevw"]), None);

@@ -105,9 +105,9 @@ impl<'a> Panel<'a> {
     ) -> bool {
         let whole = AtomicBool::new(true);
         Panel::in_blocks(total as u64, |numbers| {
-            let due = numbers.end - numbers.start;
+            let expected = numbers.end - numbers.start;
             let block = answered(numbers.start as usize..numbers.end as usize).into_iter();
-            if self.count(block, go_on, &|_| {}, false) < due {
+            if self.count(block, go_on, &|_| {}, false) < expected {
                 whole.store(false, Ordering::Relaxed);
             }
         });

@@ -68,12 +68,7 @@ pub(crate) fn output(name: &'static str, limit: Limit) -> Output {
 }
 
 pub(crate) fn region(name: &'static str, sample: fn(&mut Draw) -> Vec<f64>) -> Region {
-    let description = "planted";
-    Region {
-        name,
-        description,
-        sample,
-    }
+    Region::new(name, "planted", sample)
 }
 
 pub(crate) fn point(name: &'static str, input: &[f64]) -> CheckPoint {

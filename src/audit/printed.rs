@@ -1,7 +1,7 @@
 //! Printed values, decimals of a few digits, against the reference.
 
 use super::answer::ReferenceAnswer;
-use super::due::Due;
+use super::expected::Expected;
 use super::method::Method;
 use super::settings::Settings;
 use mechaudit_reference::{Ball, Decimal, DecimalError, nearest_f64};
@@ -132,11 +132,11 @@ impl Printed {
     }
 
     /// Returns true if the entry is the expected one, where no number is expected.
-    fn is(&self, due: &Due) -> bool {
-        match (&self.number, due) {
-            (PrintedNumber::Nan, Due::NotANumber) => true,
-            (PrintedNumber::Infinity { negative }, Due::Infinity { negative: due }) => {
-                negative == due
+    fn is(&self, expected: &Expected) -> bool {
+        match (&self.number, expected) {
+            (PrintedNumber::Nan, Expected::NotANumber) => true,
+            (PrintedNumber::Infinity { negative }, Expected::Infinity { negative: expected }) => {
+                negative == expected
             }
             _ => false,
         }
@@ -178,10 +178,10 @@ fn entry(reference: &ReferenceAnswer, i: usize, printed: &Printed) -> EntryJudge
     let none = |reason: String| EntryJudgement::none(Agreement::NoValue, reason);
     let ball = match reference {
         ReferenceAnswer::Values(r) => r.values.get(i),
-        ReferenceAnswer::Dues(dues, _) => match dues.get(i) {
-            Some(due) if due.number().is_none() => {
-                let text = due.to_decimal(1).unwrap_or_default();
-                return match printed.is(due) {
+        ReferenceAnswer::Expected(expected, _) => match expected.get(i) {
+            Some(expected) if expected.number().is_none() => {
+                let text = expected.to_decimal(1).unwrap_or_default();
+                return match printed.is(expected) {
                     true => EntryJudgement {
                         agreement: Agreement::Agrees,
                         units: 0.0,
@@ -192,7 +192,7 @@ fn entry(reference: &ReferenceAnswer, i: usize, printed: &Printed) -> EntryJudge
                     false => none(text),
                 };
             }
-            due => due.and_then(Due::number),
+            expected => expected.and_then(Expected::number),
         },
         ReferenceAnswer::Refuses(why) => return none(format!("the reference refuses: {why}")),
         ReferenceAnswer::Undecided(why) => {
@@ -219,7 +219,7 @@ fn against(value: &Ball, printed: &Printed) -> EntryJudgement {
             bits: 0,
         };
     };
-    let agreement = agreement(&value, decimal);
+    let agreement = agreement_of(&value, decimal);
     let off = decimal.units_off(value.ball());
     let undecided = agreement == Agreement::Undecided;
     EntryJudgement {
@@ -271,8 +271,13 @@ fn in_unit(value: &Ball, unit: Option<&PrintedUnit>) -> InUnit {
     InUnit::Enclosed(scaled)
 }
 
+/// Judges a printed decimal against an enclosure of its value, in exact arithmetic.
+pub fn agreement(printed: &Decimal, value: &Ball) -> Agreement {
+    agreement_of(&in_unit(value, None), printed)
+}
+
 /// In exact arithmetic: a tie is one only against an exact reference.
-fn agreement(value: &InUnit, printed: &Decimal) -> Agreement {
+fn agreement_of(value: &InUnit, printed: &Decimal) -> Agreement {
     let (mid, radius) = match value {
         InUnit::Exact(value, _) => (value.clone(), Rational::new()),
         InUnit::Enclosed(ball) => {
@@ -305,7 +310,7 @@ mod tests {
     #[test]
     fn entries_of_a_third() {
         let third = Ball::rational(128, &Rational::from((1, 3)));
-        for (text, due) in [
+        for (text, expected) in [
             ("0.3333", Agreement::Agrees),
             ("0.33330", Agreement::Differs),
             ("0.3334", Agreement::LastDigit),
@@ -316,7 +321,7 @@ mod tests {
             ("0e1", Agreement::Agrees),
         ] {
             let e = against(&third, &printed(text));
-            assert_eq!(e.agreement, due, "{text}: {}", e.units);
+            assert_eq!(e.agreement, expected, "{text}: {}", e.units);
         }
     }
 
@@ -350,18 +355,19 @@ mod tests {
             assert_eq!((e.agreement, e.units), (Agreement::Differs, f64::INFINITY));
             assert_eq!(e.reference.as_deref(), Some("1.5000000000000000000"));
         }
-        let dues = ReferenceAnswer::Dues(
-            vec![Due::NotANumber, Due::Infinity { negative: true }],
+        let expected = ReferenceAnswer::Expected(
+            vec![Expected::NotANumber, Expected::Infinity { negative: true }],
             crate::Proof::Exact,
         );
-        for (i, text, due) in [
+        for (i, text, agreement) in [
             (0, "NaN", Agreement::Agrees),
             (0, "inf", Agreement::NoValue),
             (1, "-inf", Agreement::Agrees),
             (1, "inf", Agreement::NoValue),
             (1, "nan", Agreement::NoValue),
         ] {
-            assert_eq!(entry(&dues, i, &printed(text)).agreement, due, "{i} {text}");
+            let found = entry(&expected, i, &printed(text));
+            assert_eq!(found.agreement, agreement, "{i} {text}");
         }
         let nearest = ["nan", "inf", "-inf", "0.5"].map(|t| printed(t).nearest().to_string());
         assert_eq!(nearest, ["NaN", "inf", "-inf", "0.5"]);
@@ -377,12 +383,12 @@ mod tests {
             }),
             ..Planted::default()
         };
-        for (digits, due) in [(5, 20), (20, 21), (45, 46), (79, 80)] {
+        for (digits, expected) in [(5, 20), (20, 21), (45, 46), (79, 80)] {
             let one = printed(&format!("0.{}", "3".repeat(digits)));
             let found = judge_printed(&method, &[], &[(0, &one)], &Settings::default());
             assert_eq!(found[0].agreement, Agreement::Agrees);
             let shown = found[0].reference.as_deref().unwrap();
-            assert_eq!(shown, format!("0.{}", "3".repeat(due)));
+            assert_eq!(shown, format!("0.{}", "3".repeat(expected)));
         }
     }
 
@@ -394,7 +400,7 @@ mod tests {
             printed(text).in_unit(Some(PrintedUnit { by, degrees }))
         };
         let metres = Ball::exact(128, 0.0625);
-        for (text, due) in [
+        for (text, expected) in [
             ("62.5", Agreement::Agrees),
             ("62", Agreement::Agrees),
             ("63", Agreement::Agrees),
@@ -403,7 +409,7 @@ mod tests {
         ] {
             assert_eq!(
                 against(&metres, &of(text, 1000, 0)).agreement,
-                due,
+                expected,
                 "{text}"
             );
         }
@@ -524,11 +530,11 @@ mod tests {
     /// A zero is a number whatever its sign; an infinity, NaN, a refusal and a value that is not there are none.
     #[test]
     fn what_has_no_number_agrees_with_nothing() {
-        let dues = ReferenceAnswer::Dues(
+        let expected = ReferenceAnswer::Expected(
             vec![
-                Due::Number(Ball::integer(64, 2)),
-                Due::zero(true),
-                Due::Infinity { negative: true },
+                Expected::Number(Ball::integer(64, 2)),
+                Expected::zero(true),
+                Expected::Infinity { negative: true },
             ],
             crate::Proof::Exact,
         );
@@ -538,12 +544,12 @@ mod tests {
         };
         let agrees = (Agreement::Agrees, String::new());
         let none = |why: &str| (Agreement::NoValue, why.to_string());
-        assert_eq!(judged(&dues, 0, "2.0"), agrees);
-        assert_eq!(judged(&dues, 1, "0.00"), agrees);
-        assert_eq!(judged(&dues, 1, "0.02").0, Agreement::Differs);
-        assert_eq!(judged(&dues, 2, "0"), none("-inf"));
+        assert_eq!(judged(&expected, 0, "2.0"), agrees);
+        assert_eq!(judged(&expected, 1, "0.00"), agrees);
+        assert_eq!(judged(&expected, 1, "0.02").0, Agreement::Differs);
+        assert_eq!(judged(&expected, 2, "0"), none("-inf"));
         let missing = none("the reference has fewer values");
-        assert_eq!(judged(&dues, 3, "0"), missing);
+        assert_eq!(judged(&expected, 3, "0"), missing);
         let values = ReferenceAnswer::exact([&Rational::from(2)], 64);
         assert_eq!(judged(&values, 0, "2"), agrees);
         assert_eq!(judged(&values, 1, "2"), missing);

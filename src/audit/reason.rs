@@ -18,7 +18,7 @@ pub enum Reason {
         /// What was answered.
         got: f64,
         /// The expected value: the nearest number, an infinity or NaN.
-        due: f64,
+        expected: f64,
         /// What is wrong with it.
         fault: Fault,
     },
@@ -55,17 +55,20 @@ pub(super) fn plain(x: f64) -> String {
 
 impl Display for Reason {
     fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
-        let (output, number, got, due, fault) = match self {
+        let (output, number, got, expected, fault) = match self {
             Reason::Words(words) => return to.write_str(words),
             Reason::Value {
                 output,
                 number,
                 got,
-                due,
+                expected,
                 fault,
-            } => (output, number, written(*got), written(*due), *fault),
+            } => (output, number, written(*got), written(*expected), *fault),
         };
-        write!(to, "{output} (value {number}) is {got}, expected {due}")?;
+        write!(
+            to,
+            "{output} (value {number}) is {got}, expected {expected}"
+        )?;
         match fault {
             Fault::Kind => Ok(()),
             Fault::Over(x) if x < 1e4 => write!(to, ": {x:.3} times its budget off"),

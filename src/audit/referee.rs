@@ -135,8 +135,8 @@ impl Referee<'_> {
                 (judgement, bits, level) = (closer, 2 * bits, level + 1);
             }
         }
-        if let (SolverAnswer::Values(got), Some(due)) = (&answer, self.references[level].len())
-            && got.len() != due
+        if let (SolverAnswer::Values(got), Some(expected)) = (&answer, self.references[level].len())
+            && got.len() != expected
             && let Some(reason) = &mut judgement.reason
         {
             // Which they are, and in which order.

@@ -55,11 +55,7 @@ impl Method for Square {
         vec![Output { name, unit, budget }]
     }
     fn domain(&self) -> Domain {
-        let region = |name, sample| Region {
-            name,
-            description: "",
-            sample,
-        };
+        let region = crate::planted::region;
         Domain {
             regions: vec![
                 region("low", sample_low as fn(&mut Draw) -> Vec<f64>),

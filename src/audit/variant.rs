@@ -3,7 +3,7 @@
 use super::answer::{Reference, ReferenceAnswer, SolverAnswer};
 use super::budget::{Budget, Limit, NormBudget};
 use super::domain::{Domain, Region};
-use super::due::Due;
+use super::expected::Expected;
 use super::hard::HardCase;
 use super::layout::Layout;
 use super::method::{BranchAt, Input, Law, Method, Output, ProvedBound, Rows};
@@ -203,9 +203,9 @@ impl<'a> Variant<'a> {
                 let values: Vec<Ball> = self.select(values);
                 ReferenceAnswer::Values(Reference { values, proof })
             }
-            ReferenceAnswer::Dues(dues, proof) => {
-                let dues: Vec<Due> = self.select(dues);
-                ReferenceAnswer::Dues(dues, proof)
+            ReferenceAnswer::Expected(expected, proof) => {
+                let expected: Vec<Expected> = self.select(expected);
+                ReferenceAnswer::Expected(expected, proof)
             }
             other => other,
         }

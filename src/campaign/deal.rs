@@ -124,11 +124,11 @@ mod tests {
             }
             assert!(sizes.iter().max().unwrap() - sizes.iter().min().unwrap() <= 1);
             seen.sort();
-            let due = deal.parts.iter().enumerate();
-            let due: Vec<(usize, u64)> = due
+            let expected = deal.parts.iter().enumerate();
+            let expected: Vec<(usize, u64)> = expected
                 .flat_map(|(p, (n, _))| (0..*n).map(move |i| (p, i)))
                 .collect();
-            assert_eq!(seen, due, "{shards}");
+            assert_eq!(seen, expected, "{shards}");
             let work: u64 = (0..shards).map(|k| deal.work_of(k)).sum();
             assert_eq!((work, deal.units()), (deal.work(), 142));
         }
@@ -136,7 +136,7 @@ mod tests {
 
     #[test]
     fn strides_count_and_number() {
-        for (first, step, end, due) in [
+        for (first, step, end, expected) in [
             (0, 1, 0, vec![]),
             (3, 2, 3, vec![]),
             (5, 2, 3, vec![]),
@@ -146,8 +146,8 @@ mod tests {
         ] {
             let stride = Stride { first, step, end };
             let found: Vec<u64> = (0..stride.len()).map(|j| stride.at(j)).collect();
-            assert_eq!(found, due);
-            assert_eq!(stride.is_empty(), due.is_empty());
+            assert_eq!(found, expected);
+            assert_eq!(stride.is_empty(), expected.is_empty());
         }
     }
 

@@ -119,7 +119,7 @@ fn reference(method: &dyn Method, input: &[f64], precision: u32) -> String {
     };
     match answer {
         ReferenceAnswer::Values(r) => format!("{:?}\n", r.values),
-        ReferenceAnswer::Dues(dues, _) => format!("{dues:?}\n"),
+        ReferenceAnswer::Expected(expected, _) => format!("{expected:?}\n"),
         ReferenceAnswer::Refuses(word) => format!("refuses {word}\n"),
         ReferenceAnswer::Undecided(_) => "undecided\n".into(),
         ReferenceAnswer::Failed(_) => "failed\n".into(),
@@ -182,8 +182,8 @@ mod tests {
             let input = |case: &Case| bits(&case.input);
             let step = (1..).find(|step| named.div_ceil(*step) == some).unwrap();
             for (k, case) in found.iter().enumerate() {
-                let due = if k < some { k * step } else { named + k - some };
-                assert_eq!(input(case), input(&cases.get(due)), "{name} {k}");
+                let expected = if k < some { k * step } else { named + k - some };
+                assert_eq!(input(case), input(&cases.get(expected)), "{name} {k}");
             }
         }
     }

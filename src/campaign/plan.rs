@@ -343,12 +343,12 @@ impl FilePart {
 }
 
 impl Part {
-    /// The method.
+    /// Returns the method.
     ///
     /// # Panics
-    /// When it is not in the registry, which a plan refuses.
+    /// If the plan was not checked and names no method.
     pub fn method(&self) -> Box<dyn Method> {
-        methods::find(&self.method).expect("the plan was checked")
+        methods::resolve(&self.method).expect("the plan was checked")
     }
 
     /// The settings of its audit.
@@ -400,14 +400,7 @@ impl Part {
     }
 
     fn check(&self) -> Result<(), String> {
-        let Some(method) = methods::find(&self.method) else {
-            let known: Vec<&str> = methods::registry().iter().map(|m| m.name()).collect();
-            let meant = crate::audit::did_you_mean(&self.method, &known);
-            let (name, known) = (&self.method, known.join(", "));
-            return Err(format!(
-                "there is no method {name:?}{meant}; there are: {known}"
-            ));
-        };
+        let method = methods::resolve(&self.method).map_err(|e| e.to_string())?;
         if self.kind == Kind::Proof {
             if self.method != "faddeeva" {
                 let name = &self.method;

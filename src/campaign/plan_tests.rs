@@ -22,14 +22,14 @@ fn parts_of_one_method_are_told_apart_by_their_labels() {
     ";
     let plan = Plan::read(&Source::toml(text)).unwrap();
     let labels: Vec<String> = plan.parts.iter().map(Part::label).collect();
-    let due = [
+    let expected = [
         "faddeeva, seed 1",
         "faddeeva, seed 2",
         "faddeeva, small, seed 1",
         "faddeeva, proof",
         "faddeeva, proof within 0.5",
     ];
-    assert_eq!(labels, due);
+    assert_eq!(labels, expected);
 }
 
 #[test]
@@ -318,8 +318,8 @@ fn a_part_of_the_file_is_one_for_each_method_and_seed() {
     };
     assert_eq!(of("", ""), [("erfc", 1), ("erf", 1)]);
     assert_eq!(of("seed = 7", ""), [("erfc", 7), ("erf", 7)]);
-    let due = [("erfc", 3), ("erfc", 2), ("erf", 3), ("erf", 2)];
-    assert_eq!(of("seed = 7", "seeds = [3, 2]"), due);
+    let expected = [("erfc", 3), ("erfc", 2), ("erf", 3), ("erf", 2)];
+    assert_eq!(of("seed = 7", "seeds = [3, 2]"), expected);
 }
 
 #[test]
@@ -342,7 +342,7 @@ fn the_options_of_a_part_are_those_of_a_command() {
         let plan = read(&format!("methods = [\"faddeeva\"]\ncases = 3\n{part}")).unwrap();
         plan.parts[0].tail()
     };
-    for (part, due) in [
+    for (part, expected) in [
         ("", ""),
         ("ordinary = true\nregions = [\"far\"]", ""),
         (
@@ -368,7 +368,7 @@ fn the_options_of_a_part_are_those_of_a_command() {
             " --exec 'w' --binary",
         ),
     ] {
-        assert_eq!(of(part), due, "{part}");
+        assert_eq!(of(part), expected, "{part}");
     }
 }
 
@@ -379,10 +379,10 @@ fn settings_and_labels_are_those_of_the_part() {
     );
     let part = plan.unwrap().parts.swap_remove(0);
     let settings = part.settings();
-    let due = (9, 12, POINTS);
+    let expected = (9, 12, POINTS);
     assert_eq!(
         (settings.seed, settings.cases_per_region, settings.points),
-        due
+        expected
     );
     assert_eq!(part.label(), "faddeeva, far, mid, Re z=0..1, seed 9");
     let method = part.method();
@@ -421,7 +421,7 @@ fn parts_hold_what_their_kind_has() {
     );
     let program =
         of("kind = \"candidate\"\ncases = 1\nexec = \"w 1\"\nbinary = true\ntimeout = 2.5");
-    let due = Program {
+    let expected = Program {
         exec: "w 1".into(),
         decimal: false,
         binary: true,
@@ -429,7 +429,7 @@ fn parts_hold_what_their_kind_has() {
     };
     assert_eq!(
         (program.kind, program.program),
-        (Kind::Candidate, Some(due))
+        (Kind::Candidate, Some(expected))
     );
     for (name, x) in [("ulps", 3.0), ("relative", 0.5), ("absolute", 0.25)] {
         let part = of(&format!("cases = 1\n{name} = {x}"));

@@ -41,18 +41,18 @@ fn parts_add_up_to_the_proof() {
     }
     let code = Code::of_the_solver().unwrap();
     let wanted = |_: usize, r: &Rectangle| r.is_below(Some(0.01));
-    let due = upper_half_plane(&code, UPPER_HALF_PLANE, &Watch::default(), wanted).unwrap();
-    let due = due.summary().unwrap();
+    let expected = upper_half_plane(&code, UPPER_HALF_PLANE, &Watch::default(), wanted).unwrap();
+    let expected = expected.summary().unwrap();
     assert_eq!((whole.parts, whole.open), (n, 0));
-    assert_eq!(whole.boxes(), due.boxes as u64);
-    assert_eq!(whole.norm(), due.norm.bound);
-    assert_eq!(whole.component(), due.component.unwrap().bound);
+    assert_eq!(whole.boxes(), expected.boxes as u64);
+    assert_eq!(whole.norm(), expected.norm.bound);
+    assert_eq!(whole.component(), expected.component.unwrap().bound);
     let v = whole.json();
     assert_eq!(
         (&v["passed"], &v["boxes"]),
-        (&json!(true), &json!(due.boxes))
+        (&json!(true), &json!(expected.boxes))
     );
-    assert_eq!(v["norm"]["bound"], json!(due.norm.bound));
+    assert_eq!(v["norm"]["bound"], json!(expected.norm.bound));
 }
 
 /// A rectangle without a bound is counted, named, and no pass.
@@ -87,7 +87,7 @@ fn open_rectangles_are_told() {
 
 #[test]
 fn what_is_no_part_of_a_proof_is_refused() {
-    for (method, more, due) in [
+    for (method, more, expected) in [
         ("erf", "", "not of erf"),
         ("faddeeva", "within = 1e-9", "no rectangle"),
         ("faddeeva", "within = -1.0", "positive"),
@@ -103,7 +103,7 @@ fn what_is_no_part_of_a_proof_is_refused() {
         let text =
             format!("name = \"p\"\n[[part]]\nkind = \"proof\"\nmethods = [\"{method}\"]\n{more}");
         let why = Plan::read(&Source::toml(&text)).unwrap_err().to_string();
-        assert!(why.contains(due), "{why}");
+        assert!(why.contains(expected), "{why}");
     }
     let other = "name = \"p\"\n[[part]]\nmethods = [\"erf\"]\ncases = 1\nwithin = 2.0";
     let why = Plan::read(&Source::toml(other)).unwrap_err().to_string();
@@ -156,7 +156,7 @@ fn the_largest_bounds_are_kept_with_their_rectangles() {
         (&v["passed"], &v["proved"], &v["rectangles"]),
         (&json!(true), &json!(true), &json!(1))
     );
-    let due = json!([
+    let expected = json!([
         {
             "formula": "asymptotic, 4 terms",
             "boxes": 2,
@@ -175,7 +175,7 @@ fn the_largest_bounds_are_kept_with_their_rectangles() {
             "tiny": 1.0,
         },
     ]);
-    assert_eq!(v["formulas"], due);
+    assert_eq!(v["formulas"], expected);
     let names: Vec<&str> = tally.formulas().map(|(name, _)| name).collect();
     assert_eq!(names, ["asymptotic, 4 terms", "strip"]);
 }
@@ -222,8 +222,8 @@ fn two_rectangles_are_probed() {
         };
         Some(of(&part, stride, &tell, &stop).unwrap())
     };
-    let due = format!("{n} {:?}\n", [one(0), one(n / 3)]);
-    assert!(n > 6 && probe(&part) == due);
+    let expected = format!("{n} {:?}\n", [one(0), one(n / 3)]);
+    assert!(n > 6 && probe(&part) == expected);
     assert_eq!(counted.into_inner(), 2);
     let none = Stride {
         first: n,

@@ -159,10 +159,10 @@ mod tests {
                 identity,
             }
         }
-        let due = record("p", 2, &own);
+        let expected = record("p", 2, &own);
         let content = Content { parts: Vec::new() };
-        let bytes = due.write(&content, 1.5, 2);
-        let Found::Whole(header, body) = due.read(&bytes) else {
+        let bytes = expected.write(&content, 1.5, 2);
+        let Found::Whole(header, body) = expected.read(&bytes) else {
             panic!("it is whole");
         };
         assert_eq!((header.shard, header.threads), (2, 2));
@@ -170,7 +170,7 @@ mod tests {
         // Cut off anywhere, or changed anywhere after the header.
         for end in 0..bytes.len() {
             assert!(
-                matches!(due.read(&bytes[..end]), Found::Damaged(_)),
+                matches!(expected.read(&bytes[..end]), Found::Damaged(_)),
                 "{end}"
             );
         }
@@ -178,7 +178,7 @@ mod tests {
         for at in start..bytes.len() {
             let mut changed = bytes.clone();
             changed[at] ^= 4;
-            assert!(matches!(due.read(&changed), Found::Damaged(_)), "{at}");
+            assert!(matches!(expected.read(&changed), Found::Damaged(_)), "{at}");
         }
         for other in [record("q", 2, &own), record("p", 3, &own)] {
             assert!(matches!(other.read(&bytes), Found::Foreign(_)));
@@ -186,7 +186,10 @@ mod tests {
         // Another form of the file is not read by this one's rules.
         let text = String::from_utf8(bytes.clone()).unwrap();
         let form = text.replacen("\"campaign_shard\":1", "\"campaign_shard\":2", 1);
-        assert!(matches!(due.read(form.as_bytes()), Found::OtherVersion(_)));
+        assert!(matches!(
+            expected.read(form.as_bytes()),
+            Found::OtherVersion(_)
+        ));
         for other in [identity("2", "r"), identity("1", "q")] {
             let found = record("p", 2, &other).read(&bytes);
             assert!(matches!(found, Found::OtherVersion(_)), "{found:?}");

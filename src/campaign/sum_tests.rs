@@ -80,15 +80,15 @@ fn hunts_of_a_part_have_seeds_one_after_the_other() {
         panic!("the second part hunts");
     };
     let method = plan.parts[1].method();
-    let mut due = HuntTally::default();
+    let mut expected = HuntTally::default();
     for seed in 11..14 {
         let settings = HuntSettings {
             seed,
             evaluations: 20,
         };
-        due.add(&*method, seed, &hunt(&*method, &settings, &|_| ()));
+        expected.add(&*method, seed, &hunt(&*method, &settings, &|_| ()));
     }
-    assert_eq!(found, &due);
+    assert_eq!(found, &expected);
     assert_eq!(found.hunts, 3);
 }
 
@@ -160,18 +160,18 @@ fn sums_are_the_same_however_they_are_made() {
     let by = who("w", Some("2"));
     let identity = Identity::of(&plan);
     let shown = |sum: Sum| document(&plan, &identity, &sum.finish(true)).to_string();
-    let due = shown(sum_of(&plan, &methods, &[(0, 1)], &by));
+    let expected = shown(sum_of(&plan, &methods, &[(0, 1)], &by));
     for order in [[0, 1, 2], [2, 0, 1]] {
         let sum = sum_of(&plan, &methods, &order.map(|k| (k, 3)), &by);
         assert_eq!(sum.shards(), 3);
-        assert_eq!(shown(sum), due);
+        assert_eq!(shown(sum), expected);
     }
     let mut all = sum_of(&plan, &methods, &[(1, 3)], &by);
     all.merge(sum_of(&plan, &methods, &[(2, 3), (0, 3)], &by))
         .unwrap();
     all.merge(Sum::new(&plan, &methods)).unwrap();
     assert_eq!(all.shards(), 3);
-    assert_eq!(shown(all), due);
+    assert_eq!(shown(all), expected);
 }
 
 #[test]

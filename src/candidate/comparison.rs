@@ -1,8 +1,8 @@
 //! Several pieces of code side by side, in anybody's `cargo test`.
 
-use super::{Audit, AuditError};
+use super::{Audit, AuditError, registered};
 use crate::audit::{Comparison, Contender, Method, SolverAnswer, compare as compare_all};
-use crate::methods::{self, Candidate, Typed};
+use crate::methods::{Candidate, Typed};
 use std::marker::PhantomData;
 
 /// What code is called, and its version.
@@ -37,14 +37,14 @@ pub struct Compare<'a, M> {
 /// ```
 pub fn compare<'a, M: Typed>() -> Compare<'a, M> {
     Compare {
-        audit: Audit::new(M::NAME, |_| SolverAnswer::Declines(None)),
+        audit: Audit::new(registered::<M>(), |_| SolverAnswer::Declines(None)),
         contenders: Vec::new(),
         method: PhantomData,
     }
 }
 
 impl<'a, M: Typed> Compare<'a, M> {
-    /// One more, under this name.
+    /// Adds a piece of code under this name.
     pub fn candidate(mut self, name: &str, code: impl Candidate<M> + 'a) -> Compare<'a, M> {
         let solve = move |x: &[f64]| code.answer(x);
         let name = Some((name.into(), None));
@@ -52,9 +52,9 @@ impl<'a, M: Typed> Compare<'a, M> {
         self
     }
 
-    /// The method's own solver besides.
+    /// Adds the method's own solver.
     pub fn ours(mut self) -> Compare<'a, M> {
-        let method = methods::find(M::NAME).expect("the name is in the registry");
+        let method = registered::<M>();
         let solve = move |x: &[f64]| Method::solve(&*method, x);
         self.contenders.push((None, Box::new(solve)));
         self
@@ -71,8 +71,7 @@ impl<'a, M: Typed> Compare<'a, M> {
     /// # Errors
     /// As [`Audit::run`]; a single case.
     pub fn run(self) -> Result<Comparison, AuditError> {
-        let method = methods::find(M::NAME).expect("the name is in the registry");
-        let (settings, variant, one) = self.audit.planned(&*method)?;
+        let (settings, variant, one) = self.audit.planned()?;
         if let Some(case) = one {
             return Err(AuditError::OneCase(case.place()));
         }

@@ -30,22 +30,17 @@ pub use comparison::{Compare, compare};
 pub use report::Report;
 
 use crate::audit::{
-    CandidateReport, Case, Cases, Format, Limit, Method, Near, NoSuch, SampleBox, Sampling,
-    SamplingError, Settings, SolverAnswer, Variant, audit_method, audit_one, did_you_mean,
+    CandidateReport, Case, Cases, Format, Limit, Near, NoSuch, SampleBox, Sampling, SamplingError,
+    Settings, SolverAnswer, Variant, audit_method, audit_one,
 };
-use crate::methods;
+use crate::methods::{self, Evaluable, MethodError};
 
 /// Why an audit cannot be run.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum AuditError {
-    /// No method of that name.
-    #[error("there is no method {name:?}{}; there are: {}", did_you_mean(.name, .known), .known.join(", "))]
-    NoMethod {
-        /// The name.
-        name: String,
-        /// The names there are.
-        known: Vec<&'static str>,
-    },
+    /// There is no method of that name.
+    #[error(transparent)]
+    Method(#[from] MethodError),
     /// No region, check point or output of that name.
     #[error(transparent)]
     NoSuch(#[from] NoSuch),
@@ -80,7 +75,7 @@ pub enum AuditError {
 /// # Ok::<(), mechaudit::candidate::AuditError>(())
 /// ```
 pub fn audit<'a, M: Typed>(candidate: impl Candidate<M> + 'a) -> Audit<'a> {
-    Audit::new(M::NAME, move |x| candidate.answer(x))
+    Audit::new(registered::<M>(), move |x| candidate.answer(x))
 }
 
 /// Audits a function from the method's inputs to its outputs, both laid out as `mechaudit list`
@@ -92,14 +87,13 @@ pub fn audit_by_name<'a, R: IntoAnswer>(
     name: &str,
     candidate: impl Fn(&[f64]) -> R + Sync + 'a,
 ) -> Result<Audit<'a>, AuditError> {
-    let known: Vec<&'static str> = methods::registry().iter().map(|m| m.name()).collect();
-    match known.iter().find(|k| **k == name) {
-        Some(known) => Ok(Audit::new(known, move |x| candidate(x).into_answer())),
-        None => Err(AuditError::NoMethod {
-            name: name.into(),
-            known,
-        }),
-    }
+    let method = methods::resolve(name)?;
+    Ok(Audit::new(method, move |x| candidate(x).into_answer()))
+}
+
+/// Returns the method of a type.
+fn registered<M: Typed>() -> Box<dyn Evaluable> {
+    methods::find(M::NAME).expect("the name is in the registry")
 }
 
 type Solver<'a> = Box<dyn Fn(&[f64]) -> SolverAnswer + Sync + 'a>;
@@ -107,7 +101,7 @@ type Solver<'a> = Box<dyn Fn(&[f64]) -> SolverAnswer + Sync + 'a>;
 /// An audit of somebody's code, to be set up and run.
 #[must_use = "nothing is audited before it is run"]
 pub struct Audit<'a> {
-    method: &'static str,
+    method: Box<dyn Evaluable>,
     candidate: Solver<'a>,
     settings: Settings,
     effort: f64,
@@ -127,7 +121,7 @@ pub struct Audit<'a> {
 
 impl<'a> Audit<'a> {
     fn new(
-        method: &'static str,
+        method: Box<dyn Evaluable>,
         candidate: impl Fn(&[f64]) -> SolverAnswer + Sync + 'a,
     ) -> Audit<'a> {
         Audit {
@@ -270,14 +264,13 @@ impl<'a> Audit<'a> {
     /// A region, check point or output that the method does not have; an effort or limit that is
     /// not a positive number.
     pub fn run(self) -> Result<Report, AuditError> {
-        let method = methods::find(self.method).expect("the name is in the registry");
-        let (settings, variant, one) = self.planned(&*method)?;
-        let variant = variant.solver(self.candidate);
+        let (settings, variant, one) = self.planned()?;
+        let variant = variant.solver(|x| (self.candidate)(x));
         let mut found = match one {
             Some(case) => audit_one(&variant, case, None, &settings),
             None => audit_method(&variant, &settings, &|| ()),
         };
-        let (name, version) = self.name;
+        let (name, version) = self.name.clone();
         found.candidate = Some(CandidateReport {
             name,
             version,
@@ -289,17 +282,14 @@ impl<'a> Audit<'a> {
     }
 
     /// The settings, what is judged and where, and the one case if it is one.
-    fn planned<'m>(
-        &self,
-        method: &'m dyn Method,
-    ) -> Result<(Settings, Variant<'m>, Option<Case>), AuditError> {
+    fn planned(&self) -> Result<(Settings, Variant<'_>, Option<Case>), AuditError> {
         if !(self.effort.is_finite() && self.effort > 0.0) {
             return Err(AuditError::Effort(self.effort));
         }
         let mut settings = self.settings.clone();
         // Saturates.
         settings.cases_per_region = (settings.cases_per_region as f64 * self.effort).ceil() as u64;
-        let mut variant = Variant::new(method).without_laws();
+        let mut variant = Variant::new(&*self.method).without_laws();
         if let Some(names) = &self.outputs {
             variant = variant.outputs(names)?;
         }
@@ -359,7 +349,7 @@ impl<'a> Audit<'a> {
 impl std::fmt::Debug for Audit<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Audit")
-            .field("method", &self.method)
+            .field("method", &self.method.name())
             .field("settings", &self.settings)
             .finish_non_exhaustive()
     }

@@ -118,8 +118,8 @@ fn values(f: &mut Formatter<'_>, report: &CaseReport, got: &[f64]) -> fmt::Resul
         let c = judged.get(i);
         let label = c.map_or("got", |c| c.output);
         writeln!(f, "  {label:<11}{x:?} = {}", hex_float(*x))?;
-        let due = report.reference.get(i).and_then(Option::as_deref);
-        match (due, report.radii.get(i)) {
+        let expected = report.reference.get(i).and_then(Option::as_deref);
+        match (expected, report.radii.get(i)) {
             (Some(digits), Some(r)) if *r > 0.0 => {
                 writeln!(f, "  {:<11}due {digits} ± {r:.1e}", "")?;
             }

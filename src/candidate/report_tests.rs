@@ -33,7 +33,7 @@ fn errors_in_words() {
 
 #[test]
 fn figures_are_short() {
-    for (x, due) in [
+    for (x, expected) in [
         (0.0, "0.000"),
         (-1.0, "-1.000"),
         (0.001, "0.001"),
@@ -43,7 +43,7 @@ fn figures_are_short() {
         (1e6, "1.00e6"),
         (f64::INFINITY, "inf"),
     ] {
-        assert_eq!(short(x), due);
+        assert_eq!(short(x), expected);
     }
 }
 
@@ -123,13 +123,13 @@ fn spread() -> Spread {
 
 #[test]
 fn figures_name_what_is_beyond_all_numbers() {
-    let due = "worst found 2.000, 99 % below 1.500, median 0.500, RMS 0.750";
-    assert_eq!(figures(&spread()), due);
+    let expected = "worst found 2.000, 99 % below 1.500, median 0.500, RMS 0.750";
+    assert_eq!(figures(&spread()), expected);
     let beyond = Spread {
         beyond: 3,
         ..spread()
     };
-    assert_eq!(figures(&beyond), format!("{due}, 3 beyond 1e308"));
+    assert_eq!(figures(&beyond), format!("{expected}, 3 beyond 1e308"));
 }
 
 #[test]
@@ -151,7 +151,7 @@ fn statistics_are_a_head_and_a_line_for_each_part() {
     let ulps = "worst found 2.000, 99 % below 1.500, median 0.500, RMS 0.750";
     let nan = crate::audit::Kind::Nan.name();
     let lines: Vec<&str> = text.lines().collect();
-    let due = [
+    let expected = [
         "erf: pass, 20 of 20 cases within budget (seed 3, 20 cases per region)".to_string(),
         format!("  Re erf     40 values; in ulps {ulps}; 0.250 of its budget"),
         format!(
@@ -159,7 +159,7 @@ fn statistics_are_a_head_and_a_line_for_each_part() {
         ),
         format!("  norm       in u {ulps}"),
     ];
-    assert_eq!(lines[..4], due);
+    assert_eq!(lines[..4], expected);
     let budget = lines
         .iter()
         .position(|l| l.starts_with("  budget     Re erf"))
@@ -250,18 +250,18 @@ fn a_case_says_what_came_and_where_it_is() {
             ".near(\"1.5,1.5\", 1e-3).seed(7).case(0)".into(),
         ),
     ];
-    for (place, due) in places {
+    for (place, expected) in places {
         let text = of(wrong.clone(), place);
         assert!(
             text.contains(&format!(
-                "\n  reproduce  {due}\n             mechaudit points erf --"
+                "\n  reproduce  {expected}\n             mechaudit points erf --"
             )),
             "{text}"
         );
         assert!(text.contains("\n  Re erf     0.25 = 0x1p-2\n"), "{text}");
     }
     let got = |answer: SolverAnswer| of(answer, &|a| a.region("mid").case(2));
-    for (answer, due) in [
+    for (answer, expected) in [
         (SolverAnswer::Declines(None), "a refusal: no reason"),
         (
             SolverAnswer::Declines(Some("singular".into())),
@@ -271,7 +271,10 @@ fn a_case_says_what_came_and_where_it_is() {
         (SolverAnswer::Unanswered("it is silent".into()), "no answer"),
     ] {
         let text = got(answer);
-        assert!(text.contains(&format!("\n  got        {due}\n")), "{text}");
+        assert!(
+            text.contains(&format!("\n  got        {expected}\n")),
+            "{text}"
+        );
     }
     // A value more than there are outputs has no name.
     let text = got(SolverAnswer::Values(vec![0.0, 0.0, 0.5]));

@@ -1,4 +1,5 @@
 use super::*;
+use crate::audit::Method;
 use crate::methods::*;
 use crate::solvers::cubic_spline::{Boundary, CubicSpline};
 use crate::solvers::cyclic_tridiagonal::CyclicSweep;
@@ -264,8 +265,7 @@ fn a_choice_is_what_is_judged() {
 fn one_case_is_of_one_place() {
     let plain = || audit_by_name("erf", ours("erf")).unwrap().cases(3);
     let place = |audit: Audit| {
-        let method = methods::find("erf").unwrap();
-        let (_, _, case) = audit.planned(&*method).unwrap();
+        let (_, _, case) = audit.planned().unwrap();
         case.map(|c| c.place())
     };
     let refused = |audit: Audit| audit.run().unwrap_err();
@@ -307,20 +307,19 @@ fn one_case_is_of_one_place() {
 /// Ten per cent more or less are rounded up; a number that is too large is the largest.
 #[test]
 fn effort_multiplies_the_cases() {
-    let method = methods::find("erf").unwrap();
     let of = |cases: u64, effort: f64| {
         let audit = audit_by_name("erf", ours("erf")).unwrap();
-        let (settings, ..) = audit.cases(cases).effort(effort).planned(&*method).unwrap();
+        let (settings, ..) = audit.cases(cases).effort(effort).planned().unwrap();
         settings.cases_per_region
     };
-    for (cases, effort, due) in [
+    for (cases, effort, expected) in [
         (200, 1.0, 200),
         (200, 0.001, 1),
         (10, 1.05, 11),
         (0, 7.0, 0),
         (u64::MAX, 2.0, u64::MAX),
     ] {
-        assert_eq!(of(cases, effort), due, "{cases} {effort}");
+        assert_eq!(of(cases, effort), expected, "{cases} {effort}");
     }
 }
 
@@ -334,7 +333,7 @@ fn what_is_asked_for_is_how_it_is_judged() {
             .region("mid")
     };
     let budgets = |audit: Audit| {
-        let (settings, variant, _) = audit.planned(&*method).unwrap();
+        let (settings, variant, _) = audit.planned().unwrap();
         let variant: &dyn Method = &variant;
         let outputs = variant.outputs();
         let limits: Vec<Limit> = outputs.iter().map(|o| o.budget.limit).collect();
@@ -349,9 +348,9 @@ fn what_is_asked_for_is_how_it_is_judged() {
     assert_eq!(budgets(plain().limit(strict)).0, [strict; 2]);
     assert_eq!(budgets(plain().outputs(&["Im erf"])).0.len(), 1);
     assert!(budgets(plain().normwise(0.5)).1 && budgets(plain().conditions()).2);
-    let laws = |audit: Audit| audit.planned(&*method).unwrap().1.laws().len();
+    let laws = |audit: Audit| audit.planned().unwrap().1.laws().len();
     assert_eq!(laws(plain()), 0);
-    let regions = |audit: Audit| audit.planned(&*method).unwrap().1.domain().regions.len();
+    let regions = |audit: Audit| audit.planned().unwrap().1.domain().regions.len();
     let all = || audit_by_name("erf", ours("erf")).unwrap();
     assert!(regions(all().ordinary()) < regions(all()));
     assert_eq!(regions(plain().region("small")), 2);

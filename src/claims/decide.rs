@@ -163,11 +163,7 @@ impl Tested {
 
     /// Calls `f` with the method over the claim's domain above `Im z = floor`, judged as the claim is read.
     fn over<T>(&self, floor: f64, f: impl FnOnce(&dyn Method) -> T) -> T {
-        let region = Region {
-            name: "claim",
-            description: self.place.words,
-            sample: self.place.draw,
-        };
+        let region = Region::new("claim", self.place.words, self.place.draw);
         let holds =
             move |z: &[f64]| (z[1] >= floor || floor == f64::NEG_INFINITY) && (self.place.holds)(z);
         let part = match self.measure {

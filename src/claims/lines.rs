@@ -2,7 +2,7 @@
 
 use super::regions::region;
 use crate::audit::{
-    Budget, Domain, Draw, Due, Input, Limit, Method, Output, Proof, ReferenceAnswer, Region,
+    Budget, Domain, Draw, Expected, Input, Limit, Method, Output, Proof, ReferenceAnswer, Region,
     SolverAnswer,
 };
 use crate::reference::hartmann_tran::{Parameters, hartmann_tran};
@@ -169,8 +169,8 @@ impl Method for HartmannTran {
             detuning: p[7].clone(),
         };
         match hartmann_tran(&line, bits.saturating_sub(48).max(64)) {
-            Ok(value) => ReferenceAnswer::Dues(
-                vec![Due::Number(value.re), Due::Number(value.im)],
+            Ok(value) => ReferenceAnswer::Expected(
+                vec![Expected::Number(value.re), Expected::Number(value.im)],
                 Proof::Bounded("the closed form of two W with certified values of W"),
             ),
             Err(why) => ReferenceAnswer::Undecided(why.to_string()),

@@ -24,13 +24,9 @@ fn polar(r: f64, angle: f64) -> Vec<f64> {
 pub fn region(
     name: &'static str,
     description: &'static str,
-    sample: fn(&mut Draw) -> Vec<f64>,
+    sample: impl Fn(&mut Draw) -> Vec<f64> + Send + Sync + 'static,
 ) -> Region {
-    Region {
-        name,
-        description,
-        sample,
-    }
+    Region::new(name, description, sample)
 }
 
 /// Of the upper half-plane.

@@ -181,12 +181,6 @@ impl From<mechaudit::report::columns::UnitsError> for Failure {
     }
 }
 
-impl From<mechaudit::report::svg::CannotDraw> for Failure {
-    fn from(e: mechaudit::report::svg::CannotDraw) -> Failure {
-        Failure::caused(e)
-    }
-}
-
 impl From<csv::Error> for Failure {
     fn from(e: csv::Error) -> Failure {
         match e.kind() {

@@ -7,7 +7,7 @@ use crate::cli::{
 };
 use clap::Parser;
 use mechaudit::machine::{Linkage, Source};
-use mechaudit::methods::evaluable;
+use mechaudit::methods::registry;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use std::io::{BufReader, Cursor, Write};
@@ -74,7 +74,7 @@ proptest! {
 
     #[test]
     fn lines_of_eval(
-        lines in prop::collection::vec(line(), 0..4), which in 0..evaluable().len(),
+        lines in prop::collection::vec(line(), 0..4), which in 0..registry().len(),
         digits in prop::option::of(1u32..40), end: bool,
     ) {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
@@ -84,7 +84,7 @@ proptest! {
         }
         let mut out = Vec::new();
         let input = BufReader::new(Cursor::new(text));
-        let methods = evaluable();
+        let methods = registry();
         let method = &*methods[which];
         let evaluation = eval::Evaluation::new(method, digits);
         let answered = eval::stream(&evaluation, &pool, input, &mut out);

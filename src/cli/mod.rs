@@ -2,13 +2,13 @@
 
 mod answers;
 mod args;
-mod asked;
 mod commands;
 mod failure;
 mod files;
 mod forecast;
 #[cfg(test)]
 mod fuzz;
+mod lookup;
 mod number;
 mod process;
 mod progress;

@@ -548,5 +548,4 @@ fn enough_harmonics(
 }
 
 #[cfg(test)]
-#[path = "cam_oscillator_tests.rs"]
 mod tests;

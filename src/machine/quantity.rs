@@ -441,5 +441,4 @@ fn is_number_part(text: &str, i: usize, c: char) -> bool {
 }
 
 #[cfg(test)]
-#[path = "quantity_tests.rs"]
 mod tests;

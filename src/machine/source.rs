@@ -299,5 +299,4 @@ fn without_types(message: &str) -> String {
 }
 
 #[cfg(test)]
-#[path = "source_tests.rs"]
 mod tests;

@@ -29,9 +29,9 @@ pub struct CertifiedValue {
 /// may decide, or refuse, at a later one.
 ///
 /// ```
-/// use mechaudit::methods::{certified_digits, find_evaluable};
+/// use mechaudit::methods::{certified_digits, find};
 /// use rug::Rational;
-/// let erf = find_evaluable("erf").expect("a method");
+/// let erf = find("erf").expect("a method");
 /// let z = [Rational::from((1, 2)), Rational::new()];
 /// let [re, im] = &certified_digits(&*erf, &z, 25, |_| true)?[..] else { unreachable!() };
 /// assert_eq!(re.decimal.as_deref(), Some("0.5204998778130465376827467"));

@@ -5,13 +5,9 @@ use crate::audit::{Budget, CheckPoint, Draw, Limit, Output, Region};
 pub(super) fn region(
     name: &'static str,
     description: &'static str,
-    sample: fn(&mut Draw) -> Vec<f64>,
+    sample: impl Fn(&mut Draw) -> Vec<f64> + Send + Sync + 'static,
 ) -> Region {
-    Region {
-        name,
-        description,
-        sample,
-    }
+    Region::new(name, description, sample)
 }
 
 pub(super) fn point(name: &'static str, input: impl Into<Vec<f64>>) -> CheckPoint {

@@ -22,8 +22,6 @@ pub trait Typed {
 pub trait Registered: Typed + Sync + 'static {
     /// The text of `reference/hard/NAME.csv`.
     const HARD: &'static str;
-    /// Names of earlier releases, which `eval` still takes.
-    const FORMER: &'static [&'static str];
 }
 
 /// Solver, reference, domain, budget and source of a method; [`Method`] says more of each.
@@ -123,8 +121,6 @@ pub trait Evaluable: Method {
     fn refusal(&self, numbers: &[f64]) -> Option<String>;
     /// The place and the rule behind a refusal, in words, where its name leaves them open.
     fn explanation(&self, numbers: &[f64]) -> Option<String>;
-    /// Names of earlier releases.
-    fn former_names(&self) -> &'static [&'static str];
 }
 
 /// The method that a definition makes.
@@ -193,7 +189,7 @@ impl<D: Definition> Method for Entry<D> {
         match reference {
             ReferenceAnswer::Values(r) => D::conditions_at(numbers, &r.values),
             ReferenceAnswer::Refuses(_) | ReferenceAnswer::Failed(_) => None,
-            ReferenceAnswer::Dues(..) | ReferenceAnswer::Undecided(_) => D::conditions(numbers),
+            ReferenceAnswer::Expected(..) | ReferenceAnswer::Undecided(_) => D::conditions(numbers),
         }
     }
     fn twin(&self, numbers: &[f64]) -> Option<Vec<Ball>> {
@@ -229,9 +225,6 @@ impl<D: Definition> Evaluable for Entry<D> {
     fn explanation(&self, numbers: &[f64]) -> Option<String> {
         D::explanation(D::unpack(numbers)?)
     }
-    fn former_names(&self) -> &'static [&'static str] {
-        D::FORMER
-    }
 }
 
 /// [`Definition::conditions`] by [`Definition::conditions_at`] at values of so many bits, or of up
@@ -260,13 +253,13 @@ pub(super) fn exact(numbers: &[f64]) -> Option<Vec<Rational>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::methods::{find, find_evaluable};
+    use crate::methods::find;
 
     /// A number too few, one too many, none.
     #[test]
     fn what_is_not_laid_out_as_it_should_be_is_refused() {
         for name in ["four-bar", "faddeeva", "cam-law", "planar-linkage"] {
-            let method = find_evaluable(name).unwrap();
+            let method = find(name).unwrap();
             let good = method.domain().check_points[0].input.clone();
             assert!(method.admits(&good), "{name}");
             let longer = [&good[..], &[0.5]].concat();
@@ -338,7 +331,7 @@ mod tests {
         assert!(refused.signs_of_zero(&input).is_empty() && refused.twin(&input).is_none());
         let limit = find("faddeeva").unwrap();
         let found = limit.reference_not_finite(&[f64::INFINITY, 0.0]);
-        assert!(matches!(found, ReferenceAnswer::Dues(..)));
+        assert!(matches!(found, ReferenceAnswer::Expected(..)));
     }
 
     /// Numbers of vectors are boxed in inputs that are long enough; the others are drawn again.
@@ -380,15 +373,5 @@ mod tests {
             let why = SampleBox::read(&*method, text).unwrap_err().to_string();
             assert!(why.starts_with(due), "{why}");
         }
-    }
-
-    #[test]
-    fn names_of_earlier_releases_are_known_to_eval_alone() {
-        let faddeeva = find_evaluable("faddeeva.w").unwrap();
-        assert_eq!(faddeeva.name(), "faddeeva");
-        assert_eq!(faddeeva.former_names(), ["faddeeva.w"]);
-        assert!(find("faddeeva.w").is_none());
-        assert!(find_evaluable("run-up").unwrap().former_names().is_empty());
-        assert!(find_evaluable("faddeeva.").is_none() && find_evaluable("").is_none());
     }
 }

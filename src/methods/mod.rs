@@ -20,7 +20,7 @@ mod special;
 mod splines;
 mod typed;
 
-use crate::audit::Method;
+use crate::audit::did_you_mean;
 use definition::{Entry, Registered};
 use num_complex::Complex;
 
@@ -48,11 +48,11 @@ pub use typed::{Candidate, IntoAnswer};
 /// how one is called with an input. The lines stand under the feature of their subject.
 macro_rules! registry {
     ($($subject:literal { $(
-        $method:ident $name:literal $(formerly $former:literal)?:
+        $method:ident $name:literal:
         Fn($($argument:ty),*), |$f:ident, $input:pat_param| $call:expr;
     )* })*) => {
         /// Every method, in the order of reports.
-        pub fn evaluable() -> Vec<Box<dyn Evaluable>> {
+        pub fn registry() -> Vec<Box<dyn Evaluable>> {
             let mut all: Vec<Box<dyn Evaluable>> = Vec::new();
             $(
                 #[cfg(feature = $subject)]
@@ -98,7 +98,6 @@ macro_rules! registry {
                 const HARD: &'static str = include_str!(concat!(
                     env!("CARGO_MANIFEST_DIR"), "/reference/hard/", $name, ".csv"
                 ));
-                const FORMER: &'static [&'static str] = &[$($former)?];
             }
 
             // There has to be one; `mechaudit regenerate` fills it.
@@ -167,21 +166,21 @@ registry! {
         Fn(PlanarForcesInput<'_>), |f, i| f(i);
 }
 "special" {
-    Faddeeva "faddeeva" formerly "faddeeva.w":
+    Faddeeva "faddeeva":
         Fn(Complex<f64>), |f, z| f(z.into());
-    FaddeevaDerivative "faddeeva-derivative" formerly "faddeeva.w_derivative":
+    FaddeevaDerivative "faddeeva-derivative":
         Fn(Complex<f64>), |f, z| f(z.into());
-    Erf "erf" formerly "faddeeva.erf":
+    Erf "erf":
         Fn(Complex<f64>), |f, z| f(z.into());
-    Erfc "erfc" formerly "faddeeva.erfc":
+    Erfc "erfc":
         Fn(Complex<f64>), |f, z| f(z.into());
-    Erfcx "erfcx" formerly "faddeeva.erfcx":
+    Erfcx "erfcx":
         Fn(Complex<f64>), |f, z| f(z.into());
-    Erfi "erfi" formerly "faddeeva.erfi":
+    Erfi "erfi":
         Fn(Complex<f64>), |f, z| f(z.into());
-    Dawson "dawson" formerly "faddeeva.dawson":
+    Dawson "dawson":
         Fn(Complex<f64>), |f, z| f(z.into());
-    Voigt "voigt" formerly "faddeeva.voigt":
+    Voigt "voigt":
         Fn(f64, f64, f64), |f, i| f(i.x, i.sigma, i.gamma);
     VoigtHwhm "voigt-hwhm":
         Fn(f64, f64), |f, i| f(i.sigma, i.gamma);
@@ -191,7 +190,7 @@ registry! {
         Fn(CamLawInput<'_>), |f, i| f(i);
     CamFourierSeries "cam-fourier-series":
         Fn(CamFourierSeriesInput<'_>), |f, i| f(i);
-    ChirpResponse "chirp-response" formerly "chirp.response":
+    ChirpResponse "chirp-response":
         Fn(ChirpResponseInput<'_>), |f, i| f(i);
 }
 "run-up" {
@@ -200,12 +199,7 @@ registry! {
 }
 }
 
-/// Every audited method.
-pub fn registry() -> Vec<Box<dyn Method>> {
-    evaluable().into_iter().map(|m| m as _).collect()
-}
-
-/// The method of that name.
+/// Returns the method of that name.
 ///
 /// A hunt for the inputs that take up most of its budget:
 ///
@@ -233,14 +227,42 @@ pub fn registry() -> Vec<Box<dyn Method>> {
 /// assert!(audit_method(&silent, &settings, &|| ()).passed());
 /// # Ok::<(), mechaudit::audit::NoSuch>(())
 /// ```
-pub fn find(name: &str) -> Option<Box<dyn Method>> {
+pub fn find(name: &str) -> Option<Box<dyn Evaluable>> {
     registry().into_iter().find(|m| m.name() == name)
 }
 
-/// The method of that name, or of that name in an earlier release, for evaluation at any input.
-pub fn find_evaluable(name: &str) -> Option<Box<dyn Evaluable>> {
-    let named = |m: &dyn Evaluable| m.name() == name || m.former_names().contains(&name);
-    evaluable().into_iter().find(|m| named(&**m))
+/// Returns the method that a text names. The command line, the plans of campaigns and candidates all
+/// resolve their METHOD here.
+///
+/// # Errors
+/// A text that names no method.
+///
+/// ```
+/// use mechaudit::methods::resolve;
+///
+/// assert_eq!(resolve("erf")?.name(), "erf");
+/// let why = resolve("errf").err().unwrap().to_string();
+/// assert!(why.starts_with("there is no method \"errf\" (did you mean \"erf\"?)"));
+/// # Ok::<(), mechaudit::methods::MethodError>(())
+/// ```
+pub fn resolve(text: &str) -> Result<Box<dyn Evaluable>, MethodError> {
+    find(text).ok_or_else(|| MethodError::Unknown {
+        name: text.into(),
+        known: registry().iter().map(|m| m.name()).collect(),
+    })
+}
+
+/// The reason why a text names no method.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum MethodError {
+    /// No method has that name.
+    #[error("there is no method {name:?}{}; there are: {}", did_you_mean(.name, .known), .known.join(", "))]
+    Unknown {
+        /// The name.
+        name: String,
+        /// The names of all methods.
+        known: Vec<&'static str>,
+    },
 }
 
 #[cfg(test)]

@@ -1,7 +1,12 @@
 //! A printed number beside its certified value, digit by digit.
 
-use super::{EntryVerdict, Tally, VariantJudgement};
+use super::{Entry, EntryVerdict, Tally, VariantJudgement};
+use crate::audit::{Agreement, agreement};
 use crate::reference::{Ball, Decimal};
+use std::collections::BTreeMap;
+
+/// The variant of the data of a paper that is audited with its printed data alone.
+pub(super) const AS_PRINTED: &str = "as_printed";
 
 /// A number as printed.
 #[derive(Clone, Debug)]
@@ -34,18 +39,33 @@ impl Number {
         Ball::rational(value.prec(), &self.value.value) - value
     }
 
-    /// Certainly within `limit` units of the last digit.
-    pub(super) fn within(&self, value: &Ball, limit: f64) -> bool {
-        let u = self.value.units_off(value);
-        u.is_finite() && u.abs().upper() <= limit
+    /// Returns true if the print is certainly the correct rounding.
+    pub(super) fn is_rounded(&self, value: &Ball) -> bool {
+        self.verdict(value) == EntryVerdict::Agrees
     }
 
-    /// How many of the printed digits are right, and how many there are: those that the value has in the same places,
-    /// or all where the print is the correct rounding.
+    /// Returns true if the print is certainly within one unit of the last digit.
+    pub(super) fn is_within_one(&self, value: &Ball) -> bool {
+        self.verdict(value) <= EntryVerdict::Rounding
+    }
+
+    /// The verdict without a look for misprints; an undecided one is unexplained.
+    pub(super) fn verdict(&self, value: &Ball) -> EntryVerdict {
+        match agreement(&self.value, value) {
+            Agreement::Agrees => EntryVerdict::Agrees,
+            Agreement::LastDigit => EntryVerdict::Rounding,
+            Agreement::Differs | Agreement::Undecided | Agreement::NoValue => {
+                EntryVerdict::Unexplained
+            }
+        }
+    }
+
+    /// How many of the printed digits are right, and how many there are: those that the value has in
+    /// the same places, or all where the print is the correct rounding.
     pub(super) fn right_digits(&self, value: &Ball) -> (usize, usize) {
         let digits = significant(&self.text);
         let all = digits.len();
-        if self.within(value, 0.5) {
+        if self.is_rounded(value) {
             return (all, all);
         }
         let size = match value.is_negative() {
@@ -87,20 +107,15 @@ impl Number {
         }
     }
 
-    /// The verdict, with the value to so many digits.
+    /// The verdict, with the value to `digits` digits.
     pub(super) fn judged(&self, value: &Ball, digits: usize) -> VariantJudgement {
-        let verdict = match () {
-            () if self.within(value, 0.5) => EntryVerdict::Agrees,
-            () if self.within(value, 1.0) => EntryVerdict::Rounding,
-            () => EntryVerdict::Unexplained,
-        };
         let (right, all) = self.right_digits(value);
         VariantJudgement {
             recomputed: value
                 .to_decimal(digits)
                 .unwrap_or_else(|| "undecided".into()),
             units_in_last_digit: (self.units_off(value) * 1e3).round() / 1e3,
-            verdict,
+            verdict: self.verdict(value),
             note: (right < all)
                 .then(|| format!("{right} of {all} digits are right: {}", self.marked(value))),
         }
@@ -115,26 +130,54 @@ fn significant(text: &str) -> Vec<usize> {
     places.map(|(i, _)| i).collect()
 }
 
-/// How many numbers of a column agree with their values.
-pub(super) fn tally(
+/// Counts how many numbers of a column agree with their values.
+pub(super) fn tally<'a>(
     [variant, column]: [&'static str; 2],
     table: u32,
-    of: &[(&Number, &Ball)],
+    of: impl Iterator<Item = (&'a Number, &'a Ball)>,
 ) -> Tally {
-    let count = |limit: f64| of.iter().filter(|(p, v)| p.within(v, limit)).count();
-    let worst = |off: &dyn Fn(&Number, &Ball) -> f64| {
-        of.iter().map(|(p, v)| off(p, v).abs()).fold(0.0, f64::max)
-    };
-    Tally {
+    let mut tally = Tally {
         variant,
         table,
         column,
-        entries: of.len(),
-        within_half: count(0.5),
-        within_one: count(1.0),
-        worst_units: worst(&Number::units_off),
-        worst: worst(&|p, v| p.units_off(v) * p.value.unit().to_f64()),
+        entries: 0,
+        within_half: 0,
+        within_one: 0,
+        worst_units: 0.0,
+        worst: 0.0,
+    };
+    for (printed, value) in of {
+        let off = printed.units_off(value).abs();
+        tally.entries += 1;
+        tally.within_half += usize::from(printed.is_rounded(value));
+        tally.within_one += usize::from(printed.is_within_one(value));
+        tally.worst_units = tally.worst_units.max(off);
+        tally.worst = tally.worst.max(off * printed.value.unit().to_f64());
     }
+    tally
+}
+
+/// A printed number: its row, its name, what stands there, and the certified value.
+pub(super) type Row<'a> = (u32, &'static str, &'a Number, &'a Ball);
+
+/// A printed column: its table, its name, and its rows.
+pub(super) type Column<'a> = (u32, &'static str, Vec<Row<'a>>);
+
+/// Judges the columns of a paper that has one variant of the data.
+pub(super) fn entries(columns: &[Column], digits: usize) -> (Vec<Entry>, Vec<Tally>) {
+    let (mut entries, mut tallies) = (Vec::new(), Vec::new());
+    for (table, column, rows) in columns {
+        let pairs = rows.iter().map(|(.., printed, value)| (*printed, *value));
+        tallies.push(tally([AS_PRINTED, column], *table, pairs));
+        entries.extend(rows.iter().map(|(row, name, printed, value)| Entry {
+            table: *table,
+            row: *row,
+            column: name,
+            printed: printed.text.clone(),
+            variants: BTreeMap::from([(AS_PRINTED, printed.judged(value, digits))]),
+        }));
+    }
+    (entries, tallies)
 }
 
 #[cfg(test)]
@@ -166,9 +209,9 @@ mod tests {
         use crate::reference::Mag;
         let p = Number::read("0.1234");
         let near = ball("0.12340");
-        assert!(p.within(&near.widened(Mag::from_f64(4e-5)), 0.5));
-        assert!(!p.within(&near.widened(Mag::from_f64(6e-5)), 0.5));
-        assert!(!p.within(&near.widened(Mag::INFINITY), 0.5));
+        assert!(p.is_rounded(&near.widened(Mag::from_f64(4e-5))));
+        assert!(!p.is_rounded(&near.widened(Mag::from_f64(6e-5))));
+        assert!(!p.is_rounded(&near.widened(Mag::INFINITY)));
         assert_eq!(p.right_digits(&near.widened(Mag::from_f64(6e-5))).0, 3);
     }
 
@@ -227,14 +270,14 @@ mod tests {
     fn a_column_is_counted_within_half_a_unit_and_one() {
         let numbers = ["1.00", "2.00", "3.0"].map(Number::read);
         let values = ["1.004", "1.991", "3.13"].map(ball);
-        let pairs: Vec<(&Number, &Ball)> = numbers.iter().zip(&values).collect();
-        let found = tally(["variant", "column"], 2, &pairs);
+        let pairs = || numbers.iter().zip(&values);
+        let found = tally(["variant", "column"], 2, pairs());
         assert_eq!(
             (found.entries, found.within_half, found.within_one),
             (3, 1, 2)
         );
         assert!((found.worst_units - 1.3).abs() < 1e-12 && (found.worst - 0.13).abs() < 1e-12);
-        let right = tally(["variant", "column"], 2, &pairs[..1]);
+        let right = tally(["variant", "column"], 2, pairs().take(1));
         assert!((right.worst_units - 0.4).abs() < 1e-12 && (right.worst - 0.004).abs() < 1e-12);
     }
 }

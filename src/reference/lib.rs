@@ -6,12 +6,14 @@
 //! | folder | modules |
 //! |---|---|
 //! | arithmetic | [`Ball`], [`ComplexBall`], [`Mag`], [`Decimal`], [`HexFloat`], Taylor models |
+//! | elementary | [`elementary`]: functions of balls |
 //! | special | [`faddeeva`], [`hartmann_tran`] |
 //! | linear | [`tridiagonal`], [`BallLu`] |
 //! | splines | [`cubic_spline`] |
 //! | linkages | [`class_iii`], [`dyad`], [`planar`] |
 //! | drive | [`run_up`], [`pendulum`] |
 //! | cams | [`cam_law`], [`fourier_series`], [`chirp_oscillator`] |
+//! | quadrature | [`quadrature`] |
 //!
 //! Features: `linkages`, `cams` and `run-up` (folder `drive`), all on by default.
 //!
@@ -29,11 +31,14 @@ mod arithmetic;
 mod cams;
 #[cfg(feature = "run-up")]
 mod drive;
+pub mod elementary;
 mod linear;
 #[cfg(feature = "linkages")]
 mod linkages;
 #[cfg(test)]
 mod pinned;
+pub mod roots;
+pub mod quadrature;
 mod special;
 mod splines;
 
@@ -44,7 +49,7 @@ use linear::lu;
 pub use cams::{cam_law, chirp_oscillator, fourier_series};
 #[cfg(feature = "run-up")]
 pub use drive::{pendulum, run_up};
-pub use linear::tridiagonal;
+pub use linear::{dense, eigenvalues, tridiagonal};
 #[cfg(feature = "linkages")]
 pub use linkages::{class_iii, dyad, planar};
 pub use special::{faddeeva, hartmann_tran};
@@ -54,6 +59,7 @@ pub use ball::{Ball, dot};
 pub use complex::ComplexBall;
 pub use decimal::{Decimal, DecimalError, nearest_f64};
 pub use hex_float::{HexFloat, HexFloatError};
+pub use linear::matrix::{LinearError, Matrix};
 pub use lu::BallLu;
 pub use mag::Mag;
 

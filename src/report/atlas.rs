@@ -121,5 +121,4 @@ fn part(c: &Decided) -> &str {
 }
 
 #[cfg(test)]
-#[path = "atlas_tests.rs"]
 pub(crate) mod tests;

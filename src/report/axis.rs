@@ -35,21 +35,24 @@ impl Format {
     }
 }
 
-/// Round numbers within a range, about so many: multiples of 1, 2 or 5 times a power of ten.
-pub fn marks(low: f64, high: f64, about: usize) -> Vec<f64> {
-    let raw = (high - low) / about.max(1) as f64;
+/// At most `most` round numbers within a range: multiples of 1, 2 or 5 times a power of ten.
+pub fn at_most(low: f64, high: f64, most: usize) -> Vec<f64> {
+    let raw = (high - low) / most.max(1) as f64;
     if !(raw > 0.0 && raw.is_finite()) {
         return vec![low];
     }
     let decade = 10f64.powf(raw.log10().floor());
-    let factor = [1.0, 2.0, 5.0, 10.0]
-        .into_iter()
-        .find(|f| f * decade >= 0.999 * raw);
-    let step = factor.unwrap_or(10.0) * decade;
-    let (first, last) = (
-        (low / step - 1e-9).ceil() as i64,
-        (high / step + 1e-9).floor() as i64,
-    );
+    let within = |step: f64| {
+        let ends = [(low / step - 1e-9).ceil(), (high / step + 1e-9).floor()];
+        ends.map(|k| k as i64)
+    };
+    let few = |step: &f64| {
+        let [first, last] = within(*step);
+        last - first < most as i64
+    };
+    let steps = [0.5, 1.0, 2.0, 5.0, 10.0].map(|f| f * decade);
+    let step = steps.into_iter().find(few).unwrap_or(20.0 * decade);
+    let [first, last] = within(step);
     (first..=last).map(|k| k as f64 * step).collect()
 }
 
@@ -82,17 +85,25 @@ mod tests {
     }
 
     #[test]
-    fn marks_are_round_and_within_the_range() {
-        for (low, high, about, due) in [
-            (0.0, 1.0, 5, &[0.0, 0.2, 0.4, 0.6, 0.8, 1.0][..]),
+    fn marks_are_round_within_the_range_and_not_too_many() {
+        for (low, high, most, due) in [
+            (0.0, 1.0, 6, &[0.0, 0.2, 0.4, 0.6, 0.8, 1.0][..]),
+            (0.0, 1.0, 5, &[0.0, 0.5, 1.0]),
             (-3.0, 12.0, 4, &[0.0, 5.0, 10.0]),
+            (
+                0.0,
+                10.0,
+                11,
+                &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0],
+            ),
             (0.0, 0.7, 3, &[0.0, 0.5]),
+            (0.9, 2.1, 2, &[1.0, 2.0]),
             (5.0, 5.0, 3, &[5.0]),
         ] {
-            let found = marks(low, high, about);
-            assert_eq!(found.len(), due.len(), "{found:?}");
+            let found = at_most(low, high, most);
+            let same = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-12;
             assert!(
-                found.iter().zip(due).all(|(a, b)| (a - b).abs() < 1e-12),
+                found.len() == due.len() && found.iter().zip(due).all(same),
                 "{found:?}"
             );
         }

@@ -260,5 +260,4 @@ impl Changes {
 }
 
 #[cfg(test)]
-#[path = "baseline_tests.rs"]
 mod tests;

@@ -346,5 +346,4 @@ fn shifted(text: &str, places: i32) -> String {
 }
 
 #[cfg(test)]
-#[path = "columns_tests.rs"]
 mod tests;

@@ -195,5 +195,4 @@ pub fn paper(report: &PaperReport, out: &mut dyn Write) -> Result<(), ::csv::Err
 }
 
 #[cfg(test)]
-#[path = "csv_tests.rs"]
 mod tests;

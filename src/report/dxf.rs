@@ -250,5 +250,4 @@ fn path_layer(point: &Point) -> String {
 }
 
 #[cfg(test)]
-#[path = "dxf_tests.rs"]
 mod tests;

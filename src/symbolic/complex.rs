@@ -1,6 +1,6 @@
 //! Functions of complex balls that the enclosures need.
 
-use super::SymbolicError;
+use super::{Func, SymbolicError};
 use mechaudit_reference::{Ball, ComplexBall, Mag};
 use rug::Float;
 use rug::float::Round;
@@ -30,6 +30,17 @@ pub(super) fn exp_real(x: &Ball) -> Ball {
 /// `e^z`.
 pub(super) fn exp(z: &ComplexBall) -> ComplexBall {
     ComplexBall::unit(&z.im).scaled(&exp_real(&z.re))
+}
+
+/// Sine or cosine, by exponentials as the algebra has them.
+pub(super) fn sine_and_cosine(f: Func, z: &ComplexBall) -> ComplexBall {
+    let (up, down) = (exp(&z.turned()), exp(&-&z.turned()));
+    match f {
+        Func::Cos => (&up + &down).scaled(&Ball::exact(z.re.prec(), 0.5)),
+        _ => -&(&up - &down)
+            .turned()
+            .scaled(&Ball::exact(z.re.prec(), 0.5)),
+    }
 }
 
 /// `a/b`; `None` if b may be zero.

@@ -139,7 +139,7 @@ fn node_edits(e: &Expr, family: &Family, out: &mut Edited) {
             }
         }
         Expr::Call(Func::Arctan, x) => {
-            if let Expr::Div(a, b) = &**x
+            if let [Expr::Div(a, b)] = x.as_slice()
                 && let (Expr::Call(Func::Im, y), Expr::Call(Func::Re, z)) = (&**a, &**b)
                 && y == z
             {

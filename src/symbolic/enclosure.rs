@@ -206,7 +206,10 @@ impl Domain for Enclosures<'_> {
             .ok_or_else(|| SymbolicError::NotInvertible("a number that may be zero".into()))
     }
 
-    fn call(&mut self, f: Func, x: &ComplexBall) -> Result<ComplexBall, SymbolicError> {
+    fn call(&mut self, f: Func, x: &[ComplexBall]) -> Result<ComplexBall, SymbolicError> {
+        let [x] = x else {
+            return unsupported(f.name());
+        };
         let real = |re: Ball| ComplexBall::new(re, Ball::integer(BITS, 0));
         match f {
             Func::Exp => Ok(complex::exp(x)),
@@ -224,7 +227,8 @@ impl Domain for Enclosures<'_> {
                 Ok(ComplexBall::new(re, Ball::integer(BITS, 0).widened(off)))
             }
             Func::Arctan => unsupported("arctan of a complex number"),
-            Func::Sin | Func::Cos => unsupported(f.name()),
+            Func::Sin | Func::Cos => Ok(complex::sine_and_cosine(f, x)),
+            f => unsupported(f.name()),
         }
     }
 

@@ -11,6 +11,14 @@ pub enum SymbolicError {
         /// What was expected.
         reason: String,
     },
+    /// A name that is neither declared nor a constant.
+    #[error("at character {at}: the name {name} is not declared")]
+    Unknown {
+        /// The place, counted from 0.
+        at: usize,
+        /// The name.
+        name: String,
+    },
     /// Not a name of 1 to 16 printable ASCII characters.
     #[error("{0:?} is not a name of 1 to 16 printable ASCII characters")]
     Name(String),

@@ -8,6 +8,7 @@ use super::series;
 use super::walk::{Definitions, Domain, Scope, walk};
 use super::work::{LIMIT, limited};
 use super::{Algebra, Derivation, ExpSum, Fraction, Gauss, Poly, Symbol, SymbolicError};
+use rug::Rational;
 
 /// Evaluates expressions to normal forms.
 #[derive(Clone, Debug, Default)]
@@ -149,7 +150,10 @@ impl Domain for Exact {
         self.algebra.quotient(a, b)
     }
 
-    fn call(&mut self, f: Func, x: &ExpSum) -> Result<ExpSum, SymbolicError> {
+    fn call(&mut self, f: Func, x: &[ExpSum]) -> Result<ExpSum, SymbolicError> {
+        let [x, rest @ ..] = x else {
+            return unsupported(f.name());
+        };
         let halved = |a: &Algebra, e: &ExpSum, c: Gauss| a.product(e, &ExpSum::constant(c));
         match f {
             Func::Exp => self.algebra.exp(x),
@@ -178,7 +182,63 @@ impl Domain for Exact {
             Func::Abs => self.algebra.abs(x),
             Func::Arg => self.algebra.arg(x),
             Func::Arctan => self.algebra.arctan(x),
-            Func::Sin | Func::Cos => unsupported(f.name()),
+            Func::Sin => self.algebra.sine_and_cosine(x).map(|(sine, _)| sine),
+            Func::Cos => self.algebra.sine_and_cosine(x).map(|(_, cosine)| cosine),
+            Func::Tan => {
+                let (sine, cosine) = self.algebra.sine_and_cosine(x)?;
+                self.algebra.quotient(&sine, &cosine)
+            }
+            Func::Sinh => Ok(self.algebra.hyperbolic(x)?.0),
+            Func::Cosh => Ok(self.algebra.hyperbolic(x)?.1),
+            Func::Tanh => {
+                let (sine, cosine) = self.algebra.hyperbolic(x)?;
+                self.algebra.quotient(&sine, &cosine)
+            }
+            Func::Expm1 => Ok(&self.algebra.exp(x)? - &ExpSum::integer(1)),
+            Func::Conj => self.algebra.conj(x),
+            Func::Hypot | Func::Fma => match (f, rest) {
+                (Func::Hypot, [y]) => {
+                    let a = &self.algebra;
+                    let sum = &a.product(x, x) + &a.product(y, y);
+                    self.algebra.square_root(&sum)
+                }
+                (_, [y, z]) => Ok(&self.algebra.product(x, y) + z),
+                _ => unsupported(f.name()),
+            },
+            Func::Exp2
+            | Func::Exp10
+            | Func::Log
+            | Func::Log2
+            | Func::Log10
+            | Func::Log1p
+            | Func::Cbrt
+            | Func::Asin
+            | Func::Acos
+            | Func::Asinh
+            | Func::Acosh
+            | Func::Atanh
+            | Func::Erf
+            | Func::Erfc
+            | Func::Erfcx
+            | Func::Erfi
+            | Func::Dawson
+            | Func::Tgamma
+            | Func::Lgamma
+            | Func::Digamma
+            | Func::Floor
+            | Func::Ceil
+            | Func::Round
+            | Func::Trunc
+            | Func::Nearbyint
+            | Func::Pow
+            | Func::Atan2
+            | Func::Fmin
+            | Func::Fmax
+            | Func::Fdim
+            | Func::Fmod
+            | Func::Remainder
+            | Func::Copysign
+            | Func::Voigt => unsupported(f.name()),
         }
     }
 
@@ -295,11 +355,50 @@ impl Domain for Exact {
     }
 }
 
+impl Algebra {
+    /// `(sinh x, cosh x)` as exponentials.
+    fn hyperbolic(&mut self, x: &ExpSum) -> Result<(ExpSum, ExpSum), SymbolicError> {
+        let minus = self.product(&ExpSum::integer(-1), x);
+        let [up, down] = [self.exp(x)?, self.exp(&minus)?];
+        let half = ExpSum::constant(Gauss::real((1, 2)));
+        let [sine, cosine] = [&up - &down, &up + &down].map(|e| self.product(&half, &e));
+        Ok((sine, cosine))
+    }
+
+    /// `(sin x, cos x)` as exponentials: `sin x = sinh(ix)/i`, `cos x = cosh(ix)`.
+    fn sine_and_cosine(&mut self, x: &ExpSum) -> Result<(ExpSum, ExpSum), SymbolicError> {
+        let turned = self.product(&ExpSum::constant(Gauss::i()), x);
+        let (sine, cosine) = self.hyperbolic(&turned)?;
+        let minus_i = ExpSum::constant(Gauss::i_power(3));
+        Ok((self.product(&minus_i, &sine), cosine))
+    }
+}
+
+/// Returns true if the normal form of an expression is zero at rational values of its symbols.
+pub(super) fn proves_zero(
+    definitions: &Definitions,
+    e: &Expr,
+    names: &[String],
+    values: &[Rational],
+) -> bool {
+    let mut definitions = definitions.clone();
+    for (name, value) in names.iter().zip(values) {
+        let size = Expr::Num(value.clone().abs().to_string());
+        let value = match *value < 0 {
+            true => Expr::Neg(Box::new(size)),
+            false => size,
+        };
+        definitions.set(name, value);
+    }
+    let form = Exact::default().value(&definitions, e);
+    form.is_ok_and(|form| form.is_zero())
+}
+
 /// Returns true for functions that are not differentiated like analytic ones.
 fn uses_conjugates(e: &Expr) -> bool {
     matches!(
         e,
-        Expr::Call(Func::Re | Func::Im | Func::Abs | Func::Arg, _)
+        Expr::Call(Func::Re | Func::Im | Func::Abs | Func::Arg | Func::Conj, _)
     )
 }
 

@@ -1,51 +1,104 @@
 //! Formulas as data.
 
+pub use super::function::Func;
 use std::fmt;
 
-/// A function of one argument.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Func {
-    /// `e^x`.
-    Exp,
-    /// Square root; of positive numbers.
-    Sqrt,
-    /// Sine.
-    Sin,
-    /// Cosine.
-    Cos,
-    /// `W(z) = e^{−z²}(1 + (2i/√π) ∫_0^z e^{s²} ds)`.
-    W,
-    /// Real part.
-    Re,
-    /// Imaginary part.
-    Im,
-    /// Absolute value.
-    Abs,
-    /// Argument in (−π, π].
-    Arg,
-    /// Principal arc tangent of a real number.
-    Arctan,
+/// A comparison of two numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Relation {
+    /// `<`.
+    Less,
+    /// `<=`.
+    LessEqual,
+    /// `>`.
+    Greater,
+    /// `>=`.
+    GreaterEqual,
+    /// `==`.
+    Equal,
+    /// `!=`.
+    NotEqual,
 }
 
-impl Func {
-    /// All of them with their names in the text form.
-    pub const ALL: [(Func, &'static str); 10] = [
-        (Func::Exp, "exp"),
-        (Func::Sqrt, "sqrt"),
-        (Func::Sin, "sin"),
-        (Func::Cos, "cos"),
-        (Func::W, "W"),
-        (Func::Re, "re"),
-        (Func::Im, "im"),
-        (Func::Abs, "abs"),
-        (Func::Arg, "arg"),
-        (Func::Arctan, "arctan"),
+impl Relation {
+    /// All of them with their signs; a longer sign stands before its beginning.
+    pub const ALL: [(Relation, &'static str); 6] = [
+        (Relation::LessEqual, "<="),
+        (Relation::GreaterEqual, ">="),
+        (Relation::Equal, "=="),
+        (Relation::NotEqual, "!="),
+        (Relation::Less, "<"),
+        (Relation::Greater, ">"),
     ];
 
-    /// The name in the text form.
-    pub fn name(self) -> &'static str {
-        Func::ALL.iter().find(|f| f.0 == self).map_or("", |f| f.1)
+    /// The sign in the text form.
+    pub fn sign(self) -> &'static str {
+        Relation::ALL
+            .iter()
+            .find(|r| r.0 == self)
+            .map_or("", |r| r.1)
     }
+}
+
+/// Declares the constants once: variant, name in C and FPCore, and the expression that it stands for.
+macro_rules! constants {
+    ($($constant:ident $name:literal $value:literal;)*) => {
+        /// A named constant of C and FPCore; in floating point it is rounded once.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[allow(missing_docs)]
+        pub enum Constant {
+            $($constant,)*
+        }
+
+        impl Constant {
+            /// All of them with their names.
+            pub const ALL: &'static [(Constant, &'static str)] = &[$((Constant::$constant, $name)),*];
+
+            /// The name in FPCore.
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Constant::$constant => $name,)*
+                }
+            }
+
+            /// The expression that it stands for, as text.
+            pub fn definition(self) -> &'static str {
+                match self {
+                    $(Constant::$constant => $value,)*
+                }
+            }
+        }
+    };
+}
+
+constants! {
+    E "E" "exp(1)";
+    Log2E "LOG2E" "1/log(2)";
+    Log10E "LOG10E" "1/log(10)";
+    Ln2 "LN2" "log(2)";
+    Ln10 "LN10" "log(10)";
+    Pi "PI" "pi";
+    HalfPi "PI_2" "pi/2";
+    QuarterPi "PI_4" "pi/4";
+    InversePi "M_1_PI" "1/pi";
+    TwoOverPi "M_2_PI" "2/pi";
+    TwoOverRootPi "M_2_SQRTPI" "2/sqrt(pi)";
+    Sqrt2 "SQRT2" "sqrt(2)";
+    InverseSqrt2 "SQRT1_2" "1/sqrt(2)";
+}
+
+/// A loop: `while condition`, each variable is replaced by its update; the value is that of the body
+/// for the last values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Loop {
+    /// Returns true if an update sees the new values of the variables before it.
+    pub sequential: bool,
+    /// The condition.
+    pub condition: Expr,
+    /// Variables with their first values and updates.
+    pub variables: Vec<(String, Expr, Expr)>,
+    /// The value.
+    pub body: Expr,
 }
 
 /// An integral or a sum.
@@ -64,8 +117,10 @@ pub struct Bound {
 /// An expression.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Expr {
-    /// A decimal number without sign, as written.
+    /// A number without sign, as written: decimal, hexadecimal, or a quotient of integers.
     Num(String),
+    /// A constant of C and FPCore.
+    Constant(Constant),
     /// The imaginary unit.
     I,
     /// A symbol or the name of a definition.
@@ -82,8 +137,8 @@ pub enum Expr {
     Div(Box<Expr>, Box<Expr>),
     /// An integer power.
     Pow(Box<Expr>, i32),
-    /// A function.
-    Call(Func, Box<Expr>),
+    /// A function, with as many arguments as it has.
+    Call(Func, Vec<Expr>),
     /// An integral.
     Int(Box<Bound>),
     /// A sum over an index. `series(n, f)`, which has the upper limit `each`, is the formal sum of
@@ -94,6 +149,24 @@ pub enum Expr {
     Diff(Box<Expr>, String),
     /// The expression at a value of a symbol.
     At(Box<Expr>, String, Box<Expr>),
+    /// The only root of the body between the limits.
+    Root(Box<Bound>),
+    /// Comparisons of neighbours: `a < b <= c`.
+    Compare(Relation, Vec<Expr>),
+    /// True if all are.
+    And(Vec<Expr>),
+    /// True if one is.
+    Or(Vec<Expr>),
+    /// True if it is not.
+    Not(Box<Expr>),
+    /// True or false.
+    Truth(bool),
+    /// The second where the first is true, else the third.
+    If(Box<[Expr; 3]>),
+    /// Names for values, each of which sees those before it if `true`; then the value.
+    Let(bool, Vec<(String, Expr)>, Box<Expr>),
+    /// A loop.
+    While(Box<Loop>),
 }
 
 /// Names of constants, which cannot be defined, bound or varied.
@@ -111,33 +184,79 @@ impl Expr {
         }
     }
 
+    /// A function of one argument.
+    pub fn call(f: Func, x: Expr) -> Expr {
+        Expr::Call(f, vec![x])
+    }
+
     /// The children, in order.
     pub fn children(&self) -> Vec<&Expr> {
         match self {
-            Expr::Num(_) | Expr::I | Expr::Sym(_) => Vec::new(),
+            Expr::Num(_) | Expr::Constant(_) | Expr::I | Expr::Sym(_) | Expr::Truth(_) => {
+                Vec::new()
+            }
             Expr::Index(_, x) | Expr::Neg(x) | Expr::Pow(x, _) => vec![x],
-            Expr::Call(_, x) | Expr::Diff(x, _) => vec![x],
-            Expr::Add(x) | Expr::Mul(x) => x.iter().collect(),
+            Expr::Diff(x, _) | Expr::Not(x) => vec![x],
+            Expr::Add(x) | Expr::Mul(x) | Expr::Call(_, x) => x.iter().collect(),
+            Expr::Compare(_, x) | Expr::And(x) | Expr::Or(x) => x.iter().collect(),
+            Expr::If(x) => x.iter().collect(),
             Expr::Div(a, b) | Expr::At(a, _, b) => vec![a, b],
-            Expr::Int(b) | Expr::Sum(b) => vec![&b.from, &b.to, &b.body],
+            Expr::Int(b) | Expr::Sum(b) | Expr::Root(b) => vec![&b.from, &b.to, &b.body],
+            Expr::Let(_, values, x) => values.iter().map(|v| &v.1).chain([&**x]).collect(),
+            Expr::While(l) => {
+                let variables = l.variables.iter().flat_map(|v| [&v.1, &v.2]);
+                [&l.condition]
+                    .into_iter()
+                    .chain(variables)
+                    .chain([&l.body])
+                    .collect()
+            }
         }
     }
 
     /// The same node with other children; as many as [`Expr::children`] gives.
-    pub fn with_children(&self, mut new: Vec<Expr>) -> Expr {
-        let mut next = || new.remove(0);
+    pub fn with_children(&self, new: Vec<Expr>) -> Expr {
+        let mut new = new.into_iter();
+        let mut next = || new.next().unwrap_or(Expr::Truth(false));
         match self {
-            Expr::Num(_) | Expr::I | Expr::Sym(_) => self.clone(),
+            Expr::Num(_) | Expr::Constant(_) | Expr::I | Expr::Sym(_) | Expr::Truth(_) => {
+                self.clone()
+            }
             Expr::Index(n, _) => Expr::Index(n.clone(), Box::new(next())),
             Expr::Neg(_) => Expr::Neg(Box::new(next())),
             Expr::Pow(_, k) => Expr::Pow(Box::new(next()), *k),
-            Expr::Call(f, _) => Expr::Call(*f, Box::new(next())),
+            Expr::Call(f, _) => Expr::Call(*f, new.collect()),
             Expr::Diff(_, by) => Expr::Diff(Box::new(next()), by.clone()),
-            Expr::Add(_) => Expr::Add(new),
-            Expr::Mul(_) => Expr::Mul(new),
+            Expr::Add(_) => Expr::Add(new.collect()),
+            Expr::Mul(_) => Expr::Mul(new.collect()),
             Expr::Div(..) => Expr::Div(Box::new(next()), Box::new(next())),
             Expr::At(_, s, _) => Expr::At(Box::new(next()), s.clone(), Box::new(next())),
-            Expr::Int(b) | Expr::Sum(b) => {
+            Expr::Compare(r, _) => Expr::Compare(*r, new.collect()),
+            Expr::And(_) => Expr::And(new.collect()),
+            Expr::Or(_) => Expr::Or(new.collect()),
+            Expr::Not(_) => Expr::Not(Box::new(next())),
+            Expr::If(_) => Expr::If(Box::new([next(), next(), next()])),
+            Expr::Let(sequential, values, _) => {
+                let values = values
+                    .iter()
+                    .map(|(name, _)| (name.clone(), next()))
+                    .collect();
+                Expr::Let(*sequential, values, Box::new(next()))
+            }
+            Expr::While(l) => {
+                let condition = next();
+                let variables = l.variables.iter();
+                let variables = variables
+                    .map(|(name, ..)| (name.clone(), next(), next()))
+                    .collect();
+                Expr::While(Box::new(Loop {
+                    sequential: l.sequential,
+                    condition,
+                    variables,
+                    body: next(),
+                }))
+            }
+            Expr::Int(b) | Expr::Sum(b) | Expr::Root(b) => {
                 let bound = Box::new(Bound {
                     var: b.var.clone(),
                     from: next(),
@@ -146,22 +265,39 @@ impl Expr {
                 });
                 match self {
                     Expr::Int(_) => Expr::Int(bound),
+                    Expr::Root(_) => Expr::Root(bound),
                     _ => Expr::Sum(bound),
                 }
             }
         }
     }
 
+    /// The text of an operand of a comparison or of a logical connective.
+    fn operand(&self) -> String {
+        match self {
+            Expr::Compare(..) | Expr::And(_) | Expr::Or(_) | Expr::Not(_) => format!("({self})"),
+            x => x.to_string(),
+        }
+    }
+
     /// Binding strength: sum, product, sign, power, atom.
     pub(super) fn strength(&self) -> u8 {
         match self {
+            Expr::Compare(..) | Expr::And(_) | Expr::Or(_) | Expr::Not(_) => 0,
             Expr::Add(_) => 0,
             Expr::Neg(_) => 1,
+            Expr::Num(n) if n.contains('/') => 2,
             Expr::Mul(_) | Expr::Div(..) => 2,
             Expr::Pow(..) => 3,
             _ => 4,
         }
     }
+}
+
+/// Expressions with commas between them.
+fn list(x: &[Expr]) -> String {
+    let parts: Vec<String> = x.iter().map(Expr::to_string).collect();
+    parts.join(", ")
 }
 
 /// The text form, which [`parse`](super::parse) reads back.
@@ -173,6 +309,8 @@ impl fmt::Display for Expr {
         };
         match self {
             Expr::Num(n) => f.write_str(n),
+            Expr::Constant(c) => f.write_str(c.name()),
+            Expr::Truth(t) => write!(f, "{t}"),
             Expr::I => f.write_str("i"),
             Expr::Sym(s) => f.write_str(s),
             Expr::Index(s, k) => write!(f, "{s}[{k}]"),
@@ -203,7 +341,40 @@ impl fmt::Display for Expr {
             Expr::Div(a, b) => write!(f, "{}/{}", at_least(a, 2), at_least(b, 3)),
             Expr::Pow(x, k) if *k < 0 => write!(f, "{}^({k})", at_least(x, 4)),
             Expr::Pow(x, k) => write!(f, "{}^{k}", at_least(x, 4)),
-            Expr::Call(func, x) => write!(f, "{}({x})", func.name()),
+            Expr::Call(func, x) => write!(f, "{}({})", func.name(), list(x)),
+            Expr::Root(b) => write!(f, "root({}, {}, {}, {})", b.var, b.from, b.to, b.body),
+            Expr::Compare(relation, x) => {
+                let sign = format!(" {} ", relation.sign());
+                let parts: Vec<String> = x.iter().map(Expr::operand).collect();
+                f.write_str(&parts.join(&sign))
+            }
+            Expr::And(x) | Expr::Or(x) => {
+                let word = if matches!(self, Expr::And(_)) {
+                    " and "
+                } else {
+                    " or "
+                };
+                let parts: Vec<String> = x.iter().map(Expr::operand).collect();
+                f.write_str(&parts.join(word))
+            }
+            Expr::Not(x) => write!(f, "not {}", x.operand()),
+            Expr::If(x) => write!(f, "if({})", list(&**x)),
+            Expr::Let(sequential, values, x) => {
+                f.write_str(if *sequential { "let(" } else { "let_all(" })?;
+                values
+                    .iter()
+                    .try_for_each(|(name, v)| write!(f, "{name}, {v}, "))?;
+                write!(f, "{x})")
+            }
+            Expr::While(l) => {
+                f.write_str(if l.sequential { "while(" } else { "while_all(" })?;
+                write!(f, "{}, ", l.condition)?;
+                let variables = l.variables.iter();
+                variables
+                    .map(|(name, a, b)| write!(f, "{name}, {a}, {b}, "))
+                    .collect::<fmt::Result>()?;
+                write!(f, "{})", l.body)
+            }
             Expr::Sum(b) if b.to == Expr::Sym(EACH.into()) => {
                 write!(f, "series({}, {})", b.var, b.body)
             }

@@ -67,9 +67,28 @@ impl Domain for Jets<'_> {
             .ok_or_else(|| SymbolicError::NotInvertible("a number that may be zero".into()))
     }
 
-    fn call(&mut self, f: Func, x: &Series) -> Result<Series, SymbolicError> {
+    fn call(&mut self, f: Func, x: &[Series]) -> Result<Series, SymbolicError> {
+        let [x] = x else {
+            return unsupported(f.name());
+        };
+        if let (Func::Sin | Func::Cos, [_, _, ..]) = (f, x.as_slice()) {
+            // sin x = (e^{ix} − e^{−ix})/(2i), cos x = (e^{ix} + e^{−ix})/2.
+            let [up, down] = [Gauss::i(), Gauss::i_power(3)].map(|i| {
+                let i = self.constant(&i);
+                self.mul(&i, x)
+            });
+            let [up, down] = [self.call(Func::Exp, &[up])?, self.call(Func::Exp, &[down])?];
+            let (half, other) = match f {
+                Func::Cos => (Gauss::real((1, 2)), down),
+                _ => (Gauss::new(0, (-1, 2)), self.neg(&down)),
+            };
+            let half = self.constant(&half);
+            let sum = self.add(&up, &other);
+            return Ok(self.mul(&half, &sum));
+        }
         if f != Func::Exp {
             let x = number(x, f.name())?;
+            let x = std::slice::from_ref(x);
             return Ok(vec![Enclosures::new(self.point).call(f, x)?]);
         }
         let Some(first) = x.first() else {
@@ -121,7 +140,7 @@ mod tests {
         let mut jets = Jets { point: &point };
         let mut e = |q: &[(i32, i32)]| {
             let series: Series = q.iter().map(|q| number(*q)).collect();
-            jets.call(Func::Exp, &series).unwrap()
+            jets.call(Func::Exp, &[series]).unwrap()
         };
         let (a, b) = (e(&[(0, 1), (2, 3), (1, 1)]), e(&[(0, 1), (1, 5), (-1, 1)]));
         let product = jets.mul(&a, &b);
@@ -144,7 +163,7 @@ mod tests {
         let point = Point::default();
         let mut jets = Jets { point: &point };
         let (none, two) = (Series::new(), vec![number((2, 1)), number((3, 1))]);
-        let one = jets.call(Func::Exp, &none).unwrap();
+        let one = jets.call(Func::Exp, std::slice::from_ref(&none)).unwrap();
         assert!(one.len() == 1 && one[0].re.contains(&1.into()) && one[0].im.is_zero());
         assert_eq!(jets.add(&none, &two).len(), 2);
         let product = jets.mul(&two, &none);

@@ -1,6 +1,7 @@
 //! Expressions in LaTeX.
 
-use super::expr::{EACH, Equation, Expr, Func};
+use super::expr::{Constant, EACH, Equation, Expr, Func, Relation};
+use super::parse::parse;
 
 const GREEK: [&str; 24] = [
     "alpha", "beta", "gamma", "delta", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu",
@@ -118,6 +119,10 @@ fn product(factors: &[Expr]) -> String {
 pub fn latex(e: &Expr) -> String {
     match e {
         Expr::Num(n) => n.clone(),
+        Expr::Constant(c) => match c {
+            Constant::E => "e".into(),
+            c => parse(c.definition()).map_or_else(|_| String::new(), |e| latex(&e)),
+        },
         Expr::I => "i".into(),
         Expr::Sym(s) => symbol(s),
         Expr::Index(s, k) => format!("{}_{{{}}}", symbol(s), latex(k)),
@@ -146,6 +151,56 @@ pub fn latex(e: &Expr) -> String {
             x => format!("{{{}}}^{{{k}}}", bracketed(x)),
         },
         Expr::Call(f, x) => call(*f, x),
+        Expr::Root(b) => format!(
+            r"\operatorname{{root}}_{{{}\in[{},{}]}} {}",
+            symbol(&b.var),
+            latex(&b.from),
+            latex(&b.to),
+            at_least(&b.body, 2)
+        ),
+        Expr::Truth(t) => format!(r"\text{{{t}}}"),
+        Expr::Compare(relation, x) => {
+            let sign = match relation {
+                Relation::Less => "<",
+                Relation::LessEqual => r"\le",
+                Relation::Greater => ">",
+                Relation::GreaterEqual => r"\ge",
+                Relation::Equal => "=",
+                Relation::NotEqual => r"\ne",
+            };
+            let parts: Vec<String> = x.iter().map(latex).collect();
+            parts.join(&format!(" {sign} "))
+        }
+        Expr::And(x) | Expr::Or(x) => {
+            let sign = if matches!(e, Expr::And(_)) {
+                r" \land "
+            } else {
+                r" \lor "
+            };
+            let parts: Vec<String> = x.iter().map(bracketed).collect();
+            parts.join(sign)
+        }
+        Expr::Not(x) => format!(r"\lnot {}", bracketed(x)),
+        Expr::If(parts) => {
+            let [condition, a, b] = parts.each_ref().map(latex);
+            format!(r"\begin{{cases}} {a} & {condition} \\ {b} & \text{{otherwise}} \end{{cases}}")
+        }
+        Expr::Let(_, values, body) => {
+            let values = values.iter();
+            let values: Vec<String> = values
+                .map(|(name, v)| format!("{} = {}", symbol(name), latex(v)))
+                .collect();
+            format!(
+                r"{} \quad\text{{with}}\quad {}",
+                latex(body),
+                values.join(r",\; ")
+            )
+        }
+        Expr::While(l) => format!(
+            r"\text{{loop while }} {} \text{{: }} {}",
+            latex(&l.condition),
+            latex(&l.body)
+        ),
         Expr::Int(b) => format!(
             r"\int_{{{}}}^{{{}}} {} \, d{}",
             latex(&b.from),
@@ -176,7 +231,18 @@ pub fn latex(e: &Expr) -> String {
     }
 }
 
-fn call(f: Func, x: &Expr) -> String {
+fn call(f: Func, arguments: &[Expr]) -> String {
+    let [x] = arguments else {
+        let parts: Vec<String> = arguments.iter().map(latex).collect();
+        return match (f, arguments) {
+            (Func::Pow, [x, y]) => format!("{{{}}}^{{{}}}", at_least(x, 4), latex(y)),
+            _ => format!(
+                r"\operatorname{{{}}}\left({}\right)",
+                f.name(),
+                parts.join(", ")
+            ),
+        };
+    };
     match f {
         Func::Exp => format!("e^{{{}}}", latex(x)),
         Func::Sqrt => format!(r"\sqrt{{{}}}", latex(x)),
@@ -186,6 +252,18 @@ fn call(f: Func, x: &Expr) -> String {
         Func::Arctan => format!(r"\arctan{}", argument(x)),
         Func::Re => format!(r"\operatorname{{Re}}{}", argument(x)),
         Func::Im => format!(r"\operatorname{{Im}}{}", argument(x)),
+        Func::Conj => format!(r"\overline{{{}}}", latex(x)),
+        Func::Log => format!(r"\ln{}", argument(x)),
+        Func::Tan | Func::Sinh | Func::Cosh | Func::Tanh => {
+            format!(r"\{}{}", f.name(), argument(x))
+        }
+        Func::Asin => format!(r"\arcsin{}", argument(x)),
+        Func::Acos => format!(r"\arccos{}", argument(x)),
+        Func::Cbrt => format!(r"\sqrt[3]{{{}}}", latex(x)),
+        Func::Floor => format!(r"\lfloor {} \rfloor", latex(x)),
+        Func::Ceil => format!(r"\lceil {} \rceil", latex(x)),
+        Func::Tgamma => format!(r"\Gamma{}", bracketed(x)),
+        f => format!(r"\operatorname{{{}}}{}", f.name(), argument(x)),
     }
 }
 

@@ -58,7 +58,7 @@ impl<'a> Check<'a> {
 
     fn is_series(&mut self, e: &'a Expr) -> Result<bool, SymbolicError> {
         match e {
-            Expr::Num(_) | Expr::I => Ok(false),
+            Expr::Num(_) | Expr::Constant(_) | Expr::I | Expr::Truth(_) => Ok(false),
             Expr::Sym(name) => self.definition(name),
             Expr::Index(name, index) => {
                 self.scalar(&[index], "an index")?;
@@ -77,7 +77,8 @@ impl<'a> Check<'a> {
                 }
                 Ok(false)
             }
-            Expr::Neg(x) | Expr::Call(Func::Re | Func::Im, x) => self.is_series(x),
+            Expr::Neg(x) => self.is_series(x),
+            Expr::Call(Func::Re | Func::Im, x) if x.len() == 1 => self.is_series(&x[0]),
             Expr::Add(terms) => {
                 let mut found = false;
                 for x in terms {
@@ -100,7 +101,18 @@ impl<'a> Check<'a> {
             }
             Expr::Pow(x, 1) => self.is_series(x),
             Expr::Pow(x, _) => self.scalar(&[x], "a power").map(|()| false),
-            Expr::Call(f, x) => self.scalar(&[x], f.name()).map(|()| false),
+            Expr::Call(f, x) => {
+                let x: Vec<&Expr> = x.iter().collect();
+                self.scalar(&x, f.name()).map(|()| false)
+            }
+            Expr::Root(_)
+            | Expr::Compare(..)
+            | Expr::And(_)
+            | Expr::Or(_)
+            | Expr::Not(_)
+            | Expr::If(_)
+            | Expr::Let(..)
+            | Expr::While(_) => self.scalar(&e.children(), "a condition").map(|()| false),
             Expr::Int(b) => {
                 self.scalar(&[&b.from, &b.to], "a limit")?;
                 self.is_series(&b.body)

@@ -1,10 +1,11 @@
 //! One way through an expression for every kind of value.
 
 use super::error::unsupported;
-use super::expr::{Bound, EACH, Expr, Func, RESERVED};
+use super::expr::{Bound, Constant, EACH, Expr, Func, Loop, RESERVED};
 use super::work::step;
 use super::{Gauss, Symbol, SymbolicError, parse};
 use rug::Rational;
+use rug::ops::Pow;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Definitions by name.
@@ -159,7 +160,8 @@ const NODE: u64 = 16;
 /// Definitions within definitions.
 const DEEPEST: usize = 40;
 
-/// A kind of value that expressions can have.
+/// A kind of value that expressions can have. [`walk`] goes through an expression; a domain says
+/// what the operations mean.
 pub trait Domain: Sized {
     /// The values.
     type V: Clone;
@@ -173,14 +175,53 @@ pub trait Domain: Sized {
     fn mul(&mut self, a: &Self::V, b: &Self::V) -> Self::V;
     /// Quotient.
     fn div(&mut self, a: &Self::V, b: &Self::V) -> Result<Self::V, SymbolicError>;
-    /// A function other than sine and cosine, which are made of exponentials.
-    fn call(&mut self, f: Func, x: &Self::V) -> Result<Self::V, SymbolicError>;
+    /// A function.
+    fn call(&mut self, f: Func, x: &[Self::V]) -> Result<Self::V, SymbolicError>;
     /// An integral.
     fn integral(
         &mut self,
         scope: &mut Scope<Self::V>,
         bound: &Bound,
     ) -> Result<Self::V, SymbolicError>;
+    /// `−a`; by default a product with −1.
+    fn neg(&mut self, a: &Self::V) -> Self::V {
+        let minus = self.constant(&Gauss::real(-1));
+        self.mul(&minus, a)
+    }
+    /// `a − b`.
+    fn sub(&mut self, a: &Self::V, b: &Self::V) -> Self::V {
+        let minus = self.neg(b);
+        self.add(a, &minus)
+    }
+    /// An integer power; by default repeated products.
+    fn power(&mut self, x: &Self::V, k: i32) -> Result<Self::V, SymbolicError> {
+        let one = self.constant(&Gauss::real(1));
+        let mut product = one.clone();
+        for _ in 0..k.unsigned_abs() {
+            step(1)?;
+            product = self.mul(&product, x);
+        }
+        match k < 0 {
+            true => self.div(&one, &product),
+            false => Ok(product),
+        }
+    }
+    /// Infinity, where it is a limit of an integral or of a sum.
+    fn infinity(&mut self) -> Result<Self::V, SymbolicError> {
+        unsupported("inf other than as a limit")
+    }
+    /// A named constant; by default the value of its definition.
+    fn named_constant(
+        &mut self,
+        scope: &mut Scope<Self::V>,
+        c: Constant,
+    ) -> Result<Self::V, SymbolicError> {
+        walk(self, scope, &parse(c.definition())?)
+    }
+    /// A sum over an index, other than a series; by default term by term.
+    fn sum(&mut self, scope: &mut Scope<Self::V>, bound: &Bound) -> Result<Self::V, SymbolicError> {
+        finite_sum(self, scope, bound)
+    }
     /// A sum from `bound.from` to infinity.
     fn infinite_sum(
         &mut self,
@@ -188,6 +229,38 @@ pub trait Domain: Sized {
         bound: &Bound,
     ) -> Result<Self::V, SymbolicError> {
         unsupported(format!("the sum of {} to infinity", bound.body))
+    }
+    /// The only root between the limits.
+    fn root(
+        &mut self,
+        _scope: &mut Scope<Self::V>,
+        bound: &Bound,
+    ) -> Result<Self::V, SymbolicError> {
+        unsupported(format!("a root of {}", bound.body))
+    }
+    /// A comparison, a connective, or the constants true and false.
+    fn condition(
+        &mut self,
+        _scope: &mut Scope<Self::V>,
+        e: &Expr,
+    ) -> Result<Self::V, SymbolicError> {
+        unsupported(format!("the condition {e}"))
+    }
+    /// The second where the first is true, else the third.
+    fn choose(
+        &mut self,
+        _scope: &mut Scope<Self::V>,
+        [condition, ..]: &[Expr; 3],
+    ) -> Result<Self::V, SymbolicError> {
+        unsupported(format!("a choice by {condition}"))
+    }
+    /// A loop.
+    fn repeat(
+        &mut self,
+        _scope: &mut Scope<Self::V>,
+        repeated: &Loop,
+    ) -> Result<Self::V, SymbolicError> {
+        unsupported(format!("a loop while {}", repeated.condition))
     }
     /// A derivative; of balls there is none.
     fn derivative(
@@ -216,14 +289,51 @@ pub trait Domain: Sized {
     }
 }
 
-/// A decimal number.
-pub(super) fn decimal(text: &str) -> Rational {
-    let (whole, part) = text.split_once('.').unwrap_or((text, ""));
-    let digits: rug::Integer = format!("{whole}{part}").parse().unwrap_or_default();
-    Rational::from((digits, rug::Integer::from(10).pow(part.len() as u32)))
+/// Digits of a number and powers of ten and two that are read; more would take too long.
+const LONGEST: usize = 10_000;
+
+/// Returns true if the text is a number: see [`number`].
+pub(super) fn is_number(text: &str) -> bool {
+    number(text).is_some()
 }
 
-use rug::ops::Pow;
+/// Reads a number: `12`, `0.5`, `.5`, `1e-3`, `0x1.8p3`, `1/3`.
+pub fn number(text: &str) -> Option<Rational> {
+    if text.len() > LONGEST {
+        return None;
+    }
+    if let Some((above, below)) = text.split_once('/') {
+        let (above, below) = (number(above)?, number(below)?);
+        return (below != 0).then(|| above / below);
+    }
+    let lower = text.to_ascii_lowercase();
+    let (digits, radix, mark, power) = match lower.strip_prefix("0x") {
+        Some(rest) => (rest, 16, 'p', 2),
+        None => (lower.as_str(), 10, 'e', 10),
+    };
+    let (digits, exponent) = match digits.split_once(mark) {
+        Some((digits, exponent)) => (digits, exponent.parse::<i32>().ok()?),
+        None => (digits, 0),
+    };
+    let (whole, part) = digits.split_once('.').unwrap_or((digits, ""));
+    let all = format!("{whole}{part}");
+    let is_good = !all.is_empty()
+        && all.chars().all(|c| c.is_digit(radix))
+        && !(digits.ends_with('.') && radix == 10)
+        && exponent.unsigned_abs() as usize <= 2 * LONGEST;
+    if !is_good {
+        return None;
+    }
+    let value = rug::Integer::from_str_radix(&all, radix as i32).ok()?;
+    let scale = |base: u32, k: u32| rug::Integer::from(base).pow(k);
+    let value = Rational::from((value, scale(radix, part.len() as u32)));
+    let factor = scale(power, exponent.unsigned_abs());
+    Some(if exponent < 0 {
+        value / factor
+    } else {
+        value * factor
+    })
+}
 
 /// The integer that an expression of numbers and indices stands for.
 pub(super) fn integer<V>(scope: &Scope<V>, e: &Expr) -> Option<i64> {
@@ -250,7 +360,11 @@ pub fn walk<D: Domain>(
 ) -> Result<D::V, SymbolicError> {
     step(NODE)?;
     match e {
-        Expr::Num(n) => Ok(d.constant(&Gauss::real(decimal(n)))),
+        Expr::Num(n) => match number(n) {
+            Some(value) => Ok(d.constant(&Gauss::real(value))),
+            None => unsupported(format!("the number {n}")),
+        },
+        Expr::Constant(c) => d.named_constant(scope, *c),
         Expr::I => Ok(d.constant(&Gauss::i())),
         Expr::Sym(name) => named(d, scope, name),
         Expr::Index(name, index) => match (integer(scope, index), &**index) {
@@ -267,20 +381,33 @@ pub fn walk<D: Domain>(
         },
         Expr::Neg(x) => {
             let x = walk(d, scope, x)?;
-            let minus = d.constant(&Gauss::real(-1));
-            Ok(d.mul(&minus, &x))
+            Ok(d.neg(&x))
         }
         Expr::Add(terms) => {
-            let mut sum = d.constant(&Gauss::default());
-            for x in terms {
-                let x = walk(d, scope, x)?;
-                sum = d.add(&sum, &x);
+            let Some((first, rest)) = terms.split_first() else {
+                return Ok(d.constant(&Gauss::default()));
+            };
+            let mut sum = walk(d, scope, first)?;
+            for x in rest {
+                sum = match x {
+                    Expr::Neg(x) => {
+                        let x = walk(d, scope, x)?;
+                        d.sub(&sum, &x)
+                    }
+                    x => {
+                        let x = walk(d, scope, x)?;
+                        d.add(&sum, &x)
+                    }
+                };
             }
             Ok(sum)
         }
         Expr::Mul(factors) => {
-            let mut product = d.constant(&Gauss::real(1));
-            for x in factors {
+            let Some((first, rest)) = factors.split_first() else {
+                return Ok(d.constant(&Gauss::real(1)));
+            };
+            let mut product = walk(d, scope, first)?;
+            for x in rest {
                 let x = walk(d, scope, x)?;
                 product = d.mul(&product, &x);
             }
@@ -292,36 +419,25 @@ pub fn walk<D: Domain>(
         }
         Expr::Pow(x, k) => {
             let x = walk(d, scope, x)?;
-            let one = d.constant(&Gauss::real(1));
-            let mut product = one.clone();
-            for _ in 0..k.unsigned_abs() {
-                step(1)?;
-                product = d.mul(&product, &x);
-            }
-            match *k < 0 {
-                true => d.div(&one, &product),
-                false => Ok(product),
-            }
-        }
-        Expr::Call(f @ (Func::Sin | Func::Cos), x) => {
-            let x = walk(d, scope, x)?;
-            let i = d.constant(&Gauss::i());
-            let minus_i = d.constant(&Gauss::i_power(3));
-            let (up, down) = (d.mul(&i, &x), d.mul(&minus_i, &x));
-            let (up, down) = (d.call(Func::Exp, &up)?, d.call(Func::Exp, &down)?);
-            let (half, sign) = match f {
-                Func::Cos => (Gauss::real((1, 2)), Gauss::real(1)),
-                _ => (Gauss::new(0, (-1, 2)), Gauss::real(-1)),
-            };
-            let (half, sign) = (d.constant(&half), d.constant(&sign));
-            let down = d.mul(&sign, &down);
-            let sum = d.add(&up, &down);
-            Ok(d.mul(&half, &sum))
+            d.power(&x, *k)
         }
         Expr::Call(f, x) => {
-            let x = walk(d, scope, x)?;
-            d.call(*f, &x)
+            let x: Result<Vec<D::V>, _> = x.iter().map(|x| walk(d, scope, x)).collect();
+            d.call(*f, &x?)
         }
+        Expr::Root(bound) => d.root(scope, bound),
+        Expr::Compare(..) | Expr::And(_) | Expr::Or(_) | Expr::Not(_) | Expr::Truth(_) => {
+            d.condition(scope, e)
+        }
+        Expr::If(parts) => d.choose(scope, parts),
+        Expr::Let(sequential, values, body) => {
+            let outside = scope.bound.len();
+            let found = bound_values(d, scope, *sequential, values);
+            let value = found.and_then(|()| walk(d, scope, body));
+            scope.bound.truncate(outside);
+            value
+        }
+        Expr::While(repeated) => d.repeat(scope, repeated),
         Expr::Int(bound) => d.integral(scope, bound),
         Expr::Sum(bound) if bound.to == Expr::Sym(EACH.into()) => {
             let index = d.symbol(&Symbol::INDEX.name())?;
@@ -331,29 +447,60 @@ pub fn walk<D: Domain>(
             let sign = d.symbol(&Symbol::SERIES.name())?;
             Ok(d.mul(&sign, &term?))
         }
-        Expr::Sum(bound) if bound.to == Expr::Sym("inf".into()) => d.infinite_sum(scope, bound),
-        Expr::Sum(bound) => {
-            let limits = (integer(scope, &bound.from), integer(scope, &bound.to));
-            let (Some(from), Some(to)) = limits else {
-                return unsupported("the limits of a sum");
-            };
-            let mut sum = d.constant(&Gauss::default());
-            for k in from..=to {
-                step(1)?;
-                let value = d.constant(&Gauss::real(k));
-                scope.indices.push((bound.var.clone(), k));
-                let x = scope.binding(&bound.var, value, |scope| walk(d, scope, &bound.body));
-                scope.indices.pop();
-                sum = d.add(&sum, &x?);
-            }
-            Ok(sum)
-        }
+        Expr::Sum(bound) => d.sum(scope, bound),
         Expr::Diff(body, by) => d.derivative(scope, body, by),
         Expr::At(body, symbol, value) => {
             let value = walk(d, scope, value)?;
             d.at(scope, body, symbol, value)
         }
     }
+}
+
+/// A sum over an index term by term, or to infinity.
+///
+/// # Errors
+/// Limits that are not numbers.
+pub(super) fn finite_sum<D: Domain>(
+    d: &mut D,
+    scope: &mut Scope<D::V>,
+    bound: &Bound,
+) -> Result<D::V, SymbolicError> {
+    if bound.to == Expr::Sym("inf".into()) {
+        return d.infinite_sum(scope, bound);
+    }
+    let limits = (integer(scope, &bound.from), integer(scope, &bound.to));
+    let (Some(from), Some(to)) = limits else {
+        return unsupported("the limits of a sum");
+    };
+    let mut sum = d.constant(&Gauss::default());
+    for k in from..=to {
+        step(1)?;
+        let value = d.constant(&Gauss::real(k));
+        scope.indices.push((bound.var.clone(), k));
+        let x = scope.binding(&bound.var, value, |scope| walk(d, scope, &bound.body));
+        scope.indices.pop();
+        sum = d.add(&sum, &x?);
+    }
+    Ok(sum)
+}
+
+/// Binds names to values, which see those before them if `sequential`.
+fn bound_values<D: Domain>(
+    d: &mut D,
+    scope: &mut Scope<D::V>,
+    sequential: bool,
+    values: &[(String, Expr)],
+) -> Result<(), SymbolicError> {
+    let mut later = Vec::new();
+    for (name, value) in values {
+        let value = walk(d, scope, value)?;
+        match sequential {
+            true => scope.bound.push((name.clone(), value)),
+            false => later.push((name.clone(), value)),
+        }
+    }
+    scope.bound.extend(later);
+    Ok(())
 }
 
 fn named<D: Domain>(d: &mut D, scope: &mut Scope<D::V>, name: &str) -> Result<D::V, SymbolicError> {
@@ -363,7 +510,7 @@ fn named<D: Domain>(d: &mut D, scope: &mut Scope<D::V>, name: &str) -> Result<D:
     let definitions = scope.definitions;
     let Some(e) = definitions.names.get(name) else {
         if name == "inf" {
-            return unsupported("inf other than as a limit");
+            return d.infinity();
         }
         // Inside a series over n, x_n is a term of a sequence.
         let suffix = scope.series.as_ref().map(|n| format!("_{n}"));

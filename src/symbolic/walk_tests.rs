@@ -180,7 +180,7 @@ impl Domain for Integers {
     fn div(&mut self, _: &Rational, _: &Rational) -> Result<Rational, SymbolicError> {
         none("a quotient")
     }
-    fn call(&mut self, _: Func, _: &Rational) -> Result<Rational, SymbolicError> {
+    fn call(&mut self, _: Func, _: &[Rational]) -> Result<Rational, SymbolicError> {
         none("a function")
     }
     fn integral(&mut self, _: &mut Scope<Rational>, _: &Bound) -> Result<Rational, SymbolicError> {

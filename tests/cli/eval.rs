@@ -409,34 +409,6 @@ mod relatives {
     const VOIGT: &str = "0.222873634811780506387463876075";
 }
 
-/// Names of the release before, taken without being listed.
-#[test]
-fn former_names() {
-    let names = [
-        ("faddeeva.w", "faddeeva"),
-        ("faddeeva.w_derivative", "faddeeva-derivative"),
-        ("faddeeva.erf", "erf"),
-        ("faddeeva.erfc", "erfc"),
-        ("faddeeva.erfcx", "erfcx"),
-        ("faddeeva.erfi", "erfi"),
-        ("faddeeva.dawson", "dawson"),
-        ("faddeeva.voigt", "voigt"),
-        ("chirp.response", "chirp-response"),
-    ];
-    let shown = good(&["--list"], "") + &good(&["--help"], "");
-    for (former, name) in names {
-        let input = match name {
-            "voigt" => "0.5,1.5,0.25\n",
-            "chirp-response" => "10,0.5,4,0,2,0,0,0,1.5\n",
-            _ => "1.5,-0.25\n",
-        };
-        assert_eq!(good(&[former], input), good(&[name], input), "{former}");
-        let digits = |name| good(&[name, "--digits", "20"], input);
-        assert_eq!(digits(former), digits(name), "{former}");
-        assert!(!shown.contains(former), "{former} is shown");
-    }
-}
-
 /// Methods with inputs and answers of any length, in the layout that `list` shows.
 #[test]
 fn every_method_by_its_name() {

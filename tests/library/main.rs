@@ -47,7 +47,9 @@ mod run_up_witness;
 #[cfg(feature = "oracle")]
 mod signatures;
 #[cfg(feature = "oracle")]
-mod solver_values_written;
+mod solver_bits;
+#[cfg(feature = "oracle")]
+mod solver_values;
 #[cfg(feature = "oracle")]
 mod swept_peak;
 #[cfg(feature = "oracle")]

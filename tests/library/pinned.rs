@@ -1,6 +1,6 @@
 //! Which cases are drawn and what references answer, pinned bit by bit.
 
-use mechaudit::audit::{Case, Cases, Due, Method, ReferenceAnswer, Settings};
+use mechaudit::audit::{Case, Cases, Expected, Method, ReferenceAnswer, Settings};
 use mechaudit::methods;
 use rug::Rational;
 use std::fmt::{Debug, Write};
@@ -12,32 +12,32 @@ const BITS: [u32; 3] = [80, 128, 400];
 const KEPT: u32 = 24;
 
 /// A hash of texts, the same on every machine (FNV-1a).
-struct Digest(u64);
+pub struct Digest(u64);
 
 impl Digest {
-    fn new() -> Digest {
+    pub fn new() -> Digest {
         Digest(0xcbf2_9ce4_8422_2325)
     }
 
-    fn add(&mut self, value: impl Debug) {
+    pub fn add(&mut self, value: impl Debug) {
         for byte in format!("{value:?};").bytes() {
             self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
         }
     }
 
-    fn text(&self) -> String {
+    pub fn text(&self) -> String {
         format!("{:08x}", self.0 >> 32)
     }
 }
 
 /// `x` cut to [`KEPT`] bits.
-fn cut(x: f64) -> f64 {
+pub fn cut(x: f64) -> f64 {
     const DROPPED: u32 = f64::MANTISSA_DIGITS - KEPT;
     f64::from_bits(x.to_bits() >> DROPPED << DROPPED)
 }
 
 /// A method's cases, the hard ones among them.
-fn drawn(method: &dyn Method, per_region: u64) -> Vec<Case> {
+pub fn drawn(method: &dyn Method, per_region: u64) -> Vec<Case> {
     let settings = Settings {
         cases_per_region: per_region,
         ..Settings::default()
@@ -147,16 +147,16 @@ fn conditions() {
 
 /// Adds an answer to the digest; the accuracy of its worst value in bits, if that is neither exact nor without digits.
 fn add(digest: &mut Digest, answer: ReferenceAnswer) -> Option<i64> {
-    let dues = match answer {
-        ReferenceAnswer::Values(r) => r.values.into_iter().map(Due::Number).collect(),
-        ReferenceAnswer::Dues(dues, _) => dues,
+    let expected = match answer {
+        ReferenceAnswer::Values(r) => r.values.into_iter().map(Expected::Number).collect(),
+        ReferenceAnswer::Expected(expected, _) => expected,
         other => {
             digest.add(other);
             return None;
         }
     };
     let mut worst = None;
-    for due in dues {
+    for due in expected {
         let Some(ball) = due.number() else {
             digest.add(due);
             continue;

@@ -1,6 +1,7 @@
 use super::*;
 use crate::planted::{Planted, hard, point, region};
 use crate::{Near, SampleBox};
+use std::panic::AssertUnwindSafe;
 
 fn of(origin: Origin, input: &[f64]) -> Case {
     Case {
@@ -111,16 +112,16 @@ fn cases_have_an_order() {
 /// The points of a report are chosen by these numbers, which may never change.
 #[test]
 fn the_hash_is_pinned() {
-    for (input, due) in [
+    for (input, expected) in [
         (vec![], 0xf52a_15e9_a9b5_e89b),
         (vec![1.0], 0x2ea5_818f_ac93_304f),
         (vec![-0.0], 0xf5b6_f0ca_0bd5_52f0),
         (vec![0.1, -2.5], 0x9bef_e75a_4906_738f),
         (vec![0.1, -2.5, 5e-324], 0x7959_2178_0da5_2bc4_u64),
     ] {
-        assert_eq!(of(Origin::Given, &input).hash(), due, "{input:?}");
+        assert_eq!(of(Origin::Given, &input).hash(), expected, "{input:?}");
         // Neither origin nor region are part of it.
-        assert_eq!(of(random(3, 4), &input).hash(), due, "{input:?}");
+        assert_eq!(of(random(3, 4), &input).hash(), expected, "{input:?}");
     }
 }
 
@@ -135,22 +136,22 @@ fn brief_cases_leave_out_long_inputs() {
     }
     let json = |case| serde_json::to_value(Brief(case)).unwrap();
     let short = json(Some(of(random(1, 3), &[0.5; 16])));
-    let due = serde_json::json!({
+    let expected = serde_json::json!({
         "region": "middle",
         "input": vec![0.5; 16],
         "origin": {"kind": "random", "seed": 1, "index": 3},
         "place": "--region middle --seed 1 --case 3",
     });
-    assert_eq!(short, due);
+    assert_eq!(short, expected);
     let long = json(Some(of(random(1, 3), &[0.5; 17])));
     assert_eq!(long["input"], serde_json::Value::Null);
-    assert_eq!(long["place"], due["place"]);
+    assert_eq!(long["place"], expected["place"]);
     assert_eq!(json(None), serde_json::Value::Null);
 }
 
 #[test]
 fn places_are_arguments() {
-    for (origin, due) in [
+    for (origin, expected) in [
         (Origin::CheckPoint { name: "one" }, "--check-point one"),
         (recorded(3, None), "--hard-case 3"),
         (recorded(3, Some("a/b")), "--hard a/b --hard-case 3"),
@@ -168,8 +169,11 @@ fn places_are_arguments() {
         ),
     ] {
         let case = of(origin, &[1.0, -0.5]);
-        assert_eq!(case.place(), due);
-        assert_eq!(case.reproduce(), format!("mechaudit audit planted {due}"));
+        assert_eq!(case.place(), expected);
+        assert_eq!(
+            case.reproduce(),
+            format!("mechaudit audit planted {expected}")
+        );
     }
     // A line belongs to a file, not to a method.
     let line = of(Origin::Line { number: 12 }, &[1.0]);
@@ -185,21 +189,21 @@ fn cases_are_numbered() {
     assert_eq!((cases.len(), cases.is_empty()), (13, false));
     let all: Vec<Case> = (0..13).map(|i| cases.get(i)).collect();
     let origins: Vec<Origin> = all.iter().map(|c| c.origin.clone()).collect();
-    let mut due = vec![
+    let mut expected = vec![
         Origin::CheckPoint { name: "one" },
         Origin::CheckPoint { name: "two" },
     ];
-    due.extend((1..=3).map(|number| recorded(number, None)));
-    due.extend((0..8).map(|i| random(7, i % 4)));
-    assert_eq!(origins, due);
+    expected.extend((1..=3).map(|number| recorded(number, None)));
+    expected.extend((0..8).map(|i| random(7, i % 4)));
+    assert_eq!(origins, expected);
     let regions: Vec<&str> = all.iter().map(|c| c.region).collect();
-    let due = [
+    let expected = [
         ["check-points"; 2].as_slice(),
         &["hard"; 3],
         &["middle"; 4],
         &["far"; 4],
     ];
-    assert_eq!(regions, due.concat());
+    assert_eq!(regions, expected.concat());
     let named: Vec<f64> = all[..5].iter().map(|c| c.input[0]).collect();
     assert_eq!(named, [1.0, 2.0, 10.0, 11.0, 12.0]);
     for (i, case) in all[5..].iter().enumerate() {
@@ -215,7 +219,7 @@ fn cases_are_numbered() {
         assert_eq!(cases.region_of(i), (case.region, ends[i]));
     }
     assert!(cases.at_index(0).is_none());
-    assert!(std::panic::catch_unwind(|| cases.get(13)).is_err());
+    assert!(std::panic::catch_unwind(AssertUnwindSafe(|| cases.get(13))).is_err());
 }
 
 #[test]
@@ -250,15 +254,15 @@ fn hard_cases_are_found_by_number() {
     }
     for number in [0, 4, usize::MAX] {
         let e = cases.hard_case(number).unwrap_err();
-        let due = format!(
+        let expected = format!(
             "planted has no hard case \"{number}\"; it has: those of its file, counted from 1"
         );
-        assert_eq!(e.to_string(), due);
+        assert_eq!(e.to_string(), expected);
     }
     method.hard.clear();
     let e = Cases::new(&method, &settings(4)).hard_case(1).unwrap_err();
-    let due = "planted has no hard case \"1\"; it has: none";
-    assert_eq!(e.to_string(), due);
+    let expected = "planted has no hard case \"1\"; it has: none";
+    assert_eq!(e.to_string(), expected);
 }
 
 #[test]
@@ -296,7 +300,7 @@ fn a_box_has_regions_unless_it_is_whole() {
     }
     // Beyond the number of a run's cases one may be asked for by its index, not by its number.
     assert_eq!(part.at_index(8).unwrap().region, "middle");
-    assert!(std::panic::catch_unwind(|| part.get(8)).is_err());
+    assert!(std::panic::catch_unwind(AssertUnwindSafe(|| part.get(8))).is_err());
 }
 
 #[test]
@@ -307,13 +311,13 @@ fn a_neighbourhood_is_one_region() {
         assert_eq!(cases.region_of(i), ("near", 4));
         let case = cases.get(i);
         assert!((1.5..=2.5).contains(&case.input[0]));
-        let due = Origin::Near {
+        let expected = Origin::Near {
             text: "two".into(),
             radius: 0.25,
             seed: 7,
             index: i as u64,
         };
-        assert_eq!((case.region, &case.origin), ("near", &due));
+        assert_eq!((case.region, &case.origin), ("near", &expected));
         let again = cases.at_index(i as u64).unwrap();
         assert_eq!((again.input, again.origin), (case.input, case.origin));
     }

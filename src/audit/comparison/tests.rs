@@ -276,7 +276,7 @@ fn contenders_are_judged_at_every_case_and_timed_at_some() {
             ..Settings::default()
         };
         let cases = Cases::new(&method, &settings);
-        let due: Vec<u64> = (0..cases.len())
+        let expected: Vec<u64> = (0..cases.len())
             .map(|i| cases.get(i).input[0].to_bits())
             .collect();
         let seen = Mutex::new(Vec::new());
@@ -288,15 +288,15 @@ fn contenders_are_judged_at_every_case_and_timed_at_some() {
         let name = ("a".to_string(), Some("1.0".to_string()));
         let contenders: [Contender; 2] = [(None, &own), (Some(name), &refuses)];
         let found = compare(&method, &contenders, &settings);
-        let n = due.len();
+        let n = expected.len();
         let mut seen = seen.into_inner().unwrap();
         let timed = seen.split_off(n);
         seen.sort_unstable();
-        let mut sorted = due.clone();
+        let mut sorted = expected.clone();
         sorted.sort_unstable();
         assert_eq!(seen, sorted);
         let answers = n.min(TIMED);
-        let round: Vec<u64> = (0..answers).map(|k| due[k * n / answers]).collect();
+        let round: Vec<u64> = (0..answers).map(|k| expected[k * n / answers]).collect();
         assert_eq!(timed, round.repeat(ROUNDS));
         let [own, other] = found.candidates.as_slice() else {
             panic!("two codes")
@@ -343,15 +343,15 @@ fn nothing_to_time_and_a_panic() {
 fn the_fastest_round_counts() {
     let ms = Duration::from_millis;
     let timed = |rounds: &[u64], answers| speed(rounds.iter().copied().map(ms), answers);
-    let due = |ns_per_answer, answers| {
+    let expected = |ns_per_answer, answers| {
         Some(Speed {
             ns_per_answer,
             start_up_ms: None,
             answers,
         })
     };
-    assert_eq!(timed(&[3, 2, 5], 1), due(2e6, 1));
-    assert_eq!(timed(&[9, 8, 10], 4), due(2e6, 4));
+    assert_eq!(timed(&[3, 2, 5], 1), expected(2e6, 1));
+    assert_eq!(timed(&[9, 8, 10], 4), expected(2e6, 4));
     assert_eq!(timed(&[9, 8, 10], 0), None);
     assert_eq!(timed(&[], 3), None);
 }

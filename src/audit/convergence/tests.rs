@@ -58,8 +58,8 @@ fn the_error_is_taken_apart() {
     // The level after a failed one shows no order.
     assert_eq!(report.levels[2].errors[0].order, None);
     let last = report.levels[4].errors[0];
-    let due = 1.0 / (6.0 * 48.0 * 48.0);
-    assert!((last.method.unwrap() / due - 1.0).abs() < 1e-12);
+    let expected = 1.0 / (6.0 * 48.0 * 48.0);
+    assert!((last.method.unwrap() / expected - 1.0).abs() < 1e-12);
     assert!((last.order.unwrap() - 2.0).abs() < 1e-9);
     assert!((last.richardson.unwrap() - 2.0).abs() < 1e-6);
     assert!(last.rounding.unwrap() > 0.0 && last.rounding.unwrap() < 1e-15);
@@ -199,7 +199,7 @@ fn a_twin_takes_rounding_out() {
 fn what_is_no_value_is_a_gap() {
     let values = |v: &[f64]| SolverAnswer::Values(v.to_vec());
     let missing = "a value is missing or not finite";
-    for (bad, due) in [
+    for (bad, expected) in [
         (values(&[1.0, f64::NAN]), missing),
         (values(&[f64::INFINITY, 1.0]), missing),
         (values(&[1.0]), missing),
@@ -216,7 +216,7 @@ fn what_is_no_value_is_a_gap() {
         plan.runs = vec![good(1), bad, good(3), good(4), good(5)];
         let report = plan.report();
         let failed: Vec<_> = report.levels.iter().map(|l| l.failed.as_deref()).collect();
-        assert_eq!(failed, [None, Some(due), None, None, None]);
+        assert_eq!(failed, [None, Some(expected), None, None, None]);
         let gap = &report.levels[1];
         assert_eq!((gap.work, gap.errors.len()), (16, 0));
         let orders = |f: fn(&LevelError) -> Option<f64>| {
@@ -288,9 +288,9 @@ fn outputs_have_their_own_errors() {
         assert_eq!(totals, [2f64.powi(-k), 2f64.powi(-3 * k)]);
     }
     let last = &report.levels[2].errors;
-    for (o, due) in [1.0, 3.0].into_iter().enumerate() {
+    for (o, expected) in [1.0, 3.0].into_iter().enumerate() {
         for order in [last[o].order, last[o].richardson, report.fitted[o]] {
-            assert!((order.unwrap() - due).abs() < 1e-12, "{o} {order:?}");
+            assert!((order.unwrap() - expected).abs() < 1e-12, "{o} {order:?}");
         }
     }
 }

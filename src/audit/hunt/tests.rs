@@ -18,8 +18,8 @@ fn wrong_by<'a>(ulps: impl Fn(&[f64]) -> u64 + Sync + 'a) -> Planted<'a> {
 }
 
 /// Up to rounding.
-fn is(share: f64, due: f64) -> bool {
-    (share / due - 1.0).abs() < 1e-12
+fn is(share: f64, expected: f64) -> bool {
+    (share / expected - 1.0).abs() < 1e-12
 }
 
 /// Outputs of these names for as many numbers.
@@ -88,20 +88,20 @@ fn evaluations_are_divided() {
     let method = wrong_by(|_| 0);
     // 100 drawn, 100 edges, 99 between; 601 are left.
     let (parts, hunt) = told(&method, 900);
-    let mut due = vec![256, 43];
-    due.extend([16, 16, 16, 2].repeat(12));
-    due.push(1);
-    assert_eq!(parts, ends(due));
+    let mut expected = vec![256, 43];
+    expected.extend([16, 16, 16, 2].repeat(12));
+    expected.push(1);
+    assert_eq!(parts, ends(expected));
     assert_eq!((hunt.evaluations, hunt.interrupted), (900, false));
     // Of more than a dozen outputs each has its share.
     let names = [
         "a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l", "m",
     ];
     let method = with_outputs(&names, method);
-    let mut due = vec![256, 43];
-    due.extend([16, 16, 14].repeat(13));
-    due.push(3);
-    assert_eq!(told(&method, 900).0, ends(due));
+    let mut expected = vec![256, 43];
+    expected.extend([16, 16, 14].repeat(13));
+    expected.push(3);
+    assert_eq!(told(&method, 900).0, ends(expected));
 }
 
 /// With few evaluations two are drawn in the region, and the climb from each of five seeds has one.
@@ -201,8 +201,8 @@ fn the_worst_is_kept() {
         let found = found(&[k as f64], shares.as_ref().map(|s| s.as_slice()));
         h.record(&found, &|| format!("number {k}"));
         let worst = |o: usize| h.worst[o].as_ref().map(|w| w.input[0]);
-        let due = [(0.0, 0.0), (0.0, 1.0), (0.0, 1.0), (0.0, 3.0), (4.0, 3.0)][k];
-        assert_eq!((worst(0), worst(1)), (Some(due.0), Some(due.1)));
+        let expected = [(0.0, 0.0), (0.0, 1.0), (0.0, 1.0), (0.0, 3.0), (4.0, 3.0)][k];
+        assert_eq!((worst(0), worst(1)), (Some(expected.0), Some(expected.1)));
     }
     let last = h.worst[0].as_ref().unwrap();
     assert_eq!((last.output, last.share), ("s", 0.75));
@@ -229,9 +229,12 @@ fn seeds_are_chosen_in_turn() {
         .iter()
         .map(|(s, o)| (s.found.input[0], *o))
         .collect();
-    let due = [0.0, 1.0, 3.0, 3.0, 1.0, 0.0, 2.0, 2.0];
-    let due: Vec<(f64, usize)> = due.into_iter().zip([0, 1].into_iter().cycle()).collect();
-    assert_eq!(chosen, due);
+    let expected = [0.0, 1.0, 3.0, 3.0, 1.0, 0.0, 2.0, 2.0];
+    let expected: Vec<(f64, usize)> = expected
+        .into_iter()
+        .zip([0, 1].into_iter().cycle())
+        .collect();
+    assert_eq!(chosen, expected);
     assert!(choose(&[], 1).is_empty());
     // Twenty times as many places as there are climbs: a dozen, or one for each output.
     let many: Vec<Seed> = (0..300)
@@ -392,8 +395,8 @@ fn seeds_come_from_all_regions() {
             count("spaced"),
         ];
         let seam = if regions == 2 { each } else { 0 };
-        let due = [each, seam, regions * each, regions * (each - 1)];
-        assert_eq!(drawn, due, "{regions} {budget}");
+        let expected = [each, seam, regions * each, regions * (each - 1)];
+        assert_eq!(drawn, expected, "{regions} {budget}");
         let right = |s: &&(_, _, f64)| (s.2 > 3.5) == (s.1 == "seam-one");
         assert_eq!(seeds.iter().filter(right).count(), seeds.len());
     }

@@ -161,31 +161,31 @@ fn missing_or_infinite_conditions_do_not_pass() {
     assert_eq!(judge(&o, &got, &r, Some(&[1.0])).verdict, Verdict::Over);
 }
 
-fn judged(got: f64, due: Due) -> Verdict {
+fn judged(got: f64, expected: Expected) -> Verdict {
     let outputs = outputs(Limit::Ulps(4.0));
     let answer = SolverAnswer::Values(vec![got]);
     judge(
         &outputs,
         &answer,
-        &ReferenceAnswer::Dues(vec![due], Proof::Exact),
+        &ReferenceAnswer::Expected(vec![expected], Proof::Exact),
         None,
     )
     .verdict
 }
 
 /// `sign · (largest f64 + k ulps)` ± a radius of 2⁻⁶⁰ ulp or the one given.
-fn edge(k: f64, radius: Mag) -> Due {
+fn edge(k: f64, radius: Mag) -> Expected {
     let mid = Float::with_val(200, f64::MAX) + (Float::with_val(200, k) << 971i32);
-    Due::Number(Ball::new(mid, radius))
+    Expected::Number(Ball::new(mid, radius))
 }
 
 #[test]
 fn an_infinity_or_nan_that_is_due_passes_alone() {
     let (inf, nan) = (f64::INFINITY, f64::NAN);
-    let plus = || Due::Infinity { negative: false };
-    let minus = || Due::Infinity { negative: true };
-    let number = || Due::Number(Ball::integer(64, 1));
-    for (got, due, verdict) in [
+    let plus = || Expected::Infinity { negative: false };
+    let minus = || Expected::Infinity { negative: true };
+    let number = || Expected::Number(Ball::integer(64, 1));
+    for (got, expected, verdict) in [
         (inf, plus(), Verdict::Pass),
         (-inf, plus(), Verdict::WrongKind),
         (-inf, minus(), Verdict::Pass),
@@ -194,40 +194,40 @@ fn an_infinity_or_nan_that_is_due_passes_alone() {
         (nan, minus(), Verdict::WrongKind),
         (f64::MAX, plus(), Verdict::WrongKind),
         (0.0, minus(), Verdict::WrongKind),
-        (nan, Due::NotANumber, Verdict::Pass),
-        (-nan, Due::NotANumber, Verdict::Pass),
-        (inf, Due::NotANumber, Verdict::WrongKind),
-        (0.0, Due::NotANumber, Verdict::WrongKind),
+        (nan, Expected::NotANumber, Verdict::Pass),
+        (-nan, Expected::NotANumber, Verdict::Pass),
+        (inf, Expected::NotANumber, Verdict::WrongKind),
+        (0.0, Expected::NotANumber, Verdict::WrongKind),
         (1.0, number(), Verdict::Pass),
         (nan, number(), Verdict::WrongKind),
         (inf, number(), Verdict::WrongKind),
         (-inf, number(), Verdict::WrongKind),
     ] {
-        let shown = format!("{got} for {due:?}");
-        assert_eq!(judged(got, due), verdict, "{shown}");
+        let shown = format!("{got} for {expected:?}");
+        assert_eq!(judged(got, expected), verdict, "{shown}");
     }
 }
 
 #[test]
 fn a_zero_with_a_sign_is_not_the_other_zero() {
-    for (got, due, verdict) in [
-        (0.0, Due::zero(false), Verdict::Pass),
-        (-0.0, Due::zero(true), Verdict::Pass),
-        (-0.0, Due::zero(false), Verdict::WrongKind),
-        (0.0, Due::zero(true), Verdict::WrongKind),
-        (1e-300, Due::zero(false), Verdict::Over),
-        (f64::NAN, Due::zero(true), Verdict::WrongKind),
+    for (got, expected, verdict) in [
+        (0.0, Expected::zero(false), Verdict::Pass),
+        (-0.0, Expected::zero(true), Verdict::Pass),
+        (-0.0, Expected::zero(false), Verdict::WrongKind),
+        (0.0, Expected::zero(true), Verdict::WrongKind),
+        (1e-300, Expected::zero(false), Verdict::Over),
+        (f64::NAN, Expected::zero(true), Verdict::WrongKind),
         // A zero that is due as a number alone has no sign.
-        (-0.0, Due::Number(Ball::integer(64, 0)), Verdict::Pass),
+        (-0.0, Expected::Number(Ball::integer(64, 0)), Verdict::Pass),
     ] {
-        let shown = format!("{got:?} for {due:?}");
-        assert_eq!(judged(got, due), verdict, "{shown}");
+        let shown = format!("{got:?} for {expected:?}");
+        assert_eq!(judged(got, expected), verdict, "{shown}");
     }
     // Only an exact zero takes a sign.
-    let signed = Due::Number(Ball::integer(64, 0)).signed(Some(true));
-    assert!(matches!(signed, Due::Zero { negative: true, .. }));
-    let signed = Due::Number(Ball::integer(64, 1)).signed(Some(true));
-    assert!(matches!(signed, Due::Number(_)));
+    let signed = Expected::Number(Ball::integer(64, 0)).signed(Some(true));
+    assert!(matches!(signed, Expected::Zero { negative: true, .. }));
+    let signed = Expected::Number(Ball::integer(64, 1)).signed(Some(true));
+    assert!(matches!(signed, Expected::Number(_)));
 }
 
 #[test]
@@ -261,11 +261,11 @@ fn overflow_begins_half_a_unit_beyond_the_largest_number() {
             "{got} for max + {k} ulps"
         );
         // The same below zero.
-        let Due::Number(b) = edge(k, sharp) else {
+        let Expected::Number(b) = edge(k, sharp) else {
             unreachable!()
         };
         assert_eq!(
-            judged(-got, Due::Number(-b)),
+            judged(-got, Expected::Number(-b)),
             verdict,
             "{} for −max − {k} ulps",
             -got
@@ -280,7 +280,7 @@ fn overflow_begins_half_a_unit_beyond_the_largest_number() {
 
 #[test]
 fn what_rounds_to_zero_may_be_zero() {
-    let tiny = |k: i64| Due::Number(Ball::new(Float::new(64), Mag::power_of_two(k)));
+    let tiny = |k: i64| Expected::Number(Ball::new(Float::new(64), Mag::power_of_two(k)));
     assert_eq!(judged(0.0, tiny(-2000)), Verdict::Pass);
     assert_eq!(judged(-0.0, tiny(-2000)), Verdict::Pass);
     assert_eq!(judged(f64::from_bits(5), tiny(-2000)), Verdict::Over);
@@ -288,16 +288,16 @@ fn what_rounds_to_zero_may_be_zero() {
     assert_eq!(judged(f64::NAN, tiny(-2000)), Verdict::WrongKind);
     assert_eq!(judged(0.0, tiny(-1000)), Verdict::Undecided);
     // Five of the smallest numbers are not zero.
-    let five = Due::Number(Ball::exact(64, f64::from_bits(5)));
+    let five = Expected::Number(Ball::exact(64, f64::from_bits(5)));
     assert_eq!(judged(0.0, five.clone()), Verdict::Over);
     assert_eq!(judged(f64::from_bits(4), five), Verdict::Pass);
 }
 
-fn in_the_norm(got: [f64; 2], due: [f64; 2], factor: f64) -> Verdict {
+fn in_the_norm(got: [f64; 2], expected: [f64; 2], factor: f64) -> Verdict {
     let outputs = outputs(Limit::Ulps(1e300));
     let norm = NormBudget::new(factor, "planted");
     let answer = SolverAnswer::Values(got.to_vec());
-    judge_with_norm(&outputs, Some(&norm), &answer, &exact(&due), None).verdict
+    judge_with_norm(&outputs, Some(&norm), &answer, &exact(&expected), None).verdict
 }
 
 #[test]
@@ -370,11 +370,11 @@ fn single_precision_has_ulps_of_its_own() {
         norm: None,
         format: Format::Single,
     };
-    let one = |got: f64, due: f64| {
+    let one = |got: f64, expected: f64| {
         judge_by(
             &rules,
             &SolverAnswer::Values(vec![got]),
-            &exact(&[due]),
+            &exact(&[expected]),
             None,
         )
     };

@@ -33,8 +33,8 @@ fn a_length_follows_from_the_count() {
     assert_eq!(system().lengths(&[1.0; 2]).unwrap(), [0, 1, 1]);
     for count in [0, 1, 3, 4, 9] {
         let e = system().lengths(&vec![1.0; count]).unwrap_err();
-        let due = "numbers are right for no n: lower[n-1], diagonal[n], d[n]";
-        assert_eq!(e.to_string(), format!("{count} {due}"));
+        let expected = "numbers are right for no n: lower[n-1], diagonal[n], d[n]";
+        assert_eq!(e.to_string(), format!("{count} {expected}"));
     }
 }
 
@@ -147,10 +147,10 @@ fn a_length_of_either_kind() {
 fn counts_have_a_bound() {
     let l = layout(&[("p", "1"), ("c[p]", "1")], &[], None);
     for count in [1.0, 3.0, 4_294_967_295.0] {
-        let due = count as usize + 1;
+        let expected = count as usize + 1;
         let e = l.lengths(&[count, 1.0, 1.0]).unwrap_err();
         assert!(
-            matches!(e, LayoutError::Count { found: 3, due: d, .. } if d == due),
+            matches!(e, LayoutError::Count { found: 3, expected: d, .. } if d == expected),
             "{e}"
         );
     }
@@ -168,7 +168,7 @@ fn numbers_have_names_and_units() {
     let l = both();
     assert_eq!(l.parts(), 5);
     let names = l.names(&[-1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
-    let due = [
+    let expected = [
         ("side", "1"),
         ("p", "1"),
         ("c[0]", "m"),
@@ -179,7 +179,7 @@ fn numbers_have_names_and_units() {
         ("b[0]", "kg"),
     ]
     .map(|(name, unit)| (name.to_string(), unit));
-    assert_eq!(names, due);
+    assert_eq!(names, expected);
     assert_eq!(l.input_column(0, 0), "side");
     assert_eq!(l.input_column(2, 4), "c[4]");
     assert_eq!(
@@ -233,21 +233,21 @@ fn parts_have_shapes() {
         unit,
         note,
     };
-    let due = [
+    let expected = [
         shape("side", None, "1", Some("1 or -1")),
         shape("p", None, "1", None),
         shape("c", Some("p+1"), "m", Some("coefficients")),
         shape("a", Some("n"), "s", None),
         shape("b", Some("n-2"), "kg", None),
     ];
-    assert_eq!(both().shapes(), due);
+    assert_eq!(both().shapes(), expected);
 }
 
 /// Rows of a number that is known are counted with all their outputs.
 #[test]
 fn rows_in_words() {
-    let due = "for i = 0 to 2, the points: 6 values, row by row";
-    assert_eq!(both().rows().as_deref(), Some(due));
-    assert_eq!(both().answer(), format!("u[i] [m], v[i] [s]; {due}"));
+    let expected = "for i = 0 to 2, the points: 6 values, row by row";
+    assert_eq!(both().rows().as_deref(), Some(expected));
+    assert_eq!(both().answer(), format!("u[i] [m], v[i] [s]; {expected}"));
     assert_eq!(layout(&[("x", "1")], &["s"], None).rows(), None);
 }

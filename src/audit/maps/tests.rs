@@ -108,8 +108,8 @@ fn points_are_no_simple_fractions() {
         outputs: Vec::new(),
         not_passed: 0,
     };
-    let due = [(0, 0, -0.736_068, 2.263_932), (3, 1, 0.763_932, 2.763_932)];
-    for (column, row, re, im) in due {
+    let expected = [(0, 0, -0.736_068, 2.263_932), (3, 1, 0.763_932, 2.763_932)];
+    for (column, row, re, im) in expected {
         let z = map.at(column, row);
         assert!(
             (z[0] - re).abs() < 1e-15 && (z[1] - im).abs() < 1e-15,

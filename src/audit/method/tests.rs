@@ -55,10 +55,10 @@ fn conditions_are_sums_over_the_inputs() {
     for (x, y) in [(1.0, 7.0), (-3.0, 2.0), (2.0, -1.0)] {
         let found = Bare.conditions(&[x, y]).unwrap();
         assert_eq!(Bare.conditions_beside(&[x, y], &reference).unwrap(), found);
-        let due = 2.0 * x * x + 3.0 * f64::abs(y);
+        let expected = 2.0 * x * x + 3.0 * f64::abs(y);
         assert!(
-            (due..due + 2f64.powi(-46)).contains(&found[0]),
-            "{found:?} {due}"
+            (expected..expected + 2f64.powi(-46)).contains(&found[0]),
+            "{found:?} {expected}"
         );
         let third = Rational::from_f64(f64::abs(x)).unwrap() / 3;
         assert!(

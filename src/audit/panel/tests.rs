@@ -45,7 +45,7 @@ fn how_cases_fall_to_threads_does_not_show() {
     let (method, settings) = (planted(), Settings::default());
     let stop = AtomicBool::new(false);
     for total in [0, 1, 31, 32, 33, 255, 1001] {
-        let due = one_by_one(&method, &settings, total).stored();
+        let expected = one_by_one(&method, &settings, total).stored();
         for threads in [1, 2, 3] {
             let (panel, told) = (Panel::lean(&method, &settings), AtomicU64::new(0));
             let tell = |n: u64| {
@@ -53,7 +53,10 @@ fn how_cases_fall_to_threads_does_not_show() {
             };
             assert!(pool(threads).install(|| panel.audit(total, &nth, &tell, &stop)));
             assert_eq!(told.into_inner(), total);
-            assert!(panel.into_tally().stored() == due, "{total} on {threads}");
+            assert!(
+                panel.into_tally().stored() == expected,
+                "{total} on {threads}"
+            );
         }
     }
 }
@@ -64,11 +67,11 @@ fn batches_of_answers_add_up() {
     let (method, settings) = (planted(), Settings::default());
     let panel = Panel::new(&method, &settings);
     let mut from = 0;
-    for due in [1, 32, 0, 1000, 77] {
+    for expected in [1, 32, 0, 1000, 77] {
         let one = |i: u64| (nth(i), method.solve(&nth(i).input));
         let batch = |some: Range<usize>| some.map(|i| one(from + i as u64)).collect();
-        assert!(panel.judge(due as usize, &batch, &|| true));
-        from += due;
+        assert!(panel.judge(expected as usize, &batch, &|| true));
+        from += expected;
     }
     let report = panel.into_tally().finish(&method);
     assert_eq!(report.cases, 1110);
@@ -120,7 +123,7 @@ fn a_stop_leaves_the_rest() {
 /// Eight blocks for each thread, of one case at least and 32 at most, one after the other.
 #[test]
 fn cases_are_judged_in_blocks() {
-    for (threads, total, due) in [
+    for (threads, total, expected) in [
         (1, 5, 1),
         (2, 15, 1),
         (2, 100, 6),
@@ -136,7 +139,8 @@ fn cases_are_judged_in_blocks() {
         });
         let mut asked = asked.into_inner().unwrap();
         asked.sort_unstable();
-        let blocks = (0..total.div_ceil(due)).map(|k| (k * due, total.min((k + 1) * due)));
+        let blocks =
+            (0..total.div_ceil(expected)).map(|k| (k * expected, total.min((k + 1) * expected)));
         assert_eq!(asked, blocks.collect::<Vec<_>>(), "{total} on {threads}");
     }
 }

@@ -33,7 +33,7 @@ fn an_error_is_that_of_the_method_and_of_rounding() {
         error_parts(&method, &[1.0], 0, 128).unwrap()
     };
     let near = |found: ErrorParts, method: f64, rounding: f64| {
-        let above = |x: f64, due: f64| (due..=due * (1.0 + 1e-9)).contains(&x);
+        let above = |x: f64, expected: f64| (expected..=expected * (1.0 + 1e-9)).contains(&x);
         assert!(above(found.method, method), "{found:?}");
         assert!(above(found.rounding, rounding), "{found:?}");
     };
@@ -155,12 +155,12 @@ fn roundings_have_their_bits() {
         };
         error_parts(&method, &[1.0], 0, 128).unwrap().rounding
     };
-    for (bits, due) in [
+    for (bits, expected) in [
         (53, "[aaab, 4924, e2bf, 1862, 6db7, b6db]"),
         (64, "[aaac, 4924, e2c0, 1863, 6db8, b6db]"),
         (128, "[aaac, 4924, e2c0, 1863, 6db8, b6db]"),
     ] {
         let last: Vec<u64> = (0..6).map(|k| at(k, bits).to_bits() & 0xffff).collect();
-        assert_eq!(format!("{last:x?}"), due, "{bits}");
+        assert_eq!(format!("{last:x?}"), expected, "{bits}");
     }
 }

@@ -103,7 +103,7 @@ fn errors_are_measured_by_references_that_are_not_wide() {
         ([0.24, 0.0], 0, 512, (64, 0.24)),
         ([0.26, 0.0], 0, 512, (128, 0.0)),
     ];
-    for (radii, ulps_off, last_bits, due) in table {
+    for (radii, ulps_off, last_bits, expected) in table {
         let method = Planted {
             reference: Box::new(move |_, bits| {
                 let rad = Mag::from_f64(radii[usize::from(bits > 64)]).shift(-52);
@@ -123,8 +123,8 @@ fn errors_are_measured_by_references_that_are_not_wide() {
         assert_eq!(report.judgement.verdict, Verdict::Pass);
         let found = (report.bits, report.judgement.components[0].ulps);
         assert!(
-            found.0 == due.0 && (found.1 - due.1).abs() < 1e-9,
-            "{radii:?}: {found:?}, not {due:?}"
+            found.0 == expected.0 && (found.1 - expected.1).abs() < 1e-9,
+            "{radii:?}: {found:?}, not {expected:?}"
         );
     }
 }
@@ -157,9 +157,9 @@ fn conditions_are_had_where_they_are_asked_for() {
         };
         let judge = Judge::new(&method, &settings);
         let mut referee = judge.referee(case(0, &[input]));
-        let due = if input.is_finite() { input } else { 1.0 };
+        let expected = if input.is_finite() { input } else { 1.0 };
         for _ in 0..2 {
-            let report = referee.judge(values(&vec![due; limits.len()]), false);
+            let report = referee.judge(values(&vec![expected; limits.len()]), false);
             let each = report.judgement.components.iter();
             let known = each.filter(|c| c.condition.is_finite()).count();
             assert_eq!(known, *calls.lock().unwrap() * limits.len());
@@ -236,12 +236,12 @@ fn values_and_dues_are_written_to_twenty_digits() {
     let rad = third().rad().to_f64();
     let proof = Some(Proof::Bounded("planted"));
     assert_eq!(written, (vec![digits.clone()], vec![rad], proof));
-    let dues = vec![
-        crate::Due::Number(third()),
-        crate::Due::zero(true),
-        crate::Due::Infinity { negative: false },
+    let expected = vec![
+        crate::Expected::Number(third()),
+        crate::Expected::zero(true),
+        crate::Expected::Infinity { negative: false },
     ];
-    let written = decimals(&ReferenceAnswer::Dues(dues, Proof::Exact));
+    let written = decimals(&ReferenceAnswer::Expected(expected, Proof::Exact));
     let all = vec![digits, Some("-0".into()), Some("inf".into())];
     assert_eq!(written, (all, vec![rad, 0.0, 0.0], Some(Proof::Exact)));
     let none = (Vec::new(), Vec::new(), None);
@@ -267,14 +267,17 @@ fn a_wrong_number_of_values_is_told_which_are_due() {
         (kind, report.judgement.why().unwrap_or_default())
     };
     let words = Layout::new(&method).answer();
-    let due = |n| {
+    let expected = |n| {
         format!(
             "{n} value{}, expected 2 values: {words}",
             if n == 1 { "" } else { "s" }
         )
     };
-    assert_eq!(reason(values(&[1.0])), (Some(Kind::Missing), due(1)));
-    assert_eq!(reason(values(&[1.0; 3])), (Some(Kind::Missing), due(3)));
+    assert_eq!(reason(values(&[1.0])), (Some(Kind::Missing), expected(1)));
+    assert_eq!(
+        reason(values(&[1.0; 3])),
+        (Some(Kind::Missing), expected(3))
+    );
     assert_eq!(reason(values(&[1.0; 2])), (None, String::new()));
     let nan = reason(values(&[1.0, f64::NAN]));
     assert_eq!(

@@ -285,8 +285,8 @@ fn the_sample_is_that_of_the_smallest_hashes() {
         .collect();
     hashes.sort_unstable();
     for room in [0, 1, 7, 40, 50] {
-        let mut due: Vec<u64> = hashes.iter().take(room).map(|h| h.1).collect();
-        due.sort_unstable();
+        let mut expected: Vec<u64> = hashes.iter().take(room).map(|h| h.1).collect();
+        expected.sort_unstable();
         let sampled = |part: &[CaseReport]| {
             let mut tally = empty(room);
             part.iter().for_each(|r| tally.add(r, false));
@@ -301,7 +301,7 @@ fn the_sample_is_that_of_the_smallest_hashes() {
             let found: Vec<u64> = (points.iter())
                 .filter_map(|p| index(&Some(p.case.clone())))
                 .collect();
-            assert_eq!(found, due);
+            assert_eq!(found, expected);
             for p in &points {
                 let i = index(&Some(p.case.clone())).unwrap();
                 let bits = |x: &[f64]| x.iter().map(|x| x.to_bits()).collect::<Vec<u64>>();
@@ -364,11 +364,11 @@ fn first_failures_and_examples_are_kept() {
             };
             assert_eq!(places(tally.failures()), [1, 2, 3, 4, 5, 7]);
             let wrong: Vec<_> = tally.wrong().map(|(k, kept)| (*k, places(kept))).collect();
-            let due = [
+            let expected = [
                 ((Verdict::WrongKind, Some(Kind::Nan)), vec![2, 5, 7]),
                 ((Verdict::WrongKind, Some(Kind::Infinity)), vec![4, 8]),
             ];
-            assert_eq!(wrong, due);
+            assert_eq!(wrong, expected);
         }
     }
 }
@@ -384,9 +384,9 @@ fn the_ten_worst_are_kept() {
         let found: Vec<_> = (sum.worst().iter())
             .map(|(share, kept)| ((4.0 * share).round(), index(&Some(kept.case().clone()))))
             .collect();
-        let due = [(14.0, 28), (14.0, 29), (13.0, 26), (13.0, 27), (12.0, 24)];
+        let expected = [(14.0, 28), (14.0, 29), (13.0, 26), (13.0, 27), (12.0, 24)];
         assert_eq!(found.len(), WORST);
-        assert_eq!(found[..5], due.map(|(share, i)| (share, Some(i))));
+        assert_eq!(found[..5], expected.map(|(share, i)| (share, Some(i))));
     }
 }
 

@@ -44,12 +44,12 @@ fn every_case_is_judged_once() {
         let all = 2 * per_region + 1;
         assert_eq!((report.cases, report.passed), (all, all));
         let each: Vec<_> = report.regions.iter().map(|r| (r.name, r.cases)).collect();
-        let due = [
+        let expected = [
             ("check-points", 1),
             ("middle", per_region),
             ("next", per_region),
         ];
-        assert_eq!(each, due);
+        assert_eq!(each, expected);
         assert_eq!(report.laws[0].cases as u64, all);
         assert_eq!(report.laws[0].worst, 1.25);
         assert_eq!(ticks.load(Ordering::Relaxed) as u64, all);

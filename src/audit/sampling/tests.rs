@@ -28,11 +28,7 @@ impl Method for Plain {
         Vec::new()
     }
     fn domain(&self) -> Domain {
-        let region = |name, sample| Region {
-            name,
-            description: "",
-            sample,
-        };
+        let region = crate::planted::region;
         Domain {
             regions: vec![
                 region("mid", |d| vec![3.0, d.uniform(1.0, 2.0), 0.0]),
@@ -150,10 +146,10 @@ fn neighbourhoods() {
         assert!(all.iter().filter(|c| distance(c) > 1e-4).count() > 50);
     }
     let drawn = near("mid/5", 1e-6).unwrap();
-    let due = Cases::new(&Plain, &settings(200))
+    let expected = Cases::new(&Plain, &settings(200))
         .in_region("mid", 5)
         .unwrap();
-    assert!((drawn[0].input[1] / due.input[1] - 1.0).abs() <= 1e-6);
+    assert!((drawn[0].input[1] / expected.input[1] - 1.0).abs() <= 1e-6);
     assert_eq!(
         drawn[3].place(),
         "--near mid/5 --radius 0.000001 --seed 1 --case 3"
@@ -203,8 +199,11 @@ fn sides_are_drawn_by_the_stream() {
             // The third number of the box.
             let mut draw = Draw::new(1, "plain", "box", index);
             let [_, _, t] = [(); 3].map(|()| draw.unit());
-            let (y, due) = (case.input[2], at(t));
-            assert!((y - due).abs() <= 1e-14 * due.abs(), "{side}: {y} {due}");
+            let (y, expected) = (case.input[2], at(t));
+            assert!(
+                (y - expected).abs() <= 1e-14 * expected.abs(),
+                "{side}: {y} {expected}"
+            );
             assert_eq!(case.input[..2], [1.0, 2.0]);
         }
     };
@@ -221,8 +220,8 @@ fn sides_are_drawn_by_the_stream() {
         let mut draw = Draw::new(1, "plain", "box", index);
         let [_, _, t] = [(); 3].map(|()| draw.unit());
         let size = (4.0 * t - 1.0).exp2();
-        let due = draw.signed(size);
-        assert!((case.input[2] - due).abs() <= 1e-14 * size);
+        let expected = draw.signed(size);
+        assert!((case.input[2] - expected).abs() <= 1e-14 * size);
     }
 }
 
@@ -239,9 +238,9 @@ fn a_box_draws_alike_however_it_is_written() {
     for (index, case) in (0..).zip(&all) {
         let cases = Cases::new(&Plain, &settings(200));
         let region = if index % 2 == 0 { "mid" } else { "far" };
-        let mut due = cases.in_region(region, index / 2).unwrap().input;
-        due[2] = 7.0;
-        assert_eq!((case.region, &case.input), (region, &due));
+        let mut expected = cases.in_region(region, index / 2).unwrap().input;
+        expected[2] = 7.0;
+        assert_eq!((case.region, &case.input), (region, &expected));
     }
 }
 
@@ -277,9 +276,12 @@ fn neighbours_are_drawn_by_the_stream() {
             };
             far += usize::from(own == radius);
             let t = [(); 3].map(|()| 2.0 * draw.unit() - 1.0);
-            let due = [4.0, -3.0 - 3.0 * (own * t[1]), own * t[2]];
-            for (x, due) in case.input.iter().zip(due) {
-                assert!((x - due).abs() <= 1e-15 * due.abs(), "{radius}: {x} {due}");
+            let expected = [4.0, -3.0 - 3.0 * (own * t[1]), own * t[2]];
+            for (x, expected) in case.input.iter().zip(expected) {
+                assert!(
+                    (x - expected).abs() <= 1e-15 * expected.abs(),
+                    "{radius}: {x} {expected}"
+                );
             }
         }
         assert!((70..=200).contains(&far), "{far}");
@@ -306,7 +308,7 @@ fn ordinary_regions_are_told_by_sixty_four_draws() {
     assert!(!ordinary(|d| far_at(d, 0, 63)));
     assert!(ordinary(|d| far_at(d, 0, 64)));
     assert!(ordinary(|d| far_at(d, 1, 0)));
-    for (x, due) in [
+    for (x, expected) in [
         (0.0, true),
         (1e-100, true),
         (-1e100, true),
@@ -314,6 +316,6 @@ fn ordinary_regions_are_told_by_sixty_four_draws() {
         ((-1e100f64).next_down(), false),
         (f64::NAN, false),
     ] {
-        assert_eq!(is_ordinary(&[1.0, x]), due, "{x}");
+        assert_eq!(is_ordinary(&[1.0, x]), expected, "{x}");
     }
 }

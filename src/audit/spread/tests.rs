@@ -52,9 +52,12 @@ fn octaves() {
 fn coarse_percentiles_are_rounded_up_by_less_than_a_hundredth() {
     let mut coarse = SpreadTally::coarse();
     (1..=20_000).for_each(|k| coarse.add(f64::from(k)));
-    for (share, due) in [(5000, 10_000.0), (9900, 19_800.0), (9999, 19_998.0)] {
+    for (share, expected) in [(5000, 10_000.0), (9900, 19_800.0), (9999, 19_998.0)] {
         let found = coarse.quantile(share);
-        assert!((1.0..1.01).contains(&(found / due)), "{found} {due}");
+        assert!(
+            (1.0..1.01).contains(&(found / expected)),
+            "{found} {expected}"
+        );
     }
     assert_eq!(coarse.spread().p9999, Some(coarse.quantile(9999)));
     let mut tiny = SpreadTally::coarse();
@@ -188,7 +191,7 @@ fn errors_beyond_every_number_add_up() {
 fn the_smallest_octaves() {
     let tiny = f64::MIN_POSITIVE;
     let least = f64::from_bits(1 << DROPPED_COARSELY);
-    for (x, due) in [
+    for (x, expected) in [
         (0.0, None),
         (least.next_down(), None),
         (least, Some(-1022)),
@@ -198,7 +201,7 @@ fn the_smallest_octaves() {
         (2.0 * tiny, Some(-1021)),
         (4.0 * tiny, Some(-1020)),
     ] {
-        assert_eq!(octave(x), due, "{x:e}");
+        assert_eq!(octave(x), expected, "{x:e}");
     }
 }
 
@@ -210,7 +213,7 @@ fn stored_bins_are_those_of_numbers() {
         let shift = 52 - DROPPED_COARSELY;
         (tally.count_in_bin(field << shift, 3), tally)
     };
-    for (field, due) in [
+    for (field, expected) in [
         (0, true),
         (1023, true),
         (2046, true),
@@ -218,10 +221,10 @@ fn stored_bins_are_those_of_numbers() {
         (2048, false),
     ] {
         let (done, tally) = set(field);
-        assert_eq!(done.is_some(), due, "{field}");
+        assert_eq!(done.is_some(), expected, "{field}");
         assert_eq!(
             tally.bins().map(|b| b.1).sum::<u64>(),
-            if due { 3 } else { 0 }
+            if expected { 3 } else { 0 }
         );
     }
     // A sum belongs to bins of its exponent.

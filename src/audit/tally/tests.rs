@@ -5,9 +5,7 @@ use crate::answer::{Proof, Reference, ReferenceAnswer, SolverAnswer};
 use crate::case::Origin;
 use crate::judged::judge_case_briefly;
 use crate::kind::{Kind, Kinds};
-use crate::{
-    Budget, CandidateReport, CheckPoint, Domain, Input, Law, Limit, NormBudget, Output, Region,
-};
+use crate::{Budget, CandidateReport, CheckPoint, Domain, Input, Law, Limit, NormBudget, Output};
 use mechaudit_reference::Ball;
 use proptest::prelude::*;
 use rug::Rational;
@@ -44,11 +42,7 @@ impl Method for Twice {
             .to_vec()
     }
     fn domain(&self) -> Domain {
-        let region = |name, sample| Region {
-            name,
-            description: "planted",
-            sample,
-        };
+        let region = crate::planted::region;
         Domain {
             regions: vec![
                 region("small", |d| vec![d.uniform(1.0, 2.0)]),
@@ -314,15 +308,15 @@ fn each_wrong_kind_is_counted_apart_and_in_no_statistic() {
         (1.0, A::Unanswered("planted".into()), Kind::Unanswered),
     ];
     let mut all = vec![off("small", 100, 2), off("small", 101, 0)];
-    let mut due = Kinds::default();
+    let mut expected = Kinds::default();
     for (i, (x, answer, kind)) in planted.into_iter().enumerate() {
         let report = judged("small", i as u64, x, answer);
         assert_eq!(report.judgement.kind, Some(kind), "{report:?}");
-        due[kind] += 1;
+        expected[kind] += 1;
         all.push(report);
     }
     let r = report(&all);
-    assert_eq!((r.cases, r.passed, r.total.kinds), (11, 2, due));
+    assert_eq!((r.cases, r.passed, r.total.kinds), (11, 2, expected));
     let one = &r.outputs()[0];
     assert_eq!((one.kinds[Kind::Nan], one.kinds.total()), (1, 1));
     // Numbers beside the wrong ones are judged; the wrong ones leave no trace.
@@ -334,7 +328,7 @@ fn each_wrong_kind_is_counted_apart_and_in_no_statistic() {
     assert_eq!(r.total.normwise.unwrap().count, 2);
     // An example of each.
     let kinds: Vec<Option<Kind>> = r.wrong.iter().map(|c| c.judgement.kind).collect();
-    for kind in due.some().map(|k| k.0) {
+    for kind in expected.some().map(|k| k.0) {
         assert!(kinds.contains(&Some(kind)), "{kind:?}");
     }
     assert_eq!(r.failures.len(), 9);
@@ -352,21 +346,24 @@ fn statistics_are_those_of_the_planted_errors() {
     assert_eq!((r.total.over, r.passed), (50, 50));
     let norm = r.total.normwise.unwrap();
     let x = 1.0 + 99.0 * 2f64.powi(-20);
-    let due = 9.0 * 2.0 / (5f64.sqrt() * x);
-    assert!((norm.max / due - 1.0).abs() < 1e-3, "{norm:?} {due}");
+    let expected = 9.0 * 2.0 / (5f64.sqrt() * x);
+    assert!(
+        (norm.max / expected - 1.0).abs() < 1e-3,
+        "{norm:?} {expected}"
+    );
     let octaves: Vec<(Option<i32>, u64)> = r.outputs()[0]
         .histogram
         .iter()
         .map(|o| (o.exponent, o.count))
         .collect();
-    let due = [
+    let expected = [
         (None, 10),
         (Some(0), 10),
         (Some(1), 20),
         (Some(2), 40),
         (Some(3), 20),
     ];
-    assert_eq!(octaves, due);
+    assert_eq!(octaves, expected);
     // The first of those with the largest error of the octave.
     let top = &r.outputs()[0].histogram[4].worst;
     assert_eq!(top.origin, Origin::Random { seed: 1, index: 9 });
@@ -384,13 +381,13 @@ fn the_worst_of_each_region_comes_first() {
         .iter()
         .map(|c| (c.case.region, (4.0 * c.judgement.share()).round()))
         .collect();
-    let due = [
+    let expected = [
         ("small", 129.0),
         ("large", 7.0),
         ("check-points", 3.0),
         ("small", 128.0),
     ];
-    assert_eq!(places[..4], due);
+    assert_eq!(places[..4], expected);
     // With everything that is known of them.
     assert!(
         r.worst

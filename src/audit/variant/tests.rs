@@ -40,14 +40,14 @@ fn method<'a>() -> Planted<'a> {
         solve: Box::new(|x| SolverAnswer::Values([1.0, 2.0, 3.0, 4.0].map(|k| k * x[0]).to_vec())),
         reference: Box::new(|_, bits| ReferenceAnswer::bounded(balls(bits), "planted")),
         not_finite: Box::new(|_| {
-            let number = Due::Number(Ball::integer(64, 3));
-            let dues = vec![
-                Due::Infinity { negative: true },
-                Due::NotANumber,
+            let number = Expected::Number(Ball::integer(64, 3));
+            let expected = vec![
+                Expected::Infinity { negative: true },
+                Expected::NotANumber,
                 number,
-                Due::zero(true),
+                Expected::zero(true),
             ];
-            ReferenceAnswer::Dues(dues, Proof::Bounded("not finite"))
+            ReferenceAnswer::Expected(expected, Proof::Bounded("not finite"))
         }),
         signs: Box::new(|_| vec![Some(true), None, Some(false), Some(true)]),
         conditions: Box::new(|x| Some([1.0, 2.0, 3.0, 4.0].map(|k| 10.0 * k * x[0]).to_vec())),
@@ -85,8 +85,8 @@ fn values(answer: ReferenceAnswer) -> Vec<f64> {
 
 fn shown(answer: ReferenceAnswer) -> String {
     match answer {
-        ReferenceAnswer::Dues(dues, Proof::Bounded("not finite")) => {
-            let each = dues.iter().map(|d| d.to_decimal(3).unwrap());
+        ReferenceAnswer::Expected(expected, Proof::Bounded("not finite")) => {
+            let each = expected.iter().map(|d| d.to_decimal(3).unwrap());
             each.collect::<Vec<_>>().join(" ")
         }
         other => panic!("{other:?}"),
@@ -216,13 +216,13 @@ fn in_regions_of_ones_own() {
     assert_eq!(limits(&right), limits(&own));
     // A hunt stays where all admit it.
     let both = Variant::new(&right).placed(Vec::new(), |x| x[1] > 0.0);
-    for (x, due) in [
+    for (x, expected) in [
         ([1.0, 1.0], true),
         ([-1.0, 1.0], false),
         ([1.0, -1.0], false),
         ([-1.0, -1.0], false),
     ] {
-        assert_eq!(both.admits(&x), due, "{x:?}");
+        assert_eq!(both.admits(&x), expected, "{x:?}");
     }
 }
 

@@ -7,7 +7,7 @@ fn the_reference_gives_the_digits_that_are_asked_for() {
     let p = [1.0, 0.5, 0.0625, 0.25, -0.03125, 0.125, 0.25, 1.5];
     let p = p.map(|x| Rational::from_f64(x).unwrap());
     for (bits, due) in [(80, 64), (400, 352)] {
-        let ReferenceAnswer::Dues(parts, _) = HartmannTran.reference(&p, bits) else {
+        let ReferenceAnswer::Expected(parts, _) = HartmannTran.reference(&p, bits) else {
             panic!("no values");
         };
         for part in parts {
@@ -38,10 +38,10 @@ fn lines_that_are_drawn_are_lines() {
 fn the_reference_is_of_the_profile() {
     let p = [0.01, 0.02, 0.002, 0.001, -0.0005, 0.004, 0.25, 0.03];
     let exact = p.map(|x| Rational::from_f64(x).unwrap());
-    let ReferenceAnswer::Dues(dues, _) = HartmannTran.reference(&exact, 128) else {
+    let ReferenceAnswer::Expected(expected, _) = HartmannTran.reference(&exact, 128) else {
         panic!("a value is due");
     };
-    let Due::Number(re) = &dues[0] else {
+    let Expected::Number(re) = &expected[0] else {
         panic!("a number is due");
     };
     let got = (mechaudit_atlas::PROFILES[0].value)(&line(&p)).re;

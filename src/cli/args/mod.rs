@@ -286,7 +286,7 @@ mod tests {
         };
         // A page of the book adds this one.
         let known = method.filter(|m| *m != "bessel-j0");
-        known.and_then(|m| crate::cli::asked::find(m).err().map(|e| e.to_string()))
+        known.and_then(|m| crate::cli::lookup::method(m).err().map(|e| e.to_string()))
     }
 
     /// Returns true if the words name a command or a subcommand.

@@ -2,11 +2,11 @@
 
 use crate::cli::answers::{Batch, End};
 use crate::cli::args::{CompareArgs, CompareFormat, ProgramArgs};
-use crate::cli::asked::{find, settings};
 use crate::cli::commands::audit::written::{self, POINTS};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::{Output, write_json};
 use crate::cli::forecast;
+use crate::cli::lookup::{self, settings};
 use crate::cli::process::exec::{Fed, unanswered};
 use crate::cli::process::inputs::Inputs;
 use crate::cli::process::interrupt;
@@ -37,7 +37,7 @@ pub fn compare(args: &CompareArgs) -> Result<Outcome, Failure> {
     if args.format == CompareFormat::Html {
         settings.points = POINTS;
     }
-    let method = find(&args.method)?;
+    let method = lookup::method(&args.method)?;
     let output = Output::open(args.output.as_deref())?;
     let before = args.baseline.as_deref().map(written::read).transpose()?;
     let variant = scope::judged(&*method, &args.scope)?.without_laws();
@@ -381,7 +381,7 @@ mod tests {
     #[test]
     fn the_time_of_an_answer() {
         assert_eq!(nanoseconds(Duration::from_millis(3), 1000), 3000.0);
-        let method = find("slider-crank").unwrap();
+        let method = lookup::method("slider-crank").unwrap();
         let inputs = Inputs::of(&*method, None, &Settings::default()).unwrap();
         let start = Instant::now();
         let speed = called(&*method, &inputs);

@@ -1,9 +1,9 @@
 //! A method described to whoever writes a candidate, from the layout that the judge reads answers by.
 
 use crate::cli::args::DescribeArgs;
-use crate::cli::asked::find;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::print_as;
+use crate::cli::lookup;
 use crate::cli::process::wire;
 use crate::cli::terminal::width;
 use mechaudit::audit::{Case, Cases, Layout, Method, Settings, SolverAnswer, answer_of, hex_float};
@@ -15,7 +15,7 @@ use serde_json::{Value, json};
 
 /// Describes it.
 pub fn describe(args: &DescribeArgs) -> Result<Outcome, Failure> {
-    let method = find(&args.method)?;
+    let method = lookup::method(&args.method)?;
     print_as(args.format, || text(&*method, width()), || json(&*method))?;
     Ok(Outcome::AsExpected)
 }
@@ -190,7 +190,7 @@ mod tests {
     #[test]
     fn inputs_and_outputs_are_tables() {
         for name in ["slider-crank", "cubic-spline-clamped", "four-bar"] {
-            let method = find(name).unwrap();
+            let method = lookup::method(name).unwrap();
             let text = plain(&text(&*method, 200));
             let lines: Vec<&str> = text.lines().collect();
             assert_eq!(lines[0], name);
@@ -245,7 +245,9 @@ mod tests {
             "tridiagonal",
             "voigt",
         ] {
-            let Ok(method) = find(name) else { continue };
+            let Ok(method) = lookup::method(name) else {
+                continue;
+            };
             let text = plain(&text(&*method, 200));
             let count = |label: &str| {
                 let begin = format!("  {label:<13}");
@@ -295,7 +297,7 @@ mod tests {
     #[test]
     fn the_example_is_a_short_one() {
         for name in ["tridiagonal", "cubic-spline-clamped", "faddeeva"] {
-            let method = find(name).unwrap();
+            let method = lookup::method(name).unwrap();
             let (case, values) = example(&*method).unwrap();
             assert!(values.iter().all(|x| x.is_finite()));
             assert_eq!(

@@ -1,9 +1,9 @@
 //! The list of methods and papers.
 
 use crate::cli::args::{ListArgs, TextOrJson};
-use crate::cli::asked::find;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::{print_as, print_json, write_to};
+use crate::cli::lookup;
 use crate::cli::terminal::width;
 use mechaudit::audit::{Budget, Layout, Method};
 use mechaudit::report::text::style::{BOLD, paint, paragraph, wrap};
@@ -15,7 +15,7 @@ use serde_json::{Value, json};
 /// Lists methods and papers.
 pub fn list(args: &ListArgs) -> Result<Outcome, Failure> {
     if let Some(name) = &args.method {
-        let method = find(name)?;
+        let method = lookup::method(name)?;
         print_as(args.format, || text(&*method, width()), || json(&*method))?;
         return Ok(Outcome::AsExpected);
     }

@@ -1,16 +1,16 @@
 //! Inputs of a method, as lines for programs in any language.
 
 use crate::cli::args::PointsArgs;
-use crate::cli::asked::find;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
+use crate::cli::lookup;
 use crate::cli::{forecast, process::wire, scope};
 use mechaudit::audit::{Case, Cases, Format, Layout, Method, Origin, Settings, Variant};
 use std::io::Write;
 
 /// Writes them.
 pub fn points(args: &PointsArgs) -> Result<Outcome, Failure> {
-    let method = find(&args.method)?;
+    let method = lookup::method(&args.method)?;
     let output = Output::open(args.output.as_deref())?;
     let settings = Settings {
         seed: args.seed,
@@ -105,7 +105,7 @@ mod tests {
     /// Check points and hard cases are named, then each region with its description and so many inputs.
     #[test]
     fn every_region_has_a_heading() {
-        let method = find("erf").unwrap();
+        let method = lookup::method("erf").unwrap();
         let text = written("erf --count 3 --seed 5");
         let (_, inputs) = parts(&text, "#");
         let domain = method.domain();

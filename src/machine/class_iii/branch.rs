@@ -310,5 +310,4 @@ fn end(
 }
 
 #[cfg(test)]
-#[path = "branch_tests.rs"]
 mod tests;

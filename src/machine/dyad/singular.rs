@@ -202,5 +202,4 @@ pub(super) fn certified(
 }
 
 #[cfg(test)]
-#[path = "singular_tests.rs"]
 mod tests;

@@ -278,5 +278,4 @@ fn third_point([ab, bc, ca]: [&Rational; 3], clockwise: bool) -> Option<referenc
 }
 
 #[cfg(test)]
-#[path = "bodies_tests.rs"]
 mod tests;

@@ -342,5 +342,4 @@ fn reach(machine: &Machine, start: &State) -> Reach {
 }
 
 #[cfg(test)]
-#[path = "branch_tests.rs"]
 mod tests;

@@ -536,5 +536,4 @@ impl<'a> Certifier<'a> {
 }
 
 #[cfg(test)]
-#[path = "certified_tests.rs"]
 mod tests;

@@ -374,5 +374,4 @@ pub(super) fn drive(source: &Source, file: &File, rotary: bool) -> Result<DriveM
 }
 
 #[cfg(test)]
-#[path = "joints_tests.rs"]
 mod tests;

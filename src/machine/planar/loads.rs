@@ -244,5 +244,4 @@ impl Machine {
 }
 
 #[cfg(test)]
-#[path = "loads_tests.rs"]
 mod tests;

@@ -226,5 +226,4 @@ impl Scene<'_> {
 }
 
 #[cfg(test)]
-#[path = "motion_tests.rs"]
 mod tests;

@@ -230,5 +230,4 @@ fn masses(shape: &Shape) -> Result<Vec<BodyMass>, FurtherError> {
 pub type LinkPoint = (usize, String, [Rational; 2]);
 
 #[cfg(test)]
-#[path = "of_dyad_tests.rs"]
 mod tests;

@@ -301,5 +301,4 @@ fn asked(machine: &Machine, loads: Option<&Loads>, state: &State, columns: Colum
 }
 
 #[cfg(test)]
-#[path = "rows_tests.rs"]
 mod tests;

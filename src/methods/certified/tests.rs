@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::audit::{Case, Cases, Settings};
-use crate::methods::find_evaluable;
+use crate::methods::find;
 use crate::reference::{Decimal, nearest_f64};
 
 fn exact(text: &str) -> Vec<Rational> {
@@ -12,7 +12,7 @@ fn exact(text: &str) -> Vec<Rational> {
 }
 
 fn digits(name: &str, text: &str, digits: u32) -> Result<Vec<Option<String>>, Uncertified> {
-    let method = find_evaluable(name).unwrap();
+    let method = find(name).unwrap();
     let found = certified_digits(&*method, &exact(text), digits, |_| true)?;
     Ok(found.into_iter().map(|v| v.decimal).collect())
 }
@@ -54,7 +54,7 @@ fn digits_do_not_depend_on_how_many_are_asked_for() {
         "four-bar",
         "slider-crank",
     ] {
-        let method = find_evaluable(name).unwrap();
+        let method = find(name).unwrap();
         let cases = Cases::new(&*method, &settings);
         let mut answered = 0;
         for Case { input, .. } in (0..cases.len()).map(|i| cases.get(i)) {
@@ -113,7 +113,7 @@ fn zeros_are_proved() {
 /// Values that are not wanted do not raise the precision.
 #[test]
 fn what_is_not_wanted_stays_open() {
-    let method = find_evaluable("erf").unwrap();
+    let method = find("erf").unwrap();
     let z = exact("1,1e-40");
     let found = certified_digits(&*method, &z, 5, |i| i == 0).unwrap();
     let due = nearest_f64(&exact("0.84270")[0]);

@@ -1,6 +1,6 @@
 //! The parts of the audits of functions of a complex argument: input, expected values, the bound of the norm.
 
-use crate::audit::{Due, Proof};
+use crate::audit::{Expected, Proof};
 use crate::methods::inputs::inputs;
 use crate::reference::faddeeva::Scaled;
 use crate::reference::{Ball, Mag};
@@ -33,31 +33,31 @@ pub(super) fn asked(bits: u32) -> u32 {
 }
 
 /// Returns a component as the reference expects it. What no ball holds is beyond every `f64` or below all of them.
-pub(super) fn due(part: &Scaled) -> Due {
+pub(super) fn expected_part(part: &Scaled) -> Expected {
     let direct = part.to_ball();
     if direct.is_finite() {
-        return Due::Number(direct);
+        return Expected::Number(direct);
     }
     if !part.ball.is_finite() || part.ball.contains_zero() {
-        return Due::Number(part.ball.widened(Mag::INFINITY));
+        return Expected::Number(part.ball.widened(Mag::INFINITY));
     }
     // The factor is within 2^±(2^29), the exponent beyond that of a ball.
     match part.exponent < 0 {
-        true => Due::Number(Ball::new(Float::new(64), Mag::power_of_two(-5000))),
-        false => Due::Infinity {
+        true => Expected::Number(Ball::new(Float::new(64), Mag::power_of_two(-5000))),
+        false => Expected::Infinity {
             negative: part.ball.is_negative(),
         },
     }
 }
 
 /// An exact small number.
-pub(super) fn number(n: i64) -> Due {
-    Due::Number(Ball::integer(64, n))
+pub(super) fn number(n: i64) -> Expected {
+    Expected::Number(Ball::integer(64, n))
 }
 
 /// The infinity of the sign of `x`.
-pub(super) fn infinity(x: f64) -> Due {
-    Due::Infinity {
+pub(super) fn infinity(x: f64) -> Expected {
+    Expected::Infinity {
         negative: x.is_sign_negative(),
     }
 }

@@ -5,7 +5,7 @@ use super::faddeeva::regions::{beside, listed_seams, seam};
 use super::identities::{U, same};
 use super::voigt::regions::any_bits;
 use crate::audit::{
-    Budget, CheckPoint, Domain, Draw, Due, Law, Limit, Output, Proof, ReferenceAnswer, Region,
+    Budget, CheckPoint, Domain, Draw, Expected, Law, Limit, Output, Proof, ReferenceAnswer, Region,
     Uncertified,
 };
 use crate::methods::common::{held, output, point, region};
@@ -63,23 +63,26 @@ impl Definition for VoigtHwhm {
 
     fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
         if *i.sigma < 0 || *i.gamma < 0 {
-            return Ok(ReferenceAnswer::Dues(vec![Due::NotANumber], Proof::Exact));
+            return Ok(ReferenceAnswer::Expected(
+                vec![Expected::NotANumber],
+                Proof::Exact,
+            ));
         }
         let x = reference::voigt_hwhm(i.sigma, i.gamma, asked(bits))?;
         let proof = Proof::Bounded(
             "V - V(0)/2 falls and changes its sign between two floats, by balls \
              (reference::faddeeva::voigt_hwhm)",
         );
-        Ok(ReferenceAnswer::Dues(vec![Due::Number(x)], proof))
+        Ok(ReferenceAnswer::Expected(vec![Expected::Number(x)], proof))
     }
 
     /// The width is at least that of either part.
     fn reference_not_finite(i: Self::Input<'_, f64>) -> ReferenceAnswer {
         let value = match i.sigma >= 0.0 && i.gamma >= 0.0 {
-            true => Due::Infinity { negative: false },
-            false => Due::NotANumber,
+            true => Expected::Infinity { negative: false },
+            false => Expected::NotANumber,
         };
-        ReferenceAnswer::Dues(vec![value], Proof::Exact)
+        ReferenceAnswer::Expected(vec![value], Proof::Exact)
     }
 
     /// Widths are not negative.

@@ -2,13 +2,10 @@
 
 use super::motion::{DIGITS, TIMES};
 use super::printed::{Printed, QUANTITIES, kind};
-use crate::papers::number::{Number, tally};
+use crate::papers::number::{self, Column};
 use crate::papers::{Entry, Tally};
 use crate::reference::Ball;
-use std::collections::BTreeMap;
 
-/// The variant of the data: there is but one.
-const VARIANT: &str = "as_printed";
 /// Columns of the tallies, by kind of quantity.
 const COLUMNS: [&str; 4] = ["angles", "rates", "accelerations", "multipliers"];
 /// Printed values of a time: 1 at the start, 2 at the end.
@@ -22,29 +19,21 @@ pub(super) fn certified<'a>(values: &'a [Vec<Ball>], p: &Printed) -> &'a Ball {
 
 /// Judges every printed value.
 pub(super) fn entries(printed: &[Printed], values: &[Vec<Ball>]) -> (Vec<Entry>, Vec<Tally>) {
-    let mut entries = Vec::new();
-    let mut tallies = Vec::new();
+    let mut columns: Vec<Column> = Vec::new();
     for (table, time) in TABLES {
         for (k, column) in COLUMNS.into_iter().enumerate() {
             let of = printed
                 .iter()
                 .filter(|p| p.time == time && kind(p.quantity) == k);
-            let of: Vec<&Printed> = of.collect();
-            let pairs = of.iter().map(|p| (&p.number, certified(values, p)));
-            let pairs: Vec<(&Number, &Ball)> = pairs.collect();
-            if !of.is_empty() {
-                tallies.push(tally([VARIANT, column], table, &pairs));
-            }
-            entries.extend(of.iter().zip(&pairs).map(|(p, (number, value))| Entry {
-                table,
-                row: p.quantity as u32 + 1,
-                column: QUANTITIES[p.quantity],
-                printed: number.text.clone(),
-                variants: BTreeMap::from([(VARIANT, number.judged(value, DIGITS))]),
-            }));
+            let rows = of.map(|p| {
+                let (row, name) = (p.quantity as u32 + 1, QUANTITIES[p.quantity]);
+                (row, name, &p.number, certified(values, p))
+            });
+            columns.push((table, column, rows.collect()));
         }
     }
-    (entries, tallies)
+    columns.retain(|c| !c.2.is_empty());
+    number::entries(&columns, DIGITS)
 }
 
 #[cfg(test)]
@@ -79,7 +68,7 @@ mod tests {
                 (entry.column, &entry.printed),
                 (QUANTITIES[p.quantity], &p.number.text)
             );
-            let units = entry.variants[VARIANT].units_in_last_digit;
+            let units = entry.variants[number::AS_PRINTED].units_in_last_digit;
             assert_eq!(units, if (table, row) == (2, 9) { 2.0 } else { 0.0 });
         }
         let counts: Vec<(u32, &str, usize)> = tallies

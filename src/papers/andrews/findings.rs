@@ -42,7 +42,7 @@ fn equations(ledger: &Ledger) -> Finding {
 const LAMBDA_1: usize = 21;
 
 fn start_values(start: &[&Printed], values: &[Vec<Ball>]) -> Finding {
-    let right = |p: &&&Printed| p.number.within(certified(values, p), 0.5);
+    let right = |p: &&&Printed| p.number.is_rounded(certified(values, p));
     let agree = start.iter().filter(right).count();
     let off: Vec<&&Printed> = start.iter().filter(|p| !right(p)).collect();
     let units = |p: &Printed| p.number.units_off(certified(values, p));
@@ -84,7 +84,7 @@ fn reference_solution(end: &[&Printed], values: &[Vec<Ball>]) -> Finding {
     let [q, v, w, l] = spans.map(|[a, b]| format!("{a} to {b}"));
     let agree = end
         .iter()
-        .filter(|p| p.number.within(certified(values, p), 1.0))
+        .filter(|p| p.number.is_within_one(certified(values, p)))
         .count();
     Draft::new("reference-solution", Subject::Tables, "t = 0.03 s")
         .verdict(FindingVerdict::ErrorOfPaper)
@@ -250,5 +250,4 @@ fn figures_are(values: &[Vec<Ball>]) -> bool {
 }
 
 #[cfg(test)]
-#[path = "findings_tests.rs"]
 mod tests;

@@ -1,7 +1,9 @@
 //! Every printed entry against its recomputed value.
 
 use super::tables::{Column, Printed, ROWS};
-use crate::papers::{Entry, EntryVerdict, Tally, VariantJudgement};
+use crate::audit::{Agreement, agreement};
+use crate::papers::number::tally;
+use crate::papers::{Entry, EntryVerdict, Tally, VariantJudgement, decided};
 use crate::reference::{Ball, Decimal};
 use std::collections::BTreeMap;
 
@@ -12,12 +14,6 @@ const DIGITS: usize = 25;
 pub(super) struct Variant {
     pub name: &'static str,
     pub columns: Vec<Vec<Ball>>,
-}
-
-/// Certainly within `limit` units.
-fn within(written: &Decimal, value: &Ball, limit: f64) -> bool {
-    let u = written.units_off(value);
-    u.is_finite() && u.abs().upper() <= limit
 }
 
 /// One digit other than the last replaced or left out, or two neighbours exchanged, such that the
@@ -52,7 +48,8 @@ fn single_edit(text: &str, value: &Ball) -> Option<String> {
     }
     edits.into_iter().find_map(|(edited, what)| {
         let written = Decimal::parse(&edited).ok()?;
-        within(&written, value, 0.5).then(|| format!("{what}: {edited} would agree"))
+        (agreement(&written, value) == Agreement::Agrees)
+            .then(|| format!("{what}: {edited} would agree"))
     })
 }
 
@@ -63,35 +60,24 @@ fn judge(
     twin: Option<(&Printed, &Ball)>,
     column_agrees: bool,
 ) -> VariantJudgement {
-    let p = &printed[at];
-    let (verdict, note) = if within(&p.value, value, 0.5) {
-        (EntryVerdict::Agrees, None)
-    } else if within(&p.value, value, 1.0) {
-        (EntryVerdict::Rounding, None)
-    } else {
-        let by_twin = twin.and_then(|(t, v)| {
-            within(&t.value, v, 0.5).then(|| {
-                let table = t.column.table();
-                format!(
-                    "Table {table} prints {} for the same quantity, which agrees",
-                    t.text
-                )
-            })
-        });
-        match by_twin
-            .or_else(|| single_edit(&p.text, value))
-            .filter(|_| column_agrees)
-        {
+    let p = &printed[at].number;
+    let by_twin = || {
+        let (t, v) = twin?;
+        let (table, text) = (t.column.table(), &t.number.text);
+        let says = || format!("Table {table} prints {text} for the same quantity, which agrees");
+        t.number.is_rounded(v).then(says)
+    };
+    let explained = || by_twin().or_else(|| single_edit(&p.text, value));
+    let (verdict, note) = match p.verdict(value) {
+        EntryVerdict::Unexplained if column_agrees => match explained() {
             Some(note) => (EntryVerdict::Misprint, Some(note)),
             None => (EntryVerdict::Unexplained, None),
-        }
+        },
+        verdict => (verdict, None),
     };
-    let u = p.value.units_off(value);
     VariantJudgement {
-        recomputed: value
-            .to_decimal(DIGITS)
-            .unwrap_or_else(|| "undecided".into()),
-        units_in_last_digit: (u.to_f64() * 1e6).round() / 1e6,
+        recomputed: decided(value.to_decimal(DIGITS)),
+        units_in_last_digit: (p.units_off(value) * 1e6).round() / 1e6,
         verdict,
         note,
     }
@@ -105,7 +91,7 @@ pub(super) fn entries(printed: &[Printed], variants: &[Variant]) -> (Vec<Entry>,
             table: p.column.table(),
             row: p.row as u32,
             column: p.column.name(),
-            printed: p.text.clone(),
+            printed: p.number.text.clone(),
             variants: BTreeMap::new(),
         })
         .collect();
@@ -114,34 +100,25 @@ pub(super) fn entries(printed: &[Printed], variants: &[Variant]) -> (Vec<Entry>,
     for v in variants {
         for (c, &column) in Column::ALL.iter().enumerate() {
             let first = c * ROWS;
-            let value = |row: usize| &v.columns[c][row];
-            let count = |limit: f64| {
-                (0..ROWS)
-                    .filter(|&row| within(&printed[first + row].value, value(row), limit))
-                    .count()
-            };
-            let (within_half, within_one) = (count(0.5), count(1.0));
+            let pairs = printed[first..]
+                .iter()
+                .map(|p| &p.number)
+                .zip(&v.columns[c]);
+            let tally = tally([v.name, column.name()], column.table(), pairs.take(ROWS));
             // A misprint stands out only where nearly everything else agrees.
-            let column_agrees = ROWS - within_one <= ROWS / 10;
-            let mut tally = Tally {
-                variant: v.name,
-                table: column.table(),
-                column: column.name(),
-                entries: ROWS,
-                within_half,
-                within_one,
-                worst_units: 0.0,
-                worst: 0.0,
-            };
+            let column_agrees = ROWS - tally.within_one <= ROWS / 10;
             for row in 0..ROWS {
                 let twin = column.twin().map(|t| {
                     let k = index(t);
                     (&printed[k * ROWS + row], &v.columns[k][row])
                 });
-                let result = judge(printed, first + row, value(row), twin, column_agrees);
-                let off = result.units_in_last_digit.abs();
-                tally.worst_units = tally.worst_units.max(off);
-                tally.worst = tally.worst.max(off * printed[first + row].unit());
+                let result = judge(
+                    printed,
+                    first + row,
+                    &v.columns[c][row],
+                    twin,
+                    column_agrees,
+                );
                 all[first + row].variants.insert(v.name, result);
             }
             tallies.push(tally);
@@ -160,7 +137,7 @@ pub(super) fn totals(tallies: &[Tally], variant: &str) -> (usize, usize) {
 mod tests {
     use super::super::tables;
     use super::*;
-    use rug::Rational;
+    use crate::papers::number::Number;
 
     fn ball(text: &str) -> Ball {
         Ball::rational(200, &Decimal::parse(text).unwrap().value)
@@ -182,19 +159,6 @@ mod tests {
         assert_eq!(single_edit("3.060", &ball("3.0671")), None);
     }
 
-    #[test]
-    fn the_limits_are_exact() {
-        let d = Decimal::parse("0.034").unwrap();
-        assert!(within(&d, &ball("0.03449999999"), 0.5));
-        assert!(!within(&d, &ball("0.03450000001"), 0.5));
-        let wide = Ball::new(
-            ball("0.034").mid().clone(),
-            crate::reference::Mag::from_f64(1.0),
-        );
-        assert!(!within(&d, &wide, 0.5));
-        assert!(d.units_off(&ball("0.033")).contains(&Rational::from(1)));
-    }
-
     /// Misprints are told as long as nine tenths of the column agree.
     #[test]
     fn a_column_with_five_entries_off_has_no_misprints() {
@@ -204,7 +168,7 @@ mod tests {
                 .chunks(ROWS)
                 .map(|c| {
                     c.iter()
-                        .map(|p| Ball::rational(200, &p.value.value))
+                        .map(|p| Ball::rational(200, &p.number.value.value))
                         .collect()
                 })
                 .collect();
@@ -228,8 +192,7 @@ mod tests {
         let printed = |text: &str| Printed {
             column: Column::Inertia,
             row: 0,
-            text: text.into(),
-            value: Decimal::parse(text).unwrap(),
+            number: Number::read(text),
         };
         let all = [printed("10.534"), printed("10.5")];
         let of = |value: &str, twin: Option<&str>, column_agrees| {

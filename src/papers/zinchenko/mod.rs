@@ -9,9 +9,9 @@ pub mod data;
 mod derivative_claim;
 mod design;
 mod entries;
+mod extreme;
 mod findings;
 mod fitted_nodes;
-mod formulas;
 mod hidden_recipe;
 mod ledger;
 mod moment_residual;
@@ -100,7 +100,10 @@ pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
     progress("run-up", 5, STEPS);
     all.extend(findings::run_up(run_up::figures().as_ref()));
     progress("formulas", 6, STEPS);
-    all.extend(formulas::findings());
+    all.extend(findings::formulas(
+        &ledger(),
+        extreme::finding(&extreme::PRINTED),
+    ));
     progress("done", STEPS, STEPS);
     Ok(PaperReport::new(citation(), all).with_entries(entries, tallies))
 }
@@ -192,7 +195,11 @@ fn claims(printed: &[Printed], recovered: &Variant) -> Result<Vec<Finding>, Unde
         .max_by(|a, b| a.to_f64().abs().total_cmp(&b.to_f64().abs()))
         .expect("rows");
     Ok(vec![
-        findings::claim_0119(&true_errors, &errors, (largest.row, largest.text.clone())),
+        findings::claim_0119(
+            &true_errors,
+            &errors,
+            (largest.row, largest.number.text.clone()),
+        ),
         findings::convergence(&errors),
         findings::conclusion([12, 48].map(|n| (n, fine.hybrid_integral(n)))),
     ])
@@ -213,7 +220,13 @@ mod tests {
         let with = |row: usize| {
             let mut printed = tables::printed();
             let place = |p: &Printed| p.column == Column::Inertia && p.row == row;
-            printed.iter_mut().find(|p| place(p)).unwrap().value.value += 1_000_000_000;
+            printed
+                .iter_mut()
+                .find(|p| place(p))
+                .unwrap()
+                .number
+                .value
+                .value += 1_000_000_000;
             in_metres_worst(&printed) > 1e8
         };
         assert!((0..49).all(|row| with(row) == (row < 48 && row % 4 == 0)));

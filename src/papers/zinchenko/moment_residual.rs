@@ -73,7 +73,7 @@ mod tests {
         let nodes =
             |p: &&mut Printed| p.column == Column::Moment && p.row < 48 && p.row.is_multiple_of(4);
         for (k, p) in printed.iter_mut().filter(nodes).enumerate() {
-            p.value.value = rug::Rational::from((k * k) as u32);
+            p.number.value.value = rug::Rational::from((k * k) as u32);
         }
         let found = moment_residual(&printed, &exact, &fitted);
         assert_eq!(found.exact_mean.to_f64(), 6.5);

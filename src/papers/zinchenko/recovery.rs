@@ -381,5 +381,4 @@ pub(super) fn node_states(n: usize) -> Vec<State> {
 }
 
 #[cfg(test)]
-#[path = "recovery_tests.rs"]
 mod tests;

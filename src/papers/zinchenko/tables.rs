@@ -1,6 +1,6 @@
 //! Tables 2 and 3 as printed.
 
-use crate::reference::Decimal;
+use crate::papers::number::Number;
 
 const TABLE_2: &str = include_str!("../../../reference/published/zinchenko-table-2.csv");
 const TABLE_3: &str = include_str!("../../../reference/published/zinchenko-table-3.csv");
@@ -103,18 +103,17 @@ impl Column {
 pub(super) struct Printed {
     pub column: Column,
     pub row: usize,
-    pub text: String,
-    pub value: Decimal,
+    pub number: Number,
 }
 
 impl Printed {
     /// One unit of the last printed digit.
     pub(super) fn unit(&self) -> f64 {
-        10f64.powi(-(self.value.places as i32))
+        10f64.powi(-(self.number.value.places as i32))
     }
 
     pub(super) fn to_f64(&self) -> f64 {
-        self.value.value.to_f64()
+        self.number.value.value.to_f64()
     }
 }
 
@@ -135,13 +134,11 @@ pub(super) fn printed() -> Vec<Printed> {
             let at = headers.iter().position(|h| h == column.name());
             let at = at.expect("a column of a published table");
             for (row, record) in records.iter().enumerate() {
-                let text = record[at].to_string();
-                let value = Decimal::parse(&text).expect("a published number");
+                let number = Number::read(&record[at]);
                 all.push(Printed {
                     column,
                     row,
-                    text,
-                    value,
+                    number,
                 });
             }
         }
@@ -165,7 +162,7 @@ mod tests {
         for c in Column::ALL {
             assert_eq!(column(&all, c).len(), ROWS);
         }
-        let entry = |c, row: usize| column(&all, c)[row].text.clone();
+        let entry = |c, row: usize| column(&all, c)[row].number.text.clone();
         assert_eq!(entry(Column::DerivativeSlope, 11), "-10.553");
         assert_eq!(entry(Column::Moment, 41), "-110.0421");
         assert_eq!(entry(Column::Difference, 1), "-0.119");

@@ -287,5 +287,4 @@ fn drawing(motion: &Motion) -> Markup {
 }
 
 #[cfg(test)]
-#[path = "motion_tests.rs"]
 mod tests;

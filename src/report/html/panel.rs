@@ -2,7 +2,7 @@
 
 use super::plots::tenths;
 use super::prose::prose;
-use crate::report::axis::{Format, marks};
+use crate::report::axis::{Format, at_most};
 use crate::report::svg::panel::{Curve, Panel};
 use crate::report::svg::style::{GREEN, ORANGE, PURPLE};
 use maud::{Markup, html};
@@ -18,7 +18,7 @@ pub fn panel(panel: &Panel) -> Markup {
     let size = |a: f64, b: f64| if b > a { b - a } else { 1.0 };
     let px = |x: f64| left + (x - x0) / size(x0, x1) * w;
     let py = |y: f64| 8.0 + (y1 - y) / size(y0, y1) * h;
-    let (across, up) = (marks(x0, x1, 7), marks(y0, y1, 6));
+    let (across, up) = (at_most(x0, x1, 8), at_most(y0, y1, 7));
     let (of_x, of_y) = (Format::of(&across), Format::of(&up));
     let points = |c: &Curve| {
         let seen = c

@@ -300,5 +300,4 @@ fn cell(e: &Entry, variant: &str) -> Markup {
 }
 
 #[cfg(test)]
-#[path = "paper_tests.rs"]
 mod tests;

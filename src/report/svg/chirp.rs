@@ -1,10 +1,9 @@
 //! Drawings of a cam-driven oscillator: its motion over time, charts, the cam's spectrum.
 
 pub use super::panel::tick;
-use super::panel::{CannotDraw, Curve, Panel, Place, curve, dashed, drawn, legend, titled};
-use super::style::{AXIS, BLUE, GREEN, GRID, INK, ORANGE};
+use super::panel::{Axis, Curve, Panel, curve, dashed, drawn, legend, titled};
+use super::style::{BLUE, GREEN, ORANGE};
 use crate::solvers::chirp_chart::{Chart, ChartPoint, Period};
-use plotters::prelude::*;
 
 /// A wave that fills its columns is drawn finer.
 fn finely(curve: Curve) -> Curve {
@@ -38,15 +37,13 @@ pub struct History<'a> {
 }
 
 /// The motion over time.
-pub fn history(history: &History) -> Result<String, CannotDraw> {
+pub fn history(history: &History) -> String {
     let panels = history_panels(history);
     drawn((1000, 1080), |root, page| {
-        let areas =
-            titled(root, page, history.name, &history.note)?.split_evenly((panels.len(), 1));
-        areas
-            .iter()
-            .zip(&panels)
-            .try_for_each(|(area, panel)| panel.draw(area, page))
+        let areas = titled(root, page, history.name, &history.note).split(panels.len(), 1);
+        for (area, panel) in areas.iter().zip(&panels) {
+            panel.draw(area, page);
+        }
     })
 }
 
@@ -80,17 +77,16 @@ pub fn history_panels(history: &History) -> [Panel; 3] {
 }
 
 /// C_φ(ξ) of each law, formula against true peak, under a name and a line about it.
-pub fn chart(name: &str, note: &str, charts: &[(&str, &Chart)]) -> Result<String, CannotDraw> {
+pub fn chart(name: &str, note: &str, charts: &[(&str, &Chart)]) -> String {
     let rows = charts.len();
     drawn((1240, 100 + 360 * rows as u32), |root, page| {
-        let areas = titled(root, page, name, note)?.split_evenly((rows, 2));
+        let areas = titled(root, page, name, note).split(rows, 2);
         for (charted, pair) in charts.iter().zip(areas.chunks(2)) {
             let panels = chart_panels(charted);
-            pair.iter()
-                .zip(&panels)
-                .try_for_each(|(area, panel)| panel.draw(area, page))?;
+            for (area, panel) in pair.iter().zip(&panels) {
+                panel.draw(area, page);
+            }
         }
-        Ok(())
     })
 }
 
@@ -133,7 +129,7 @@ pub struct Spectrum<'a> {
 }
 
 /// The harmonics of the cam's displacement.
-pub fn spectrum(spectrum: &Spectrum) -> Result<String, CannotDraw> {
+pub fn spectrum(spectrum: &Spectrum) -> String {
     let lines = &spectrum.harmonics;
     let largest = lines.iter().map(|l| l.1).fold(f64::MIN_POSITIVE, f64::max);
     // Harmonics that vanish have no place on the axis.
@@ -152,29 +148,16 @@ pub fn spectrum(spectrum: &Spectrum) -> Result<String, CannotDraw> {
             "law {}, amplitudes D_n of the displacement in lifts",
             spectrum.law
         );
-        let area = titled(root, page, spectrum.name, &note)?;
-        let mut chart = ChartBuilder::on(&area)
-            .margin(8)
-            .margin_right(20)
-            .margin_top(34)
-            .x_label_area_size(52)
-            .y_label_area_size(84)
-            .build_cartesian_2d((0.9..last * 1.1).log_scale(), (low..high).log_scale())?;
-        chart
-            .configure_mesh()
-            .x_label_formatter(&|n| tick(*n))
-            .y_label_formatter(&|y| format!("{y:.0e}"))
-            .x_desc("harmonic n")
-            .y_desc("D_n, lifts")
-            .label_style(("sans-serif", 15).into_font().color(&INK))
-            .axis_desc_style(("sans-serif", 17).into_font().color(&INK))
-            .axis_style(AXIS)
-            .bold_line_style(GRID)
-            .light_line_style(TRANSPARENT)
-            .draw()?;
+        let area = titled(root, page, spectrum.name, &note);
         let log = |(n, d): &(f64, f64)| (n.log10(), d.log10());
-        let (left, right) = (0.9f64.log10(), (last * 1.1).log10());
-        let place = Place::of(&chart, left..right, low.log10()..high.log10());
+        let (orders, sizes) = ((0.9, last * 1.1), (low, high));
+        let axes = [
+            Axis::decades("harmonic n", log(&orders), 10, |n| {
+                tick(10f64.powf(n).round())
+            }),
+            Axis::decades("D_n, lifts", log(&sizes), 10, |d| format!("1e{d:.0}")),
+        ];
+        let place = page.axes(&area, axes, true);
         for line in lines.iter().filter(|l| l.1 > low) {
             let stem = [(line.0, low), *line].iter().map(log).collect();
             page.line(&place, &finely(curve("", stem, BLUE)));
@@ -190,10 +173,9 @@ pub fn spectrum(spectrum: &Spectrum) -> Result<String, CannotDraw> {
                 ORANGE,
             ),
         ];
-        legend(&area, &names)
+        legend(&area, page, &names);
     })
 }
 
 #[cfg(test)]
-#[path = "chirp_tests.rs"]
 mod tests;

@@ -170,5 +170,4 @@ fn pivot(view: &View, name: &str, at: Point) -> Markup {
 }
 
 #[cfg(test)]
-#[path = "mechanism_tests.rs"]
 mod tests;

@@ -12,6 +12,3 @@ pub mod reduced;
 pub mod run_up;
 pub(crate) mod style;
 mod view;
-
-#[cfg(feature = "report")]
-pub use panel::CannotDraw;

@@ -1,28 +1,19 @@
-//! What the drawings of motions have in common: the page, its title, panels of named curves.
+//! The charts of motions: the page, its title, panels of named curves in linear or other axes.
 
-use super::style::{AXIS, GRID, INK, PAPER, SOFT, head, hex, legible};
-use crate::report::axis::Format;
+use super::style::{AXIS, GRID, INK, PAPER, RGBColor, SOFT, head, hex, legible};
+use crate::report::axis::{Format, at_most};
 use maud::{Markup, html};
-use plotters::coord::Shift;
-use plotters::coord::ranged1d::{BoldPoints, Ranged};
-use plotters::coord::types::RangedCoordf64;
-use plotters::prelude::*;
-use std::ops::Range;
 
-/// A page that cannot be drawn, with the reason.
-#[derive(Debug, thiserror::Error)]
-#[error("cannot draw: {0}")]
-pub struct CannotDraw(Box<dyn std::error::Error + Send + Sync>);
-
-pub type Drawn = Result<(), Box<dyn std::error::Error + Send + Sync>>;
-pub type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-type Chart<'a, 'b, X, Y> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<X, Y>>;
+/// Heights of the letters of a title, of marks and names, and of the labels of axes.
+const TITLE: u32 = 19;
+const SMALL: u32 = 12;
+const LABEL: u32 = 14;
 
 /// Curves over a common abscissa, for a drawing as for a page.
 pub struct Panel {
-    /// What the abscissa is; a panel of a drawing without one shares that of a panel below.
+    /// Names the abscissa; a panel of a drawing without a name shares that of a panel below.
     pub x: String,
-    /// What the ordinate is.
+    /// Names the ordinate.
     pub y: String,
     pub curves: Vec<Curve>,
 }
@@ -36,8 +27,8 @@ impl Panel {
         }
     }
 
-    pub fn draw(&self, area: &Area, page: &mut Page) -> Drawn {
-        panel(area, page, (&self.x, &self.y), &self.curves)
+    pub fn draw(&self, area: &Area, page: &mut Page) {
+        panel(area, page, (&self.x, &self.y), &self.curves);
     }
 
     /// The ends of its axes.
@@ -83,48 +74,186 @@ pub fn dashed(name: &'static str, points: Vec<(f64, f64)>, colour: RGBColor) -> 
     }
 }
 
-/// What a page has besides axes and words: plotters rounds to whole pixels, which shows in curves.
-#[derive(Default)]
-pub struct Page {
-    title: String,
-    description: Vec<String>,
-    curves: Vec<String>,
+/// A rectangle of a page, in pixels.
+#[derive(Clone, Copy)]
+pub struct Area {
+    left: f64,
+    top: f64,
+    width: f64,
+    height: f64,
 }
 
-/// Where a chart's values stand on the page.
-pub struct Place {
-    values: [Range<f64>; 2],
-    pixels: [Range<i32>; 2],
-}
-
-impl Place {
-    /// `values` are the ends of the axes; their logarithms where an axis is logarithmic.
-    pub fn of<X, Y>(chart: &Chart<X, Y>, x: Range<f64>, y: Range<f64>) -> Place
-    where
-        X: Ranged<ValueType = f64>,
-        Y: Ranged<ValueType = f64>,
-    {
-        let axes = chart.as_coord_spec();
-        Place {
-            values: [x, y],
-            pixels: [axes.get_x_axis_pixel_range(), axes.get_y_axis_pixel_range()],
+impl Area {
+    /// Without so much of it at the top, the bottom, on the left and on the right.
+    pub fn margin(&self, top: f64, bottom: f64, left: f64, right: f64) -> Area {
+        Area {
+            left: self.left + left,
+            top: self.top + top,
+            width: self.width - left - right,
+            height: self.height - top - bottom,
         }
     }
 
-    fn at(&self, p: (f64, f64)) -> (f64, f64) {
-        let part = |i: usize, v: f64| {
-            let (range, pixels) = (&self.values[i], &self.pixels[i]);
-            let length = f64::from(pixels.end - pixels.start);
-            (v - range.start) / (range.end - range.start) * length
+    /// Equal parts, row by row; each begins at a whole pixel.
+    pub fn split(&self, rows: usize, columns: usize) -> Vec<Area> {
+        let ends = |whole: f64, parts: usize, k: usize| {
+            [k, k + 1].map(|k| (whole * k as f64 / parts as f64).floor())
         };
+        let part = |k: usize| {
+            let [top, bottom] = ends(self.height, rows, k / columns);
+            let [left, right] = ends(self.width, columns, k % columns);
+            self.margin(top, self.height - bottom, left, self.width - right)
+        };
+        (0..rows * columns).map(part).collect()
+    }
+
+    /// The part on the left that is so wide, and the rest.
+    pub fn split_at(&self, width: f64) -> (Area, Area) {
         (
-            f64::from(self.pixels[0].start) + part(0, p.0),
-            f64::from(self.pixels[1].end) - part(1, p.1),
+            self.margin(0.0, 0.0, 0.0, self.width - width),
+            self.margin(0.0, 0.0, width, 0.0),
         )
     }
 }
 
+/// An axis: its name, its ends, and the marks on it. A logarithmic axis has logarithms for values.
+pub struct Axis {
+    pub label: String,
+    pub range: (f64, f64),
+    pub marks: Vec<(f64, String)>,
+}
+
+impl Axis {
+    /// An axis with at most `most` round numbers on it.
+    pub fn linear(label: &str, range: (f64, f64), most: usize) -> Axis {
+        let marks = at_most(range.0, range.1, most);
+        let format = Format::of(&marks);
+        Axis {
+            label: legible(label),
+            range,
+            marks: marks.iter().map(|x| (*x, format.text(*x))).collect(),
+        }
+    }
+
+    /// An axis of powers of ten, at most `most` of which are named by `name`, with exponents that
+    /// are multiples of one number.
+    pub fn decades(label: &str, range: (f64, f64), most: i32, name: fn(f64) -> String) -> Axis {
+        let powers = || range.0.ceil() as i32..=range.1.floor() as i32;
+        let every = (powers().count() as i32 + most - 1) / most;
+        let named = powers().filter(|k| k % every.max(1) == 0).map(f64::from);
+        Axis {
+            label: legible(label),
+            range,
+            marks: named.map(|k| (k, name(k))).collect(),
+        }
+    }
+
+    /// How far a value is along the axis, from 0 to 1.
+    fn part(&self, x: f64) -> f64 {
+        (x - self.range.0) / (self.range.1 - self.range.0)
+    }
+}
+
+/// The axes of a chart, and where they are on the page.
+pub struct Place {
+    axes: [Axis; 2],
+    area: Area,
+}
+
+impl Place {
+    fn at(&self, p: (f64, f64)) -> (f64, f64) {
+        let [x, y] = &self.axes;
+        (
+            self.area.left + x.part(p.0) * self.area.width,
+            self.area.top + (1.0 - y.part(p.1)) * self.area.height,
+        )
+    }
+}
+
+/// A page in the making: its head, and everything below the curves and above.
+#[derive(Default)]
+pub struct Page {
+    title: String,
+    description: Vec<String>,
+    below: String,
+    curves: String,
+}
+
 impl Page {
+    /// Draws the axes into an area; the names of curves have room above.
+    pub fn axes(&mut self, area: &Area, axes: [Axis; 2], named: bool) -> Place {
+        let room = area.margin(
+            if named { 34.0 } else { 8.0 },
+            8.0 + if axes[0].label.is_empty() { 28.0 } else { 48.0 },
+            8.0 + 84.0,
+            20.0,
+        );
+        // The last pixel belongs to the chart.
+        let place = Place {
+            area: room.margin(0.0, 1.0, 0.0, 1.0),
+            axes,
+        };
+        let [x, y] = &place.axes;
+        let (ends, middle) = ((x.range, y.range), |r: (f64, f64)| 0.5 * (r.0 + r.1));
+        let (left, bottom) = place.at((ends.0.0, ends.1.0));
+        let (right, top) = place.at((ends.0.1, ends.1.1));
+        for (value, text) in &x.marks {
+            let at = place.at((*value, ends.1.0)).0;
+            self.stroke(GRID, [(at, top), (at, bottom)]);
+            self.stroke(AXIS, [(at, bottom), (at, bottom + 5.0)]);
+            self.text(text, (at, bottom + 10.0), Form::mark("middle", "0.76em"));
+        }
+        for (value, text) in &y.marks {
+            let at = place.at((ends.0.0, *value)).1;
+            self.stroke(GRID, [(left, at), (right, at)]);
+            self.stroke(AXIS, [(left - 5.0, at), (left, at)]);
+            self.text(text, (left - 10.0, at), Form::mark("end", "0.5ex"));
+        }
+        self.stroke(AXIS, [(left, bottom), (right, bottom)]);
+        self.stroke(AXIS, [(left, top), (left, bottom)]);
+        let label = |dy| Form {
+            size: LABEL,
+            ..Form::mark("middle", dy)
+        };
+        let centre = place.at((middle(ends.0), middle(ends.1)));
+        self.text(
+            &x.label,
+            (centre.0, area.top + area.height - 12.0),
+            label("0"),
+        );
+        let upright = Form {
+            upright: true,
+            ..label("0.76em")
+        };
+        self.text(&y.label, (area.left + 10.0, centre.1), upright);
+        place
+    }
+
+    fn stroke(&mut self, colour: RGBColor, ends: [(f64, f64); 2]) {
+        let [a, b] = ends;
+        let points = format!("{:.2},{:.2} {:.2},{:.2}", a.0, a.1, b.0, b.1);
+        self.add(&html! {
+            polyline fill="none" stroke=(hex(colour)) stroke-width="1" points=(points) {}
+        });
+    }
+
+    fn text(&mut self, text: &str, (x, y): (f64, f64), form: Form) {
+        if text.is_empty() {
+            return;
+        }
+        let turn = form.upright.then(|| format!("rotate(-90 {x:.2} {y:.2})"));
+        self.add(&html! {
+            text x=(format!("{x:.2}")) y=(format!("{y:.2}")) dy=(form.dy) text-anchor=(form.anchor)
+                font-family="sans-serif" font-size=(form.size) fill=(hex(form.colour))
+                transform=[turn] { (legible(text)) }
+        });
+    }
+
+    fn add(&mut self, element: &Markup) {
+        self.below += &element.0;
+        self.below.push('\n');
+    }
+
     pub fn line(&mut self, place: &Place, curve: &Curve) {
         let mut points = String::new();
         for (k, p) in curve.points.iter().enumerate() {
@@ -132,7 +261,7 @@ impl Page {
             let space = if k > 0 { " " } else { "" };
             points.push_str(&format!("{space}{x:.2},{y:.2}"));
         }
-        self.add(&html! {
+        self.above(&html! {
             polyline fill="none" stroke=(hex(curve.colour)) stroke-width=(curve.width)
                 stroke-linejoin="round" stroke-dasharray=[curve.dashed.then_some("7 5")]
                 points=(points) {}
@@ -141,65 +270,83 @@ impl Page {
 
     pub fn dot(&mut self, place: &Place, p: (f64, f64), colour: RGBColor) {
         let (x, y) = place.at(p);
-        self.add(&html! {
+        self.above(&html! {
             circle cx=(format!("{x:.2}")) cy=(format!("{y:.2}")) r="3" fill=(hex(colour)) {}
         });
     }
 
-    fn add(&mut self, element: &Markup) {
-        self.curves.push(format!("{}\n", element.0));
+    fn above(&mut self, element: &Markup) {
+        self.curves += &element.0;
+        self.curves.push('\n');
+    }
+}
+
+/// How a text is written, and how it hangs at its place.
+struct Form {
+    size: u32,
+    colour: RGBColor,
+    anchor: &'static str,
+    dy: &'static str,
+    upright: bool,
+}
+
+impl Form {
+    fn mark(anchor: &'static str, dy: &'static str) -> Form {
+        Form {
+            size: SMALL,
+            colour: INK,
+            anchor,
+            dy,
+            upright: false,
+        }
     }
 }
 
 /// A page of that size, as text.
-pub fn drawn(
-    size: (u32, u32),
-    draw: impl FnOnce(&Area, &mut Page) -> Drawn,
-) -> Result<String, CannotDraw> {
-    let mut out = String::new();
+pub fn drawn((width, height): (u32, u32), draw: impl FnOnce(&Area, &mut Page)) -> String {
     let mut page = Page::default();
-    {
-        let root = SVGBackend::with_string(&mut out, size).into_drawing_area();
-        let done = root
-            .fill(&PAPER)
-            .map_err(Into::into)
-            .and_then(|()| draw(&root, &mut page));
-        let done = done.and_then(|()| root.present().map_err(Into::into));
-        done.map_err(CannotDraw)?;
-    }
-    let head = head(&page.title, &page.description.join("; "));
-    let begun = out.find('>').map_or(0, |k| k + 2);
-    out.insert_str(begun, &head.into_string());
-    let end = out.rfind("</svg>").unwrap_or(out.len());
-    out.insert_str(end, &page.curves.concat());
-    Ok(out)
+    let area = Area {
+        left: 0.0,
+        top: 0.0,
+        width: f64::from(width),
+        height: f64::from(height),
+    };
+    draw(&area, &mut page);
+    let svg = html! {
+        svg width=(width) height=(height) viewBox={ "0 0 " (width) " " (height) }
+            xmlns="http://www.w3.org/2000/svg" { "\n"
+            (head(&page.title, &page.description.join("; ")))
+            rect width=(width) height=(height) fill=(hex(PAPER)) {} "\n"
+            (maud::PreEscaped(page.below))
+            (maud::PreEscaped(page.curves))
+        } "\n"
+    };
+    svg.into_string()
 }
 
-/// What the page is about, and a line of notes below it. Returns what is left of the page.
-pub fn titled<'a>(
-    root: &Area<'a>,
-    page: &mut Page,
-    text: &str,
-    note: &str,
-) -> Result<Area<'a>, Box<dyn std::error::Error + Send + Sync>> {
+/// The page's subject, and a line of notes below it. Returns what is left of the page.
+pub fn titled(root: &Area, page: &mut Page, text: &str, note: &str) -> Area {
     let text = &legible(text);
     page.title.clone_from(text);
-    let font = ("sans-serif", 24).into_font().color(&INK);
-    root.draw(&Text::new(text.clone(), (24, 18), font))?;
+    let form = |size, colour| Form {
+        size,
+        colour,
+        ..Form::mark("start", "0.76em")
+    };
+    page.text(text, (24.0, 18.0), form(TITLE, INK));
     if note.is_empty() {
-        return Ok(root.margin(56, 10, 10, 24));
+        return root.margin(56.0, 10.0, 10.0, 24.0);
     }
     let note = legible(note);
-    let font = ("sans-serif", 15).into_font().color(&SOFT);
-    root.draw(&Text::new(note.clone(), (24, 50), font))?;
+    page.text(&note, (24.0, 50.0), form(SMALL, SOFT));
     page.description.push(note);
-    Ok(root.margin(76, 10, 10, 24))
+    root.margin(76.0, 10.0, 10.0, 24.0)
 }
 
 /// Curves over a common abscissa, their names in a line above. A panel without a label of its
 /// abscissa shares that of a panel below.
-pub fn panel(area: &Area, page: &mut Page, labels: (&str, &str), curves: &[Curve]) -> Drawn {
-    panel_over(abscissae(curves), area, page, labels, curves)
+pub fn panel(area: &Area, page: &mut Page, labels: (&str, &str), curves: &[Curve]) {
+    panel_over(abscissae(curves), area, page, labels, curves);
 }
 
 /// A panel with these ends of its abscissa.
@@ -209,79 +356,46 @@ pub fn panel_over(
     page: &mut Page,
     labels: (&str, &str),
     curves: &[Curve],
-) -> Drawn {
-    let labels = (labels.0, legible(labels.1));
+) {
     let points = curves.iter().flat_map(|c| c.points.iter());
     let (low, high) = padded(points.map(|p| p.1));
     let last = if last > first { last } else { first + 1.0 };
-    let named = curves.iter().any(|c| !c.name.is_empty());
-    let most = (area.dim_in_pixel().0.saturating_sub(112) / 60).clamp(3, 11) as usize;
-    let format = |from: f64, to: f64, most| {
-        let marks = RangedCoordf64::from(from..to).key_points(BoldPoints(most));
-        let near = 1e-9 * (to - from);
-        let zeroed = marks
-            .into_iter()
-            .map(|x| if x.abs() < near { 0.0 } else { x });
-        let format = Format::of(&zeroed.collect::<Vec<f64>>());
-        move |x: &f64| format.text(if x.abs() < near { 0.0 } else { *x })
-    };
-    let (abscissa, ordinate) = (format(first, last, most), format(low, high, 7));
-    let mut chart = ChartBuilder::on(area)
-        .margin(8)
-        .margin_right(20)
-        .margin_top(if named { 34 } else { 8 })
-        .x_label_area_size(if labels.0.is_empty() { 28 } else { 48 })
-        .y_label_area_size(84)
-        .build_cartesian_2d(first..last, low..high)?;
-    chart
-        .configure_mesh()
-        .x_labels(most)
-        .y_labels(7)
-        .x_label_formatter(&abscissa)
-        .y_label_formatter(&ordinate)
-        .x_desc(labels.0)
-        .y_desc(&labels.1)
-        .label_style(("sans-serif", 15).into_font().color(&INK))
-        .axis_desc_style(("sans-serif", 17).into_font().color(&INK))
-        .axis_style(AXIS)
-        .bold_line_style(GRID)
-        .light_line_style(TRANSPARENT)
-        .draw()?;
+    let most = ((area.width - 112.0) / 60.0).clamp(3.0, 11.0) as usize;
+    let axes = [
+        Axis::linear(labels.0, (first, last), most),
+        Axis::linear(labels.1, (low, high), 7),
+    ];
+    let label = axes[1].label.clone();
+    let place = page.axes(area, axes, curves.iter().any(|c| !c.name.is_empty()));
     if low < 0.0 && high > 0.0 {
-        let zero = [(first, 0.0), (last, 0.0)];
-        chart.draw_series(LineSeries::new(zero, AXIS.stroke_width(1)))?;
+        let zero = [first, last].map(|x| place.at((x, 0.0)));
+        page.stroke(AXIS, zero);
     }
-    let place = Place::of(&chart, first..last, low..high);
     curves.iter().for_each(|c| page.line(&place, c));
-    if !labels.1.is_empty() {
-        let names: Vec<&str> = curves.iter().map(|c| c.name).collect();
-        let names: Vec<&str> = names.into_iter().filter(|n| !n.is_empty()).collect();
+    if !label.is_empty() {
+        let names = curves.iter().map(|c| c.name).filter(|n| !n.is_empty());
+        let names: Vec<&str> = names.collect();
         let of = if names.is_empty() { "" } else { " of " };
-        let text = format!("{}{of}{}", labels.1, names.join(", "));
+        let text = format!("{label}{of}{}", names.join(", "));
         page.description.push(text);
     }
-    legend(area, curves)
+    legend(area, page, curves);
 }
 
-/// In a line above the panel, where no curve can run through the names.
-pub fn legend(area: &Area, curves: &[Curve]) -> Drawn {
-    let font = ("sans-serif", 15).into_font().color(&INK);
-    let mut x = 100;
+/// Writes names in a line above the panel, where no curve can run through them.
+pub fn legend(area: &Area, page: &mut Page, curves: &[Curve]) {
+    let (mut x, y) = (area.left + 100.0, area.top + 18.0);
     for c in curves.iter().filter(|c| !c.name.is_empty()) {
-        let style = c.colour.stroke_width(3);
-        let strokes: &[(i32, i32)] = if c.dashed {
-            &[(0, 7), (10, 17), (20, 27)]
-        } else {
-            &[(0, 27)]
-        };
-        for (from, to) in strokes {
-            area.draw(&PathElement::new([(x + from, 18), (x + to, 18)], style))?;
-        }
-        area.draw(&Text::new(legible(c.name), (x + 34, 10), font.clone()))?;
+        let points = format!("{x:.2},{y:.2} {:.2},{y:.2}", x + 27.0);
+        page.add(&html! {
+            polyline fill="none" stroke=(hex(c.colour)) stroke-width="3"
+                stroke-dasharray=[c.dashed.then_some("7 3")] points=(points) {}
+        });
+        let form = Form::mark("start", "0.76em");
+        page.text(c.name, (x + 34.0, y - 8.0), form);
         // Letters of this size are about eight pixels wide.
-        x += 34 + 8 * c.name.chars().count() as i32 + 26;
+        x += 34.0 + 8.0 * c.name.chars().count() as f64 + 26.0;
     }
-    Ok(())
 }
 
 /// A number without needless zeros.
@@ -316,5 +430,4 @@ fn padded(values: impl Iterator<Item = f64>) -> (f64, f64) {
 }
 
 #[cfg(test)]
-#[path = "panel_tests.rs"]
 pub(super) mod tests;

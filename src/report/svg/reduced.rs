@@ -1,9 +1,8 @@
 //! The reduced quantities over the crank angle, in three panels.
 
-use super::panel::{CannotDraw, Curve, curve, drawn, panel_over, titled};
-use super::style::{BLUE, GREEN, ORANGE};
+use super::panel::{Curve, curve, drawn, panel_over, titled};
+use super::style::{BLUE, GREEN, ORANGE, RGBColor};
 use crate::solvers::reduction::Reduced;
-use plotters::style::RGBColor;
 
 /// A label, a colour and what is drawn.
 type Course = (&'static str, RGBColor, fn(&Reduced) -> f64);
@@ -20,7 +19,7 @@ const PANELS: [Course; 3] = [
 ///
 /// Beside the ends of a branch the quantities grow without bound; where the rows are not a `whole`
 /// turn, the vertical range is that of their middle nine tenths.
-pub fn draw(name: &str, rows: &[(f64, Reduced)], whole: bool) -> Result<String, CannotDraw> {
+pub fn draw(name: &str, rows: &[(f64, Reduced)], whole: bool) -> String {
     let note = match whole {
         true => "",
         false => {
@@ -30,7 +29,7 @@ pub fn draw(name: &str, rows: &[(f64, Reduced)], whole: bool) -> Result<String, 
     let at = |row: Option<&(f64, Reduced)>| row.map_or(0.0, |r| r.0);
     let (first, last) = (at(rows.first()), at(rows.last()));
     drawn((1000, 1080), |root, page| {
-        let areas = titled(root, page, name, note)?.split_evenly((PANELS.len(), 1));
+        let areas = titled(root, page, name, note).split(PANELS.len(), 1);
         for (k, (area, (label, colour, value))) in areas.iter().zip(PANELS).enumerate() {
             let skip = if whole { 0 } else { rows.len() / 20 };
             let middle = rows[skip..rows.len() - skip].iter();
@@ -49,9 +48,8 @@ pub fn draw(name: &str, rows: &[(f64, Reduced)], whole: bool) -> Result<String, 
                 true => "crank angle φ1, degrees",
                 false => "",
             };
-            panel_over((first, last), area, page, (angle, label), &curves)?;
+            panel_over((first, last), area, page, (angle, label), &curves);
         }
-        Ok(())
     })
 }
 
@@ -78,7 +76,7 @@ mod tests {
             (f64::from(k), reduced)
         };
         let rows: Vec<(f64, Reduced)> = (0..20).map(row).collect();
-        let drawn = |whole| points(&draw("a", &rows, whole).unwrap()).len();
+        let drawn = |whole| points(&draw("a", &rows, whole)).len();
         assert_eq!((drawn(false), drawn(true)), (18, 20));
     }
 
@@ -100,7 +98,7 @@ mod tests {
     fn the_range_is_that_of_the_middle() {
         let slope = |n: u32| (0..n).map(f64::from).collect::<Vec<f64>>();
         let counted = |values: &[f64], whole| {
-            let lines = curves(&draw("a", &rows(values), whole).unwrap());
+            let lines = curves(&draw("a", &rows(values), whole));
             lines.iter().map(Vec::len).collect::<Vec<_>>()
         };
         assert_eq!(counted(&slope(40), false), [36; 3]);
@@ -114,7 +112,7 @@ mod tests {
         inside[39] = 20.0;
         assert_eq!(counted(&inside, false), [36, 1, 36, 1, 36, 1]);
         // What is beyond at both ends leaves the abscissa as long as it is.
-        let svg = draw("a", &rows(&slope(40)), false).unwrap();
+        let svg = draw("a", &rows(&slope(40)), false);
         let line = &curves(&svg)[0];
         let at = |k: f64| 102.0 + k / 39.0 * (955.0 - 102.0);
         assert!((line[0].0 - at(2.0)).abs() < 0.011 && (line[35].0 - at(37.0)).abs() < 0.011);
@@ -123,7 +121,7 @@ mod tests {
     #[test]
     fn only_the_lowest_panel_names_the_angle() {
         for whole in [true, false] {
-            let svg = draw("a", &rows(&[1.0, 2.0, 3.0]), whole).unwrap();
+            let svg = draw("a", &rows(&[1.0, 2.0, 3.0]), whole);
             let texts = texts(&svg);
             for (text, n) in [
                 ("crank angle φ1, degrees", 1),

@@ -1,11 +1,8 @@
 //! Drawings of a run: speed, torques and energies over time, and work against precision.
 
-use super::panel::{
-    Area, CannotDraw, Curve, Drawn, Page, Panel, Place, curve, drawn, legend, panel, tick, titled,
-};
-use super::style::{AXIS, BLUE, GREEN, GRID, INK, ORANGE, PURPLE};
+use super::panel::{Area, Axis, Curve, Page, Panel, curve, drawn, legend, panel, tick, titled};
+use super::style::{BLUE, GREEN, ORANGE, PURPLE, RGBColor};
 use crate::solvers::run_up::Sample;
-use plotters::prelude::*;
 
 /// A name, a colour and what is drawn.
 type Course = (&'static str, RGBColor, fn(&Sample) -> f64);
@@ -35,14 +32,10 @@ const PANELS: [(&str, &[Course]); 3] = [
 const BINS: usize = 700;
 
 /// Width of the panels that show it enlarged.
-const ENLARGED: u32 = 370;
+const ENLARGED: f64 = 370.0;
 
 /// The drawing of a run; a short start has samples of its own and stands enlarged beside the rest.
-pub fn draw(
-    name: &str,
-    samples: &[Sample],
-    start: Option<&[Sample]>,
-) -> Result<String, CannotDraw> {
+pub fn draw(name: &str, samples: &[Sample], start: Option<&[Sample]>) -> String {
     let end = |s: &[Sample]| s.last().map_or(0.0, |s| s.t);
     let note = start.map_or(String::new(), |s| {
         let times = end(samples) / end(s);
@@ -53,16 +46,16 @@ pub fn draw(
         )
     });
     drawn((1000, 1080), |root, page| {
-        let areas = titled(root, page, name, &note)?.split_evenly((PANELS.len(), 1));
+        let areas = titled(root, page, name, &note).split(PANELS.len(), 1);
         for (k, (area, (label, courses))) in areas.iter().zip(PANELS).enumerate() {
             let seen = seen(courses, samples);
             let last = k + 1 == PANELS.len();
             let Some(start) = start else {
                 let time = if last { "time, s" } else { "" };
-                panel(area, page, (time, label), &curves(&seen, samples, 1.0))?;
+                panel(area, page, (time, label), &curves(&seen, samples, 1.0));
                 continue;
             };
-            let (left, right) = area.split_horizontally(ENLARGED);
+            let (left, right) = area.split_at(ENLARGED);
             let (ms, s) = if last {
                 ("time, ms", "time, s")
             } else {
@@ -72,15 +65,14 @@ pub fn draw(
             // The names stand over the whole run, where there is room for them.
             let names = enlarged.iter().any(|c| !c.name.is_empty());
             let left = if names {
-                left.margin(26, 0, 0, 0)
+                left.margin(26.0, 0.0, 0.0, 0.0)
             } else {
                 left
             };
             enlarged.iter_mut().for_each(|c| c.name = "");
-            panel(&left, page, (ms, label), &enlarged)?;
-            panel(&right, page, (s, ""), &curves(&seen, samples, 1.0))?;
+            panel(&left, page, (ms, label), &enlarged);
+            panel(&right, page, (s, ""), &curves(&seen, samples, 1.0));
         }
-        Ok(())
     })
 }
 
@@ -142,15 +134,15 @@ pub struct Work {
 }
 
 /// The diagram of work against precision.
-pub fn work_precision(name: &str, methods: &[Work]) -> Result<String, CannotDraw> {
+pub fn work_precision(name: &str, methods: &[Work]) -> String {
     drawn((1000, 700), |root, page| {
         let note = "each point a tolerance: what it costs and how far off the speed is";
-        let body = titled(root, page, &format!("{name}: work and precision"), note)?;
-        diagram(&body, page, methods)
+        let body = titled(root, page, &format!("{name}: work and precision"), note);
+        diagram(&body, page, methods);
     })
 }
 
-fn diagram(body: &Area, page: &mut Page, methods: &[Work]) -> Drawn {
+fn diagram(body: &Area, page: &mut Page, methods: &[Work]) {
     // An error of exactly zero has no place on the axis; rounding is about here.
     let error = |p: &(f64, u64)| p.0.max(1e-16).log10();
     let work = |p: &(f64, u64)| (p.1.max(1) as f64).log10();
@@ -161,30 +153,19 @@ fn diagram(body: &Area, page: &mut Page, methods: &[Work]) -> Drawn {
         (low, high.max(low + 1.0))
     };
     let ((x0, x1), (y0, y1)) = (bounds(&error), bounds(&work));
-    // No labels between powers of ten.
-    let labels = (x1 - x0 + 1.0).min(14.0) as usize;
     // Errors fall to the right.
-    let mut chart = ChartBuilder::on(body)
-        .margin(8)
-        .margin_top(34)
-        .x_label_area_size(52)
-        .y_label_area_size(84)
-        .build_cartesian_2d(-x1..-x0, (10f64.powf(y0)..10f64.powf(y1)).log_scale())?;
-    let power = |x: f64| format!("1e{:.0}", -x);
-    chart
-        .configure_mesh()
-        .x_labels(labels)
-        .x_label_formatter(&|x| power(*x))
-        .y_label_formatter(&|y| format!("{y:.0}"))
-        .x_desc("worst error of the speed found, rad/s")
-        .y_desc("evaluations of the right-hand side")
-        .label_style(("sans-serif", 15).into_font().color(&INK))
-        .axis_desc_style(("sans-serif", 17).into_font().color(&INK))
-        .axis_style(AXIS)
-        .bold_line_style(GRID)
-        .light_line_style(TRANSPARENT)
-        .draw()?;
-    let place = Place::of(&chart, -x1..-x0, y0..y1);
+    let axes = [
+        Axis::decades(
+            "worst error of the speed found, rad/s",
+            (-x1, -x0),
+            14,
+            |x| format!("1e{:.0}", -x),
+        ),
+        Axis::decades("evaluations of the right-hand side", (y0, y1), 10, |y| {
+            format!("{:.0}", 10f64.powf(y))
+        }),
+    ];
+    let place = page.axes(body, axes, true);
     let mut lines = Vec::new();
     for (m, colour) in methods.iter().zip([BLUE, ORANGE, GREEN, PURPLE]) {
         let line: Vec<(f64, f64)> = m.points.iter().map(|p| (-error(p), work(p))).collect();
@@ -192,9 +173,8 @@ fn diagram(body: &Area, page: &mut Page, methods: &[Work]) -> Drawn {
         lines.push(curve(m.method, line, colour));
     }
     lines.iter().for_each(|c| page.line(&place, c));
-    legend(body, &lines)
+    legend(body, page, &lines);
 }
 
 #[cfg(test)]
-#[path = "run_up_tests.rs"]
 mod tests;

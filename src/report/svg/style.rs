@@ -1,12 +1,9 @@
 //! Colours of the drawings on light and on dark pages, and what stands at the head of each file.
 
 use maud::{Markup, PreEscaped, html};
-#[cfg(feature = "report")]
-use plotters::style::RGBColor;
 
-/// A colour, as `plotters` has it in the build with charts.
-#[cfg(not(feature = "report"))]
-#[derive(Clone, Copy)]
+/// A colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RGBColor(pub u8, pub u8, pub u8);
 
 pub const PAPER: RGBColor = RGBColor(255, 255, 255);

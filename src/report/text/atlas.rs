@@ -305,5 +305,4 @@ fn decided(c: &Decided, width: usize) -> String {
 }
 
 #[cfg(test)]
-#[path = "atlas_tests.rs"]
 mod tests;

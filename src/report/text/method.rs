@@ -299,5 +299,4 @@ fn laws(report: &MethodReport, width: usize) -> String {
 }
 
 #[cfg(test)]
-#[path = "method_tests.rs"]
 pub(crate) mod tests;

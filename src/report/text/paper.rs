@@ -121,5 +121,4 @@ fn tallies(tallies: &[Tally]) -> String {
 }
 
 #[cfg(test)]
-#[path = "paper_tests.rs"]
 pub(crate) mod tests;

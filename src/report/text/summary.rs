@@ -173,5 +173,4 @@ pub fn everything(
 }
 
 #[cfg(test)]
-#[path = "summary_tests.rs"]
 mod tests;

@@ -189,5 +189,4 @@ pub fn settings(s: &crate::audit::Settings) -> String {
 }
 
 #[cfg(test)]
-#[path = "audit_tests.rs"]
 mod tests;

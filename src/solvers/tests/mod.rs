@@ -1,8 +1,9 @@
-//! The solvers against certified values, without GMP or MPFR: `tests/solver_values/`.
+//! The solvers against certified values, without GMP or MPFR.
 //!
-//! Every line of a file is an input, the values to 20 digits by the certified reference and what
-//! each may be off by; `tests/library/solver_values_written.rs` writes them. Each value is asked for on all
-//! paths there are: one point, batches, all cores.
+//! The values are those of `reference/values/`; `tests/solver_values/allowed.csv` says how far off each of
+//! them a solver may be. `tests/solver_values/special.csv` has more points of the Faddeeva family, with
+//! both. Each value is asked for on all paths there are: one point, batches, all cores.
+//! `tests/library/solver_values.rs` writes the allowances.
 //!
 //! These are unit tests of the lean build, not a target in `tests/`, so that a mutant is compiled
 //! once (`tests/mutants.md`).
@@ -35,27 +36,81 @@ struct Line {
     due: Result<Vec<(f64, f64)>, String>,
 }
 
+/// A decimal, or a hexadecimal float such as `-0x1.8p-3`.
+fn number(text: &str) -> f64 {
+    let plain = text.trim_start_matches('-');
+    let Some((digits, exponent)) = plain.strip_prefix("0x").and_then(|t| t.split_once('p')) else {
+        return text.parse().unwrap_or_else(|e| panic!("{text:?}: {e}"));
+    };
+    let (whole, part) = digits.split_once('.').unwrap_or((digits, ""));
+    let bits = u64::from_str_radix(&format!("{whole}{part}"), 16).expect("hexadecimal digits");
+    let exponent: i32 = exponent.parse().expect("an exponent");
+    let exponent = exponent - 4 * part.len() as i32;
+    // In two steps: the power of a subnormal number is no double.
+    let half = exponent / 2;
+    let size = bits as f64 * 2f64.powi(half) * 2f64.powi(exponent - half);
+    if text.starts_with('-') { -size } else { size }
+}
+
 fn numbers(text: &str) -> Vec<f64> {
-    let number = |t: &str| t.parse().unwrap_or_else(|e| panic!("{t:?}: {e}"));
     text.split_whitespace().map(number).collect()
 }
 
+/// The lines of a file below its comments and its header.
+fn body(file: &str, header: &str) -> String {
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+    let text = std::fs::read_to_string(format!("{root}/{file}")).expect("a file");
+    let start = text.find(header).expect("the columns");
+    text[start + header.len()..].trim_start().to_owned()
+}
+
+/// All lines of a method: those of `reference/values/`, then those of the Faddeeva family's own file.
 fn lines(method: &str) -> Vec<Line> {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/solver_values");
-    let text = std::fs::read_to_string(format!("{folder}/{method}.csv")).expect("a file");
-    let (header, rest) = text.split_once('\n').expect("a header");
-    assert_eq!(header, "place,input,value,allowed");
-    let all: Vec<Line> = rest.lines().map(line).collect();
+    let values = body(
+        &format!("reference/values/{method}.csv"),
+        "region,case,input,value,radius,condition",
+    );
+    let allowed = body(
+        "tests/solver_values/allowed.csv",
+        "method,region,case,allowed",
+    );
+    let special = body(
+        "tests/solver_values/special.csv",
+        "place,input,value,allowed",
+    );
+    let start = format!("{method},");
+    let mut allowed = allowed.lines().filter_map(|l| l.strip_prefix(&start));
+    let certified = values.lines().map(|text| {
+        let fields: Vec<&str> = text.split(',').collect();
+        let [region, case, input, value, radius, _] = fields[..] else {
+            panic!("{text:?} has not six columns");
+        };
+        let place = format!("{region},{case}");
+        let own = allowed.next().and_then(|l| l.strip_prefix(&place));
+        let own = own.and_then(|l| l.strip_prefix(','));
+        let own = own.unwrap_or_else(|| {
+            panic!("{method} at {place} has no allowance: `solver_values::write` writes it")
+        });
+        let mut line = line([&place, input, value, own]);
+        // The value itself is only so well known.
+        let due = line.due.iter_mut().flatten();
+        let radii = numbers(radius);
+        due.zip(radii).for_each(|(due, radius)| due.1 += radius);
+        line
+    });
+    let mut all: Vec<Line> = certified.collect();
     assert!(!all.is_empty(), "{method} has no values");
+    all.extend(special.lines().filter_map(|text| {
+        let fields: Vec<&str> = text.split(',').collect();
+        let fields: [&str; 4] = fields.try_into().expect("four columns");
+        let (name, _) = fields[0].rsplit_once('-').expect("a method and a number");
+        (name == method).then(|| line(fields))
+    }));
     all
 }
 
-fn line(text: &str) -> Line {
-    let fields: Vec<&str> = text.split(',').collect();
-    let [place, input, value, allowed] = fields[..] else {
-        panic!("{text:?} has not four columns");
-    };
-    let due = match value.strip_prefix("refused: ") {
+fn line([place, input, value, allowed]: [&str; 4]) -> Line {
+    let due = match value.strip_prefix("refuse ") {
         Some(word) => Err(word.into()),
         None => {
             let (values, allowed) = (numbers(value), numbers(allowed));
@@ -122,7 +177,12 @@ fn same(a: f64, b: f64) -> bool {
 
 #[test]
 fn a_planted_fault_is_found() {
-    let line = line("x,1.0 2.0,0.33333333333333333333 inf nan,1e-16 0 0");
+    let line = line([
+        "x",
+        "1.0 2.0",
+        "0.33333333333333333333 inf nan",
+        "1e-16 0 0",
+    ]);
     let due = line.due.as_ref().expect("values");
     let (third, inf, nan) = (1.0 / 3.0, f64::INFINITY, f64::NAN);
     assert!(fits(due, &[third, inf, nan]));
@@ -132,4 +192,19 @@ fn a_planted_fault_is_found() {
     assert!(!fits(due, &[third, -inf, nan]));
     assert!(!fits(due, &[third, inf, 0.0]));
     assert!(close(f64::MAX, (inf, 0.0)) && !close(1e308, (inf, 0.0)));
+}
+
+#[test]
+fn hexadecimal_floats_are_read_exactly() {
+    let cases = [
+        ("0x1p+0", 1.0),
+        ("-0x1.8p-3", -0.1875),
+        ("0x0.0000000000001p-1022", 5e-324),
+        ("-0x1.fffffffffffffp+1023", f64::MIN),
+        ("0x1.999999999999ap-4", 0.1),
+    ];
+    for (text, due) in cases {
+        assert!(same(number(text), due), "{text}");
+    }
+    assert!(same(number("-0x0p+0"), -0.0) && number("-inf") == f64::NEG_INFINITY);
 }

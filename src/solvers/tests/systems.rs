@@ -59,6 +59,17 @@ fn open() {
     );
 }
 
+#[test]
+fn pivoting() {
+    let pivoted = |x: &[f64]| -> Answer {
+        let [l, b, u, d] = parts(x);
+        Pivoted::factor(l, b, u)
+            .and_then(|p| p.solve(d))
+            .map_err(word)
+    };
+    hold("tridiagonal-pivoting", &[("pivoted", &pivoted)]);
+}
+
 /// Pivoting has another error; three times what the sweep is allowed is ample, and the sweep's
 /// refusals need not be its own.
 #[test]

@@ -140,7 +140,7 @@ fn arc_tangents_beside_the_real_axis() {
         let im = Ball::integer(BITS, 0).widened(Mag::from_f64(off));
         ComplexBall::new(Ball::exact(BITS, x), im)
     };
-    let mut arctan = |x: f64, off: f64| enclosures.call(Func::Arctan, &ball(x, off));
+    let mut arctan = |x: f64, off: f64| enclosures.call(Func::Arctan, &[ball(x, off)]);
     for x in [-3.0, -1.0, 0.0, 0.25, 1.0, 40.0f64] {
         for off in [1e-20, 1e-3, 0.25, 0.5] {
             let found = arctan(x, off).unwrap();
@@ -167,9 +167,9 @@ fn arc_tangents_beside_the_real_axis() {
         assert!(arctan(x, 0.5f64.next_up()).is_err() && arctan(x, 0.75).is_err());
     }
     let off_axis = ComplexBall::new(Ball::integer(BITS, 1), Ball::exact(BITS, 0.125));
-    assert!(enclosures.call(Func::Arctan, &off_axis).is_err());
+    assert!(enclosures.call(Func::Arctan, &[off_axis]).is_err());
     // Exactly real: no imaginary part at all.
-    let real = enclosures.call(Func::Arctan, &ball(2.0, 0.0)).unwrap();
+    let real = enclosures.call(Func::Arctan, &[ball(2.0, 0.0)]).unwrap();
     assert!(real.im.is_zero());
 }
 

@@ -19,7 +19,7 @@ fn moves_stay_within_reach() {
 #[test]
 fn the_reach_is_a_factor_of_four() {
     for s in [1.0, -1.0] {
-        for (x, due) in [
+        for (x, expected) in [
             (4.0, true),
             (4f64.next_up(), false),
             (0.25, true),
@@ -28,7 +28,7 @@ fn the_reach_is_a_factor_of_four() {
             (f64::NAN, false),
             (f64::INFINITY, false),
         ] {
-            assert_eq!(within_reach(&[s], &[s * x]), due, "{s} {x}");
+            assert_eq!(within_reach(&[s], &[s * x]), expected, "{s} {x}");
         }
     }
     assert!(within_reach(&[0.0, 1.0], &[-0.0, 1.0]));
@@ -39,7 +39,7 @@ fn the_reach_is_a_factor_of_four() {
 
 #[test]
 fn numbers_move_by_neighbours() {
-    for (x, by, due) in [
+    for (x, by, expected) in [
         (1.0, 1, 1f64.next_up()),
         (1.0, -1, 1f64.next_down()),
         (-1.0, 1, (-1f64).next_down()),
@@ -51,7 +51,7 @@ fn numbers_move_by_neighbours() {
     ] {
         let mut v = x;
         by_bits(&mut v, by);
-        assert_eq!(v, due, "{x} {by}");
+        assert_eq!(v, expected, "{x} {by}");
     }
 }
 
@@ -326,6 +326,6 @@ fn moves_are_those_of_the_stream() {
             .map(|x| crate::hex_float(*x))
             .collect::<Vec<_>>(),
     );
-    let due = r#"(9eb99c3593b8ce98, ["0x1.4cccccccccccdp+0", "-0x1.4f8b588e368efp-16"])"#;
-    assert_eq!(format!("{found:x?}"), due);
+    let expected = r#"(9eb99c3593b8ce98, ["0x1.4cccccccccccdp+0", "-0x1.4f8b588e368efp-16"])"#;
+    assert_eq!(format!("{found:x?}"), expected);
 }

@@ -2,11 +2,17 @@
 
 use super::*;
 
-fn exactly(due: Due) -> ReferenceAnswer {
-    ReferenceAnswer::Dues(vec![due], Proof::Exact)
+fn exactly(expected: Expected) -> ReferenceAnswer {
+    ReferenceAnswer::Expected(vec![expected], Proof::Exact)
 }
 
-fn one(limit: Limit, format: Format, got: f64, due: Due, condition: Option<f64>) -> Judgement {
+fn one(
+    limit: Limit,
+    format: Format,
+    got: f64,
+    expected: Expected,
+    condition: Option<f64>,
+) -> Judgement {
     let outputs = outputs(limit);
     let rules = Rules {
         outputs: &outputs,
@@ -16,40 +22,40 @@ fn one(limit: Limit, format: Format, got: f64, due: Due, condition: Option<f64>)
     let conditions = condition.map(|c| [c]);
     let conditions = conditions.as_ref().map(|c| c.as_slice());
     let answer = SolverAnswer::Values(vec![got]);
-    judge_by(&rules, &answer, &exactly(due), conditions)
+    judge_by(&rules, &answer, &exactly(expected), conditions)
 }
 
 /// What is wrong where no number is due has its kind in its place, and what is right has none.
 #[test]
 fn kinds_where_no_number_is_due() {
-    let kind = |got: f64, due: Due| {
-        let found = one(Limit::Ulps(4.0), Format::Double, got, due, None);
+    let kind = |got: f64, expected: Expected| {
+        let found = one(Limit::Ulps(4.0), Format::Double, got, expected, None);
         let c = &found.components[0];
         assert_eq!(c.kind, found.kind);
         assert!(c.ulps.is_nan() && c.conditioned.is_nan() && c.condition.is_nan());
         (c.verdict, c.kind, c.of_budget)
     };
-    let infinity = || Due::Infinity { negative: false };
+    let infinity = || Expected::Infinity { negative: false };
     let wrong = |kind| (Verdict::WrongKind, Some(kind), f64::INFINITY);
     let right = (Verdict::Pass, None, 0.0);
     assert_eq!(kind(f64::INFINITY, infinity()), right);
-    assert_eq!(kind(f64::NAN, Due::NotANumber), right);
+    assert_eq!(kind(f64::NAN, Expected::NotANumber), right);
     assert_eq!(kind(f64::NAN, infinity()), wrong(Kind::Nan));
     assert_eq!(kind(f64::NEG_INFINITY, infinity()), wrong(Kind::Infinity));
     assert_eq!(kind(1.0, infinity()), wrong(Kind::Finite));
-    assert_eq!(kind(0.0, Due::NotANumber), wrong(Kind::Finite));
+    assert_eq!(kind(0.0, Expected::NotANumber), wrong(Kind::Finite));
 }
 
 /// Of a zero the condition number is infinite, whatever the derivatives are.
 #[test]
 fn zero_has_no_finite_condition_number() {
     for c in [0.0, 3.0] {
-        let zero = Due::Number(Ball::integer(64, 0));
+        let zero = Expected::Number(Ball::integer(64, 0));
         let found = one(Limit::Absolute(1.0), Format::Double, 0.0, zero, Some(c));
         assert_eq!(found.components[0].condition, f64::INFINITY, "{c}");
         assert_eq!(found.verdict, Verdict::Pass);
     }
-    let number = Due::Number(Ball::integer(64, 4));
+    let number = Expected::Number(Ball::integer(64, 4));
     let found = one(Limit::Absolute(1.0), Format::Double, 4.0, number, Some(0.0));
     assert_eq!(found.components[0].condition, 0.0);
 }
@@ -59,8 +65,8 @@ fn zero_has_no_finite_condition_number() {
 fn the_smallest_numbers_of_single_precision() {
     let least = 2f64.powi(-149);
     let judged = |got: f64, limit: Limit, format: Format| {
-        let due = Due::Number(Ball::exact(64, 1.5 * least));
-        one(limit, format, got, due, None).verdict
+        let expected = Expected::Number(Ball::exact(64, 1.5 * least));
+        one(limit, format, got, expected, None).verdict
     };
     for limit in [
         Limit::RelativeOrAbsolute(1e-12, 1e-300),
@@ -89,8 +95,16 @@ fn the_smallest_numbers_of_single_precision() {
 fn a_number_is_no_infinity_from_the_border_on() {
     for format in [Format::Double, Format::Single] {
         let edge = format.overflow();
-        let verdict =
-            |due: Ball| one(Limit::Ulps(4.0), format, 1.0, Due::Number(due), None).verdict;
+        let verdict = |expected: Ball| {
+            one(
+                Limit::Ulps(4.0),
+                format,
+                1.0,
+                Expected::Number(expected),
+                None,
+            )
+            .verdict
+        };
         assert_eq!(verdict(edge.clone()), Verdict::WrongKind);
         assert_eq!(verdict(-&edge), Verdict::WrongKind);
         let unit = Mag::power_of_two(100);
@@ -115,7 +129,7 @@ fn an_error_that_may_be_allowed_is_undecided() {
             Limit::Absolute(1.0),
             Format::Double,
             got,
-            Due::Number(ball),
+            Expected::Number(ball),
             None,
         );
         found.verdict
@@ -134,7 +148,7 @@ fn an_error_that_may_be_allowed_is_undecided() {
             limit,
             Format::Double,
             f64::INFINITY,
-            Due::Number(ball),
+            Expected::Number(ball),
             None,
         );
         found.verdict
@@ -144,8 +158,8 @@ fn an_error_that_may_be_allowed_is_undecided() {
     assert_eq!(below(899, 898), Verdict::Pass);
     // Bounds of 53 bits do not tell a number from one that is larger by 2^-80 of it.
     let judged = |got: f64, mid: Float, limit: f64| {
-        let due = Due::Number(Ball::new(mid, Mag::ZERO));
-        one(Limit::Absolute(limit), Format::Double, got, due, None).verdict
+        let expected = Expected::Number(Ball::new(mid, Mag::ZERO));
+        one(Limit::Absolute(limit), Format::Double, got, expected, None).verdict
     };
     let more: Float = Float::with_val(128, 2f64.powi(-80)) + 1;
     assert_eq!(judged(0.0, more.clone(), 1.0), Verdict::Undecided);
@@ -157,11 +171,11 @@ fn an_error_that_may_be_allowed_is_undecided() {
 /// The norm of an error is a multiple of u of the norm, for subnormal norms of the smallest normal number.
 #[test]
 fn norms_have_a_least_size() {
-    let normwise = |got: f64, due: f64, format: Format| {
-        let due = Due::Number(Ball::exact(64, due));
-        one(Limit::Absolute(1.0), format, got, due, None).normwise
+    let normwise = |got: f64, expected: f64, format: Format| {
+        let expected = Expected::Number(Ball::exact(64, expected));
+        one(Limit::Absolute(1.0), format, got, expected, None).normwise
     };
-    let near = |x: f64, due: f64| (x - due).abs() <= 1e-9 * due;
+    let near = |x: f64, expected: f64| (x - expected).abs() <= 1e-9 * expected;
     let tiny = f64::MIN_POSITIVE;
     // A unit of the smallest numbers is two u of the smallest normal one.
     assert!(near(
@@ -205,8 +219,8 @@ fn a_pass_is_within_the_budget() {
             (Limit::Normwise(r), part(53), c),
         ] {
             let judged = |by: f64| {
-                let due = Due::Number(reference_of(&part, more, by));
-                one(limit, Format::Double, 1.0, due, Some(c)).verdict
+                let expected = Expected::Number(reference_of(&part, more, by));
+                one(limit, Format::Double, 1.0, expected, Some(c)).verdict
             };
             let verdict = judged(2f64.powi(-60));
             assert!(verdict != Verdict::Pass, "{limit} {c}");
@@ -223,16 +237,16 @@ fn a_pass_is_within_the_budget() {
 #[test]
 fn an_infinite_condition_allows_nothing_elsewhere() {
     let outputs = outputs(Limit::Normwise(4.0));
-    let number = |x: f64| Due::Number(Ball::exact(64, x));
-    let judged = |dues: [Due; 2], got: [f64; 2], conditions: [f64; 2]| {
+    let number = |x: f64| Expected::Number(Ball::exact(64, x));
+    let judged = |expected: [Expected; 2], got: [f64; 2], conditions: [f64; 2]| {
         let answer = SolverAnswer::Values(got.to_vec());
-        let reference = ReferenceAnswer::Dues(dues.to_vec(), Proof::Exact);
+        let reference = ReferenceAnswer::Expected(expected.to_vec(), Proof::Exact);
         let found = judge(&outputs, &answer, &reference, Some(&conditions));
         (found.verdict, found.components[1].verdict)
     };
     // 4 u of 1 + 1 are 4 ulps of one.
     let (near, far) = (1.0 + 4.0 * f64::EPSILON, 1.0 + 5.0 * f64::EPSILON);
-    let infinity = || Due::Infinity { negative: false };
+    let infinity = || Expected::Infinity { negative: false };
     for c in [f64::INFINITY, f64::NAN] {
         let beside = |got| judged([infinity(), number(1.0)], [f64::INFINITY, got], [c, 1.0]);
         assert_eq!(beside(near), (Verdict::Pass, Verdict::Pass));
@@ -254,31 +268,31 @@ fn a_bound_on_a_norm_of_many_values_is_below() {
             squares.add(Some(Mag::from_f64(1.0)), Mag::ZERO, Mag::ZERO);
         }
         let root = squares.norms(Format::Double).0.to_float();
-        let due = Float::with_val(200, n).sqrt();
-        assert!(root < due, "{n}");
-        assert!(root > due * (1.0 - 2f64.powi(-32)), "{n}");
+        let expected = Float::with_val(200, n).sqrt();
+        assert!(root < expected, "{n}");
+        assert!(root > expected * (1.0 - 2f64.powi(-32)), "{n}");
         assert_eq!(squares.terms, n as usize);
     }
     // Shares that are recorded depend on it.
     for (n, slack) in [(0, -40), (1, -40), (1024, -40), (2048, -39), (8192, -37)] {
         let root = Squares::root_below(Mag::from_f64(4.0), n).to_f64() / 2.0;
-        let due = 1.0 - 2f64.powi(slack);
-        assert!((due..due + 2f64.powi(-50)).contains(&root), "{n}");
+        let expected = 1.0 - 2f64.powi(slack);
+        assert!((expected..expected + 2f64.powi(-50)).contains(&root), "{n}");
     }
 }
 
 /// A share of a normwise budget is that of the largest value with its condition number.
 #[test]
 fn a_share_is_of_the_largest_value() {
-    let share = |dues: [f64; 2], conditions: [f64; 2]| {
-        let got = SolverAnswer::Values(vec![dues[0] + 6.0 * f64::EPSILON, dues[1]]);
+    let share = |expected: [f64; 2], conditions: [f64; 2]| {
+        let got = SolverAnswer::Values(vec![expected[0] + 6.0 * f64::EPSILON, expected[1]]);
         let o = outputs(Limit::Normwise(4.0));
-        let found = judge(&o, &got, &exact(&dues), Some(&conditions));
+        let found = judge(&o, &got, &exact(&expected), Some(&conditions));
         assert_eq!(found.verdict, Verdict::Pass);
         found.share()
     };
     // 12 u of 4 u (4 + 8), (1 + 11), (1 + 2).
-    let near = |x: f64, due: f64| (x - due).abs() < 1e-12;
+    let near = |x: f64, expected: f64| (x - expected).abs() < 1e-12;
     assert!(near(share([1.0, 4.0], [1.0, 8.0]), 0.25));
     assert!(near(share([1.0, 1.0], [11.0, 2.0]), 0.25));
     assert!(near(share([1.0, 0.5], [2.0, 0.25]), 1.0));

@@ -2,9 +2,9 @@
 
 use super::*;
 
-fn measured(got: &[f64], due: &[f64], limit: Limit, conditions: Option<&[f64]>) -> Judgement {
+fn measured(got: &[f64], expected: &[f64], limit: Limit, conditions: Option<&[f64]>) -> Judgement {
     let answer = SolverAnswer::Values(got.to_vec());
-    judge(&outputs(limit), &answer, &exact(due), conditions)
+    judge(&outputs(limit), &answer, &exact(expected), conditions)
 }
 
 /// `1 + k u` in units of u = 2^-53, where one is 2u wide above and u below.
@@ -14,19 +14,20 @@ fn near_one(k: f64) -> f64 {
 
 #[test]
 fn what_is_wrong_is_said() {
-    let due = |d: Due| ReferenceAnswer::Dues(vec![d], Proof::Exact);
+    let expected = |d: Expected| ReferenceAnswer::Expected(vec![d], Proof::Exact);
     let o = outputs(Limit::Ulps(4.0));
-    let said = |got: f64, d: Due| judge(&o, &SolverAnswer::Values(vec![got]), &due(d), None);
-    let zero = said(-0.0, Due::zero(false));
+    let said =
+        |got: f64, d: Expected| judge(&o, &SolverAnswer::Values(vec![got]), &expected(d), None);
+    let zero = said(-0.0, Expected::zero(false));
     assert_eq!(zero.why().as_deref(), Some("x (value 0) is -0, expected 0"));
     assert_eq!(
         (zero.kind, zero.components[0].kind),
         (Some(Kind::WrongZero), Some(Kind::WrongZero))
     );
-    let nan = said(f64::NAN, Due::zero(false));
+    let nan = said(f64::NAN, Expected::zero(false));
     assert_eq!(nan.why().as_deref(), Some("x (value 0) is NaN, expected 0"));
     assert_eq!(nan.kind, Some(Kind::Nan));
-    let number = |x: f64| Due::Number(Ball::exact(64, x));
+    let number = |x: f64| Expected::Number(Ball::exact(64, x));
     assert_eq!(said(f64::INFINITY, number(1.0)).kind, Some(Kind::Infinity));
     let over = said(1.0 + 8.0 * f64::EPSILON, number(1.0));
     assert_eq!((over.kind, over.components[0].kind), (None, None));
@@ -54,12 +55,12 @@ fn what_is_wrong_is_said() {
     );
     assert_eq!(lost.kind, Some(Kind::Nan));
     // No infinity that is due has a share but none or all of its budget.
-    let infinity = said(f64::INFINITY, Due::Infinity { negative: false });
+    let infinity = said(f64::INFINITY, Expected::Infinity { negative: false });
     assert_eq!(
         (infinity.components[0].of_budget, infinity.share()),
         (0.0, 0.0)
     );
-    let other = said(f64::NEG_INFINITY, Due::Infinity { negative: false });
+    let other = said(f64::NEG_INFINITY, Expected::Infinity { negative: false });
     assert_eq!(other.share(), f64::INFINITY);
 }
 
@@ -150,14 +151,20 @@ fn errors_are_measured_in_their_units() {
         norm.normwise
     );
     // With a value that is no number it has no meaning.
-    let dues = vec![
-        Due::Number(Ball::integer(64, 1)),
-        Due::Infinity { negative: false },
+    let expected = vec![
+        Expected::Number(Ball::integer(64, 1)),
+        Expected::Infinity { negative: false },
     ];
-    let dues = ReferenceAnswer::Dues(dues, Proof::Exact);
+    let expected = ReferenceAnswer::Expected(expected, Proof::Exact);
     let got = SolverAnswer::Values(vec![1.0, f64::INFINITY]);
     let budget = NormBudget::new(4.0, "planted");
-    let mixed = judge_with_norm(&outputs(Limit::Ulps(1.0)), Some(&budget), &got, &dues, None);
+    let mixed = judge_with_norm(
+        &outputs(Limit::Ulps(1.0)),
+        Some(&budget),
+        &got,
+        &expected,
+        None,
+    );
     assert!(mixed.normwise.is_nan() && mixed.norm_of_budget.is_nan());
     assert_eq!(mixed.verdict, Verdict::Pass);
 }
@@ -166,9 +173,9 @@ fn errors_are_measured_in_their_units() {
 fn a_norm_s_budget_is_for_numbers_and_decided_by_bounds() {
     let budget = NormBudget::new(4.0, "planted");
     let o = outputs(Limit::Absolute(1e300));
-    let judged = |got: f64, due: Ball| {
+    let judged = |got: f64, expected: Ball| {
         let reference = ReferenceAnswer::Values(Reference {
-            values: vec![due],
+            values: vec![expected],
             proof: Proof::Exact,
         });
         judge_with_norm(
@@ -251,7 +258,7 @@ fn normwise_limits_take_the_largest_with_its_condition() {
 
 #[test]
 fn roundings_of_the_smallest_numbers_are_free_under_every_relative_limit() {
-    let due = ReferenceAnswer::Values(Reference {
+    let expected = ReferenceAnswer::Values(Reference {
         values: vec![Ball::new(Float::with_val(64, 1.5) << -1074i32, Mag::ZERO)],
         proof: Proof::Exact,
     });
@@ -267,7 +274,7 @@ fn roundings_of_the_smallest_numbers_are_free_under_every_relative_limit() {
             (0, Verdict::Over),
         ] {
             let got = SolverAnswer::Values(vec![f64::from_bits(bits)]);
-            let found = judge(&outputs(limit), &got, &due, None);
+            let found = judge(&outputs(limit), &got, &expected, None);
             assert_eq!(found.verdict, verdict, "{limit} {bits}");
         }
     }
@@ -278,8 +285,8 @@ fn a_bound_on_a_norm_from_below_is_below() {
     for k in 1..2000 {
         let x = Mag::from_f64(f64::from(k) * 0.37);
         let root = Squares::root_below(x, 1).to_f64();
-        let due = (f64::from(k) * 0.37).sqrt();
-        assert!(root < due && root > due * (1.0 - 1e-11), "{k}");
+        let expected = (f64::from(k) * 0.37).sqrt();
+        assert!(root < expected && root > expected * (1.0 - 1e-11), "{k}");
     }
 }
 
@@ -287,17 +294,17 @@ fn a_bound_on_a_norm_from_below_is_below() {
 #[test]
 fn subnormal_roundings() {
     let tiny = f64::from_bits(1);
-    let judged = |got: f64, due: &Ball, limit: Limit, condition: f64| {
+    let judged = |got: f64, expected: &Ball, limit: Limit, condition: f64| {
         let reference = ReferenceAnswer::Values(Reference {
-            values: vec![due.clone()],
+            values: vec![expected.clone()],
             proof: Proof::Exact,
         });
         let got = SolverAnswer::Values(vec![got]);
         judge(&outputs(limit), &got, &reference, Some(&[condition])).verdict
     };
-    let due = Ball::exact(128, 8.0 * tiny);
+    let expected = Ball::exact(128, 8.0 * tiny);
     for limit in [Limit::Conditioned(4.0), Limit::Normwise(4.0)] {
-        let off = |k: f64| judged((8.0 + k) * tiny, &due, limit, 8.0 * tiny);
+        let off = |k: f64| judged((8.0 + k) * tiny, &expected, limit, 8.0 * tiny);
         assert_eq!(off(2.0), Verdict::Pass);
         assert_eq!(off(-2.0), Verdict::Pass);
         assert_eq!(off(3.0), Verdict::Over);
@@ -352,7 +359,7 @@ fn a_norm_at_its_budget_is_undecided() {
     let at = near
         .find(|f| allowed(*f) == least)
         .expect("a budget at the bound");
-    for (factor, due) in [
+    for (factor, expected) in [
         (at.next_down().next_down(), Verdict::Over),
         (at, Verdict::Undecided),
         (at.next_up(), Verdict::Undecided),
@@ -360,7 +367,7 @@ fn a_norm_at_its_budget_is_undecided() {
         let budget = NormBudget::new(factor, "planted");
         assert_eq!(
             squares.verdict(norms, &budget, Format::Double).0,
-            due,
+            expected,
             "{factor}"
         );
     }
@@ -369,7 +376,7 @@ fn a_norm_at_its_budget_is_undecided() {
 /// Up to ten thousand in full, from there on as a power of ten.
 #[test]
 fn multiples_of_a_budget_are_shown() {
-    for (x, due) in [
+    for (x, expected) in [
         (1e4f64.next_down(), "10000.000"),
         (1e4, "1.00e4"),
         (f64::INFINITY, "more than 1e308"),
@@ -379,12 +386,12 @@ fn multiples_of_a_budget_are_shown() {
             output: "x",
             number: 0,
             got: 1e300,
-            due: -0.25,
+            expected: -0.25,
             fault,
         };
         assert_eq!(
             value.to_string(),
-            format!("x (value 0) is 1e300, expected -2.5e-1: {due} times its budget off")
+            format!("x (value 0) is 1e300, expected -2.5e-1: {expected} times its budget off")
         );
     }
 }
@@ -393,15 +400,16 @@ fn multiples_of_a_budget_are_shown() {
 #[test]
 fn reasons_say_what_was_expected() {
     let numbers = |values: &[f64]| {
-        let dues = values.iter().map(|x| Due::Number(Ball::exact(64, *x)));
-        ReferenceAnswer::Dues(dues.collect(), Proof::Exact)
+        let expected = values.iter().map(|x| Expected::Number(Ball::exact(64, *x)));
+        ReferenceAnswer::Expected(expected.collect(), Proof::Exact)
     };
     let given = |values: &[f64]| SolverAnswer::Values(values.to_vec());
     let refusal = |word: &str| SolverAnswer::Declines(Some(word.into()));
-    let nan = || ReferenceAnswer::Dues(vec![Due::NotANumber], Proof::Exact);
-    let infinity = || ReferenceAnswer::Dues(vec![Due::Infinity { negative: true }], Proof::Exact);
+    let nan = || ReferenceAnswer::Expected(vec![Expected::NotANumber], Proof::Exact);
+    let infinity =
+        || ReferenceAnswer::Expected(vec![Expected::Infinity { negative: true }], Proof::Exact);
     let singular = || ReferenceAnswer::Refuses("singular");
-    for (answer, reference, due) in [
+    for (answer, reference, expected) in [
         (
             given(&[f64::NAN]),
             numbers(&[0.25]),
@@ -456,6 +464,6 @@ fn reasons_say_what_was_expected() {
     ] {
         let o = outputs(Limit::Ulps(4.0));
         let found = judge(&o, &answer, &reference, None);
-        assert_eq!(found.why().as_deref(), Some(due));
+        assert_eq!(found.why().as_deref(), Some(expected));
     }
 }

@@ -67,7 +67,7 @@ fn regions_stand_in_their_order() {
         .iter()
         .map(|r| (r.name, r.description))
         .collect();
-    let due = [
+    let expected = [
         ("check-points", "named points of the domain"),
         ("hard", "hard cases that hunts have found"),
         ("given", "inputs given by themselves"),
@@ -78,7 +78,7 @@ fn regions_stand_in_their_order() {
         ("alpha", ""),
         ("zeta", ""),
     ];
-    assert_eq!(each, due);
+    assert_eq!(each, expected);
     assert_eq!((found.total.name, found.cases), ("all", 9));
 }
 
@@ -151,19 +151,19 @@ fn examples_come_from_every_region() {
         each.map(|c| (c.case.region, index(&c.case), c.judgement.kind))
             .collect()
     };
-    let due = [
+    let expected = [
         ("first", 5, Some(Kind::Nan)),
         ("second", 1, Some(Kind::Nan)),
         ("first", 6, Some(Kind::Nan)),
         ("first", 9, Some(Kind::Refusal)),
         ("second", 3, Some(Kind::Unreadable)),
     ];
-    assert_eq!(shown(&found.wrong), due);
+    assert_eq!(shown(&found.wrong), expected);
     // With the reference's digits.
     assert!(found.wrong.iter().all(|c| c.reference.len() == 1));
     // Failures region by region, all of them.
     let places: Vec<_> = shown(&found.failures).iter().map(|f| (f.0, f.1)).collect();
-    let due = [
+    let expected = [
         ("first", 5),
         ("first", 6),
         ("first", 7),
@@ -172,7 +172,7 @@ fn examples_come_from_every_region() {
         ("second", 2),
         ("second", 3),
     ];
-    assert_eq!(places, due);
+    assert_eq!(places, expected);
     assert_eq!(found.failures_left_out, 0);
 }
 
@@ -231,13 +231,13 @@ fn points_of_every_region() {
     let each: Vec<_> = (found.points.iter())
         .map(|p| (p.case.region, index(&p.case), p.ulps.clone()))
         .collect();
-    let due = [
+    let expected = [
         ("first", 3, vec![3.0]),
         ("first", 8, vec![8.0]),
         ("second", 1, vec![1.0]),
         ("second", 4, vec![4.0]),
     ];
-    assert_eq!(each, due);
+    assert_eq!(each, expected);
 }
 
 /// What a run was ended by is no pass, in either half of a sum.

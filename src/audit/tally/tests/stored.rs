@@ -92,7 +92,7 @@ fn every_member_comes_back() {
     let again = read(written(&tally)).unwrap();
     assert_eq!(written(&again), written(&tally));
     assert_eq!(again.stored(), tally.stored());
-    let (due, found) = (tally.finish(&method()), again.finish(&method()));
+    let (expected, found) = (tally.finish(&method()), again.finish(&method()));
     let total = &found.total;
     let counts = [
         found.cases,
@@ -105,10 +105,10 @@ fn every_member_comes_back() {
     ];
     assert_eq!(counts, [10, 1, 2, 2, 2, 3, 0]);
     assert_eq!(
-        (total.cases, due.failed()),
-        (due.total.cases, found.failed())
+        (total.cases, expected.failed()),
+        (expected.total.cases, found.failed())
     );
-    for (a, b) in due.total.outputs.iter().zip(&total.outputs) {
+    for (a, b) in expected.total.outputs.iter().zip(&total.outputs) {
         assert_eq!((a.ulps, a.conditioned), (b.ulps, b.conditioned));
         assert_eq!((a.values, a.kinds), (b.values, b.kinds));
         assert_eq!(a.max_condition, b.max_condition);
@@ -122,8 +122,8 @@ fn every_member_comes_back() {
     assert_eq!((x.ulps.beyond, y.ulps.beyond, y.ulps.count), (0, 1, 4));
     assert_eq!(x.conditioned.count, 5);
     assert_eq!(total.normwise.unwrap().beyond, 1);
-    assert_eq!(total.normwise, due.total.normwise);
-    assert_eq!(total.max_of_budget, due.total.max_of_budget);
+    assert_eq!(total.normwise, expected.total.normwise);
+    assert_eq!(total.max_of_budget, expected.total.max_of_budget);
     assert_eq!(found.points.len(), 3);
     let law = |k: usize| {
         let law = &found.laws[k];

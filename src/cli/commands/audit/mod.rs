@@ -4,9 +4,9 @@ pub mod written;
 
 use self::written::Besides;
 use crate::cli::args::{AuditArgs, AuditFormat, Numbers, RunArgs};
-use crate::cli::asked::{find, settings};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::{Output, print, write_to};
+use crate::cli::lookup::{self, settings};
 use crate::cli::progress::Progress;
 use crate::cli::terminal::width;
 use crate::cli::{complain, forecast, process::exec, process::interrupt, scope};
@@ -155,8 +155,8 @@ fn scoped<'a>(
 }
 
 /// Says what very many cases will take, and refuses what cannot end.
-fn foresee(methods: &[Box<dyn Method>], settings: &Settings) -> Result<(), Failure> {
-    let methods: Vec<&dyn Method> = methods.iter().map(|m| &**m).collect();
+fn foresee(methods: &[Box<dyn methods::Evaluable>], settings: &Settings) -> Result<(), Failure> {
+    let methods: Vec<&dyn Method> = methods.iter().map(|m| &**m as _).collect();
     forecast::audit(&methods, settings)
 }
 
@@ -175,7 +175,7 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
     let settings = asked(args)?;
     let chosen = match &args.method {
         None => methods::registry(),
-        Some(name) => vec![find(name)?],
+        Some(name) => vec![lookup::method(name)?],
     };
     let output = Output::open(args.output.as_deref())?;
     let mut besides = Besides {

@@ -28,7 +28,7 @@ fn methods_one_after_the_other() {
     let mut before = judging;
     let mut reports = Vec::new();
     for name in ["slider-crank", "four-bar"] {
-        let method = find(name).unwrap();
+        let method = lookup::method(name).unwrap();
         reports.push(run(&*method, &settings, &progress, &mut judging));
         assert!(judging > before, "{name}: {judging} s after {before} s");
         before = judging;
@@ -160,7 +160,7 @@ fn an_input_is_judged_by_itself() {
 
 #[test]
 fn one_case_is_that_of_its_place() {
-    let method = find("erf").unwrap();
+    let method = lookup::method("erf").unwrap();
     let settings = Settings::default();
     let cases = Cases::new(&*method, &settings);
     let input = |words: &[&str]| {
@@ -257,7 +257,7 @@ fn maps_are_on_pages_and_where_they_are_asked_for() {
 /// Of the points of a map only those are waited for that are judged.
 #[test]
 fn work_is_the_cases_and_the_points_of_a_map() {
-    let method = find("erf").unwrap();
+    let method = lookup::method("erf").unwrap();
     let settings = |maps: bool| Settings {
         maps,
         cases_per_region: 2,
@@ -267,7 +267,7 @@ fn work_is_the_cases_and_the_points_of_a_map() {
     assert_eq!(work(&*method, &settings(false)), cases as u64);
     let points = map_points(&*method).unwrap();
     assert_eq!(work(&*method, &settings(true)), (cases + points) as u64);
-    let plain = find("slider-crank").unwrap();
+    let plain = lookup::method("slider-crank").unwrap();
     assert!(map_points(&*plain).is_none());
     let cases = Cases::new(&*plain, &settings(true)).len();
     assert_eq!(work(&*plain, &settings(true)), cases as u64);
@@ -334,7 +334,7 @@ fn one_case_needs_no_sum() {
         cases_per_region: 2,
         ..Settings::default()
     };
-    let method = find("slider-crank").unwrap();
+    let method = lookup::method("slider-crank").unwrap();
     let case = Cases::new(&*method, &settings).get(0);
     let single = audit_one(&*method, case, None, &settings);
     let (progress, mut judging) = (Progress::new(), 0.0);

@@ -13,11 +13,7 @@ const COLUMNS: usize = 1200;
 const SAMPLES_IN_COLUMN: f64 = 24.0;
 
 /// The motion over time.
-pub fn history(
-    machine: &CamOscillator,
-    run: &Run,
-    response: &CamResponse,
-) -> Result<String, Failure> {
+pub fn history(machine: &CamOscillator, run: &Run, response: &CamResponse) -> String {
     let oscillator = &machine.drive.oscillator;
     let note = format!(
         "law {}, w = {} rad/s, n = {} rad/s, {} harmonics; the envelope is the mean a_0 ± (Σ|A_k| + free vibration)",
@@ -26,7 +22,7 @@ pub fn history(
         chirp::tick(oscillator.n()),
         machine.harmonics
     );
-    Ok(chirp::history(&motion(machine, run, response, note))?)
+    chirp::history(&motion(machine, run, response, note))
 }
 
 /// The motion over time, for a drawing or a page.
@@ -83,7 +79,7 @@ fn samples(speeds: [f64; 2], w: f64, width: f64) -> usize {
 }
 
 /// C_φ(ξ) of each law.
-pub fn chart(machine: &CamOscillator, charts: &[LawChart]) -> Result<String, Failure> {
+pub fn chart(machine: &CamOscillator, charts: &[LawChart]) -> String {
     let drive = &machine.drive;
     let note = format!(
         "n/w = {}, from {} rad/s with {} rad/s²; peaks are those of the turn about each point",
@@ -92,12 +88,12 @@ pub fn chart(machine: &CamOscillator, charts: &[LawChart]) -> Result<String, Fai
         chirp::tick(drive.chirp.eps),
     );
     let charts: Vec<_> = charts.iter().map(|c| (c.law.as_str(), &c.chart)).collect();
-    Ok(chirp::chart(&machine.name, &note, &charts)?)
+    chirp::chart(&machine.name, &note, &charts)
 }
 
 /// The harmonics of the cam's displacement.
 pub fn spectrum(machine: &CamOscillator) -> Result<String, Failure> {
-    Ok(chirp::spectrum(&harmonics(machine)?)?)
+    Ok(chirp::spectrum(&harmonics(machine)?))
 }
 
 /// The harmonics in lifts, for a drawing or a page.

@@ -241,5 +241,4 @@ pub fn spectrum(
 }
 
 #[cfg(test)]
-#[path = "rows_tests.rs"]
 mod tests;

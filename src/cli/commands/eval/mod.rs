@@ -6,12 +6,13 @@ use crate::cli::args::EvalArgs;
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome, chain};
 use crate::cli::files::output::write_to;
+use crate::cli::lookup;
 use crate::cli::number::{Number, NumberError};
 use crate::cli::process::wire::shortened;
 use mechaudit::audit::{
     Layout, LayoutError, SolverAnswer, Uncertified, answer_of, hex_float, selected_outputs,
 };
-use mechaudit::methods::{CertifiedValue, Evaluable, certified_digits, evaluable, find_evaluable};
+use mechaudit::methods::{CertifiedValue, Evaluable, certified_digits, registry};
 use mechaudit::reference::nearest_f64;
 use rayon::prelude::*;
 use rug::Rational;
@@ -82,10 +83,7 @@ pub fn eval(args: &EvalArgs) -> Result<Outcome, Failure> {
     let Some(name) = args.name.as_deref().filter(|_| !args.list) else {
         return list();
     };
-    let method = find_evaluable(name).ok_or_else(|| {
-        let known: Vec<&str> = evaluable().iter().map(|m| m.name()).collect();
-        Failure::no_such("method", name, &known)
-    })?;
+    let method = lookup::method(name)?;
     let mut evaluation = Evaluation::new(&*method, args.digits);
     if let Some(names) = &args.outputs {
         evaluation.selected = selected_outputs(&*method, names)?;
@@ -109,7 +107,7 @@ pub fn eval(args: &EvalArgs) -> Result<Outcome, Failure> {
 
 fn list() -> Result<Outcome, Failure> {
     write_to(|out| {
-        for m in evaluable() {
+        for m in registry() {
             writeln!(out, "{:<31} {}", m.name(), m.summary())?;
         }
         Ok(())
@@ -348,7 +346,7 @@ mod tests {
     /// Outputs that are not asked for are left out, in every row, with digits and without.
     #[test]
     fn outputs_are_those_asked_for() {
-        let method = find_evaluable("class-iii-assembly-modes").unwrap();
+        let method = lookup::method("class-iii-assembly-modes").unwrap();
         let selected = selected_outputs(&*method, &["phi3[k]", "phi5"]).unwrap();
         let pool = rayon::ThreadPoolBuilder::new().num_threads(1);
         let pool = pool.build().unwrap();
@@ -400,7 +398,7 @@ mod tests {
     /// Lines that have arrived are answered together, so many for each thread; the end is looked for once more.
     #[test]
     fn lines_are_answered_together() {
-        let method = find_evaluable("erf").unwrap();
+        let method = lookup::method("erf").unwrap();
         let handed = |text: &str, threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
             let input = BufReader::with_capacity(text.len(), text.as_bytes());
@@ -422,7 +420,7 @@ mod tests {
     /// The nearest floats to the certified digits are next to what the solver gives.
     #[test]
     fn every_method_can_be_evaluated() {
-        for method in evaluable() {
+        for method in registry() {
             let name = method.name();
             // It takes seconds to certify a tenth of a second of it.
             if name == "run-up" {
@@ -472,7 +470,7 @@ mod tests {
         digits: Option<u32>,
         input: &[u8],
     ) -> (String, Result<Outcome, String>) {
-        let method = find_evaluable(name).unwrap();
+        let method = lookup::method(name).unwrap();
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(1)
             .build()

@@ -102,7 +102,7 @@ fn lock(folder: &Path) -> io::Result<File> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cli::asked::find;
+    use crate::cli::lookup;
     use std::fs::{create_dir, read_to_string, write};
     use tempfile::tempdir;
 
@@ -119,7 +119,7 @@ mod tests {
     /// Lines stay as they are, whether the last one is ended or not; there is one header.
     #[test]
     fn lines_are_added_to_what_is_there() {
-        let method = find("erf").unwrap();
+        let method = lookup::method("erf").unwrap();
         let head = "# Worst inputs found by mechaudit hunt erf; lines are only added.\n";
         let [old, new] = [case(0.25, 1.0), case(0.5, 2.0)].map(|c| c.line());
         let begun = format!("{HARD_HEADER}\n{old}");
@@ -157,7 +157,7 @@ mod tests {
 
     #[test]
     fn nothing_new_leaves_the_folder_alone() {
-        let method = find("erf").unwrap();
+        let method = lookup::method("erf").unwrap();
         let folder = tempdir().unwrap();
         let added = add(folder.path(), &*method, |_| Vec::new());
         assert!(added.unwrap().is_empty());
@@ -169,7 +169,7 @@ mod tests {
 
     #[test]
     fn what_is_no_folder_of_hard_cases() {
-        let method = find("erf").unwrap();
+        let method = lookup::method("erf").unwrap();
         let folder = tempdir().unwrap();
         let missing = folder.path().join("none");
         let why = read(&missing, &*method).unwrap_err().to_string();

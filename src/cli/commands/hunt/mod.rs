@@ -3,9 +3,9 @@
 pub mod hard_folder;
 
 use crate::cli::args::HuntArgs;
-use crate::cli::asked::find;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::write_to;
+use crate::cli::lookup;
 use crate::cli::progress::Progress;
 use crate::cli::terminal::width;
 use crate::cli::{forecast, process::interrupt};
@@ -18,7 +18,7 @@ use mechaudit::report::words::numbers::percent;
 
 /// Hunts and records.
 pub fn hunt(args: &HuntArgs) -> Result<Outcome, Failure> {
-    let method = find(&args.method)?;
+    let method = lookup::method(&args.method)?;
     let settings = HuntSettings {
         evaluations: args.evals,
         seed: args.seed,
@@ -224,7 +224,7 @@ mod tests {
 
     #[test]
     fn the_first_failure_is_named() {
-        let method = find("erf").unwrap();
+        let method = lookup::method("erf").unwrap();
         let failure = |x: f64| Case {
             method: "erf",
             region: "hunt",
@@ -318,7 +318,7 @@ mod tests {
     /// Numbers to the right, words to the left, what is new beside its share.
     #[test]
     fn a_report_is_a_table() {
-        let method = find("erf").unwrap();
+        let method = lookup::method("erf").unwrap();
         let (re, im) = (of("Re erf", 12.5, 1.0), of("Im erf", 0.5, 2.0));
         let found = whole(vec![re.clone(), im.clone()]);
         let text = plain(&report(&*method, &found, &[recorded(&re)], 9));
@@ -355,7 +355,7 @@ mod tests {
     /// More than the budget is marked, the whole of it is not.
     #[test]
     fn shares_above_the_budget_are_marked() {
-        let method = find("erf").unwrap();
+        let method = lookup::method("erf").unwrap();
         for (share, due) in [(0.6, false), (1.0, false), (1.5, true), (3.0, true)] {
             let found = whole(vec![of("Re erf", share, 1.0)]);
             let marked = paint(BAD, &percent(share));
@@ -369,7 +369,7 @@ mod tests {
     /// Every input once, with all its outputs, and by its number where it is recorded.
     #[test]
     fn inputs_are_named_with_their_commands() {
-        let method = find("erf").unwrap();
+        let method = lookup::method("erf").unwrap();
         let all = [
             of("Re erf", 0.5, 1.0),
             of("Im erf", 0.4, 1.0),

@@ -4,10 +4,10 @@ pub mod published;
 
 use crate::cli::answers::{Answers, End, Form};
 use crate::cli::args::{AuditFormat, JudgeArgs, WhereArgs};
-use crate::cli::asked::find;
 use crate::cli::commands::audit::written::{self, Besides};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
+use crate::cli::lookup;
 use crate::cli::process::bounded::Bounded;
 use crate::cli::process::candidate::{BATCH, judge_batch};
 use crate::cli::process::wire::{LONGEST, Line, Lines};
@@ -23,7 +23,7 @@ use std::path::{Path, PathBuf};
 
 /// Judges them.
 pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
-    let method = find(&args.method)?;
+    let method = lookup::method(&args.method)?;
     if let Some(path) = &args.table {
         return published::judge(&*method, path, args);
     }

@@ -427,5 +427,4 @@ fn prove_counts(certifier: &Certifier, values: &Values, map: &BranchMap) -> usiz
 }
 
 #[cfg(test)]
-#[path = "planar_tests.rs"]
 mod tests;

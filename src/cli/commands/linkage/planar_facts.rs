@@ -267,5 +267,4 @@ pub fn map_lines(machine: &Machine, map: &BranchMap) -> Vec<String> {
 }
 
 #[cfg(test)]
-#[path = "planar_facts_tests.rs"]
 mod tests;

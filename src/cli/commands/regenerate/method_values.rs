@@ -3,7 +3,7 @@
 use super::artefact::{Made, MakeError, Outcome};
 use crate::cli::process::wire;
 use mechaudit::audit::{
-    Case, Cases, Due, Layout, Method, Origin, ReferenceAnswer, Settings, Uncertified,
+    Case, Cases, Expected, Layout, Method, Origin, ReferenceAnswer, Settings, Uncertified,
 };
 use mechaudit::reference::Ball;
 use rayon::prelude::*;
@@ -113,14 +113,14 @@ fn row(method: &dyn Method, case: &Case, settings: &Settings) -> Result<Row, Mak
         source,
     };
     let mut bits = settings.first_bits;
-    let dues = loop {
+    let expected = loop {
         let answer = match &exact {
             Some(x) => method.reference(x, bits),
             None => method.reference_not_finite(&case.input),
         };
-        let dues = match answer {
-            ReferenceAnswer::Values(r) => r.values.into_iter().map(Due::Number).collect(),
-            ReferenceAnswer::Dues(dues, _) => dues,
+        let expected = match answer {
+            ReferenceAnswer::Values(r) => r.values.into_iter().map(Expected::Number).collect(),
+            ReferenceAnswer::Expected(expected, _) => expected,
             ReferenceAnswer::Refuses(word) => {
                 return Ok(Row {
                     value: format!("refuse {word}"),
@@ -139,15 +139,15 @@ fn row(method: &dyn Method, case: &Case, settings: &Settings) -> Result<Row, Mak
             true => bits < LAST_BITS && !b.is_zero() && b.accuracy_bits() < NEEDED,
             false => bits < settings.last_bits,
         };
-        if !dues.iter().filter_map(Due::number).any(open) {
-            break dues;
+        if !expected.iter().filter_map(Expected::number).any(open) {
+            break expected;
         }
         bits *= 2;
     };
     let conditions = exact.and_then(|_| method.conditions(&case.input));
-    let conditions = conditions.filter(|c| c.len() == dues.len());
+    let conditions = conditions.filter(|c| c.len() == expected.len());
     let (mut values, mut radii, mut relative) = (Vec::new(), Vec::new(), Vec::new());
-    for (i, due) in dues.iter().enumerate() {
+    for (i, due) in expected.iter().enumerate() {
         let (value, radius) = match due.number() {
             Some(ball) => ball.to_decimal_with_radius(DIGITS),
             None => due.to_decimal(DIGITS).map(|text| (text, "0".to_string())),

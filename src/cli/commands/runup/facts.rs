@@ -261,5 +261,4 @@ pub fn json(
 }
 
 #[cfg(test)]
-#[path = "facts_tests.rs"]
 mod tests;

@@ -87,7 +87,7 @@ pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
             &machine.name,
             &motion.samples,
             start.as_deref(),
-        )?)?;
+        ))?;
     }
     let about = facts::json(&machine, &motion, &steady, warning.as_deref());
     let lines: Vec<String> = warning

@@ -5,9 +5,9 @@ mod laws;
 pub(super) mod regions;
 
 use super::branches::nearest;
-use super::complex::{ComplexInput, NORM, PROOF, asked, due, number};
+use super::complex::{ComplexInput, NORM, PROOF, asked, expected_part, number};
 use crate::audit::{
-    BranchAt, Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ProvedBound, ProvedError,
+    BranchAt, Budget, Domain, Expected, Law, Limit, NormBudget, Output, Proof, ProvedBound, ProvedError,
     ReferenceAnswer, Uncertified,
 };
 use crate::methods::common::output;
@@ -24,28 +24,28 @@ use rug::Rational;
 #[derive(Clone, Copy, Debug)]
 pub struct Faddeeva;
 
-fn dues(re: &Rational, im: &Rational, bits: u32) -> Result<Vec<Due>, Undecided> {
+fn expected_parts(re: &Rational, im: &Rational, bits: u32) -> Result<Vec<Expected>, Undecided> {
     let bits = asked(bits);
     Ok(match w(re, im, bits) {
-        Ok(w) => vec![Due::Number(w.re), Due::Number(w.im)],
-        Err(_) => w_scaled(re, im, bits)?.iter().map(due).collect(),
+        Ok(w) => vec![Expected::Number(w.re), Expected::Number(w.im)],
+        Err(_) => w_scaled(re, im, bits)?.iter().map(expected_part).collect(),
     })
 }
 
 /// The limits at infinity, where there are any. W tends to 0 in the closed upper half-plane and
 /// for Im z < 0 with Re z → ±∞, to +∞ down the imaginary axis, on which it is real.
-pub(super) fn dues_not_finite(x: f64, y: f64) -> [Due; 2] {
+pub(super) fn expected_not_finite(x: f64, y: f64) -> [Expected; 2] {
     if x == 0.0 && y == f64::NEG_INFINITY {
-        return [Due::Infinity { negative: false }, number(0)];
+        return [Expected::Infinity { negative: false }, number(0)];
     }
     if x.is_nan() || y.is_nan() {
-        let im = if x == 0.0 { number(0) } else { Due::NotANumber };
-        return [Due::NotANumber, im];
+        let im = if x == 0.0 { number(0) } else { Expected::NotANumber };
+        return [Expected::NotANumber, im];
     }
     if y > f64::NEG_INFINITY {
         return [number(0), number(0)];
     }
-    [Due::NotANumber, Due::NotANumber]
+    [Expected::NotANumber, Expected::NotANumber]
 }
 
 /// On the imaginary axis `Im W(x + iy) = −x E′(y) + …`, `E = erfcx`, and erfcx falls everywhere. At
@@ -112,11 +112,11 @@ impl Definition for Faddeeva {
     }
 
     fn reference(z: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
-        Ok(ReferenceAnswer::Dues(dues(z.re, z.im, bits)?, PROOF))
+        Ok(ReferenceAnswer::Expected(expected_parts(z.re, z.im, bits)?, PROOF))
     }
 
     fn reference_not_finite(z: Self::Input<'_, f64>) -> ReferenceAnswer {
-        ReferenceAnswer::Dues(dues_not_finite(z.re, z.im).to_vec(), Proof::Exact)
+        ReferenceAnswer::Expected(expected_not_finite(z.re, z.im).to_vec(), Proof::Exact)
     }
 
     fn certify(z: Self::Input<'_, Rational>, bits: u32) -> Result<Vec<Scaled>, Uncertified> {
@@ -144,13 +144,13 @@ mod tests {
             (400, 352),
         ];
         for (bits, due) in all {
-            assert_eq!(asked(bits), due, "{bits}");
+            assert_eq!(asked(bits), expected_part, "{bits}");
         }
     }
 
-    fn reference(x: f64, y: f64) -> Vec<Due> {
+    fn reference(x: f64, y: f64) -> Vec<Expected> {
         let exact = [x, y].map(|v| Rational::from_f64(v).unwrap());
-        dues(&exact[0], &exact[1], 128).unwrap()
+        expected_parts(&exact[0], &exact[1], 128).unwrap()
     }
 
     #[test]
@@ -161,19 +161,19 @@ mod tests {
         assert_eq!(d[1].to_decimal(5).unwrap(), "5.6419e-201");
         // W(−10^200 i) = 2e^{10^400}.
         let d = reference(0.0, -1e200);
-        assert!(matches!(d[0], Due::Infinity { negative: false }));
+        assert!(matches!(d[0], Expected::Infinity { negative: false }));
         assert!(d[1].number().unwrap().is_zero());
         // Off the axis both components have the sign of the phase −2xy: here cos 2 < 0, sin 2 > 0.
         let tiny = 2f64.powi(-600);
         let d = reference(tiny, -(2f64.powi(600)));
-        assert!(matches!(d[0], Due::Infinity { negative: true }));
-        assert!(matches!(d[1], Due::Infinity { negative: false }));
+        assert!(matches!(d[0], Expected::Infinity { negative: true }));
+        assert!(matches!(d[1], Expected::Infinity { negative: false }));
     }
 
     #[test]
     fn at_infinity() {
         let inf = f64::INFINITY;
-        let shown = |x, y| dues_not_finite(x, y).map(|d| d.to_decimal(3).unwrap());
+        let shown = |x, y| expected_not_finite(x, y).map(|d| d.to_decimal(3).unwrap());
         assert_eq!(shown(inf, 0.0), ["0", "0"]);
         assert_eq!(shown(-inf, -5.0), ["0", "0"]);
         assert_eq!(shown(3.0, inf), ["0", "0"]);
@@ -203,7 +203,7 @@ mod tests {
             ((inf, -inf), [None, None]),
             ((f64::NAN, inf), [plus, None]),
         ] {
-            assert_eq!(signs_of_zero(x, y), due, "{x} {y}");
+            assert_eq!(signs_of_zero(x, y), expected_part, "{x} {y}");
         }
     }
 

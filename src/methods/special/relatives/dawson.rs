@@ -5,7 +5,7 @@ use super::regions::zero_of_erfi;
 use super::relative::{
     Exact, NORM_OF_PRODUCTS, Relative, Zeros, odd_limit, on_axis, on_the_real_line,
 };
-use crate::audit::{Due, Law, ProvedBound};
+use crate::audit::{Expected, Law, ProvedBound};
 use crate::methods::special::complex::{C, exponential};
 use crate::methods::special::identities::{batch_agrees, equation, point};
 use crate::reference::Ball;
@@ -47,7 +47,7 @@ impl Relative for Dawson {
         1.0 - 2.0 * z * value
     }
 
-    fn limit(x: f64, y: f64) -> [Due; 2] {
+    fn limit(x: f64, y: f64) -> [Expected; 2] {
         odd_limit(0, x, y)
     }
 

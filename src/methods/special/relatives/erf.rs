@@ -5,7 +5,7 @@ use super::regions::zero_of_erf;
 use super::relative::{
     Exact, NORM_OF_PRODUCTS, Relative, Zeros, erf_from_w, odd_limit, odd_signs, on_the_real_line,
 };
-use crate::audit::{Due, Law, ProvedBound};
+use crate::audit::{Expected, Law, ProvedBound};
 use crate::methods::special::complex::{C, exponential};
 use crate::methods::special::identities::{gaussian, point, within};
 use crate::reference::faddeeva;
@@ -44,7 +44,7 @@ impl Relative for Erf {
         FRAC_2_SQRT_PI * exponential(-z * z)
     }
 
-    fn limit(x: f64, y: f64) -> [Due; 2] {
+    fn limit(x: f64, y: f64) -> [Expected; 2] {
         odd_limit(1, x, y)
     }
 

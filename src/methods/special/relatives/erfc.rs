@@ -5,7 +5,7 @@ use super::regions::zero_of_erfc;
 use super::relative::{
     Exact, NORM_OF_PRODUCTS, Relative, Zeros, negated, odd_limit, on_axis, on_the_real_line,
 };
-use crate::audit::{Due, Law, ProvedBound};
+use crate::audit::{Expected, Law, ProvedBound};
 use crate::methods::special::complex::{C, exponential};
 use crate::methods::special::identities::{gaussian, point, within};
 use crate::reference::Ball;
@@ -46,10 +46,10 @@ impl Relative for Erfc {
         -FRAC_2_SQRT_PI * exponential(-z * z)
     }
 
-    fn limit(x: f64, y: f64) -> [Due; 2] {
+    fn limit(x: f64, y: f64) -> [Expected; 2] {
         let [re, im] = odd_limit(1, x, y);
         let re = match re {
-            Due::Number(erf) => Due::Number(Ball::integer(64, 1) - &erf),
+            Expected::Number(erf) => Expected::Number(Ball::integer(64, 1) - &erf),
             other => other,
         };
         [re, negated(im)]

@@ -3,11 +3,11 @@
 use super::laws::{conjugation_law, on_the_axis, real_argument_law};
 use super::regions::zero_of_erfc;
 use super::relative::{Exact, Relative, Zeros, on_the_real_line};
-use crate::audit::{BranchAt, Due, Law, ProvedBound};
+use crate::audit::{BranchAt, Expected, Law, ProvedBound};
 use crate::methods::common::held;
 use crate::methods::special::branches::nearest;
 use crate::methods::special::complex::{C, NORM};
-use crate::methods::special::faddeeva::{dues_not_finite, signs_of_zero};
+use crate::methods::special::faddeeva::{expected_not_finite, signs_of_zero};
 use crate::methods::special::identities::{batch_agrees, gaussian, point, within};
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{SEAMS, branch, erfcx, erfcx_batch, erfcx_real, faddeeva as w};
@@ -47,8 +47,8 @@ impl Relative for Erfcx {
         2.0 * z * value - FRAC_2_SQRT_PI
     }
 
-    fn limit(x: f64, y: f64) -> [Due; 2] {
-        dues_not_finite(-y, x)
+    fn limit(x: f64, y: f64) -> [Expected; 2] {
+        expected_not_finite(-y, x)
     }
 
     fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2] {

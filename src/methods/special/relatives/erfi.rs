@@ -5,7 +5,7 @@ use super::regions::zero_of_erfi;
 use super::relative::{
     Exact, NORM_OF_PRODUCTS, Relative, Zeros, erf_from_w, negated, odd_limit, odd_signs,
 };
-use crate::audit::{Due, Law};
+use crate::audit::{Expected, Law};
 use crate::methods::common::held;
 use crate::methods::special::complex::{C, exponential};
 use crate::methods::special::identities::{gaussian, point, same_pair, within};
@@ -45,7 +45,7 @@ impl Relative for Erfi {
         FRAC_2_SQRT_PI * exponential(z * z)
     }
 
-    fn limit(x: f64, y: f64) -> [Due; 2] {
+    fn limit(x: f64, y: f64) -> [Expected; 2] {
         let [re, im] = odd_limit(1, -y, x);
         [im, negated(re)]
     }

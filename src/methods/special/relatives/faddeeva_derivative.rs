@@ -1,7 +1,7 @@
 //! The derivative of the Faddeeva function.
 
 use super::relative::{Exact, Relative, Zeros, on_axis};
-use crate::audit::{Draw, Due, Law, Region};
+use crate::audit::{Draw, Expected, Law, Region};
 use crate::methods::common::{held, region};
 use crate::methods::special::complex::{C, NORM, infinity, number};
 use crate::methods::special::faddeeva::curves::{BITS_OF_ZEROS, Beside, zero as zero_of_w};
@@ -50,15 +50,19 @@ impl Relative for FaddeevaDerivative {
 
     /// W' tends to 0 in the closed upper half-plane and for Re z → ±∞, to +i∞ down the imaginary
     /// axis, on which it is imaginary.
-    fn limit(x: f64, y: f64) -> [Due; 2] {
-        let re = if x == 0.0 { number(0) } else { Due::NotANumber };
+    fn limit(x: f64, y: f64) -> [Expected; 2] {
+        let re = if x == 0.0 {
+            number(0)
+        } else {
+            Expected::NotANumber
+        };
         if x.is_nan() || y.is_nan() {
-            return [re, Due::NotANumber];
+            return [re, Expected::NotANumber];
         }
         match (y > f64::NEG_INFINITY, x == 0.0) {
             (true, _) => [number(0), number(0)],
             (false, true) => [re, infinity(1.0)],
-            (false, false) => [Due::NotANumber, Due::NotANumber],
+            (false, false) => [Expected::NotANumber, Expected::NotANumber],
         }
     }
 
@@ -203,7 +207,7 @@ mod tests {
             ((inf, inf), [minus, None]),
         ] {
             let signs = FaddeevaDerivative::signs_of_zero(x, y);
-            assert_eq!(signs, due, "{x} {y}");
+            assert_eq!(signs, expected_part, "{x} {y}");
         }
     }
 

@@ -10,7 +10,7 @@ mod laws;
 mod regions;
 mod relative;
 
-use super::complex::{ComplexInput, PROOF, asked, due};
+use super::complex::{ComplexInput, PROOF, asked, expected_part};
 use crate::audit::{
     BranchAt, Budget, Domain, Law, Limit, NormBudget, Output, Proof, ProvedBound, ReferenceAnswer,
     Uncertified,
@@ -61,14 +61,14 @@ impl<F: Relative> Definition for F {
 
     fn reference(z: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
         let parts = (F::EXACT)(z.re, z.im, asked(bits))?;
-        Ok(ReferenceAnswer::Dues(
-            parts.iter().map(due).collect(),
+        Ok(ReferenceAnswer::Expected(
+            parts.iter().map(expected_part).collect(),
             PROOF,
         ))
     }
 
     fn reference_not_finite(z: Self::Input<'_, f64>) -> ReferenceAnswer {
-        ReferenceAnswer::Dues(F::limit(z.re, z.im).to_vec(), Proof::Exact)
+        ReferenceAnswer::Expected(F::limit(z.re, z.im).to_vec(), Proof::Exact)
     }
 
     fn branch(z: Self::Input<'_, f64>) -> Option<BranchAt> {

@@ -1,6 +1,6 @@
 //! A function of a complex argument that is built on W, and what several of them share.
 
-use crate::audit::{BranchAt, Due, Law, ProvedBound, ProvedError, Region};
+use crate::audit::{BranchAt, Expected, Law, ProvedBound, ProvedError, Region};
 use crate::methods::definition::Registered;
 use crate::methods::special::branches::nearest;
 use crate::methods::special::complex::{C, exponential, infinity, number};
@@ -52,8 +52,8 @@ pub trait Relative: Registered {
     /// The derivative at `z`, from the value there, to a few digits: points next to zero curves are found with it.
     fn slope(z: C, value: C) -> C;
 
-    /// What is due at an argument that is not finite.
-    fn limit(x: f64, y: f64) -> [Due; 2];
+    /// Returns the expected values at an argument that is not finite.
+    fn limit(x: f64, y: f64) -> [Expected; 2];
     /// Whether the limit of each component, where it is zero, is −0; `None` where there is no limit
     /// of the sign.
     fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2];
@@ -82,24 +82,30 @@ pub(super) fn erf_from_w(w: fn(C) -> C, z: C) -> C {
 }
 
 /// `−d`
-pub(super) fn negated(d: Due) -> Due {
+pub(super) fn negated(d: Expected) -> Expected {
     match d {
-        Due::Number(ball) => Due::Number(-ball),
-        Due::Infinity { negative } => Due::Infinity {
+        Expected::Number(ball) => Expected::Number(-ball),
+        Expected::Infinity { negative } => Expected::Infinity {
             negative: !negative,
         },
-        Due::Zero { ball, negative } => Due::Zero {
+        Expected::Zero { ball, negative } => Expected::Zero {
             ball,
             negative: !negative,
         },
-        Due::NotANumber => Due::NotANumber,
+        Expected::NotANumber => Expected::NotANumber,
     }
 }
 
 /// The limits of an odd function that is real on the real axis and imaginary on the imaginary one,
 /// that tends to ±`right` for Re z → ±∞ and to ±i∞ along the imaginary axis.
-pub(super) fn odd_limit(right: i64, x: f64, y: f64) -> [Due; 2] {
-    let known = |zero| if zero { number(0) } else { Due::NotANumber };
+pub(super) fn odd_limit(right: i64, x: f64, y: f64) -> [Expected; 2] {
+    let known = |zero| {
+        if zero {
+            number(0)
+        } else {
+            Expected::NotANumber
+        }
+    };
     if x.is_nan() || y.is_nan() {
         return [known(x == 0.0), known(y == 0.0)];
     }
@@ -110,7 +116,7 @@ pub(super) fn odd_limit(right: i64, x: f64, y: f64) -> [Due; 2] {
         ],
         (false, true) if x == 0.0 => [number(0), infinity(y)],
         // No limit.
-        _ => [Due::NotANumber, Due::NotANumber],
+        _ => [Expected::NotANumber, Expected::NotANumber],
     }
 }
 

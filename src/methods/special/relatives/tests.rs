@@ -25,13 +25,13 @@ fn agrees<R: Relative>() {
 }
 
 /// An infinity, ±0 or NaN as they are; of a ball its middle.
-fn plain(d: Due) -> String {
+fn plain(d: Expected) -> String {
     let signed = |size: f64, negative: bool| if negative { -size } else { size };
     let value = match d {
-        Due::Number(ball) => ball.mid().to_f64(),
-        Due::Infinity { negative } => signed(f64::INFINITY, negative),
-        Due::Zero { negative, .. } => signed(0.0, negative),
-        Due::NotANumber => f64::NAN,
+        Expected::Number(ball) => ball.mid().to_f64(),
+        Expected::Infinity { negative } => signed(f64::INFINITY, negative),
+        Expected::Zero { negative, .. } => signed(0.0, negative),
+        Expected::NotANumber => f64::NAN,
     };
     format!("{value:?}")
 }
@@ -58,7 +58,7 @@ fn limits_of_odd_functions() {
 
 #[test]
 fn negated_values_have_the_other_sign() {
-    let zero = |negative| Due::Zero {
+    let zero = |negative| Expected::Zero {
         ball: Ball::integer(64, 0),
         negative,
     };
@@ -68,7 +68,7 @@ fn negated_values_have_the_other_sign() {
         (infinity(-1.0), "inf"),
         (zero(false), "-0.0"),
         (zero(true), "0.0"),
-        (Due::NotANumber, "NaN"),
+        (Expected::NotANumber, "NaN"),
     ] {
         assert_eq!(plain(negated(value)), due);
     }

@@ -2,9 +2,9 @@
 
 pub(super) mod regions;
 
-use super::complex::{PROOF, asked, due, number};
+use super::complex::{PROOF, asked, expected_part, number};
 use super::identities::{U, same};
-use crate::audit::{Budget, Domain, Due, Law, Limit, Output, Proof, ReferenceAnswer, Uncertified};
+use crate::audit::{Budget, Domain, Expected, Law, Limit, Output, Proof, ReferenceAnswer, Uncertified};
 use crate::methods::common::{held, output};
 use crate::methods::definition::Definition;
 use crate::methods::inputs::{Number, inputs};
@@ -59,27 +59,27 @@ impl Definition for Voigt {
 
     fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
         if *i.sigma < 0 || *i.gamma < 0 {
-            return Ok(ReferenceAnswer::Dues(vec![Due::NotANumber], Proof::Exact));
+            return Ok(ReferenceAnswer::Expected(vec![Expected::NotANumber], Proof::Exact));
         }
         if *i.sigma == 0 && *i.gamma == 0 {
             // A point mass.
             let value = match *i.x == 0 {
-                true => Due::Infinity { negative: false },
+                true => Expected::Infinity { negative: false },
                 false => number(0),
             };
-            return Ok(ReferenceAnswer::Dues(vec![value], Proof::Exact));
+            return Ok(ReferenceAnswer::Expected(vec![value], Proof::Exact));
         }
         let value = voigt_scaled(i.x, i.sigma, i.gamma, asked(bits))?;
-        Ok(ReferenceAnswer::Dues(vec![due(&value)], PROOF))
+        Ok(ReferenceAnswer::Expected(vec![expected_part(&value)], PROOF))
     }
 
     fn reference_not_finite(i: Self::Input<'_, f64>) -> ReferenceAnswer {
         // Spread over the whole line, or looked at infinitely far away.
         let value = match i.x.is_nan() || !(i.sigma >= 0.0 && i.gamma >= 0.0) {
-            true => Due::NotANumber,
+            true => Expected::NotANumber,
             false => number(0),
         };
-        ReferenceAnswer::Dues(vec![value], Proof::Exact)
+        ReferenceAnswer::Expected(vec![value], Proof::Exact)
     }
 
     /// V ≥ 0.

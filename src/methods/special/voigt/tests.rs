@@ -5,7 +5,7 @@ use std::cell::Cell;
 
 fn shown(answer: ReferenceAnswer) -> String {
     match answer {
-        ReferenceAnswer::Dues(dues, _) => dues[0].to_decimal(5).unwrap(),
+        ReferenceAnswer::Expected(dues, _) => dues[0].to_decimal(5).unwrap(),
         other => panic!("{other:?}"),
     }
 }

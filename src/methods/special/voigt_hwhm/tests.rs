@@ -83,7 +83,7 @@ fn a_part_alone_has_its_own_width() {
 
 fn shown(answer: ReferenceAnswer) -> String {
     match answer {
-        ReferenceAnswer::Dues(dues, _) => dues[0].to_decimal(5).unwrap(),
+        ReferenceAnswer::Expected(dues, _) => dues[0].to_decimal(5).unwrap(),
         other => panic!("{other:?}"),
     }
 }

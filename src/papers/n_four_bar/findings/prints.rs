@@ -39,9 +39,9 @@ pub(super) fn library(motion: &Motion) -> Finding {
         let rows = motion.library.iter();
         rows.flat_map(|(row, due)| row.place.iter().zip(&due.values))
     };
-    let count = |limit: f64| numbers().filter(|(p, v)| p.within(v, limit)).count();
+    let half = numbers().filter(|(p, v)| p.is_rounded(v)).count();
     let (worst, when) = library_error(motion);
-    let (half, all) = (count(0.5), numbers().count());
+    let all = numbers().count();
     let least = numbers().skip(1).map(|(p, v)| p.right_digits(v).0).min();
     let least = least.unwrap_or(0);
     // Late by this: the distance over the speed, from the angle.

@@ -55,6 +55,8 @@ fn equation_and_motor() -> Vec<Item> {
             .claims("The kinetic energy I_n ψ²/2 changes by the power of both moments.")
             .with(&["t: I_n = dI_n*psi", "t: psi = psi_dot"])
             .requires(&["D(I_n*psi^2/2, t) = (M_d + M_o)*psi"])
+            .but_not("D(I_n*psi^2/2, t) = (M_d - M_o)*psi")
+            .also("D(I_n*psi^2/2, t) = (M_d - M_o)*psi + 2*M_o*psi")
             .note("M_o is a moment with sign, negative when it resists."),
         Item::new("z-1-angle", "(1), second", Formula)
             .printed("phi_dot = psi")
@@ -67,7 +69,9 @@ fn equation_and_motor() -> Vec<Item> {
         Item::new("z-2", "(2)", Formula)
             .printed(KLOSS)
             .claims("The moment has its extremum M_k at the critical slip.")
-            .requires(&["at(M_d, S, S_kr) = M_kr", "at(D(M_d, S), S, S_kr) = 0"]),
+            .requires(&["at(M_d, S, S_kr) = M_kr", "at(D(M_d, S), S, S_kr) = 0"])
+            .also("M_kr - M_d = M_kr*(S - S_kr)^2/(S^2 + S_kr^2)")
+            .note("The gap to M_k is a square times M_k, so that M_k is the largest moment."),
         Item::new("z-2-slip", "after (2), slip", Step)
             .printed("S = (omega_c - omega)/omega_c")
             .claims("The slip is 0 at the synchronous speed and 1 at rest.")
@@ -78,6 +82,8 @@ fn equation_and_motor() -> Vec<Item> {
             .with(&[KLOSS, "M_kr = k*M_n"])
             .requires(&["at(M_d, S, S_n) = M_n"])
             .also("at(at(2*k*M_n/(x/S + S/x), x, S_n*(k - sqrt(k^2 - 1))), S, S_n) = M_n")
+            .also("(k + sqrt(k^2 - 1))*(k - sqrt(k^2 - 1)) = 1")
+            .also("2.2 + sqrt(2.2^2 - 1) ~ 4.159591794227 within 0.0000000000005")
             .note(
                 "The other root, with a minus sign, gives M_n as well; the plus sign makes S_k \
                  larger than S_n, as it has to be.",
@@ -111,6 +117,7 @@ fn reduction() -> Vec<Item> {
             .with(&[ENERGY])
             .requires(&["I_n*omega_1^2/2 = at(T, I_1, 0)"])
             .but_not("I_n*omega_1^2/2 = T")
+            .also("T - I_n*omega_1^2/2 = I_1*omega_1^2/2")
             .note("(4) leaves out I_1. The paper's data have I_1 = 0, so nothing computed is affected."),
         Item::new("z-4-units", "(4), (7)", Statement)
             .claims("Velocities from lengths without a unit give kg·m² and N·m.")
@@ -131,6 +138,7 @@ fn reduction() -> Vec<Item> {
             .requires(&["dI_n = D(I_n, phi)"])
             .misprint(1, &["omega_2 psi_3 psi_4 psi_5"], "omega_1")
             .also("dI_n = at(D(I_n, phi), omega_1, 1)")
+            .also("dI_n = 4*at(D(I_n, phi), omega_1, 2)")
             .note(
                 "1/ω_1² of (4) is missing; with the paper's ω_1 = 1 that makes no difference. ψ_j \
                  and ω_j are the same.",

@@ -17,6 +17,23 @@ const CONTINUITY: [&str; 2] = [
     "leaving = (y_ip1 - y_i)/h - h/6*(m_ip1 + 2*m_i)",
 ];
 
+/// Factors of m_1 in m_0 to m_12 where the right side of (16) is zero.
+const FACTORS: [&str; 13] = [
+    "g_0 = 0",
+    "g_1 = 1",
+    "g_2 = -4*g_1 - g_0",
+    "g_3 = -4*g_2 - g_1",
+    "g_4 = -4*g_3 - g_2",
+    "g_5 = -4*g_4 - g_3",
+    "g_6 = -4*g_5 - g_4",
+    "g_7 = -4*g_6 - g_5",
+    "g_8 = -4*g_7 - g_6",
+    "g_9 = -4*g_8 - g_7",
+    "g_10 = -4*g_9 - g_8",
+    "g_11 = -4*g_10 - g_9",
+    "g_12 = -4*g_11 - g_10",
+];
+
 pub(super) fn items() -> Vec<Item> {
     let mut all = pieces();
     all.extend(joints());
@@ -125,11 +142,23 @@ fn joints() -> Vec<Item> {
                 "The tables of the paper cannot come from (17): they agree with the periodic \
                  spline only, see the finding on the recipe behind the columns.",
             ),
+        Item::new("z-17-closes", "(17)", Statement)
+            .claims("m_0 and m_n fix the others: m_n depends on m_1 by a factor that is not zero.")
+            .with(&FACTORS)
+            .requires(&["-4*s*G_i - (-s)*G_im1 = -s*(3*G_i + (G_i - G_im1))"])
+            .also("g_12 = -2107560")
+            .note(
+                "By (16) with d = 0 the factors are g_0 = 0, g_1 = 1, g_{i+1} = -4 g_i - g_{i-1}. \
+                 If g_i has the sign s and the size G_i, and g_{i-1} the sign -s and a smaller size, \
+                 then g_{i+1} has the sign -s and a larger size: by induction none is zero.",
+            ),
         Item::new("z-d", "before (18)", Step)
             .printed("d_i = 6/h^2*(y_im1 - 2*y_i + y_ip1)")
             .claims("The right side of (16).")
             .with(&CONTINUITY)
             .requires(&["h/6*(m_im1 + 4*m_i + m_ip1 - d_i) = arriving - leaving"])
+            .but_not("d_i = 6/2*(y_im1 - 2*y_i + y_ip1)")
+            .also("at(d_i, h, sqrt(2)) = 6/2*(y_im1 - 2*y_i + y_ip1)")
             .note("The text layer has the line twice, once as noise: m_1 = 6/2(m_2 = 2m + m_2)."),
     ]
 }

@@ -44,7 +44,13 @@ fn table() -> Vec<Item> {
                 "right = d_i",
             ])
             .misprint(1, &["m_im1 m_i m_ip1", "a_i b_i c_i"], "")
-            .note("The sweep (19) belongs to the corrected form."),
+            .also("at(at(at(at(at(left, a_i, 1), b_i, -4), c_i, 1), m_im1, 6), m_ip1, 18) = 48")
+            .also("6 + 4*12 + 18 = 6*(1 - 2*2^3 + 3^3)")
+            .but_not("48 = 6*(1 - 2*2^3 + 3^3)")
+            .note(
+                "The sweep (19) belongs to the corrected form. For y = x³ at x = 1, 2, 3 the \
+                 second derivatives are 6, 12, 18: the printed left side is 48 in place of 72.",
+            ),
         Item::new("z-table-0", "table 1, row 0", Table)
             .printed("b_0 = -1")
             .claims("With a_0 = c_0 = 0 and d_0 = U_0 the row says m_0 = U_0.")
@@ -88,6 +94,7 @@ fn table() -> Vec<Item> {
             .claims("With a_n = c_n = 0 and d_n = U_n the row says m_n = U_n.")
             .requires(&["-b_n*U_n = U_n"])
             .misprint(1, &[], "")
+            .also("at(-b_n*U_n, U_n, -5) = 5")
             .note("As printed it says m_n = -U_n; harmless where m_n = U_n is set for (20)."),
         second(
             "z-table-n-d",

@@ -29,6 +29,16 @@ impl Real {
         }
     }
 
+    /// A float; a double where it is a normal one.
+    pub fn of_float(x: &Float) -> Real {
+        let double = x.to_f64();
+        if double.is_normal() && *x == double {
+            Real::Double(double)
+        } else {
+            Real::Float(x.clone())
+        }
+    }
+
     /// A ball of relative radius 2^-prec or zero.
     pub fn ball(&self, prec: u32) -> Ball {
         match self {

@@ -49,6 +49,7 @@ pub use related::{
     dawson, dawson_scaled, erf, erf_scaled, erfc, erfc_scaled, erfcx, erfcx_scaled, erfi,
     erfi_scaled, voigt, voigt_scaled,
 };
+pub(crate) use related::Relative;
 pub use scaled::Scaled;
 pub use voigt_hwhm::voigt_hwhm;
 pub use zeros::{zero, zero_of_erf};

@@ -21,7 +21,7 @@ use super::scaled::{Scaled, aligned};
 use super::value::scaled;
 use super::ziv::{balls, decide};
 use crate::{Ball, ComplexBall, Undecided};
-use rug::Rational;
+use rug::{Float, Rational};
 
 /// Digits of z beyond the working precision that `e^{−z²}` needs.
 fn extra(x: &Real, y: &Real) -> u32 {
@@ -170,9 +170,34 @@ pub fn dawson(re: &Rational, im: &Rational, bits: u32) -> Result<ComplexBall, Un
 /// # Errors
 /// As [`dawson`], but not for the size of the result.
 pub fn dawson_scaled(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], Undecided> {
-    let (x, y) = (Real::of(re), Real::of(im));
-    decide("Dawson's function", bits, length(&x, &y), |p| {
-        let [a, b] = once_dawson(&x, &y, p + 8)?;
+    dawson_at(&Real::of(re), &Real::of(im), bits)
+}
+
+/// A function of this module at an exact pair of floats.
+#[derive(Clone, Copy)]
+pub(crate) enum Relative {
+    Erf,
+    Erfc,
+    Erfcx,
+    Dawson,
+}
+
+impl Relative {
+    /// The value, each component with a relative radius of at most 2^-bits or exactly zero.
+    pub(crate) fn at(self, re: &Float, im: &Float, bits: u32) -> Result<[Scaled; 2], Undecided> {
+        let (x, y) = (Real::of_float(re), Real::of_float(im));
+        match self {
+            Relative::Erf => decide("erf", bits, length(&x, &y), |p| erf_once(&x, &y, p)),
+            Relative::Erfc => decide("erfc", bits, length(&x, &y), |p| erfc_once(&x, &y, p)),
+            Relative::Erfcx => scaled(y.negated(), x, bits),
+            Relative::Dawson => dawson_at(&x, &y, bits),
+        }
+    }
+}
+
+fn dawson_at(x: &Real, y: &Real, bits: u32) -> Result<[Scaled; 2], Undecided> {
+    decide("Dawson's function", bits, length(x, y), |p| {
+        let [a, b] = once_dawson(x, y, p + 8)?;
         let half = Ball::pi(p + 8).sqrt().shift(-1);
         let times = |s: Scaled| Scaled::new(&s.ball * &half, s.exponent);
         Some([times(b), times(-a)])

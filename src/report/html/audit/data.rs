@@ -249,5 +249,4 @@ fn thinned(points: &[Point], most: usize) -> impl Iterator<Item = &Point> {
 }
 
 #[cfg(test)]
-#[path = "data_tests.rs"]
 mod tests;

@@ -245,5 +245,4 @@ fn circle(view: &View, p: Point, colour: &str, width: f64) -> Markup {
 }
 
 #[cfg(test)]
-#[path = "scene_tests.rs"]
 pub(crate) mod tests;

@@ -1,0 +1,390 @@
+//! Adaptive integration between finite limits: bisection, Gauss–Legendre rules of adaptive degree.
+
+use super::nodes;
+use crate::{Ball, ComplexBall, Mag};
+use rug::Float;
+use rug::ops::CompleteRound;
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+/// What is summed: real or complex balls.
+pub(super) trait Value: Clone {
+    fn zero() -> Self;
+    fn plus(&self, other: &Self) -> Self;
+    fn times(&self, factor: &Ball) -> Self;
+    fn widened(&self, extra: Mag) -> Self;
+    fn radius(&self) -> Mag;
+    fn magnitude(&self) -> Mag;
+    fn mignitude(&self) -> Mag;
+}
+
+macro_rules! value {
+    ($type:ty, $zero:expr, $radius:ident, $times:ident) => {
+        impl Value for $type {
+            fn zero() -> Self {
+                $zero
+            }
+            fn plus(&self, other: &Self) -> Self {
+                self + other
+            }
+            fn times(&self, factor: &Ball) -> Self {
+                $times(self, factor)
+            }
+            fn widened(&self, extra: Mag) -> Self {
+                self.widened(extra)
+            }
+            fn radius(&self) -> Mag {
+                self.$radius()
+            }
+            fn magnitude(&self) -> Mag {
+                self.magnitude()
+            }
+            fn mignitude(&self) -> Mag {
+                self.mignitude()
+            }
+        }
+    };
+}
+
+fn real_times(x: &Ball, factor: &Ball) -> Ball {
+    x * factor
+}
+
+fn complex_times(z: &ComplexBall, factor: &Ball) -> ComplexBall {
+    z.scaled(factor)
+}
+
+value!(Ball, Ball::integer(64, 0), rad, real_times);
+value!(ComplexBall, ComplexBall::zero(64), radius, complex_times);
+
+/// An integrand over a real parameter.
+pub(super) trait Path {
+    type Value: Value;
+    /// Encloses the values for all parameters in a ball.
+    fn value(&mut self, t: &Ball, bits: u32) -> Option<Self::Value>;
+    /// Bounds the integrand where it is proved to be holomorphic on the whole rectangle.
+    fn bound(&mut self, t: &ComplexBall, bits: u32) -> Option<Mag>;
+}
+
+/// The error that a panel may have.
+#[derive(Clone, Debug)]
+pub(super) struct Tolerance {
+    /// The error allowed now.
+    pub now: Mag,
+    /// The bits by which it lies below the greatest panel seen.
+    pub relative: i64,
+}
+
+impl Tolerance {
+    fn see(&mut self, size: Mag) {
+        self.now = self.now.max(size.shift(-self.relative));
+    }
+}
+
+/// Evaluations made and allowed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Budget {
+    pub spent: u64,
+    pub limit: u64,
+}
+
+/// The sum over panels, and the worst panel if the work was not finished.
+pub(super) struct Sum<V> {
+    pub value: Option<V>,
+    pub hindered: Option<(Float, Float)>,
+}
+
+struct Panel<V> {
+    lower: Float,
+    upper: Float,
+    /// The width times an enclosure of the values.
+    direct: Option<V>,
+    error: Mag,
+    /// Whether no ellipse around the whole was found free of singularities.
+    refused: bool,
+    depth: u32,
+}
+
+impl<V> Ord for Panel<V> {
+    /// By error; of equal ones the left one is greater, so that the order of the work is always the same.
+    fn cmp(&self, other: &Self) -> Ordering {
+        let error = self.error.partial_cmp(&other.error);
+        let place = other.lower.partial_cmp(&self.lower);
+        let [error, place] = [error, place].map(|o| o.unwrap_or(Ordering::Equal));
+        error.then(place)
+    }
+}
+
+impl<V> PartialOrd for Panel<V> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl<V> PartialEq for Panel<V> {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl<V> Eq for Panel<V> {}
+
+/// Bits by which the parameters are larger than the width of a panel: a node has to be known to so many bits more.
+fn resolution(lower: &Float, upper: &Float) -> u32 {
+    let width = (upper - lower).complete(64);
+    let exponent = |x: &Float| x.get_exp().unwrap_or(i32::MIN / 2);
+    let largest = exponent(lower).max(exponent(upper));
+    u32::try_from(largest.saturating_sub(exponent(&width))).unwrap_or(0)
+}
+
+fn panel<P: Path>(
+    path: &mut P,
+    [lower, upper]: [Float; 2],
+    depth: u32,
+    refused: bool,
+    tolerance: &mut Tolerance,
+    budget: &mut Budget,
+) -> Panel<P::Value> {
+    let bits = 64 + resolution(&lower, &upper);
+    let width = difference(&upper, &lower, bits);
+    budget.spent += 1;
+    let values = path.value(&Ball::between(bits, &lower, &upper), bits);
+    let direct = values
+        .map(|v| v.times(&width))
+        .filter(|v| v.radius().is_finite());
+    let error = direct.as_ref().map_or(Mag::INFINITY, Value::radius);
+    if let Some(direct) = &direct {
+        tolerance.see(direct.mignitude());
+    }
+    Panel {
+        lower,
+        upper,
+        direct,
+        error,
+        refused,
+        depth,
+    }
+}
+
+fn difference(a: &Float, b: &Float, bits: u32) -> Ball {
+    let exact = |x: &Float| Ball::new(x.clone(), Mag::ZERO);
+    (exact(a) - exact(b)).with_prec(bits)
+}
+
+/// What came of a rule over a panel.
+enum Outcome<V> {
+    Done(V),
+    /// No ellipse is known to be free of singularities.
+    Refused,
+    /// The error is too large with the nodes allowed.
+    Costly,
+}
+
+/// The sums `ρ` of half-axes that are tried.
+const ELLIPSES: [f64; 9] = [
+    2.4,
+    3.75,
+    8.0,
+    24.0,
+    128.0,
+    2048.0,
+    131_072.0,
+    16_777_216.0,
+    4_294_967_296.0,
+];
+
+/// Rules of so few nodes are not made smaller by another ellipse.
+const FEW: u32 = 6;
+
+struct Ellipse {
+    rho: f64,
+    most: Mag,
+    nodes: u32,
+}
+
+/// The ellipse that needs the fewest nodes, of those on which the integrand is proved to be holomorphic.
+fn ellipse<P: Path>(
+    path: &mut P,
+    panel: &Panel<P::Value>,
+    [mid, half]: [&Ball; 2],
+    tolerance: Mag,
+    greatest: u32,
+    budget: &mut Budget,
+) -> Result<Ellipse, bool> {
+    let bits = mid.prec();
+    let reach = half.magnitude();
+    let mut best: Option<Ellipse> = None;
+    let mut least = f64::INFINITY;
+    let mut known = false;
+    let mut i = usize::from(!panel.refused);
+    loop {
+        let rho = ELLIPSES[i];
+        let [major, minor] = nodes::half_axes(rho);
+        let box_ = ComplexBall::new(
+            mid.widened(reach.mul(major)),
+            Ball::integer(bits, 0).widened(reach.mul(minor)),
+        );
+        budget.spent += 1;
+        let Some(most) = path.bound(&box_, bits).filter(|most| most.is_finite()) else {
+            // A smaller ellipse where the first is too large.
+            if i == 1 && !panel.refused {
+                i = 0;
+                continue;
+            }
+            break;
+        };
+        known = true;
+        let most = most.mul(reach);
+        if let Some(nodes) = nodes::degree(most, rho, tolerance, greatest)
+            && best.as_ref().is_none_or(|best| nodes < best.nodes)
+        {
+            best = Some(Ellipse { rho, most, nodes });
+        }
+        // Estimated nodes, whatever their number.
+        let digits = most.exponent().unwrap_or(0) - tolerance.exponent().unwrap_or(0) + 3;
+        let nodes = digits as f64 / (2.0 * rho.log2());
+        let done = best.as_ref().is_some_and(|best| best.nodes <= FEW);
+        if nodes > 0.9 * least || done || i + 1 == ELLIPSES.len() || (i == 0 && !panel.refused) {
+            break;
+        }
+        least = nodes;
+        i += 1;
+    }
+    best.ok_or(known)
+}
+
+/// The most rounding errors may widen a sum before it is done again with more bits.
+const ATTEMPTS: u32 = 3;
+
+fn gauss<P: Path>(
+    path: &mut P,
+    panel: &Panel<P::Value>,
+    tolerance: Mag,
+    greatest: u32,
+    budget: &mut Budget,
+) -> Outcome<P::Value> {
+    let Some(direct) = &panel.direct else {
+        return Outcome::Refused;
+    };
+    let finer = resolution(&panel.lower, &panel.upper);
+    let half_of = |bits: u32| difference(&panel.upper, &panel.lower, bits).shift(-1);
+    let mid_of = |bits: u32| {
+        let exact = |x: &Float| Ball::new(x.clone(), Mag::ZERO);
+        let bits = bits + finer;
+        (exact(&panel.lower).with_prec(bits) + exact(&panel.upper).with_prec(bits)).shift(-1)
+    };
+    let (mid, half) = (mid_of(64), half_of(64));
+    let found = ellipse(path, panel, [&mid, &half], tolerance, greatest, budget);
+    let Ellipse {
+        rho,
+        most,
+        nodes: n,
+    } = match found {
+        Ok(ellipse) => ellipse,
+        Err(true) => return Outcome::Costly,
+        Err(false) => return Outcome::Refused,
+    };
+    let error = nodes::error(most, rho, n);
+    let (Some(top), Some(bottom)) = (direct.magnitude().exponent(), tolerance.exponent()) else {
+        return Outcome::Costly;
+    };
+    let mut bits = u32::try_from((top - bottom).max(8)).unwrap_or(u32::MAX / 4) + 8 + n.ilog2();
+    for _ in 0..ATTEMPTS {
+        let Some(rule) = nodes::rule(n, bits) else {
+            return Outcome::Costly;
+        };
+        let (mid, half) = (mid_of(bits), half_of(bits));
+        let mut at = |t: &Ball, weight: &Ball| {
+            budget.spent += 1;
+            path.value(t, bits).map(|v| v.times(weight))
+        };
+        let mut sum = || {
+            let mut sum = match &rule.centre {
+                Some(weight) => at(&mid, weight)?,
+                None => P::Value::zero(),
+            };
+            for (x, weight) in &rule.positive {
+                let off = x * &half;
+                sum = sum.plus(&at(&(&mid - &off), weight)?);
+                sum = sum.plus(&at(&(&mid + &off), weight)?);
+            }
+            Some(sum.times(&half))
+        };
+        let sum = sum().filter(|sum| sum.radius().is_finite());
+        let Some(sum) = sum else {
+            bits *= 2;
+            continue;
+        };
+        let excess = sum.radius().exponent().unwrap_or(i64::MIN / 2) - bottom;
+        if excess < 0 {
+            return Outcome::Done(sum.widened(error));
+        }
+        bits += u32::try_from(excess + 4).unwrap_or(bits);
+    }
+    Outcome::Costly
+}
+
+/// Integrates between neighbouring break points, which ascend.
+pub(super) fn adaptive<P: Path>(
+    path: &mut P,
+    breaks: &[Float],
+    tolerance: &mut Tolerance,
+    budget: &mut Budget,
+) -> Sum<P::Value> {
+    let mut queue = BinaryHeap::new();
+    for ends in breaks.windows(2) {
+        let ends = [ends[0].clone(), ends[1].clone()];
+        queue.push(panel(path, ends, 0, false, tolerance, budget));
+    }
+    let greatest = u32::try_from(60 + tolerance.relative.max(0) / 2).unwrap_or(u32::MAX);
+    let mut total = P::Value::zero();
+    let mut hindered = None;
+    while let Some(top) = queue.pop() {
+        let mut refused = false;
+        if let Some(direct) = &top.direct
+            && top.error <= tolerance.now
+        {
+            total = total.plus(direct);
+            continue;
+        }
+        if budget.spent < budget.limit {
+            match gauss(path, &top, tolerance.now, greatest, budget) {
+                Outcome::Done(value) => {
+                    tolerance.see(value.mignitude());
+                    total = total.plus(&value);
+                    continue;
+                }
+                Outcome::Refused => refused = top.direct.is_some(),
+                Outcome::Costly => {}
+            }
+        }
+        let bits = 64 + resolution(&top.lower, &top.upper);
+        let middle = (&top.lower + &top.upper).complete(bits) >> 1u32;
+        let splits = top.lower < middle && middle < top.upper;
+        if budget.spent >= budget.limit || top.depth >= DEPTH || !splits {
+            // The first panel left over is the worst.
+            hindered.get_or_insert((top.lower.clone(), top.upper.clone()));
+            match &top.direct {
+                Some(direct) => total = total.plus(direct),
+                None => {
+                    return Sum {
+                        value: None,
+                        hindered,
+                    };
+                }
+            }
+            continue;
+        }
+        let halves = [[top.lower, middle.clone()], [middle, top.upper]];
+        for ends in halves {
+            queue.push(panel(path, ends, top.depth + 1, refused, tolerance, budget));
+        }
+    }
+    Sum {
+        value: Some(total),
+        hindered,
+    }
+}
+
+/// A panel is halved no more often than this: its width is then below any tolerance in use.
+const DEPTH: u32 = 100_000;

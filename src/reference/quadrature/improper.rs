@@ -1,0 +1,249 @@
+//! Integrals along the real line: limits that are infinite, or where the integrand is singular, are cut off.
+
+use super::adaptive::{Path, adaptive};
+use super::{End, Growth, Hindrance, Integrand, Limit, Run};
+use crate::{Ball, ComplexBall, Mag};
+use rug::Float;
+use rug::ops::CompleteRound;
+
+/// A real function of the distance t from an origin, `x = origin ± t`.
+struct Line<'a, F> {
+    f: &'a mut F,
+    /// None for zero.
+    origin: Option<Ball>,
+    negative: bool,
+}
+
+impl<F: Integrand> Path for Line<'_, F> {
+    type Value = Ball;
+
+    fn value(&mut self, t: &Ball, bits: u32) -> Option<Ball> {
+        match (&self.origin, self.negative) {
+            (None, false) => self.f.enclose_real(t, bits),
+            (None, true) => self.f.enclose_real(&-t, bits),
+            (Some(a), false) => self.f.enclose_real(&(a + t), bits),
+            (Some(a), true) => self.f.enclose_real(&(a - t), bits),
+        }
+    }
+
+    fn bound(&mut self, t: &ComplexBall, bits: u32) -> Option<Mag> {
+        let mut z = if self.negative { -t } else { t.clone() };
+        if let Some(a) = &self.origin {
+            z.re = a + &z.re;
+        }
+        Some(self.f.enclose(&z, true, bits)?.magnitude())
+    }
+}
+
+/// Half-widths at which an end is looked at, in bits: a bound that needs to be close is tried last.
+const DISTANCES: [u32; 9] = [2, 3, 4, 6, 8, 12, 20, 32, 64];
+
+/// Bits of the distance from an end beyond which an integral is taken for one that does not converge fast enough.
+const FARTHEST: u32 = 1 << 20;
+
+fn name(end: &End) -> &'static str {
+    match end {
+        End::Above(_) => "the lower limit",
+        End::Below(_) => "the upper limit",
+        End::PlusInfinity => "infinity",
+        End::MinusInfinity => "minus infinity",
+    }
+}
+
+/// The integral, as far as it is known.
+pub(super) fn integral(
+    f: &mut impl Integrand,
+    from: &Limit,
+    to: &Limit,
+    run: &mut Run,
+) -> Option<Ball> {
+    let (a, b) = match (from, to) {
+        (Limit::Finite(a), Limit::Finite(b)) if (a - b).is_positive() => {
+            return Some(-integral(f, to, from, run)?);
+        }
+        (Limit::PlusInfinity, _) | (_, Limit::MinusInfinity) => {
+            return match (from, to) {
+                (Limit::PlusInfinity, Limit::PlusInfinity)
+                | (Limit::MinusInfinity, Limit::MinusInfinity) => Some(Ball::integer(64, 0)),
+                _ => Some(-integral(f, to, from, run)?),
+            };
+        }
+        (Limit::Finite(a), Limit::Finite(b)) if !(b - a).is_positive() => {
+            if (b - a).is_zero() {
+                return Some(Ball::integer(64, 0));
+            }
+            // Limits that may be the same number: no more than an enclosure is known.
+            let bits = a.prec().max(b.prec());
+            return Some(f.enclose_real(&a.union(b), bits)? * (b - a));
+        }
+        (a, b) => (a, b),
+    };
+    let lower = match a {
+        Limit::Finite(a) => End::Above(a.clone()),
+        _ => End::MinusInfinity,
+    };
+    let upper = match b {
+        Limit::Finite(b) => End::Below(b.clone()),
+        _ => End::PlusInfinity,
+    };
+    let singular = [&lower, &upper].map(|end| is_singular(f, end));
+    match (a, b, singular) {
+        (Limit::Finite(a), Limit::Finite(b), [false, false]) => {
+            let line = Line {
+                f,
+                origin: None,
+                negative: false,
+            };
+            between(line, a, b, &[], run)
+        }
+        (Limit::Finite(a), _, [false, true]) => towards(f, a, &upper, run),
+        (_, Limit::Finite(b), [true, false]) => towards(f, b, &lower, run),
+        _ => {
+            let middle = match (a, b) {
+                (Limit::Finite(a), Limit::Finite(b)) => (a + b).shift(-1).mid().clone(),
+                (Limit::Finite(a), _) => Float::with_val(a.prec().max(64), a.mid() + 1u32),
+                (_, Limit::Finite(b)) => Float::with_val(b.prec().max(64), b.mid() - 1u32),
+                _ => Float::with_val(64, 0),
+            };
+            // A break at a short number keeps the panels short ones.
+            let middle = Ball::new(middle, Mag::ZERO);
+            let left = towards(f, &middle, &lower, run)?;
+            Some(left + towards(f, &middle, &upper, run)?)
+        }
+    }
+}
+
+/// Whether the integrand is not enclosed in a neighbourhood of an end.
+fn is_singular(f: &mut impl Integrand, end: &End) -> bool {
+    let (a, sign) = match end {
+        End::Above(a) => (a, 1),
+        End::Below(a) => (a, -1),
+        End::PlusInfinity | End::MinusInfinity => return true,
+    };
+    let bits = a.prec().max(128);
+    let near = Float::with_val(bits, sign) >> 60u32;
+    let beside = a.with_prec(bits) + Ball::new(near, Mag::ZERO);
+    !f.enclose_real(&a.union(&beside), bits)
+        .is_some_and(|v| v.is_finite())
+}
+
+/// Between two limits in the coordinate of a line; their midpoints are exact, and their radii widen the result.
+fn between<F: Integrand>(
+    mut line: Line<F>,
+    a: &Ball,
+    b: &Ball,
+    inner: &[Float],
+    run: &mut Run,
+) -> Option<Ball> {
+    let mut beside = Mag::ZERO;
+    for end in [a, b] {
+        if !end.rad().is_zero() {
+            let values = line.value(end, end.prec()).filter(Ball::is_finite);
+            let Some(values) = values else {
+                let at = (end.lower(), end.upper());
+                run.hinder(Some(at));
+                return None;
+            };
+            beside = beside.add(values.magnitude().mul(end.rad()));
+        }
+    }
+    let mut breaks = vec![a.mid().clone()];
+    let within = inner.iter().filter(|x| *x > a.mid() && *x < b.mid());
+    breaks.extend(within.cloned());
+    breaks.push(b.mid().clone());
+    let sum = adaptive(&mut line, &breaks, &mut run.tolerance, &mut run.budget);
+    run.hinder(sum.hindered);
+    Some(sum.value?.widened(beside))
+}
+
+/// The integral between an ordinary point and an end, taken upwards.
+fn towards(f: &mut impl Integrand, from: &Ball, end: &End, run: &mut Run) -> Option<Ball> {
+    let zero = Ball::integer(64, 0);
+    // The coordinate grows away from a finite end, and towards an infinite one.
+    let (origin, negative, start) = match end {
+        End::Above(a) => (a, false, from - a),
+        End::Below(a) => (a, true, a - from),
+        End::PlusInfinity => (&zero, false, from.clone()),
+        End::MinusInfinity => (&zero, true, -from),
+    };
+    let infinite = matches!(end, End::PlusInfinity | End::MinusInfinity);
+    // The bound has to hold up to a place short of the start.
+    let size = start.magnitude().exponent().unwrap_or(0);
+    let nearest = if infinite { size + 2 } else { 2 - size };
+    let hindered = |run: &mut Run| {
+        run.hindrance.get_or_insert(Hindrance::End(name(end)));
+        None
+    };
+    let Some((growth, k)) = proved_growth(f, end, nearest) else {
+        return hindered(run);
+    };
+    let Some((k, rest)) = cut(&growth, infinite, k, run.tail) else {
+        return hindered(run);
+    };
+    let line = Line {
+        f,
+        origin: (!origin.is_zero()).then(|| origin.clone()),
+        negative,
+    };
+    let bits = from.prec().max(64);
+    let main = if infinite {
+        let last = Float::with_val(64, 1) << k;
+        let breaks = geometric(&start.mid().clone(), &last, bits);
+        between(line, &start, &Ball::new(last, Mag::ZERO), &breaks, run)?
+    } else {
+        let first = Float::with_val(64, 1) >> k;
+        let mut breaks = Vec::new();
+        let mut x = (&first << 2u32).complete(64);
+        while x < *start.mid() {
+            breaks.push(x.clone());
+            x <<= 2;
+        }
+        between(line, &Ball::new(first, Mag::ZERO), &start, &breaks, run)?
+    };
+    Some(main.widened(rest))
+}
+
+/// Break points from a start to a distant end, four times as far from the start each time, if it is distant.
+fn geometric(start: &Float, last: &Float, bits: u32) -> Vec<Float> {
+    let mut breaks = Vec::new();
+    if (last - start).complete(64) <= 128 {
+        return breaks;
+    }
+    let mut step = Float::with_val(64, 1);
+    loop {
+        let x = (start + &step).complete(bits + step.get_exp().map_or(0, |e| e.unsigned_abs()));
+        if x >= *last {
+            return breaks;
+        }
+        breaks.push(x);
+        step <<= 2;
+    }
+}
+
+/// A bound that the integrand proves at some distance of at most `2^−nearest`.
+fn proved_growth(f: &mut impl Integrand, end: &End, nearest: i64) -> Option<(Growth, u32)> {
+    let nearest = u32::try_from(nearest.max(2)).ok()?;
+    let near = DISTANCES.iter().copied().filter(|k| *k > nearest);
+    let mut all = std::iter::once(nearest).chain(near);
+    all.find_map(|k| f.growth(end, k).map(|growth| (growth, k)))
+}
+
+/// The distance `2^−k` at which the rest falls below a bound, and the rest.
+fn cut(growth: &Growth, infinite: bool, least: u32, most: Mag) -> Option<(u32, Mag)> {
+    let rest = |k: u32| growth.rest(k, infinite);
+    let fits = |k: u32| rest(k) <= most;
+    let mut high = least;
+    while !fits(high) {
+        high = high.checked_mul(2).filter(|k| *k <= FARTHEST)?;
+    }
+    let mut low = least;
+    while low < high {
+        let k = low + (high - low) / 2;
+        if fits(k) {
+            high = k;
+        } else {
+            low = k + 1;
+        }
+    }
+    Some((high, rest(high)))
+}

@@ -1,0 +1,291 @@
+//! Certified values of graphs: the working precision is raised until they are accurate enough.
+
+use super::ball::{Balls, Value};
+use super::{Evaluator, Stop};
+use crate::exact::proves_zero;
+use crate::graph::{Graph, Id};
+use crate::{Definitions, Expr};
+use mechaudit_reference::elementary::NoValue;
+use mechaudit_reference::{Ball, Mag, nearest_f64};
+use rug::Rational;
+
+/// How accurate a value has to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Goal {
+    /// A relative radius of at most `2^−bits`.
+    Bits(u32),
+    /// Such a radius, or one that is negligible beside the smallest binary64: `2^−bits` times the
+    /// larger of the value and `2^−1074`.
+    Double(u32),
+    /// As accurate as it takes to name the nearest binary64.
+    Nearest,
+}
+
+/// What is known of a value.
+#[derive(Clone, Debug)]
+pub enum Answer {
+    /// The number in the ball.
+    Number(Ball),
+    /// Exactly zero, by the symbolic algebra or by exact arithmetic.
+    Zero,
+    /// Larger than any ball holds.
+    Huge {
+        /// Whether it is negative.
+        negative: bool,
+    },
+    /// There is no real value.
+    Undefined {
+        /// Why.
+        reason: &'static str,
+        /// The subexpression that has none.
+        place: String,
+    },
+    /// Not decided within the limit.
+    Undecided(Undecided),
+}
+
+/// What stayed open.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{reason}: {place} (at {bits} bits)")]
+pub struct Undecided {
+    /// Why.
+    pub reason: &'static str,
+    /// The subexpression.
+    pub place: String,
+    /// The highest precision tried.
+    pub bits: u32,
+}
+
+impl Balls {
+    /// The interpretation at a precision; integrals and roots are enclosed as closely.
+    pub fn new(prec: u32) -> Balls {
+        Balls {
+            prec,
+            goal: prec,
+            holomorphic: false,
+        }
+    }
+}
+
+/// Certified values of the nodes of a graph.
+pub struct Certified<'g> {
+    evaluator: Evaluator<'g, Balls>,
+    /// The highest working precision.
+    limit: u32,
+    /// Values of constants at this precision are at hand.
+    constants: u32,
+    /// The expressions of nodes, by which the symbolic algebra proves zeros.
+    expressions: Option<(&'g Definitions, Vec<(Id, &'g Expr)>)>,
+}
+
+/// The working precision that is tried first to name the nearest binary64.
+const FIRST: u32 = 80;
+
+/// The highest working precision unless another is set.
+pub const LIMIT: u32 = 16_384;
+
+impl<'g> Certified<'g> {
+    /// Creates an evaluator with a limit on the working precision.
+    pub fn new(graph: &'g Graph, limit: u32) -> Certified<'g> {
+        Certified {
+            evaluator: Evaluator::new(graph, Balls::new(FIRST)),
+            limit: limit.max(64),
+            constants: 0,
+            expressions: None,
+        }
+    }
+
+    /// Lets the symbolic algebra decide whether these nodes are zero, where balls do not.
+    #[must_use]
+    pub fn with_algebra(
+        mut self,
+        definitions: &'g Definitions,
+        expressions: Vec<(Id, &'g Expr)>,
+    ) -> Certified<'g> {
+        self.expressions = Some((definitions, expressions));
+        self
+    }
+
+    /// The values of nodes at exact inputs.
+    pub fn values(&mut self, inputs: &[Rational], nodes: &[Id], goal: Goal) -> Vec<Answer> {
+        let mut answers: Vec<Option<Answer>> = vec![None; nodes.len()];
+        let mut asked = vec![false; nodes.len()];
+        let mut prec = match goal {
+            Goal::Nearest => FIRST,
+            Goal::Bits(bits) | Goal::Double(bits) => bits.saturating_add(16),
+        };
+        loop {
+            prec = prec.min(self.limit);
+            self.begin(inputs, prec, goal);
+            // The precision that the open ones are estimated to need.
+            let mut needed = 0;
+            let mut open = Vec::new();
+            for (k, node) in nodes.iter().enumerate() {
+                if answers[k].is_some() {
+                    continue;
+                }
+                let found = self.evaluator.value(*node);
+                let (reason, lacking) = match found {
+                    Ok(Value::Huge { negative, .. }) => {
+                        answers[k] = Some(Answer::Huge {
+                            negative: *negative,
+                        });
+                        continue;
+                    }
+                    Ok(value) => match value.real() {
+                        None => {
+                            answers[k] = Some(self.undefined(*node, "a complex value"));
+                            continue;
+                        }
+                        Some(ball) if ball.is_zero() => {
+                            answers[k] = Some(Answer::Zero);
+                            continue;
+                        }
+                        Some(ball) => match lacking(ball, goal) {
+                            0 => {
+                                answers[k] = Some(Answer::Number(ball.clone()));
+                                continue;
+                            }
+                            lacking => ("a value that is not accurate enough", lacking),
+                        },
+                    },
+                    Err(Stop { node, reason: NoValue::Undefined(reason) }) => {
+                        answers[k] = Some(self.undefined(node, reason));
+                        continue;
+                    }
+                    Err(Stop { node, reason: NoValue::Undecided(reason) }) => {
+                        open.push((k, node, reason));
+                        needed = needed.max(prec.saturating_mul(2));
+                        continue;
+                    }
+                    Err(Stop { node, reason: NoValue::Overflow { .. } }) => {
+                        open.push((k, node, "a number beyond the exponents"));
+                        needed = needed.max(prec.saturating_mul(2));
+                        continue;
+                    }
+                };
+                open.push((k, *node, reason));
+                needed = needed.max(match lacking {
+                    u32::MAX => prec.saturating_mul(2),
+                    bits => prec.saturating_add(bits).saturating_add(16),
+                });
+            }
+            if open.is_empty() {
+                break;
+            }
+            // A value whose balls hold zero may be zero.
+            for (k, _, _) in &open {
+                if prec >= 256.min(self.limit) && !std::mem::replace(&mut asked[*k], true) {
+                    if self.is_zero(nodes[*k], inputs) {
+                        answers[*k] = Some(Answer::Zero);
+                    }
+                }
+            }
+            if prec >= self.limit {
+                for (k, node, reason) in open {
+                    let place = self.evaluator.graph().text(node);
+                    answers[k].get_or_insert(Answer::Undecided(Undecided {
+                        reason,
+                        place,
+                        bits: prec,
+                    }));
+                }
+                break;
+            }
+            prec = needed.clamp(prec + 32, prec.saturating_mul(4)).next_multiple_of(64);
+        }
+        answers.into_iter().flatten().collect()
+    }
+
+    /// Prepares an evaluation at a precision.
+    fn begin(&mut self, inputs: &[Rational], prec: u32, goal: Goal) {
+        let balls = &mut self.evaluator.interpretation;
+        balls.prec = prec;
+        balls.goal = match goal {
+            Goal::Nearest => prec.saturating_sub(16),
+            Goal::Bits(bits) | Goal::Double(bits) => bits + 4,
+        };
+        self.evaluator.reset(prec != self.constants);
+        self.constants = prec;
+        for (k, input) in inputs.iter().enumerate() {
+            self.evaluator.set_input(k, Value::Real(Ball::rational(prec, input)));
+        }
+    }
+
+    fn undefined(&self, node: Id, reason: &'static str) -> Answer {
+        Answer::Undefined {
+            reason,
+            place: self.evaluator.graph().text(node),
+        }
+    }
+
+    fn is_zero(&self, node: Id, inputs: &[Rational]) -> bool {
+        let Some((definitions, expressions)) = &self.expressions else {
+            return false;
+        };
+        let expression = expressions.iter().find(|e| e.0 == node).map(|e| e.1);
+        expression.is_some_and(|e| {
+            proves_zero(definitions, e, self.evaluator.graph().inputs(), inputs)
+        })
+    }
+}
+
+/// Bits that a ball lacks to its goal; the largest number where nothing is known of it.
+fn lacking(ball: &Ball, goal: Goal) -> u32 {
+    if !ball.is_finite() {
+        return u32::MAX;
+    }
+    let bits = match goal {
+        Goal::Nearest => return lacking_to_nearest(ball),
+        Goal::Bits(bits) => bits,
+        Goal::Double(bits) => {
+            if ball.rad() <= Mag::power_of_two(-1074 - i64::from(bits)) {
+                return 0;
+            }
+            bits
+        }
+    };
+    let accuracy = ball.accuracy_bits();
+    match i64::from(bits) - accuracy {
+        lacking if lacking <= 0 => 0,
+        _ if ball.contains_zero() => u32::MAX,
+        lacking => u32::try_from(lacking).unwrap_or(u32::MAX),
+    }
+}
+
+/// Zero if all numbers of the ball have the same nearest binary64.
+fn lacking_to_nearest(ball: &Ball) -> u32 {
+    let accuracy = ball.accuracy_bits();
+    if accuracy == i64::MAX {
+        return 0;
+    }
+    let [low, high] = [ball.lower(), ball.upper()].map(|x| nearest_double(&x));
+    if low == high {
+        return 0;
+    }
+    match ball.contains_zero() {
+        true => u32::MAX,
+        // Near the middle of two numbers twice the bits decide.
+        false => u32::try_from(64 - accuracy).unwrap_or(64).max(32),
+    }
+}
+
+/// The binary64 nearest to a number.
+fn nearest_double(x: &rug::Float) -> f64 {
+    let (mut rounded, way) = rug::Float::with_val_round(53, x, rug::float::Round::Nearest);
+    rounded.subnormalize_ieee_round(way, rug::float::Round::Nearest);
+    rounded.to_f64()
+}
+
+impl Answer {
+    /// The nearest binary64: NaN where the value is undefined or undecided.
+    pub fn to_f64(&self) -> f64 {
+        match self {
+            Answer::Number(ball) => nearest_double(ball.mid()),
+            Answer::Zero => 0.0,
+            Answer::Huge { negative: false } => f64::INFINITY,
+            Answer::Huge { negative: true } => f64::NEG_INFINITY,
+            Answer::Undefined { .. } | Answer::Undecided(_) => f64::NAN,
+        }
+    }
+}

@@ -1,0 +1,385 @@
+//! Graphs in balls at a working precision.
+
+use super::complex;
+use super::huge;
+use super::{Evaluator, Interpretation, Stop};
+use crate::graph::{Binding, Graph, Node};
+use crate::{Constant, Func, Relation};
+use mechaudit_reference::elementary as real;
+use mechaudit_reference::elementary::{Evaluated, NoValue};
+use mechaudit_reference::{Ball, ComplexBall};
+use std::cmp::Ordering;
+
+/// A value in balls.
+#[derive(Clone, Debug)]
+pub enum Value {
+    /// A real number.
+    Real(Ball),
+    /// A complex number.
+    Complex(ComplexBall),
+    /// A function of a real variable, continued to a rectangle of complex values of it, where it is
+    /// holomorphic.
+    Continued(ComplexBall),
+    /// A number of magnitude `2^exponent` or more, beyond the exponents of MPFR.
+    Huge {
+        /// Whether it is below zero.
+        negative: bool,
+        /// The exponent, at least [`huge::LEAST`](super::huge::LEAST).
+        exponent: i64,
+    },
+}
+
+impl Value {
+    /// The real number: of a complex one whose imaginary part is exactly zero as well.
+    pub fn real(&self) -> Option<&Ball> {
+        match self {
+            Value::Real(x) => Some(x),
+            Value::Complex(z) if z.im.is_zero() => Some(&z.re),
+            _ => None,
+        }
+    }
+
+    /// The number as a complex one.
+    pub fn to_complex(&self) -> Option<ComplexBall> {
+        match self {
+            Value::Real(x) => Some(ComplexBall::new(x.clone(), Ball::integer(x.prec(), 0))),
+            Value::Complex(z) | Value::Continued(z) => Some(z.clone()),
+            Value::Huge { .. } => None,
+        }
+    }
+}
+
+/// The interpretation in balls.
+#[derive(Clone, Debug)]
+pub struct Balls {
+    /// The working precision in bits.
+    pub prec: u32,
+    /// Bits of relative accuracy that integrals and roots are enclosed to.
+    pub goal: u32,
+    /// Whether values have to be holomorphic functions of the variable that is continued.
+    pub holomorphic: bool,
+}
+
+/// A value of a real function; one that is too large for MPFR is huge.
+pub(super) fn wrap(found: Evaluated) -> Result<Value, NoValue> {
+    match found {
+        Ok(ball) => Ok(Value::Real(ball)),
+        Err(NoValue::Overflow { negative }) => Ok(huge::overflow(negative)),
+        Err(other) => Err(other),
+    }
+}
+
+type Found = Result<Value, NoValue>;
+
+impl Balls {
+    /// The arithmetic of what is not real.
+    fn pair(
+        &self,
+        a: &Value,
+        b: &Value,
+        of: fn(&ComplexBall, &ComplexBall, u32) -> real::ComplexEvaluated,
+    ) -> Found {
+        let is_complex = matches!(a, Value::Complex(_)) || matches!(b, Value::Complex(_));
+        let (Some(x), Some(y)) = (a.to_complex(), b.to_complex()) else {
+            return Err(huge::UNDECIDED);
+        };
+        let z = of(&x, &y, self.prec)?;
+        Ok(match is_complex {
+            true => Value::Complex(z),
+            false => Value::Continued(z),
+        })
+    }
+}
+
+impl Interpretation for Balls {
+    type V = Value;
+
+    fn number(&mut self, graph: &Graph, place: u32) -> Found {
+        Ok(Value::Real(Ball::rational(self.prec, graph.rational(place))))
+    }
+
+    fn integer(&mut self, n: i64) -> Value {
+        Value::Real(Ball::integer(self.prec, n))
+    }
+
+    fn constant(&mut self, c: Constant) -> Found {
+        let p = self.prec;
+        let pi = || Ball::pi(p);
+        let log = |n: i64| real::log(&Ball::integer(p, n), p);
+        let root_of_2 = || Ball::integer(p, 2).sqrt();
+        Ok(Value::Real(match c {
+            Constant::Pi => pi(),
+            Constant::HalfPi => pi().shift(-1),
+            Constant::QuarterPi => pi().shift(-2),
+            Constant::InversePi => pi().recip(),
+            Constant::TwoOverPi => pi().recip().shift(1),
+            Constant::TwoOverRootPi => pi().sqrt().recip().shift(1),
+            Constant::E => real::exp(&Ball::integer(p, 1), p)?,
+            Constant::Ln2 => log(2)?,
+            Constant::Ln10 => log(10)?,
+            Constant::Log2E => log(2)?.recip(),
+            Constant::Log10E => log(10)?.recip(),
+            Constant::Sqrt2 => root_of_2(),
+            Constant::InverseSqrt2 => root_of_2().shift(-1),
+        }))
+    }
+
+    fn imaginary_unit(&mut self) -> Found {
+        let [zero, one] = [0, 1].map(|n| Ball::integer(self.prec, n));
+        Ok(Value::Complex(ComplexBall::new(zero, one)))
+    }
+
+    fn infinity(&mut self) -> Found {
+        Ok(huge::overflow(false))
+    }
+
+    fn neg(&mut self, a: &Value) -> Found {
+        Ok(match a {
+            Value::Real(x) => Value::Real(-x),
+            Value::Complex(z) => Value::Complex(-z),
+            Value::Continued(z) => Value::Continued(-z),
+            Value::Huge { negative, exponent } => Value::Huge {
+                negative: !negative,
+                exponent: *exponent,
+            },
+        })
+    }
+
+    fn add(&mut self, a: &Value, b: &Value) -> Found {
+        match (a, b) {
+            (Value::Real(x), Value::Real(y)) => wrap(real::add(x, y, self.prec)),
+            (Value::Huge { .. }, _) | (_, Value::Huge { .. }) => huge::add(a, b),
+            _ => self.pair(a, b, |x, y, _| Ok(x + y)),
+        }
+    }
+
+    fn sub(&mut self, a: &Value, b: &Value) -> Found {
+        match (a, b) {
+            (Value::Real(x), Value::Real(y)) => wrap(real::sub(x, y, self.prec)),
+            (Value::Huge { .. }, _) | (_, Value::Huge { .. }) => {
+                let minus = self.neg(b)?;
+                huge::add(a, &minus)
+            }
+            _ => self.pair(a, b, |x, y, _| Ok(x - y)),
+        }
+    }
+
+    fn mul(&mut self, a: &Value, b: &Value) -> Found {
+        match (a, b) {
+            (Value::Real(x), Value::Real(y)) => wrap(real::mul(x, y, self.prec)),
+            (Value::Huge { .. }, _) | (_, Value::Huge { .. }) => huge::mul(a, b),
+            // A real factor needs half of the products.
+            (Value::Real(x), Value::Complex(z)) | (Value::Complex(z), Value::Real(x)) => {
+                Ok(Value::Complex(z.scaled(x)))
+            }
+            (Value::Real(x), Value::Continued(z)) | (Value::Continued(z), Value::Real(x)) => {
+                Ok(Value::Continued(z.scaled(x)))
+            }
+            _ => self.pair(a, b, |x, y, _| Ok(x * y)),
+        }
+    }
+
+    fn div(&mut self, a: &Value, b: &Value) -> Found {
+        match (a, b) {
+            (Value::Real(x), Value::Real(y)) => wrap(real::div(x, y, self.prec)),
+            (Value::Huge { .. }, _) | (_, Value::Huge { .. }) => huge::div(a, b, self.prec),
+            _ => self.pair(a, b, complex::div),
+        }
+    }
+
+    fn power(&mut self, a: &Value, k: i32) -> Found {
+        match a {
+            Value::Real(x) if k == 2 => wrap(real::sqr(x, self.prec)),
+            Value::Real(x) => wrap(real::powi(x, k.into(), self.prec)),
+            Value::Huge { .. } => huge::power(a, k, self.prec),
+            Value::Complex(z) => complex::power(z, k, self.prec).map(Value::Complex),
+            Value::Continued(z) => complex::power(z, k, self.prec).map(Value::Continued),
+        }
+    }
+
+    fn call(&mut self, f: Func, x: &[&Value]) -> Found {
+        let p = self.prec;
+        match x {
+            [Value::Real(x)] => unary(f, x, p),
+            [Value::Real(x), Value::Real(y)] => wrap(binary(f, x, y, p)),
+            [Value::Real(x), Value::Real(y), Value::Real(z)] => wrap(match f {
+                Func::Fma => real::fma(x, y, z, p),
+                _ => real::voigt(x, y, z, p),
+            }),
+            x if x.iter().any(|x| matches!(x, Value::Huge { .. })) => huge::call(f, x, p),
+            x if x.iter().any(|x| matches!(x, Value::Complex(_))) => {
+                complex::call(f, x, self.holomorphic, p)
+            }
+            x => complex::continued(f, x, p),
+        }
+    }
+
+    fn flat(&mut self, f: Func, x: &Value) -> Found {
+        let steps = match x {
+            Value::Real(x) => x,
+            Value::Continued(z) => &z.re,
+            _ => return Err(huge::UNDECIDED),
+        };
+        // A step function whose values over the ball are one number is constant there.
+        let value = unary(f, steps, self.prec)?;
+        match value.real().is_some_and(|v| v.rad().is_zero()) {
+            true => Ok(self.integer(0)),
+            false => Err(NoValue::Undecided("the derivative of a step")),
+        }
+    }
+
+    fn compare(&mut self, relation: Relation, a: &Value, b: &Value) -> Result<bool, NoValue> {
+        let order = match (a, b) {
+            (Value::Huge { negative: x, .. }, Value::Huge { negative: y, .. }) if x == y => None,
+            (Value::Huge { negative, .. }, _) => Some(match negative {
+                true => Ordering::Less,
+                false => Ordering::Greater,
+            }),
+            (_, Value::Huge { negative, .. }) => Some(match negative {
+                true => Ordering::Greater,
+                false => Ordering::Less,
+            }),
+            _ => {
+                let part = |v: &Value| match v {
+                    Value::Real(x) => Some(x.clone()),
+                    Value::Continued(z) => Some(z.re.clone()),
+                    Value::Complex(z) if z.im.is_zero() => Some(z.re.clone()),
+                    _ => None,
+                };
+                match (part(a), part(b)) {
+                    (Some(a), Some(b)) => order(&a, &b),
+                    _ => return Err(NoValue::Undefined("complex numbers have no order")),
+                }
+            }
+        };
+        match (relation, order) {
+            (Relation::Less, Some(o)) => Ok(o == Ordering::Less),
+            (Relation::LessEqual, Some(o)) => Ok(o != Ordering::Greater),
+            (Relation::Greater, Some(o)) => Ok(o == Ordering::Greater),
+            (Relation::GreaterEqual, Some(o)) => Ok(o != Ordering::Less),
+            (Relation::Equal, Some(o)) => Ok(o == Ordering::Equal),
+            (Relation::NotEqual, Some(o)) => Ok(o != Ordering::Equal),
+            (_, None) => Err(NoValue::Undecided("a comparison of numbers that may be equal")),
+        }
+    }
+
+    fn to_integer(&self, a: &Value) -> Option<i64> {
+        let x = a.real()?;
+        let n = x.mid().to_integer()?.to_i64()?;
+        (x.rad().is_zero() && *x.mid() == n).then_some(n)
+    }
+
+    fn bound(evaluator: &mut Evaluator<'_, Balls>, binder: u32) -> Result<Value, Stop> {
+        let graph = evaluator.graph();
+        let node = graph.find(Node::Bound(binder)).unwrap_or(0);
+        let stop = |reason| Stop { node, reason };
+        match graph.binder(binder).binding {
+            Binding::Integral { from, to, body } => {
+                super::integral::integral(evaluator, binder, node, [from, to, body])
+            }
+            Binding::Root {
+                from,
+                to,
+                body,
+                slope,
+            } => super::root::root(evaluator, binder, node, [from, to, body, slope]),
+            _ => Err(stop(NoValue::Undecided("a sum to infinity"))),
+        }
+    }
+}
+
+/// How two numbers are ordered, if the balls decide it.
+fn order(a: &Ball, b: &Ball) -> Option<Ordering> {
+    if a.rad().is_zero() && b.rad().is_zero() {
+        return a.mid().partial_cmp(b.mid());
+    }
+    // The difference of the midpoints to a few bits, against the radii.
+    let difference = a - b;
+    match () {
+        () if difference.is_positive() => Some(Ordering::Greater),
+        () if difference.is_negative() => Some(Ordering::Less),
+        () => None,
+    }
+}
+
+/// A function of a real number.
+pub(super) fn unary(f: Func, x: &Ball, p: u32) -> Found {
+    let wrapped = match f {
+        Func::Exp => real::exp(x, p),
+        Func::Exp2 => real::exp2(x, p),
+        Func::Exp10 => real::exp10(x, p),
+        Func::Expm1 => real::expm1(x, p),
+        Func::Log => real::log(x, p),
+        Func::Log2 => real::log2(x, p),
+        Func::Log10 => real::log10(x, p),
+        Func::Log1p => real::log1p(x, p),
+        Func::Sqrt => real::sqrt(x, p),
+        Func::Cbrt => real::cbrt(x, p),
+        Func::Sin => real::sin(x, p),
+        Func::Cos => real::cos(x, p),
+        Func::Tan => real::tan(x, p),
+        Func::Asin => real::asin(x, p),
+        Func::Acos => real::acos(x, p),
+        Func::Arctan => real::atan(x, p),
+        Func::Sinh => real::sinh(x, p),
+        Func::Cosh => real::cosh(x, p),
+        Func::Tanh => real::tanh(x, p),
+        Func::Asinh => real::asinh(x, p),
+        Func::Acosh => real::acosh(x, p),
+        Func::Atanh => real::atanh(x, p),
+        Func::Erf => real::erf(x, p),
+        Func::Erfc => real::erfc(x, p),
+        Func::Erfcx => real::erfcx(x, p),
+        Func::Erfi => real::erfi(x, p),
+        Func::Dawson => real::dawson(x, p),
+        Func::Tgamma => real::tgamma(x, p),
+        Func::Lgamma => real::lgamma(x, p),
+        Func::Digamma => real::digamma(x, p),
+        Func::Abs => real::fabs(x, p),
+        Func::Floor => real::floor(x, p),
+        Func::Ceil => real::ceil(x, p),
+        Func::Round => real::round(x, p),
+        Func::Trunc => real::trunc(x, p),
+        Func::Nearbyint => real::nearbyint(x, p),
+        Func::Re | Func::Conj => Ok(x.clone()),
+        Func::Im => Ok(Ball::integer(p, 0)),
+        Func::Arg => match () {
+            () if x.is_positive() => Ok(Ball::integer(p, 0)),
+            () if x.is_negative() => Ok(Ball::pi(p)),
+            () if x.is_zero() => Err(NoValue::Undefined("the argument of zero")),
+            () => Err(NoValue::Undecided("the sign of an argument")),
+        },
+        Func::W => {
+            let z = ComplexBall::new(x.clone(), Ball::integer(p, 0));
+            return real::w(&z, p).map(Value::Complex);
+        }
+        Func::Pow
+        | Func::Atan2
+        | Func::Hypot
+        | Func::Fmin
+        | Func::Fmax
+        | Func::Fdim
+        | Func::Fmod
+        | Func::Remainder
+        | Func::Copysign
+        | Func::Fma
+        | Func::Voigt => Err(NoValue::Undefined("a function of another number of arguments")),
+    };
+    wrap(wrapped)
+}
+
+/// A function of two real numbers.
+fn binary(f: Func, x: &Ball, y: &Ball, p: u32) -> Evaluated {
+    match f {
+        Func::Pow => real::pow(x, y, p),
+        Func::Atan2 => real::atan2(x, y, p),
+        Func::Hypot => real::hypot(x, y, p),
+        Func::Fmin => real::fmin(x, y, p),
+        Func::Fmax => real::fmax(x, y, p),
+        Func::Fdim => real::fdim(x, y, p),
+        Func::Fmod => real::fmod(x, y, p),
+        Func::Remainder => real::remainder(x, y, p),
+        Func::Copysign => real::copysign(x, y, p),
+        _ => Err(NoValue::Undefined("a function of another number of arguments")),
+    }
+}

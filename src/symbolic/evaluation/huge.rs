@@ -1,0 +1,246 @@
+//! Numbers beyond the exponents of MPFR: a sign and a lower bound on the magnitude.
+//!
+//! They come from overflow, `e^{10^300}`, and lead back to numbers by division or by functions with
+//! limits: `1/(1 + e^{10^300})` is a ball around zero.
+
+use super::ball::{Value, unary, wrap};
+use crate::Func;
+use mechaudit_reference::elementary::NoValue;
+use mechaudit_reference::{Ball, Mag};
+
+/// The smallest exponent of a huge number.
+pub(super) const LEAST: i64 = 1 << 20;
+
+/// The exponent of a number that overflows: see [`NoValue::Overflow`].
+const OVERFLOW: i64 = (1 << 30) - 2;
+
+/// The answer where the lower bound does not decide.
+pub(super) const UNDECIDED: NoValue = NoValue::Undecided("a number beyond 2^(2^30)");
+
+type Found = Result<Value, NoValue>;
+
+/// A number beyond the exponents of MPFR.
+pub(super) fn overflow(negative: bool) -> Value {
+    Value::Huge {
+        negative,
+        exponent: OVERFLOW,
+    }
+}
+
+fn huge(negative: bool, exponent: i64) -> Found {
+    match exponent >= LEAST {
+        // A cap keeps sums of exponents within 64 bits.
+        true => Ok(Value::Huge {
+            negative,
+            exponent: exponent.min(1 << 60),
+        }),
+        false => Err(UNDECIDED),
+    }
+}
+
+/// `x ± 2^exponent`.
+fn near(x: i64, exponent: i64, p: u32) -> Found {
+    let ball = Ball::integer(p, x).widened(Mag::power_of_two(exponent));
+    Ok(Value::Real(ball))
+}
+
+/// The exponent of a power of two that is not below the magnitude of a finite ball.
+fn above(x: &Ball) -> Option<i64> {
+    let size = x.magnitude();
+    if size.is_zero() {
+        return Some(-OVERFLOW);
+    }
+    Some(size.exponent()? + 1)
+}
+
+/// The exponent of a power of two that is not above the magnitude of a ball off zero.
+fn below(x: &Ball) -> Option<i64> {
+    let size = x.mignitude();
+    (!size.is_zero()).then(|| size.exponent()).flatten().map(|e| e - 1)
+}
+
+/// `a + b`, one of which is huge.
+pub(super) fn add(a: &Value, b: &Value) -> Found {
+    match (a, b) {
+        (
+            Value::Huge { negative: x, exponent: e },
+            Value::Huge { negative: y, exponent: f },
+        ) if x == y => huge(*x, *e.max(f)),
+        (Value::Huge { negative, exponent }, Value::Real(x))
+        | (Value::Real(x), Value::Huge { negative, exponent })
+            if above(x).is_some_and(|size| size < *exponent) =>
+        {
+            huge(*negative, exponent - 1)
+        }
+        _ => Err(UNDECIDED),
+    }
+}
+
+fn is_negative(x: &Ball) -> Option<bool> {
+    match (x.is_negative(), x.is_positive()) {
+        (true, _) => Some(true),
+        (_, true) => Some(false),
+        _ => None,
+    }
+}
+
+/// `a b`, one of which is huge.
+pub(super) fn mul(a: &Value, b: &Value) -> Found {
+    match (a, b) {
+        (
+            Value::Huge { negative: x, exponent: e },
+            Value::Huge { negative: y, exponent: f },
+        ) => huge(x != y, e + f),
+        (Value::Huge { .. }, Value::Real(x)) | (Value::Real(x), Value::Huge { .. })
+            if x.is_zero() =>
+        {
+            Ok(Value::Real(x.clone()))
+        }
+        (Value::Huge { negative, exponent }, Value::Real(x))
+        | (Value::Real(x), Value::Huge { negative, exponent }) => {
+            let (Some(sign), Some(size)) = (is_negative(x), below(x)) else {
+                return Err(UNDECIDED);
+            };
+            huge(*negative != sign, exponent + size)
+        }
+        _ => Err(UNDECIDED),
+    }
+}
+
+/// `a / b`, one of which is huge.
+pub(super) fn div(a: &Value, b: &Value, p: u32) -> Found {
+    match (a, b) {
+        (Value::Real(x), Value::Huge { exponent, .. }) => match above(x) {
+            Some(size) => near(0, size - exponent, p),
+            None => Err(UNDECIDED),
+        },
+        (Value::Huge { negative, exponent }, Value::Real(x)) => {
+            if x.is_zero() {
+                return Err(NoValue::Undefined("division by zero"));
+            }
+            match (is_negative(x), above(x)) {
+                (Some(sign), Some(size)) => huge(*negative != sign, exponent - size),
+                _ => Err(UNDECIDED),
+            }
+        }
+        _ => Err(UNDECIDED),
+    }
+}
+
+/// `a^k` of a huge number.
+pub(super) fn power(a: &Value, k: i32, p: u32) -> Found {
+    let Value::Huge { negative, exponent } = a else {
+        return Err(UNDECIDED);
+    };
+    let exponent = exponent.saturating_mul(k.unsigned_abs().into());
+    match k {
+        0 => near(1, -OVERFLOW, p).map(|_| Value::Real(Ball::integer(p, 1))),
+        k if k < 0 => near(0, -exponent.min(1 << 60), p),
+        k => huge(*negative && k % 2 != 0, exponent),
+    }
+}
+
+/// A function of arguments one of which is huge.
+pub(super) fn call(f: Func, x: &[&Value], p: u32) -> Found {
+    match x {
+        [Value::Huge { negative, exponent }] => one(f, *negative, *exponent, p),
+        [a, b] => two(f, a, b),
+        [a, b, c] if f == Func::Fma => add_any(&mul_any(a, b, p)?, c, p),
+        _ => Err(UNDECIDED),
+    }
+}
+
+fn mul_any(a: &Value, b: &Value, p: u32) -> Found {
+    match (a, b) {
+        (Value::Real(x), Value::Real(y)) => {
+            wrap(mechaudit_reference::elementary::mul(x, y, p))
+        }
+        _ => mul(a, b),
+    }
+}
+
+fn add_any(a: &Value, b: &Value, p: u32) -> Found {
+    match (a, b) {
+        (Value::Real(x), Value::Real(y)) => {
+            wrap(mechaudit_reference::elementary::add(x, y, p))
+        }
+        _ => add(a, b),
+    }
+}
+
+/// A function with a limit at infinity; the remainder is at most `2^-exponent` for those listed.
+fn one(f: Func, negative: bool, exponent: i64, p: u32) -> Found {
+    let tiny = -exponent;
+    match (f, negative) {
+        (Func::Exp | Func::Exp2 | Func::Exp10, true) => near(0, -OVERFLOW, p),
+        (Func::Expm1, true) => near(-1, -OVERFLOW, p),
+        (Func::Exp | Func::Exp2 | Func::Exp10 | Func::Expm1, false) => Ok(overflow(false)),
+        (Func::Sinh | Func::Erfi, _) => Ok(overflow(negative)),
+        (Func::Cosh, _) | (Func::Tgamma | Func::Lgamma, false) => huge(false, exponent),
+        (Func::Tanh | Func::Erf, _) => near(if negative { -1 } else { 1 }, tiny, p),
+        (Func::Erfc | Func::Erfcx, false) | (Func::Dawson, _) => near(0, tiny, p),
+        (Func::Erfc, true) => near(2, tiny, p),
+        (Func::Erfcx, true) => Ok(overflow(false)),
+        (Func::Arctan, _) => {
+            let half = Ball::pi(p).shift(-1).widened(Mag::power_of_two(tiny));
+            Ok(Value::Real(if negative { -half } else { half }))
+        }
+        (Func::Abs, _) => huge(false, exponent),
+        (Func::Floor | Func::Ceil | Func::Round | Func::Trunc | Func::Nearbyint, _) => {
+            huge(negative, exponent)
+        }
+        (Func::Sqrt | Func::Log | Func::Log2 | Func::Log10 | Func::Log1p, true) => {
+            Err(NoValue::Undefined("a negative number"))
+        }
+        (Func::Sqrt, false) => huge(false, exponent / 2),
+        (Func::Cbrt, _) => huge(negative, exponent / 3),
+        // Sines are bounded whatever the argument.
+        (Func::Sin | Func::Cos, _) => unary(f, &Ball::integer(p, 0).widened(Mag::from_f64(8.0)), p),
+        (Func::Asin | Func::Acos | Func::Atanh, _) | (Func::Acosh, true) => {
+            Err(NoValue::Undefined("a number outside of the domain"))
+        }
+        _ => Err(UNDECIDED),
+    }
+}
+
+fn two(f: Func, a: &Value, b: &Value) -> Found {
+    let negative = |x: &Value| match x {
+        Value::Huge { negative, .. } => Some(*negative),
+        Value::Real(x) => is_negative(x),
+        _ => None,
+    };
+    let is_huge = |x: &Value| matches!(x, Value::Huge { .. });
+    match f {
+        // The other is smaller than a huge positive one, larger than a huge negative one.
+        Func::Fmin | Func::Fmax => {
+            let (large, other) = if is_huge(a) { (a, b) } else { (b, a) };
+            match (is_huge(other), negative(large)) {
+                (false, Some(below)) => Ok(match (f == Func::Fmin) == below {
+                    true => large.clone(),
+                    false => other.clone(),
+                }),
+                (true, Some(below)) if negative(other) == Some(!below) => {
+                    let wants_negative = f == Func::Fmin;
+                    Ok(if below == wants_negative { large.clone() } else { other.clone() })
+                }
+                _ => Err(UNDECIDED),
+            }
+        }
+        Func::Hypot => {
+            let exponents = [a, b].into_iter().filter_map(|x| match x {
+                Value::Huge { exponent, .. } => Some(*exponent),
+                _ => None,
+            });
+            exponents.max().map_or(Err(UNDECIDED), |e| huge(false, e))
+        }
+        Func::Copysign => match (a, negative(b)) {
+            (Value::Huge { exponent, .. }, Some(sign)) => huge(sign, *exponent),
+            (Value::Real(x), Some(sign)) => {
+                let size = x.abs();
+                Ok(Value::Real(if sign { -size } else { size }))
+            }
+            _ => Err(UNDECIDED),
+        },
+        _ => Err(UNDECIDED),
+    }
+}

@@ -1,0 +1,358 @@
+//! Values of graphs.
+//!
+//! An [`Evaluator`] goes through a [`Graph`] once; what the operations mean is an
+//! [`Interpretation`]: balls at a precision ([`Balls`]), floating-point numbers ([`Floating`]). Only
+//! what a value needs is evaluated: of a choice the part that is chosen, of a conjunction the second
+//! condition where the first holds.
+
+mod adaptive;
+mod ball;
+mod float;
+mod huge;
+
+pub use adaptive::{Answer, Certified, Goal, Undecided};
+pub use ball::{Balls, Value};
+pub use float::{Elementary, Floating, Format};
+
+use crate::graph::{Binding, Graph, Id, Node};
+use crate::{Constant, Func, Relation};
+use mechaudit_reference::elementary::NoValue;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+/// Reason why a node has no value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stop {
+    /// Where.
+    pub node: Id,
+    /// Why.
+    pub reason: NoValue,
+}
+
+/// What the operations of a graph mean.
+pub trait Interpretation: Sized {
+    /// The values of numbers.
+    type V: Clone;
+    /// A number of the graph's table.
+    fn number(&mut self, graph: &Graph, place: u32) -> Result<Self::V, NoValue>;
+    /// A small integer.
+    fn integer(&mut self, n: i64) -> Self::V;
+    /// A named constant.
+    fn constant(&mut self, c: Constant) -> Result<Self::V, NoValue>;
+    /// The imaginary unit.
+    fn imaginary_unit(&mut self) -> Result<Self::V, NoValue>;
+    /// Infinity, where it is compared.
+    fn infinity(&mut self) -> Result<Self::V, NoValue>;
+    /// `−a`.
+    fn neg(&mut self, a: &Self::V) -> Result<Self::V, NoValue>;
+    /// `a + b`.
+    fn add(&mut self, a: &Self::V, b: &Self::V) -> Result<Self::V, NoValue>;
+    /// `a − b`.
+    fn sub(&mut self, a: &Self::V, b: &Self::V) -> Result<Self::V, NoValue>;
+    /// `a b`.
+    fn mul(&mut self, a: &Self::V, b: &Self::V) -> Result<Self::V, NoValue>;
+    /// `a / b`.
+    fn div(&mut self, a: &Self::V, b: &Self::V) -> Result<Self::V, NoValue>;
+    /// An integer power.
+    fn power(&mut self, a: &Self::V, k: i32) -> Result<Self::V, NoValue>;
+    /// A function.
+    fn call(&mut self, f: Func, x: &[&Self::V]) -> Result<Self::V, NoValue>;
+    /// Zero where a step function is constant.
+    fn flat(&mut self, f: Func, x: &Self::V) -> Result<Self::V, NoValue>;
+    /// A comparison.
+    fn compare(&mut self, relation: Relation, a: &Self::V, b: &Self::V) -> Result<bool, NoValue>;
+    /// The integer that a value certainly is.
+    fn to_integer(&self, a: &Self::V) -> Option<i64>;
+    /// An integral, a root, or a sum to infinity, whose limits have values.
+    fn bound(evaluator: &mut Evaluator<'_, Self>, binder: u32) -> Result<Self::V, Stop>;
+}
+
+/// Values of the nodes of a graph for one interpretation and one set of inputs.
+pub struct Evaluator<'g, I: Interpretation> {
+    graph: &'g Graph,
+    /// The meaning of the operations.
+    pub interpretation: I,
+    known: Vec<Option<I::V>>,
+    truths: Vec<Option<bool>>,
+    orders: HashMap<Id, Rc<[Id]>>,
+    /// Rounds of loops and terms of sums that are left.
+    pub rounds: u64,
+}
+
+const NOT_A_NUMBER: NoValue = NoValue::Undefined("a condition or a name without a value");
+
+/// Rounds of loops and terms of sums that one evaluation may take.
+pub const ROUNDS: u64 = 1_000_000;
+
+impl<'g, I: Interpretation> Evaluator<'g, I> {
+    /// Creates an evaluator without inputs.
+    pub fn new(graph: &'g Graph, interpretation: I) -> Evaluator<'g, I> {
+        Evaluator {
+            graph,
+            interpretation,
+            known: vec![None; graph.len()],
+            truths: vec![None; graph.len()],
+            orders: HashMap::new(),
+            rounds: ROUNDS,
+        }
+    }
+
+    /// The graph.
+    pub fn graph(&self) -> &'g Graph {
+        self.graph
+    }
+
+    /// Forgets what depends on inputs and variables; everything if `constants` as well.
+    pub fn reset(&mut self, constants: bool) {
+        for id in 0..self.known.len() {
+            if constants || self.graph.varies(id as Id) {
+                self.known[id] = None;
+                self.truths[id] = None;
+            }
+        }
+        self.rounds = ROUNDS;
+    }
+
+    /// Gives an input a value. What depends on it has to be forgotten before.
+    pub fn set_input(&mut self, k: usize, value: I::V) {
+        if let Some(id) = self.graph.find(Node::Input(k as u32)) {
+            self.known[id as usize] = Some(value);
+        }
+    }
+
+    /// Gives the variables of a binder values and forgets what depends on the old ones.
+    pub fn set_variables(&mut self, binder: u32, values: impl IntoIterator<Item = I::V>) {
+        for id in &self.graph.binder(binder).members {
+            self.known[*id as usize] = None;
+            self.truths[*id as usize] = None;
+        }
+        for (k, value) in values.into_iter().enumerate() {
+            if let Some(id) = self.graph.find(Node::Variable(binder, k as u32)) {
+                self.known[id as usize] = Some(value);
+            }
+        }
+    }
+
+    /// The value of a node.
+    ///
+    /// # Errors
+    /// The first node without a value, and why it has none.
+    pub fn value(&mut self, id: Id) -> Result<&I::V, Stop> {
+        if self.known[id as usize].is_none() {
+            self.run(id)?;
+        }
+        self.known[id as usize].as_ref().ok_or(Stop {
+            node: id,
+            reason: NOT_A_NUMBER,
+        })
+    }
+
+    /// Returns true if a condition holds.
+    ///
+    /// # Errors
+    /// As [`Evaluator::value`].
+    pub fn holds(&mut self, id: Id) -> Result<bool, Stop> {
+        if self.truths[id as usize].is_none() {
+            self.run(id)?;
+        }
+        self.truths[id as usize].ok_or(Stop {
+            node: id,
+            reason: NoValue::Undefined("a number where a condition is needed"),
+        })
+    }
+
+    /// Nodes that are needed for a node in any case, in ascending order.
+    fn order(&mut self, root: Id) -> Rc<[Id]> {
+        if let Some(order) = self.orders.get(&root) {
+            return order.clone();
+        }
+        let mut seen = vec![false; root as usize + 1];
+        let mut open = vec![root];
+        while let Some(id) = open.pop() {
+            if std::mem::replace(&mut seen[id as usize], true) {
+                continue;
+            }
+            match self.graph.node(id) {
+                Node::If(condition, ..) => open.push(condition),
+                Node::And(a, _) | Node::Or(a, _) => open.push(a),
+                Node::Bound(binder) => match self.graph.binder(binder).binding {
+                    Binding::Sum { from, to, .. }
+                    | Binding::Integral { from, to, .. }
+                    | Binding::Root { from, to, .. } => {
+                        let is_finite = |id: &Id| self.graph.node(*id) != Node::Infinity;
+                        open.extend([from, to].into_iter().filter(is_finite));
+                    }
+                    _ => {}
+                },
+                Node::Last(binder, _) => {
+                    if let Binding::Loop { first, .. } = &self.graph.binder(binder).binding {
+                        open.extend(first);
+                    }
+                }
+                node => open.extend(self.graph.operands(node)),
+            }
+        }
+        let order: Vec<Id> = (0..=root).filter(|id| seen[*id as usize]).collect();
+        let order: Rc<[Id]> = order.into();
+        self.orders.insert(root, order.clone());
+        order
+    }
+
+    fn run(&mut self, root: Id) -> Result<(), Stop> {
+        for id in self.order(root).iter() {
+            let place = *id as usize;
+            if self.known[place].is_none() && self.truths[place].is_none() {
+                self.compute(*id)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn truth(&self, id: Id) -> Result<bool, NoValue> {
+        self.truths[id as usize].ok_or(NoValue::Undefined("a number where a condition is needed"))
+    }
+
+    /// The value of a node whose operands are known.
+    fn compute(&mut self, id: Id) -> Result<(), Stop> {
+        let node = self.graph.node(id);
+        let stop = |reason| Stop { node: id, reason };
+        // These need values that are not known yet.
+        match node {
+            Node::If(condition, a, b) => {
+                let chosen = if self.holds(condition)? { a } else { b };
+                let value = self.value(chosen)?.clone();
+                self.known[id as usize] = Some(value);
+                return Ok(());
+            }
+            Node::And(a, b) => {
+                let both = self.holds(a)? && self.holds(b)?;
+                self.truths[id as usize] = Some(both);
+                return Ok(());
+            }
+            Node::Or(a, b) => {
+                let either = self.holds(a)? || self.holds(b)?;
+                self.truths[id as usize] = Some(either);
+                return Ok(());
+            }
+            Node::Bound(binder) => {
+                let value = self.bound(binder, id)?;
+                self.known[id as usize] = Some(value);
+                return Ok(());
+            }
+            Node::Last(binder, _) => return self.repeat(binder, id),
+            _ => {}
+        }
+        let truth = match node {
+            Node::Truth(t) => Some(t),
+            Node::Not(a) => Some(!self.truth(a).map_err(stop)?),
+            Node::Compare(relation, a, b) => {
+                let (known, i) = (&self.known, &mut self.interpretation);
+                let number = |id: Id| known[id as usize].as_ref().ok_or(NOT_A_NUMBER);
+                let found = number(a).and_then(|a| i.compare(relation, a, number(b)?));
+                Some(found.map_err(stop)?)
+            }
+            _ => None,
+        };
+        if truth.is_some() {
+            self.truths[id as usize] = truth;
+            return Ok(());
+        }
+        let known = &self.known;
+        let get = |id: Id| known[id as usize].as_ref().ok_or(NOT_A_NUMBER);
+        let i = &mut self.interpretation;
+        let value = (|| match node {
+            Node::Number(place) => i.number(self.graph, place),
+            Node::Constant(c) => i.constant(c),
+            Node::ImaginaryUnit => i.imaginary_unit(),
+            Node::Infinity => i.infinity(),
+            Node::Neg(a) => i.neg(get(a)?),
+            Node::Add(a, b) => i.add(get(a)?, get(b)?),
+            Node::Sub(a, b) => i.sub(get(a)?, get(b)?),
+            Node::Mul(a, b) => i.mul(get(a)?, get(b)?),
+            Node::Div(a, b) => i.div(get(a)?, get(b)?),
+            Node::Power(a, k) => i.power(get(a)?, k),
+            Node::Unary(f, a) => i.call(f, &[get(a)?]),
+            Node::Binary(f, a, b) => i.call(f, &[get(a)?, get(b)?]),
+            Node::Ternary(f, a, b, c) => i.call(f, &[get(a)?, get(b)?, get(c)?]),
+            Node::Flat(f, a) => i.flat(f, get(a)?),
+            _ => Err(NoValue::Undefined("a name without a value")),
+        })();
+        self.known[id as usize] = Some(value.map_err(stop)?);
+        Ok(())
+    }
+
+    /// Counts a round of a loop or a term of a sum.
+    fn count(&mut self, node: Id) -> Result<(), Stop> {
+        self.rounds = self.rounds.saturating_sub(1);
+        match self.rounds {
+            0 => Err(Stop {
+                node,
+                reason: NoValue::Undecided("the limit on rounds of loops and terms of sums"),
+            }),
+            _ => Ok(()),
+        }
+    }
+
+    fn bound(&mut self, binder: u32, id: Id) -> Result<I::V, Stop> {
+        let Binding::Sum { from, to, body } = self.graph.binder(binder).binding else {
+            return I::bound(self, binder);
+        };
+        if self.graph.node(to) == Node::Infinity {
+            return I::bound(self, binder);
+        }
+        let stop = |reason| Stop { node: id, reason };
+        let mut limit = |limit: Id| {
+            let value = self.value(limit)?.clone();
+            let integer = self.interpretation.to_integer(&value);
+            integer.ok_or(stop(NoValue::Undefined("a limit of a sum that is no integer")))
+        };
+        let (from, to) = (limit(from)?, limit(to)?);
+        let mut sum: Option<I::V> = None;
+        for k in from..=to {
+            self.count(id)?;
+            let index = self.interpretation.integer(k);
+            self.set_variables(binder, [index]);
+            let term = self.value(body)?.clone();
+            sum = Some(match sum {
+                Some(sum) => self.interpretation.add(&sum, &term).map_err(stop)?,
+                None => term,
+            });
+        }
+        Ok(sum.unwrap_or_else(|| self.interpretation.integer(0)))
+    }
+
+    /// Runs a loop and gives all its last values.
+    fn repeat(&mut self, binder: u32, id: Id) -> Result<(), Stop> {
+        let graph = self.graph;
+        let Binding::Loop {
+            condition,
+            first,
+            next,
+        } = &graph.binder(binder).binding
+        else {
+            return Err(Stop {
+                node: id,
+                reason: NoValue::Undefined("a loop that is not closed"),
+            });
+        };
+        let mut values = self.all(first)?;
+        loop {
+            self.set_variables(binder, values.iter().cloned());
+            if !self.holds(*condition)? {
+                break;
+            }
+            self.count(id)?;
+            values = self.all(next)?;
+        }
+        for (k, value) in values.into_iter().enumerate() {
+            if let Some(id) = graph.find(Node::Last(binder, k as u32)) {
+                self.known[id as usize] = Some(value);
+            }
+        }
+        Ok(())
+    }
+
+    fn all(&mut self, ids: &[Id]) -> Result<Vec<I::V>, Stop> {
+        ids.iter().map(|id| self.value(*id).cloned()).collect()
+    }
+}

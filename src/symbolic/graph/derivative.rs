@@ -1,0 +1,668 @@
+//! Derivatives and substitutions.
+
+use super::{Binding, Graph, Id, Node};
+use crate::error::unsupported;
+use crate::{Constant, Func, Relation, SymbolicError};
+use std::collections::HashMap;
+
+/// A derivative; nothing stands for zero.
+type Slope = Option<Id>;
+
+impl Graph {
+    /// The derivative of a node by an input or a bound variable.
+    ///
+    /// Step functions have the derivative zero where they are constant ([`Node::Flat`]); a choice has
+    /// that of the part that is chosen. The derivative by a variable that occurs in a complex
+    /// conjugate is that by a real variable.
+    ///
+    /// # Errors
+    /// [`SymbolicError::Unsupported`] for functions whose derivatives are not in the language.
+    pub fn derivative(&mut self, root: Id, leaf: Id) -> Result<Id, SymbolicError> {
+        let slope = match self.derivatives.get(&(root, leaf)) {
+            Some(known) => *known,
+            None => {
+                let seeds = HashMap::from([(leaf, Some(self.number(1)))]);
+                let found = self.slope(root, &seeds)?;
+                self.derivatives.insert((root, leaf), found);
+                found
+            }
+        };
+        Ok(slope.unwrap_or_else(|| self.number(0)))
+    }
+
+    /// The derivative of a node, given those of the leaves.
+    fn slope(&mut self, root: Id, seeds: &HashMap<Id, Slope>) -> Result<Slope, SymbolicError> {
+        let mut known: HashMap<Id, Slope> = HashMap::new();
+        let mut loops: HashMap<u32, (u32, u32)> = HashMap::new();
+        for id in self.reach(root) {
+            let slope = match seeds.get(&id) {
+                Some(seed) => *seed,
+                None => self.slope_of(id, &known, seeds, &mut loops)?,
+            };
+            known.insert(id, slope);
+        }
+        Ok(known.get(&root).copied().flatten())
+    }
+
+    /// The derivative of a node whose operands' derivatives are known.
+    fn slope_of(
+        &mut self,
+        id: Id,
+        known: &HashMap<Id, Slope>,
+        seeds: &HashMap<Id, Slope>,
+        loops: &mut HashMap<u32, (u32, u32)>,
+    ) -> Result<Slope, SymbolicError> {
+        let d = |a: Id| known.get(&a).copied().flatten();
+        let node = self.node(id);
+        Ok(match node {
+            Node::Number(_)
+            | Node::Constant(_)
+            | Node::ImaginaryUnit
+            | Node::Infinity
+            | Node::Input(_)
+            | Node::Variable(..)
+            | Node::Truth(_)
+            | Node::Flat(..)
+            | Node::Compare(..)
+            | Node::And(..)
+            | Node::Or(..)
+            | Node::Not(_) => None,
+            Node::Neg(a) => d(a).map(|a| self.push(Node::Neg(a))),
+            Node::Add(a, b) => self.plus(d(a), d(b)),
+            Node::Sub(a, b) => self.minus(d(a), d(b)),
+            Node::Mul(a, b) => {
+                let (left, right) = (self.times(d(a), b), self.times(d(b), a));
+                self.plus(left, right)
+            }
+            Node::Div(a, b) => {
+                // (a′ − (a/b) b′)/b.
+                let moved = self.times(d(b), id);
+                let above = self.minus(d(a), moved);
+                above.map(|above| self.push(Node::Div(above, b)))
+            }
+            Node::Power(_, 0) => None,
+            Node::Power(a, k) => d(a).map(|slope| {
+                let factor = self.number(k);
+                let power = match k {
+                    1 => return slope,
+                    2 => a,
+                    k => self.push(Node::Power(a, k - 1)),
+                };
+                let factor = self.push(Node::Mul(factor, power));
+                self.push(Node::Mul(factor, slope))
+            }),
+            Node::If(condition, a, b) => match (d(a), d(b)) {
+                (None, None) => None,
+                (a, b) => {
+                    let [a, b] = [a, b].map(|x| x.unwrap_or_else(|| self.number(0)));
+                    Some(self.push(Node::If(condition, a, b)))
+                }
+            },
+            Node::Unary(f, a) => match d(a) {
+                None => None,
+                Some(slope) => self.unary(f, id, a, slope)?,
+            },
+            Node::Binary(f, a, b) => match (d(a), d(b)) {
+                (None, None) => None,
+                slopes => self.binary(f, id, [a, b], slopes)?,
+            },
+            Node::Ternary(f, a, b, c) => match [d(a), d(b), d(c)] {
+                [None, None, None] => None,
+                [da, db, dc] if f == Func::Fma => {
+                    let (left, right) = (self.times(da, b), self.times(db, a));
+                    let product = self.plus(left, right);
+                    self.plus(product, dc)
+                }
+                _ if f == Func::Voigt => {
+                    let definition = self.voigt(a, b, c)?;
+                    self.slope(definition, seeds)?
+                }
+                _ => return unsupported(format!("the derivative of {}", f.name())),
+            },
+            Node::Bound(binder) => self.bound_slope(binder, id, known, seeds)?,
+            Node::Last(binder, k) => {
+                let (new, n) = match loops.get(&binder) {
+                    Some(found) => *found,
+                    None => {
+                        let found = self.loop_slope(binder, known, seeds)?;
+                        loops.insert(binder, found);
+                        found
+                    }
+                };
+                Some(self.push(Node::Last(new, n + k)))
+            }
+        })
+    }
+
+    fn plus(&mut self, a: Slope, b: Slope) -> Slope {
+        match (a, b) {
+            (Some(a), Some(b)) => Some(self.push(Node::Add(a, b))),
+            (a, b) => a.or(b),
+        }
+    }
+
+    fn minus(&mut self, a: Slope, b: Slope) -> Slope {
+        match (a, b) {
+            (Some(a), Some(b)) => Some(self.push(Node::Sub(a, b))),
+            (None, Some(b)) => Some(self.push(Node::Neg(b))),
+            (a, None) => a,
+        }
+    }
+
+    fn times(&mut self, slope: Slope, factor: Id) -> Slope {
+        let one = self.number(1);
+        slope.map(|slope| match slope == one {
+            true => factor,
+            false => self.push(Node::Mul(factor, slope)),
+        })
+    }
+
+    fn of(&mut self, f: Func, a: Id) -> Id {
+        self.push(Node::Unary(f, a))
+    }
+
+    fn ratio(&mut self, a: Id, b: Id) -> Id {
+        self.push(Node::Div(a, b))
+    }
+
+    fn product(&mut self, a: Id, b: Id) -> Id {
+        self.push(Node::Mul(a, b))
+    }
+
+    /// `1 + s x²` with s = 1 or −1.
+    fn one_and_square(&mut self, s: i32, x: Id) -> Id {
+        let one = self.number(1);
+        let square = self.push(Node::Power(x, 2));
+        self.push(match s {
+            1 => Node::Add(one, square),
+            _ => Node::Sub(one, square),
+        })
+    }
+
+    /// `2/√π`.
+    fn two_over_root_pi(&mut self) -> Id {
+        self.push(Node::Constant(Constant::TwoOverRootPi))
+    }
+
+    /// `c e^{s x²}` with c = ±2/√π.
+    fn gaussian(&mut self, negative: bool, s: i32, x: Id) -> Id {
+        let mut c = self.two_over_root_pi();
+        if negative {
+            c = self.push(Node::Neg(c));
+        }
+        let mut square = self.push(Node::Power(x, 2));
+        if s < 0 {
+            square = self.push(Node::Neg(square));
+        }
+        let gaussian = self.of(Func::Exp, square);
+        self.product(c, gaussian)
+    }
+
+    /// `f′(a) a′`, `id` being f(a).
+    fn unary(&mut self, f: Func, id: Id, a: Id, slope: Id) -> Result<Slope, SymbolicError> {
+        let outer = match f {
+            Func::Exp => id,
+            Func::Exp2 | Func::Exp10 => {
+                let c = match f {
+                    Func::Exp2 => Constant::Ln2,
+                    _ => Constant::Ln10,
+                };
+                let c = self.push(Node::Constant(c));
+                self.product(c, id)
+            }
+            Func::Expm1 => self.of(Func::Exp, a),
+            Func::Log => return Ok(Some(self.ratio(slope, a))),
+            Func::Log2 | Func::Log10 => {
+                let c = match f {
+                    Func::Log2 => Constant::Ln2,
+                    _ => Constant::Ln10,
+                };
+                let c = self.push(Node::Constant(c));
+                let below = self.product(c, a);
+                return Ok(Some(self.ratio(slope, below)));
+            }
+            Func::Log1p => {
+                let one = self.number(1);
+                let below = self.push(Node::Add(one, a));
+                return Ok(Some(self.ratio(slope, below)));
+            }
+            Func::Sqrt => {
+                let two = self.number(2);
+                let below = self.product(two, id);
+                return Ok(Some(self.ratio(slope, below)));
+            }
+            Func::Cbrt => {
+                let three = self.number(3);
+                let square = self.push(Node::Power(id, 2));
+                let below = self.product(three, square);
+                return Ok(Some(self.ratio(slope, below)));
+            }
+            Func::Sin => self.of(Func::Cos, a),
+            Func::Cos => {
+                let sine = self.of(Func::Sin, a);
+                self.push(Node::Neg(sine))
+            }
+            Func::Tan => self.one_and_square(1, id),
+            Func::Sinh => self.of(Func::Cosh, a),
+            Func::Cosh => self.of(Func::Sinh, a),
+            Func::Tanh => self.one_and_square(-1, id),
+            Func::Asin | Func::Acos => {
+                let below = self.one_and_square(-1, a);
+                let root = self.of(Func::Sqrt, below);
+                let quotient = self.ratio(slope, root);
+                return Ok(Some(match f {
+                    Func::Asin => quotient,
+                    _ => self.push(Node::Neg(quotient)),
+                }));
+            }
+            Func::Arctan => {
+                let below = self.one_and_square(1, a);
+                return Ok(Some(self.ratio(slope, below)));
+            }
+            Func::Asinh => {
+                let below = self.one_and_square(1, a);
+                let root = self.of(Func::Sqrt, below);
+                return Ok(Some(self.ratio(slope, root)));
+            }
+            Func::Acosh => {
+                // √(a − 1) √(a + 1).
+                let one = self.number(1);
+                let below = self.push(Node::Sub(a, one));
+                let above = self.push(Node::Add(a, one));
+                let product = self.product(below, above);
+                let root = self.of(Func::Sqrt, product);
+                return Ok(Some(self.ratio(slope, root)));
+            }
+            Func::Atanh => {
+                let below = self.one_and_square(-1, a);
+                return Ok(Some(self.ratio(slope, below)));
+            }
+            Func::Erf => self.gaussian(false, -1, a),
+            Func::Erfc => self.gaussian(true, -1, a),
+            Func::Erfi => self.gaussian(false, 1, a),
+            Func::Erfcx => {
+                let two = self.number(2);
+                let double = self.product(two, a);
+                let first = self.product(double, id);
+                let c = self.two_over_root_pi();
+                self.push(Node::Sub(first, c))
+            }
+            Func::Dawson => {
+                let two = self.number(2);
+                let double = self.product(two, a);
+                let second = self.product(double, id);
+                let one = self.number(1);
+                self.push(Node::Sub(one, second))
+            }
+            // W′ = 2i/√π − 2zW.
+            Func::W => {
+                let two = self.number(2);
+                let double = self.product(two, a);
+                let second = self.product(double, id);
+                let c = self.two_over_root_pi();
+                let unit = self.push(Node::ImaginaryUnit);
+                let first = self.product(c, unit);
+                self.push(Node::Sub(first, second))
+            }
+            Func::Tgamma => {
+                let psi = self.of(Func::Digamma, a);
+                self.product(id, psi)
+            }
+            Func::Lgamma => self.of(Func::Digamma, a),
+            Func::Floor | Func::Ceil | Func::Round | Func::Trunc | Func::Nearbyint => {
+                self.push(Node::Flat(f, a))
+            }
+            Func::Re | Func::Im | Func::Conj => return Ok(Some(self.of(f, slope))),
+            Func::Abs => {
+                if self.is_complex(a) {
+                    let conj = self.of(Func::Conj, a);
+                    let product = self.product(conj, slope);
+                    let above = self.of(Func::Re, product);
+                    return Ok(Some(self.ratio(above, id)));
+                }
+                let one = self.number(1);
+                self.push(Node::Binary(Func::Copysign, one, a))
+            }
+            // arg′ = Im(a′/a).
+            Func::Arg => {
+                let quotient = self.ratio(slope, a);
+                return Ok(Some(self.of(Func::Im, quotient)));
+            }
+            f => return unsupported(format!("the derivative of {}", f.name())),
+        };
+        let one = self.number(1);
+        Ok(Some(match slope == one {
+            true => outer,
+            false => self.product(outer, slope),
+        }))
+    }
+
+    fn binary(
+        &mut self,
+        f: Func,
+        id: Id,
+        [a, b]: [Id; 2],
+        (da, db): (Slope, Slope),
+    ) -> Result<Slope, SymbolicError> {
+        let choice = |graph: &mut Graph, relation: Relation| {
+            let condition = graph.push(Node::Compare(relation, a, b));
+            let [x, y] = [da, db].map(|s| s.unwrap_or_else(|| graph.number(0)));
+            Some(graph.push(Node::If(condition, x, y)))
+        };
+        Ok(match f {
+            Func::Pow => {
+                // b a^{b−1} a′ + a^b log(a) b′.
+                let one = self.number(1);
+                let less = self.push(Node::Sub(b, one));
+                let power = self.push(Node::Binary(Func::Pow, a, less));
+                let factor = self.product(b, power);
+                let left = self.times(da, factor);
+                let right = match db {
+                    None => None,
+                    db => {
+                        let log = self.of(Func::Log, a);
+                        let factor = self.product(id, log);
+                        self.times(db, factor)
+                    }
+                };
+                self.plus(left, right)
+            }
+            Func::Hypot => {
+                let (left, right) = (self.times(da, a), self.times(db, b));
+                let above = self.plus(left, right);
+                above.map(|above| self.ratio(above, id))
+            }
+            Func::Atan2 => {
+                let (left, right) = (self.times(da, b), self.times(db, a));
+                let above = self.minus(left, right);
+                let [x, y] = [a, b].map(|x| self.push(Node::Power(x, 2)));
+                let below = self.push(Node::Add(x, y));
+                above.map(|above| self.ratio(above, below))
+            }
+            Func::Fmin => choice(self, Relation::LessEqual),
+            Func::Fmax => choice(self, Relation::GreaterEqual),
+            Func::Fdim => {
+                let condition = self.push(Node::Compare(Relation::Greater, a, b));
+                let slope = self.minus(da, db).unwrap_or_else(|| self.number(0));
+                let zero = self.number(0);
+                Some(self.push(Node::If(condition, slope, zero)))
+            }
+            // x − n y with n = trunc(x/y) or the nearest integer.
+            Func::Fmod | Func::Remainder => {
+                let quotient = self.ratio(a, b);
+                let step = match f {
+                    Func::Fmod => Func::Trunc,
+                    _ => Func::Nearbyint,
+                };
+                let n = self.of(step, quotient);
+                let moved = self.times(db, n);
+                let slope = self.minus(da, moved);
+                let flat = self.push(Node::Flat(step, quotient));
+                self.plus(slope, Some(flat))
+            }
+            Func::Copysign => {
+                let one = self.number(1);
+                let signs = [a, b].map(|x| self.push(Node::Binary(Func::Copysign, one, x)));
+                let sign = self.product(signs[0], signs[1]);
+                self.times(da, sign)
+            }
+            f => return unsupported(format!("the derivative of {}", f.name())),
+        })
+    }
+
+    /// `Re W((x + iγ)/(σ√2))/(σ√(2π))`.
+    fn voigt(&mut self, x: Id, sigma: Id, gamma: Id) -> Result<Id, SymbolicError> {
+        let unit = self.push(Node::ImaginaryUnit);
+        let turned = self.product(unit, gamma);
+        let above = self.push(Node::Add(x, turned));
+        let root = self.push(Node::Constant(Constant::Sqrt2));
+        let below = self.product(sigma, root);
+        let z = self.ratio(above, below);
+        let w = self.of(Func::W, z);
+        let re = self.of(Func::Re, w);
+        let pi = self.push(Node::Constant(Constant::Pi));
+        let root = self.of(Func::Sqrt, pi);
+        let width = self.product(below, root);
+        Ok(self.ratio(re, width))
+    }
+
+    /// The derivative of a sum, an integral or a root.
+    fn bound_slope(
+        &mut self,
+        binder: u32,
+        id: Id,
+        known: &HashMap<Id, Slope>,
+        seeds: &HashMap<Id, Slope>,
+    ) -> Result<Slope, SymbolicError> {
+        let d = |a: Id| known.get(&a).copied().flatten();
+        let variable = self.push(Node::Variable(binder, 0));
+        // A body whose slope depends on the variable gets a binder of its own.
+        let depth = self.binders[binder as usize].depth;
+        let names = self.binders[binder as usize].names.clone();
+        match self.binder(binder).binding.clone() {
+            Binding::Sum { from, to, body } => {
+                if d(from).is_some() || d(to).is_some() {
+                    return unsupported("the derivative of a sum by its limits");
+                }
+                let Some(slope) = d(body) else {
+                    return Ok(None);
+                };
+                let new = self.open(names, depth);
+                let inner = self.push(Node::Variable(new, 0));
+                let body = self.substitute(slope, variable, inner)?;
+                self.binders[new as usize].binding = Binding::Sum { from, to, body };
+                Ok(Some(self.push(Node::Bound(new))))
+            }
+            Binding::Integral { from, to, body } => {
+                let mut sum = None;
+                if let Some(slope) = d(body) {
+                    let new = self.open(names, depth);
+                    let inner = self.push(Node::Variable(new, 0));
+                    let body = self.substitute(slope, variable, inner)?;
+                    self.binders[new as usize].binding = Binding::Integral { from, to, body };
+                    sum = Some(self.push(Node::Bound(new)));
+                }
+                for (limit, sign) in [(to, 1), (from, -1)] {
+                    if let Some(slope) = d(limit) {
+                        let value = self.substitute(body, variable, limit)?;
+                        let part = self.times(Some(slope), value);
+                        sum = match sign {
+                            1 => self.plus(sum, part),
+                            _ => self.minus(sum, part),
+                        };
+                    }
+                }
+                Ok(sum)
+            }
+            // f(x, p) = 0: x′ = −f_p/f_x.
+            Binding::Root { body, slope, .. } => {
+                let mut inner = seeds.clone();
+                inner.insert(variable, None);
+                let Some(direct) = self.slope(body, &inner)? else {
+                    return Ok(None);
+                };
+                let direct = self.substitute(direct, variable, id)?;
+                let slope = self.substitute(slope, variable, id)?;
+                let quotient = self.ratio(direct, slope);
+                Ok(Some(self.push(Node::Neg(quotient))))
+            }
+            Binding::Loop { .. } | Binding::Open => unsupported("the derivative of a loop's sum"),
+        }
+    }
+
+    /// A loop over the variables of another and their derivatives; the number of the former.
+    fn loop_slope(
+        &mut self,
+        binder: u32,
+        known: &HashMap<Id, Slope>,
+        seeds: &HashMap<Id, Slope>,
+    ) -> Result<(u32, u32), SymbolicError> {
+        let Binding::Loop {
+            condition,
+            first,
+            next,
+        } = self.binder(binder).binding.clone()
+        else {
+            return unsupported("the derivative of what is no loop");
+        };
+        let n = first.len() as u32;
+        let mut names = self.binder(binder).names.clone();
+        names.extend(names.clone().into_iter().map(|name| format!("{name}'")));
+        let depth = self.binder(binder).depth;
+        let new = self.open(names, depth);
+        let (mut map, mut inner) = (HashMap::new(), seeds.clone());
+        for k in 0..n {
+            let old = self.push(Node::Variable(binder, k));
+            let variable = self.push(Node::Variable(new, k));
+            let slope = self.push(Node::Variable(new, n + k));
+            map.insert(old, variable);
+            inner.insert(variable, Some(slope));
+        }
+        let condition = self.replaced(condition, &map)?;
+        let mut updates = Vec::new();
+        for x in next {
+            updates.push(self.replaced(x, &map)?);
+        }
+        let zero = self.number(0);
+        let mut slopes = Vec::new();
+        for x in &updates {
+            slopes.push(self.slope(*x, &inner)?.unwrap_or(zero));
+        }
+        let starts = first
+            .iter()
+            .map(|x| known.get(x).copied().flatten().unwrap_or(zero));
+        let first = first.iter().copied().chain(starts).collect();
+        updates.extend(slopes);
+        self.binders[new as usize].binding = Binding::Loop {
+            condition,
+            first,
+            next: updates,
+        };
+        Ok((new, n))
+    }
+
+    /// The expression with a node in place of an input or a variable.
+    ///
+    /// # Errors
+    /// A binder that is being built.
+    pub fn substitute(&mut self, root: Id, leaf: Id, value: Id) -> Result<Id, SymbolicError> {
+        self.replaced(root, &HashMap::from([(leaf, value)]))
+    }
+
+    fn replaced(&mut self, root: Id, map: &HashMap<Id, Id>) -> Result<Id, SymbolicError> {
+        let mut known = map.clone();
+        let mut loops: HashMap<u32, u32> = HashMap::new();
+        for id in self.reach(root) {
+            if known.contains_key(&id) {
+                continue;
+            }
+            let r = |a: Id| known.get(&a).copied().unwrap_or(a);
+            let node = self.node(id);
+            let unchanged = self.operands(node).into_iter().all(|a| r(a) == a);
+            let new = match node {
+                _ if unchanged => id,
+                Node::Neg(a) => self.push(Node::Neg(r(a))),
+                Node::Power(a, k) => self.push(Node::Power(r(a), k)),
+                Node::Unary(f, a) => self.push(Node::Unary(f, r(a))),
+                Node::Flat(f, a) => self.push(Node::Flat(f, r(a))),
+                Node::Not(a) => self.push(Node::Not(r(a))),
+                Node::Add(a, b) => self.push(Node::Add(r(a), r(b))),
+                Node::Sub(a, b) => self.push(Node::Sub(r(a), r(b))),
+                Node::Mul(a, b) => self.push(Node::Mul(r(a), r(b))),
+                Node::Div(a, b) => self.push(Node::Div(r(a), r(b))),
+                Node::Binary(f, a, b) => self.push(Node::Binary(f, r(a), r(b))),
+                Node::Compare(f, a, b) => self.push(Node::Compare(f, r(a), r(b))),
+                Node::And(a, b) => self.push(Node::And(r(a), r(b))),
+                Node::Or(a, b) => self.push(Node::Or(r(a), r(b))),
+                Node::Ternary(f, a, b, c) => self.push(Node::Ternary(f, r(a), r(b), r(c))),
+                Node::If(a, b, c) => self.push(Node::If(r(a), r(b), r(c))),
+                Node::Bound(binder) => {
+                    let new = self.rebound(binder, map, &known)?;
+                    self.push(Node::Bound(new))
+                }
+                Node::Last(binder, k) => {
+                    let new = match loops.get(&binder) {
+                        Some(new) => *new,
+                        None => {
+                            let new = self.rebound(binder, map, &known)?;
+                            loops.insert(binder, new);
+                            new
+                        }
+                    };
+                    self.push(Node::Last(new, k))
+                }
+                Node::Number(_)
+                | Node::Constant(_)
+                | Node::ImaginaryUnit
+                | Node::Infinity
+                | Node::Input(_)
+                | Node::Variable(..)
+                | Node::Truth(_) => id,
+            };
+            known.insert(id, new);
+        }
+        Ok(known.get(&root).copied().unwrap_or(root))
+    }
+
+    /// A copy of a binder with nodes replaced in its body.
+    fn rebound(
+        &mut self,
+        binder: u32,
+        map: &HashMap<Id, Id>,
+        known: &HashMap<Id, Id>,
+    ) -> Result<u32, SymbolicError> {
+        let outer = |a: Id| known.get(&a).copied().unwrap_or(a);
+        let old = self.binder(binder).clone();
+        let values: Vec<Id> = map.values().copied().collect();
+        let depth = old.depth.max(self.depth_above(&values));
+        let new = self.open(old.names.clone(), depth);
+        let mut inner = map.clone();
+        for k in 0..old.names.len() as u32 {
+            let variable = self.push(Node::Variable(binder, k));
+            let fresh = self.push(Node::Variable(new, k));
+            inner.insert(variable, fresh);
+        }
+        let binding = match old.binding {
+            Binding::Sum { from, to, body } => Binding::Sum {
+                from: outer(from),
+                to: outer(to),
+                body: self.replaced(body, &inner)?,
+            },
+            Binding::Integral { from, to, body } => Binding::Integral {
+                from: outer(from),
+                to: outer(to),
+                body: self.replaced(body, &inner)?,
+            },
+            Binding::Root {
+                from,
+                to,
+                body,
+                slope,
+            } => Binding::Root {
+                from: outer(from),
+                to: outer(to),
+                body: self.replaced(body, &inner)?,
+                slope: self.replaced(slope, &inner)?,
+            },
+            Binding::Loop {
+                condition,
+                first,
+                next,
+            } => {
+                let condition = self.replaced(condition, &inner)?;
+                let mut updates = Vec::new();
+                for x in next {
+                    updates.push(self.replaced(x, &inner)?);
+                }
+                Binding::Loop {
+                    condition,
+                    first: first.into_iter().map(outer).collect(),
+                    next: updates,
+                }
+            }
+            Binding::Open => return unsupported("a binder that is not closed"),
+        };
+        self.binders[new as usize].binding = binding;
+        Ok(new)
+    }
+}
