@@ -1,4 +1,5 @@
-//! A mechanism in motion: what an animation shows beside its quantities, and a drawing of one position.
+//! A mechanism in motion: what an animation shows beside its quantities, and a drawing of one
+//! position.
 //!
 //! Everything is computed where the mechanism is known; what shows it scales and rounds.
 
@@ -8,11 +9,11 @@ pub use class_iii::class_iii;
 /// A mechanism over its drive.
 #[derive(Clone, Debug)]
 pub struct Motion {
-    /// What moves.
+    /// The moving mechanism.
     pub name: String,
-    /// What moves it.
+    /// The drive.
     pub drive: Drive,
-    /// Whether the first position follows the last.
+    /// True if the first position follows the last.
     pub closed: bool,
     /// The number of the position shown first.
     pub start: usize,
@@ -46,7 +47,7 @@ pub struct Drive {
 pub struct Point {
     /// Its name; empty for a corner that nobody asks for.
     pub label: String,
-    /// Whether links turn about it and it does not move.
+    /// True if links turn about it and it does not move.
     pub pivot: bool,
     /// Where it is, in metres: one place if it is fixed, else one for each position.
     pub path: Vec<[f64; 2]>,
@@ -98,7 +99,7 @@ impl Point {
         self.path[k.min(self.path.len() - 1)]
     }
 
-    /// Whether it has a name and moves.
+    /// Returns true if it has a name and moves.
     pub fn is_traced(&self) -> bool {
         self.path.len() > 1 && !self.label.is_empty()
     }
@@ -133,7 +134,8 @@ impl Motion {
         (x[1] - x[0]).max(y[1] - y[0])
     }
 
-    /// A fixed guide as far as something slides on it: where that is and the guide's angle at each position.
+    /// A fixed guide as far as something slides on it: where that is and the guide's angle at each
+    /// position.
     pub fn add_guide(&mut self, along: &[([f64; 2], f64)]) {
         let Some(&(origin, angle)) = along.first() else {
             return;
@@ -151,7 +153,8 @@ impl Motion {
         self.guides.push(ends);
     }
 
-    /// A block of a size that can be seen, along a guide: where it is and the guide's angle at each position.
+    /// A block of a size that can be seen, along a guide: where it is and the guide's angle at each
+    /// position.
     pub fn add_block(&mut self, along: &[([f64; 2], f64)]) {
         let size = self.size();
         let corner = |a: f64, b: f64| {

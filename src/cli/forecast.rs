@@ -1,4 +1,4 @@
-//! What a run of very many cases will take, said before it begins; one that cannot end is refused.
+//! Estimates of how long a run takes, given before it begins. A run that cannot end is refused.
 
 use crate::cli::complain;
 use crate::cli::failure::Failure;
@@ -6,22 +6,22 @@ use crate::cli::process::wire;
 use mechaudit::audit::{Cases, Method, Settings, audit_case};
 use std::time::{Duration, Instant};
 
-/// Random cases of a region that are run without asking what they take.
+/// The largest number of random cases of a region for which no time is estimated.
 const FEW: u64 = 10_000;
-/// Cases tried, and how long at most.
+/// The number of cases tried, and the longest time for them.
 const TRIED: usize = 64;
 const TRIAL: Duration = Duration::from_millis(50);
-/// Seconds and bytes from which on they are said.
+/// Seconds and bytes above which the estimate is printed.
 const LONG: f64 = 600.0;
 const LARGE: f64 = 1e9;
-/// Seconds and bytes that are refused.
+/// Seconds and bytes above which a run is refused.
 const ENDLESS: f64 = 30.0 * DAY;
 const TOO_LARGE: f64 = 1e12;
 
 const DAY: f64 = 86_400.0;
 
-/// Looks ahead at an audit of these methods on all cores.
-pub fn audit(methods: &[&dyn Method], settings: &Settings) -> Result<(), Failure> {
+/// Checks that an audit of these methods on all cores ends.
+pub fn check_workload(methods: &[&dyn Method], settings: &Settings) -> Result<(), Failure> {
     if settings.cases_per_region <= FEW {
         return Ok(());
     }
@@ -29,7 +29,7 @@ pub fn audit(methods: &[&dyn Method], settings: &Settings) -> Result<(), Failure
     judged("cases", count, seconds)
 }
 
-/// Cases of all methods, and seconds by those that `each` gives for one.
+/// Returns the number of cases of all methods and their seconds, `each` giving those of one case.
 fn sums(
     methods: &[&dyn Method],
     settings: &Settings,
@@ -45,8 +45,8 @@ fn sums(
     [count, seconds]
 }
 
-/// Looks ahead at a hunt of so many evaluations.
-pub fn hunt(method: &dyn Method, evaluations: u64) -> Result<(), Failure> {
+/// Checks that a hunt of that many evaluations ends.
+pub fn check_hunt(method: &dyn Method, evaluations: u64) -> Result<(), Failure> {
     if evaluations <= FEW {
         return Ok(());
     }
@@ -57,7 +57,7 @@ pub fn hunt(method: &dyn Method, evaluations: u64) -> Result<(), Failure> {
     judged("evaluations", count, seconds)
 }
 
-/// Seconds for a case on all cores.
+/// Returns the seconds for a case on all cores.
 fn each(method: &dyn Method, cases: &Cases, settings: &Settings) -> f64 {
     let start = Instant::now();
     let tried = sample(cases, TRIAL, |i| {
@@ -67,7 +67,7 @@ fn each(method: &dyn Method, cases: &Cases, settings: &Settings) -> f64 {
     share(seconds, tried, rayon::current_num_threads())
 }
 
-/// Of seconds that so many cases took on one core, those of a case on all cores.
+/// Returns the seconds of a case on all cores, from those of `tried` cases on one core.
 fn share(seconds: f64, tried: f64, cores: usize) -> f64 {
     seconds / tried / cores as f64
 }
@@ -83,7 +83,7 @@ fn judged(of: &str, count: f64, seconds: f64) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Whether what takes so many seconds and bytes is told; what cannot end is refused.
+/// Returns true if the estimate is to be printed; refuses a run that cannot end.
 fn is_worth_saying(what: &str, seconds: f64, bytes: f64) -> Result<bool, Failure> {
     match seconds > ENDLESS || bytes > TOO_LARGE {
         true => Err(refused(what)),
@@ -91,8 +91,8 @@ fn is_worth_saying(what: &str, seconds: f64, bytes: f64) -> Result<bool, Failure
     }
 }
 
-/// Looks ahead at the inputs of a method as lines.
-pub fn points(cases: &Cases, decimal: bool) -> Result<(), Failure> {
+/// Checks that the lines of a method's inputs are not too many.
+pub fn check_points(cases: &Cases, decimal: bool) -> Result<(), Failure> {
     let [seconds, bytes] = of_lines(cases, decimal, TRIAL);
     let count = cases.len() as f64;
     let what = format!(
@@ -105,7 +105,7 @@ pub fn points(cases: &Cases, decimal: bool) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Seconds and bytes of all lines, by those of some that are tried so long at most.
+/// Returns the seconds and bytes of all lines, estimated from some that are tried for `trial` at most.
 fn of_lines(cases: &Cases, decimal: bool, trial: Duration) -> [f64; 2] {
     let (start, mut bytes) = (Instant::now(), 0);
     let tried = sample(cases, trial, |i| {
@@ -115,7 +115,7 @@ fn of_lines(cases: &Cases, decimal: bool, trial: Duration) -> [f64; 2] {
     [each * start.elapsed().as_secs_f64(), each * bytes as f64]
 }
 
-/// Tries cases from all over the run; how many.
+/// Tries cases from all over the run and returns their number.
 fn sample(cases: &Cases, trial: Duration, mut run: impl FnMut(usize)) -> f64 {
     let (start, total) = (Instant::now(), cases.len());
     let step = (total / TRIED).max(1);
@@ -134,8 +134,8 @@ fn refused(what: &str) -> Failure {
     ))
 }
 
-/// Looks ahead at work that has been tried: `what` takes so many seconds.
-pub fn work(what: &str, seconds: f64) -> Result<(), Failure> {
+/// Checks that work of that many seconds, measured on a part of it, ends.
+pub fn check_duration(what: &str, seconds: f64) -> Result<(), Failure> {
     let what = format!("{what} take about {}", time(seconds));
     if is_worth_saying(&what, seconds, 0.0)? {
         complain(&what);
@@ -143,7 +143,7 @@ pub fn work(what: &str, seconds: f64) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Seconds in words.
+/// Formats seconds in words.
 pub fn time(seconds: f64) -> String {
     let (count, unit) = match seconds {
         s if s < 120.0 => (s, "seconds"),
@@ -193,18 +193,18 @@ mod tests {
             cases_per_region,
             ..Settings::default()
         };
-        assert!(audit(&[&*method], &settings(200)).is_ok());
-        assert!(audit(&[&*method], &settings(20_000)).is_ok());
-        assert!(hunt(&*method, 20_000).is_ok());
-        assert!(hunt(&*method, u64::MAX).is_err());
+        assert!(check_workload(&[&*method], &settings(200)).is_ok());
+        assert!(check_workload(&[&*method], &settings(20_000)).is_ok());
+        assert!(check_hunt(&*method, 20_000).is_ok());
+        assert!(check_hunt(&*method, u64::MAX).is_err());
         for endless in [99_999_999_999_999, u64::MAX] {
             let settings = settings(endless);
-            let Err(Failure::Message(why)) = audit(&[&*method], &settings) else {
+            let Err(Failure::Message(why)) = check_workload(&[&*method], &settings) else {
                 panic!("{endless} cases are begun");
             };
             assert!(why.contains("years; more than 30 days"), "{why}");
             let cases = Cases::new(&*method, &settings);
-            assert!(points(&cases, false).is_err());
+            assert!(check_points(&cases, false).is_err());
         }
     }
 
@@ -223,16 +223,16 @@ mod tests {
             _ => panic!("it is begun"),
         };
         let all = count(one) + count(other);
-        let why = refused(audit(&[one, other], &settings));
+        let why = refused(check_workload(&[one, other], &settings));
         assert!(
             why.starts_with(&format!("{all:.2e} cases take about ")),
             "{why}"
         );
         let end = "; more than 30 days or 1e12 bytes are refused: take fewer";
         assert!(why.ends_with(end), "{why}");
-        let why = refused(hunt(one, 3_000_000_000_000_000_000));
+        let why = refused(check_hunt(one, 3_000_000_000_000_000_000));
         assert!(why.starts_with("3.00e18 evaluations take about "), "{why}");
-        let why = refused(points(&Cases::new(other, &settings), true));
+        let why = refused(check_points(&Cases::new(other, &settings), true));
         let head = format!("{:.2e} inputs are ", count(other));
         assert!(
             why.starts_with(&head) && why.contains(" bytes and take about "),
@@ -242,8 +242,8 @@ mod tests {
 
     #[test]
     fn work_that_cannot_end_is_refused() {
-        assert!(work("they", LONG).is_ok() && work("they", ENDLESS).is_ok());
-        let why = work("9 points", 1e9).unwrap_err().to_string();
+        assert!(check_duration("they", LONG).is_ok() && check_duration("they", ENDLESS).is_ok());
+        let why = check_duration("9 points", 1e9).unwrap_err().to_string();
         assert!(
             why.starts_with("9 points take about 32 years; more than 30 days"),
             "{why}"
@@ -267,12 +267,15 @@ mod tests {
             cases_per_region,
             ..Settings::default()
         };
-        assert!(audit(&[&counted], &settings(FEW)).is_ok() && hunt(&counted, FEW).is_ok());
+        assert!(
+            check_workload(&[&counted], &settings(FEW)).is_ok()
+                && check_hunt(&counted, FEW).is_ok()
+        );
         assert_eq!(asked.swap(0, Ordering::Relaxed), 0);
-        assert!(audit(&[&counted], &settings(FEW + 1)).is_ok());
+        assert!(check_workload(&[&counted], &settings(FEW + 1)).is_ok());
         let tried = asked.swap(0, Ordering::Relaxed);
         assert!(tried > 0 && tried <= TRIED, "{tried}");
-        assert!(hunt(&counted, FEW + 1).is_ok());
+        assert!(check_hunt(&counted, FEW + 1).is_ok());
         assert!(asked.load(Ordering::Relaxed) > 0);
     }
 

@@ -1,6 +1,5 @@
 //! The command-line program: arguments in, reports out. Numbers come from the library.
 
-mod answers;
 mod args;
 mod commands;
 mod failure;
@@ -12,8 +11,9 @@ mod lookup;
 mod number;
 mod process;
 mod progress;
-mod scope;
+mod report;
 mod terminal;
+mod workload;
 
 use args::{Args, Command};
 use clap::{CommandFactory, FromArgMatches};

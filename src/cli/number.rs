@@ -1,7 +1,12 @@
-//! A number in a line of `eval`.
+//! Numbers and lines of numbers as users write them.
 
 use mechaudit::reference::{Decimal, DecimalError, HexFloat, HexFloatError};
 use rug::Rational;
+
+/// The longest line of an input, an answer or a table.
+pub const LONGEST: usize = 1 << 20;
+/// The largest number of fields on a line.
+pub const FIELDS: usize = 100_000;
 
 /// A decimal, a hexadecimal float, an infinity or NaN.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,6 +66,74 @@ impl<'a> Number<'a> {
     }
 }
 
+/// The reason why a line holds no numbers.
+#[derive(Debug, thiserror::Error)]
+pub enum LineError {
+    #[error("longer than {}", size(LONGEST))]
+    TooLong,
+    #[error("not UTF-8")]
+    NotUtf8(#[from] std::str::Utf8Error),
+    #[error("empty")]
+    Empty,
+    #[error("more than {FIELDS} fields")]
+    TooManyFields,
+    #[error("an empty field in {0:?}")]
+    EmptyField(String),
+    /// Longer than what is shown of a line.
+    #[error("a field that is no number in {line:?}")]
+    LongField { line: String },
+    #[error("{source} in {line:?}")]
+    Field { line: String, source: NumberError },
+}
+
+/// The number of characters of a line that a message shows.
+pub const SHOWN: usize = 80;
+
+/// Returns the beginning of a line, for messages.
+pub fn shortened(text: &[u8]) -> String {
+    let text = String::from_utf8_lossy(&text[..text.len().min(4 * SHOWN)]);
+    let text = text.trim();
+    match text.char_indices().nth(SHOWN) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.into(),
+    }
+}
+
+/// Reads numbers separated by commas or blanks.
+pub fn numbers(text: &str) -> Result<Vec<f64>, LineError> {
+    let line = || shortened(text.as_bytes());
+    let mut numbers = Vec::new();
+    for part in text.split(',') {
+        let before = numbers.len();
+        for field in part.split_whitespace() {
+            if numbers.len() == FIELDS {
+                return Err(LineError::TooManyFields);
+            }
+            numbers.push(match Number::parse(field) {
+                Ok(number) => number.nearest(),
+                Err(source) if field.len() <= SHOWN => {
+                    let line = line();
+                    return Err(LineError::Field { line, source });
+                }
+                Err(_) => return Err(LineError::LongField { line: line() }),
+            });
+        }
+        // Nothing between two commas is something missing.
+        if numbers.len() == before {
+            return Err(LineError::EmptyField(line()));
+        }
+    }
+    Ok(numbers)
+}
+
+/// Formats a number of bytes.
+pub fn size(bytes: usize) -> String {
+    match bytes {
+        b if b >= 1 << 20 && b % (1 << 20) == 0 => format!("{} MiB", b >> 20),
+        b => format!("{b} bytes"),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -107,5 +180,15 @@ mod tests {
                 .contains("exponent")
         );
         assert!(exact("1e99999999999999999999").is_err());
+    }
+
+    #[test]
+    fn whole_mebibytes_are_said_so() {
+        assert_eq!(size(1 << 20), "1 MiB");
+        assert_eq!(size(3 << 20), "3 MiB");
+        assert_eq!(size((1 << 20) + 1), "1048577 bytes");
+        assert_eq!(size(1 << 19), "524288 bytes");
+        assert_eq!(size(2), "2 bytes");
+        assert_eq!(size(0), "0 bytes");
     }
 }

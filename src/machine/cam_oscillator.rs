@@ -220,7 +220,7 @@ const ROWS: f64 = 1000.0;
 const MOST_ROWS: f64 = 1e10;
 const MOST_POINTS: f64 = 1e5;
 const MOST_HARMONICS: u32 = 100_000;
-/// What the harmonics left out may come to, in lifts.
+/// A bound on the harmonics left out, in lifts.
 const TOLERANCE: f64 = 1e-4;
 /// Nobody waits for more than these without having asked for them.
 const MOST_UNASKED: u32 = 2000;

@@ -21,7 +21,7 @@ pub struct Grid {
     step: Rational,
     /// How many there are.
     pub count: u64,
-    /// Whether the window was asked for, or is one turn from the start.
+    /// True if the window was asked for, or is one turn from the start.
     asked: bool,
 }
 
@@ -118,7 +118,8 @@ impl Grid {
     }
 }
 
-/// Turns of a grid that are looked through for one angle: a grid has at most ten million angles, few of them in each.
+/// Turns of a grid that are looked through for one angle: a grid has at most ten million angles,
+/// few of them in each.
 const MOST_TURNS: u64 = 100_000;
 
 /// The crank angles that can be reached: as asked for, and on the branch's own count of turns.
@@ -352,7 +353,8 @@ mod tests {
         Branch { reach, ..branch }
     }
 
-    /// Without a window the grid goes through the whole branch, or one turn of it; with one each angle is looked for on it.
+    /// Without a window the grid goes through the whole branch, or one turn of it; with one each
+    /// angle is looked for on it.
     #[test]
     fn rows_are_on_the_branch() {
         let window = |step: i32, from: Option<i32>, to: Option<i32>| Window {

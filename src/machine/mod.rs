@@ -1,7 +1,7 @@
 //! Machines as their files describe them, computed in the user's units.
 //!
-//! A [`Source`] holds a description in TOML or JSON; every quantity in it is a string with its unit,
-//! read exactly. A description that is refused names the value, the rule and the line.
+//! A [`Source`] holds a description in TOML or JSON; every quantity in it is a string with its
+//! unit, read exactly. A description that is refused names the value, the rule and the line.
 //!
 //! | module | what it holds |
 //! |---|---|

@@ -24,7 +24,7 @@ use std::fmt;
 use std::marker::PhantomData;
 use std::str::FromStr;
 
-/// What is measured.
+/// A measured quantity.
 pub trait Dimension {
     /// With its article, as in "a length".
     const NAME: &'static str;
@@ -96,7 +96,7 @@ dimensions! {
 pub struct Quantity<D> {
     /// The value.
     pub value: Rational,
-    /// Whether the value is in degrees.
+    /// True if the value is in degrees.
     pub degrees: bool,
     dimension: PhantomData<D>,
 }
@@ -106,15 +106,15 @@ pub struct Quantity<D> {
 pub struct QuantityError {
     /// The text.
     pub text: String,
-    /// What is due.
+    /// The value and unit that are expected.
     pub name: &'static str,
     /// A unit that is possible.
     pub example: &'static str,
-    /// What is wrong with it.
+    /// The fault.
     pub reason: QuantityReason,
 }
 
-/// What is wrong with a text that is to be a quantity.
+/// The fault of a text that is to be a quantity.
 #[derive(Clone, Debug, PartialEq)]
 pub enum QuantityReason {
     /// It does not begin with a number.
@@ -200,7 +200,7 @@ pub struct Unit {
     pub scale: Rational,
     /// Powers of metre, kilogram, second and angle.
     pub dimension: [i32; 4],
-    /// Whether its size is in degrees.
+    /// True if its size is in degrees.
     pub degrees: bool,
 }
 
@@ -429,8 +429,8 @@ impl Quantity<Angle> {
     }
 }
 
-/// Whether the character belongs to the number: digits, sign, point, and an exponent's letter if
-/// digits follow it.
+/// Returns true if the character belongs to the number: digits, sign, point, and an exponent's
+/// letter if digits follow it.
 fn is_number_part(text: &str, i: usize, c: char) -> bool {
     let after = text[i + c.len_utf8()..].trim_start_matches(['+', '-']);
     match c {

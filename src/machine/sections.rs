@@ -1,4 +1,4 @@
-//! What files of linkages have in common, whatever the type: motion of the crank, gravity, bodies.
+//! The sections common to files of linkages of every type: motion of the crank, gravity, bodies.
 
 use super::quantity::{AngularAcceleration, Quantity};
 use super::source::{Refusal, Source};

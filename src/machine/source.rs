@@ -42,7 +42,7 @@ pub enum SourceError {
     NotUtf8 {
         /// How many bytes are text.
         at: usize,
-        /// What is wrong with the next.
+        /// The fault of the next one.
         source: std::string::FromUtf8Error,
     },
     /// It holds nothing.
@@ -232,7 +232,7 @@ fn refused(place: &str, line: Option<usize>, message: &str, source: Cause) -> Re
     let message = message.split_whitespace().collect::<Vec<_>>().join(" ");
     // The path of the whole file is a point.
     let place = place.trim_start_matches('.');
-    // What the whole file has not got is missing on no line.
+    // A section missing from the whole file is missing on no line.
     let nowhere = place.is_empty() && message.starts_with("missing field");
     Refusal {
         line: line.filter(|_| !nowhere),
@@ -242,7 +242,7 @@ fn refused(place: &str, line: Option<usize>, message: &str, source: Cause) -> Re
     }
 }
 
-/// What serde says, in the words of the file.
+/// The message of serde, in the words of the file.
 fn in_words(place: &str, message: &str) -> String {
     if let Some(field) = quoted_after(message, "missing field `") {
         return match place {
@@ -281,7 +281,7 @@ fn in_words(place: &str, message: &str) -> String {
     }
 }
 
-/// What stands between backticks after the words that the message begins with.
+/// The text between backticks after the words that the message begins with.
 fn quoted_after<'a>(message: &'a str, words: &str) -> Option<&'a str> {
     message.strip_prefix(words)?.split('`').next()
 }

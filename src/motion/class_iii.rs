@@ -3,8 +3,8 @@
 use super::{Drive, Motion, Point};
 use crate::solvers::class_iii::{ClassIii, State};
 
-/// The linkage at these positions, from the first on, without quantities; `degrees` are the crank angles that are
-/// shown.
+/// The linkage at these positions, from the first on, without quantities; `degrees` are the crank
+/// angles that are shown.
 pub fn class_iii(solver: &ClassIii, states: &[State], degrees: Vec<f64>) -> Motion {
     let g = solver.geometry();
     let pivots = [

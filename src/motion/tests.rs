@@ -68,7 +68,8 @@ fn the_extent_holds_all_that_is_drawn() {
     assert_eq!(motion.size(), 10.0);
 }
 
-/// As far as something slides, and a little farther on both sides; the place where it is first is always on the guide.
+/// As far as something slides, and a little farther on both sides; the place where it is first is
+/// always on the guide.
 #[test]
 fn a_guide_reaches_as_far_as_what_slides_on_it() {
     for (path, degrees, ends) in [
@@ -125,7 +126,8 @@ fn a_block_lies_along_its_guide() {
     }
 }
 
-/// Counter-clockwise from the leftmost corner, of these the lowest; no corner lies between two others.
+/// Counter-clockwise from the leftmost corner, of these the lowest; no corner lies between two
+/// others.
 #[test]
 fn hulls_have_no_inner_points() {
     let square = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];

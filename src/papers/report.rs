@@ -1,4 +1,4 @@
-//! What an audit of a paper reports.
+//! The report of a paper's audit.
 
 use crate::reference::Ball;
 use serde::Serialize;
@@ -31,7 +31,7 @@ pub struct PaperReport {
     pub mechaudit_version: &'static str,
     /// The paper.
     pub paper: Citation,
-    /// What was found, in plain words with figures.
+    /// The findings, in plain words with figures.
     pub findings: Vec<Finding>,
     /// How many entries agree, by variant of the data and column.
     pub tallies: Vec<Tally>,
@@ -40,7 +40,7 @@ pub struct PaperReport {
 }
 
 impl PaperReport {
-    /// What this version of the program has found, without tables.
+    /// The findings of this version of the program, without tables.
     pub(super) fn new(paper: Citation, findings: Vec<Finding>) -> PaperReport {
         PaperReport {
             schema_version: SCHEMA_VERSION,
@@ -61,13 +61,13 @@ impl PaperReport {
         }
     }
 
-    /// Whether every finding is as recorded.
+    /// Returns true if every finding is as recorded.
     pub fn as_recorded(&self) -> bool {
         !self.findings.is_empty() && self.findings.iter().all(|f| f.as_recorded)
     }
 }
 
-/// What a finding is about.
+/// The subject of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Subject {
@@ -81,7 +81,7 @@ pub enum Subject {
     Claim,
 }
 
-/// What was made of it.
+/// The verdict on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum FindingVerdict {
@@ -102,7 +102,7 @@ pub enum FindingVerdict {
 /// A figure that belongs to a finding.
 #[derive(Clone, Debug, Serialize)]
 pub struct Figure {
-    /// What it is.
+    /// Its name.
     pub name: String,
     /// Its value, written with the digits that hold.
     pub value: String,
@@ -130,7 +130,7 @@ macro_rules! figures {
 }
 pub(super) use figures;
 
-/// What stands for a value that is not known to the digits asked for.
+/// Stands for a value that is not known to the digits asked for.
 const UNDECIDED: &str = "undecided";
 
 /// A value to so many digits.
@@ -143,12 +143,12 @@ pub(super) fn decided(digits: Option<String>) -> String {
     digits.unwrap_or_else(|| UNDECIDED.into())
 }
 
-/// Whether all figures are known.
+/// Returns true if all figures are known.
 pub(super) fn known(figures: &[Figure]) -> bool {
     figures.iter().all(|f| f.value != UNDECIDED)
 }
 
-/// Whether the figures have these values and there are no others.
+/// Returns true if the figures have these values and there are no others.
 pub(super) fn recorded(figures: &[Figure], values: &[&str]) -> bool {
     figures
         .iter()
@@ -161,7 +161,7 @@ pub(super) fn recorded(figures: &[Figure], values: &[&str]) -> bool {
 pub struct Finding {
     /// A stable name.
     pub id: &'static str,
-    /// What it is about.
+    /// Its subject.
     pub subject: Subject,
     /// Where in the paper: a formula number, table or section.
     pub place: &'static str,
@@ -173,7 +173,7 @@ pub struct Finding {
     pub text: String,
     /// The figures.
     pub figures: Vec<Figure>,
-    /// Whether this run found what earlier runs recorded. False makes the program exit with 1.
+    /// True if this run found what earlier runs recorded. False makes the program exit with 1.
     pub as_recorded: bool,
 }
 
@@ -232,7 +232,7 @@ impl Draft {
     }
 }
 
-/// What is made of a printed entry.
+/// The verdict on a printed entry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum EntryVerdict {
@@ -255,7 +255,7 @@ pub struct VariantJudgement {
     pub units_in_last_digit: f64,
     /// The verdict.
     pub verdict: EntryVerdict,
-    /// What explains a misprint.
+    /// The explanation of a misprint.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub note: Option<String>,
 }

@@ -49,7 +49,7 @@ use linear::lu;
 pub use cams::{cam_law, chirp_oscillator, fourier_series};
 #[cfg(feature = "run-up")]
 pub use drive::{pendulum, run_up};
-pub use linear::{dense, eigenvalues, tridiagonal};
+pub use linear::{banded, dense, eigenvalues, tridiagonal};
 #[cfg(feature = "linkages")]
 pub use linkages::{class_iii, dyad, planar};
 pub use special::{faddeeva, hartmann_tran};

@@ -2,7 +2,7 @@
 
 use super::csv::{Column, number, table};
 use crate::audit::hex_float;
-use crate::claims::{Atlas, Decided, Part, Row, Verdict, advice};
+use crate::claims::{Atlas, Decided, Height, Part, Row, Verdict, advice};
 use serde_json::{Value, json};
 use std::io::Write;
 
@@ -31,6 +31,10 @@ pub fn height(h: f64) -> String {
     }
 }
 
+fn precision(row: &Row) -> &'static str {
+    if row.single { "single" } else { "double" }
+}
+
 /// A coordinate of a point of the plane; a line's eight parameters are in the document.
 fn coordinate(at: &Option<Vec<f64>>, k: usize) -> String {
     match at.as_deref() {
@@ -48,9 +52,7 @@ pub fn rows(atlas: &Atlas, out: &mut dyn Write) -> Result<(), ::csv::Error> {
     let rows = all.flat_map(|row| row.parts.iter().map(move |part| (row, part)));
     let columns: [Column<(&Row, &Part)>; 16] = [
         ("name", |(row, _)| row.name.clone()),
-        ("precision", |(row, _)| {
-            if row.single { "single" } else { "double" }.into()
-        }),
+        ("precision", |(row, _)| precision(row).into()),
         ("region", |(_, p)| p.region.into()),
         ("cases", |(_, p)| p.cases.to_string()),
         ("worst_norm", |(_, p)| {
@@ -73,6 +75,27 @@ pub fn rows(atlas: &Atlas, out: &mut dyn Write) -> Result<(), ::csv::Error> {
         ("ns", |r| {
             number(whole(r).and_then(|r| r.nanoseconds.map(f64::round)))
         }),
+    ];
+    table(&columns, rows, out)
+}
+
+/// A line for each code and accuracy: from which height on the norm and each part meet it; empty where none does.
+///
+/// # Errors
+/// Of writing.
+pub fn heights(atlas: &Atlas, out: &mut dyn Write) -> Result<(), ::csv::Error> {
+    let all = atlas.rows.iter();
+    let rows = all.flat_map(|row| row.heights.iter().map(move |h| (row, h)));
+    let columns: [Column<(&Row, &Height)>; 6] = [
+        ("name", |(row, _)| row.name.clone()),
+        ("precision", |(row, _)| precision(row).into()),
+        ("parts", |(row, _)| match row.real_part_only {
+            true => "Re".into(),
+            false => "Re and Im".into(),
+        }),
+        ("target", |(_, h)| format!("{:e}", h.target)),
+        ("norm", |(_, h)| h.norm.map_or(String::new(), height)),
+        ("each_part", |(_, h)| h.parts.map_or(String::new(), height)),
     ];
     table(&columns, rows, out)
 }
@@ -102,7 +125,7 @@ pub fn claims(atlas: &Atlas, out: &mut dyn Write) -> Result<(), ::csv::Error> {
     table(&columns, &atlas.claims, out)
 }
 
-/// What is about all regions stands in their line.
+/// A note about all regions stands in their line.
 fn whole<'a>(&(row, part): &(&'a Row, &Part)) -> Option<&'a Row> {
     (part.region == "all").then_some(row)
 }

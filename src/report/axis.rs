@@ -1,4 +1,4 @@
-//! Marks of an axis: round numbers, all written in one format.
+//! Axes: their ends, and marks at round numbers, all written in one format.
 
 /// How the marks of an axis are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,7 +24,7 @@ impl Format {
 
     /// A mark.
     pub fn text(&self, x: f64) -> String {
-        // What is zero has no sign.
+        // Zero has no sign.
         let x = if x == 0.0 { 0.0 } else { x };
         let text = match self.exponent {
             _ if x == 0.0 => "0".to_string(),
@@ -54,6 +54,44 @@ pub fn at_most(low: f64, high: f64, most: usize) -> Vec<f64> {
     let step = steps.into_iter().find(few).unwrap_or(20.0 * decade);
     let [first, last] = within(step);
     (first..=last).map(|k| k as f64 * step).collect()
+}
+
+/// An axis: its name, its ends, and the marks on it. A logarithmic axis has logarithms for values.
+pub struct Axis {
+    pub label: String,
+    pub range: (f64, f64),
+    pub marks: Vec<(f64, String)>,
+}
+
+impl Axis {
+    /// An axis with at most `most` round numbers on it.
+    pub fn linear(label: &str, range: (f64, f64), most: usize) -> Axis {
+        let marks = at_most(range.0, range.1, most);
+        let format = Format::of(&marks);
+        Axis {
+            label: label.into(),
+            range,
+            marks: marks.iter().map(|x| (*x, format.text(*x))).collect(),
+        }
+    }
+
+    /// An axis of powers of ten, at most `most` of which are named by `name`, with exponents that
+    /// are multiples of one number.
+    pub fn decades(label: &str, range: (f64, f64), most: i32, name: fn(f64) -> String) -> Axis {
+        let powers = || range.0.ceil() as i32..=range.1.floor() as i32;
+        let every = (powers().count() as i32 + most - 1) / most;
+        let named = powers().filter(|k| k % every.max(1) == 0).map(f64::from);
+        Axis {
+            label: label.into(),
+            range,
+            marks: named.map(|k| (k, name(k))).collect(),
+        }
+    }
+
+    /// How far a value is along the axis, from 0 to 1.
+    pub fn part(&self, x: f64) -> f64 {
+        (x - self.range.0) / (self.range.1 - self.range.0)
+    }
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! What is better and worse since an earlier report, which comes as JSON.
+//! The changes since an earlier report, which comes as JSON.
 
 use crate::audit::{Comparison, MethodReport, RegionReport};
 use serde::{Deserialize, Serialize};
@@ -101,16 +101,16 @@ pub struct Change {
     pub before: f64,
     /// Now.
     pub now: f64,
-    /// Whether that is less.
+    /// True if that is less.
     pub better: bool,
 }
 
-/// What has changed since.
+/// The changes since then.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Changes {
     /// The figures, worse ones first.
     pub changes: Vec<Change>,
-    /// What cannot be compared, and why.
+    /// Parts that cannot be compared, with the reasons.
     pub not_compared: Vec<String>,
 }
 
@@ -121,7 +121,7 @@ impl Baseline {
     /// Reads one.
     ///
     /// # Errors
-    /// What is no report of this form.
+    /// The fault of a file that is no report of this form.
     pub fn read(text: &str) -> Result<Baseline, BaselineError> {
         let read: Document = serde_json::from_str(text)?;
         let due = super::SCHEMA_VERSION;
@@ -138,7 +138,7 @@ impl Baseline {
         })
     }
 
-    /// What has changed in an audit.
+    /// The changes in an audit.
     pub fn changes(&self, reports: &[MethodReport]) -> Changes {
         let mut all = Changes::default();
         for report in reports {
@@ -156,7 +156,7 @@ impl Baseline {
         all.sorted()
     }
 
-    /// What has changed in a comparison, candidate by candidate.
+    /// The changes in a comparison, candidate by candidate.
     pub fn changes_of(&self, found: &Comparison) -> Changes {
         let mut all = Changes::default();
         for c in &found.candidates {

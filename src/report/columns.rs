@@ -4,7 +4,7 @@ use super::cell::Cell;
 use crate::machine::quantity::{self, Unit};
 use rug::Rational;
 
-/// What a column's values are multiplied by.
+/// The factor of a column's values.
 #[derive(Clone, Debug, PartialEq)]
 struct Scale {
     by: Rational,
@@ -118,7 +118,7 @@ impl Wanted<'_> {
         let word = |c: char| c.is_ascii_alphabetic();
         let good = match unit.dimension {
             SPEED => label.chars().all(|c| word(c) || matches!(c, '_' | '1')),
-            // What has a name of letters alone is in [`SYMBOLS`] by other sizes.
+            // A unit whose name is letters alone is in [`SYMBOLS`] by other sizes.
             _ => label.chars().all(word),
         };
         if !good {
@@ -147,13 +147,13 @@ impl Wanted<'_> {
     }
 }
 
-/// Whether one of the columns is a length or has one among its factors.
+/// Returns true if one of the columns is a length or has one among its factors.
 pub fn any_length(names: &[String]) -> bool {
     let length = |name: &String| split(name).1.iter().any(|f| f.0 == "m");
     names.iter().any(length)
 }
 
-/// Whether a column is an angle.
+/// Returns true if a column is an angle.
 pub fn is_angle(name: &str) -> bool {
     matches!(split(name).1[..], [("rad" | "deg", 1)])
 }

@@ -1,5 +1,5 @@
-//! A paper's entries as CSV, one line for each printed entry and variant of the data; the statistics of
-//! an audit as CSV, one line for each region and output.
+//! A paper's entries as CSV, one line for each printed entry and variant of the data; the
+//! statistics of an audit as CSV, one line for each region and output.
 
 use super::words::paper::entry;
 use crate::audit::{

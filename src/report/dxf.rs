@@ -1,7 +1,8 @@
 //! A position of a mechanism and the paths of its points as DXF, for CAD.
 //!
-//! Layers: `GROUND` fixed pivots, `LINKS` bodies and pitch circles, `GUIDES`, `JOINTS` circles about the moving
-//! points, `NAMES`, and `PATH_` with the point's name for each path. R2007, the first version whose text is UTF-8.
+//! Layers: `GROUND` fixed pivots, `LINKS` bodies and pitch circles, `GUIDES`, `JOINTS` circles
+//! about the moving points, `NAMES`, and `PATH_` with the point's name for each path. R2007, the
+//! first version whose text is UTF-8.
 
 use crate::machine::quantity;
 use crate::motion::{Motion, Point};
@@ -17,7 +18,8 @@ const DECIMALS: i32 = 12;
 const DIGITS: i32 = 6;
 /// Largest coordinate whose text stays readable for every program.
 const MOST: f64 = 1e15;
-/// AutoCAD's colour index of ground, links, guides, joints and names, and those of the paths in turn.
+/// AutoCAD's colour index of ground, links, guides, joints and names, and those of the paths in
+/// turn.
 const COLOURS: [(&str, u8); 5] = [
     ("GROUND", 8),
     ("LINKS", 7),
@@ -52,7 +54,7 @@ pub enum NotDxf {
         /// Its name.
         point: String,
     },
-    /// What the writer says.
+    /// The message of the writer.
     #[error("{0}")]
     Writing(String),
 }

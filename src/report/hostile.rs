@@ -22,8 +22,8 @@ fn harmless(page: &str, texts: usize) {
     assert!(escaped >= texts, "{escaped} of {texts} texts in {page}");
 }
 
-/// The same of a page with scripts: these are the program's own, named in its policy, and its data are
-/// JSON whose strings hold `data` of the texts.
+/// The same of a page with scripts: these are the program's own, named in its policy, and its data
+/// are JSON whose strings hold `data` of the texts.
 fn harmless_page(page: &str, texts: usize, data: usize) {
     let (mut markup, own) = html::page::tests::markup(page);
     assert!(own >= 1);

@@ -17,8 +17,8 @@ pub fn document(reports: &[MethodReport], interrupted: bool) -> Value {
     })
 }
 
-/// A case: the judgement with the answer, names and exact values of the inputs, and the command that
-/// judges it again.
+/// A case: the judgement with the answer, names and exact values of the inputs, and the command
+/// that judges it again.
 pub fn case(report: &CaseReport, again: &str) -> Value {
     let mut value = serde_json::to_value(report).unwrap_or(Value::Null);
     let input = &report.case.input;

@@ -64,7 +64,7 @@ fn failed(message: impl Into<quick_junit::XmlString>) -> TestCaseStatus {
     status
 }
 
-/// What was found in a region, a line for each output.
+/// The findings in a region, a line for each output.
 fn figures(region: &RegionReport) -> String {
     let line = |o: &crate::audit::OutputStatistics| {
         format!(

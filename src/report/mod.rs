@@ -1,7 +1,8 @@
 //! Reports in every form: text, HTML, JSON, CSV, JUnit, LaTeX, SVG, DXF.
 //!
-//! Whatever is shown comes in as a value; nothing here solves, judges or proves. What two forms say in
-//! the same words stands in [`words`]. HTML and SVG are written by `maud`, which escapes every text.
+//! Whatever is shown comes in as a value; nothing here solves, judges or proves. What two forms say
+//! in the same words stands in [`words`]. HTML and SVG are written by `maud`, which escapes every
+//! text.
 
 #[cfg(feature = "report")]
 pub mod atlas;

@@ -67,6 +67,7 @@ pub mod evaluation;
 mod exact;
 mod expr;
 mod expsum;
+pub mod fpcore;
 mod fraction;
 mod function;
 mod gauss;

@@ -6,6 +6,8 @@
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
 #[cfg(feature = "oracle")]
+mod campaigns;
+#[cfg(feature = "oracle")]
 mod conditions;
 #[cfg(feature = "oracle")]
 mod documented_accuracy;
@@ -30,6 +32,8 @@ mod jansen_leg;
 mod layouts;
 #[cfg(feature = "oracle")]
 mod ledger;
+#[cfg(feature = "oracle")]
+mod linear_witness;
 #[cfg(feature = "oracle")]
 mod methods;
 #[cfg(feature = "oracle")]

@@ -1,7 +1,7 @@
 //! What is judged, where and how strictly: shared by commands that draw or judge cases.
 
 use super::number;
-use crate::cli::process::wire::{self, LineError};
+use crate::cli::number::LineError;
 use clap::Args as ClapArgs;
 use std::path::PathBuf;
 
@@ -73,5 +73,5 @@ pub struct ScopeArgs {
 pub struct Numbers(pub Vec<f64>);
 
 pub fn numbers(text: &str) -> Result<Numbers, LineError> {
-    wire::numbers(text).map(Numbers)
+    crate::cli::number::numbers(text).map(Numbers)
 }

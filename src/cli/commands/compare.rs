@@ -1,18 +1,17 @@
 //! Several programs at the same cases, side by side.
 
-use crate::cli::answers::{Batch, End};
-use crate::cli::args::{CompareArgs, CompareFormat, ProgramArgs};
-use crate::cli::commands::audit::written::{self, POINTS};
+use crate::cli::args::{CompareArgs, CompareFormat};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::{Output, write_json};
-use crate::cli::forecast;
-use crate::cli::lookup::{self, settings};
-use crate::cli::process::exec::{Fed, unanswered};
+use crate::cli::lookup;
+use crate::cli::process::answers::{Batch, End};
+use crate::cli::process::candidate::{Candidate, CandidateProcess, unanswered};
 use crate::cli::process::inputs::Inputs;
 use crate::cli::process::interrupt;
 use crate::cli::progress::Progress;
-use crate::cli::scope;
+use crate::cli::report::{self, POINTS};
 use crate::cli::terminal::width;
+use crate::cli::workload::{self, Selection, Workload, reproduce_command};
 use mechaudit::audit::{
     Case, Comparison, Method, MethodReport, Settings, SolverAnswer, Speed, Tally, answer_of,
     judge_together,
@@ -33,36 +32,44 @@ const STARTS: usize = 3;
 
 /// Compares them.
 pub fn compare(args: &CompareArgs) -> Result<Outcome, Failure> {
-    let mut settings = settings(&args.run)?;
+    let mut settings = workload::settings(&args.run)?;
     if args.format == CompareFormat::Html {
         settings.points = POINTS;
     }
     let method = lookup::method(&args.method)?;
-    let output = Output::open(args.output.as_deref())?;
-    let before = args.baseline.as_deref().map(written::read).transpose()?;
-    let variant = scope::judged(&*method, &args.scope)?.without_laws();
-    let variant = scope::placed(variant, &args.place, &settings, true)?;
-    let one = scope::one_case(&variant, &args.place, &settings)?;
-    let variant = match one {
-        Some(_) => variant,
-        None => scope::regions(variant, &args.place)?,
+    let selection = Selection {
+        place: &args.place,
+        scope: &args.scope,
+        input: None,
+        laws: false,
     };
-    if one.is_none() {
-        forecast::audit(&[&variant], &settings)?;
-    }
-    let inputs = Inputs::of(&variant, one, &settings)?;
-    let reports = judged(&variant, args, &inputs, &settings)?;
+    let output = Output::open(args.output.as_deref())?;
+    let before = args
+        .baseline
+        .as_deref()
+        .map(report::read_baseline)
+        .transpose()?;
+    let workload = Workload::of_one(&*method, selection, settings)?;
+    workload.check()?;
+    let (variant, settings) = (&workload.methods[0], &workload.settings);
+    let inputs = Inputs::of(variant, workload.one.clone(), settings)?;
+    let commands = args.exec.iter();
+    let candidates: Vec<Candidate> = commands
+        .map(|command| workload::candidate(command, &args.program))
+        .collect();
+    let reports = judged(variant, &candidates, args.with.is_some(), &inputs, settings)?;
     let stopped = reports.iter().any(|r| r.interrupted);
+    // The method's own solver comes after all candidates.
+    let answered_by = candidates.iter().map(Some).chain([None]);
     let timed: Vec<(MethodReport, Option<Speed>)> = reports
         .into_iter()
-        .map(|mut report| {
-            let command = report.candidate.as_ref().and_then(|c| c.command.as_deref());
-            let program = command.map(|c| (c, &args.program));
-            report.reproduce.tail = scope::again(program, &args.scope, &args.place);
-            let speed = match command {
+        .zip(answered_by)
+        .map(|(mut report, candidate)| {
+            report.reproduce.tail = reproduce_command(candidate, selection);
+            let speed = match candidate {
                 _ if args.no_speed || stopped => None,
-                Some(command) => speed(|n| timed(command, &args.program, &inputs, n)),
-                None => Some(called(&variant, &inputs)),
+                Some(candidate) => speed(|n| timed(candidate, &inputs, n)),
+                None => Some(called(variant, &inputs)),
             };
             (report, speed)
         })
@@ -90,14 +97,16 @@ pub fn compare(args: &CompareArgs) -> Result<Outcome, Failure> {
 /// Runs all programs over all cases, one batch of cases after the other.
 fn judged(
     method: &dyn Method,
-    args: &CompareArgs,
+    candidates: &[Candidate],
+    with_ours: bool,
     inputs: &Arc<Inputs>,
     settings: &Settings,
 ) -> Result<Vec<MethodReport>, Failure> {
     let total = inputs.len();
-    let start = |command: &String| Fed::start(command, &args.program, inputs, total);
-    let mut programs: Vec<Fed> = args.exec.iter().map(start).collect::<Result<_, _>>()?;
-    let ours = usize::from(args.with.is_some());
+    let start = |candidate| CandidateProcess::start(candidate, inputs, total);
+    let mut programs: Vec<CandidateProcess> =
+        candidates.iter().map(start).collect::<Result<_, _>>()?;
+    let ours = usize::from(with_ours);
     let mut tallies = vec![Tally::new(method, settings); programs.len() + ours];
     let mut ends: Vec<Option<End>> = programs.iter().map(|_| None).collect();
     let progress = Progress::new();
@@ -151,20 +160,20 @@ fn judged(
     Ok(reports.collect())
 }
 
-/// How long a program takes for so many inputs, if it answers all of them and ends well.
-fn timed(command: &str, program: &ProgramArgs, inputs: &Arc<Inputs>, n: usize) -> Option<Duration> {
+/// Returns the time that a candidate takes for `n` inputs, if it answers all of them and ends well.
+fn timed(candidate: &Candidate, inputs: &Arc<Inputs>, n: usize) -> Option<Duration> {
     let start = Instant::now();
-    let mut fed = Fed::start(command, program, inputs, n).ok()?;
+    let mut process = CandidateProcess::start(candidate, inputs, n).ok()?;
     let mut left = n;
     while left > 0 {
         let mut batch = Batch::default();
-        if fed.collect(left.min(BATCH), &mut batch).is_some() {
+        if process.collect(left.min(BATCH), &mut batch).is_some() {
             return None;
         }
         left -= batch.len();
     }
-    let end = fed.rest();
-    fed.end(end).is_none().then(|| start.elapsed())
+    let end = process.rest();
+    process.end(end).is_none().then(|| start.elapsed())
 }
 
 /// The time for an answer through the protocol, start-up apart; `run` takes so many inputs.
@@ -342,19 +351,6 @@ mod tests {
         for bad in [1, 200, 3200] {
             let run = |n: usize| (n != bad).then_some(Duration::ZERO);
             assert!(speed(run).is_none(), "{bad}");
-        }
-    }
-
-    #[test]
-    fn the_form_of_numbers_is_part_of_a_command() {
-        for (more, due) in [
-            ("", ""),
-            ("--decimal", " --decimal"),
-            ("--binary", " --binary"),
-        ] {
-            let args = compared(&format!("erf --exec cat {more}"));
-            let again = scope::again(Some(("cat", &args.program)), &args.scope, &args.place);
-            assert_eq!(again, format!(" --exec cat{due}"));
         }
     }
 

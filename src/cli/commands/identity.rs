@@ -3,7 +3,7 @@
 use crate::cli::args::{IdentityArgs, TextOrJson};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::write_to;
-use crate::cli::process::wire::shortened;
+use crate::cli::number::shortened;
 use mechaudit::symbolic::{
     Definitions, Equation, Expr, Identity, Outcome as Decision, SymbolicError, Witness, parse,
     parse_equation,

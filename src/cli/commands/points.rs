@@ -4,8 +4,10 @@ use crate::cli::args::PointsArgs;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
 use crate::cli::lookup;
-use crate::cli::{forecast, process::wire, scope};
-use mechaudit::audit::{Case, Cases, Format, Layout, Method, Origin, Settings, Variant};
+use crate::cli::process::wire;
+use crate::cli::workload::{Selection, Workload};
+use crate::cli::{args::ScopeArgs, forecast};
+use mechaudit::audit::{Case, Cases, Layout, Method, Origin, Settings};
 use std::io::Write;
 
 /// Writes them.
@@ -17,23 +19,25 @@ pub fn points(args: &PointsArgs) -> Result<Outcome, Failure> {
         cases_per_region: args.count,
         ..Settings::default()
     };
-    let mut chosen = Variant::new(&*method);
-    if args.single {
-        chosen = chosen.format(Format::Single);
-    }
-    let chosen = scope::placed(chosen, &args.place, &settings, true)?;
-    let one = scope::one_case(&chosen, &args.place, &settings)?;
-    let cases = match one {
-        Some(_) => Cases::new(&chosen, &settings),
-        None => Cases::new(&scope::regions(chosen, &args.place)?, &settings),
+    let scope = ScopeArgs {
+        single: args.single,
+        ..ScopeArgs::default()
     };
-    if one.is_none() {
-        forecast::points(&cases, args.decimal)?;
+    let selection = Selection {
+        place: &args.place,
+        scope: &scope,
+        input: None,
+        laws: false,
+    };
+    let workload = Workload::of_one(&*method, selection, settings)?;
+    let cases = Cases::new(&workload.methods[0], &workload.settings);
+    if workload.one.is_none() {
+        forecast::check_points(&cases, args.decimal)?;
     }
     output.write(|out| {
         header(&*method, out)?;
-        if let Some(case) = one {
-            heading(&*method, &case, out)?;
+        if let Some(case) = &workload.one {
+            heading(&*method, case, out)?;
             return Ok(writeln!(out, "{}", wire::line(&case.input, args.decimal))?);
         }
         let mut region = "";

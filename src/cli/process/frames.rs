@@ -4,7 +4,7 @@
 //! mean something else: all bits set, a refusal; one less, a text (its length in bytes, then the bytes,
 //! filled up with zeros to whole words), whose lines are those of a header.
 
-use crate::cli::process::wire::FIELDS;
+use crate::cli::number::FIELDS;
 use mechaudit::audit::SolverAnswer;
 use std::io::{BufReader, ErrorKind, Read};
 

@@ -1,8 +1,7 @@
-//! Other processes: candidates, what is said to them, and signals.
+//! Other processes: candidates, their inputs and answers, and signals.
 
-pub mod bounded;
+pub mod answers;
 pub mod candidate;
-pub mod exec;
 pub mod frames;
 #[cfg(unix)]
 pub mod guard;

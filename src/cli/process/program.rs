@@ -1,8 +1,8 @@
 //! A running program and all that it starts: its process group, which ends with the audit, however the
 //! audit ends.
 
-use crate::cli::answers::End;
 use crate::cli::failure::Failure;
+use crate::cli::process::answers::End;
 #[cfg(unix)]
 use crate::cli::process::guard::Guard;
 use std::io;

@@ -1,37 +1,12 @@
 //! Inputs and answers as lines of text.
 
 use crate::cli::failure::{Failure, chain};
-use crate::cli::number::{Number, NumberError};
-use crate::cli::process::bounded::size;
+use crate::cli::number::{LONGEST, LineError, numbers, shortened};
 use mechaudit::audit::{SolverAnswer, write_hex_float};
 use std::io::{BufRead, BufReader, Read};
 
-/// The longest line of an input, an answer or a table.
-pub const LONGEST: usize = 1 << 20;
 /// As a rule an answer is not longer.
 const USUAL: usize = 64;
-/// The most numbers on one.
-pub const FIELDS: usize = 100_000;
-
-/// A line that holds no numbers.
-#[derive(Debug, thiserror::Error)]
-pub enum LineError {
-    #[error("longer than {}", size(LONGEST))]
-    TooLong,
-    #[error("not UTF-8")]
-    NotUtf8(#[from] std::str::Utf8Error),
-    #[error("empty")]
-    Empty,
-    #[error("more than {FIELDS} fields")]
-    TooManyFields,
-    #[error("an empty field in {0:?}")]
-    EmptyField(String),
-    /// Longer than what is shown of a line.
-    #[error("a field that is no number in {line:?}")]
-    LongField { line: String },
-    #[error("{source} in {line:?}")]
-    Field { line: String, source: NumberError },
-}
 
 /// A line without its end; one that is longer than allowed is cut.
 pub struct Line {
@@ -136,46 +111,6 @@ impl Line {
     }
 }
 
-/// Characters of a line in a message.
-const SHOWN: usize = 80;
-
-/// The beginning of a line, for messages.
-pub fn shortened(text: &[u8]) -> String {
-    let text = String::from_utf8_lossy(&text[..text.len().min(4 * SHOWN)]);
-    let text = text.trim();
-    match text.char_indices().nth(SHOWN) {
-        Some((end, _)) => format!("{}…", &text[..end]),
-        None => text.into(),
-    }
-}
-
-/// Numbers separated by commas or blanks.
-pub fn numbers(text: &str) -> Result<Vec<f64>, LineError> {
-    let line = || shortened(text.as_bytes());
-    let mut numbers = Vec::new();
-    for part in text.split(',') {
-        let before = numbers.len();
-        for field in part.split_whitespace() {
-            if numbers.len() == FIELDS {
-                return Err(LineError::TooManyFields);
-            }
-            numbers.push(match Number::parse(field) {
-                Ok(number) => number.nearest(),
-                Err(source) if field.len() <= SHOWN => {
-                    let line = line();
-                    return Err(LineError::Field { line, source });
-                }
-                Err(_) => return Err(LineError::LongField { line: line() }),
-            });
-        }
-        // Nothing between two commas is something missing.
-        if numbers.len() == before {
-            return Err(LineError::EmptyField(line()));
-        }
-    }
-    Ok(numbers)
-}
-
 /// An input as a line: hexadecimal floats, or decimals that read back as the same numbers.
 pub fn line(input: &[f64], decimal: bool) -> String {
     let mut line = String::new();
@@ -198,5 +133,4 @@ pub fn write(text: &mut String, input: &[f64], decimal: bool) {
 }
 
 #[cfg(test)]
-#[path = "wire_tests.rs"]
 mod tests;

@@ -39,7 +39,8 @@ fn a_law_by_a_table() {
     assert!(refused.contains("exactly one of"), "{refused}");
 }
 
-/// As many rows as there are steps in the duration within rounding, and at most ten billion after the first.
+/// As many rows as there are steps in the duration within rounding, and at most ten billion after
+/// the first.
 #[test]
 fn a_run_ends_with_a_row() {
     let read = |duration: f64, step: f64| {
@@ -107,7 +108,8 @@ fn charts_have_points_and_laws() {
     }
 }
 
-/// At the slowest point of a chart the resonance is at its ξ-th harmonic, of the rise or of the turn.
+/// At the slowest point of a chart the resonance is at its ξ-th harmonic, of the rise or of the
+/// turn.
 #[test]
 fn harmonics_reach_beyond_the_resonance() {
     let harmonics = |period: Option<&str>| {
@@ -283,7 +285,7 @@ fn the_start_is_as_the_lift() {
         let machine = start(lift, y, v).unwrap();
         let found = machine.initial.map(|i| (i.displacement, i.velocity));
         assert_eq!(found, due, "{y} {v}");
-        // What is asked for is what the response begins with.
+        // The response begins with the values asked for.
         if let Some((y, v)) = due {
             let state = machine
                 .response(&machine.drive)
@@ -369,7 +371,8 @@ fn runs_have_steps() {
     }
 }
 
-/// Charts of up to a hundred thousand steps; the last point is there if the steps end at it within 1e-12 of their number.
+/// Charts of up to a hundred thousand steps; the last point is there if the steps end at it within
+/// 1e-12 of their number.
 #[test]
 fn charts_have_bounds() {
     let points = |from: &str, to: &str, step: &str| {
@@ -466,7 +469,8 @@ fn harmonics_are_those_asked_for() {
     }
 }
 
-/// Of all that are drawn the law that needs most tells how many; what is left out of it is a ten thousandth of the lift.
+/// Of all that are drawn the law that needs most tells how many; what is left out of it is a ten
+/// thousandth of the lift.
 #[test]
 fn harmonics_are_enough_for_every_law() {
     let own = |law: &str, lift: &str| {

@@ -15,7 +15,8 @@ pub const TURNS: u32 = 12;
 const NEAR: f64 = 0.261;
 /// How close to a fold rows are computed, in radians.
 const MARGIN: f64 = 1e-6;
-/// Angles between which the branch tracer looks for a fold, before and beyond the last position, in radians.
+/// Angles between which the branch tracer looks for a fold, before and beyond the last position, in
+/// radians.
 const BEFORE: f64 = 1e-4;
 const BEYOND: f64 = 2e-3;
 
@@ -133,8 +134,8 @@ fn spans(parts: &[[f64; 2]]) -> String {
     parts.iter().map(one).collect::<Vec<_>>().join(" and ")
 }
 
-/// Finds the branch at the crank angle `phi1` in degrees: the mode `number`, else what `start` says. Modes come in pairs,
-/// so one of them has to be named.
+/// Finds the branch at the crank angle `phi1` in degrees: the mode `number`, else what `start`
+/// says. Modes come in pairs, so one of them has to be named.
 ///
 /// ```
 /// use mechaudit_cli::machine::{class_iii, Linkage, Source};
@@ -290,8 +291,8 @@ fn end(
         reached: last.phi1 - direction * inset,
         phi4: last.positions.phi4,
     };
-    // From a little before the last angle reached, where the position is too near to the fold to be followed from, to a
-    // little beyond the fold.
+    // From a little before the last angle reached, where the position is too near to the fold to be
+    // followed from, to a little beyond the fold.
     let before = last.phi1 - direction * BEFORE;
     let Ok(before) = linkage.follow(start, Angle::from_rad(before)) else {
         return Ok(plain);

@@ -207,7 +207,8 @@ mod tests {
     use super::*;
     use crate::machine::{Linkage as File, Source};
 
-    /// A position at a higher precision is the same one only where all four coordinates lie in the old ones.
+    /// A position at a higher precision is the same one only where all four coordinates lie in the
+    /// old ones.
     #[test]
     fn another_position_is_not_the_same_one_refined() {
         let text = include_str!("../../../examples/sand-screen.toml");
@@ -238,7 +239,8 @@ mod tests {
         }
     }
 
-    /// A position of another mode is not taken for the next of the branch, until the branch is left.
+    /// A position of another mode is not taken for the next of the branch, until the branch is
+    /// left.
     #[test]
     fn a_branch_is_not_left_for_another_mode() {
         let text = include_str!("../../../examples/sand-screen.toml");

@@ -4,8 +4,8 @@ use super::Linkage;
 use crate::solvers::class_iii::State;
 use crate::solvers::units::AngularVelocity;
 
-/// The columns' names with their units, `phi1_deg` and `branch` first. The condition number is an estimate in floating point and
-/// has no certified digits.
+/// The columns' names with their units, `phi1_deg` and `branch` first. The condition number is an
+/// estimate in floating point and has no certified digits.
 pub fn names(linkage: &Linkage, certified: bool) -> Vec<String> {
     let mut all: Vec<String> = vec!["phi1_deg".into(), "branch".into()];
     let mut links = |prefix: &str, suffix: &str| {
@@ -139,7 +139,8 @@ mod tests {
         }
     }
 
-    /// Certified digits and floating point say the same in every column, with rates at the crank's speed.
+    /// Certified digits and floating point say the same in every column, with rates at the crank's
+    /// speed.
     #[test]
     fn rows_are_certified_column_by_column() {
         let at = rug::Rational::from(50);

@@ -6,8 +6,8 @@ use crate::solvers::class_iii::{ContinuationError, State};
 use crate::solvers::units::Angle;
 use std::f64::consts::TAU;
 
-/// Positions of the branch over the turns after which it closes, from `shown` on; or over its whole range, with
-/// `shown` among them. Also the number of `shown`.
+/// Positions of the branch over the turns after which it closes, from `shown` on; or over its whole
+/// range, with `shown` among them. Also the number of `shown`.
 ///
 /// # Errors
 /// Why the branch could not be followed so far.

@@ -44,7 +44,8 @@ mod tests {
         }
     }
 
-    /// Over one turn from the start, or between the ends; in motion without the turn's end, over all turns that it takes.
+    /// Over one turn from the start, or between the ends; in motion without the turn's end, over
+    /// all turns that it takes.
     #[test]
     fn branches_are_passed_in_equal_steps() {
         let shares = [0.0, 0.25, 0.5, 0.75, 1.0];

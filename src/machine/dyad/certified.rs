@@ -32,7 +32,7 @@ use rug::{Complete, Rational};
 /// A digit still open at this many times the first precision stays undecided.
 const RAISED_AT_MOST: u32 = 16;
 
-/// What is proved at a crank angle.
+/// The proof at a crank angle.
 pub enum Proved {
     /// The values of the row with the digits asked for; `None` where they could not be proved.
     Values(Values<Option<String>>),
@@ -86,7 +86,7 @@ pub fn certified(dyad: &Dyad, degrees: &Rational, assembly: Assembly, digits: u3
     Proved::Values(proved)
 }
 
-/// Whether the dyad can be joined, if that can be told with so many bits.
+/// Returns whether the dyad can be joined, or `None` if that cannot be told with so many bits.
 fn within_reach(shape: &Shape, degrees: &Rational, bits: u32) -> Option<bool> {
     let ball = |q: &Rational| Ball::rational(bits, q);
     let (sin, cos) = shape.relative(degrees, bits).sin_cos();
@@ -280,8 +280,8 @@ mod tests {
         }
     }
 
-    /// `x = a cos ψ + b cos θ` with θ′ ≤ p, θ″ ≤ q, θ‴ ≤ t: the derivatives of `cos θ` are at most p, p² + q and
-    /// p³ + 3pq + t.
+    /// `x = a cos ψ + b cos θ` with θ′ ≤ p, θ″ ≤ q, θ‴ ≤ t: the derivatives of `cos θ` are at most
+    /// p, p² + q and p³ + 3pq + t.
     #[test]
     fn bounds_of_the_slider_are_those_of_its_angle() {
         let l = [2, 5, 1].map(Rational::from);
@@ -295,8 +295,8 @@ mod tests {
         }
     }
 
-    /// With `D f = N`, where `N` is `n` times the sine of the crank's angle less the other link's: each derivative of the
-    /// product by the rule, `|D| ≥ m` and all sines and cosines at most 1.
+    /// With `D f = N`, where `N` is `n` times the sine of the crank's angle less the other link's:
+    /// each derivative of the product by the rule, `|D| ≥ m` and all sines and cosines at most 1.
     #[test]
     fn bounds_of_the_four_bar_are_those_of_its_angles() {
         let l = [2, 5, 4, 6].map(Rational::from);
@@ -342,8 +342,8 @@ mod tests {
         ]
     }
 
-    /// The bound on a first derivative is its numerator's over the least determinant: no determinant within the distance is
-    /// below that.
+    /// The bound on a first derivative is its numerator's over the least determinant: no
+    /// determinant within the distance is below that.
     #[test]
     fn no_determinant_is_below_the_least() {
         let step = Rational::from((1, 50));
@@ -456,8 +456,8 @@ mod tests {
         assert!(left.iter().zip(right).all(|(l, r)| l != r), "{shifted:?}");
     }
 
-    /// The two links of the dyad may be joined in either order: with their lengths, the bounds of coupler and rocker change
-    /// places.
+    /// The two links of the dyad may be joined in either order: with their lengths, the bounds of
+    /// coupler and rocker change places.
     #[test]
     fn bounds_of_coupler_and_rocker_are_those_of_the_exchanged_linkage() {
         let [determinant, distance] = [900.0, 0.01].map(|x| Ball::exact(128, x));
@@ -475,7 +475,8 @@ mod tests {
         }
     }
 
-    /// The coupler's angle is a whole number of turns: none where it may be zero and is less than one, else it stays open.
+    /// The coupler's angle is a whole number of turns: none where it may be zero and is less than
+    /// one, else it stays open.
     #[test]
     fn the_coupler_of_a_parallelogram_has_turned_by_nothing_or_by_turns() {
         let l = [1, 3, 1, 3].map(Rational::from);

@@ -247,7 +247,7 @@ impl Shape {
         }
     }
 
-    /// Whether the file gives bodies.
+    /// Returns true if the file gives bodies.
     pub fn has_bodies(&self) -> bool {
         match self {
             Shape::FourBar { bodies, .. } => bodies.is_some(),

@@ -3,8 +3,9 @@
 use super::{Dyad, Position, Shape, range};
 use crate::motion::{Drive, Motion, Point};
 
-/// The crank angles in degrees over a turn from `shown` on, or over the range that holds the start with `shown`
-/// among them where it lies in it. Also the number of `shown`, 0 where it lies outside, and whether it is a turn.
+/// The crank angles in degrees over a turn from `shown` on, or over the range that holds the start
+/// with `shown` among them where it lies in it. Also the number of `shown`, 0 where it lies
+/// outside, and whether it is a turn.
 pub fn drives(dyad: &Dyad, n: u32, shown: f64) -> (Vec<f64>, usize, bool) {
     let ([from, to], whole) = range(dyad);
     if whole {

@@ -47,7 +47,8 @@ fn joints(shape: &Shape, crank_deg: f64, assembly: Assembly) -> Option<[[f64; 2]
     })
 }
 
-/// A turn from the start, or the range that holds the start, or the first one, in degrees; whether it is a turn.
+/// A turn from the start, or the range that holds the start, or the first one, in degrees; whether
+/// it is a turn.
 pub fn range(dyad: &Dyad) -> ([f64; 2], bool) {
     let start = dyad.start.as_ref().map_or(0.0, nearest_f64);
     match turn(&dyad.shape) {
@@ -60,8 +61,8 @@ pub fn range(dyad: &Dyad) -> ([f64; 2], bool) {
     }
 }
 
-/// Up to `n + 1` positions of one assembly over a turn, or over the range of the crank that holds the start;
-/// whether it is a turn.
+/// Up to `n + 1` positions of one assembly over a turn, or over the range of the crank that holds
+/// the start; whether it is a turn.
 pub fn path(dyad: &Dyad, assembly: Assembly, n: u32) -> (Vec<Position>, bool) {
     let ([from, to], whole) = range(dyad);
     let at = |k: u32| from + (to - from) * f64::from(k) / f64::from(n);

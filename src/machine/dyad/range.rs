@@ -7,7 +7,7 @@ use crate::solvers::dyad::{Assembly, CrankRange, FourBar, GrashofType, SliderCra
 pub enum Turn {
     /// Every angle, with or without positions where the assembly may change.
     Full {
-        /// Whether there are such positions.
+        /// True if there are such positions.
         change_points: bool,
     },
     /// From and to.

@@ -1,7 +1,8 @@
-//! Positions in which the dyad is stretched, folded or square to its guide: both assemblies are one there.
+//! Positions in which the dyad is stretched, folded or square to its guide: both assemblies are one
+//! there.
 //!
-//! Such a position has values of its angles, but none of their derivatives: at a fold these are infinite, and at a change
-//! point there are two of each.
+//! Such a position has values of its angles, but none of their derivatives: at a fold these are
+//! infinite, and at a change point there are two of each.
 
 use super::{Dyad, Shape, Turn, Values, turn};
 use crate::machine::crank_angles::Grid;
@@ -24,14 +25,14 @@ pub enum Reached {
 pub struct Meeting {
     /// The crank angle in degrees.
     pub degrees: Rational,
-    /// Whether the crank can go on from there: then it is a change point, else an end of its range.
+    /// True if the crank can go on from there: then it is a change point, else an end of its range.
     pub passes: bool,
 }
 
 impl Shape {
-    /// Whether the dyad is stretched, folded or out of reach, where that can be told exactly. At
-    /// no other angle of a rational number of degrees is it stretched or folded: the condition is
-    /// a rational value of the cosine (four-bar) or sine (slider-crank).
+    /// Returns whether the dyad is stretched, folded or out of reach, where that can be told
+    /// exactly. At no other angle of a rational number of degrees is it stretched or folded: the
+    /// condition is a rational value of the cosine (four-bar) or sine (slider-crank).
     pub fn reached(&self, degrees: &Rational) -> Option<Reached> {
         let ends = match (self, self.rational_cos_sin(degrees)) {
             (Shape::FourBar { exact, .. }, (Some(cos), _)) => {
@@ -78,8 +79,8 @@ pub fn meetings(dyad: &Dyad, grid: &Grid) -> Vec<Meeting> {
     found
 }
 
-/// The position in floating point, angles in radians, NaN for the derivatives; nothing where the coupler may have any
-/// angle, because crank and rocker end in one point.
+/// The position in floating point, angles in radians, NaN for the derivatives; nothing where the
+/// coupler may have any angle, because crank and rocker end in one point.
 pub(super) fn floating(shape: &Shape, degrees: &Rational) -> Option<Values<f64>> {
     let none = f64::NAN;
     let radians = nearest_f64(degrees).to_radians();
@@ -123,7 +124,8 @@ pub(super) fn floating(shape: &Shape, degrees: &Rational) -> Option<Values<f64>>
     }
 }
 
-/// The position with so many digits, where it is singular exactly: `None` for what has no value, or no proved digits.
+/// The position with so many digits, where it is singular exactly: `None` for what has no value, or
+/// no proved digits.
 pub(super) fn certified(
     shape: &Shape,
     degrees: &Rational,

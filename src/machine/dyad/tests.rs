@@ -1,4 +1,5 @@
-//! Tests of four-bar linkages and slider-cranks: what their files say, ranges, dead positions, rows and certified digits.
+//! Tests of four-bar linkages and slider-cranks: what their files say, ranges, dead positions, rows
+//! and certified digits.
 
 use super::*;
 use crate::machine::Linkage;
@@ -212,8 +213,8 @@ fn crank_angles_are_measured_from_the_guide() {
     assert_eq!(rational("0.25 rad", 180), (None, None));
 }
 
-/// At multiples of 30 or 60 degrees the condition is one of fractions: the dyad spans between the difference and the sum of
-/// its links, or the rod reaches the guide; at the ends it is singular.
+/// At multiples of 30 or 60 degrees the condition is one of fractions: the dyad spans between the
+/// difference and the sum of its links, or the rod reaches the guide; at the ends it is singular.
 #[test]
 fn what_is_exactly_beyond_or_singular_is_told() {
     let bar = |l: [f64; 4]| four_bar_of(l, "").shape;
@@ -301,7 +302,8 @@ fn cranks_turn_as_far_as_the_dyad_reaches() {
     }
 }
 
-/// Crank and coupler or rod are in line, one after the other or one upon the other; there the output is that of the joint.
+/// Crank and coupler or rod are in line, one after the other or one upon the other; there the
+/// output is that of the joint.
 #[test]
 fn dead_positions_have_crank_and_coupler_in_line() {
     let slack = |direction| slider_of([2.0, 5.0, 1.0], direction, "");
@@ -354,7 +356,8 @@ fn dead_positions_have_crank_and_coupler_in_line() {
     }
 }
 
-/// Between the dead positions of a crank that turns fully, by the law of cosines at the rocker's pivot.
+/// Between the dead positions of a crank that turns fully, by the law of cosines at the rocker's
+/// pivot.
 #[test]
 fn a_rocker_swings_between_its_dead_positions() {
     let of = |l: [f64; 4]| match four_bar_of(l, "").shape {
@@ -370,7 +373,8 @@ fn a_rocker_swings_between_its_dead_positions() {
     }
 }
 
-/// Certified digits are those of floating point in every column, whatever the crank's motion, direction and assembly.
+/// Certified digits are those of floating point in every column, whatever the crank's motion,
+/// direction and assembly.
 #[test]
 fn certified_rows_are_those_of_the_solver() {
     let motions = [
@@ -466,8 +470,8 @@ fn values_out_of_range_are_refused_with_their_column() {
     assert_eq!(ASSEMBLIES.map(number), [0, 1]);
 }
 
-/// With the crank at 30 deg the rod is all but in line with the guide, lower by 1e-k m: sixteen times the first bits tell
-/// 1e-600 from zero, and not 1e-700.
+/// With the crank at 30 deg the rod is all but in line with the guide, lower by 1e-k m: sixteen
+/// times the first bits tell 1e-600 from zero, and not 1e-700.
 #[test]
 fn digits_are_looked_for_at_sixteen_times_the_first_bits() {
     for (k, proved) in [(20, true), (100, true), (600, true), (700, false)] {
@@ -491,8 +495,8 @@ fn digits_are_looked_for_at_sixteen_times_the_first_bits() {
     }
 }
 
-/// Digits of what is exactly zero cannot be proved from an enclosure: the rod stands still where the crank is square to the
-/// guide, and lies along the guide where its ends are as high.
+/// Digits of what is exactly zero cannot be proved from an enclosure: the rod stands still where
+/// the crank is square to the guide, and lies along the guide where its ends are as high.
 #[test]
 fn values_that_are_zero_are_zero() {
     let row = |dyad: &Dyad, degrees: i32, assembly: Assembly| -> Vec<bool> {
@@ -525,7 +529,8 @@ fn values_that_are_zero_are_zero() {
     }
 }
 
-/// A slider-crank's motion has its guide through where the slider is, in the guide's direction, and a block on it.
+/// A slider-crank's motion has its guide through where the slider is, in the guide's direction, and
+/// a block on it.
 #[test]
 fn motions_have_pivots_or_a_guide() {
     let shown = |dyad: &Dyad| {

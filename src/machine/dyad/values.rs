@@ -48,8 +48,8 @@ pub enum RowError {
     },
 }
 
-/// A row in floating point, angles in degrees; `None` where the crank does not reach the angle. Where the assemblies
-/// are one, the derivatives are NaN: they have no value.
+/// A row in floating point, angles in degrees; `None` where the crank does not reach the angle.
+/// Where the assemblies are one, the derivatives are NaN: they have no value.
 ///
 /// # Errors
 /// [`RowError`].

@@ -16,7 +16,7 @@ pub(super) struct Bodies {
     exact: Vec<Vec<Option<reference::Place>>>,
     /// The angle of each body's line in its frame.
     pub lines: Vec<f64>,
-    /// Whether a body is given by points of the drawing.
+    /// True if a body is given by points of the drawing.
     pub drawn: Vec<bool>,
 }
 

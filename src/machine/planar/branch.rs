@@ -46,7 +46,7 @@ pub struct Branch {
     pub mode: usize,
     /// How many there are.
     pub modes: usize,
-    /// Whether these are all; not where one may be singular.
+    /// True if these are all; not where one may be singular.
     pub complete: bool,
     /// The position at the start.
     pub start: State,
@@ -57,8 +57,8 @@ pub struct Branch {
 }
 
 impl Branch {
-    /// A value of the drive (user's, radians or metres) on the branch's own count of turns; nothing where the
-    /// branch does not reach.
+    /// A value of the drive (user's, radians or metres) on the branch's own count of turns; nothing
+    /// where the branch does not reach.
     pub fn turned_to(&self, machine: &Machine, drive: f64) -> Option<f64> {
         let Reach::Part { low, high } = self.reach else {
             return Some(drive);
@@ -72,7 +72,8 @@ impl Branch {
         (low <= at && at <= high).then_some(at)
     }
 
-    /// The end of the branch at which a value of the drive lies: there the position is singular and has no row.
+    /// The end of the branch at which a value of the drive lies: there the position is singular and
+    /// has no row.
     pub fn end_at(&self, machine: &Machine, drive: f64) -> Option<End> {
         let Reach::Part { low, high } = self.reach else {
             return None;
@@ -240,7 +241,8 @@ fn mode_at(
             let of = |(b, a): &(usize, f64)| wrapped(machine.line(s, *b) - a).abs();
             start.near.iter().map(of).fold(0.0, f64::max)
         };
-        // Frames are drawn unturned: that tells apart modes that differ in bodies drawn by one point.
+        // Frames are drawn unturned: that tells apart modes that differ in bodies drawn by one
+        // point.
         let turned = |s: &State| {
             let of = |b| wrapped(machine.solver.body_angle(s, b).angle.rad()).abs();
             let bodies = (1..machine.bodies.len()).filter(|_| start.drawn);

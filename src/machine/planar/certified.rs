@@ -37,7 +37,7 @@ pub enum NotExact {
         /// The body's name.
         body: String,
     },
-    /// What the reference does not take.
+    /// The reference does not take the mechanism.
     #[error(transparent)]
     Mechanism(#[from] reference::MechanismError),
 }
@@ -219,7 +219,7 @@ impl<'a> Certifier<'a> {
             }
             digits.iter().any(Option::is_none)
         };
-        // What is zero, and positions where branches meet.
+        // Values that are zero, and positions where branches meet.
         if add(Vec::new())
             && (failed.is_some() || self.is_one(&near, |l| self.special(value, &near, l), value))
         {
@@ -423,8 +423,8 @@ impl<'a> Certifier<'a> {
         Ok(all)
     }
 
-    /// Whether a position of exact algebra is the one that is enclosed next to the coordinates: it
-    /// lies in the enclosure, where there is but one.
+    /// Returns true if a position of exact algebra is the one that is enclosed next to the
+    /// coordinates: it lies in the enclosure, where there is but one.
     fn is_one(
         &self,
         near: &[f64],
@@ -518,8 +518,8 @@ impl<'a> Certifier<'a> {
         (whole - turn) * (Ball::integer(bits, 180) / Ball::pi(bits))
     }
 
-    /// Whether all assembly modes can be counted: the displacements of slides and slots lie in no
-    /// bounded set.
+    /// Returns true if all assembly modes can be counted: the displacements of slides and slots lie
+    /// in no bounded set.
     pub fn counts_modes(&self) -> bool {
         travels(self.machine).is_empty()
     }

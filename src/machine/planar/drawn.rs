@@ -67,7 +67,8 @@ pub(super) fn drive(file: &File, bodies: &Bodies, description: &Description) -> 
     }
 }
 
-/// Where a point of the ground or of a drawn body is in the drawing, whose axes are those of all frames.
+/// Where a point of the ground or of a drawn body is in the drawing, whose axes are those of all
+/// frames.
 fn seen(file: &File, point: &Point) -> Option<[f64; 2]> {
     let origin = match point.body {
         GROUND => [0.0; 2],
@@ -128,7 +129,8 @@ mod tests {
     use super::*;
     use crate::machine::Source;
 
-    /// Velocities, equations and rank, what it means for motions, which bodies are held too often and which move if not all.
+    /// Velocities, equations and rank, what it means for motions, which bodies are held too often
+    /// and which move if not all.
     #[test]
     fn a_drawing_is_told_in_one_line() {
         let bodies = ["ground", "a", "b", "c"].map(String::from);
@@ -226,7 +228,8 @@ mod tests {
         Machine::read(&Source::toml(text)).unwrap()
     }
 
-    /// A crank of 30 mm and a rod of 50 mm that a slide on the ground's line through O drives, drawn at 40 mm.
+    /// A crank of 30 mm and a rod of 50 mm that a slide on the ground's line through O drives,
+    /// drawn at 40 mm.
     fn slide_driven(range: [u32; 2], slider: &str) -> Machine {
         let [from, to] = range;
         read(&format!(
@@ -243,8 +246,9 @@ mod tests {
         ))
     }
 
-    /// The drawing is the start of a drive by displacement too: its value, and which of the two modes. A slider drawn by one
-    /// point may be turned on its guide. From there the branch reaches to 20 mm and 80 mm, where rod and crank are in line.
+    /// The drawing is the start of a drive by displacement too: its value, and which of the two
+    /// modes. A slider drawn by one point may be turned on its guide. From there the branch reaches
+    /// to 20 mm and 80 mm, where rod and crank are in line.
     #[test]
     fn a_slide_starts_as_drawn() {
         for slider in ["", "turn = \"90 deg\"\n"] {
@@ -275,7 +279,8 @@ mod tests {
         }
     }
 
-    /// A four-bar linkage that the angle at its coupler's end drives: as drawn, and the same by lengths.
+    /// A four-bar linkage that the angle at its coupler's end drives: as drawn, and the same by
+    /// lengths.
     fn coupler_rocker() -> [Machine; 2] {
         let joints =
             ["O", "A", "C", "D"].map(|p| format!("[[joint]]\nkind = \"pin\"\npoint = \"{p}\"\n"));
@@ -300,8 +305,8 @@ mod tests {
         [drawn, lengths].map(|text| read(&text))
     }
 
-    /// An angle that is measured from another body is that between the two bodies' lines: at the start, at the folds, at
-    /// every row, in certified digits.
+    /// An angle that is measured from another body is that between the two bodies' lines: at the
+    /// start, at the folds, at every row, in certified digits.
     #[test]
     fn an_angle_from_another_body_is_that_between_lines() {
         let [drawn, lengths] = coupler_rocker();

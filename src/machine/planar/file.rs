@@ -71,7 +71,8 @@ pub(super) struct Body {
     /// In the body's own frame.
     #[serde(default)]
     pub points: BTreeMap<String, Place>,
-    /// Points of the drawing that it has; its angle is that of the line from the first to the second.
+    /// Points of the drawing that it has; its angle is that of the line from the first to the
+    /// second.
     #[serde(default)]
     pub drawn: Vec<String>,
     /// Two points at a distance, or three with sides.
@@ -80,7 +81,7 @@ pub(super) struct Body {
     pub length: Option<Quantity<Length>>,
     /// From the first end to the second, second to third, third to first.
     pub sides: Option<[Quantity<Length>; 3]>,
-    /// Whether the three ends follow one another clockwise.
+    /// True if the three ends follow one another clockwise.
     #[serde(default)]
     pub clockwise: bool,
     pub mass: Option<Quantity<Mass>>,

@@ -301,7 +301,7 @@ fn driven(
     }
 }
 
-/// What the drive does.
+/// The motion of the drive.
 pub(super) struct DriveMotion {
     pub speed: Option<[f64; 2]>,
     pub window: Option<[f64; 3]>,

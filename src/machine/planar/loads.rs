@@ -169,7 +169,8 @@ fn loads(
             let rule = format!("{place}: write it for each radian, for instance in N m/rad");
             return Err(source.breach(&place, rule));
         }
-        // From the angle between the bodies' lines to that between their frames; turns are those of the branch.
+        // From the angle between the bodies' lines to that between their frames; turns are those of
+        // the branch.
         let (b, f) = (body(&at, "body", &s.body)?, from(&at, &s.from)?);
         all.push(Load::TorsionSpring {
             body: b,
@@ -199,15 +200,16 @@ fn loads(
 const SEAM: f64 = 1e-9;
 
 impl Machine {
-    /// Whether there are masses or loads.
+    /// Returns true if there are masses or loads.
     pub fn has_loads(&self) -> bool {
         self.loads.is_some()
     }
 
-    /// Masses and loads on the branch of a position, with the torsion springs' turns counted on it: the angle between
-    /// two bodies is the difference of their lines' angles, each in (−180°, 180°], where the branch passes the drive at
-    /// which it is to start (0° or the range's beginning if the file does not say) next to the position, or at its lower
-    /// end if it does not pass there.
+    /// Masses and loads on the branch of a position, with the torsion springs' turns counted on it:
+    /// the angle between two bodies is the difference of their lines' angles, each in (−180°,
+    /// 180°], where the branch passes the drive at which it is to start (0° or the range's
+    /// beginning if the file does not say) next to the position, or at its lower end if it does not
+    /// pass there.
     pub fn loads_on(&self, position: &State) -> Option<Loads> {
         let mut loads = self.loads.clone()?;
         if loads.has_torsion_springs() {

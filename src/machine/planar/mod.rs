@@ -71,7 +71,7 @@ pub struct Start {
     pub mode: Option<usize>,
     /// Bodies with the angles of their lines in radians, near which they are.
     pub near: Vec<(usize, f64)>,
-    /// Whether these come from the drawing.
+    /// True if these come from the drawing.
     pub drawn: bool,
 }
 
@@ -125,7 +125,8 @@ impl Machine {
         })
     }
 
-    /// One line about the drawing where it is not regular: redundant equations there, or more than one velocity.
+    /// One line about the drawing where it is not regular: redundant equations there, or more than
+    /// one velocity.
     pub fn drawing_text(&self) -> Option<String> {
         let drawing = self.drawing.as_ref()?;
         match drawing.mobility {
@@ -134,13 +135,13 @@ impl Machine {
         }
     }
 
-    /// Whether the drive is an angle.
+    /// Returns true if the drive is an angle.
     pub fn rotary(&self) -> bool {
         !self.solver.drive_is_displacement()
     }
 
-    /// The solver's drive for the user's: the angle of the driven body's line less that of the line of the body that it
-    /// is measured from, in radians, or metres.
+    /// The solver's drive for the user's: the angle of the driven body's line less that of the line
+    /// of the body that it is measured from, in radians, or metres.
     pub fn inner(&self, drive: f64) -> f64 {
         drive - self.offset()
     }

@@ -1,5 +1,5 @@
-//! A four-bar linkage or slider-crank as a mechanism of bodies and joints, for what its own rows do not have: reduced
-//! masses, paths of its points, forces in its joints.
+//! A four-bar linkage or slider-crank as a mechanism of bodies and joints, for what its own rows do
+//! not have: reduced masses, paths of its points, forces in its joints.
 
 use super::branch::wrapped;
 use super::rows::{further, further_names};
@@ -32,7 +32,7 @@ pub enum FurtherError {
         body: String,
         /// The inertia given.
         inertia: f64,
-        /// What it is at least.
+        /// Its least value.
         least: f64,
     },
     /// Forces need masses and a speed.
@@ -47,7 +47,8 @@ pub struct Further {
 }
 
 impl Further {
-    /// Reduced masses where the file has bodies, and the columns asked for; `None` where there are none.
+    /// Reduced masses where the file has bodies, and the columns asked for; `None` where there are
+    /// none.
     ///
     /// # Errors
     /// [`FurtherError`].
@@ -67,7 +68,8 @@ impl Further {
         further_names(&self.machine, self.columns)
     }
 
-    /// Their values at a crank angle in degrees beside a row of the dyad; NaN where the position is singular.
+    /// Their values at a crank angle in degrees beside a row of the dyad; NaN where the position is
+    /// singular.
     pub fn values(&self, degrees: f64, row: &Values<f64>) -> Vec<f64> {
         let drive = self.machine.inner(degrees.to_radians());
         let modes = self.machine.solver.assembly_modes(drive);
@@ -89,8 +91,8 @@ impl Further {
 }
 
 impl Machine {
-    /// The frames of the links have their origin at the joint nearer to the crank's pivot, that of the rocker at its own
-    /// pivot, and x toward the other joint.
+    /// The frames of the links have their origin at the joint nearer to the crank's pivot, that of
+    /// the rocker at its own pivot, and x toward the other joint.
     fn of_dyad(dyad: &Dyad) -> Result<Machine, FurtherError> {
         let mut d = Description::new();
         let names = dyad.shape.links();

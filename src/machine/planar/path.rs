@@ -4,14 +4,14 @@ use super::{Branch, MARGIN, Machine, Reach};
 use crate::solvers::planar::State;
 use std::f64::consts::TAU;
 
-/// Up to `n + 1` positions of the branch over one turn from its start, or over its whole range, each with the
-/// user's drive in radians or metres.
+/// Up to `n + 1` positions of the branch over one turn from its start, or over its whole range,
+/// each with the user's drive in radians or metres.
 pub fn path(machine: &Machine, branch: &Branch, n: u32) -> Vec<(f64, State)> {
     along(machine, branch, n, &branch.start, 1)
 }
 
-/// Positions of the branch over the turns after which it closes, from `shown` on; or over its whole range, with
-/// `shown` among them. Also the number of `shown`.
+/// Positions of the branch over the turns after which it closes, from `shown` on; or over its whole
+/// range, with `shown` among them. Also the number of `shown`.
 pub fn positions(
     machine: &Machine,
     branch: &Branch,

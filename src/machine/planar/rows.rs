@@ -214,8 +214,8 @@ fn forces(machine: &Machine) -> Vec<(usize, usize, bool)> {
     all
 }
 
-/// The values of a row from the column after `branch` on, with the branch's loads. Forces that are not determined are
-/// NaN.
+/// The values of a row from the column after `branch` on, with the branch's loads. Forces that are
+/// not determined are NaN.
 pub fn values(
     machine: &Machine,
     loads: Option<&Loads>,

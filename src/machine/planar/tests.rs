@@ -47,8 +47,8 @@ fn assert_near(digits: &[Option<f64>], values: &[f64]) {
     }
 }
 
-/// Angles are those of the bodies' frames where nothing is drawn, after any number of turns, and whatever body the
-/// drive is measured from.
+/// Angles are those of the bodies' frames where nothing is drawn, after any number of turns, and
+/// whatever body the drive is measured from.
 #[test]
 fn certified_rows_are_those_of_the_solver() {
     for (from, mode) in [("", 0), ("", 1), ("from = \"rocker\"\n", 0)] {
@@ -95,7 +95,8 @@ fn a_motion_goes_through_the_turns_after_which_it_closes() {
     }
 }
 
-/// A slider's point and the one that its guide goes through may share a name: the slider is drawn with its own.
+/// A slider's point and the one that its guide goes through may share a name: the slider is drawn
+/// with its own.
 #[test]
 fn bodies_are_drawn_through_their_own_points() {
     let pins = ["A", "B", "C"].map(|p| format!("[[joint]]\nkind = \"pin\"\npoint = \"{p}\"\n"));
@@ -146,8 +147,9 @@ fn a_drawing_without_redundant_equations_names_no_strained_bodies() {
     assert_eq!(drawn::words(&freedom, &bodies), due);
 }
 
-/// What each kind of load does along the drive, by virtual work from the velocities of its points and the rates of its bodies. All
-/// bodies are drawn, so that the angles of their lines are not those of their frames.
+/// Each kind of load along the drive, by virtual work from the velocities of its points
+/// and the rates of its bodies. All bodies are drawn, so that the angles of their lines are not
+/// those of their frames.
 #[test]
 fn loads_work_along_the_motion() {
     let text = include_str!("../../../examples/watt-1.toml");
@@ -268,14 +270,16 @@ fn sprung(text: &str, [body, from]: [&str; 2], free: f64) -> Machine {
     Machine::read(&Source::toml(text)).unwrap()
 }
 
-/// A spring's moment for the turn of its bodies against each other: stiffness times the angle by which it is wound.
+/// A spring's moment for the turn of its bodies against each other: stiffness times the angle by
+/// which it is wound.
 fn wound(machine: &Machine, loads: &Loads, state: &State, [body, from]: [usize; 2]) -> f64 {
     let turn = |b: usize| machine.solver.body_angle(state, b).first;
     -loads.reduce(&machine.solver, state).moment / (2.0 * (turn(body) - turn(from)))
 }
 
-/// A spring that is free as rows show a mode is free there, whichever side of ±180° the lines lie on, and whole turns
-/// count from there on: wherever on the branch it is first seen, the spring is wound alike.
+/// A spring that is free as rows show a mode is free there, whichever side of ±180° the lines lie
+/// on, and whole turns count from there on: wherever on the branch it is first seen, the spring is
+/// wound alike.
 #[test]
 fn torsion_springs_are_wound_from_the_start_of_their_branch() {
     let text = include_str!("../../../examples/watt-1.toml");
@@ -331,13 +335,15 @@ fn torsion_springs_are_wound_from_the_start_of_their_branch() {
     assert!(turned > 0, "no mode has a line on the other side");
 }
 
-/// A crank that swings from 41.4° over 180° to 318.6°: the start may be met the long way round, or not at all.
+/// A crank that swings from 41.4° over 180° to 318.6°: the start may be met the long way round, or
+/// not at all.
 #[test]
 fn a_branch_with_ends_counts_turns_from_its_start_or_its_lower_end() {
     let spring =
         "[[torsion_spring]]\nbody = \"crank\"\nstiffness = \"2 N m/rad\"\nangle = \"0 deg\"\n";
     for (start, drive, due) in [
-        // By the short way over the fold at 318.6° there is nothing: from 60° on to 300°, shown as −60°.
+        // By the short way over the fold at 318.6° there is nothing: from 60° on to 300°, shown as
+        // −60°.
         (300.0, 60.0, -300.0),
         (300.0, -170.0, -170.0),
         (60.0, 290.0, 290.0),
@@ -359,7 +365,8 @@ fn a_branch_with_ends_counts_turns_from_its_start_or_its_lower_end() {
             );
         }
     }
-    // Coupler and rocker, from wherever on the branch; with the pivots exchanged their lines pass 180 degrees.
+    // Coupler and rocker, from wherever on the branch; with the pivots exchanged their lines pass
+    // 180 degrees.
     let at = f64::to_radians;
     let mut crossed = 0;
     for (frame, shift) in [("3 m", 0.0), ("-3 m", 180.0)] {

@@ -166,7 +166,7 @@ impl Coefficients {
     }
 }
 
-/// What stands in place of the file's run.
+/// Values that replace those of the file's run.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Overrides {
     /// In place of `run.coefficients`.
@@ -189,9 +189,9 @@ pub struct Machine {
     pub model: Box<dyn ReducedModel>,
     /// Motor, load and added inertia.
     pub drive: Drive,
-    /// What kind of motor it has.
+    /// The kind of its motor.
     pub motor: MotorKind,
-    /// What is to be computed.
+    /// The task to compute.
     pub plan: Plan,
     /// Where the coefficients come from.
     pub coefficients: Coefficients,
@@ -229,8 +229,8 @@ const NODES: usize = 48;
 const ROWS: f64 = 1000.0;
 
 impl Machine {
-    /// The reduced linkage with coefficients as the file wants them: exact, from splines through nodes of one turn from
-    /// the start, or with the derivative of the inertia alone from splines.
+    /// The reduced linkage with coefficients as the file wants them: exact, from splines through
+    /// nodes of one turn from the start, or with the derivative of the inertia alone from splines.
     ///
     /// # Errors
     /// [`SplinedError`].

@@ -121,7 +121,8 @@ mod tests {
         assert_eq!(heard, due);
     }
 
-    /// Two tolerances a decade for each method; the error is the worst of eight moments, the cost that of the whole run.
+    /// Two tolerances a decade for each method; the error is the worst of eight moments, the cost
+    /// that of the whole run.
     #[test]
     fn points_hold_the_worst_error_and_the_whole_cost() {
         let machine = machine("40 ms");

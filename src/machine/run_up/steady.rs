@@ -16,8 +16,8 @@ pub struct Steady {
 }
 
 impl Steady {
-    /// Looks for it from the speed that the run ended with. A motor that is off, one whose torque depends on the time or
-    /// a crank that has come to rest has none.
+    /// Looks for it from the speed that the run ended with. A motor that is off, one whose torque
+    /// depends on the time or a crank that has come to rest has none.
     pub fn of(machine: &Machine, equation: &Equation, motion: &Motion) -> Steady {
         let (phi, psi) = (machine.plan.phi, motion.end.psi);
         let timed = machine.drive.motor().timed().is_some();

@@ -228,7 +228,7 @@ fn machines_have_what_the_file_says_and_defaults() {
     assert_eq!((plan.phi, plan.psi), (0.0, 0.0));
 }
 
-/// What is asked for stands in place of the file's, which may have nodes that exact coefficients do not use.
+/// Arguments replace the file's values, which may have nodes that exact coefficients do not use.
 #[test]
 fn overrides_stand_in_place_of_the_file() {
     let nodes = ("step = \"2 ms\"", "nodes = 12");

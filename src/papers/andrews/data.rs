@@ -67,8 +67,8 @@ pub(super) fn exactly(text: &str) -> Rational {
     Decimal::parse(text).expect("a printed decimal").value
 }
 
-/// Bodies K1 to K7 by index. The angles of their axes are β, β + Θ, γ, Φ + δ, δ, Ω + ε, ε; K2 joins K1 and the pin P of
-/// K3, K4 and K6.
+/// Bodies K1 to K7 by index. The angles of their axes are β, β + Θ, γ, Φ + δ, δ, Ω + ε, ε; K2 joins
+/// K1 and the pin P of K3, K4 and K6.
 ///
 /// The loops close at P in the order of the printed g: K2 less K3, K2 less K4, K2 less K6.
 ///

@@ -1,4 +1,4 @@
-//! What was found.
+//! The findings.
 
 use super::data::BITS;
 use super::entries::certified;
@@ -110,7 +110,8 @@ const LATER: [&str; 8] = [
     "1.0047", "1.0047", "1.0047", "1.0047", "1.0048", "1.0047", "1.0060", "2.1e-8",
 ];
 
-/// Whether all shifts are the first one, but for a thousandth and two units of the last digit.
+/// Returns true if all shifts are the first one, but for a thousandth and two units of the last
+/// digit.
 fn together(shifts: &[f64], slack: &[f64]) -> bool {
     let [first, ..] = shifts else {
         return false;
@@ -127,7 +128,7 @@ fn later(end: &[&Printed], values: &[Vec<Ball>]) -> Finding {
     let of = |which: usize| end.iter().filter(move |p| kind(p.quantity) == which);
     let shifts: Vec<f64> = of(0).map(shift).collect();
     let crank = shifts.first().copied().unwrap_or(f64::NAN);
-    // What an angle that is 1 unit of its 16th digit off would make of it.
+    // The effect of an angle that is off by one unit of its 16th digit.
     let slack =
         of(0).map(|p| p.number.value.unit().to_f64() / last[p.quantity + 7].to_f64().abs() * 1e12);
     let fits = together(&shifts, &slack.collect::<Vec<_>>());
@@ -177,14 +178,14 @@ fn mirrored(end: &[&Printed], values: &[Vec<Ball>]) -> Finding {
         .recorded_if(differ && opposite(values))
 }
 
-/// Whether Φ and Ω, their rates and their accelerations are opposite at all times.
+/// Returns true if Φ and Ω, their rates and their accelerations are opposite at all times.
 fn opposite(values: &[Vec<Ball>]) -> bool {
     let pairs = [(3, 5), (10, 12), (17, 19)];
     let at = |t: &Vec<Ball>| pairs.iter().all(|&(a, b)| (&t[a] + &t[b]).contains_zero());
     values.iter().all(at)
 }
 
-/// Whether nothing is certainly left over at any of the times.
+/// Returns true if nothing is certainly left over at any of the times.
 fn balanced(rests: &[Ball]) -> bool {
     rests.len() == TIMES.len() && rests.iter().all(Ball::contains_zero)
 }
@@ -218,7 +219,7 @@ fn never_stops(motion: &Motion) -> Finding {
         .recorded_if(turned(&rests, turns, course.least_force))
 }
 
-/// Whether nothing is left over, and turns and bound are those recorded.
+/// Returns true if nothing is left over, and turns and bound are those recorded.
 fn turned(rests: &[Ball], turns: f64, least_force: f64) -> bool {
     balanced(rests) && format!("{turns:.6} {least_force:.5}") == "2.526184 0.00116"
 }

@@ -1,8 +1,9 @@
-//! Andrews' squeezing mechanism, the benchmark of solvers for equations of motion with constraints: seven bodies, a
-//! constant torque, one spring, as the Test Set for Initial Value Problem Solvers prints it after Hairer and Wanner.
+//! Andrews' squeezing mechanism, the benchmark of solvers for equations of motion with constraints:
+//! seven bodies, a constant torque, one spring, as the Test Set for Initial Value Problem Solvers
+//! prints it after Hairer and Wanner.
 //!
-//! [`motion()`] encloses the motion without integrating in time; every printed digit is compared with it. [`ledger()`]
-//! proves the printed equations from the kinetic and potential energy.
+//! [`motion()`] encloses the motion without integrating in time; every printed digit is compared
+//! with it. [`ledger()`] proves the printed equations from the kinetic and potential energy.
 
 pub mod data;
 mod entries;

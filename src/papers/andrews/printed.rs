@@ -4,7 +4,7 @@ use crate::papers::number::Number;
 
 const VALUES: &str = include_str!("../../../reference/published/andrews.csv");
 
-/// What is printed: seven angles, their rates and accelerations, six multipliers.
+/// The printed quantities: seven angles, their rates and accelerations, six multipliers.
 pub const QUANTITIES: [&str; 27] = [
     "beta",
     "Theta",
@@ -52,7 +52,7 @@ pub struct Printed {
     pub time: String,
     /// Index in [`QUANTITIES`].
     pub quantity: usize,
-    /// What stands there.
+    /// The printed number.
     pub number: Number,
 }
 

@@ -5,8 +5,8 @@
 //! U = (1 − i)(ω − w₃ + i n)/(2√κ),   V = −(1 − i)(ω + w₃ + i n)/(2√κ),   ω = κt,   κ = kε
 //! ```
 //!
-//! and `U₀`, `V₀` are the same at `ω = 0`. The paper prints `− i n` in `U` (12), though not in `U₀`;
-//! and in (19) `W(V₀)` where `W(U₀)` belongs, with a 4 too many in the prefactor.
+//! and `U₀`, `V₀` are the same at `ω = 0`. The paper prints `− i n` in `U` (12), though not in
+//! `U₀`; and in (19) `W(V₀)` where `W(U₀)` belongs, with a 4 too many in the prefactor.
 
 use crate::reference::chirp_oscillator::{Problem, enclose};
 use crate::reference::{Ball, ComplexBall, faddeeva};

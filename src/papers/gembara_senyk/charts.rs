@@ -1,5 +1,5 @@
-//! Charts in the manner of Fig. 5. The paper gives neither the phases of its cams nor the oscillator
-//! nor the speeds, so these stand for any.
+//! Charts in the manner of Fig. 5. The paper gives neither the phases of its cams nor the
+//! oscillator nor the speeds, so these stand for any.
 
 use crate::reference::chirp_oscillator::{Problem, response};
 use crate::reference::{Ball, Mag, cam_law, fourier_series};
@@ -52,8 +52,8 @@ pub fn grid() -> Vec<f64> {
     (20..=140).map(|i| f64::from(i) / 10.0).collect()
 }
 
-/// The chart of the motion over the paper's ξ (the rise as the period): rise, dwells and return of 120, 60, 120
-/// and 60 degrees, a lift of one.
+/// The chart of the motion over the paper's ξ (the rise as the period): rise, dwells and return of
+/// 120, 60, 120 and 60 degrees, a lift of one.
 ///
 /// # Errors
 /// None for these data; those of the solvers.

@@ -8,7 +8,7 @@ use crate::solvers::chirp_chart::{BeatZone, Chart, ChartPoint, ChirpChartError};
 
 /// Working precision of the enclosures.
 const PREC: u32 = 160;
-/// What is enclosed to 20 digits is narrower, and zero if it is less.
+/// Radius of an enclosure to 20 digits, and the size below which an error counts as zero.
 const ENCLOSED: f64 = 1e-20;
 /// w = 10, n = 1/2, ε = 4, k = 2: the resonance is passed at t = 1.25 s.
 const OSCILLATOR: [(i32, u32); 4] = [(10, 1), (1, 2), (4, 1), (2, 1)];
@@ -22,7 +22,8 @@ fn middle(b: &Ball) -> f64 {
     b.mid().to_f64()
 }
 
-/// The errors of a formula at t = 0.1 … 5 s, and whether all are enclosed well enough to be printed.
+/// The errors of a formula at t = 0.1 … 5 s, and whether all are enclosed well enough to be
+/// printed.
 fn over_time(formula: Formula) -> (Vec<f64>, bool) {
     let errors: Vec<Ball> = (1..=50)
         .map(|i| passage((i, 10)).error(formula, PREC))
@@ -148,7 +149,7 @@ fn shifts(a: &[BeatZone], b: &[BeatZone]) -> Vec<f64> {
     a.iter().filter_map(nearest).collect()
 }
 
-/// What the charts say about the paper's comparison.
+/// Findings on the paper's comparison from the charts.
 pub(super) fn comparison() -> Vec<Finding> {
     let of = |law| -> Result<Charts, ChirpChartError> {
         Ok(Charts {

@@ -1,9 +1,9 @@
 //! Gembara and Senyk, *Dynamics of oscillating-follower cam mechanisms in a non-stationary regime*:
-//! the driven link of a cam mechanism as one mass on a spring while the shaft speeds up or runs down,
-//! solved with the probability integral of complex argument.
+//! the driven link of a cam mechanism as one mass on a spring while the shaft speeds up or runs
+//! down, solved with the probability integral of complex argument.
 //!
-//! [`ledger()`] decides every formula; [`amplitude`] and [`charts`] show what follows from the wrong
-//! ones; [`report`] sums that up.
+//! [`ledger()`] decides every formula; [`amplitude`] and [`charts`] show what follows from the
+//! wrong ones; [`report`] sums that up.
 
 pub mod amplitude;
 pub mod charts;

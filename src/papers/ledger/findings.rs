@@ -4,8 +4,8 @@ use super::{LedgerEntry, Verdict};
 use crate::papers::{Figure, Finding, FindingVerdict, Subject};
 use crate::symbolic::Outcome;
 
-/// What an entry that is wrong, or a claim about the model that was tested, contributes to the
-/// report; nothing for the others.
+/// The contribution of an entry that is wrong, or of a claim about the model that was tested, to
+/// the report; nothing for the others.
 pub fn finding(e: &LedgerEntry) -> Option<Finding> {
     // Slips of reasoning, not of print: a lost quadrant, a value taken to be zero.
     let slips = e.repair.iter().flat_map(|r| &r.edits);

@@ -11,17 +11,17 @@ pub struct Item {
     pub id: &'static str,
     /// Where in the paper.
     pub place: &'static str,
-    /// What it is about.
+    /// Its subject.
     pub kind: Kind,
     /// The printed form.
     pub printed: Option<&'static str>,
-    /// Whether the form is put together from corrected parts instead of printed.
+    /// True if the form is put together from corrected parts instead of printed.
     pub composed: bool,
-    /// What it claims.
+    /// Its claim.
     pub claim: &'static str,
     /// Definitions that its requirements need, `name = expression` or `t: x = expression`.
     pub definitions: Vec<&'static str>,
-    /// What the printed form has to satisfy.
+    /// The requirements on the printed form.
     pub requirements: Vec<String>,
     /// Further statements with the outcome on record; they do not enter the verdict.
     pub facts: Vec<(&'static str, Outcome)>,
@@ -31,7 +31,7 @@ pub struct Item {
     pub most_edits: usize,
     /// The verdict on record.
     pub expected: Verdict,
-    /// What else is to be said.
+    /// A further remark.
     pub note: &'static str,
 }
 
@@ -63,7 +63,7 @@ impl Item {
         self
     }
 
-    /// What it claims.
+    /// Its claim.
     #[must_use]
     pub fn claims(mut self, text: &'static str) -> Item {
         self.claim = text;
@@ -84,7 +84,7 @@ impl Item {
         self
     }
 
-    /// What has to hold.
+    /// Adds requirements.
     #[must_use]
     pub fn requires(mut self, requirements: &[impl ToString]) -> Item {
         let texts = requirements.iter().map(ToString::to_string);
@@ -144,7 +144,7 @@ impl Item {
         self
     }
 
-    /// What else is to be said.
+    /// A further remark.
     #[must_use]
     pub fn note(mut self, text: &'static str) -> Item {
         self.note = text;

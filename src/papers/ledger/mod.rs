@@ -6,9 +6,9 @@
 //! The verdict follows from their outcomes; what the ledger's author expected is only compared.
 //!
 //! A repair is looked for among all single edits of the printed form (see
-//! [`edits`](crate::symbolic::edits())), then, where the entry says so, among all pairs of edits. Every
-//! edit that does not work is refuted by an enclosure that excludes zero at a rational point; every
-//! edit that works is proved.
+//! [`edits`](crate::symbolic::edits())), then, where the entry says so, among all pairs of edits.
+//! Every edit that does not work is refuted by an enclosure that excludes zero at a rational point;
+//! every edit that works is proved.
 
 mod decide;
 mod findings;
@@ -29,7 +29,7 @@ use serde::Serialize;
 /// Version of the JSON layout; changes when a field is removed or changes its meaning.
 pub const SCHEMA_VERSION: u32 = 1;
 
-/// What an entry is about.
+/// The subject of an entry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Kind {
@@ -45,7 +45,7 @@ pub enum Kind {
     Statement,
 }
 
-/// What was made of an entry.
+/// The verdict on an entry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
@@ -105,7 +105,8 @@ pub struct Obligation {
     /// For the corrected form, if there is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub corrected: Option<Outcome>,
-    /// The outcome on record for the printed form, where it is not the entry's verdict that says so.
+    /// The outcome on record for the printed form, where it is not the entry's verdict that says
+    /// so.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub recorded: Option<Outcome>,
 }
@@ -138,13 +139,13 @@ pub struct LedgerEntry {
     pub id: &'static str,
     /// Where in the paper.
     pub place: &'static str,
-    /// What it is about.
+    /// Its subject.
     pub kind: Kind,
-    /// What it claims.
+    /// Its claim.
     pub claim: &'static str,
     /// As printed.
     pub printed: Option<Formula>,
-    /// Whether the form is not printed like that but put together from parts that were corrected.
+    /// True if the form is not printed like that but put together from parts that were corrected.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub composed: bool,
     /// The verdict.
@@ -152,15 +153,15 @@ pub struct LedgerEntry {
     /// The corrected form.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub corrected: Option<Formula>,
-    /// What it has to satisfy.
+    /// Its requirements.
     pub obligations: Vec<Obligation>,
     /// How the correction was found.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub repair: Option<Repair>,
-    /// What else is to be said.
+    /// A further remark.
     #[serde(skip_serializing_if = "str::is_empty")]
     pub note: &'static str,
-    /// Whether the verdict and every outcome are those on record.
+    /// True if the verdict and every outcome are those on record.
     pub as_recorded: bool,
 }
 
@@ -188,7 +189,7 @@ impl Ledger {
         }
     }
 
-    /// Whether every entry is as recorded.
+    /// Returns true if every entry is as recorded.
     pub fn as_recorded(&self) -> bool {
         !self.entries.is_empty() && self.entries.iter().all(|e| e.as_recorded)
     }
@@ -209,12 +210,12 @@ impl Ledger {
     }
 }
 
-/// What is wrong in a paper as printed, for programs.
+/// The errors of a paper as printed, for programs.
 #[derive(Clone, Debug, Serialize)]
 pub struct Errata {
     /// The paper.
     pub paper: Citation,
-    /// What the printed forms were taken from.
+    /// The source of the printed forms.
     pub source: &'static str,
     /// One for each wrong entry.
     pub errata: Vec<Erratum>,

@@ -8,7 +8,7 @@ use crate::symbolic::{
 };
 use std::collections::BTreeSet;
 
-/// What a candidate turned out to be.
+/// The outcome of a candidate.
 enum Judged {
     Holds,
     Fails,
@@ -70,7 +70,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Whether an enclosure refutes an equation at the first point.
+    /// Returns true if an enclosure refutes an equation at the first point.
     fn fails_quickly(&self, with: &Definitions) -> bool {
         self.requirements.iter().zip(&self.fixed).any(|(r, fixed)| {
             let Requirement::Equal(e) = r else {
@@ -115,8 +115,8 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// Whether two repairs say the same: equal right sides under one name, or differences of the sides
-/// that are equal up to sign.
+/// Returns true if two repairs say the same: equal right sides under one name, or differences of
+/// the sides that are equal up to sign.
 fn same(definitions: &Definitions, a: &Equation, b: &Equation) -> bool {
     let difference = |e: &Equation| {
         let parts = vec![e.left.clone(), Expr::Neg(Box::new(e.right.clone()))];

@@ -6,7 +6,7 @@ use crate::symbolic::{
     is_real, latex, parse, parse_equation,
 };
 
-/// What an entry has to satisfy.
+/// A requirement of an entry.
 #[derive(Clone, Debug)]
 pub enum Requirement {
     /// `left = right`, for all values of the symbols.
@@ -64,8 +64,8 @@ impl Requirement {
         }
     }
 
-    /// Decides it. An inequality with free symbols is not proved by what holds at a point, but it is
-    /// refuted by one sample at which it fails.
+    /// Decides it. An inequality with free symbols is not proved by what holds at a point, but it
+    /// is refuted by one sample at which it fails.
     pub fn decide(&self, definitions: &Definitions) -> Identity {
         let found = self.decide_at(definitions, &Point::default());
         if !matches!(found.error, Some(SymbolicError::NoValue(_))) {
@@ -87,7 +87,7 @@ impl Requirement {
                 false => Err(SymbolicError::Unsupported(format!("the order of {e}"))),
             }
         };
-        // What has to be non-negative, or positive.
+        // The slack has to be non-negative, or positive.
         let (difference, slack, strict) = match self {
             Requirement::Equal(e) => return Identity::of(definitions, e),
             Requirement::Near(a, b, bound) => {

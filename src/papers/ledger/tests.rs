@@ -32,7 +32,7 @@ fn a_verdict_follows_from_all_requirements() {
     assert_eq!(decided(&["1 < 2", OPEN]), Verdict::Undecided);
     assert_eq!(decide(&item().definition()).verdict, Verdict::Definition);
     assert_eq!(decide(&item().undefined()).verdict, Verdict::Undefined);
-    // What has to be tested is tested, whatever was declared.
+    // A requirement is tested, whatever was declared.
     let declared = decide(&item().definition().requires(&["1 < 2"]));
     assert_eq!(
         (declared.verdict, declared.as_recorded),
@@ -92,7 +92,7 @@ fn a_repair_has_as_many_edits_as_are_recorded() {
         (Outcome::Refuted, Some(Outcome::Proved))
     );
     assert_eq!(first.residual.as_deref(), Some("2"));
-    // What is proved leaves nothing, and has no point at which it fails.
+    // A proved statement leaves no residual, and has no point at which it fails.
     let second = &found.obligations[1];
     assert!(second.residual.is_none() && second.witness.is_none());
     // One edit where two are recorded.
@@ -177,7 +177,7 @@ fn numbers_are_compared_within_bounds() {
     assert_eq!(text("a < b"), "a < b");
 }
 
-/// What each verdict contributes to a report, by the slip that the first edit undoes.
+/// Each verdict's contribution to a report, by the slip that the first edit undoes.
 #[test]
 fn findings_say_who_is_to_blame() {
     let edit = |kind| Edit {

@@ -1,8 +1,8 @@
 //! The mechanism as the library specifies it, reduced to one crank angle in exact numbers.
 //!
-//! φ is the angle of the cranks from upright, clockwise; B0 is at `(sin φ, cos φ)`. On the parallelogram branch cranks turn
-//! alike and rods do not turn, so `I = (N + 1) m l²/3 + N m l²` and `V = ((N + 1)/2 + N) m g l cos φ` (ledger, nb-inertia,
-//! nb-potential).
+//! φ is the angle of the cranks from upright, clockwise; B0 is at `(sin φ, cos φ)`. On the
+//! parallelogram branch cranks turn alike and rods do not turn, so `I = (N + 1) m l²/3 + N m l²`
+//! and `V = ((N + 1)/2 + N) m g l cos φ` (ledger, nb-inertia, nb-potential).
 
 use crate::reference::pendulum::Turning;
 use crate::reference::planar::{Attachment, Body, Forces, Joint, Mechanism, MechanismError};
@@ -33,7 +33,8 @@ pub fn squares(n: u32) -> [Rational; 2] {
     [Rational::from(1), fall + 1]
 }
 
-/// φ'' over −g/l at the first horizontal position, `weight/inertia`, with the sign of the crank's angle from x.
+/// φ'' over −g/l at the first horizontal position, `weight/inertia`, with the sign of the crank's
+/// angle from x.
 pub fn fall(n: u32) -> Rational {
     weight(n) / inertia(n)
 }
@@ -113,7 +114,8 @@ mod tests {
     use super::*;
     use crate::reference::planar::{Drive, Linkage};
 
-    /// The reference for any planar mechanism finds the same inertia and force on the parallelogram branch.
+    /// The reference for any planar mechanism finds the same inertia and force on the parallelogram
+    /// branch.
     #[test]
     fn inertia_and_weight_are_those_of_the_bars() {
         for n in [1usize, 2, 4] {

@@ -1,8 +1,8 @@
-//! The ledger: what is printed of bars and start, the reduction to one angle for every N, the windows' loops, and what happens
-//! with all bars on one line.
+//! The ledger: what is printed of bars and start, the reduction to one angle for every N, the
+//! windows' loops, and what happens with all bars on one line.
 //!
-//! φ is a crank's angle from upright, θ from x; `w` is φ'. Directions a, b, c of left crank, right crank and rod of a window
-//! are complex numbers of size 1; u, v, r are their rates.
+//! φ is a crank's angle from upright, θ from x; `w` is φ'. Directions a, b, c of left crank, right
+//! crank and rod of a window are complex numbers of size 1; u, v, r are their rates.
 
 use crate::papers::ledger::Item;
 use crate::papers::ledger::Kind::{Formula, Number, Statement};

@@ -50,7 +50,7 @@ impl Motion {
     }
 }
 
-/// What a quantity of [`Copied`] is in a state: of the end B0, or of the bar's centre C0 halfway to it.
+/// A quantity of [`Copied`] in a state: of the end B0, or of the bar's centre C0 halfway to it.
 fn quantity(name: &str, state: &State) -> Option<Ball> {
     let (point, part) = name.split_once('_')?;
     let k = QUANTITIES.iter().position(|(q, _)| *q == part)?;

@@ -1,4 +1,4 @@
-//! What is printed: the library's reference for N = 40, and EXUDYN's runs for N = 2.
+//! The printed numbers: the library's reference for N = 40, and EXUDYN's runs for N = 2.
 
 use crate::papers::number::Number;
 use rug::Rational;
@@ -22,7 +22,7 @@ pub struct Copied {
     pub time: Rational,
     /// `B0_x` and so on, or `drift`.
     pub quantity: String,
-    /// What stands there.
+    /// The printed number.
     pub number: Number,
 }
 

@@ -1,8 +1,8 @@
 //! All positions with every bar on one line, and what meets there, in exact numbers.
 //!
-//! A window closes when `a + c = 1 + b` for the directions a, b of its cranks and c of its rod as complex numbers of size 1.
-//! With the conjugate equation `(a + c)(b − a c) = 0`, and `(1 − a)(1 − c) = 0` where `b = a c` (ledger, nb-window): so one
-//! of three, and nothing else:
+//! A window closes when `a + c = 1 + b` for the directions a, b of its cranks and c of its rod as
+//! complex numbers of size 1. With the conjugate equation `(a + c)(b − a c) = 0`, and `(1 − a)(1 −
+//! c) = 0` where `b = a c` (ledger, nb-window): so one of three, and nothing else:
 //!
 //! ```text
 //! parallelogram  c = 1,  b = a
@@ -10,15 +10,16 @@
 //! right folded   b = −1, c = −a     the right crank lies on the ground, rod and left crank turn together
 //! ```
 //!
-//! For N windows in a row this leaves circles: cranks l to r turn as one, all before them point right, all after them
-//! left. There are `(N + 1)(N + 2)/2` of them. Two circles meet only where all bars lie on one line: in the position with the
-//! first s cranks to the right and the others to the left, s = 0 to N + 1, where N + 1 circles meet; circle (l, r) goes
-//! through s = l and s = r + 1. So every position but these N + 2 has one degree of freedom, and these have N + 1 curves
+//! For N windows in a row this leaves circles: cranks l to r turn as one, all before them point
+//! right, all after them left. There are `(N + 1)(N + 2)/2` of them. Two circles meet only where
+//! all bars lie on one line: in the position with the first s cranks to the right and the others to
+//! the left, s = 0 to N + 1, where N + 1 circles meet; circle (l, r) goes through s = l and s = r +
+//! 1. So every position but these N + 2 has one degree of freedom, and these have N + 1 curves
 //! through them.
 //!
-//! Where two neighbouring cranks lie on the ground, the window between them is on one line and loses a rank: a circle with
-//! more than one crank before its block, or after it, is singular all along without another curve. The parallelograms',
-//! (0, N), is regular.
+//! Where two neighbouring cranks lie on the ground, the window between them is on one line and
+//! loses a rank: a circle with more than one crank before its block, or after it, is singular all
+//! along without another curve. The parallelograms', (0, N), is regular.
 
 use super::data;
 use super::exact::{Matrix, rank, solve};
@@ -100,7 +101,8 @@ pub fn jacobian_rank(at: &Directions) -> usize {
     rank(jacobian(at))
 }
 
-/// Rates of all bars along the circles that meet in that position on one line, each with its turning cranks at rate 1.
+/// Rates of all bars along the circles that meet in that position on one line, each with its
+/// turning cranks at rate 1.
 pub(super) fn tangents(n: usize, right: usize) -> Matrix {
     let at = on_one_line(n, right);
     let before = (0..right).map(|l| l..right);
@@ -120,7 +122,8 @@ pub(super) fn tangents(n: usize, right: usize) -> Matrix {
     blocks.map(rates).collect()
 }
 
-/// Whether rates satisfy the loops to the first and second order in that position on one line.
+/// Returns true if rates satisfy the loops to the first and second order in that position on one
+/// line.
 pub(super) fn admissible(at: &Directions, rates: &[Rational]) -> bool {
     let n = at.rods.len();
     let first = jacobian(at).iter().all(|row| {
@@ -136,7 +139,7 @@ pub(super) fn admissible(at: &Directions, rates: &[Rational]) -> bool {
     first && second
 }
 
-/// What is known of the positions on one line.
+/// Facts about the positions on one line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Meeting {
     /// Rank of the Jacobian.
@@ -145,7 +148,7 @@ pub struct Meeting {
     pub curves: usize,
     /// Rank of their tangents.
     pub tangents: usize,
-    /// Whether all tangents satisfy the loops to the second order.
+    /// True if all tangents satisfy the loops to the second order.
     pub admissible: bool,
 }
 
@@ -161,11 +164,13 @@ pub fn meeting(n: usize, right: usize) -> Meeting {
     }
 }
 
-/// Accelerations of the cranks over −g/l, all to the right, from what the equations of motion say at that position
-/// itself: no virtual displacement that the Jacobian allows is worked on by finite forces in the joints, and the x rows of
-/// the Jacobian vanish, so the N + 1 cranks move as if nothing else held them.
+/// Accelerations of the cranks over −g/l, all to the right, from what the equations of motion say
+/// at that position itself: no virtual displacement that the Jacobian allows is worked on by finite
+/// forces in the joints, and the x rows of the Jacobian vanish, so the N + 1 cranks move as if
+/// nothing else held them.
 ///
-/// A rod with the rates u, v of its ends has the energy `m l² (u² + u v + v²)/6`, a crank `m l² u²/6`.
+/// A rod with the rates u, v of its ends has the energy `m l² (u² + u v + v²)/6`, a crank `m l²
+/// u²/6`.
 pub fn accelerations_without_branch(n: usize) -> Option<Vec<Rational>> {
     let rods = |k: usize| u32::from(k > 0) + u32::from(k < n);
     let row = |k: usize| {
@@ -182,10 +187,12 @@ pub fn accelerations_without_branch(n: usize) -> Option<Vec<Rational>> {
     solve((0..=n).map(row).collect())
 }
 
-/// The limit of `sin θ F/(m g)` at the horizontal positions for the force F along every rod: a pole where it is not zero.
+/// The limit of `sin θ F/(m g)` at the horizontal positions for the force F along every rod: a pole
+/// where it is not zero.
 ///
-/// Rods move without turning, so half of what carries one, `m (y'' + g)/2`, comes from each end. The moments about a crank's
-/// pivot leave `X sin θ = −I_c θ'' − m g l cos θ/2 + Y l cos θ` for the force (X, Y) of its rods.
+/// Rods move without turning, so half of what carries one, `m (y'' + g)/2`, comes from each end.
+/// The moments about a crank's pivot leave `X sin θ = −I_c θ'' − m g l cos θ/2 + Y l cos θ` for the
+/// force (X, Y) of its rods.
 pub fn poles(n: u32) -> Vec<Rational> {
     let fall = data::fall(n);
     let crank = |k: u32| {

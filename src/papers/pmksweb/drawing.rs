@@ -1,4 +1,5 @@
-//! A four-bar as drawn: crank AB, coupler BC, rocker DC, by the two circles around B and D, in balls.
+//! A four-bar as drawn: crank AB, coupler BC, rocker DC, by the two circles around B and D, in
+//! balls.
 
 use crate::reference::{Ball, ComplexBall, Decimal, Undecided};
 use rug::Rational;
@@ -39,7 +40,7 @@ pub struct FourBar {
     /// Lengths of crank, coupler, rocker, frame.
     pub lengths: [Ball; 4],
     squares: [Ball; 2],
-    /// Whether C was drawn to the left of the way from B to D.
+    /// True if C was drawn to the left of the way from B to D.
     pub left: bool,
 }
 
@@ -79,8 +80,8 @@ impl FourBar {
         (&self.lengths[1] + &self.lengths[2]).square()
     }
 
-    /// How far the crank turns from the frame's direction, from A to D, to the dead position with B, C, D stretched on
-    /// one line; none if it goes past there, because |BD| never gets so long.
+    /// How far the crank turns from the frame's direction, from A to D, to the dead position with
+    /// B, C, D stretched on one line; none if it goes past there, because |BD| never gets so long.
     ///
     /// # Errors
     /// [`Undecided`] if the sum of two lengths may equal that of the others.
@@ -95,7 +96,8 @@ impl FourBar {
         }
     }
 
-    /// Whether |BD| keeps above the difference of coupler and rocker, so that they never fold on each other.
+    /// Returns true if |BD| keeps above the difference of coupler and rocker, so that they never
+    /// fold on each other.
     pub fn never_folds(&self) -> bool {
         let [r, l, s, g] = &self.lengths;
         ((r - g).abs() - (l - s).abs()).is_positive()
@@ -107,7 +109,8 @@ impl FourBar {
         frame.cross(&self.crank).atan2(&frame.dot(&self.crank))
     }
 
-    /// Both positions of C with the crank turned by an angle from the drawing; none past a dead position.
+    /// Both positions of C with the crank turned by an angle from the drawing; none past a dead
+    /// position.
     ///
     /// # Errors
     /// [`Undecided`] too near a dead position.
@@ -143,8 +146,8 @@ pub(super) fn undecided(what: &str) -> Undecided {
     }
 }
 
-/// Where taking the nearest of both positions leaves the drawn side, in steps of so many degrees clockwise from the
-/// drawing: degrees turned, if it does before the dead position.
+/// Where taking the nearest of both positions leaves the drawn side, in steps of so many degrees
+/// clockwise from the drawing: degrees turned, if it does before the dead position.
 ///
 /// # Errors
 /// [`Undecided`] if both are equally near as far as the balls tell.

@@ -89,7 +89,8 @@ fn range(linkage: &FourBar) -> Result<Finding, Undecided> {
         ]))
 }
 
-/// The largest turn of the coupler over a step of the crank clockwise, in degrees, and where it ends.
+/// The largest turn of the coupler over a step of the crank clockwise, in degrees, and where it
+/// ends.
 fn swiftest(linkage: &FourBar, step: u32) -> Result<(f64, u32), Undecided> {
     let mut turns = Vec::new();
     let mut before: Option<ComplexBall> = None;

@@ -1,11 +1,13 @@
-//! What the verdicts rest on: two circles, the side of the line between their centres, a slider next to a tangency.
+//! The basis of the verdicts: two circles, the side of the line between their centres, a slider
+//! next to a tangency.
 
 use crate::papers::ledger::Item;
 use crate::papers::ledger::Kind::{Formula, Statement};
 
 /// Foot and height of C over BD in units of |BD|, with n = |BD|².
 const CIRCLES: [&str; 2] = ["p = (n + l^2 - s^2)/(2*n)", "q_2 = l^2/n - p^2"];
-/// The guide's distance from a crank pin that reaches as far as the rod is long, r + e = L, in the angle 2z from there.
+/// The guide's distance from a crank pin that reaches as far as the rod is long, r + e = L, in the
+/// angle 2z from there.
 const SLIDER: [&str; 1] = ["y = L - r + r*cos(2*z)"];
 
 /// All entries.

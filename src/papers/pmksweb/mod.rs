@@ -1,8 +1,10 @@
-//! Drawings and claims under dispute in PMKSWeb, a program for planar linkages: its issue 91, four programs that trace two
-//! different paths of one four-bar; issue 92, links that change their lengths; pull request 231, a slider that passes through
-//! the position in which its two roots meet.
+//! Drawings and claims under dispute in PMKSWeb, a program for planar linkages: its issue 91, four
+//! programs that trace two different paths of one four-bar; issue 92, links that change their
+//! lengths; pull request 231, a slider that passes through the position in which its two roots
+//! meet.
 //!
-//! [`drawing`] has the positions in balls from the drawn decimals; [`ledger()`] proves what they rest on.
+//! [`drawing`] has the positions in balls from the drawn decimals; [`ledger()`] proves what they
+//! rest on.
 
 pub mod drawing;
 mod findings;

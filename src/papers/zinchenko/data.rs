@@ -140,7 +140,8 @@ pub fn solver_linkage() -> f64_linkage::ClassIii {
     f64_linkage::ClassIii::new(geometry).expect("the paper's geometry is valid")
 }
 
-/// The linkage with the recovered masses, as the solvers take them, and its state at the crank angle of row 0.
+/// The linkage with the recovered masses, as the solvers take them, and its state at the crank
+/// angle of row 0.
 ///
 /// # Panics
 /// Never: the paper's linkage can be assembled there.

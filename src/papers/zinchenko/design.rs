@@ -120,8 +120,8 @@ mod tests {
         assert!(fit.covariance[(0, 0)].is_infinite());
     }
 
-    /// A row counts by what it is off in deviations: the mean of 1 and 4 with the deviations 1 and 2 is (1 + 1)/(1 + 1/4),
-    /// its variance 1/(1 + 1/4).
+    /// A row counts by what it is off in deviations: the mean of 1 and 4 with the deviations 1 and
+    /// 2 is (1 + 1)/(1 + 1/4), its variance 1/(1 + 1/4).
     #[test]
     fn rows_are_weighted_by_their_deviations() {
         let a = DMatrix::from_element(2, 1, 1.0);

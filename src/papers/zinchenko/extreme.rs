@@ -39,7 +39,7 @@ struct Dead {
     /// Crank angle in degrees.
     crank: Ball,
     motion: Kinematics,
-    /// Whether it is the only one between the ends of the bracket.
+    /// True if it is the only one between the ends of the bracket.
     alone: bool,
 }
 

@@ -18,8 +18,8 @@ pub(super) struct FittedMoment {
     pub left_out: Vec<(Column, usize)>,
 }
 
-/// Rounds of reweighting, after which the nodes have come to rest, and the least weight, which keeps entries that happened
-/// to be hit exactly.
+/// Rounds of reweighting, after which the nodes have come to rest, and the least weight, which
+/// keeps entries that happened to be hit exactly.
 const ROUNDS: usize = 400;
 const FLOOR: f64 = 1e-9;
 

@@ -44,7 +44,7 @@ pub(super) struct Alias {
 }
 
 impl Alias {
-    /// Whether it is within a fifth of the law.
+    /// Returns true if it is within a fifth of the law.
     pub(super) fn follows_law(&self) -> bool {
         5.0 * (self.observed - self.predicted).abs() < self.predicted
     }
@@ -155,8 +155,8 @@ pub(super) fn aliases(printed: &[Printed]) -> Vec<Alias> {
     found
 }
 
-/// Worst deviation of the printed S'_In from the derivative of a spline through the thirteen printed
-/// I_n of rows 0, 4, …, 48, with the given ends.
+/// Worst deviation of the printed S'_In from the derivative of a spline through the thirteen
+/// printed I_n of rows 0, 4, …, 48, with the given ends.
 pub(super) fn ends_misfit(printed: &[Printed], ends: Boundary) -> f64 {
     let inertia = column(printed, Column::Inertia);
     let slope = column(printed, Column::InertiaSlope);

@@ -11,8 +11,8 @@ const POSITIONS: usize = 720;
 /// Rows of the paper's tables.
 const ROWS: usize = 48;
 
-/// The sand screen on the paper's assembly mode, with I_n, dI_n/dφ and M_o for the printed and for the
-/// recovered centres of mass, and the printed columns at the paper's 48 crank angles.
+/// The sand screen on the paper's assembly mode, with I_n, dI_n/dφ and M_o for the printed and for
+/// the recovered centres of mass, and the printed columns at the paper's 48 crank angles.
 pub fn motion() -> Motion {
     let states = node_states(POSITIONS);
     let table = printed();
@@ -76,8 +76,8 @@ mod tests {
                 assert!((length(k) - length(0)).abs() < 1e-13, "{a}-{b} at {k}");
             }
         }
-        // The paper's rows are values of splines through twelve nodes (see `recipe`), which stray from the curve of the
-        // recovered centres by less than a hundredth of its size.
+        // The paper's rows are values of splines through twelve nodes (see `recipe`), which stray
+        // from the curve of the recovered centres by less than a hundredth of its size.
         for course in &motion.courses[..2] {
             let curve = &course.variants[0].1;
             let size = curve.iter().fold(0.0, |m: f64, x| m.max(x.abs()));

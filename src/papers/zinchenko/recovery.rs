@@ -78,7 +78,7 @@ pub(super) struct Recovery {
     pub left_out: usize,
     /// Number of singular values of the scaled design above 1e-10 of the largest.
     pub rank: usize,
-    /// What the columns' deviations were raised by.
+    /// The factors that raise the columns' deviations.
     pub scales: Vec<f64>,
     /// Covariance in SI units.
     pub covariance: DMatrix<f64>,

@@ -1,4 +1,4 @@
-//! What leaving out the exact dI_n/dφ does to the motion: (1) and (2) integrated with the exact
+//! The effect on the motion of leaving out the exact dI_n/dφ: (1) and (2) integrated with the exact
 //! coefficients, with splines, and with the paper's mixture of both.
 //!
 //! The paper names no motor. The one here is an example: synchronous speed 10 rad/s, rated torque
@@ -166,7 +166,7 @@ fn within(exact: &dyn ReducedModel, splined: &Splined) -> Option<f64> {
     Some(worst)
 }
 
-/// What one of the tasks delivers.
+/// The result of one of the tasks.
 type Motions = (Motion, Cycle, f64);
 
 /// Integrates; `None` if a motion cannot be had, which the recorded findings do not know.

@@ -66,3 +66,6 @@ pub type Evaluated = Result<Ball, NoValue>;
 
 /// The ball of a complex function, or the reason why there is none.
 pub type ComplexEvaluated = Result<ComplexBall, NoValue>;
+
+#[cfg(test)]
+mod tests;

@@ -220,11 +220,6 @@ pub(super) fn exp_above(t: f64) -> Mag {
     Mag::from_f64((1.0 + (v - k)).next_up()).shift(k as i64)
 }
 
-/// `|x|` as a double, rounded up.
-pub(super) fn f64_above(x: &Float) -> f64 {
-    x.to_f64_round(Round::AwayZero).abs()
-}
-
 /// `|x|` as a double, rounded down; finite.
 pub(super) fn f64_below(x: &Float) -> f64 {
     x.to_f64_round(Round::Zero).abs()

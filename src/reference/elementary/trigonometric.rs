@@ -1,13 +1,15 @@
 //! Circular functions and their inverses.
 
 use super::support::{
-    BITS, NARROW, WIDE, decreasing, directed, down, ends, exact, f64_below, finish, hull,
+    BITS, NARROW, Rounded, WIDE, decreasing, directed, down, ends, exact, f64_below, finish, hull,
     increasing, is_narrow, nearest, one_more,
 };
+use super::arithmetic::above_rounded;
 use super::{Evaluated, NoValue};
 use crate::{Ball, Mag};
 use rug::Float;
 use rug::float::{Constant, Round};
+use std::cmp::Ordering;
 
 /// Numbers beyond 2 to this power are not reduced by multiples of π: that many of its bits would be
 /// needed. A function that is bounded is between its bounds there.
@@ -27,15 +29,18 @@ fn unit(prec: u32) -> Evaluated {
 }
 
 /// sin or cos from its rounded value: with `c` the other one at the midpoint, by Taylor's theorem
-/// `|f(x) − f(m)| ≤ |c| r + r²/2`, and `|c| = √(1 − f(m)²)`.
-fn wave(value: (Float, std::cmp::Ordering), r: Mag) -> Evaluated {
+/// `|f(x) − f(m)| ≤ |c| r + r²/2`, and `|c| = √(1 − f(m)²)`; near an extremum c is evaluated.
+fn wave(value: Rounded, r: Mag, other: impl Fn() -> Float) -> Evaluated {
     if r.is_zero() {
         return finish(value, Mag::ZERO);
     }
     let v = f64_below(&value.0);
-    // Rounding of the value, of the square and of the difference.
-    let slack = 4.0 * f64::EPSILON + 2f64.powi(1 - value.0.prec().min(60) as i32);
-    let slope = Mag::from_f64((1.0 - v * v + slack).max(0.0)).sqrt();
+    let slope = if v > 0.99 || value.0.prec() < 32 {
+        above_rounded(&(other(), Ordering::Less))
+    } else {
+        // The value is off by 2^-32 of itself at most.
+        Mag::from_f64(1.0 - v * v + 2f64.powi(-30)).sqrt()
+    };
     let curved = slope.mul(r).add(r.mul(r).shift(-1));
     finish(value, r.min(curved))
 }
@@ -49,7 +54,8 @@ pub fn sin(x: &Ball, prec: u32) -> Evaluated {
         return unit(prec);
     }
     if x.rad() <= Mag::power_of_two(NARROW) {
-        return wave(nearest(prec, x.mid().sin_ref()), x.rad());
+        let other = || Float::with_val(BITS, x.mid().cos_ref());
+        return wave(nearest(prec, x.mid().sin_ref()), x.rad(), other);
     }
     let pair = |x: &Float, round| {
         let value = Float::with_val_round(prec + 8, x.sin_ref(), round).0;
@@ -64,7 +70,8 @@ pub fn cos(x: &Ball, prec: u32) -> Evaluated {
         return unit(prec);
     }
     if x.rad() <= Mag::power_of_two(NARROW) {
-        return wave(nearest(prec, x.mid().cos_ref()), x.rad());
+        let other = || Float::with_val(BITS, x.mid().sin_ref());
+        return wave(nearest(prec, x.mid().cos_ref()), x.rad(), other);
     }
     let pair = |x: &Float, round| {
         let value = Float::with_val_round(prec + 8, x.cos_ref(), round).0;
@@ -142,7 +149,7 @@ pub fn tan(x: &Ball, prec: u32) -> Evaluated {
 fn tangent(
     x: &Ball,
     r: Mag,
-    value: (Float, std::cmp::Ordering),
+    value: Rounded,
     prec: u32,
     at_ends: impl Fn(&Float, &Float) -> Option<[Float; 2]>,
 ) -> Evaluated {
@@ -150,7 +157,7 @@ fn tangent(
         return finish(value, Mag::ZERO);
     }
     if r <= Mag::power_of_two(NARROW) {
-        let size = super::arithmetic::above_rounded(&value);
+        let size = above_rounded(&value);
         let turn = r.add(r.mul(r).mul(r).shift(-1));
         let share = size.mul(turn);
         if share <= Mag::power_of_two(-4) {
@@ -170,7 +177,8 @@ fn tangent(
 pub fn sinpi(x: &Ball, prec: u32) -> Evaluated {
     let r = x.rad().mul(Mag::from_f64(PI));
     if r <= Mag::power_of_two(NARROW) {
-        return wave(nearest(prec, x.mid().sin_pi_ref()), r);
+        let other = || Float::with_val(BITS, x.mid().cos_pi_ref());
+        return wave(nearest(prec, x.mid().sin_pi_ref()), r, other);
     }
     let pair = |x: &Float, round| {
         let value = Float::with_val_round(prec + 8, x.sin_pi_ref(), round).0;
@@ -183,7 +191,8 @@ pub fn sinpi(x: &Ball, prec: u32) -> Evaluated {
 pub fn cospi(x: &Ball, prec: u32) -> Evaluated {
     let r = x.rad().mul(Mag::from_f64(PI));
     if r <= Mag::power_of_two(NARROW) {
-        return wave(nearest(prec, x.mid().cos_pi_ref()), r);
+        let other = || Float::with_val(BITS, x.mid().sin_pi_ref());
+        return wave(nearest(prec, x.mid().cos_pi_ref()), r, other);
     }
     let pair = |x: &Float, round| {
         let value = Float::with_val_round(prec + 8, x.cos_pi_ref(), round).0;

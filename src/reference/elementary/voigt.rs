@@ -21,7 +21,7 @@ const REACH: i32 = 1 << 14;
 /// `|∂V/∂σ| ≤ 2σ V/γ²`. So `|Δ ln V| ≤ δ = (r_x + r_γ)/γ + 2σ r_σ/γ²` with the least γ and the
 /// greatest σ of the balls, and the radius is `V (e^δ − 1)`.
 ///
-/// Where that is more than a part of V, the radius is taken from w: `|Δw| ≤ |w'| ρ + ρ²` for a
+/// Where σ or |x| is large beside γ, or δ is, the radius is also taken from w, and the lesser counts: `|Δw| ≤ |w'| ρ + ρ²` for a
 /// change ρ of z, since `|w''| ≤ 2` for Im z ≥ 0 (`w'' = −(8/√π) ∫_0^∞ t² e^{−t²+2izt} dt`).
 pub fn voigt(x: &Ball, sigma: &Ball, gamma: &Ball, prec: u32) -> Evaluated {
     if sigma.is_negative() || gamma.is_negative() {
@@ -70,7 +70,8 @@ pub fn voigt(x: &Ball, sigma: &Ball, gamma: &Ball, prec: u32) -> Evaluated {
     } else {
         Mag::INFINITY
     };
-    let found = if delta <= Mag::power_of_two(NARROW) && x.magnitude() <= low.shift(4) {
+    let level = x.magnitude().max(sigma.magnitude()) <= low.shift(2);
+    let found = if delta <= Mag::power_of_two(NARROW) && level {
         relative
     } else {
         relative.min(by_slope(x, sigma, gamma).unwrap_or(Mag::INFINITY))

@@ -2,7 +2,8 @@
 //!
 //! Data are exact. Where the work is within a bound, solutions are computed exactly, whatever the
 //! condition of the matrix, and rounded once; elsewhere an approximate inverse and a residual
-//! enclose them at a precision that is raised until the accuracy asked for is proved. The
+//! enclose them at a precision that is raised until the accuracy asked for is proved: each entry to
+//! `2^-goal` of its size, or of `2^-goal` of the largest entry where it is smaller than that. The
 //! functions with `balls` in their names take data that are known to lie in balls, and their
 //! answers hold for all of them.
 //!
@@ -22,7 +23,7 @@ use super::exact::{self, Cleared};
 use super::matrix::{LinearError, Matrix, check_length};
 use super::modular;
 use super::verified::Verified;
-use crate::{Ball, Undecided};
+use crate::{Ball, Mag, Undecided};
 use rug::Rational;
 
 /// Word operations of an exact solution; 10¹⁰ of them take about a minute.
@@ -58,11 +59,21 @@ pub(crate) fn are_known<'a>(values: impl IntoIterator<Item = &'a Ball>, goal: u3
     values.into_iter().all(is_known)
 }
 
+/// Checks that every ball is known to `2^-goal` of its size, or of `2^-goal` of the largest one
+/// where it is smaller than that.
+pub(super) fn are_settled(values: &[Ball], goal: u32) -> bool {
+    let shift = -i64::from(goal);
+    let largest = values.iter().fold(Mag::ZERO, |m, x| m.max(x.mignitude()));
+    let is_settled = |x: &Ball| x.rad() <= x.mignitude().max(largest.shift(shift)).shift(shift);
+    values.iter().all(is_settled)
+}
+
 fn identity(n: usize) -> Matrix<Rational> {
     Matrix::from_fn(n, n, |i, j| Rational::from(u32::from(i == j)))
 }
 
-/// Solves `A X = B` for every column of B, to a relative accuracy of `2^-goal` of each entry.
+/// Solves `A X = B` for every column of B, to a relative accuracy of `2^-goal` of each entry; long
+/// systems as the module says.
 ///
 /// # Errors
 /// [`LinearError`]: wrong shapes, a singular matrix with a vector that proves it, or undecided.
@@ -83,13 +94,13 @@ pub fn solve(
     for _ in 0..=DOUBLINGS {
         if let Some(verified) = Verified::new(a.balls(bits), bits) {
             let x = verified.solve_all(&b.balls(bits));
-            if are_known(x.entries(), goal) {
+            if are_settled(x.entries(), goal) {
                 return Ok(x);
             }
         }
         bits *= 2;
     }
-    let reason = "the matrix was not proved regular, or an entry of the solution may be zero";
+    let reason = "the matrix was not proved to be regular";
     Err(Undecided::new(bits / 2, reason).into())
 }
 

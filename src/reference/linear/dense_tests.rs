@@ -34,7 +34,7 @@ fn expanded(rows: &[Vec<Rational>]) -> Rational {
         rest.iter().map(without).collect()
     };
     let term = |(j, a): (usize, &Rational)| {
-        let term = Rational::from(a * expanded(&minor(j)));
+        let term = a * expanded(&minor(j));
         if j % 2 == 0 { term } else { -term }
     };
     first.iter().enumerate().map(term).sum()
@@ -48,7 +48,11 @@ fn hilbert(n: usize) -> Matrix<Rational> {
 fn inverse_hilbert(n: u32, i: u32, j: u32) -> rug::Integer {
     let c = |a: u32, b: u32| rug::Integer::from(a).binomial(b);
     let size = c(n + i, n - j - 1) * c(n + j, n - i - 1) * c(i + j, i).square() * (i + j + 1);
-    if (i + j) % 2 == 0 { size } else { -size }
+    if (i + j).is_multiple_of(2) {
+        size
+    } else {
+        -size
+    }
 }
 
 #[test]
@@ -178,6 +182,16 @@ fn balls_hold_the_solutions_of_all_corners() {
     assert!(d.rad() < Mag::from_f64(0.5));
 }
 
+/// One equation `a x = 1` with a in [3/4, 5/4]: the bound is reached.
+#[test]
+fn the_bound_on_the_error_is_needed() {
+    let ball = |r: f64| Ball::new(rug::Float::with_val(64, 1), Mag::from_f64(r));
+    let one = |x: Ball| Matrix::new(1, 1, vec![x]).unwrap();
+    let x = solve_balls(&one(ball(0.25)), &one(ball(0.0)), 64).unwrap();
+    assert!(x.at(0, 0).contains(&Rational::from((4, 3))));
+    assert!(x.at(0, 0).rad() < Mag::from_f64(0.34));
+}
+
 /// The enclosures of long systems, on short ones: the same numbers as by exact solution.
 #[test]
 fn an_approximate_inverse_encloses_what_is_exact() {
@@ -236,6 +250,76 @@ proptest! {
                     .sum();
                 prop_assert_eq!(sum, 0);
             }
+        }
+    }
+}
+
+/// A matrix of order 500 with two rows that differ by one unit in the last place of one entry: its
+/// condition is above 10²⁰.
+#[test]
+#[ignore = "takes minutes without optimisation"]
+fn a_large_ill_conditioned_system_is_solved() {
+    let n = 500;
+    let mut state = 1u64;
+    let mut draw = || {
+        state = state
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    };
+    let mut entries: Vec<f64> = (0..n * n).map(|_| draw()).collect();
+    for j in 0..n {
+        entries[(n - 1) * n + j] = entries[j];
+    }
+    let least = (0..n)
+        .min_by(|&i, &j| entries[i].abs().total_cmp(&entries[j].abs()))
+        .unwrap();
+    entries[(n - 1) * n + least] = entries[least].next_up();
+    let a = Matrix::from_f64(n, n, &entries).unwrap();
+    let due = Matrix::from_fn(n, 1, |i, _| Rational::from((i as i32 - 200, 7)));
+    let b = product(&a, &due);
+    let start = std::time::Instant::now();
+    let x = solve(&a, &b, 54).unwrap();
+    eprintln!("solution of order {n}: {:?}", start.elapsed());
+    for (x, due) in x.entries().iter().zip(due.entries()) {
+        assert!(x.contains(due) && (*due == 0 || x.accuracy_bits() >= 54));
+    }
+    let b = Matrix::from_fn(n, 1, |_, _| Rational::from_f64(draw()).unwrap());
+    let start = std::time::Instant::now();
+    let x = solve(&a, &b, 54).unwrap();
+    eprintln!(
+        "solution with a side that is not short: {:?}",
+        start.elapsed()
+    );
+    assert!(are_known(x.entries(), 54));
+    let start = std::time::Instant::now();
+    let d = determinant(&a, 54).unwrap();
+    eprintln!("determinant: {:?}, {}", start.elapsed(), d.mid());
+    let start = std::time::Instant::now();
+    let found = Verified::new(a.balls(192), 192)
+        .unwrap()
+        .solve_all(&b.balls(192));
+    eprintln!("by an approximate inverse: {:?}", start.elapsed());
+    assert!(
+        found
+            .entries()
+            .iter()
+            .zip(x.entries())
+            .all(|(x, y)| x.overlaps(y))
+    );
+}
+
+#[test]
+#[ignore = "takes a minute without optimisation"]
+fn the_inverse_hilbert_matrix_of_order_100_is_exact() {
+    let n = 100;
+    let start = std::time::Instant::now();
+    let x = inverse_exactly(&hilbert(n)).unwrap();
+    eprintln!("inverse of order {n}: {:?}", start.elapsed());
+    for i in 0..n {
+        for j in 0..n {
+            let due = inverse_hilbert(n as u32, i as u32, j as u32);
+            assert_eq!(*x.at(i, j), Rational::from(due));
         }
     }
 }

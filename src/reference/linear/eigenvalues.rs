@@ -327,12 +327,8 @@ fn enclosures(
         *h.at_mut(i, i) = h.at(i, i) - Ball::integer(bits, 1);
     }
     let g = (0..n).fold(Mag::ZERO, |g, i| g.max(row_sum(h.row(i))));
-    let one = Mag::from_f64(1.0);
-    if !(g < one) {
-        return None;
-    }
-    // 1/(1 − g) − 1 = g/(1 − g), which is more than 1 − 1/(1 + g).
-    let theta = Ball::integer(bits, 1).widened(g.div(one.sub_below(g)));
+    // 1/(1 − g) − 1 = g/(1 − g), which is more than 1 − 1/(1 + g); without a bound unless g < 1.
+    let theta = Ball::integer(bits, 1).widened(g.div(Mag::from_f64(1.0).sub_below(g)));
     let c = congruent(Some(a), &w, bits);
     let off = |i: usize| {
         let others = c.row(i).iter().enumerate().filter(|(j, _)| *j != i);

@@ -63,6 +63,18 @@ fn multiple_and_near_eigenvalues_are_enclosed() {
     assert!(symmetric(&q(0, &[]), 64).unwrap().is_empty());
 }
 
+/// An eigenvalue far below the rounding of the first precision is not zero, and a second matrix
+/// with such a one is positive definite.
+#[test]
+fn small_eigenvalues_are_not_zero() {
+    let tiny = Rational::from(1) >> 200u32;
+    let a = with_eigenvalues(&[tiny.clone(), Rational::from(1)]);
+    hold(&symmetric(&a, 53).unwrap(), &[tiny, Rational::from(1)], 53);
+    let huge = Rational::from(1) << 200u32;
+    let found = generalised(&q(2, &[1, 0, 0, 1]), &a, 53).unwrap();
+    hold(&found, &[Rational::from(1), huge], 53);
+}
+
 /// The second differences have the eigenvalues `2 − 2 cos(kπ/(n + 1))`.
 #[test]
 fn a_pencil_has_its_eigenvalues() {
@@ -194,5 +206,29 @@ proptest! {
         let b = product(&t, &transposed(&t));
         let a = product(&product(&t, &a), &transposed(&t));
         hold(&generalised(&a, &b, 70).unwrap(), &values, 70);
+    }
+}
+
+/// Clement's matrix has the eigenvalues −n, −n + 2, …, n.
+#[test]
+#[ignore = "takes a minute without optimisation"]
+fn eigenvalues_of_a_hundred_rows() {
+    for n in [50usize, 100] {
+        let a = Matrix::from_fn(n, n, |i, j| Rational::from((1, (i + j + 1) as u32)));
+        let start = std::time::Instant::now();
+        let found = symmetric(&a, 54).unwrap();
+        eprintln!(
+            "Hilbert matrix of order {n}: {:?}, least {}",
+            start.elapsed(),
+            found[0].mid()
+        );
+        let a = Matrix::from_fn(n, n, |i, j| Rational::from(i.min(j) as u32 + 1));
+        let start = std::time::Instant::now();
+        let found = symmetric(&a, 54).unwrap();
+        eprintln!(
+            "min(i, j) of order {n}: {:?}, least {}",
+            start.elapsed(),
+            found[0].mid()
+        );
     }
 }

@@ -400,3 +400,7 @@ pub(super) fn normal_equations(
         Matrix::from_fn(n, sides.len(), |i, j| inner(&columns[i], &sides[j])),
     )
 }
+
+#[cfg(test)]
+#[path = "exact_tests.rs"]
+mod tests;

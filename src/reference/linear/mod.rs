@@ -1,6 +1,7 @@
 //! Linear systems: dense, banded and tridiagonal, determinants, inverses, least squares and
 //! eigenvalues of symmetric matrices.
 
+pub mod banded;
 pub mod dense;
 pub mod eigenvalues;
 mod exact;

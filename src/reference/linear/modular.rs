@@ -57,7 +57,7 @@ impl Factor {
     }
 
     fn times(self, x: u64) -> u64 {
-        let q = (u128::from(self.quotient) * u128::from(x) >> 64) as u64;
+        let q = ((u128::from(self.quotient) * u128::from(x)) >> 64) as u64;
         let r = self.f.wrapping_mul(x).wrapping_sub(q.wrapping_mul(self.p));
         if r >= self.p { r - self.p } else { r }
     }

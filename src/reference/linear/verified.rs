@@ -10,7 +10,7 @@
 use super::exact;
 use super::matrix::{LinearError, Matrix};
 use crate::{Ball, Mag, dot};
-use rug::{Float, Rational};
+use rug::Float;
 
 /// Rounds of refinement; each gains as many bits as the contraction has.
 const ROUNDS: u32 = 30;
@@ -155,7 +155,7 @@ impl Verified {
     /// norm.
     pub(crate) fn determinant(&self) -> Result<Ball, LinearError> {
         let n = self.matrix.rows();
-        let exact = |x: &Ball| x.mid().to_rational().unwrap_or_else(Rational::new);
+        let exact = |x: &Ball| x.mid().to_rational().unwrap_or_default();
         let middle = exact::determinant(&self.matrix.map(exact))?;
         let widths: Vec<Mag> = (0..n)
             .map(|k| {

@@ -62,6 +62,9 @@ pub(super) trait Path {
     type Value: Value;
     /// Encloses the values for all parameters in a ball.
     fn value(&mut self, t: &Ball, bits: u32) -> Option<Self::Value>;
+    /// Whether values are real: the part of an ellipse above the real line is then enough, because the
+    /// integrand continues by reflection (Schwarz) to a function that agrees with it on the line.
+    const MIRRORS: bool;
     /// Bounds the integrand where it is proved to be holomorphic on the whole rectangle.
     fn bound(&mut self, t: &ComplexBall, bits: u32) -> Option<Mag>;
 }
@@ -202,55 +205,158 @@ struct Ellipse {
     nodes: u32,
 }
 
-/// The ellipse that needs the fewest nodes, of those on which the integrand is proved to be holomorphic.
+/// Parts of an ellipse: the interval of the major axis in units of the half-axis, and the height above it.
+const PARTS: [([f64; 2], f64); 5] = [
+    ([-1.0, -0.96], 0.2801),
+    ([0.96, 1.0], 0.2801),
+    ([-0.96, -0.8], 0.6001),
+    ([0.8, 0.96], 0.6001),
+    ([-0.8, 0.8], 1.0),
+];
+
+/// A panel as a midpoint and half the width.
+struct Around<'a> {
+    mid: &'a Ball,
+    reach: Mag,
+}
+
+impl Around<'_> {
+    /// Bounds the integrand on a rectangle beside the panel, if it is holomorphic there.
+    fn bound<P: Path>(
+        &self,
+        path: &mut P,
+        [from, to]: [Mag; 2],
+        height: Mag,
+        budget: &mut Budget,
+    ) -> Option<Mag> {
+        let bits = self.mid.prec();
+        let of = |x: Mag| Ball::new(x.to_float(), Mag::ZERO).with_prec(bits);
+        // From −from to `to`, each rounded away from zero.
+        let along = Ball::between(bits, (-of(from)).mid(), of(to).mid());
+        let across = match P::MIRRORS {
+            true => of(height.shift(-1)).widened(height.shift(-1)),
+            false => Ball::integer(bits, 0).widened(height),
+        };
+        budget.spent += 1;
+        let most = path.bound(&ComplexBall::new(self.mid + &along, across), bits)?;
+        most.is_finite().then_some(most)
+    }
+
+    /// Bounds it on an ellipse: on a rectangle around it, or on several around its parts.
+    fn over_ellipse<P: Path>(
+        &self,
+        path: &mut P,
+        rho: f64,
+        parted: bool,
+        budget: &mut Budget,
+    ) -> Option<Mag> {
+        let [major, minor] = nodes::half_axes(rho).map(|axis| axis.mul(self.reach));
+        if !parted {
+            return self.bound(path, [major, major], minor, budget);
+        }
+        let mut most = Mag::ZERO;
+        for (ends, height) in PARTS {
+            let bits = self.mid.prec();
+            let [from, to] = ends.map(|x| Ball::new(major.to_float() * x, Mag::ZERO));
+            let middle = self.mid + &Ball::between(bits, from.mid(), to.mid());
+            let half = Mag::ZERO;
+            let part = Around {
+                mid: &middle,
+                reach: half,
+            };
+            let height = minor.mul(Mag::from_f64(height));
+            most = most.max(part.bound(path, [Mag::ZERO; 2], height, budget)?);
+        }
+        Some(most)
+    }
+}
+
+/// The ellipse that was the best one of the last panel, which the next one begins with.
+#[derive(Clone, Copy)]
+struct Hint {
+    index: usize,
+    parted: bool,
+    /// Whether a larger one was worse.
+    capped: bool,
+}
+
+impl Hint {
+    const FIRST: Hint = Hint {
+        index: 1,
+        parted: false,
+        capped: false,
+    };
+}
+
+/// The ellipse that needs the fewest nodes, of those on which the integrand is proved to be holomorphic; or whether
+/// there is one at all.
 fn ellipse<P: Path>(
     path: &mut P,
     panel: &Panel<P::Value>,
-    [mid, half]: [&Ball; 2],
+    around: &Around,
     tolerance: Mag,
     greatest: u32,
+    hint: &mut Hint,
     budget: &mut Budget,
 ) -> Result<Ellipse, bool> {
-    let bits = mid.prec();
-    let reach = half.magnitude();
+    // A jump on the panel itself makes all else futile.
+    if panel.refused {
+        let on = [around.reach; 2];
+        around.bound(path, on, Mag::ZERO, budget).ok_or(false)?;
+    }
+    let mut parted = hint.parted && panel.depth == 0;
+    let mut i = hint.index;
+    let mut most = around.over_ellipse(path, ELLIPSES[i], parted, budget);
+    while most.is_none() {
+        match (parted, i) {
+            (false, _) => parted = true,
+            (true, 0) => return Err(false),
+            (true, _) => i -= 1,
+        }
+        most = around.over_ellipse(path, ELLIPSES[i], parted, budget);
+    }
+    let lowered = i < hint.index;
     let mut best: Option<Ellipse> = None;
     let mut least = f64::INFINITY;
-    let mut known = false;
-    let mut i = usize::from(!panel.refused);
-    loop {
+    let mut next = Hint {
+        index: i,
+        parted,
+        capped: lowered,
+    };
+    while let Some(size) = most {
         let rho = ELLIPSES[i];
-        let [major, minor] = nodes::half_axes(rho);
-        let box_ = ComplexBall::new(
-            mid.widened(reach.mul(major)),
-            Ball::integer(bits, 0).widened(reach.mul(minor)),
-        );
-        budget.spent += 1;
-        let Some(most) = path.bound(&box_, bits).filter(|most| most.is_finite()) else {
-            // A smaller ellipse where the first is too large.
-            if i == 1 && !panel.refused {
-                i = 0;
-                continue;
-            }
-            break;
-        };
-        known = true;
-        let most = most.mul(reach);
-        if let Some(nodes) = nodes::degree(most, rho, tolerance, greatest)
+        let size = size.mul(around.reach);
+        if let Some(nodes) = nodes::degree(size, rho, tolerance, greatest)
             && best.as_ref().is_none_or(|best| nodes < best.nodes)
         {
-            best = Some(Ellipse { rho, most, nodes });
+            best = Some(Ellipse {
+                rho,
+                most: size,
+                nodes,
+            });
         }
         // Estimated nodes, whatever their number.
-        let digits = most.exponent().unwrap_or(0) - tolerance.exponent().unwrap_or(0) + 3;
+        let digits = size.exponent().unwrap_or(0) - tolerance.exponent().unwrap_or(0) + 3;
         let nodes = digits as f64 / (2.0 * rho.log2());
-        let done = best.as_ref().is_some_and(|best| best.nodes <= FEW);
-        if nodes > 0.9 * least || done || i + 1 == ELLIPSES.len() || (i == 0 && !panel.refused) {
+        if nodes > 0.9 * least {
+            next.capped = true;
             break;
         }
-        least = nodes;
+        (least, next.index) = (nodes, i);
+        let few = best.as_ref().is_some_and(|best| best.nodes <= FEW);
+        let capped = lowered || hint.capped && panel.depth == 0;
+        if few || capped || i + 1 == ELLIPSES.len() {
+            next.capped = capped;
+            break;
+        }
         i += 1;
+        most = around.over_ellipse(path, ELLIPSES[i], parted, budget);
+        next.capped = most.is_none();
     }
-    best.ok_or(known)
+    if best.is_some() {
+        *hint = next;
+    }
+    best.ok_or(true)
 }
 
 /// The most rounding errors may widen a sum before it is done again with more bits.
@@ -261,6 +367,7 @@ fn gauss<P: Path>(
     panel: &Panel<P::Value>,
     tolerance: Mag,
     greatest: u32,
+    hint: &mut Hint,
     budget: &mut Budget,
 ) -> Outcome<P::Value> {
     let Some(direct) = &panel.direct else {
@@ -273,8 +380,11 @@ fn gauss<P: Path>(
         let bits = bits + finer;
         (exact(&panel.lower).with_prec(bits) + exact(&panel.upper).with_prec(bits)).shift(-1)
     };
-    let (mid, half) = (mid_of(64), half_of(64));
-    let found = ellipse(path, panel, [&mid, &half], tolerance, greatest, budget);
+    let around = Around {
+        mid: &mid_of(64),
+        reach: half_of(64).magnitude(),
+    };
+    let found = ellipse(path, panel, &around, tolerance, greatest, hint, budget);
     let Ellipse {
         rho,
         most,
@@ -337,6 +447,7 @@ pub(super) fn adaptive<P: Path>(
         queue.push(panel(path, ends, 0, false, tolerance, budget));
     }
     let greatest = u32::try_from(60 + tolerance.relative.max(0) / 2).unwrap_or(u32::MAX);
+    let mut hint = Hint::FIRST;
     let mut total = P::Value::zero();
     let mut hindered = None;
     while let Some(top) = queue.pop() {
@@ -348,7 +459,7 @@ pub(super) fn adaptive<P: Path>(
             continue;
         }
         if budget.spent < budget.limit {
-            match gauss(path, &top, tolerance.now, greatest, budget) {
+            match gauss(path, &top, tolerance.now, greatest, &mut hint, budget) {
                 Outcome::Done(value) => {
                     tolerance.see(value.mignitude());
                     total = total.plus(&value);

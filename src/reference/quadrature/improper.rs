@@ -16,22 +16,32 @@ struct Line<'a, F> {
 
 impl<F: Integrand> Path for Line<'_, F> {
     type Value = Ball;
+    const MIRRORS: bool = true;
 
     fn value(&mut self, t: &Ball, bits: u32) -> Option<Ball> {
-        match (&self.origin, self.negative) {
-            (None, false) => self.f.enclose_real(t, bits),
-            (None, true) => self.f.enclose_real(&-t, bits),
-            (Some(a), false) => self.f.enclose_real(&(a + t), bits),
-            (Some(a), true) => self.f.enclose_real(&(a - t), bits),
-        }
+        let (x, bits) = self.place(t, bits);
+        self.f.enclose_real(&x, bits)
     }
 
     fn bound(&mut self, t: &ComplexBall, bits: u32) -> Option<Mag> {
-        let mut z = if self.negative { -t } else { t.clone() };
-        if let Some(a) = &self.origin {
-            z.re = a + &z.re;
-        }
+        let (re, bits) = self.place(&t.re, bits);
+        // A mirrored function is bounded by the same number.
+        let z = ComplexBall::new(re, t.im.clone());
         Some(self.f.enclose(&z, true, bits)?.magnitude())
+    }
+}
+
+impl<F> Line<'_, F> {
+    /// x, and the bits to work with: so many that t is known as well as by itself.
+    fn place(&self, t: &Ball, bits: u32) -> (Ball, u32) {
+        let Some(a) = &self.origin else {
+            return (if self.negative { -t } else { t.clone() }, bits);
+        };
+        let exponent = |x: Mag| x.exponent().unwrap_or(0);
+        let gap = exponent(a.magnitude()) - exponent(t.magnitude());
+        let finer = u32::try_from(gap).unwrap_or(0);
+        let a = a.with_prec(a.prec().max(t.prec() + finer));
+        (if self.negative { &a - t } else { &a + t }, bits + finer)
     }
 }
 

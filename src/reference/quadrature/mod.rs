@@ -268,6 +268,7 @@ struct Segment<'a, F> {
 
 impl<F: Integrand> Path for Segment<'_, F> {
     type Value = ComplexBall;
+    const MIRRORS: bool = false;
 
     fn value(&mut self, t: &Ball, bits: u32) -> Option<ComplexBall> {
         let z = &self.origin + &self.direction.scaled(t);

@@ -15,10 +15,11 @@ pub(super) struct Rule {
     pub positive: Vec<(Ball, Ball)>,
 }
 
-/// The numbers of nodes in use: `2^(k/2)`, rounded, so that no more than 1.5 times the nodes needed are evaluated.
-pub(super) const DEGREES: [u32; 23] = [
-    2, 3, 4, 6, 8, 11, 16, 23, 32, 45, 64, 91, 128, 181, 256, 362, 512, 724, 1024, 1448, 2048,
-    2896, 4096,
+/// The numbers of nodes in use: `2^(k/4)`, rounded, so that no more than 1.25 times the nodes needed are evaluated.
+pub(super) const DEGREES: [u32; 43] = [
+    2, 3, 4, 5, 6, 7, 8, 10, 11, 13, 16, 19, 23, 27, 32, 38, 45, 54, 64, 76, 91, 108, 128, 152,
+    181, 215, 256, 304, 362, 431, 512, 609, 724, 861, 1024, 1218, 1448, 1722, 2048, 2435, 2896,
+    3444, 4096,
 ];
 
 thread_local! {

@@ -42,20 +42,98 @@ mod c {
         z.im.is_zero()
     }
 
-    pub fn exp(z: &ComplexBall) -> ComplexBall {
-        match is_real(z) {
-            true => ComplexBall::new(z.re.exp(), z.im.clone()),
-            false => z.exp(),
+    /// A monotone function of a wide ball from its ends.
+    fn wide(x: &Ball, f: impl Fn(&Ball) -> Ball) -> Ball {
+        if x.rad() < crate::Mag::from_f64(1e-3) {
+            return f(x);
+        }
+        let [low, high] = [x.lower(), x.upper()].map(|end| f(&Ball::new(end, crate::Mag::ZERO)));
+        low.union(&high)
+    }
+
+    /// The cosine of a wide ball: ±1 where a multiple of π may lie in it.
+    fn cos(x: &Ball) -> Ball {
+        if x.rad() < crate::Mag::from_f64(1e-3) || x.magnitude().to_f64() > 1e6 {
+            return x.sin_cos().1;
+        }
+        let pi = std::f64::consts::PI;
+        let mut range = wide(x, |x| x.sin_cos().1);
+        let [low, high] = [x.lower(), x.upper()].map(|end| end.to_f64() / pi);
+        if high - low > 2.0 {
+            return Ball::integer(64, 0).widened(crate::Mag::from_f64(1.0));
+        }
+        for k in (low - 1e-9).ceil() as i64..=(high + 1e-9).floor() as i64 {
+            range = range.union(&Ball::integer(64, 1 - 2 * (k & 1)));
+        }
+        range
+    }
+
+    fn sin(x: &Ball) -> Ball {
+        if x.rad() < crate::Mag::from_f64(1e-3) {
+            return x.sin_cos().0;
+        }
+        cos(&(x - Ball::pi(x.prec()).shift(-1)))
+    }
+
+    fn square(x: &Ball) -> Ball {
+        let of = |m: crate::Mag| {
+            Ball::new(m.to_float(), crate::Mag::ZERO)
+                .with_prec(x.prec())
+                .square()
+        };
+        match x.rad().shift(20) < x.magnitude() {
+            true => x.square(),
+            false => of(x.mignitude()).union(&of(x.magnitude())),
         }
     }
 
+    pub fn exp(z: &ComplexBall) -> ComplexBall {
+        let size = wide(&z.re, Ball::exp);
+        match is_real(z) {
+            true => ComplexBall::new(size, z.im.clone()),
+            false => ComplexBall::new(cos(&z.im), sin(&z.im)).scaled(&size),
+        }
+    }
+
+    /// `1/cosh z` from the smaller exponential.
+    pub fn sech(z: &ComplexBall) -> Option<ComplexBall> {
+        let z = if z.re.is_negative() { -z } else { z.clone() };
+        let bits = z.re.prec();
+        if z.re.is_positive() {
+            let e = exp(&-&z);
+            return div(
+                &e.scaled(&Ball::integer(bits, 2)),
+                &(&real(1, bits) + &(&e * &e)),
+            );
+        }
+        // Where the real part is small: cosh x cos y + i sinh x sin y, and cosh falls to 1.
+        let (up, down) = (wide(&z.re, Ball::exp), wide(&-&z.re, Ball::exp));
+        let most = Ball::new(z.re.magnitude().to_float(), crate::Mag::ZERO)
+            .with_prec(bits)
+            .exp();
+        let most = (&most + most.recip()).shift(-1);
+        let cosh = if z.re.rad().is_zero() {
+            most
+        } else {
+            most.union(&Ball::integer(bits, 1))
+        };
+        let sinh = (&up - &down).shift(-1);
+        if is_real(&z) {
+            return Some(ComplexBall::new(cosh.recip(), z.im.clone()));
+        }
+        div(
+            &real(1, bits),
+            &ComplexBall::new(&cosh * &cos(&z.im), &sinh * &sin(&z.im)),
+        )
+    }
+
     /// `sin z = sin x cosh y + i cos x sinh y`.
-    pub fn sin(z: &ComplexBall) -> ComplexBall {
-        let (s, c) = z.re.sin_cos();
+    pub fn sine(z: &ComplexBall) -> ComplexBall {
+        let (s, c) = (sin(&z.re), cos(&z.re));
         if is_real(z) {
             return ComplexBall::new(s, z.im.clone());
         }
-        let (up, down) = (z.im.exp(), (-&z.im).exp());
+        let (up, down) = (wide(&z.im, Ball::exp), wide(&-&z.im, Ball::exp));
         let (cosh, sinh) = ((&up + &down).shift(-1), (&up - &down).shift(-1));
         ComplexBall::new(&s * &cosh, &c * &sinh)
     }
@@ -67,7 +145,8 @@ mod c {
         if is_real(a) && is_real(b) {
             return Some(ComplexBall::new(&a.re / &b.re, a.im.clone()));
         }
-        Some(a.div(b)).filter(ComplexBall::is_finite)
+        let inverse = (square(&b.re) + square(&b.im)).recip();
+        Some((a * &b.conj()).scaled(&inverse)).filter(ComplexBall::is_finite)
     }
 
     /// The principal logarithm off the cut.
@@ -154,7 +233,7 @@ fn smooth_integrands() {
             eprintln!("{name} {digits}: {} evaluations", found.evaluations);
             reached(&found, &due, i64::from(digits), name);
         };
-        let mut sine = smooth(|z, _, _| Some(c::sin(z)));
+        let mut sine = smooth(|z, _, _| Some(c::sine(z)));
         let due = Ball::integer(bits, 1) - Ball::integer(bits, 100).sin_cos().1;
         check(
             integrate(&mut sine, &number(0), &number(100), &goal),
@@ -421,8 +500,8 @@ fn jumps_and_kinks() {
         );
         let mut greater = smooth(|z, holomorphic, _| {
             let (s, co) = (
-                c::sin(z),
-                c::sin(
+                c::sine(z),
+                c::sine(
                     &(z + &ComplexBall::new(Ball::pi(z.re.prec()).shift(-1), Ball::integer(64, 0))),
                 ),
             );
@@ -476,9 +555,9 @@ fn what_hinders_is_named() {
         evaluations: 20_000,
         ..Goal::digits(30)
     };
-    let mut wild = smooth(|z, _, bits| Some(c::sin(&c::div(&c::real(1, bits), z)?)));
+    let mut wild = smooth(|z, _, bits| Some(c::sine(&c::div(&c::real(1, bits), z)?)));
     let mut bounded = smooth(|z, holomorphic, bits| match c::div(&c::real(1, bits), z) {
-        Some(inverse) => Some(c::sin(&inverse)),
+        Some(inverse) => Some(c::sine(&inverse)),
         None if holomorphic => None,
         None => Some(ComplexBall::new(
             Ball::integer(bits, 0).widened(Mag::from_f64(1.0)),
@@ -513,4 +592,146 @@ fn what_hinders_is_named() {
     let found = integrate(&mut pole, &number(-1), &number(2), &goal);
     assert!(found.value.is_none());
     assert!(matches!(&found.hindrance, Some(Hindrance::Interval(a, b)) if *a <= 0 && *b >= 0));
+}
+
+#[test]
+#[ignore]
+fn timing() {
+    let goal = Goal::digits(30);
+    let run = |name: &str, f: &mut dyn FnMut() -> Integral<Ball>| {
+        let first = std::time::Instant::now();
+        let found = f();
+        let once = first.elapsed();
+        let start = std::time::Instant::now();
+        let mut n = 0;
+        while start.elapsed().as_millis() < 200 {
+            f();
+            n += 1;
+        }
+        eprintln!(
+            "{name}: {} evaluations, {:?}, first {once:?}; {:?}",
+            found.evaluations,
+            start.elapsed() / n.max(1),
+            found.value.map(|v| (v.mid().to_f64(), v.rad().to_f64()))
+        );
+    };
+    let one = Germ::constant(&Ball::integer(64, 1), 2);
+    let all = [Limit::MinusInfinity, Limit::PlusInfinity];
+    let mut sine = smooth(|z, _, _| Some(c::sine(z)));
+    run("sin", &mut || {
+        integrate(&mut sine, &number(0), &number(100), &goal)
+    });
+    let mut lorentz = Formula {
+        f: |z: &ComplexBall, _, bits| c::div(&c::real(1, bits), &(&c::real(1, bits) + &(z * z))),
+        growth: |x: &Germ| one.add(&x.mul(x)?)?.recip(),
+    };
+    run("lorentz 0..1", &mut || {
+        integrate(&mut lorentz, &number(0), &number(1), &goal)
+    });
+    run("lorentz", &mut || {
+        integrate(&mut lorentz, &number(0), &all[1], &goal)
+    });
+    let mut circle = Formula {
+        f: |z: &ComplexBall, _, bits| c::sqrt(&(&c::real(1, bits) - &(z * z))),
+        growth: |x: &Germ| one.sub(&x.mul(x)?)?.sqrt(),
+    };
+    run("circle", &mut || {
+        integrate(&mut circle, &number(0), &number(1), &goal)
+    });
+    let mut rump = smooth(|z, _, _| Some(c::sine(&(z + &c::exp(z)))));
+    run("sin(x+e^x)", &mut || {
+        integrate(&mut rump, &number(0), &number(8), &goal)
+    });
+    let mut gauss = Formula {
+        f: |z: &ComplexBall, _, _| Some(c::exp(&-&(z * z))),
+        growth: |x: &Germ| x.mul(x)?.neg().exp(),
+    };
+    run("gauss", &mut || {
+        integrate(&mut gauss, &number(0), &all[1], &goal)
+    });
+    let mut sech = Formula {
+        f: |z: &ComplexBall, _, bits| c::div(&c::real(2, bits), &(&c::exp(z) + &c::exp(&-z))),
+        growth: |x: &Germ| {
+            Germ::constant(&Ball::integer(64, 2), 2).div(&x.exp()?.add(&x.neg().exp()?)?)
+        },
+    };
+    run("sech", &mut || {
+        integrate(&mut sech, &number(0), &all[1], &goal)
+    });
+    let mut short = Formula {
+        f: |z: &ComplexBall, _, _| c::sech(z),
+        growth: |x: &Germ| {
+            Germ::constant(&Ball::integer(64, 2), 2).div(&x.exp()?.add(&x.neg().exp()?)?)
+        },
+    };
+    run("sech direct", &mut || {
+        integrate(&mut short, &number(0), &all[1], &goal)
+    });
+    let mut bose = Formula {
+        f: |z: &ComplexBall, _, bits| {
+            let e = c::exp(&-z);
+            c::div(&(z * &e), &(&c::real(1, bits) + &e))
+        },
+        growth: |x: &Germ| {
+            let e = x.neg().exp()?;
+            x.mul(&e)?.div(&one.add(&e)?)
+        },
+    };
+    run("bose", &mut || {
+        integrate(&mut bose, &number(0), &all[1], &goal)
+    });
+    let mut log = Formula {
+        f: |z: &ComplexBall, _, _| c::ln(z),
+        growth: |x: &Germ| x.ln(),
+    };
+    run("log", &mut || {
+        integrate(&mut log, &number(0), &number(1), &goal)
+    });
+    let mut root = Formula {
+        f: |z: &ComplexBall, _, bits| c::div(&c::real(1, bits), &c::sqrt(z)?),
+        growth: |x: &Germ| x.sqrt()?.recip(),
+    };
+    run("rsqrt", &mut || {
+        integrate(&mut root, &number(0), &number(1), &goal)
+    });
+    let mut arcsine = Formula {
+        f: |z: &ComplexBall, _, bits| {
+            c::div(
+                &c::real(1, bits),
+                &c::sqrt(&(&c::real(1, bits) - &(z * z)))?,
+            )
+        },
+        growth: |x: &Germ| one.sub(&x.mul(x)?)?.sqrt()?.recip(),
+    };
+    run("arcsine", &mut || {
+        integrate(&mut arcsine, &number(-1), &number(1), &goal)
+    });
+    let mut large = smooth(|z, _, _| {
+        let (mut power, mut square, mut n) = (c::real(1, z.re.prec()), z.clone(), 1000u32);
+        while n > 0 {
+            if n & 1 == 1 {
+                power = &power * &square;
+            }
+            square = &square * &square;
+            n >>= 1;
+        }
+        Some(&power * &c::exp(&-z))
+    });
+    run("x^1000 e^-x", &mut || {
+        integrate(&mut large, &number(0), &number(10_000), &goal)
+    });
+    let mut spike = smooth(|z, _, bits| {
+        let mut sum = c::real(0, bits);
+        for (scale, at, power) in [(10, 2, 2), (100, 4, 4), (1000, 6, 6)] {
+            let at = Ball::rational(bits.max(z.re.prec()), &(at, 10).into());
+            let x = (z - &ComplexBall::new(at, Ball::integer(bits, 0)))
+                .scaled(&Ball::integer(bits, scale));
+            let sech = c::sech(&x)?;
+            sum = &sum + &(0..power).fold(c::real(1, bits), |p, _| &p * &sech);
+        }
+        Some(sum)
+    });
+    run("spike", &mut || {
+        integrate(&mut spike, &number(0), &number(1), &goal)
+    });
 }

@@ -144,7 +144,7 @@ where
     fn split(&mut self, piece: &Piece, bits: u32) -> Result<Option<End>, RootError<E>> {
         let width = Rational::from(&piece.high.x - &piece.low.x);
         for sixteenths in [8, 7, 9, 5] {
-            let x = Rational::from(&width * Rational::from((sixteenths, 16))) + &piece.low.x;
+            let x = &width * Rational::from((sixteenths, 16)) + &piece.low.x;
             let end = self.end(x, bits, 2 * bits)?;
             if matches!(end.sign, Sign::Negative | Sign::Positive) {
                 return Ok(Some(end));

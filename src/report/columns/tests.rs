@@ -162,13 +162,14 @@ fn every_spelling_of_a_speed_has_a_name_of_its_own() {
         let columns = of(&["w_rad_per_s"], unit, false).unwrap();
         assert_eq!(columns.names, [name], "{unit}");
     }
-    // What is asked in the unit that the column has stays as it is.
+    // A column asked for in its own unit stays as it is.
     let same = of(&["w_rad_per_s", "x_m"], "rad/s,m", false).unwrap();
     assert_eq!(same.cell(1, &Cell::Float(0.1)), Cell::Float(0.1));
     assert_eq!(same.value(0, 0.1), 0.1);
 }
 
-/// A length, a mass and a time may each be asked for at once; two lengths may not, wherever they stand.
+/// A length, a mass and a time may each be asked for at once; two lengths may not, wherever they
+/// stand.
 #[test]
 fn one_unit_is_asked_of_each_quantity() {
     let columns = of(&["a_m_per_s2", "m_kg", "x_m"], "mm, g ,ms", false).unwrap();

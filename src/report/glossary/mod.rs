@@ -1,4 +1,5 @@
-//! What the columns of every table mean. Pages, `--help` and the book take their explanations from here.
+//! The meanings of the columns of every table. Pages, `--help` and the book take their explanations
+//! from here.
 
 mod judging;
 mod motions;
@@ -11,8 +12,8 @@ pub const SEPARATOR: &str = " | ";
 
 /// One column, or several that mean the same.
 pub struct Column {
-    /// The names, separated by [`SEPARATOR`]. `*` stands for the number of a link, or the name of a body, a
-    /// point, a joint, an output or a program.
+    /// The names, separated by [`SEPARATOR`]. `*` stands for the number of a link, or the name of a
+    /// body, a point, a joint, an output or a program.
     pub names: &'static str,
     /// The unit where the name does not carry it; empty where there is none.
     pub unit: &'static str,
@@ -82,7 +83,8 @@ impl Topic {
 }
 
 impl Column {
-    /// Whether one of the names is this one, in whatever unit; `of budget` is the same as `of_budget`.
+    /// Returns true if one of the names is this one, in whatever unit; `of budget` is the same as
+    /// `of_budget`.
     fn matches(&self, name: &str) -> bool {
         let plain = |name: &str| name.replace(' ', "_");
         let stem = |name: &str| Columns::from(vec![plain(name)]).stem(0).to_string();
@@ -105,7 +107,7 @@ impl Column {
     }
 }
 
-/// Whether a name is of this form; `*` stands for one character or more.
+/// Returns true if a name is of this form; `*` stands for one character or more.
 fn fits(pattern: &str, name: &str) -> bool {
     match pattern.split_once('*') {
         None => pattern == name,

@@ -35,7 +35,7 @@ pub const D3_JS: &str = include_str!("assets/d3.min.js");
 /// Observable Plot: scales, axes and marks as SVG.
 pub const PLOT_JS: &str = include_str!("assets/plot.umd.min.js");
 
-/// What the content security policy of a page calls a script: its digest.
+/// The name of a script in the content security policy of a page: its digest.
 pub fn source(script: &str) -> String {
     format!("'sha256-{}'", STANDARD.encode(Sha256::digest(script)))
 }

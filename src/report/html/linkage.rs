@@ -13,8 +13,8 @@ const ROWS: usize = 25;
 /// Columns of a table at most, besides the drive.
 const COLUMNS: usize = 6;
 
-/// The columns' values at each position as courses over the drive; the drive and the branch, which are the first two
-/// columns, left out.
+/// The columns' values at each position as courses over the drive; the drive and the branch, which
+/// are the first two columns, left out.
 pub fn courses(columns: &Columns, rows: &[Vec<f64>]) -> Vec<Course> {
     let of = |k: usize| {
         let values = rows.iter().map(|r| columns.value(k, r[k - 2]));

@@ -1,5 +1,5 @@
-//! A mechanism in motion beside its quantities: the drawing at one position, and the data that the script
-//! moves it by.
+//! A mechanism in motion beside its quantities: the drawing at one position, and the data that the
+//! script moves it by.
 
 use super::page::embedded;
 use super::prose::prose;
@@ -26,7 +26,7 @@ impl View {
         let [x, y] = motion.extent();
         let size = [x[1] - x[0], y[1] - y[0]];
         let larger = size[0].max(size[1]);
-        // What has no size has a place.
+        // A mechanism without size has a place.
         let scale = (WIDTH - 2.0 * MARGIN) / if larger > 0.0 { larger } else { 1.0 };
         let slack = 0.5 * (WIDTH - 2.0 * MARGIN - size[0] * scale);
         View {
@@ -69,7 +69,7 @@ struct Row<'a> {
     printed: &'a [(f64, f64)],
     /// Positions before which an angle jumps by a turn.
     breaks: Vec<usize>,
-    /// What the chart shows.
+    /// The range of the chart.
     range: [f64; 2],
     drawn: bool,
 }
@@ -94,7 +94,7 @@ fn range(course: &Course) -> [f64; 2] {
         true => (low.max(a - (b - a)), high.min(b + (b - a))),
         false => (low, high),
     };
-    // What is constant but for rounding is a straight line.
+    // A course that is constant but for rounding is a straight line.
     let least = 1e-9 * high.abs();
     match high - low > least {
         true => [low, high],
@@ -125,7 +125,8 @@ fn row(course: &Course, drawn: bool) -> Row<'_> {
     }
 }
 
-/// Reduced quantities are what most look for; without them those of the first body that is not driven itself.
+/// Reduced quantities are what most look for; without them those of the first body that is not
+/// driven itself.
 fn drawn(motion: &Motion) -> Vec<bool> {
     let reduced =
         |c: &Course| ["I_n", "dI_n_dphi", "M_o", "m_n", "dm_n_ds", "F_o"].contains(&&*c.name);
@@ -139,7 +140,7 @@ fn drawn(motion: &Motion) -> Vec<bool> {
         .collect()
 }
 
-/// Whether an angle is the drive, but for whole turns.
+/// Returns true if an angle is the drive, but for whole turns.
 fn is_drive(motion: &Motion, course: &Course) -> bool {
     let values = course.variants[0].1.iter().zip(&motion.drive.values);
     course.unit == "°"
@@ -148,7 +149,7 @@ fn is_drive(motion: &Motion, course: &Course) -> bool {
             .all(|t| (t - t.round()).abs() < 1e-9)
 }
 
-/// What the script reads.
+/// The data of the script.
 pub fn data(motion: &Motion) -> String {
     let view = View::of(motion);
     let flat = |p: &Point| p.path.iter().flat_map(|q| view.place(*q)).collect();

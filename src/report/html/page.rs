@@ -25,7 +25,7 @@ pub fn class(tone: Tone) -> &'static str {
 pub struct Page<'a> {
     /// Its title.
     pub title: &'a str,
-    /// What the bar says beside the program's name.
+    /// The words of the bar beside the program's name.
     pub kind: &'a str,
     /// Style sheets besides the frame's.
     pub styles: &'a [&'a str],
@@ -33,7 +33,8 @@ pub struct Page<'a> {
     pub contents: Markup,
     /// The text.
     pub main: Markup,
-    /// Topics of the columns in its tables; `main` names the columns where it has only some of them.
+    /// Topics of the columns in its tables; `main` names the columns where it has only some of
+    /// them.
     pub columns: (&'a [&'a str], &'a [String]),
     /// Data for scripts: name of the element and JSON.
     pub data: &'a [(&'a str, String)],
@@ -108,8 +109,8 @@ pub fn verdict(tone: Tone, word: &str, rest: &str) -> Markup {
     html! { p.verdict { span.{ "sign " (class(tone)) } { (word) } ": " (rest) } "\n" }
 }
 
-/// A button for each verdict that occurs, with how often, and a search field, over the elements that
-/// `selector` finds.
+/// A button for each verdict that occurs, with how often, and a search field, over the elements
+/// that `selector` finds.
 pub fn filter(selector: &str, what: &str, verdicts: &[(String, usize)]) -> Markup {
     html! {
         div.filter.js role="group" aria-label={ "Filter of " (what) } data-of=(selector) {
@@ -138,13 +139,13 @@ pub fn counted<'a>(verdicts: impl Iterator<Item = &'a str>) -> Vec<(String, usiz
 }
 
 #[cfg(feature = "report")]
-/// What a page about a paper consists of.
+/// The parts of a page about a paper.
 pub struct AboutPaper<'a> {
     /// The paper.
     pub paper: &'a Citation,
     /// Kind of page, for its title.
     pub kind: &'a str,
-    /// Whether all is as recorded, and how many there are of what.
+    /// True if all is as recorded, and how many there are of what.
     pub verdict: (bool, String),
     /// Lines of the contents.
     pub contents: Markup,
@@ -202,7 +203,7 @@ pub(crate) mod tests {
     use super::*;
     use crate::report::glossary::topics;
 
-    /// What stands between these two, each time.
+    /// The text between these two, each time.
     pub fn between<'a>(text: &'a str, before: &str, after: &str) -> Vec<&'a str> {
         let parts = text.split(before).skip(1);
         parts.map(|p| p.split(after).next().unwrap()).collect()
@@ -250,7 +251,8 @@ pub(crate) mod tests {
         }
     }
 
-    /// Refuses a column that the page does not explain; heads of class `given` are names from outside.
+    /// Refuses a column that the page does not explain; heads of class `given` are names from
+    /// outside.
     fn explained(page: &str, markup: &str) {
         let keys = between(page, "data-topic=\"", "\"");
         for head in between(markup, "<thead>", "</thead>") {

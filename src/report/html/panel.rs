@@ -1,33 +1,28 @@
 //! Panels of curves within a page as SVG, whose colours the page's style gives.
 
-use super::plots::tenths;
+use super::plots::{Line, diagram};
 use super::prose::prose;
-use crate::report::axis::{Format, at_most};
+use crate::report::axis::Axis;
 use crate::report::svg::panel::{Curve, Panel};
 use crate::report::svg::style::{GREEN, ORANGE, PURPLE};
 use maud::{Markup, html};
 
-/// The plotting area of a panel, and the room for marks left of it and below.
-const PANEL: [f64; 2] = [560.0, 220.0];
-const ROOM: [f64; 2] = [64.0, 34.0];
-
 /// Curves over a common abscissa, with their names.
 pub fn panel(panel: &Panel) -> Markup {
-    let [(x0, x1), (y0, y1)] = panel.ranges();
-    let ([w, h], [left, below]) = (PANEL, ROOM);
-    let size = |a: f64, b: f64| if b > a { b - a } else { 1.0 };
-    let px = |x: f64| left + (x - x0) / size(x0, x1) * w;
-    let py = |y: f64| 8.0 + (y1 - y) / size(y0, y1) * h;
-    let (across, up) = (at_most(x0, x1, 8), at_most(y0, y1, 7));
-    let (of_x, of_y) = (Format::of(&across), Format::of(&up));
-    let points = |c: &Curve| {
-        let seen = c
-            .points
-            .iter()
-            .filter(|p| p.0.is_finite() && p.1.is_finite());
-        let at = seen.map(|p| format!("{:.1},{:.1}", px(p.0), py(p.1)));
-        at.collect::<Vec<_>>().join(" ")
+    let [x, y] = panel.ranges();
+    let wide = |(a, b): (f64, f64)| if b > a { (a, b) } else { (a, a + 1.0) };
+    let axes = [Axis::linear("", wide(x), 8), Axis::linear("", wide(y), 7)];
+    let line = |c: &Curve| Line {
+        class: [
+            class(c),
+            if c.dashed { " dashed" } else { "" },
+            if c.width < 2 { " fine" } else { "" },
+        ]
+        .concat(),
+        title: None,
+        points: c.points.clone(),
     };
+    let lines: Vec<Line> = panel.curves.iter().map(line).collect();
     html! {
         figure.panel { "\n"
             figcaption { b { (prose(&panel.y)) } " over " (prose(&panel.x))
@@ -35,20 +30,7 @@ pub fn panel(panel: &Panel) -> Markup {
                     " " span { span.(class(c)) { (if c.dashed { "╌╌" } else { "━━" }) } " " (prose(c.name)) }
                 } }
             } "\n"
-            svg viewBox={ "0 0 " (left + w + 28.0) " " (h + below) } role="img"
-                aria-label={ (panel.y) " over " (panel.x) } { "\n"
-                @for y in &up {
-                    path.grid d={ "M" (left) " " (tenths(py(*y))) "h" (w) } {}
-                    text x=(left - 6.0) y=(tenths(py(*y) + 4.0)) text-anchor="end" { (of_y.text(*y)) } "\n"
-                }
-                @for x in &across {
-                    text x=(tenths(px(*x))) y=(h + 26.0) text-anchor="middle" { (of_x.text(*x)) } "\n"
-                }
-                path.axis d={ "M" (left) " 8v" (h) "h" (w) } {} "\n"
-                @for c in &panel.curves {
-                    polyline.(class(c)).dashed[c.dashed].fine[c.width < 2] points=(points(c)) {} "\n"
-                }
-            }
+            (diagram(&format!("{} over {}", panel.y, panel.x), [560.0, 220.0], 64.0, &axes, &lines))
         } "\n"
     }
 }

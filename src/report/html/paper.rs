@@ -61,7 +61,7 @@ pub fn page(report: &PaperReport, moving: Option<&Motion>) -> String {
     about.page()
 }
 
-/// What the positions and the curves are.
+/// Describes the positions and the curves.
 fn positions(motion: &Motion) -> Markup {
     let drive = &motion.drive.values;
     let variants = motion.courses.first().map(|c| &c.variants[..]);

@@ -1,53 +1,90 @@
 //! Diagrams within a page as SVG, whose colours the page's style gives.
 
 use super::prose::prose;
+use crate::report::axis::Axis;
 use maud::{Markup, html};
 
-/// A coordinate to a tenth.
-pub(super) fn tenths(x: f64) -> String {
-    format!("{x:.1}")
+/// A line of a diagram: the classes of its style, the title it shows, its points.
+pub struct Line<'a> {
+    pub class: String,
+    pub title: Option<&'a str>,
+    pub points: Vec<(f64, f64)>,
+}
+
+/// A diagram with that label, a plotting area of that size, and so much room to the left of it.
+pub fn diagram(
+    label: &str,
+    [w, h]: [f64; 2],
+    left: f64,
+    axes: &[Axis; 2],
+    lines: &[Line],
+) -> Markup {
+    let tenths = |x: f64| format!("{x:.1}");
+    let [across, up] = axes;
+    let px = |x: f64| left + across.part(x) * w;
+    let py = |y: f64| 8.0 + (1.0 - up.part(y)) * h;
+    let points = |line: &Line| {
+        let seen = line
+            .points
+            .iter()
+            .filter(|p| p.0.is_finite() && p.1.is_finite());
+        let at = seen.map(|p| format!("{:.1},{:.1}", px(p.0), py(p.1)));
+        at.collect::<Vec<_>>().join(" ")
+    };
+    html! {
+        svg viewBox={ "0 0 " (left + w + 28.0) " " (h + 34.0) } role="img" aria-label=(label) { "\n"
+            @for (y, text) in &up.marks {
+                path.grid d={ "M" (left) " " (tenths(py(*y))) "h" (w) } {}
+                text x=(left - 6.0) y=(tenths(py(*y) + 4.0)) text-anchor="end" { (text) } "\n"
+            }
+            @for (x, text) in &across.marks {
+                text x=(tenths(px(*x))) y=(h + 26.0) text-anchor="middle" { (text) } "\n"
+            }
+            path.axis d={ "M" (left) " 8v" (h) "h" (w) } {} "\n"
+            @for line in lines {
+                polyline class=(line.class) points=(points(line)) {
+                    @if let Some(title) = line.title { title { (title) } }
+                } "\n"
+            }
+        }
+    }
 }
 
 /// Lines in doubly logarithmic axes, with their names; the label says what they are.
 pub fn lines(label: &str, lines: &[(String, Vec<(f64, f64)>)]) -> Markup {
-    const W: f64 = 330.0;
-    const H: f64 = 230.0;
-    let shown = |p: &&(f64, f64)| p.0 > 0.0 && p.1 > 0.0;
-    let points = || lines.iter().flat_map(|l| &l.1).filter(shown);
-    let bounds = |f: &dyn Fn(&(f64, f64)) -> f64| {
-        let logs = || points().map(|p| f(p).log10());
-        let low = logs().fold(f64::INFINITY, f64::min);
-        (low, logs().fold(f64::NEG_INFINITY, f64::max).max(low + 0.1))
+    let logarithms = |line: &[(f64, f64)]| -> Vec<(f64, f64)> {
+        let shown = line.iter().filter(|p| p.0 > 0.0 && p.1 > 0.0);
+        shown.map(|p| (p.0.log10(), p.1.log10())).collect()
     };
-    if points().next().is_none() {
+    let drawn: Vec<Line> = lines
+        .iter()
+        .enumerate()
+        .map(|(k, (name, line))| Line {
+            class: format!("s{}", k % 3),
+            title: Some(name),
+            points: logarithms(line),
+        })
+        .collect();
+    let all = || drawn.iter().flat_map(|l| &l.points);
+    if all().next().is_none() {
         return html! { p { "no data" } };
     }
-    let ((x0, x1), (y0, y1)) = (bounds(&|p| p.0), bounds(&|p| p.1));
-    let (y0, y1) = (y0.floor(), y1.ceil());
-    let px = |x: f64| 46.0 + (x.log10() - x0) / (x1 - x0) * W;
-    let py = |e: f64| 8.0 + (y1 - e) / (y1 - y0) * H;
-    let every = ((y1 - y0) / 8.0).ceil().max(1.0) as i32;
-    let path = |line: &[(f64, f64)]| {
-        let points = line.iter().filter(shown);
-        let points = points.map(|p| format!("{:.1},{:.1}", px(p.0), py(p.1.log10())));
-        points.collect::<Vec<String>>().join(" ")
+    let range = |f: &dyn Fn(&(f64, f64)) -> f64| {
+        let ends = (f64::INFINITY, f64::NEG_INFINITY);
+        let (low, high) = all().map(f).fold(ends, |(a, b), x| (a.min(x), b.max(x)));
+        (low, high.max(low + 0.1))
     };
+    let (x, y) = (range(&|p| p.0), range(&|p| p.1));
+    let across = Axis {
+        label: String::new(),
+        range: x,
+        marks: [x.0, x.1]
+            .map(|k| (k, 10f64.powf(k).round().to_string()))
+            .to_vec(),
+    };
+    let up = Axis::decades("", (y.0.floor(), y.1.ceil()), 9, |k| format!("1e{k}"));
     html! {
-        svg viewBox={ "0 0 " (W + 70.0) " " (H + 34.0) } role="img"
-            aria-label=(label) {
-            @for e in (y0 as i32..=y1 as i32).filter(|e| e % every == 0) {
-                @let y = py(f64::from(e));
-                path.grid d={ "M46 " (tenths(y)) "h" (W) } {}
-                text x="42" y=(tenths(y + 4.0)) text-anchor="end" { "1e" (e) }
-            }
-            @for x in [x0, x1].map(|edge| 10f64.powf(edge)) {
-                text x=(tenths(px(x))) y=(H + 26.0) text-anchor="middle" { (x.round()) }
-            }
-            path.axis d={ "M46 8V" (H + 8.0) "H" (W + 46.0) } {}
-            @for (k, (name, line)) in lines.iter().enumerate() {
-                polyline.{ "s" (k % 3) } points=(path(line)) { title { (name) } }
-            }
-        }
+        (diagram(label, [330.0, 230.0], 46.0, &[across, up], &drawn))
         div.keys {
             @for (k, (name, _)) in lines.iter().enumerate() {
                 span { span.{ "k" (k % 3) } { "▬" } " " (prose(name)) } " "
@@ -61,62 +98,69 @@ mod tests {
     use super::super::page::tests::between;
     use super::*;
 
-    #[test]
-    fn lines_leave_out_what_has_no_logarithm() {
-        let line = vec![(1.0, 1e-3), (10.0, 0.0), (100.0, 1e-5)];
-        let svg = lines("", &[("a".into(), line)]).into_string();
-        let points = svg.split("points=\"").nth(1).unwrap();
-        assert_eq!(points.split('"').next().unwrap().split(' ').count(), 2);
-        assert!(lines("", &[]).into_string().contains("no data"));
-    }
-
-    /// The points of the only line.
+    /// The points of the only line, and the drawing.
     fn placed(line: &[(f64, f64)]) -> (String, String) {
         let svg = lines("", &[("a".into(), line.to_vec())]).into_string();
-        let points = svg.split("points=\"").nth(1).unwrap();
-        (points.split('"').next().unwrap().into(), svg)
+        let points = between(&svg, "points=\"", "\"")[0].to_string();
+        (points, svg)
     }
 
     #[test]
     fn a_line_runs_from_edge_to_edge_below_the_next_power_of_ten() {
-        let (points, svg) = placed(&[(1.0, 1e-1), (10.0, 1e-3), (100.0, 3e-3)]);
-        assert_eq!(points, "46.0,8.0 211.0,238.0 376.0,183.1");
-        let marks = ["1e-3", "1e-2", "1e-1"].map(|e| format!(">{e}</text>"));
-        assert!(marks.iter().all(|e| svg.contains(e)), "{svg}");
-        let (points, svg) = placed(&[(1.0, 3e-2), (10.0, 1e-3)]);
-        assert_eq!(points, "46.0,68.1 376.0,238.0");
-        assert!(svg.contains(">1e-1</text>"), "{svg}");
-    }
-
-    #[test]
-    fn a_single_point_has_a_place() {
+        for (line, due, marks) in [
+            (
+                &[(1.0, 1e-1), (10.0, 1e-3), (100.0, 3e-3)][..],
+                "46.0,8.0 211.0,238.0 376.0,183.1",
+                &["1e-3", "1e-2", "1e-1"][..],
+            ),
+            (
+                &[(1.0, 3e-2), (10.0, 1e-3)],
+                "46.0,68.1 376.0,238.0",
+                &["1e-3", "1e-2", "1e-1"],
+            ),
+            // A value without a logarithm has no place.
+            (
+                &[
+                    (0.0, 1e-1),
+                    (0.5, 1.0),
+                    (10.0, -1e-5),
+                    (10.0, 0.0),
+                    (50.0, 0.1),
+                ],
+                "46.0,8.0 376.0,238.0",
+                &["1e-1", "1e0"],
+            ),
+        ] {
+            let (points, svg) = placed(line);
+            assert_eq!(points, due);
+            assert_eq!(between(&svg, "text-anchor=\"end\">", "</text>"), marks);
+        }
+        // A single point: a tenth of a decade beside it.
         let (points, svg) = placed(&[(10.0, 1e-3)]);
         assert_eq!(points, "46.0,238.0");
-        // A tenth of a decade beside it.
         let work = between(&svg, "text-anchor=\"middle\">", "</text>");
         assert_eq!(work, ["10", "13"]);
+        assert!(lines("", &[]).into_string().contains("no data"));
     }
 
     #[test]
-    fn eight_decades_are_all_named_and_of_more_every_second() {
-        for (decades, every) in [(2, 1), (8, 1), (9, 2), (16, 2), (17, 3)] {
-            let low = 10f64.powi(-decades);
-            let (_, svg) = placed(&[(1.0, 1.0), (10.0, low)]);
+    fn nine_decades_are_all_named_and_of_more_every_second() {
+        for (decades, every) in [(2, 1), (8, 1), (9, 2), (16, 2), (18, 3)] {
+            let (_, svg) = placed(&[(1.0, 1.0), (10.0, 10f64.powi(-decades))]);
             let marks = between(&svg, "text-anchor=\"end\">", "</text>");
             let due = (-decades..=0).filter(|e| e % every == 0);
-            let due: Vec<String> = due.map(|e| format!("1e{e}")).collect();
-            assert_eq!(marks, due);
+            assert_eq!(marks, due.map(|e| format!("1e{e}")).collect::<Vec<_>>());
         }
     }
 
     #[test]
     fn axes_have_their_marks_where_they_belong() {
         let (_, svg) = placed(&[(1.6, 1.0), (100.0, 1e-2)]);
-        assert!(svg.contains("viewBox=\"0 0 400 264\""), "{svg}");
-        assert!(svg.contains("class=\"axis\" d=\"M46 8V238H376\""), "{svg}");
+        assert!(svg.contains("viewBox=\"0 0 404 264\""), "{svg}");
+        assert!(svg.contains("class=\"axis\" d=\"M46 8v230h330\""), "{svg}");
         let grid = between(&svg, "class=\"grid\" d=\"", "\"");
         assert_eq!(grid, ["M46 238.0h330", "M46 123.0h330", "M46 8.0h330"]);
-        let marks = between(&svg, "<text x=\"42\" y=\"", "\"");
+        let marks = between(&svg, "<text x=\"40\" y=\"", "\"");
         assert_eq!(marks, ["242.0", "127.0", "12.0"]);
         let work = between(&svg, "text-anchor=\"middle\">", "</text>");
         assert_eq!(work, ["2", "100"]);
@@ -133,11 +177,5 @@ mod tests {
         assert_eq!(keys, ["k0", "k1", "k2", "k0"]);
         assert_eq!(between(&svg, "<title>", "</title>"), ["a", "b", "c", "d"]);
         assert_eq!(between(&svg, "▬</span> ", "</span>"), ["a", "b", "c", "d"]);
-    }
-
-    #[test]
-    fn no_work_and_negative_errors_have_no_place() {
-        let (points, _) = placed(&[(0.0, 1e-1), (0.5, 1.0), (10.0, -1e-5), (50.0, 0.1)]);
-        assert_eq!(points, "46.0,8.0 376.0,238.0");
     }
 }

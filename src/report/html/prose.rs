@@ -60,7 +60,7 @@ pub fn prose(text: &str) -> Markup {
     }
 }
 
-/// Whether `_` after this begins an index: a symbol, not a word with underscores.
+/// Returns true if `_` after this begins an index: a symbol, not a word with underscores.
 fn is_symbol(base: &str) -> bool {
     let letters = base.trim_start_matches(['d', 'D']);
     let greek = GREEK.iter().any(|(name, _)| *name == base);

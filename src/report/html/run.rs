@@ -17,7 +17,7 @@ pub struct Section {
     pub title: String,
     /// Its curves.
     pub figures: Vec<Figure>,
-    /// What [`Form::Table`](crate::report::rows::Form::Table) has written.
+    /// The output of [`Form::Table`](crate::report::rows::Form::Table).
     pub table: Vec<u8>,
 }
 

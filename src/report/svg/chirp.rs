@@ -1,8 +1,9 @@
 //! Drawings of a cam-driven oscillator: its motion over time, charts, the cam's spectrum.
 
 pub use super::panel::tick;
-use super::panel::{Axis, Curve, Panel, curve, dashed, drawn, legend, titled};
+use super::panel::{Curve, Panel, curve, dashed, drawn, legend, titled};
 use super::style::{BLUE, GREEN, ORANGE};
+use crate::report::axis::Axis;
 use crate::solvers::chirp_chart::{Chart, ChartPoint, Period};
 
 /// A wave that fills its columns is drawn finer.
@@ -10,7 +11,7 @@ fn finely(curve: Curve) -> Curve {
     Curve { width: 1, ..curve }
 }
 
-/// What one column of a history holds.
+/// One column of a history.
 pub struct Column {
     /// Its start and its middle, in seconds.
     pub times: [f64; 2],
@@ -24,7 +25,7 @@ pub struct Column {
 
 /// A history; with the least and the largest value in each column it looks like all of them.
 pub struct History<'a> {
-    /// What moves.
+    /// The moving mechanism.
     pub name: &'a str,
     /// A line about it.
     pub note: String,
@@ -118,7 +119,7 @@ pub fn chart_panels((law, chart): &(&str, &Chart)) -> [Panel; 2] {
 
 /// The spectrum of a cam's displacement, in lifts.
 pub struct Spectrum<'a> {
-    /// What moves.
+    /// The moving mechanism.
     pub name: &'a str,
     /// The cam's law.
     pub law: &'a str,

@@ -3,7 +3,6 @@
 #[cfg(feature = "report")]
 pub mod chirp;
 pub mod linkage;
-mod mechanism;
 #[cfg(feature = "report")]
 pub(crate) mod panel;
 #[cfg(feature = "report")]

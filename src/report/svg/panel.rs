@@ -1,7 +1,7 @@
 //! The charts of motions: the page, its title, panels of named curves in linear or other axes.
 
 use super::style::{AXIS, GRID, INK, PAPER, RGBColor, SOFT, head, hex, legible};
-use crate::report::axis::{Format, at_most};
+use crate::report::axis::Axis;
 use maud::{Markup, html};
 
 /// Heights of the letters of a title, of marks and names, and of the labels of axes.
@@ -113,44 +113,6 @@ impl Area {
             self.margin(0.0, 0.0, 0.0, self.width - width),
             self.margin(0.0, 0.0, width, 0.0),
         )
-    }
-}
-
-/// An axis: its name, its ends, and the marks on it. A logarithmic axis has logarithms for values.
-pub struct Axis {
-    pub label: String,
-    pub range: (f64, f64),
-    pub marks: Vec<(f64, String)>,
-}
-
-impl Axis {
-    /// An axis with at most `most` round numbers on it.
-    pub fn linear(label: &str, range: (f64, f64), most: usize) -> Axis {
-        let marks = at_most(range.0, range.1, most);
-        let format = Format::of(&marks);
-        Axis {
-            label: legible(label),
-            range,
-            marks: marks.iter().map(|x| (*x, format.text(*x))).collect(),
-        }
-    }
-
-    /// An axis of powers of ten, at most `most` of which are named by `name`, with exponents that
-    /// are multiples of one number.
-    pub fn decades(label: &str, range: (f64, f64), most: i32, name: fn(f64) -> String) -> Axis {
-        let powers = || range.0.ceil() as i32..=range.1.floor() as i32;
-        let every = (powers().count() as i32 + most - 1) / most;
-        let named = powers().filter(|k| k % every.max(1) == 0).map(f64::from);
-        Axis {
-            label: legible(label),
-            range,
-            marks: named.map(|k| (k, name(k))).collect(),
-        }
-    }
-
-    /// How far a value is along the axis, from 0 to 1.
-    fn part(&self, x: f64) -> f64 {
-        (x - self.range.0) / (self.range.1 - self.range.0)
     }
 }
 

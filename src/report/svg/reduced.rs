@@ -93,7 +93,8 @@ mod tests {
         values.iter().enumerate().map(row).collect()
     }
 
-    /// A twentieth of the rows at each end is not asked for the range, and may lie in it all the same.
+    /// A twentieth of the rows at each end is not asked for the range, and may lie in it all the
+    /// same.
     #[test]
     fn the_range_is_that_of_the_middle() {
         let slope = |n: u32| (0..n).map(f64::from).collect::<Vec<f64>>();
@@ -111,7 +112,7 @@ mod tests {
         let mut inside = slope(40);
         inside[39] = 20.0;
         assert_eq!(counted(&inside, false), [36, 1, 36, 1, 36, 1]);
-        // What is beyond at both ends leaves the abscissa as long as it is.
+        // Values cut off at both ends leave the abscissa as long as it is.
         let svg = draw("a", &rows(&slope(40)), false);
         let line = &curves(&svg)[0];
         let at = |k: f64| 102.0 + k / 39.0 * (955.0 - 102.0);

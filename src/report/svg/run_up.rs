@@ -1,7 +1,8 @@
 //! Drawings of a run: speed, torques and energies over time, and work against precision.
 
-use super::panel::{Area, Axis, Curve, Page, Panel, curve, drawn, legend, panel, tick, titled};
+use super::panel::{Area, Curve, Page, Panel, curve, drawn, legend, panel, tick, titled};
 use super::style::{BLUE, GREEN, ORANGE, PURPLE, RGBColor};
+use crate::report::axis::Axis;
 use crate::solvers::run_up::Sample;
 
 /// A name, a colour and what is drawn.
@@ -76,7 +77,7 @@ pub fn draw(name: &str, samples: &[Sample], start: Option<&[Sample]>) -> String 
     })
 }
 
-/// What is zero throughout is not drawn.
+/// Leaves out courses that are zero throughout.
 fn seen(courses: &[Course], samples: &[Sample]) -> Vec<Course> {
     let drawn = |c: &&Course| courses.len() == 1 || samples.iter().any(|s| c.2(s) != 0.0);
     courses.iter().filter(drawn).copied().collect()
@@ -124,7 +125,7 @@ fn thinned(samples: &[Sample], curve: fn(&Sample) -> f64, end: f64) -> Vec<(f64,
     line
 }
 
-/// What a method of integration costs.
+/// The cost of a method of integration.
 pub struct Work {
     /// The method.
     pub method: &'static str,

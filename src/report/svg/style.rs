@@ -17,7 +17,7 @@ pub const ORANGE: RGBColor = RGBColor(194, 87, 26);
 pub const GREEN: RGBColor = RGBColor(47, 143, 78);
 pub const PURPLE: RGBColor = RGBColor(122, 79, 163);
 
-/// What each colour becomes on a dark page.
+/// Each colour and its substitute on a dark page.
 const DARK: [(RGBColor, &str); 10] = [
     (PAPER, "#15181b"),
     (INK, "#e4e7ea"),

@@ -1,4 +1,5 @@
-//! What drawings of mechanisms share: the frame, and where a point of the plane is in it.
+//! The common part of drawings of mechanisms: the frame, and the place of a point of the plane in
+//! it.
 
 /// A point of the plane in metres.
 pub type Point = [f64; 2];
@@ -28,7 +29,7 @@ impl View {
         };
         let ([x0, x1], [y0, y1]) = (range(0), range(1));
         let size = (x1 - x0).max(y1 - y0);
-        // What has no size has a place.
+        // A mechanism without size has a place.
         let size = if size > 0.0 { size } else { 1.0 };
         let scale = (WIDTH - 2.0 * MARGIN) / size;
         let slack = 0.5 * (size - (x1 - x0)) * scale;
@@ -58,7 +59,8 @@ impl View {
 mod tests {
     use super::*;
 
-    /// 860 by as much as is needed, 70 from the edges and 56 more from the upper one, in the middle of the page.
+    /// 860 by as much as is needed, 70 from the edges and 56 more from the upper one, in the middle
+    /// of the page.
     #[test]
     fn the_larger_side_fills_the_frame() {
         for (points, height, places) in [

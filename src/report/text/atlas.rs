@@ -108,7 +108,8 @@ fn table(
     out
 }
 
-/// Worst relative errors in the ordinary region and beside the axis, then what is counted over all regions.
+/// Worst relative errors in the ordinary region and beside the axis, then what is counted over all
+/// regions.
 fn rows(found: &Atlas, width: usize) -> String {
     let regions = found.rows.iter().flat_map(|r| &r.parts);
     let cases = regions

@@ -230,7 +230,7 @@ mod tests {
         assert!(bounded.ends_with(due), "{bounded}");
     }
 
-    /// What was given beyond what was judged is listed, without a judgement.
+    /// Values that were given and not judged are listed without a judgement.
     #[test]
     fn values_too_many_have_numbers_for_names() {
         let mut report = crate::report::text::method::tests::fabricated()

@@ -89,7 +89,7 @@ fn line(k: usize, region: &str, s: &Standing, wrong: String) -> Vec<(String, Sty
     ]
 }
 
-/// What an answer takes, in words.
+/// The time of an answer, in words.
 fn speed(s: &Speed) -> String {
     let each = short(s.ns_per_answer);
     match s.start_up_ms {
@@ -101,7 +101,7 @@ fn speed(s: &Speed) -> String {
     }
 }
 
-/// What is better and worse, worse first.
+/// Values that are better and worse, the worse first.
 pub fn changes(found: &Changes, width: usize) -> String {
     let worse = found.changes.iter().filter(|c| !c.better).count();
     let better = found.changes.len() - worse;

@@ -64,7 +64,7 @@ pub fn single(report: &MethodReport, only: &CaseReport, width: usize) -> String 
     out
 }
 
-/// What went wrong besides the answers.
+/// Failures other than wrong answers.
 fn trouble(report: &MethodReport, width: usize) -> String {
     let trouble = report.candidate.as_ref().and_then(|c| c.trouble.as_ref());
     let text = trouble.map(|t| paragraph(t, 2, width));
@@ -88,7 +88,7 @@ pub fn failing(report: &MethodReport, most: usize) -> Vec<&CaseReport> {
     chosen
 }
 
-/// Whether a case over budget is a recorded one: it is in no list of failures.
+/// Returns true if a case over budget is a recorded one: it is in no list of failures.
 fn is_recorded(report: &MethodReport, case: &CaseReport) -> bool {
     case.case.region == "hard"
         && report.recorded > 0
@@ -184,8 +184,8 @@ fn outputs(report: &MethodReport, width: usize) -> String {
     out
 }
 
-/// A line for each region, with the largest figures of all outputs; where cases fail, a line for each
-/// output if there are few.
+/// A line for each region, with the largest figures of all outputs; where cases fail, a line for
+/// each output if there are few.
 fn regions(report: &MethodReport, width: usize) -> String {
     if report.regions.len() < 2 {
         return String::new();
@@ -259,7 +259,7 @@ fn of_all(outputs: &[OutputStatistics]) -> Spread {
     all
 }
 
-/// What an error map holds, in a line.
+/// Describes an error map in a line.
 fn on_the_map(map: &ErrorMap) -> String {
     let worst = |o: &crate::audit::MapOutput| {
         let ulps = o.ulps.iter().copied().fold(0.0, f64::max);

@@ -14,7 +14,7 @@ use crate::report::words::paper::{kinds, mark, recorded};
 /// Failing cases shown for each method.
 const FAILURES_SHOWN: usize = 3;
 
-/// What is not as recorded: findings that changed, cases over budget, laws that do not hold.
+/// The changes against the record: findings that changed, cases over budget, laws that do not hold.
 pub fn news(papers: &[PaperReport], methods: &[MethodReport], width: usize) -> String {
     let mut out = String::new();
     for paper in papers {
@@ -115,7 +115,7 @@ fn first_line(text: &str, room: usize) -> String {
     }
 }
 
-/// What came of a run.
+/// The outcome of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// Everything as expected.
@@ -126,7 +126,7 @@ pub enum End {
     Interrupted,
 }
 
-/// What came of it in a line, and how it was done below.
+/// The outcome in a line, and how it was reached below.
 pub fn verdict(end: End, what: &str, how: &[String], width: usize) -> String {
     let (word, style) = match end {
         End::AsExpected => ("All as expected", GOOD),

@@ -137,7 +137,7 @@ pub fn share(of_budget: f64) -> Tone {
     }
 }
 
-/// Whether a law holds: a residual that is no number breaks it.
+/// Returns true if a law holds: a residual that is no number breaks it.
 pub fn holds(law: &LawReport) -> bool {
     law.worst <= 1.0
 }
@@ -175,7 +175,7 @@ pub fn totals(reports: &[MethodReport]) -> String {
     }
 }
 
-/// Whether every method passes; an audit of nothing does not.
+/// Returns true if every method passes; an audit of nothing does not.
 pub fn all_pass(reports: &[MethodReport]) -> bool {
     !reports.is_empty() && reports.iter().all(MethodReport::passed)
 }

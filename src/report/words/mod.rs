@@ -1,4 +1,4 @@
-//! What more than one form of a report says in the same words.
+//! The words that more than one form of a report uses.
 
 pub mod audit;
 #[cfg(feature = "report")]

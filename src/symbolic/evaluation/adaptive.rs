@@ -6,8 +6,9 @@ use crate::exact::proves_zero;
 use crate::graph::{Graph, Id};
 use crate::{Definitions, Expr};
 use mechaudit_reference::elementary::NoValue;
-use mechaudit_reference::{Ball, Mag, nearest_f64};
+use mechaudit_reference::{Ball, Mag};
 use rug::Rational;
+use std::sync::Arc;
 
 /// How accurate a value has to be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,15 +68,24 @@ impl Balls {
     }
 }
 
+/// The expressions of nodes, for the symbolic algebra.
+#[derive(Clone, Debug, Default)]
+pub struct Algebraic {
+    /// The names in them that are defined.
+    pub definitions: Definitions,
+    /// Nodes with their expressions.
+    pub expressions: Vec<(Id, Expr)>,
+}
+
 /// Certified values of the nodes of a graph.
-pub struct Certified<'g> {
-    evaluator: Evaluator<'g, Balls>,
+pub struct Certified {
+    evaluator: Evaluator<Balls>,
     /// The highest working precision.
     limit: u32,
     /// Values of constants at this precision are at hand.
     constants: u32,
     /// The expressions of nodes, by which the symbolic algebra proves zeros.
-    expressions: Option<(&'g Definitions, Vec<(Id, &'g Expr)>)>,
+    algebra: Option<Arc<Algebraic>>,
 }
 
 /// The working precision that is tried first to name the nearest binary64.
@@ -84,25 +94,21 @@ const FIRST: u32 = 80;
 /// The highest working precision unless another is set.
 pub const LIMIT: u32 = 16_384;
 
-impl<'g> Certified<'g> {
+impl Certified {
     /// Creates an evaluator with a limit on the working precision.
-    pub fn new(graph: &'g Graph, limit: u32) -> Certified<'g> {
+    pub fn new(graph: Arc<Graph>, limit: u32) -> Certified {
         Certified {
             evaluator: Evaluator::new(graph, Balls::new(FIRST)),
             limit: limit.max(64),
             constants: 0,
-            expressions: None,
+            algebra: None,
         }
     }
 
     /// Lets the symbolic algebra decide whether these nodes are zero, where balls do not.
     #[must_use]
-    pub fn with_algebra(
-        mut self,
-        definitions: &'g Definitions,
-        expressions: Vec<(Id, &'g Expr)>,
-    ) -> Certified<'g> {
-        self.expressions = Some((definitions, expressions));
+    pub fn with_algebra(mut self, algebra: Arc<Algebraic>) -> Certified {
+        self.algebra = Some(algebra);
         self
     }
 
@@ -149,16 +155,25 @@ impl<'g> Certified<'g> {
                             lacking => ("a value that is not accurate enough", lacking),
                         },
                     },
-                    Err(Stop { node, reason: NoValue::Undefined(reason) }) => {
+                    Err(Stop {
+                        node,
+                        reason: NoValue::Undefined(reason),
+                    }) => {
                         answers[k] = Some(self.undefined(node, reason));
                         continue;
                     }
-                    Err(Stop { node, reason: NoValue::Undecided(reason) }) => {
+                    Err(Stop {
+                        node,
+                        reason: NoValue::Undecided(reason),
+                    }) => {
                         open.push((k, node, reason));
                         needed = needed.max(prec.saturating_mul(2));
                         continue;
                     }
-                    Err(Stop { node, reason: NoValue::Overflow { .. } }) => {
+                    Err(Stop {
+                        node,
+                        reason: NoValue::Overflow { .. },
+                    }) => {
                         open.push((k, node, "a number beyond the exponents"));
                         needed = needed.max(prec.saturating_mul(2));
                         continue;
@@ -192,7 +207,9 @@ impl<'g> Certified<'g> {
                 }
                 break;
             }
-            prec = needed.clamp(prec + 32, prec.saturating_mul(4)).next_multiple_of(64);
+            prec = needed
+                .clamp(prec + 32, prec.saturating_mul(4))
+                .next_multiple_of(64);
         }
         answers.into_iter().flatten().collect()
     }
@@ -208,7 +225,8 @@ impl<'g> Certified<'g> {
         self.evaluator.reset(prec != self.constants);
         self.constants = prec;
         for (k, input) in inputs.iter().enumerate() {
-            self.evaluator.set_input(k, Value::Real(Ball::rational(prec, input)));
+            self.evaluator
+                .set_input(k, Value::Real(Ball::rational(prec, input)));
         }
     }
 
@@ -220,13 +238,16 @@ impl<'g> Certified<'g> {
     }
 
     fn is_zero(&self, node: Id, inputs: &[Rational]) -> bool {
-        let Some((definitions, expressions)) = &self.expressions else {
+        let Some(Algebraic {
+            definitions,
+            expressions,
+        }) = self.algebra.as_deref()
+        else {
             return false;
         };
-        let expression = expressions.iter().find(|e| e.0 == node).map(|e| e.1);
-        expression.is_some_and(|e| {
-            proves_zero(definitions, e, self.evaluator.graph().inputs(), inputs)
-        })
+        let expression = expressions.iter().find(|e| e.0 == node).map(|e| &e.1);
+        expression
+            .is_some_and(|e| proves_zero(definitions, e, self.evaluator.graph().inputs(), inputs))
     }
 }
 
@@ -246,7 +267,7 @@ fn lacking(ball: &Ball, goal: Goal) -> u32 {
         }
     };
     let accuracy = ball.accuracy_bits();
-    match i64::from(bits) - accuracy {
+    match i64::from(bits).saturating_sub(accuracy) {
         lacking if lacking <= 0 => 0,
         _ if ball.contains_zero() => u32::MAX,
         lacking => u32::try_from(lacking).unwrap_or(u32::MAX),

@@ -95,7 +95,10 @@ impl Interpretation for Balls {
     type V = Value;
 
     fn number(&mut self, graph: &Graph, place: u32) -> Found {
-        Ok(Value::Real(Ball::rational(self.prec, graph.rational(place))))
+        Ok(Value::Real(Ball::rational(
+            self.prec,
+            graph.rational(place),
+        )))
     }
 
     fn integer(&mut self, n: i64) -> Value {
@@ -259,7 +262,9 @@ impl Interpretation for Balls {
             (Relation::GreaterEqual, Some(o)) => Ok(o != Ordering::Less),
             (Relation::Equal, Some(o)) => Ok(o == Ordering::Equal),
             (Relation::NotEqual, Some(o)) => Ok(o != Ordering::Equal),
-            (_, None) => Err(NoValue::Undecided("a comparison of numbers that may be equal")),
+            (_, None) => Err(NoValue::Undecided(
+                "a comparison of numbers that may be equal",
+            )),
         }
     }
 
@@ -269,8 +274,8 @@ impl Interpretation for Balls {
         (x.rad().is_zero() && *x.mid() == n).then_some(n)
     }
 
-    fn bound(evaluator: &mut Evaluator<'_, Balls>, binder: u32) -> Result<Value, Stop> {
-        let graph = evaluator.graph();
+    fn bound(evaluator: &mut Evaluator<Balls>, binder: u32) -> Result<Value, Stop> {
+        let graph = evaluator.graph().clone();
         let node = graph.find(Node::Bound(binder)).unwrap_or(0);
         let stop = |reason| Stop { node, reason };
         match graph.binder(binder).binding {
@@ -351,7 +356,7 @@ pub(super) fn unary(f: Func, x: &Ball, p: u32) -> Found {
         },
         Func::W => {
             let z = ComplexBall::new(x.clone(), Ball::integer(p, 0));
-            return real::w(&z, p).map(Value::Complex);
+            return super::shim::w(&z, p).map(Value::Complex);
         }
         Func::Pow
         | Func::Atan2
@@ -363,7 +368,9 @@ pub(super) fn unary(f: Func, x: &Ball, p: u32) -> Found {
         | Func::Remainder
         | Func::Copysign
         | Func::Fma
-        | Func::Voigt => Err(NoValue::Undefined("a function of another number of arguments")),
+        | Func::Voigt => Err(NoValue::Undefined(
+            "a function of another number of arguments",
+        )),
     };
     wrap(wrapped)
 }
@@ -380,6 +387,8 @@ fn binary(f: Func, x: &Ball, y: &Ball, p: u32) -> Evaluated {
         Func::Fmod => real::fmod(x, y, p),
         Func::Remainder => real::remainder(x, y, p),
         Func::Copysign => real::copysign(x, y, p),
-        _ => Err(NoValue::Undefined("a function of another number of arguments")),
+        _ => Err(NoValue::Undefined(
+            "a function of another number of arguments",
+        )),
     }
 }

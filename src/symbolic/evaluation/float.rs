@@ -126,7 +126,9 @@ impl Floating {
             | Func::Copysign
             | Func::Fma
             | Func::Voigt => {
-                return Err(NoValue::Undefined("a function of another number of arguments"));
+                return Err(NoValue::Undefined(
+                    "a function of another number of arguments",
+                ));
             }
         };
         Ok(self.round(value))
@@ -166,7 +168,11 @@ impl Floating {
             Func::Erf => rounded!(erf_ref),
             Func::Erfc => rounded!(erfc_ref),
             Func::Tgamma => rounded!(gamma_ref),
-            Func::Lgamma => rounded!(ln_abs_gamma_ref),
+            Func::Lgamma => self.nearest(|bits| {
+                let mut value = Float::with_val(bits, &x);
+                let (_, way) = value.ln_abs_gamma_round(Round::Nearest);
+                (value, way)
+            }),
             _ => return None,
         })
     }
@@ -208,7 +214,11 @@ impl Floating {
             Func::Fmod => x % y,
             Func::Remainder => libm::remainder(x, y),
             Func::Copysign => x.copysign(y),
-            _ => return Err(NoValue::Undefined("a function of another number of arguments")),
+            _ => {
+                return Err(NoValue::Undefined(
+                    "a function of another number of arguments",
+                ));
+            }
         })
     }
 }
@@ -251,9 +261,7 @@ impl Interpretation for Floating {
         let q = graph.rational(place);
         Ok(match self.format {
             Format::Double => nearest_f64(q),
-            Format::Single => {
-                self.nearest(|bits| Float::with_val_round(bits, q, Round::Nearest))
-            }
+            Format::Single => self.nearest(|bits| Float::with_val_round(bits, q, Round::Nearest)),
         })
     }
 
@@ -336,7 +344,7 @@ impl Interpretation for Floating {
         (a.fract() == 0.0 && a.abs() < 9e15).then_some(*a as i64)
     }
 
-    fn bound(evaluator: &mut Evaluator<'_, Floating>, binder: u32) -> Result<f64, Stop> {
+    fn bound(evaluator: &mut Evaluator<Floating>, binder: u32) -> Result<f64, Stop> {
         let node = evaluator.graph().find(Node::Bound(binder)).unwrap_or(0);
         let reason = NoValue::Undefined("an integral, a root or an infinite sum in floating point");
         Err(Stop { node, reason })

@@ -56,15 +56,24 @@ fn above(x: &Ball) -> Option<i64> {
 /// The exponent of a power of two that is not above the magnitude of a ball off zero.
 fn below(x: &Ball) -> Option<i64> {
     let size = x.mignitude();
-    (!size.is_zero()).then(|| size.exponent()).flatten().map(|e| e - 1)
+    (!size.is_zero())
+        .then(|| size.exponent())
+        .flatten()
+        .map(|e| e - 1)
 }
 
 /// `a + b`, one of which is huge.
 pub(super) fn add(a: &Value, b: &Value) -> Found {
     match (a, b) {
         (
-            Value::Huge { negative: x, exponent: e },
-            Value::Huge { negative: y, exponent: f },
+            Value::Huge {
+                negative: x,
+                exponent: e,
+            },
+            Value::Huge {
+                negative: y,
+                exponent: f,
+            },
         ) if x == y => huge(*x, *e.max(f)),
         (Value::Huge { negative, exponent }, Value::Real(x))
         | (Value::Real(x), Value::Huge { negative, exponent })
@@ -88,8 +97,14 @@ fn is_negative(x: &Ball) -> Option<bool> {
 pub(super) fn mul(a: &Value, b: &Value) -> Found {
     match (a, b) {
         (
-            Value::Huge { negative: x, exponent: e },
-            Value::Huge { negative: y, exponent: f },
+            Value::Huge {
+                negative: x,
+                exponent: e,
+            },
+            Value::Huge {
+                negative: y,
+                exponent: f,
+            },
         ) => huge(x != y, e + f),
         (Value::Huge { .. }, Value::Real(x)) | (Value::Real(x), Value::Huge { .. })
             if x.is_zero() =>
@@ -152,18 +167,14 @@ pub(super) fn call(f: Func, x: &[&Value], p: u32) -> Found {
 
 fn mul_any(a: &Value, b: &Value, p: u32) -> Found {
     match (a, b) {
-        (Value::Real(x), Value::Real(y)) => {
-            wrap(mechaudit_reference::elementary::mul(x, y, p))
-        }
+        (Value::Real(x), Value::Real(y)) => wrap(mechaudit_reference::elementary::mul(x, y, p)),
         _ => mul(a, b),
     }
 }
 
 fn add_any(a: &Value, b: &Value, p: u32) -> Found {
     match (a, b) {
-        (Value::Real(x), Value::Real(y)) => {
-            wrap(mechaudit_reference::elementary::add(x, y, p))
-        }
+        (Value::Real(x), Value::Real(y)) => wrap(mechaudit_reference::elementary::add(x, y, p)),
         _ => add(a, b),
     }
 }
@@ -221,7 +232,11 @@ fn two(f: Func, a: &Value, b: &Value) -> Found {
                 }),
                 (true, Some(below)) if negative(other) == Some(!below) => {
                     let wants_negative = f == Func::Fmin;
-                    Ok(if below == wants_negative { large.clone() } else { other.clone() })
+                    Ok(if below == wants_negative {
+                        large.clone()
+                    } else {
+                        other.clone()
+                    })
                 }
                 _ => Err(UNDECIDED),
             }

@@ -7,10 +7,17 @@
 
 mod adaptive;
 mod ball;
+mod complex;
 mod float;
+mod germ;
 mod huge;
+mod integral;
+mod root;
+mod shim;
+#[cfg(test)]
+mod tests;
 
-pub use adaptive::{Answer, Certified, Goal, Undecided};
+pub use adaptive::{Algebraic, Answer, Certified, Goal, LIMIT, Undecided};
 pub use ball::{Balls, Value};
 pub use float::{Elementary, Floating, Format};
 
@@ -18,7 +25,7 @@ use crate::graph::{Binding, Graph, Id, Node};
 use crate::{Constant, Func, Relation};
 use mechaudit_reference::elementary::NoValue;
 use std::collections::HashMap;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// Reason why a node has no value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,17 +71,17 @@ pub trait Interpretation: Sized {
     /// The integer that a value certainly is.
     fn to_integer(&self, a: &Self::V) -> Option<i64>;
     /// An integral, a root, or a sum to infinity, whose limits have values.
-    fn bound(evaluator: &mut Evaluator<'_, Self>, binder: u32) -> Result<Self::V, Stop>;
+    fn bound(evaluator: &mut Evaluator<Self>, binder: u32) -> Result<Self::V, Stop>;
 }
 
 /// Values of the nodes of a graph for one interpretation and one set of inputs.
-pub struct Evaluator<'g, I: Interpretation> {
-    graph: &'g Graph,
+pub struct Evaluator<I: Interpretation> {
+    graph: Arc<Graph>,
     /// The meaning of the operations.
     pub interpretation: I,
     known: Vec<Option<I::V>>,
     truths: Vec<Option<bool>>,
-    orders: HashMap<Id, Rc<[Id]>>,
+    orders: HashMap<Id, Arc<[Id]>>,
     /// Rounds of loops and terms of sums that are left.
     pub rounds: u64,
 }
@@ -84,22 +91,22 @@ const NOT_A_NUMBER: NoValue = NoValue::Undefined("a condition or a name without 
 /// Rounds of loops and terms of sums that one evaluation may take.
 pub const ROUNDS: u64 = 1_000_000;
 
-impl<'g, I: Interpretation> Evaluator<'g, I> {
+impl<I: Interpretation> Evaluator<I> {
     /// Creates an evaluator without inputs.
-    pub fn new(graph: &'g Graph, interpretation: I) -> Evaluator<'g, I> {
+    pub fn new(graph: Arc<Graph>, interpretation: I) -> Evaluator<I> {
         Evaluator {
-            graph,
-            interpretation,
             known: vec![None; graph.len()],
             truths: vec![None; graph.len()],
+            graph,
+            interpretation,
             orders: HashMap::new(),
             rounds: ROUNDS,
         }
     }
 
     /// The graph.
-    pub fn graph(&self) -> &'g Graph {
-        self.graph
+    pub fn graph(&self) -> &Arc<Graph> {
+        &self.graph
     }
 
     /// Forgets what depends on inputs and variables; everything if `constants` as well.
@@ -120,9 +127,14 @@ impl<'g, I: Interpretation> Evaluator<'g, I> {
         }
     }
 
+    /// Gives a node a value.
+    fn set(&mut self, id: Id, value: I::V) {
+        self.known[id as usize] = Some(value);
+    }
+
     /// Gives the variables of a binder values and forgets what depends on the old ones.
     pub fn set_variables(&mut self, binder: u32, values: impl IntoIterator<Item = I::V>) {
-        for id in &self.graph.binder(binder).members {
+        for id in &self.graph.clone().binder(binder).members {
             self.known[*id as usize] = None;
             self.truths[*id as usize] = None;
         }
@@ -162,7 +174,7 @@ impl<'g, I: Interpretation> Evaluator<'g, I> {
     }
 
     /// Nodes that are needed for a node in any case, in ascending order.
-    fn order(&mut self, root: Id) -> Rc<[Id]> {
+    fn order(&mut self, root: Id) -> Arc<[Id]> {
         if let Some(order) = self.orders.get(&root) {
             return order.clone();
         }
@@ -193,7 +205,7 @@ impl<'g, I: Interpretation> Evaluator<'g, I> {
             }
         }
         let order: Vec<Id> = (0..=root).filter(|id| seen[*id as usize]).collect();
-        let order: Rc<[Id]> = order.into();
+        let order: Arc<[Id]> = order.into();
         self.orders.insert(root, order.clone());
         order
     }
@@ -261,7 +273,7 @@ impl<'g, I: Interpretation> Evaluator<'g, I> {
         let get = |id: Id| known[id as usize].as_ref().ok_or(NOT_A_NUMBER);
         let i = &mut self.interpretation;
         let value = (|| match node {
-            Node::Number(place) => i.number(self.graph, place),
+            Node::Number(place) => i.number(&self.graph, place),
             Node::Constant(c) => i.constant(c),
             Node::ImaginaryUnit => i.imaginary_unit(),
             Node::Infinity => i.infinity(),
@@ -304,7 +316,9 @@ impl<'g, I: Interpretation> Evaluator<'g, I> {
         let mut limit = |limit: Id| {
             let value = self.value(limit)?.clone();
             let integer = self.interpretation.to_integer(&value);
-            integer.ok_or(stop(NoValue::Undefined("a limit of a sum that is no integer")))
+            integer.ok_or(stop(NoValue::Undefined(
+                "a limit of a sum that is no integer",
+            )))
         };
         let (from, to) = (limit(from)?, limit(to)?);
         let mut sum: Option<I::V> = None;
@@ -323,7 +337,7 @@ impl<'g, I: Interpretation> Evaluator<'g, I> {
 
     /// Runs a loop and gives all its last values.
     fn repeat(&mut self, binder: u32, id: Id) -> Result<(), Stop> {
-        let graph = self.graph;
+        let graph = self.graph.clone();
         let Binding::Loop {
             condition,
             first,

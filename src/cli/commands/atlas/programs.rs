@@ -1,11 +1,11 @@
 //! Libraries and programs beside the algorithms.
 
-use crate::cli::answers::{Batch, Header};
-use crate::cli::args::{AtlasArgs, ProgramArgs};
+use crate::cli::args::AtlasArgs;
 use crate::cli::failure::Failure;
-use crate::cli::process::exec::Fed;
+use crate::cli::process::answers::{Batch, Form, Header};
+use crate::cli::process::candidate::{Candidate, CandidateProcess};
 use crate::cli::process::inputs::Inputs;
-use crate::cli::scope::given;
+use crate::cli::workload::given;
 use mechaudit::audit::SolverAnswer;
 use mechaudit::claims::{Code, Missing, Parts, Plane};
 use std::process::{Command, Stdio};
@@ -120,27 +120,30 @@ impl Library {
 /// What a program says of itself before it answers a first input.
 fn header(command: &str) -> Header {
     let answered = answered(command, vec![vec![1.0, 1.0]]);
-    answered.map_or_else(|_| Header::default(), |(fed, ..)| fed.header())
+    answered.map_or_else(|_| Header::default(), |(process, ..)| process.header())
 }
 
-const HOW: ProgramArgs = ProgramArgs {
-    decimal: false,
-    binary: false,
-    timeout: PATIENCE,
-    run_timeout: Duration::from_secs(3600),
-};
-
-/// A program that has ended, with its answers and what went wrong, if anything did.
-fn answered(command: &str, inputs: Vec<Vec<f64>>) -> Result<(Fed, Batch, Option<String>), Failure> {
+/// Returns a program that has ended, its answers, and the trouble with it, if there was any.
+fn answered(
+    command: &str,
+    inputs: Vec<Vec<f64>>,
+) -> Result<(CandidateProcess, Batch, Option<String>), Failure> {
+    let candidate = Candidate {
+        command: command.into(),
+        timeout: PATIENCE,
+        run_timeout: Duration::from_secs(3600),
+        form: Form::Lines,
+        decimal: false,
+    };
     let total = inputs.len();
     let cases = inputs.into_iter().map(|z| given("faddeeva", z));
     let listed = Arc::new(Inputs::listed(cases.collect()));
-    let mut fed = Fed::start(command, &HOW, &listed, total)?;
+    let mut process = CandidateProcess::start(&candidate, &listed, total)?;
     let mut batch = Batch::default();
-    let end = fed.collect(total, &mut batch);
-    let end = end.unwrap_or_else(|| fed.rest());
-    let trouble = fed.end(end);
-    Ok((fed, batch, trouble))
+    let end = process.collect(total, &mut batch);
+    let end = end.unwrap_or_else(|| process.rest());
+    let trouble = process.end(end);
+    Ok((process, batch, trouble))
 }
 
 /// What the program answers; what does not come is unanswered.

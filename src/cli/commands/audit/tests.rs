@@ -24,31 +24,33 @@ fn methods_one_after_the_other() {
         cases_per_region: 1,
         ..Settings::default()
     };
-    let (progress, mut judging) = (Progress::new(), 0.0);
-    let mut before = judging;
+    let progress = Progress::new();
+    let mut panel = Panel::new(&progress);
+    let mut before = 0.0;
     let mut reports = Vec::new();
     for name in ["slider-crank", "four-bar"] {
         let method = lookup::method(name).unwrap();
-        reports.push(run(&*method, &settings, &progress, &mut judging));
-        assert!(judging > before, "{name}: {judging} s after {before} s");
-        before = judging;
+        reports.push(panel.judge(&*method, &settings));
+        let seconds = panel.seconds;
+        assert!(seconds > before, "{name}: {seconds} s after {before} s");
+        before = seconds;
     }
     let cases = reports[0].cases + reports[1].cases;
-    let each = cases as f64 / judging / rayon::current_num_threads() as f64;
-    let said = rate(&reports, judging);
+    let each = cases as f64 / before / rayon::current_num_threads() as f64;
+    let said = panel.rate(&reports);
     assert!(
         each > 1e4 || said.starts_with(&format!("{each:.0} cases")),
         "{said}"
     );
-    let ended = |besides: Besides| {
+    let ended = |extras: ReportExtras| {
         let mut reports = reports.clone();
-        stopped_before(&besides, &mut reports);
+        mark_incomplete(&extras, &mut reports);
         [reports[0].interrupted, reports[1].interrupted]
     };
-    assert_eq!(ended(Besides::default()), [false, true]);
-    let whole = Besides {
+    assert_eq!(ended(ReportExtras::default()), [false, true]);
+    let whole = ReportExtras {
         approximations: Some(Vec::new()),
-        ..Besides::default()
+        ..ReportExtras::default()
     };
     assert_eq!(ended(whole), [false, false]);
 }
@@ -102,7 +104,10 @@ fn an_outcome_has_its_end() {
 /// The command of a case says how it was judged.
 #[test]
 fn options_that_change_a_verdict_are_in_the_command_of_a_case() {
-    let of = |words: &[&str]| tail(&arguments(&[&["erf"], words].concat()));
+    let of = |words: &[&str]| {
+        let args = arguments(&[&["erf"], words].concat());
+        reproduce_command(candidate(&args).as_ref(), selection(&args))
+    };
     assert_eq!(of(&["--cases", "5", "--region", "mid"]), "");
     let program = ["--exec", "./my w", "--decimal"];
     assert_eq!(of(&program), " --exec './my w' --decimal");
@@ -130,7 +135,7 @@ fn options_that_change_a_verdict_are_in_the_command_of_a_case() {
     );
 }
 
-/// An input of one's own: one case, with everything that is known of it, whatever the number of others.
+/// The report of a single input shows everything that is known of it.
 #[test]
 fn an_input_is_judged_by_itself() {
     let v = json(&["erf", "--at", "0.5,-0.25"]);
@@ -241,10 +246,11 @@ fn maps_are_on_pages_and_where_they_are_asked_for() {
         json(&all)["methods"][0]["map"].is_object()
     };
     assert!(!mapped(&[]) && mapped(&["--maps"]));
-    let settings = |words: &[&str]| asked(&arguments(&[&["erf"], words].concat())).unwrap();
+    let settings =
+        |words: &[&str]| super::settings(&arguments(&[&["erf"], words].concat())).unwrap();
     for (words, maps, points) in [
-        (&["--format", "html"][..], true, written::POINTS),
-        (&["--format", "html", "--exec", "w"], false, written::POINTS),
+        (&["--format", "html"][..], true, report::POINTS),
+        (&["--format", "html", "--exec", "w"], false, report::POINTS),
         (&["--exec", "w"], false, 0),
         (&["--format", "csv"], false, 0),
         (&["--format", "json", "--maps"], true, 0),
@@ -319,12 +325,8 @@ fn changes_since_a_baseline_are_said() {
         refused(&html),
         "--baseline: changes are shown in text and json"
     );
-    assert!(
-        written::baseline(None, AuditFormat::Html)
-            .unwrap()
-            .is_none()
-    );
-    assert!(written::baseline(Some(Path::new("none")), AuditFormat::Text).is_err());
+    assert!(report::baseline(None, AuditFormat::Html).unwrap().is_none());
+    assert!(report::baseline(Some(Path::new("none")), AuditFormat::Text).is_err());
 }
 
 /// The sum stands below several cases, and below a report that was ended early.
@@ -337,13 +339,12 @@ fn one_case_needs_no_sum() {
     let method = lookup::method("slider-crank").unwrap();
     let case = Cases::new(&*method, &settings).get(0);
     let single = audit_one(&*method, case, None, &settings);
-    let (progress, mut judging) = (Progress::new(), 0.0);
-    let many = run(&*method, &settings, &progress, &mut judging);
+    let many = Panel::new(&Progress::new()).judge(&*method, &settings);
     let shown = |reports: &[MethodReport]| {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("report");
         let output = Output::open(Some(&file)).unwrap();
-        let outcome = written::write(reports, AuditFormat::Text, output, &Besides::default());
+        let outcome = report::write(reports, AuditFormat::Text, output, &ReportExtras::default());
         (outcome.unwrap(), std::fs::read_to_string(file).unwrap())
     };
     let ends = |text: &str, reports: &[MethodReport], mark: &str| {
@@ -352,7 +353,7 @@ fn one_case_needs_no_sum() {
     let one = [single.clone()];
     let (outcome, plain) = shown(&one);
     assert_eq!(outcome, Outcome::AsExpected);
-    let due = text::style::plain(&written::in_words(&single));
+    let due = text::style::plain(&report::in_words(&single));
     assert_eq!(plain, format!("{due}\n"));
     let all = [many.clone()];
     assert!(ends(&shown(&all).1, &all, ""));

@@ -1,8 +1,8 @@
 //! What a campaign found worse than anything recorded, added to a folder of hard cases.
 
-use crate::cli::commands::hunt::hard_folder;
 use crate::cli::complain;
 use crate::cli::failure::Failure;
+use crate::cli::files::hard_folder;
 use mechaudit::audit::{HardCase, Method, Origin, rounded_up};
 use mechaudit::campaign::{Kind, Part, PartSum, Plan};
 use std::path::Path;

@@ -1,12 +1,14 @@
 //! Doing the shards that are missing.
 
 use super::folder::{Claim, Folder, State};
-use crate::cli::args::{CampaignRunArgs, ProgramArgs};
+use crate::cli::args::CampaignRunArgs;
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::write_to;
+use crate::cli::process::answers::Form;
+use crate::cli::process::candidate::{Candidate, gather};
 use crate::cli::process::inputs::Inputs;
-use crate::cli::process::{exec, interrupt};
+use crate::cli::process::interrupt;
 use crate::cli::progress::Progress;
 use mechaudit::audit::{Cases, Panel};
 use mechaudit::campaign::{self, Program, Stride, Who};
@@ -213,14 +215,18 @@ fn answers(
     panel: &Panel,
     progress: &(dyn Fn(u64) + Sync),
 ) -> Result<Option<Who>, Box<dyn Error + Send + Sync>> {
-    let spoken = ProgramArgs {
+    let candidate = Candidate {
+        command: program.exec.clone(),
         timeout: Duration::try_from_secs_f64(program.timeout)?,
         run_timeout: SHARD,
+        form: match program.binary {
+            true => Form::Frames,
+            false => Form::Lines,
+        },
         decimal: program.decimal,
-        binary: program.binary,
     };
     let inputs = Inputs::dealt(cases, stride);
-    let found = exec::gather(panel, inputs, &program.exec, &spoken, progress);
+    let found = gather(panel, inputs, &candidate, progress);
     let Some(report) = found? else {
         return Ok(None);
     };

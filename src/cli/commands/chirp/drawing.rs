@@ -69,8 +69,8 @@ fn columns(run: &Run, response: &CamResponse) -> Vec<Column> {
     (0..COLUMNS).into_par_iter().map(one).collect()
 }
 
-/// How often a column of that many seconds is looked at: eight times in a period of the oscillator, and of the tenth
-/// harmonic at the faster of the speeds that the shaft begins and ends with.
+/// How often a column of that many seconds is looked at: eight times in a period of the oscillator,
+/// and of the tenth harmonic at the faster of the speeds that the shaft begins and ends with.
 fn samples(speeds: [f64; 2], w: f64, width: f64) -> usize {
     let fastest = speeds.map(|s| 10.0 * s.abs()).into_iter().fold(w, f64::max);
     (8.0 * fastest * width / TAU)
@@ -165,7 +165,8 @@ mod tests {
         }
     }
 
-    /// The heights of bars and of the bound are shares of the lift, so that they do not know its size.
+    /// The heights of bars and of the bound are shares of the lift, so that they do not know its
+    /// size.
     #[test]
     fn a_spectrum_is_one_of_shares() {
         let drawn = |lift: &str| {

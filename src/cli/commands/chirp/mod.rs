@@ -115,7 +115,7 @@ fn look_ahead(machine: &CamOscillator) -> Result<Result<(), Failure>, ChirpChart
         "{points} points of charts with {} harmonics",
         machine.harmonics
     );
-    Ok(forecast::work(&what, seconds))
+    Ok(forecast::check_duration(&what, seconds))
 }
 
 #[cfg(test)]
@@ -207,7 +207,8 @@ mod tests {
         }
     }
 
-    /// A page has every section that the file has, or the one that is asked for, and the units asked for.
+    /// A page has every section that the file has, or the one that is asked for, and the units
+    /// asked for.
     #[test]
     fn a_page_has_the_sections_of_the_file() {
         let coarse = CHART.replace("step = 0.1", "step = 4.0");

@@ -7,8 +7,7 @@ use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome, chain};
 use crate::cli::files::output::write_to;
 use crate::cli::lookup;
-use crate::cli::number::{Number, NumberError};
-use crate::cli::process::wire::shortened;
+use crate::cli::number::{Number, NumberError, shortened};
 use mechaudit::audit::{
     Layout, LayoutError, SolverAnswer, Uncertified, answer_of, hex_float, selected_outputs,
 };

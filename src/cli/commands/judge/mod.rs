@@ -2,17 +2,18 @@
 
 pub mod published;
 
-use crate::cli::answers::{Answers, End, Form};
 use crate::cli::args::{AuditFormat, JudgeArgs, WhereArgs};
-use crate::cli::commands::audit::written::{self, Besides};
 use crate::cli::failure::{Failure, Outcome};
+use crate::cli::files::bounded::Bounded;
 use crate::cli::files::output::Output;
 use crate::cli::lookup;
-use crate::cli::process::bounded::Bounded;
+use crate::cli::number::LONGEST;
+use crate::cli::process::answers::{Answers, End, Form};
 use crate::cli::process::candidate::{BATCH, judge_batch};
-use crate::cli::process::wire::{LONGEST, Line, Lines};
+use crate::cli::process::wire::{Line, Lines};
 use crate::cli::progress::Progress;
-use crate::cli::scope;
+use crate::cli::report::{self, ReportExtras};
+use crate::cli::workload::{Selection, Workload, reproduce_command};
 use mechaudit::audit::{
     CandidateReport, Case, Layout, Method, Origin, Panel, Reproduce, Settings, SolverAnswer,
     judge_case,
@@ -38,19 +39,26 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
         ));
     }
     let output = Output::open(args.output.as_deref())?;
-    let method = scope::judged(&*method, &args.scope)?.without_laws();
+    let selection = Selection {
+        place: &WhereArgs::default(),
+        scope: &args.scope,
+        input: None,
+        laws: false,
+    };
     let settings = Settings {
         points: match args.format {
-            AuditFormat::Html => written::POINTS,
+            AuditFormat::Html => report::POINTS,
             _ => 0,
         },
         ..Settings::default()
     };
-    let mut inputs = Inputs::open(&method, inputs_path)?;
+    let workload = Workload::of_one(&*method, selection, settings)?;
+    let (method, settings) = (&workload.methods[0], &workload.settings);
+    let mut inputs = Inputs::open(method, inputs_path)?;
     let total = count(inputs_path);
     let mut values = Answers::of(reader(values_path)?, Form::Lines);
     let unreadable = |e| Failure::cannot("read", values_path, e);
-    let panel = Panel::new(&method, &settings);
+    let panel = Panel::new(method, settings);
     let mut next = || match values.next(None) {
         Err(End::Unreadable(e)) => Err(unreadable(e)),
         next => Ok(next),
@@ -70,7 +78,7 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
     } else if let Some(case) = open {
         let why = format!("the values end after {answered} answers");
         let answer = SolverAnswer::Unanswered(why.clone());
-        tally.add(&judge_case(&method, case, answer, &settings));
+        tally.add(&judge_case(method, case, answer, settings));
         let mut left = 1;
         while let Some(left_over) = inputs.read()? {
             tally.unanswered(left_over.region, 1);
@@ -86,7 +94,7 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
             Err(_) => {}
         }
     }
-    let mut report = tally.finish(&method);
+    let mut report = tally.finish(method);
     if report.cases == 0 && !report.interrupted {
         let what = args
             .line
@@ -110,9 +118,9 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
             file(inputs_path),
             file(values_path)
         ),
-        tail: scope::again(None, &args.scope, &WhereArgs::default()),
+        tail: reproduce_command(None, selection),
     };
-    written::write(&[report], args.format, output, &Besides::default())
+    report::write(&[report], args.format, output, &ReportExtras::default())
 }
 
 /// How far it came.

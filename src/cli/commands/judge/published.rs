@@ -1,11 +1,11 @@
 //! Judging a published table of values, entry by entry.
 
 use crate::cli::args::{AuditFormat, JudgeArgs};
-use crate::cli::commands::audit::written::{self, Besides};
 use crate::cli::failure::{Failure, Outcome};
+use crate::cli::files::bounded::Bounded;
 use crate::cli::files::output::{Output, write_json};
-use crate::cli::process::bounded::Bounded;
-use crate::cli::process::wire::{FIELDS, LONGEST};
+use crate::cli::number::{FIELDS, LONGEST};
+use crate::cli::report::{self, ReportExtras};
 use mechaudit::audit::{
     Agreement, CandidateReport, Case, CaseReport, Column, ComponentJudgement, EntryJudgement,
     Judgement, Kind, Layout, LayoutError, Limit, Method, Origin, Printed, PrintedUnit, Reproduce,
@@ -209,7 +209,7 @@ pub fn judge(method: &dyn Method, path: &Path, args: &JudgeArgs) -> Result<Outco
             value["entries"] = entries.collect();
             write_json(output, &value)?;
         }
-        other => return written::write(&[report], other, output, &Besides::default()),
+        other => return report::write(&[report], other, output, &ReportExtras::default()),
     }
     Ok(Outcome::of(good))
 }

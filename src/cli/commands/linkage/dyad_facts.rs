@@ -23,7 +23,7 @@ fn word(assembly: Assembly) -> &'static str {
     }
 }
 
-/// What a JSON file begins with.
+/// The head of a JSON file.
 pub fn json(dyad: &Dyad, assemblies: &[Assembly], meetings: &[Meeting]) -> Map<String, Value> {
     let mut map = Map::new();
     let mut put = |key: &str, value: Value| map.insert(key.into(), value);

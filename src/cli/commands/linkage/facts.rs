@@ -36,7 +36,8 @@ pub fn dead_line(branch: &Branch) -> Option<String> {
     (!all.is_empty()).then(|| format!("{line} {}", all.join(", ")))
 }
 
-/// One line about crank angles in degrees that have no row because they lie at an end of the branch.
+/// One line about crank angles in degrees that have no row because they lie at an end of the
+/// branch.
 pub fn left_out_line(left_out: &[f64]) -> Option<String> {
     let all: Vec<String> = left_out.iter().map(|d| format!("{d} deg")).collect();
     let line = "no row where the position is singular and assembly modes merge: at";
@@ -52,7 +53,7 @@ pub fn fold_json(fold: &Fold) -> Value {
     })
 }
 
-/// What a JSON file begins with.
+/// The head of a JSON file.
 pub fn head(linkage: &Linkage) -> Map<String, Value> {
     let mut map = Map::new();
     map.insert("schema_version".into(), json!(1));
@@ -69,7 +70,7 @@ pub fn head(linkage: &Linkage) -> Map<String, Value> {
     map
 }
 
-/// What is known of the branch.
+/// The facts about the branch.
 pub fn of_branch(linkage: &Linkage, branch: &Branch) -> Map<String, Value> {
     let mut map = head(linkage);
     map.insert("branch".into(), json!(branch.mode));

@@ -20,7 +20,8 @@ use rug::Rational;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-/// The values of the drive: as shown (degrees or metres) and in radians or metres; as shown, exactly.
+/// The values of the drive: as shown (degrees or metres) and in radians or metres; as shown,
+/// exactly.
 struct Values(Vec<(f64, f64)>, Vec<Rational>);
 
 impl Values {
@@ -134,8 +135,8 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
     Ok(Outcome::decided(undecided, args.digits.unwrap_or(0)))
 }
 
-/// The value of the drive, in radians or metres, at which the branch is chosen: the file's own, or the first one if
-/// its number is asked for.
+/// The value of the drive, in radians or metres, at which the branch is chosen: the file's own, or
+/// the first one if its number is asked for.
 fn start(args: &LinkageArgs, machine: &Machine, first: f64) -> f64 {
     match (args.branch, machine.start.at) {
         (None, Some(at)) if machine.rotary() => at.to_radians(),
@@ -144,7 +145,7 @@ fn start(args: &LinkageArgs, machine: &Machine, first: f64) -> f64 {
     }
 }
 
-/// What a row holds, and whether it is certified.
+/// The columns of a row, and its certifier, if it is certified.
 struct Asked<'a> {
     columns: Columns,
     certifier: Option<&'a Certifier<'a>>,
@@ -390,7 +391,8 @@ fn nearest(map: &BranchMap, number: usize, branch: usize) -> Option<&State> {
     all.min_by_key(|(apart, _)| *apart).map(|(_, state)| state)
 }
 
-/// Proves at every value of the drive how many modes there are; at how many that is open or another number.
+/// Proves at every value of the drive how many modes there are; at how many that is open or another
+/// number.
 fn prove_counts(certifier: &Certifier, values: &Values, map: &BranchMap) -> usize {
     if !certifier.counts_modes() {
         complain(

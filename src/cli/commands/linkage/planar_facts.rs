@@ -43,7 +43,7 @@ pub fn lines(machine: &Machine) -> Vec<String> {
     lines
 }
 
-/// What is proved of the drawing.
+/// The facts proved of the drawing.
 fn drawing(machine: &Machine) -> Value {
     let Some(d) = &machine.drawing else {
         return Value::Null;
@@ -124,7 +124,7 @@ pub fn left_out_line(machine: &Machine, left_out: &[(f64, End)]) -> Option<Strin
     (!all.is_empty()).then(|| format!("{line} {}", all.join(", ")))
 }
 
-/// What a JSON file begins with.
+/// The head of a JSON file.
 fn head(machine: &Machine) -> Map<String, Value> {
     let mut map = Map::new();
     let mut put = |key: &str, value: Value| map.insert(key.into(), value);
@@ -168,7 +168,7 @@ fn shown(machine: &Machine, drive: f64) -> f64 {
     }
 }
 
-/// What is known of a branch.
+/// The facts about a branch.
 pub fn of_branch(
     machine: &Machine,
     branch: &Branch,
@@ -202,7 +202,7 @@ pub fn end_drive(machine: &Machine, e: &BranchEnd) -> f64 {
     machine.outer(e.at.as_ref().map_or(e.drive, |s| s.drive))
 }
 
-/// What is known of all branches.
+/// The facts about all branches.
 pub fn of_map(
     machine: &Machine,
     branches: &BranchMap,

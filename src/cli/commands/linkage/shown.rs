@@ -22,7 +22,7 @@ pub fn rows(format: RowsFormat) -> Form {
     format.rows().unwrap_or(Form::Json)
 }
 
-/// Whether a unit is one of length.
+/// Returns true if a unit is one of length.
 pub fn is_length(name: &str) -> bool {
     let dimension = |n: &str| quantity::unit(n.trim()).ok().map(|u| u.dimension);
     dimension(name).is_some_and(|d| Some(d) == dimension("m"))
@@ -64,7 +64,7 @@ impl Cad {
 }
 
 impl LinkageArgs {
-    /// Whether the arguments say at which values of the drive.
+    /// Returns true if the arguments say at which values of the drive.
     fn asks_for_window(&self) -> bool {
         self.step_deg.is_some() || self.from_deg.is_some() || self.to_deg.is_some()
     }
@@ -80,9 +80,9 @@ impl LinkageArgs {
     }
 }
 
-/// In motion: at the angles of the plan if the arguments ask for a window, else over all that there is; with the
-/// columns' values. Without these for a drawing of the position at `--from-deg`, which itself asks for a window, or the
-/// start.
+/// In motion: at the angles of the plan if the arguments ask for a window, else over all that there
+/// is; with the columns' values. Without these for a drawing of the position at `--from-deg`, which
+/// itself asks for a window, or the start.
 pub fn class_iii(
     args: &LinkageArgs,
     linkage: &class_iii::Linkage,

@@ -56,7 +56,7 @@ fn branch(linkage: &Linkage) -> Branch {
     class_iii::choose(&linkage.solver, &start, None, &linkage.start).unwrap()
 }
 
-/// What is shown first, in degrees.
+/// The position shown first, in degrees.
 fn shown_first(motion: &Motion) -> f64 {
     motion.drive.values[motion.start]
 }
@@ -175,7 +175,8 @@ fn all_branches_of_a_linkage_of_class_iii() {
         assert!(fold["phi1_deg"].is_number() && fold["phi4_deg"].is_number());
         assert!(fold["begins"].is_boolean());
     }
-    // The crank's end turns about the origin, whatever the mode: with digits there are the same rows.
+    // The crank's end turns about the origin, whatever the mode: with digits there are the same
+    // rows.
     let (outcome, digits) = written(SHORT, "--all-branches --step-deg 90 --digits 9");
     let (_, floats) = written(SHORT, "--all-branches --step-deg 90");
     assert_eq!(outcome, Outcome::AsExpected);

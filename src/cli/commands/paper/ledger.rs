@@ -50,7 +50,7 @@ fn json<T: serde::Serialize>(value: &T) -> Result<String, Failure> {
     Ok(text + "\n")
 }
 
-/// Whether the file holds what would be written.
+/// Returns true if the file holds what would be written.
 fn check(args: &PaperArgs, written: &str) -> Result<Outcome, Failure> {
     let Some(path) = &args.output else {
         return Err(Failure::new("--check needs --output FILE to compare with"));

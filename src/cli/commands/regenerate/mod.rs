@@ -61,19 +61,16 @@ fn artefacts() -> Vec<Artefact> {
     all.push(csv("andrews-motion", Box::new(andrews_motion::made)));
     all.push(csv("n-four-bar-motion", Box::new(n_four_bar_motion::made)));
     all.extend(papers::keys().into_iter().map(errata));
-    let atlas = |name: &str, form: Form, make: fn() -> artefact::Outcome<Made>| Artefact {
+    let atlas = |name: &str, make: fn() -> artefact::Outcome<Made>| Artefact {
         name: name.into(),
-        path: Path::new(ATLAS).join(match form {
-            Form::Json => format!("{name}.json"),
-            _ => format!("{name}.csv"),
-        }),
-        form,
+        path: Path::new(ATLAS).join(format!("{name}.csv")),
+        form: Form::Csv,
         make: Box::new(make),
     };
     all.extend([
-        atlas("atlas-rows", Form::Csv, atlas::rows),
-        atlas("atlas-claims", Form::Csv, atlas::claims),
-        atlas("atlas", Form::Json, atlas::document),
+        atlas("atlas-rows", atlas::rows),
+        atlas("atlas-heights", atlas::heights),
+        atlas("atlas-claims", atlas::claims),
     ]);
     all.push(Artefact {
         name: "columns".into(),

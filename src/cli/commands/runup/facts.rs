@@ -152,7 +152,7 @@ pub fn swings(machine: &Machine, motion: &Motion) -> Option<String> {
     ))
 }
 
-/// What there is to say about stiffness.
+/// Remarks on stiffness.
 pub fn stiff(machine: &Machine, motion: &Motion) -> Option<String> {
     let from = motion.stiff_from?;
     let settings = machine.plan.settings;
@@ -208,7 +208,7 @@ fn event_json(e: &Event) -> Value {
     })
 }
 
-/// What a JSON file begins with.
+/// The head of a JSON file.
 pub fn json(
     machine: &Machine,
     motion: &Motion,

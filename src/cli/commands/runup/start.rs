@@ -36,7 +36,8 @@ mod tests {
         of.iter().map(one).collect()
     }
 
-    /// From the middle of the run on the speed lies between 9 and 11: the start is over when it first does.
+    /// From the middle of the run on the speed lies between 9 and 11: the start is over when it
+    /// first does.
     #[test]
     fn a_start_is_short_beside_the_run() {
         let run = |rise: &[(f64, f64)]| {

@@ -138,7 +138,8 @@ fn a_branch_is_the_same_from_each_of_its_positions() {
     }
 }
 
-/// All round once; dead positions are those of one turn from the start, also where the turns are not known.
+/// All round once; dead positions are those of one turn from the start, also where the turns are
+/// not known.
 #[test]
 fn a_crank_that_turns_has_the_dead_positions_of_its_turns() {
     let solver = screen();
@@ -159,7 +160,8 @@ fn a_crank_that_turns_has_the_dead_positions_of_its_turns() {
     assert_eq!(open.dead.len(), branch.dead.len());
 }
 
-/// Angles apart by whole turns are the same; all four have to be, within two millionths of a radian.
+/// Angles apart by whole turns are the same; all four have to be, within two millionths of a
+/// radian.
 #[test]
 fn positions_are_the_same_but_for_turns() {
     let start = choose(&screen(), &15.into(), Some(2), &Start::default())

@@ -24,8 +24,8 @@ fn slider_crank([a, b, e]: [f64; 3], direction: &str) -> Dyad {
     ))
 }
 
-/// The two coordinates and the transmission angle where both assemblies are one; other columns are empty but for the
-/// determinant, which is zero. Certified digits say the same.
+/// The two coordinates and the transmission angle where both assemblies are one; other columns are
+/// empty but for the determinant, which is zero. Certified digits say the same.
 #[test]
 fn positions_are_given_where_the_assemblies_meet() {
     for (dyad, degrees, due) in [

@@ -91,7 +91,8 @@ fn names_have_letters_digits_and_few_signs() {
     }
 }
 
-/// The law of cosines: from the first end along the first side, the third end on its left unless clockwise.
+/// The law of cosines: from the first end along the first side, the third end on its left unless
+/// clockwise.
 #[test]
 fn three_sides_are_a_triangle() {
     for (sides, clockwise, third) in [

@@ -29,7 +29,8 @@ fn four_bar([crank, coupler, rocker, frame]: [f64; 4], more: &str) -> Machine {
     ))
 }
 
-/// A crank with a wheel beside it that turns by `teeth[0] / teeth[1]` of a turn for each of the crank's.
+/// A crank with a wheel beside it that turns by `teeth[0] / teeth[1]` of a turn for each of the
+/// crank's.
 fn geared(teeth: [u32; 2]) -> Machine {
     let pins = ["O", "N"].map(|p| format!("[[joint]]\nkind = \"pin\"\npoint = \"{p}\"\n"));
     read(&format!(

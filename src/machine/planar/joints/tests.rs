@@ -11,7 +11,7 @@ const BODIES: &str = "[ground.points]\nO = [\"0 m\", \"0 m\"]\nS = [\"1 m\", \"2
 const PINS: &str =
     "[[joint]]\nkind = \"pin\"\npoint = \"O\"\n[[joint]]\nkind = \"pin\"\npoint = \"A\"\n";
 
-/// What a slide needs and what it may have.
+/// The parts that a slide needs and those it may have.
 const SLIDE: [&str; 7] = [
     "body = \"c\"",
     "point = \"R\"",
@@ -379,7 +379,8 @@ fn joints_that_hold_nothing_are_refused() {
     }
 }
 
-/// A name on several bodies is a point that a joint holds on each of them, or it is meant to be another.
+/// A name on several bodies is a point that a joint holds on each of them, or it is meant to be
+/// another.
 #[test]
 fn points_of_one_name_are_held() {
     let slot = |body: &str, point: &str, on: &str, through: &str| {

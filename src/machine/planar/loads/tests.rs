@@ -21,7 +21,8 @@ fn read(text: &str) -> Result<Machine, Refusal> {
 
 const MASS: &str = "mass = \"3 kg\"\ncentre = [\"1 m\", \"-50 cm\"]";
 
-/// A pendulum about its pivot: m r² and J, and the weight's moment; of the wheel four times and twice as much.
+/// A pendulum about its pivot: m r² and J, and the weight's moment; of the wheel four times and
+/// twice as much.
 #[test]
 fn masses_are_those_of_their_bodies() {
     let (phi, g) = (0.7_f64, 9.80665);

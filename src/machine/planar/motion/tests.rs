@@ -103,8 +103,8 @@ fn bodies_are_drawn_between_their_points() {
     assert_eq!(links, ["A B", "E G", "G F"]);
 }
 
-/// The lever's slot reaches from where the crank's pin is nearest to Q to where it is farthest, 70 and 170 mm, and a
-/// twentieth of the drawing farther, wherever the lever's frame lies.
+/// The lever's slot reaches from where the crank's pin is nearest to Q to where it is farthest, 70
+/// and 170 mm, and a twentieth of the drawing farther, wherever the lever's frame lies.
 #[test]
 fn a_slot_turns_with_its_body() {
     let aslant = QUICK_RETURN
@@ -151,7 +151,8 @@ fn a_slot_turns_with_its_body() {
     }
 }
 
-/// Wheels that roll on each other share the distance of their centres as their teeth say; that of a rack has its radius.
+/// Wheels that roll on each other share the distance of their centres as their teeth say; that of a
+/// rack has its radius.
 #[test]
 fn pitch_circles_touch() {
     let circles = |motion: &Motion| -> Vec<([f64; 2], f64)> {
@@ -208,8 +209,8 @@ fn pitch_circles_touch() {
     check(&drawn(&read(&same), 4), &[([0.45, 0.0], 0.04)]);
 }
 
-/// A planet on an arm: the circles' centres are the pins on the arm, the planet's goes round with it. The sun turns as the
-/// arm does, which needs no circles.
+/// A planet on an arm: the circles' centres are the pins on the arm, the planet's goes round with
+/// it. The sun turns as the arm does, which needs no circles.
 #[test]
 fn planets_are_drawn_on_their_carrier() {
     let pins = ["O", "P"].map(|p| format!("[[joint]]\nkind = \"pin\"\npoint = \"{p}\"\n"));

@@ -80,8 +80,8 @@ fn reduced_masses_are_those_of_a_run_up() {
     }
 }
 
-/// A coupler point is where its link's angle puts it, and moves with the crank's speed; forces on the crank turn it by the
-/// drive's torque.
+/// A coupler point is where its link's angle puts it, and moves with the crank's speed; forces on
+/// the crank turn it by the drive's torque.
 #[test]
 fn points_and_forces_belong_to_the_position() {
     for (text, at) in [(FOUR_BAR, [0.2, 0.05]), (SLIDER, [1.0, 0.25])] {
@@ -106,7 +106,8 @@ fn points_and_forces_belong_to_the_position() {
                 let slope = (after(name) - before(name)) / (2.0 * step.to_radians());
                 assert!((value(rate) - 3.0 * slope).abs() < 1e-6, "{name}");
             }
-            // The crank about its pivot: its own inertia, its weight, and the force that it passes on in A.
+            // The crank about its pivot: its own inertia, its weight, and the force that it passes
+            // on in A.
             let (mass, radius, inertia) = match slider {
                 false => (1.0, 0.04, 0.02),
                 true => (1.0, 0.4, 0.5 + 0.16),

@@ -169,7 +169,8 @@ fn value(machine: &Machine, columns: Columns, state: &State, name: &str) -> f64 
     all[names.iter().position(|n| n == name).expect(name) - 2]
 }
 
-/// First derivatives are slopes of the values, second ones slopes of the first, of all values that have both.
+/// First derivatives are slopes of the values, second ones slopes of the first, of all values that
+/// have both.
 #[test]
 fn derivatives_are_slopes() {
     let columns = Columns {
@@ -219,7 +220,8 @@ fn derivatives_are_slopes() {
     assert!(checked > 50, "{checked}");
 }
 
-/// At a speed w and an acceleration e of the drive: x′ w and x″ w² + x′ e; the drive's power is that of inertia less loads.
+/// At a speed w and an acceleration e of the drive: x′ w and x″ w² + x′ e; the drive's power is
+/// that of inertia less loads.
 #[test]
 fn rates_are_derivatives_at_the_drives_speed() {
     let columns = Columns {
@@ -299,8 +301,8 @@ fn angles_are_shown_within_half_a_turn() {
     }
 }
 
-/// The force of a pin on its first body is that on the next with the other sign: the link without mass is pulled along
-/// its axis, and the ram's guide bears its weight.
+/// The force of a pin on its first body is that on the next with the other sign: the link without
+/// mass is pulled along its axis, and the ram's guide bears its weight.
 #[test]
 fn forces_hold_the_bodies_in_balance() {
     let columns = Columns {

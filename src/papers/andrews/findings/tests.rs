@@ -49,7 +49,8 @@ fn beside(quantity: usize, units: f64) -> Ball {
     Ball::rational(BITS, &number.value) + unit * Ball::exact(BITS, units)
 }
 
-/// Findings about the printed values that are not as recorded with a value changed, in units of the last printed digit.
+/// Findings about the printed values that are not as recorded with a value changed, in units of the
+/// last printed digit.
 fn lost(time: usize, quantity: usize, units: f64) -> Vec<&'static str> {
     let all = printed();
     let mut values = motion();

@@ -4,7 +4,8 @@ use super::places;
 use crate::papers::ledger::Item;
 use crate::papers::ledger::Kind::Formula;
 
-/// The kinetic energy, body by body: `m |S'|² + I ψ'²` with `|S'|² = S' conj S'`, written in x and y.
+/// The kinetic energy, body by body: `m |S'|² + I ψ'²` with `|S'|² = S' conj S'`, written in x and
+/// y.
 const ENERGY: [&str; 20] = [
     "x_2 = rr*cos(beta) - da*cos(beta + Theta)",
     "y_2 = rr*sin(beta) - da*sin(beta + Theta)",

@@ -1,4 +1,5 @@
-//! The ledger: constraints, their Jacobian, mass matrix, forces, each from the geometry and the energies of the bodies.
+//! The ledger: constraints, their Jacobian, mass matrix, forces, each from the geometry and the
+//! energies of the bodies.
 //!
 //! Symbols are those of the print; the rates of β, Θ, γ, Φ, δ, Ω, ε are `v_1` to `v_7`.
 

@@ -4,7 +4,7 @@ use super::{AT_THE_END, HARMONIC};
 use crate::papers::ledger::Item;
 use crate::papers::ledger::Kind::{Formula, Step};
 
-/// What the solution of the n-th harmonic has to satisfy.
+/// The equations that the solution of the n-th harmonic has to satisfy.
 const MOTION: [&str; 3] = [
     "D(D(psi, t), t) + 2*n_star*D(psi, t) + omega_star^2*psi \
        = omega_star^2*series(n, D_n*exp(-i*Theta_n))",

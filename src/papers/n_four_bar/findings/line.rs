@@ -101,8 +101,8 @@ pub(super) fn curves() -> Finding {
         .recorded_if(right)
 }
 
-/// The positions on one line that are looked at, by the number of cranks to the right: all of them, of 40 windows the
-/// first, the middle and the last.
+/// The positions on one line that are looked at, by the number of cranks to the right: all of them,
+/// of 40 windows the first, the middle and the last.
 fn positions(n: usize) -> Vec<usize> {
     match n {
         0..=10 => (0..=n + 1).collect(),
@@ -197,7 +197,8 @@ pub(super) fn accelerations() -> Finding {
         .recorded(&FALLS)
 }
 
-/// By N the limit at the first rod, and how many rods have a finite force: the middle one where there is one.
+/// By N the limit at the first rod, and how many rods have a finite force: the middle one where
+/// there is one.
 const POLES: [&str; 8] = ["0", "1", "-1/36", "0", "-9/164", "0", "-39/644", "0"];
 
 pub(super) fn forces() -> Finding {

@@ -178,7 +178,8 @@ const RATIOS: [&str; 3] = ["4.041", "4.000", "3.947"];
 /// Fewest and most digits found to be right in EXUDYN's numbers.
 const RIGHT: (usize, usize) = (2, 6);
 
-/// The energy of a printed state less that at the start, for N = 2, m = l = 1: a polynomial of decimals.
+/// The energy of a printed state less that at the start, for N = 2, m = l = 1: a polynomial of
+/// decimals.
 fn energy([y, vx, vy]: [&Decimal; 3]) -> Rational {
     let square = |d: &Decimal| Rational::from(d.value.square_ref());
     let kinetic = (square(vx) + square(vy)) * 3 / 2;
@@ -233,7 +234,7 @@ mod tests {
         assert_eq!((gaps.len(), gaps[200].1), (201, 10.0));
     }
 
-    /// What is printed and what is due, both of which a finding is recorded with.
+    /// The printed and the certified numbers, both of which a finding is recorded with.
     #[test]
     fn a_number_that_is_off_is_no_longer_as_recorded() {
         let right = motion(BITS).unwrap();

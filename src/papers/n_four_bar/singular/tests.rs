@@ -19,7 +19,8 @@ fn ranks_fall_by_n_on_one_line_only() {
     }
 }
 
-/// On every circle all windows are closed, and a rank is missing for every window whose cranks both lie on the ground.
+/// On every circle all windows are closed, and a rank is missing for every window whose cranks both
+/// lie on the ground.
 #[test]
 fn circles_keep_to_the_loops() {
     for n in 1..=4usize {
@@ -41,7 +42,8 @@ fn circles_keep_to_the_loops() {
     }
 }
 
-/// Every position of a window is one of three; words over them give the circles that the text counts.
+/// Every position of a window is one of three; words over them give the circles that the text
+/// counts.
 #[test]
 fn the_circles_are_all_that_there_is() {
     // A crank's angle on a component: fixed to the right or to the left, or free as one of a group.
@@ -98,7 +100,8 @@ fn the_kernel_is_wider_than_the_tangents() {
     assert!(!admissible(&at, &[1, 1, 1].map(Rational::from)));
 }
 
-/// Two windows by hand: 27/22 for the outer cranks, 12/11 for the middle one, 7/6 on the branch; one window: 6/5 both ways.
+/// Two windows by hand: 27/22 for the outer cranks, 12/11 for the middle one, 7/6 on the branch;
+/// one window: 6/5 both ways.
 #[test]
 fn accelerations_without_a_branch_are_others() {
     let q = |n: i32, d: i32| Rational::from((n, d));
@@ -110,8 +113,8 @@ fn accelerations_without_a_branch_are_others() {
     assert_eq!([data::fall(1), data::fall(2)], [q(6, 5), q(7, 6)]);
 }
 
-/// The reference for any planar mechanism, 10⁻⁶ before the horizontal position: its multipliers are the forces at the pins
-/// that close the loops, and `sin θ F` tends to the poles.
+/// The reference for any planar mechanism, 10⁻⁶ before the horizontal position: its multipliers are
+/// the forces at the pins that close the loops, and `sin θ F` tends to the poles.
 #[test]
 fn forces_grow_as_the_poles_say() {
     for n in [1u32, 2, 3] {
@@ -171,7 +174,8 @@ fn both_orders_are_looked_at() {
     assert!(!admissible(&at, &rates([1, -1, 1])));
 }
 
-/// Cranks to the right, then to the left; the rod between two that differ points left. On the parallelograms all cranks turn.
+/// Cranks to the right, then to the left; the rod between two that differ points left. On the
+/// parallelograms all cranks turn.
 #[test]
 fn bars_point_as_they_are_said_to() {
     let signs = |all: &[Direction]| -> Vec<Rational> {

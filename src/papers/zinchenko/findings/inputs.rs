@@ -7,7 +7,7 @@ fn cm(e: &Estimate) -> String {
     format!("{:.3} ± {:.3}", e.value * 100.0, e.deviation * 100.0)
 }
 
-/// Whether a value is less than four standard deviations off.
+/// Returns true if a value is less than four standard deviations off.
 fn inside(value: f64, due: f64, sd: f64) -> bool {
     (value - due).abs() < 4.0 * sd
 }

@@ -177,7 +177,8 @@ fn recovery(of: &[(usize, usize, f64, f64)], rank: usize, covariance: [[f64; 2];
         deviation,
     };
     let n = of.len();
-    // Of the two of link 4, which are the last but one and the last, or the last but two and the last but one.
+    // Of the two of link 4, which are the last but one and the last, or the last but two and the
+    // last but one.
     let first = of.iter().position(|e| (e.0, e.1) == (2, 0)).unwrap();
     let second = of.iter().position(|e| (e.0, e.1) == (2, 1)).unwrap();
     let place = |i: usize| [first, second].iter().position(|k| *k == i);
@@ -437,7 +438,8 @@ fn the_moment_s_nodes_are_recorded_one_by_one() {
     assert!(text.contains("up to 6.0e-3 N·m"), "{text}");
 }
 
-/// Beside what the tables tell: an alias that is no clear one, and one that is; then a projection of each kind.
+/// Beside what the tables tell: an alias that is no clear one, and one that is; then a projection
+/// of each kind.
 #[test]
 fn the_recipe_is_told_by_clear_aliases_and_all_projections() {
     let printed = printed();

@@ -23,7 +23,7 @@ const GEOMETRY: [&str; 16] = [
     "Y_2 = y_3 + l_3*sin(phi_3*deg) + l_4*sin(phi_4*deg) - y_5 - l_5*sin(phi_5*deg)",
 ];
 
-/// What half a unit of the third decimal can do: each length times 0.0005 degrees.
+/// The effect of half a unit of the third decimal: each length times 0.0005 degrees.
 const SLACK: [&str; 2] = [
     "slack_1 = (l_1 + l_2 + l_3 + l_B)*0.0005*deg",
     "slack_2 = (l_3 + l_4 + l_5)*0.0005*deg",

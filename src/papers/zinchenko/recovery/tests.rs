@@ -69,7 +69,8 @@ fn parameters_have_the_paper_s_names_and_units() {
     }
 }
 
-/// The model is linear in a mass, in an inertia and in gravity: a step of any size is the derivative times it.
+/// The model is linear in a mass, in an inertia and in gravity: a step of any size is the
+/// derivative times it.
 #[test]
 fn the_jacobian_is_the_model_s_slope() {
     let model = Model::new();
@@ -101,7 +102,8 @@ fn the_typical_size_is_a_median() {
     assert!((typical_size(&sizes) - 2.0).abs() < 1e-14);
 }
 
-/// With others known a parameter is determined by the norm of its column: two columns of ones and of a fault each.
+/// With others known a parameter is determined by the norm of its column: two columns of ones and
+/// of a fault each.
 #[test]
 fn what_is_known_alone_is_known_better_than_together() {
     let model = Model::new();

@@ -1,4 +1,5 @@
-//! The atlas as one page: findings, claims, the table, error maps on one colour scale, work and precision.
+//! The atlas as one page: findings, claims, the table, error maps on one colour scale, work and
+//! precision.
 
 mod tables;
 
@@ -10,10 +11,11 @@ use crate::report::words::Tone;
 use maud::{Markup, html};
 use serde::Serialize;
 
-/// Name, nanoseconds, worst errors of the norm and of Re in the ordinary region, of Re beside the axis.
+/// Name, nanoseconds, worst errors of the norm and of Re in the ordinary region, of Re beside the
+/// axis.
 type Work<'a> = (&'a str, f64, Option<f64>, Option<f64>, Option<f64>);
 
-/// What the script reads.
+/// The data of the script.
 #[derive(Serialize)]
 struct Data<'a> {
     levels: &'a str,

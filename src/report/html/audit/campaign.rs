@@ -1,4 +1,4 @@
-//! What a campaign has besides audits.
+//! The parts of a campaign's page that audits do not have.
 
 use crate::audit::{Method, MethodReport, rounded_up};
 use crate::campaign::{HuntTally, PartSum, Plan, ProofTally};

@@ -81,7 +81,7 @@ fn standing(s: &Standing) -> Markup {
     }
 }
 
-/// What is worse and better, worse first.
+/// Values that are worse and better, the worse first.
 pub fn changes(found: &Changes) -> Markup {
     let worse = found.changes.iter().filter(|c| !c.better).count();
     let better = found.changes.len() - worse;

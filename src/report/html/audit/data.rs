@@ -1,4 +1,4 @@
-//! What the page's script reads: cases by number, and who refers to them.
+//! The data of the page's script: cases by number, and who refers to them.
 
 use super::encoded::Map;
 use super::whole::Whole;
@@ -12,8 +12,8 @@ use std::collections::HashMap;
 const POINTS: usize = 1200;
 /// Cases of a page, over all methods, with all that is known of them besides the worst.
 const WHOLE: usize = 300;
-/// Numbers of an input that are kept for every case, and those of an input or an answer for a whole case:
-/// on pages of few methods, and of many.
+/// Numbers of an input that are kept for every case, and those of an input or an answer for a whole
+/// case: on pages of few methods, and of many.
 const NUMBERS: [(usize, usize); 2] = [(8, 24), (4, 12)];
 /// So many methods are few.
 const FEW: usize = 3;
@@ -27,7 +27,7 @@ pub struct Data<'a> {
 #[derive(Serialize)]
 struct OfMethod<'a> {
     name: &'a str,
-    /// What comes before the place of a case in its command, and what after it.
+    /// The parts of a case's command before its place and after it.
     command: [&'a str; 2],
     /// Regions whose cases lie beside something that a map can show.
     marks: Vec<(&'static str, Vec<usize>)>,
@@ -55,8 +55,8 @@ struct OfOutput<'a> {
 #[derive(Serialize)]
 struct OfPoint(usize, &'static str, Vec<Option<f64>>, Vec<Option<f64>>);
 
-/// Region, number of the place's beginning, its last word, input if it is short, number of the whole
-/// case.
+/// Region, number of the place's beginning, its last word, input if it is short, number of the
+/// whole case.
 #[derive(Serialize)]
 struct Entry(usize, usize, String, Vec<Value>, Option<usize>);
 

@@ -1,4 +1,5 @@
-//! Errors of a map as one character each: what a colour and a reading need, in a hundredth of the room.
+//! Errors of a map as one character each: what a colour and a reading need, in a hundredth of the
+//! room.
 
 use crate::audit::ErrorMap;
 use serde::Serialize;

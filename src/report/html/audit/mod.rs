@@ -106,7 +106,7 @@ pub fn comparison(found: &Comparison, changes: Option<&Changes>) -> String {
 /// Reports with the names of their sections.
 type Named<'a> = Vec<(&'a str, &'a MethodReport)>;
 
-/// What a page consists of.
+/// The parts of a page.
 struct Parts<'a> {
     title: String,
     kind: &'a str,
@@ -118,7 +118,7 @@ struct Parts<'a> {
     totals: String,
     changes: Option<&'a Changes>,
     approximations: Option<&'a [Result<ConvergenceReport, Uncertified>]>,
-    /// Whether all pass; nothing if the run was ended early.
+    /// True if all pass; nothing if the run was ended early.
     state: Option<bool>,
 }
 
@@ -209,7 +209,7 @@ fn units() -> Markup {
     }
 }
 
-/// What is over budget, and laws that do not hold.
+/// Cases over budget, and laws that do not hold.
 fn news(named: &Named) -> Markup {
     let failing: Vec<_> = named
         .iter()
@@ -302,7 +302,8 @@ mod tests {
         assert!(text.contains(news), "{text}");
     }
 
-    /// Contents of a page of one method lead into it; a page of several has an overview, and one of three all statistics.
+    /// Contents of a page of one method lead into it; a page of several has an overview, and one of
+    /// three all statistics.
     #[test]
     fn what_a_page_has_depends_on_how_many_methods_there_are() {
         for n in 1..=4 {

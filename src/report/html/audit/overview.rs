@@ -31,7 +31,7 @@ pub fn brief(share: f64) -> String {
     }
 }
 
-/// What a cell of a region says: how many cases are of the wrong kind, or the share of the budget.
+/// The text of a region's cell: how many cases are of the wrong kind, or the share of the budget.
 pub fn cell(region: &RegionReport) -> String {
     match region.kinds.total() {
         0 => brief(region.max_of_budget),
@@ -39,7 +39,7 @@ pub fn cell(region: &RegionReport) -> String {
     }
 }
 
-/// What it says aloud.
+/// The words of a cell for a screen reader.
 pub fn spoken(region: &RegionReport) -> String {
     format!(
         "{}: {} of {} cases pass, worst {} of its budget",
@@ -87,7 +87,7 @@ fn row(k: usize, r: &MethodReport, data: &Data) -> Markup {
     }
 }
 
-/// What the colours mean.
+/// The meanings of the colours.
 pub fn legend() -> Markup {
     html! {
         p.legend.small {
@@ -103,7 +103,8 @@ pub fn legend() -> Markup {
     }
 }
 
-/// Returns the number to sort by. NaN has none: such a cell shows a dash and comes after all numbers.
+/// Returns the number to sort by. NaN has none: such a cell shows a dash and comes after all
+/// numbers.
 pub fn sorting(x: f64) -> Option<String> {
     match x {
         0.0 => Some("0".into()),

@@ -13,7 +13,8 @@ pub struct Whole {
     reason: Option<String>,
     /// Name, unit, decimal, hexadecimal.
     input: Vec<[String; 4]>,
-    /// Output, due, got, got in hexadecimal, ulps, u (1 + condition), share of the budget, condition.
+    /// Output, due, got, got in hexadecimal, ulps, u (1 + condition), share of the budget,
+    /// condition.
     values: Vec<[String; 8]>,
     /// The answer where it is no values.
     answer: Option<String>,

@@ -168,7 +168,8 @@ fn points_stand_in_the_drawing() {
             [360.0, 160.0],
         ])
     );
-    // What is high stands in the middle, to hundredths of a pixel; what has no size has a place.
+    // A high mechanism stands in the middle, to hundredths of a pixel; one without size has a
+    // place.
     for (points, due) in [
         (
             vec![[0.0, 0.0], [1.0, 5.2], [1.0 / 3.0, 0.0]],
@@ -186,7 +187,8 @@ fn points_stand_in_the_drawing() {
     }
 }
 
-/// Three courses are all drawn; of more the reduced quantities, or the first three that are not the drive's.
+/// Three courses are all drawn; of more the reduced quantities, or the first three that are not the
+/// drive's.
 #[test]
 fn some_courses_are_drawn_from_the_start() {
     let drawn = |courses: Vec<Course>| {

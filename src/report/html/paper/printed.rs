@@ -11,8 +11,8 @@ use std::collections::BTreeSet;
 /// Widest bar of a deviation, in tenths of a rem, and the deviation that has it.
 const WIDEST: (f64, f64) = (40.0, 5.0);
 
-/// The table. The verdict and the recomputed value are those of the last variant of the data: the one
-/// with the most recovered.
+/// The table. The verdict and the recomputed value are those of the last variant of the data: the
+/// one with the most recovered.
 pub fn table(report: &PaperReport) -> Markup {
     let variants: BTreeSet<&str> = report
         .entries
@@ -87,7 +87,8 @@ mod tests {
     use super::*;
     use crate::report::text::paper::tests::fabricated;
 
-    /// Eight tenths of a rem for a unit, to the left below zero; half a tenth at least, and five units at most.
+    /// Eight tenths of a rem for a unit, to the left below zero; half a tenth at least, and five
+    /// units at most.
     #[test]
     fn a_bar_is_as_long_as_its_deviation() {
         for (units, over, x, width) in [

@@ -88,7 +88,8 @@ fn a_history_has_the_ends_of_each_column_within_its_envelope() {
         &[(0.0, 5.0), (1.0, 10.0)],
     ];
     assert_eq!(lines.len(), values.len());
-    // Curves of one panel share a scale: a twentieth of air on both sides of what is highest and lowest.
+    // Curves of one panel share a scale: a twentieth of air on both sides of what is highest and
+    // lowest.
     let spans: [(f64, f64, f64); 6] = [
         (1.5, -2.8, 3.8),
         (1.5, -2.8, 3.8),
@@ -208,13 +209,14 @@ fn a_chart_has_formula_and_peak_over_its_own_abscissa() {
     }
 }
 
-/// Orders from 0.9 to a tenth beyond the last, which is ten at least; amplitudes between whole powers of ten.
+/// Orders from 0.9 to a tenth beyond the last, which is ten at least; amplitudes between whole
+/// powers of ten.
 #[test]
 fn harmonics_stand_on_logarithmic_axes() {
     type Points<'a> = &'a [(f64, f64)];
     let all: [(Points, Points, f64, (f64, f64)); 5] = [
         (
-            // What stands on the lowest line has no height.
+            // A harmonic on the lowest line has no height.
             &[(1.0, 0.5), (4.0, 0.02), (5.0, 1e-4), (10.0, 5e-4)],
             &[
                 (1.0, 2.0),

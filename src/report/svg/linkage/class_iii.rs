@@ -8,13 +8,17 @@ use crate::solvers::class_iii::State;
 pub fn class_iii(linkage: &Linkage, branch: &Branch, path: &[State]) -> String {
     let g = linkage.solver.geometry();
     let [o1, o3, o5] = [[0.0; 2], [g.x3.m(), g.y3.m()], [g.x5.m(), g.y5.m()]];
-    let pivot = |label, at, joint| Pivot { label, at, joint };
-    let joints = [
-        ("A", "#8a8f98"),
-        ("B", "#c2571a"),
-        ("C", "#1f6fb2"),
-        ("D", "#2f8f4e"),
-    ];
+    let pivot = |label: &str, at, joint| Pivot {
+        label: label.into(),
+        at,
+        joint: Some(joint),
+    };
+    let moving = ["B", "C", "D"].iter().enumerate();
+    let moving = moving.map(|(k, label)| Joint::new(label, k));
+    let joints: Vec<Joint> = [Joint::crank("A", "#8a8f98")]
+        .into_iter()
+        .chain(moving)
+        .collect();
     let pose = |s: &State| {
         let [a, b, c, d] = s.joints();
         let bars = [
@@ -24,16 +28,18 @@ pub fn class_iii(linkage: &Linkage, branch: &Branch, path: &[State]) -> String {
             ("5", [o5, d]),
         ];
         Pose {
-            crank_deg: s.phi1.to_degrees(),
+            drive: s.phi1.to_degrees(),
             joints: vec![a, b, c, d],
             bars: bars.map(|(label, ends)| Bar { label, ends }).to_vec(),
-            plate: Some(("4", [b, c, d])),
+            plates: vec![("4", vec![b, c, d])],
+            blocks: Vec::new(),
         }
     };
     let scene = Scene {
+        drive: ["at φ1 =", "°", "45°"],
         name: linkage.name.as_deref().unwrap_or("class-III linkage"),
         pivots: &[pivot("O1", o1, 0), pivot("O3", o3, 2), pivot("O5", o5, 3)],
-        joints: &joints.map(|(label, colour)| Joint { label, colour }),
+        joints: &joints,
         guide: None,
         path: &path.iter().map(pose).collect::<Vec<_>>(),
         whole: matches!(branch.reach, Reach::Whole { .. }),

@@ -33,7 +33,8 @@ fn circles(svg: &str) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// The first three circles are the pivots and the crank's end; the ground of a link that hangs is above its pivot.
+/// The first three circles are the pivots and the crank's end; the ground of a link that hangs is
+/// above its pivot.
 #[test]
 fn a_four_bar_has_two_pivots() {
     let Linkage::Dyad(four_bar) = read(include_str!("../../../../examples/four-bar.toml")) else {
@@ -72,7 +73,8 @@ fn a_slider_crank_has_a_pivot_and_a_guide() {
     assert!(o1.1 > circles(&svg)[0].1 && !texts(&svg).contains(&"O3"));
 }
 
-/// The ground of each pivot is above it exactly where the joint at the other end of its link stays below.
+/// The ground of each pivot is above it exactly where the joint at the other end of its link stays
+/// below.
 #[test]
 fn links_of_class_iii_hang_from_their_own_pivots() {
     let text = include_str!("../../../../examples/sand-screen.toml");

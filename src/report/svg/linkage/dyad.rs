@@ -18,22 +18,27 @@ pub fn dyad(dyad: &Dyad, assembly: Assembly) -> String {
         let links = [("1", [o1, a]), ("2", [a, b])];
         let links = links.into_iter().chain(o3.map(|o3| ("3", [b, o3])));
         Pose {
-            crank_deg: p.crank_deg,
+            drive: p.crank_deg,
             joints: vec![a, b],
             bars: links.map(|(label, ends)| Bar { label, ends }).collect(),
-            plate: None,
+            plates: Vec::new(),
+            blocks: Vec::new(),
         }
     };
-    let pivot = |label, at, joint| Pivot { label, at, joint };
+    let pivot = |label: &str, at, joint| Pivot {
+        label: label.into(),
+        at,
+        joint: Some(joint),
+    };
     let pivots: Vec<Pivot> = [pivot("O1", o1, 0)]
         .into_iter()
         .chain(o3.map(|o3| pivot("O3", o3, 1)))
         .collect();
     let scene = Scene {
+        drive: ["at φ1 =", "°", "45°"],
         name: dyad.name.as_deref().unwrap_or(dyad.shape.type_name()),
         pivots: &pivots,
-        joints: &[("A", "#c2571a"), ("B", "#1f6fb2")]
-            .map(|(label, colour)| Joint { label, colour }),
+        joints: &[Joint::crank("A", "#c2571a"), Joint::new("B", 1)],
         guide,
         path: &path.iter().map(pose).collect::<Vec<_>>(),
         whole,

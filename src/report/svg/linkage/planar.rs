@@ -1,8 +1,8 @@
-//! A mechanism at several positions, with the paths of its points.
+//! A mechanism of bodies and joints at several positions, with the paths of its points.
 
 use super::SAMPLES;
+use super::scene::{Bar, Joint, Pivot, Pose, Scene};
 use crate::machine::planar::{Branch, Machine, Reach, path};
-use crate::report::svg::mechanism::{Pose, Scene, Shape};
 use crate::solvers::planar::State;
 
 /// The drawing as text.
@@ -11,16 +11,22 @@ pub fn planar(machine: &Machine, branch: &Branch) -> String {
     let poses = path
         .iter()
         .map(|(drive, state)| pose(machine, state, *drive));
-    let names = machine.points.iter().map(|(n, _)| n.clone());
-    let fixed = machine.outlines[0]
-        .iter()
-        .map(|(n, p)| (n.clone(), p.at.map(|x| x.m())));
+    let names = machine.points.iter().enumerate();
+    let pivots = machine.outlines[0].iter().map(|(label, p)| Pivot {
+        label: label.clone(),
+        at: p.at.map(|x| x.m()),
+        joint: None,
+    });
+    let unit = if machine.rotary() { "°" } else { " m" };
     let scene = Scene {
         name: machine.name.as_deref().unwrap_or("mechanism"),
-        unit: if machine.rotary() { "°" } else { " m" },
-        fixed: &fixed.collect::<Vec<_>>(),
-        points: &names.collect::<Vec<_>>(),
-        poses: &poses.collect::<Vec<_>>(),
+        drive: ["drive at", unit, "eighth of a turn"],
+        pivots: &pivots.collect::<Vec<_>>(),
+        joints: &names
+            .map(|(k, (n, _))| Joint::new(n, k))
+            .collect::<Vec<_>>(),
+        guide: None,
+        path: &poses.collect::<Vec<_>>(),
         whole: matches!(branch.reach, Reach::Whole { .. }),
     };
     scene.draw()
@@ -28,16 +34,28 @@ pub fn planar(machine: &Machine, branch: &Branch) -> String {
 
 fn pose(machine: &Machine, state: &State, drive: f64) -> Pose {
     let at = |p| machine.solver.point(state, p).r;
-    let shapes = machine.outlines[1..].iter().map(|points| Shape {
-        corners: points.iter().map(|(_, p)| at(p)).collect(),
-    });
-    Pose {
+    let mut pose = Pose {
         drive: if machine.rotary() {
             drive.to_degrees()
         } else {
             drive
         },
-        points: machine.points.iter().map(|(_, p)| at(p)).collect(),
-        shapes: shapes.collect(),
+        joints: machine.points.iter().map(|(_, p)| at(p)).collect(),
+        bars: Vec::new(),
+        plates: Vec::new(),
+        blocks: Vec::new(),
+    };
+    for points in &machine.outlines[1..] {
+        let corners: Vec<_> = points.iter().map(|(_, p)| at(p)).collect();
+        match corners[..] {
+            [] => {}
+            [point] => pose.blocks.push(point),
+            [a, b] => pose.bars.push(Bar {
+                label: "",
+                ends: [a, b],
+            }),
+            _ => pose.plates.push(("", corners)),
+        }
     }
+    pose
 }

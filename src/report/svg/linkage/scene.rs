@@ -2,15 +2,22 @@
 
 use super::super::style::{head, legible};
 use super::super::view::{INK, PAPER, Point, SOFT, View, WIDTH};
+use crate::motion::hull;
 use maud::{Markup, html};
 
 /// Half the length and half the width of a slider.
 const SLIDER: [f64; 2] = [24.0, 14.0];
 
-/// A mechanism over its crank's range.
+/// Colours of paths, again from the first when they are used up.
+const PATHS: [&str; 5] = ["#c2571a", "#1f6fb2", "#2f8f4e", "#7a4fa3", "#8a8f98"];
+
+/// A mechanism over its drive's range.
 pub struct Scene<'a> {
-    /// What it is.
+    /// Its name.
     pub name: &'a str,
+    /// The drive in words before its value, its unit behind it, and how an eighth of a turn is
+    /// told.
+    pub drive: [&'static str; 3],
     /// Fixed pivots.
     pub pivots: &'a [Pivot],
     /// Moving joints, in the order of [`Pose::joints`].
@@ -19,45 +26,69 @@ pub struct Scene<'a> {
     pub guide: Option<f64>,
     /// Positions from one end of the range to the other.
     pub path: &'a [Pose],
-    /// Whether that is a whole turn.
+    /// True if that is a whole turn.
     pub whole: bool,
 }
 
 /// A fixed pivot.
 pub struct Pivot {
     /// Its name.
-    pub label: &'static str,
+    pub label: String,
     /// Where it is.
     pub at: Point,
-    /// The joint at the other end of its link.
-    pub joint: usize,
+    /// The joint at the other end of its only link.
+    pub joint: Option<usize>,
 }
 
 /// A moving joint.
 pub struct Joint {
     /// Its name.
-    pub label: &'static str,
+    pub label: String,
     /// Its colour.
     pub colour: &'static str,
+    /// Returns true if its path is dashed.
+    pub dashed: bool,
+}
+
+impl Joint {
+    /// A joint of that number, whose path is a full line.
+    pub fn new(label: &str, number: usize) -> Joint {
+        Joint {
+            label: label.into(),
+            colour: PATHS[number % PATHS.len()],
+            dashed: false,
+        }
+    }
+
+    /// The end of a crank, whose path is a circle and dashed.
+    pub fn crank(label: &str, colour: &'static str) -> Joint {
+        Joint {
+            colour,
+            dashed: true,
+            ..Joint::new(label, 0)
+        }
+    }
 }
 
 /// A position.
 #[derive(Clone)]
 pub struct Pose {
-    /// The crank's angle in degrees.
-    pub crank_deg: f64,
+    /// The drive in the scene's unit.
+    pub drive: f64,
     /// The moving joints; on a guide the last one is a slider.
     pub joints: Vec<Point>,
     /// Links of two joints each.
     pub bars: Vec<Bar>,
-    /// A link of three joints.
-    pub plate: Option<(&'static str, [Point; 3])>,
+    /// Links of three joints or more, with their numbers.
+    pub plates: Vec<(&'static str, Vec<Point>)>,
+    /// Bodies of one point.
+    pub blocks: Vec<Point>,
 }
 
 /// A link between two joints.
 #[derive(Clone)]
 pub struct Bar {
-    /// Its number.
+    /// Its number, or nothing.
     pub label: &'static str,
     /// Its ends.
     pub ends: [Point; 2],
@@ -91,7 +122,7 @@ impl Scene<'_> {
                 @for (i, joint) in self.joints.iter().enumerate() {
                     @let points: Vec<Point> = self.path.iter().map(|p| p.joints[i]).collect();
                     polyline points=(view.line(points.iter().copied())) fill="none" stroke=(joint.colour)
-                        stroke-width="2" stroke-dasharray=[(i == 0).then_some("3 4")] {} "\n"
+                        stroke-width="2" stroke-dasharray=[joint.dashed.then_some("3 4")] {} "\n"
                 }
                 @if let Some(first) = chosen.first() {
                     (self.links(&view, first, true))
@@ -102,7 +133,7 @@ impl Scene<'_> {
                         @let lift = if slider { SLIDER[1] + 16.0 } else { 10.0 };
                         @let (x, y) = view.at(*p);
                         (circle(&view, *p, joint.colour, 3.0))
-                        (text(joint.label, (x + 11.0, y - lift), "start", joint.colour))
+                        (text(&joint.label, (x + 11.0, y - lift), "start", joint.colour))
                     }
                 }
             } "\n"
@@ -110,8 +141,8 @@ impl Scene<'_> {
         svg.into_string()
     }
 
-    /// The position drawn in full and those drawn faintly: eighths of a turn, the start first; or of
-    /// a range, the middle first.
+    /// The position drawn in full and those drawn faintly: eighths of a turn, the start first; or
+    /// of a range, the middle first.
     fn chosen(&self) -> Vec<&Pose> {
         let n = self.path.len();
         let order: &[usize] = match self.whole {
@@ -125,25 +156,29 @@ impl Scene<'_> {
     }
 
     fn legend(&self, chosen: &[&Pose]) -> String {
-        let degrees = |p: &&Pose| p.crank_deg;
+        let [at, unit, eighth] = self.drive;
+        let drives = || chosen.iter().map(|p| p.drive);
         let others = match self.whole {
-            true => "every 45° faint".to_string(),
+            true => format!("every {eighth} faint"),
             false => {
-                let low = chosen.iter().map(degrees).fold(f64::INFINITY, f64::min);
-                let high = chosen.iter().map(degrees).fold(f64::NEG_INFINITY, f64::max);
-                format!("from {low:.2}° to {high:.2}° faint")
+                let low = drives().fold(f64::INFINITY, f64::min);
+                let high = drives().fold(f64::NEG_INFINITY, f64::max);
+                format!("from {low:.2}{unit} to {high:.2}{unit} faint")
             }
         };
-        let first = chosen.first().map_or(f64::NAN, degrees);
-        let labels: Vec<&str> = self.joints.iter().map(|j| j.label).collect();
-        let labels = labels.join(", ").replacen(',', " (dashed),", 1);
-        format!("at φ1 = {first:.3}°, {others}; paths of {labels}")
+        let first = drives().next().unwrap_or(f64::NAN);
+        let label = |j: &Joint| format!("{}{}", j.label, if j.dashed { " (dashed)" } else { "" });
+        let labels: Vec<String> = self.joints.iter().map(label).collect();
+        let labels = labels.join(", ");
+        legible(&format!(
+            "{at} {first:.3}{unit}, {others}; paths of {labels}"
+        ))
     }
 
-    /// Whether the link at the pivot stays below it.
+    /// Returns true if the link at the pivot stays below it.
     fn hangs(&self, pivot: &Pivot) -> bool {
-        let mut path = self.path.iter();
-        path.all(|p| p.joints[pivot.joint][1] < pivot.at[1])
+        let below = |joint: usize| self.path.iter().all(|p| p.joints[joint][1] < pivot.at[1]);
+        pivot.joint.is_some_and(below)
     }
 
     fn links(&self, view: &View, pose: &Pose, lead: bool) -> Markup {
@@ -153,8 +188,11 @@ impl Scene<'_> {
             g stroke=(INK) stroke-width=(width) opacity=(opacity) stroke-linecap="round"
                 stroke-linejoin="round" fill="none" { "\n"
                 @for bar in &pose.bars { polyline points=(view.line(bar.ends.into_iter())) {} "\n" }
-                @if let Some((_, corners)) = &pose.plate {
-                    polygon points=(view.line(corners.iter().copied())) fill=(INK) fill-opacity="0.12" {} "\n"
+                @for (_, corners) in &pose.plates {
+                    polygon points=(view.line(outline(corners).into_iter())) fill=(INK) fill-opacity="0.12" {} "\n"
+                }
+                @for (x, y) in pose.blocks.iter().map(|p| view.at(*p)) {
+                    rect x=(tenths(x - 14.0)) y=(tenths(y - 9.0)) width="28" height="18" {} "\n"
                 }
                 @if let Some((angle, p)) = slider {
                     @let (x, y) = view.at(*p);
@@ -165,9 +203,10 @@ impl Scene<'_> {
                 }
             } "\n"
             @if lead {
-                @for bar in &pose.bars { (number(view, bar)) }
-                @if let Some((label, [a, b, c])) = &pose.plate {
-                    @let (x, y) = view.at([0, 1].map(|i| (a[i] + b[i] + c[i]) / 3.0));
+                @for bar in pose.bars.iter().filter(|b| !b.label.is_empty()) { (number(view, bar)) }
+                @for (label, corners) in pose.plates.iter().filter(|p| !p.0.is_empty()) {
+                    @let sum = |i: usize| corners.iter().map(|p| p[i]).sum::<f64>();
+                    @let (x, y) = view.at([0, 1].map(|i| sum(i) / corners.len() as f64));
                     (text(label, (x, y + 5.0), "middle", SOFT))
                 }
             }
@@ -192,6 +231,14 @@ impl Scene<'_> {
     }
 }
 
+/// The outline of a plate; a triangle has all of its corners on it.
+fn outline(corners: &[Point]) -> Vec<Point> {
+    match corners.len() {
+        0..=3 => corners.to_vec(),
+        _ => hull(corners).into_iter().map(|k| corners[k]).collect(),
+    }
+}
+
 /// A link's number beside its middle.
 fn number(view: &View, bar: &Bar) -> Markup {
     let [q, p] = bar.ends;
@@ -213,7 +260,7 @@ fn text(text: &str, (x, y): (f64, f64), anchor: &str, colour: &str) -> Markup {
     // A white edge keeps labels readable on lines.
     html! {
         text x=(tenths(x)) y=(tenths(y)) text-anchor=(anchor) fill=(colour) stroke=(PAPER)
-            stroke-width="4" paint-order="stroke" stroke-linejoin="round" { (text) } "\n"
+            stroke-width="4" paint-order="stroke" stroke-linejoin="round" { (legible(text)) } "\n"
     }
 }
 
@@ -232,7 +279,7 @@ fn ground(view: &View, pivot: &Pivot, above: bool) -> Markup {
                 path d=(format!("M{foot:.1} {base:.1}l-7 {}", 8.0 * flip)) stroke-width="1.1" {} "\n"
             }
         } "\n"
-        (text(pivot.label, (x + 26.0, y + 17.0 * flip + 2.0), "start", INK))
+        (text(&pivot.label, (x + 26.0, y + 17.0 * flip + 2.0), "start", INK))
     }
 }
 

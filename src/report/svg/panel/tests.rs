@@ -30,7 +30,7 @@ pub fn texts(svg: &str) -> Vec<&str> {
     texts.map(|t| t.split('<').next().unwrap().trim()).collect()
 }
 
-/// What each element of that name that has such an attribute gives it.
+/// The values of an attribute in all elements of that name that have it.
 pub fn attributes<'a>(svg: &'a str, element: &str, name: &str) -> Vec<&'a str> {
     let opening = format!("<{element} ");
     let tags = svg.split(opening.as_str()).skip(1);
@@ -91,7 +91,7 @@ pub fn curves(svg: &str) -> Vec<Points> {
         .collect()
 }
 
-/// Whether two places are the same to a hundredth of a pixel.
+/// Returns true if two places are the same to a hundredth of a pixel.
 pub fn near(a: (f64, f64), b: (f64, f64)) -> bool {
     (a.0 - b.0).abs() < 0.011 && (a.1 - b.1).abs() < 0.011
 }

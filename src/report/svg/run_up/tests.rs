@@ -176,7 +176,8 @@ fn a_short_start_stands_enlarged_beside_the_whole() {
     assert!((30.0..=50.0).contains(&last), "{last} ms");
 }
 
-/// From 1e-3 to 1e-6 across and from 10 to 1000 evaluations up: whole powers of ten around what there is.
+/// From 1e-3 to 1e-6 across and from 10 to 1000 evaluations up: whole powers of ten around what
+/// there is.
 #[test]
 fn points_stand_between_whole_powers_of_ten() {
     let names = ["a", "b", "c", "d"];

@@ -164,7 +164,8 @@ fn a_failing_case_has_all_it_needs() {
     assert!(text.lines().all(|l| l.chars().count() <= 100), "{text}");
 }
 
-/// With two outputs, one of two regions in which a case fails, and the other with an error beyond all numbers.
+/// With two outputs, one of two regions in which a case fails, and the other with an error beyond
+/// all numbers.
 fn varied() -> MethodReport {
     let mut report = fabricated();
     let mut wrong = Kinds::default();
@@ -230,7 +231,8 @@ fn columns_of_regions_give_way_one_column_before_the_edge() {
     assert!(!seen(longest - 1).contains("median"), "{whole}");
 }
 
-/// A case of the hard region that is over budget comes first, unless it is recorded: then it is among no failures.
+/// A case of the hard region that is over budget comes first, unless it is recorded: then it is
+/// among no failures.
 #[test]
 fn recorded_cases_are_not_shown_as_failing() {
     let mut report = fabricated();

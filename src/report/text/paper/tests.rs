@@ -115,7 +115,8 @@ fn findings_by_subject_with_marks_and_width() {
     }
 }
 
-/// Green where all are rounded correctly, plain where all are within a unit, yellow where half are, red below.
+/// Green where all are rounded correctly, plain where all are within a unit, yellow where half are,
+/// red below.
 #[test]
 fn tallies_have_the_colour_of_how_many_agree() {
     let of = |entries, within_half, within_one| {
@@ -210,7 +211,8 @@ fn every_table_has_its_own_tallies_in_order() {
     );
 }
 
-/// Up to a common column, which leaves forty characters for values; a line that is too long is wrapped.
+/// Up to a common column, which leaves forty characters for values; a line that is too long is
+/// wrapped.
 #[test]
 fn figures_have_leaders_as_far_as_there_is_room() {
     let figure = |name: &str, value: &str| Figure {

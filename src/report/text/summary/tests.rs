@@ -17,7 +17,7 @@ fn what_is_over_budget_or_not_as_recorded_is_shown() {
     ] {
         assert!(text.contains(part), "{part} is missing in\n{text}");
     }
-    // What is as recorded is no news.
+    // A recorded finding is no news.
     assert!(!text.contains("The mass of link 4"), "{text}");
 }
 

@@ -75,7 +75,8 @@ fn a_chart_has_a_line() {
     }
 }
 
-/// Half as high and 1/n³ or less each: what is left of a law without jumps of its velocity falls with 1/n².
+/// Half as high and 1/n³ or less each: what is left of a law without jumps of its velocity falls
+/// with 1/n².
 #[test]
 fn harmonics_have_a_line() {
     let machine = machine("constant-acceleration", 30);
@@ -300,7 +301,7 @@ fn a_spectrum_has_a_row_for_each_harmonic() {
     let rows = found["rows"].as_array().unwrap();
     let numbers: Vec<u64> = rows.iter().map(|r| r["n"].as_u64().unwrap()).collect();
     assert_eq!(numbers, [1, 2, 3]);
-    // What is left out after the last is that of the whole.
+    // The rest left out after the last one is that of the whole.
     assert_eq!(rows[2]["left_out_m"], found["harmonics_left_out"]);
     for row in rows {
         let [a, b, d, delta] = ["a_m", "b_m", "D_m", "delta_deg"].map(|k| row[k].as_f64().unwrap());

@@ -76,7 +76,7 @@ fn another_number_of_modes_is_open() {
     let mut more = map.clone();
     more.rows[0].extend_from_within(..1);
     assert_eq!(prove_counts(&certifier, &values, &more), 1);
-    // What is not matched by both searches is said.
+    // Positions that only one of the searches found are told.
     let said = |map: &BranchMap| facts::map_lines(&machine, map).join("\n");
     assert!(!said(&map).contains("but not by both"));
     let unmatched = BranchMap {

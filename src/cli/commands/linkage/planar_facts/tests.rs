@@ -278,7 +278,7 @@ fn branches_begin_and_end() {
             (&json!(end.branches), &json!(end.begins))
         );
     }
-    // What is not refined, in degrees and metres.
+    // Ends that are not refined, in degrees and metres.
     let end = |branches: &[usize], begins| BranchEnd {
         at: None,
         drive: 1.25,

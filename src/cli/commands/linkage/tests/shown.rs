@@ -1,4 +1,4 @@
-//! What is shown: windows, positions and pages.
+//! The shown parts: windows, positions and pages.
 
 use super::super::shown;
 use super::*;

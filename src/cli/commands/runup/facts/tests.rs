@@ -123,7 +123,7 @@ fn cycles_and_flywheels_have_a_line_each() {
         lines(Some(Err(stalled())), Some(Err(refused()))),
         [stalled().to_string(), format!("no flywheel: {}", refused()),]
     );
-    // What an error says itself is not said before it.
+    // The words of an error are not told before it.
     let lost = CycleError::NotFound {
         iterations: 50,
         change: 1e-300,

@@ -125,7 +125,8 @@ fn cases_are_numbered_and_share_the_beginnings_of_their_places() {
     );
 }
 
-/// 1200 points over all regions, but three of each; 300 cases in full over all methods, and the worst.
+/// 1200 points over all regions, but three of each; 300 cases in full over all methods, and the
+/// worst.
 #[test]
 fn a_page_of_much_holds_less_of_each() {
     let mut report = fabricated();

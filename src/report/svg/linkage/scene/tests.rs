@@ -4,30 +4,33 @@ use super::super::super::panel::tests::attributes;
 use super::super::super::style::tests::whole;
 use super::*;
 
+const CRANK: [&str; 3] = ["at φ1 =", "°", "45°"];
+
 /// A slider-crank of unit lengths over a turn, drawn.
 pub fn drawn(name: &str, whole: bool) -> String {
     let pose = |k: u32| {
         let (sin, cos) = (f64::from(k) * 45.0).to_radians().sin_cos();
         let (a, b) = ([cos, sin], [2.0 * cos, 0.0]);
         Pose {
-            crank_deg: f64::from(k) * 45.0,
+            drive: f64::from(k) * 45.0,
             joints: vec![a, b],
             bars: vec![Bar {
                 label: "1",
                 ends: [a, b],
             }],
-            plate: Some(("4", [a, b, [0.0, 0.0]])),
+            plates: vec![("4", vec![a, b, [0.0, 0.0]])],
+            blocks: Vec::new(),
         }
     };
     let scene = Scene {
         name,
+        drive: CRANK,
         pivots: &[Pivot {
-            label: "O1",
+            label: "O1".into(),
             at: [0.0, 0.0],
-            joint: 0,
+            joint: Some(0),
         }],
-        joints: &[("A", "#c2571a"), ("B", "#1f6fb2")]
-            .map(|(label, colour)| Joint { label, colour }),
+        joints: &[Joint::crank("A", "#c2571a"), Joint::new("B", 1)],
         guide: Some(0.0),
         path: &(0..=8).map(pose).collect::<Vec<_>>(),
         whole,
@@ -56,14 +59,16 @@ fn a_turn_leads_with_its_start_and_a_range_with_its_middle() {
 fn positions_are_chosen_by_eighths() {
     let chosen = |n: u32, whole| {
         let pose = |k: u32| Pose {
-            crank_deg: f64::from(k),
+            drive: f64::from(k),
             joints: Vec::new(),
             bars: Vec::new(),
-            plate: None,
+            plates: Vec::new(),
+            blocks: Vec::new(),
         };
         let path: Vec<Pose> = (0..n).map(pose).collect();
         let scene = Scene {
             name: "",
+            drive: CRANK,
             pivots: &[],
             joints: &[],
             guide: None,
@@ -71,7 +76,7 @@ fn positions_are_chosen_by_eighths() {
             whole,
         };
         let all = scene.chosen();
-        all.iter().map(|p| p.crank_deg as u32).collect::<Vec<_>>()
+        all.iter().map(|p| p.drive as u32).collect::<Vec<_>>()
     };
     assert_eq!(chosen(17, true), [0, 2, 4, 6, 8, 10, 12, 14]);
     assert_eq!(chosen(17, false), [8, 0, 4, 12, 16]);
@@ -80,28 +85,30 @@ fn positions_are_chosen_by_eighths() {
     assert!(chosen(0, true).is_empty());
 }
 
-/// A crank from (0, 0) to (k, −1), a bar from there to (4.6 + 2 k, −3), and a plate, of which a metre is 100 pixels.
+/// A crank from (0, 0) to (k, −1), a bar from there to (4.6 + 2 k, −3), and a plate, of which a
+/// metre is 100 pixels.
 fn scaled(guide: Option<f64>, up: f64) -> String {
     let pose = |k: u32| {
         let k = f64::from(k);
         let (a, b) = ([k, -up], [4.6 + 2.0 * k, -3.0]);
         let bar = |label, ends| Bar { label, ends };
         Pose {
-            crank_deg: 10.0 * k,
+            drive: 10.0 * k,
             joints: vec![a, b],
             bars: vec![bar("1", [[0.0, 0.0], a]), bar("2", [a, b])],
-            plate: Some(("4", [[0.0, 0.0], [3.0, 0.0], [0.0, -3.0]])),
+            plates: vec![("4", vec![[0.0, 0.0], [3.0, 0.0], [0.0, -3.0]])],
+            blocks: Vec::new(),
         }
     };
     let scene = Scene {
         name: "a scene",
+        drive: CRANK,
         pivots: &[Pivot {
-            label: "O1",
+            label: "O1".into(),
             at: [0.0, 0.0],
-            joint: 0,
+            joint: Some(0),
         }],
-        joints: &[("A", "#c2571a"), ("B", "#1f6fb2")]
-            .map(|(label, colour)| Joint { label, colour }),
+        joints: &[Joint::crank("A", "#c2571a"), Joint::new("B", 1)],
         guide,
         path: &(0..3).map(pose).collect::<Vec<_>>(),
         whole: false,
@@ -126,7 +133,8 @@ fn every_part_stands_where_it_is() {
         [
             ("O1", "96.0", "111.0"),
             ("1", "55.0", "181.0"),
-            // Fifteen pixels from the middle of the bar, on its upper side, and five for half a letter.
+            // Fifteen pixels from the middle of the bar, on its upper side, and five for half a
+            // letter.
             ("2", "306.0", "317.2"),
             ("4", "170.0", "231.0"),
             ("A", "81.0", "216.0"),
@@ -186,7 +194,8 @@ fn the_ground_is_on_the_other_side_of_the_link() {
     }
 }
 
-/// Half a length of 48 and half a width of 28 to each side, turned with the guide, its letter above it.
+/// Half a length of 48 and half a width of 28 to each side, turned with the guide, its letter above
+/// it.
 #[test]
 fn a_slider_is_a_block_on_its_guide() {
     let svg = scaled(Some(30f64.to_radians()), 1.0);
@@ -236,4 +245,55 @@ fn the_number_of_a_bar_is_beside_its_middle() {
     assert_eq!(at([low, [2.0, 0.0]]), due("170.0", "976.0"));
     assert_eq!(at([low, [0.0, 2.0]]), due("85.0", "891.0"));
     assert_eq!(at([low, low]), due("70.0", "991.0"));
+}
+
+/// A body of one point is a block, one without a point nothing, and of more than three the outline
+/// has no inner corner. A mechanism of bodies has no numbers, and its ground is always below.
+#[test]
+fn bodies_are_drawn_by_their_points() {
+    let names = ["A", "B", "C", "D", "E", "F"];
+    let pose = |k: u32| Pose {
+        drive: f64::from(k),
+        joints: (0..6).map(|n| [f64::from(k), f64::from(n)]).collect(),
+        bars: vec![Bar {
+            label: "",
+            ends: [[0.0, 0.0], [f64::from(k), 1.0]],
+        }],
+        plates: vec![("", vec![[0.0, 0.0], [3.0, 0.0], [0.5, 0.5], [0.0, 3.0]])],
+        blocks: vec![[f64::from(k), 2.0]],
+    };
+    let joints = names.iter().enumerate().map(|(k, n)| Joint::new(n, k));
+    let pivot = |label: &str, at| Pivot {
+        label: label.into(),
+        at,
+        joint: None,
+    };
+    let scene = Scene {
+        name: "crank & more",
+        drive: ["drive at", " m", "eighth of a turn"],
+        pivots: &[pivot("O", [0.0, 0.0]), pivot("P", [8.6, 5.0])],
+        joints: &joints.collect::<Vec<_>>(),
+        guide: None,
+        path: &[pose(0), pose(1)],
+        whole: false,
+    };
+    let svg = scene.draw();
+    whole(&svg);
+    let legend = "drive at 0.000 m, from 0.00 m to 1.00 m faint; paths of A, B, C, D, E, F<";
+    assert!(svg.contains(legend), "{svg}");
+    assert!(svg.contains("<title>crank &amp; more</title>"));
+    // From (70, 626).
+    let texts: Vec<&str> = labels(&svg).iter().map(|l| l.0).collect();
+    assert_eq!(texts, [&["O", "P"][..], &names].concat());
+    let corners = attributes(&svg, "polygon", "points");
+    assert_eq!(corners, ["70.00,626.00 370.00,626.00 70.00,326.00"; 2]);
+    assert_eq!(attributes(&svg, "rect", "x"), ["156.0", "56.0"]);
+    assert_eq!(attributes(&svg, "rect", "y"), ["417.0"; 2]);
+    assert!(
+        svg.contains("L57.0 648.0h26z") && svg.contains("L917.0 148.0h26z"),
+        "{svg}"
+    );
+    // The sixth path has the colour of the first.
+    let paths: Vec<&str> = attributes(&svg, "circle", "stroke").split_off(2);
+    assert_eq!(paths, [&PATHS[..], &PATHS[..1]].concat());
 }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::cli::number::{FIELDS, SHOWN};
 use SolverAnswer::{Declines, Fails, Values};
 
 fn answers(text: &[u8]) -> Vec<SolverAnswer> {

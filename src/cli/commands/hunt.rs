@@ -1,10 +1,8 @@
 //! Hunting for a method's worst inputs and recording them.
 
-pub mod hard_folder;
-
 use crate::cli::args::HuntArgs;
 use crate::cli::failure::{Failure, Outcome};
-use crate::cli::files::output::write_to;
+use crate::cli::files::{hard_folder, output::write_to};
 use crate::cli::lookup;
 use crate::cli::progress::Progress;
 use crate::cli::terminal::width;
@@ -31,7 +29,7 @@ pub fn hunt(args: &HuntArgs) -> Result<Outcome, Failure> {
     if let Some(folder) = folder {
         hard_folder::check_writable(folder, &*method)?;
     }
-    forecast::hunt(&*method, args.evals)?;
+    forecast::check_hunt(&*method, args.evals)?;
     let method = Variant::new(&*method).hard_cases(known.clone());
     let progress = Progress::new();
     let show = |made| progress.show(method.name(), made, args.evals);

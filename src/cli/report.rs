@@ -1,4 +1,4 @@
-//! Reports of audits written in the form asked for, whosever code was audited.
+//! Reports of audits, written in the selected form.
 
 use crate::cli::args::AuditFormat;
 use crate::cli::failure::{Failure, Outcome};
@@ -12,26 +12,23 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-/// Cases of each region that a page shows whatever they are.
+/// The number of cases of each region that a page shows, passed or not.
 pub const POINTS: usize = 48;
 
-/// The convergence of approximations, for a page of everything.
-pub type Approximations = Option<Vec<Result<ConvergenceReport, Uncertified>>>;
-
-/// What a report shows besides the verdicts.
+/// The parts of a report beside the verdicts.
 #[derive(Default)]
-pub struct Besides {
-    /// Of approximations.
-    pub approximations: Approximations,
+pub struct ReportExtras {
+    /// The convergence of approximations, for a page of everything.
+    pub approximations: Option<Vec<Result<ConvergenceReport, Uncertified>>>,
     /// An earlier report.
     pub baseline: Option<Baseline>,
 }
 
-/// The longest baseline.
+/// The size of the largest baseline in bytes.
 const WHOLE: u64 = 1 << 30;
 
-/// A report of an earlier run.
-pub fn read(path: &Path) -> Result<Baseline, Failure> {
+/// Reads the report of an earlier run.
+pub fn read_baseline(path: &Path) -> Result<Baseline, Failure> {
     let refused = |e: std::io::Error| Failure::cannot("read", path, e);
     let mut text = String::new();
     let file = File::open(path).map_err(refused)?;
@@ -41,25 +38,25 @@ pub fn read(path: &Path) -> Result<Baseline, Failure> {
     Baseline::read(&text).map_err(|e| Failure::in_file(path, e))
 }
 
-/// The earlier report that the arguments name, for forms that show what has changed.
+/// Returns the earlier report that the arguments name, for the forms that show changes.
 pub fn baseline(path: Option<&Path>, format: AuditFormat) -> Result<Option<Baseline>, Failure> {
     match (path, format) {
         (None, _) => Ok(None),
-        (Some(path), AuditFormat::Text | AuditFormat::Json) => read(path).map(Some),
+        (Some(path), AuditFormat::Text | AuditFormat::Json) => read_baseline(path).map(Some),
         _ => Err(Failure::new(
             "--baseline: changes are shown in text and json",
         )),
     }
 }
 
-/// Writes them. Text of one case is all that is known of it.
+/// Writes reports. The text of a single case shows everything that is known of it.
 pub fn write(
     reports: &[MethodReport],
     format: AuditFormat,
     output: Output,
-    besides: &Besides,
+    extras: &ReportExtras,
 ) -> Result<Outcome, Failure> {
-    let changes = besides.baseline.as_ref().map(|b| b.changes(reports));
+    let changes = extras.baseline.as_ref().map(|b| b.changes(reports));
     let stopped = reports.iter().any(|r| r.interrupted);
     let outcome = Outcome::unless_interrupted(stopped, all_pass(reports));
     match format {
@@ -89,7 +86,7 @@ pub fn write(
             output.write(|out| Ok(writeln!(out, "{text}")?))?;
         }
         AuditFormat::Html => {
-            let approximations = besides.approximations.as_deref();
+            let approximations = extras.approximations.as_deref();
             let page = html::audit::page(reports, approximations, changes.as_ref(), stopped);
             output.text(&page)?;
         }
@@ -97,7 +94,7 @@ pub fn write(
     Ok(outcome)
 }
 
-/// A report as text, without the last end of line.
+/// Formats a report as text, without the last end of line.
 pub fn in_words(report: &MethodReport) -> String {
     let mut known = report.wrong.iter().chain(&report.worst);
     let text = match (report.cases, known.next()) {

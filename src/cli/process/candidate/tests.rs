@@ -19,12 +19,14 @@ fn zero() -> Case {
     }
 }
 
-fn spoken(seconds: f64) -> ProgramArgs {
-    ProgramArgs {
+/// A shell script as a candidate that may be silent for `seconds`.
+fn spoken(script: &str, seconds: f64) -> Candidate {
+    Candidate {
+        command: shell(script),
         timeout: Duration::from_secs_f64(seconds),
         run_timeout: Duration::from_secs(3600),
+        form: Form::Lines,
         decimal: false,
-        binary: false,
     }
 }
 
@@ -34,7 +36,7 @@ fn shell(script: &str) -> String {
 
 fn of(script: &str, settings: &Settings, seconds: f64) -> MethodReport {
     let method = method();
-    audit(&*method, None, &shell(script), &spoken(seconds), settings).unwrap()
+    audit(&*method, None, &spoken(script, seconds), settings).unwrap()
 }
 
 fn few(cases_per_region: u64) -> Settings {
@@ -53,7 +55,7 @@ fn one_input_is_judged() {
     let method = method();
     let judged = |script: &str| {
         let one = Some(zero());
-        let report = audit(&*method, one, &shell(script), &spoken(20.0), &few(1)).unwrap();
+        let report = audit(&*method, one, &spoken(script, 20.0), &few(1)).unwrap();
         let candidate = report.candidate.clone().unwrap();
         (report.cases, report.passed, candidate)
     };
@@ -176,20 +178,18 @@ fn a_program_is_shown_every_input() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("seen");
     let shown = |total: usize, decimal: bool, binary: bool| {
-        let program = ProgramArgs {
-            decimal,
-            binary,
-            ..spoken(20.0)
-        };
         let path = file.to_str().unwrap();
-        let command = shell(&format!(
-            "cat > {path}; echo $MECHAUDIT_PROTOCOL > {path}.how"
-        ));
-        let mut fed = Fed::start(&command, &program, &inputs, total).unwrap();
+        let script = format!("cat > {path}; echo $MECHAUDIT_PROTOCOL > {path}.how");
+        let candidate = Candidate {
+            decimal,
+            form: if binary { Form::Frames } else { Form::Lines },
+            ..spoken(&script, 20.0)
+        };
+        let mut process = CandidateProcess::start(&candidate, &inputs, total).unwrap();
         let mut batch = Batch::default();
-        let end = fed.collect(total, &mut batch);
+        let end = process.collect(total, &mut batch);
         assert!(matches!(end, Some(End::Closed)) && batch.is_empty());
-        fed.end(End::Closed);
+        process.end(End::Closed);
         let how = std::fs::read_to_string(folder.path().join("seen.how")).unwrap();
         assert_eq!(how.trim(), if binary { "binary" } else { "text" });
         std::fs::read(&file).unwrap()
@@ -212,27 +212,28 @@ fn a_program_is_shown_every_input() {
 }
 
 #[test]
-fn as_many_answers_are_collected_as_are_due() {
+fn as_many_answers_are_collected_as_are_expected() {
     let inputs = Arc::new(Inputs::listed(vec![zero(); 7]));
-    let command = shell("while read x; do echo 0,0; done");
-    let mut fed = Fed::start(&command, &spoken(20.0), &inputs, 7).unwrap();
+    let candidate = spoken("while read x; do echo 0,0; done", 20.0);
+    let start = || CandidateProcess::start(&candidate, &inputs, 7).unwrap();
+    let mut process = start();
     let mut batch = Batch::default();
-    assert!(fed.collect(2, &mut batch).is_none());
-    assert_eq!((batch.len(), fed.answered()), (2, 2));
-    assert!(fed.collect(4, &mut batch).is_none());
-    assert_eq!((batch.len(), fed.answered()), (6, 6));
-    assert!(fed.collect(1, &mut batch).is_none());
-    assert!(matches!(fed.rest(), End::Closed));
-    assert_eq!(fed.end(End::Closed), None);
-    let report = fed.report(Some("why".into()));
+    assert!(process.collect(2, &mut batch).is_none());
+    assert_eq!((batch.len(), process.answered()), (2, 2));
+    assert!(process.collect(4, &mut batch).is_none());
+    assert_eq!((batch.len(), process.answered()), (6, 6));
+    assert!(process.collect(1, &mut batch).is_none());
+    assert!(matches!(process.rest(), End::Closed));
+    assert_eq!(process.end(End::Closed), None);
+    let report = process.report(Some("why".into()));
     assert_eq!((report.answered, report.trouble), (7, Some("why".into())));
-    let mut fed = Fed::start(&command, &spoken(20.0), &inputs, 7).unwrap();
-    let said = fed.end(End::Interrupted);
+    let mut process = start();
+    let said = process.end(End::Interrupted);
     let due = "Interrupted: the program had answered 0 of 7 inputs.";
     assert_eq!(said.as_deref(), Some(due));
     let why = std::io::Error::other("gone");
-    let mut fed = Fed::start(&command, &spoken(20.0), &inputs, 7).unwrap();
-    let said = fed.end(End::Unreadable(why)).unwrap();
+    let mut process = start();
+    let said = process.end(End::Unreadable(why)).unwrap();
     let due = "The program answered 0 times, then its output could not be read: gone; 7 of 7 inputs are unanswered.";
     assert_eq!(said, due);
 }
@@ -252,7 +253,7 @@ fn a_shard_is_gathered() {
         let inputs = Inputs::dealt(Cases::new(&*method, &settings), stride);
         let told = Mutex::new(Vec::new());
         let tell = |n: u64| told.lock().unwrap().push(n);
-        let report = gather(&panel, inputs, &shell(script), &spoken(20.0), &tell);
+        let report = gather(&panel, inputs, &spoken(script, 20.0), &tell);
         let report = report.unwrap().expect("nobody has asked to stop");
         let cases = panel.into_tally().finish(&*method).cases;
         (report, cases, told.into_inner().unwrap())
@@ -281,7 +282,11 @@ fn what_cannot_be_started_is_said() {
         ("/no/such/program", "cannot start \"/no/such/program\": "),
         ("'open", "--exec \"'open\": "),
     ] {
-        let Err(failure) = Fed::start(command, &spoken(1.0), &inputs, 1) else {
+        let candidate = Candidate {
+            command: command.into(),
+            ..spoken("", 1.0)
+        };
+        let Err(failure) = CandidateProcess::start(&candidate, &inputs, 1) else {
             panic!("{command} is started");
         };
         assert!(failure.to_string().starts_with(why), "{failure}");
@@ -295,12 +300,12 @@ fn what_cannot_be_started_is_said() {
 fn the_whole_run_has_a_bound() {
     let method = method();
     let slow = "while read -r line; do echo 0x1p0,0x0p0; sleep 0.2; done";
-    let spoken = ProgramArgs {
+    let candidate = Candidate {
         run_timeout: Duration::from_secs_f64(1.5),
-        ..spoken(60.0)
+        ..spoken(slow, 60.0)
     };
     let start = Instant::now();
-    let report = audit(&*method, None, &shell(slow), &spoken, &few(100)).unwrap();
+    let report = audit(&*method, None, &candidate, &few(100)).unwrap();
     assert!(start.elapsed() < Duration::from_secs(30));
     let why = trouble(&report).unwrap();
     assert!(

@@ -1,5 +1,6 @@
-//! Files read line by line, however long they claim to be.
+//! Bounds on the length of files that are read line by line.
 
+use crate::cli::number::size;
 use std::io::{Error, Read, Result};
 
 /// A reader that ends with an error where a line or the whole is too long.
@@ -7,13 +8,13 @@ pub struct Bounded<R> {
     input: R,
     line: usize,
     whole: usize,
-    /// Bytes of the line that is being read, and of all.
+    /// The bytes read of the current line, and of all lines.
     read: (usize, usize),
     number: u64,
 }
 
 impl<R: Read> Bounded<R> {
-    /// At most that many bytes in a line and in all.
+    /// Creates a reader of at most `line` bytes in a line and `whole` bytes in all.
     pub fn new(input: R, line: usize, whole: usize) -> Bounded<R> {
         Bounded {
             input,
@@ -60,14 +61,6 @@ impl<R> Bounded<R> {
     }
 }
 
-/// Bytes in words.
-pub fn size(bytes: usize) -> String {
-    match bytes {
-        b if b >= 1 << 20 && b % (1 << 20) == 0 => format!("{} MiB", b >> 20),
-        b => format!("{b} bytes"),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -98,16 +91,6 @@ mod tests {
         );
         let large = all("ab\nabc\n", 3, 6).unwrap_err();
         assert_eq!(large.to_string(), "it is longer than the limit of 6 bytes");
-    }
-
-    #[test]
-    fn whole_mebibytes_are_said_so() {
-        assert_eq!(size(1 << 20), "1 MiB");
-        assert_eq!(size(3 << 20), "3 MiB");
-        assert_eq!(size((1 << 20) + 1), "1048577 bytes");
-        assert_eq!(size(1 << 19), "524288 bytes");
-        assert_eq!(size(2), "2 bytes");
-        assert_eq!(size(0), "0 bytes");
     }
 
     #[test]

@@ -1,0 +1,93 @@
+//! Answers functions of balls line by line, for checks by another program.
+//!
+//! A line is a name, the precision of the result and the operands, each `bits m e r s` for the ball
+//! `m 2^e ± r 2^s` with a midpoint of so many bits. The answer is `m e r s`, or `undefined`,
+//! `undecided` or `overflow` with a sign.
+
+use mechaudit_reference::elementary::{self, Evaluated, NoValue};
+use mechaudit_reference::{Ball, Mag};
+use rug::{Float, Integer};
+use std::io::{BufRead, BufWriter, Write};
+
+type Word<'a> = std::str::SplitAsciiWhitespace<'a>;
+
+fn next<T: std::str::FromStr>(words: &mut Word) -> Option<T> {
+    words.next()?.parse().ok()
+}
+
+fn ball(words: &mut Word) -> Option<Ball> {
+    let bits = next(words)?;
+    let (m, e): (Integer, i32) = (next(words)?, next(words)?);
+    let (r, s): (f64, i64) = (next(words)?, next(words)?);
+    let mid = Float::with_val(bits, m) << e;
+    Some(Ball::new(mid, Mag::from_f64(r).shift(s)))
+}
+
+fn written(ball: &Ball) -> String {
+    let (m, e) = ball.mid().to_integer_exp().unwrap_or_default();
+    let s = ball.rad().exponent().unwrap_or(0) - 52;
+    let r = ball.rad().shift(-s).to_f64();
+    format!("{m} {e} {r} {s}")
+}
+
+fn reason(why: NoValue) -> String {
+    match why {
+        NoValue::Undefined(_) => "undefined".into(),
+        NoValue::Undecided(_) => "undecided".into(),
+        NoValue::Overflow { negative: true } => "overflow -".into(),
+        NoValue::Overflow { negative: false } => "overflow +".into(),
+    }
+}
+
+macro_rules! table {
+    ($($arity:ident: $($name:ident)*;)*) => {
+        fn value(name: &str, prec: u32, words: &mut Word) -> Option<Evaluated> {
+            match name {
+                $($(stringify!($name) => table!($arity, $name, prec, words),)*)*
+                "powi" => {
+                    let x = ball(words)?;
+                    Some(elementary::powi(&x, next(words)?, prec))
+                }
+                _ => None,
+            }
+        }
+    };
+    (one, $name:ident, $prec:ident, $words:ident) => {
+        Some(elementary::$name(&ball($words)?, $prec))
+    };
+    (two, $name:ident, $prec:ident, $words:ident) => {
+        Some(elementary::$name(&ball($words)?, &ball($words)?, $prec))
+    };
+    (three, $name:ident, $prec:ident, $words:ident) => {
+        Some(elementary::$name(&ball($words)?, &ball($words)?, &ball($words)?, $prec))
+    };
+}
+
+table! {
+    one: sqrt cbrt exp exp2 exp10 expm1 log log2 log10 log1p sin cos tan asin acos atan sinh cosh
+        tanh asinh acosh atanh erf erfc erfcx erfi dawson tgamma lgamma digamma fabs floor ceil
+        round trunc nearbyint recip sqr sinpi cospi tanpi;
+    two: hypot pow atan2 fmin fmax fdim fmod remainder copysign add sub mul div;
+    three: fma voigt;
+}
+
+fn main() -> std::io::Result<()> {
+    let mut out = BufWriter::new(std::io::stdout().lock());
+    for line in std::io::stdin().lock().lines() {
+        let line = line?;
+        let mut words = line.split_ascii_whitespace();
+        let name = words.next().unwrap_or_default();
+        let found = next(&mut words).and_then(|prec| value(name, prec, &mut words));
+        match found {
+            Some(Ok(ball)) => writeln!(out, "{}", written(&ball))?,
+            Some(Err(why)) => writeln!(out, "{}", reason(why))?,
+            None => {
+                out.flush()?;
+                return Err(std::io::Error::other(format!("not understood: {line}")));
+            }
+        }
+        // An answer for each line at once: whoever asks can tell which line takes long.
+        out.flush()?;
+    }
+    Ok(())
+}

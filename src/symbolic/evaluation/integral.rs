@@ -1,0 +1,166 @@
+//! Integrals of graphs.
+
+use super::ball::{Balls, Value};
+use super::germ::{Germs, Near};
+use super::{Evaluator, Stop};
+use crate::graph::{Graph, Id, Node};
+use mechaudit_reference::elementary::NoValue;
+use mechaudit_reference::quadrature::{self, End, Goal, Growth, Integrand, Limit};
+use mechaudit_reference::{Ball, ComplexBall};
+
+/// The body of an integral as a function of its variable.
+struct Body<'e> {
+    evaluator: &'e mut Evaluator<Balls>,
+    binder: u32,
+    body: Id,
+    /// Where the integrand is undefined on a whole interval.
+    undefined: Option<Stop>,
+}
+
+impl Body<'_> {
+    fn value(&mut self, variable: Value, holomorphic: bool, bits: u32) -> Result<Value, Stop> {
+        let balls = &mut self.evaluator.interpretation;
+        let outside = (balls.prec, balls.holomorphic);
+        (balls.prec, balls.holomorphic) = (bits, holomorphic);
+        self.evaluator.set_variables(self.binder, [variable]);
+        let value = self.evaluator.value(self.body).cloned();
+        let balls = &mut self.evaluator.interpretation;
+        (balls.prec, balls.holomorphic) = outside;
+        value
+    }
+
+    fn real(&mut self, x: &Ball, bits: u32) -> Option<Value> {
+        let is_wide = !x.rad().is_zero();
+        match self.value(Value::Real(x.clone()), false, bits) {
+            Ok(value) => Some(value),
+            Err(stop) => {
+                if is_wide && matches!(stop.reason, NoValue::Undefined(_)) {
+                    self.undefined = Some(stop);
+                }
+                None
+            }
+        }
+    }
+}
+
+impl Integrand for Body<'_> {
+    fn enclose(&mut self, z: &ComplexBall, holomorphic: bool, bits: u32) -> Option<ComplexBall> {
+        if z.im.is_zero() && (!holomorphic || z.re.rad().is_zero()) {
+            return self.real(&z.re, bits)?.to_complex();
+        }
+        if !holomorphic {
+            return None;
+        }
+        self.value(Value::Continued(z.clone()), true, bits)
+            .ok()?
+            .to_complex()
+    }
+
+    fn enclose_real(&mut self, x: &Ball, bits: u32) -> Option<Ball> {
+        self.real(x, bits)?.real().cloned()
+    }
+
+    fn growth(&mut self, end: &End, k: u32) -> Option<Growth> {
+        let bits = self.evaluator.interpretation.prec;
+        let graph = self.evaluator.graph().clone();
+        let mut germs = Evaluator::new(graph.clone(), Germs { k, bits });
+        // What does not depend on the variable is constant.
+        for id in leaves(&graph, self.body, self.binder) {
+            let value = self.evaluator.value(id).ok()?.real()?.clone();
+            let constant = germs.interpretation.constant_of(&value);
+            germs.set(id, constant);
+        }
+        let variable = quadrature::Germ::variable(end, k, bits);
+        germs.set_variables(self.binder, [Near::varying(variable)]);
+        germs.value(self.body).ok()?.germ().growth()
+    }
+}
+
+/// Nodes that the body depends on and that do not depend on the variable of its binder: the largest
+/// of them.
+fn leaves(graph: &Graph, body: Id, binder: u32) -> Vec<Id> {
+    let mut open = vec![body];
+    let mut seen = vec![false; body as usize + 1];
+    let mut found = Vec::new();
+    while let Some(id) = open.pop() {
+        if std::mem::replace(&mut seen[id as usize], true) {
+            continue;
+        }
+        match graph.depends_on(id, binder) {
+            true => open.extend(graph.operands(graph.node(id))),
+            false
+                if matches!(
+                    graph.node(id),
+                    Node::Truth(_)
+                        | Node::Compare(..)
+                        | Node::And(..)
+                        | Node::Or(..)
+                        | Node::Not(_)
+                ) =>
+            {
+                open.extend(graph.operands(graph.node(id)));
+            }
+            false => found.push(id),
+        }
+    }
+    found
+}
+
+/// A limit of an integral.
+fn limit(evaluator: &mut Evaluator<Balls>, id: Id) -> Result<Limit, Stop> {
+    let graph = evaluator.graph().clone();
+    match graph.node(id) {
+        Node::Infinity => return Ok(Limit::PlusInfinity),
+        Node::Neg(a) if graph.node(a) == Node::Infinity => return Ok(Limit::MinusInfinity),
+        _ => {}
+    }
+    match evaluator.value(id)?.real() {
+        Some(x) => Ok(Limit::Finite(x.clone())),
+        None => Err(Stop {
+            node: id,
+            reason: NoValue::Undefined("a limit of an integral that is not a real number"),
+        }),
+    }
+}
+
+/// The value of an integral from one node to another.
+pub(super) fn integral(
+    evaluator: &mut Evaluator<Balls>,
+    binder: u32,
+    node: Id,
+    [from, to, body]: [Id; 3],
+) -> Result<Value, Stop> {
+    let limits = [limit(evaluator, from)?, limit(evaluator, to)?];
+    let bits = evaluator.interpretation.goal;
+    let is_complex = evaluator.graph().is_complex(body);
+    let mut integrand = Body {
+        evaluator,
+        binder,
+        body,
+        undefined: None,
+    };
+    let goal = Goal::bits(bits);
+    let [from, to] = &limits;
+    let (value, hindrance) = if is_complex {
+        let (Limit::Finite(a), Limit::Finite(b)) = (from, to) else {
+            return Err(Stop {
+                node,
+                reason: NoValue::Undecided("an infinite limit of a complex integral"),
+            });
+        };
+        let [a, b] = [a, b].map(|x| ComplexBall::new(x.clone(), Ball::integer(x.prec(), 0)));
+        let found = quadrature::integrate_segment(&mut integrand, &a, &b, &goal);
+        (found.value.map(Value::Complex), found.hindrance)
+    } else {
+        let found = quadrature::integrate(&mut integrand, from, to, &goal);
+        (found.value.map(Value::Real), found.hindrance)
+    };
+    if let Some(stop) = integrand.undefined.filter(|_| hindrance.is_some()) {
+        return Err(stop);
+    }
+    // What the goal was missed by is judged by the value's own accuracy.
+    value.ok_or(Stop {
+        node,
+        reason: NoValue::Undecided("an integral that is not enclosed within its limits"),
+    })
+}

@@ -1,0 +1,78 @@
+//! Roots of graphs.
+
+use super::ball::{Balls, Value};
+use super::{Evaluator, Stop};
+use crate::graph::Id;
+use mechaudit_reference::elementary::NoValue;
+use mechaudit_reference::roots::interval::{RootError, unique_root};
+use mechaudit_reference::{Ball, Mag};
+use std::cell::RefCell;
+
+/// The only root of a body between two nodes.
+pub(super) fn root(
+    evaluator: &mut Evaluator<Balls>,
+    binder: u32,
+    node: Id,
+    [from, to, body, slope]: [Id; 4],
+) -> Result<Value, Stop> {
+    let stop = |reason| Stop { node, reason };
+    let mut end = |id: Id| match evaluator.value(id)?.real() {
+        Some(x) if x.is_finite() => Ok(x.clone()),
+        _ => Err(stop(NoValue::Undefined(
+            "an end of the interval of a root that is not a number",
+        ))),
+    };
+    let (low, high) = (end(from)?, end(to)?);
+    // The smallest interval that surely holds the one that is meant.
+    let (outer_low, outer_high) = (low.lower().to_rational(), high.upper().to_rational());
+    let (Some(outer_low), Some(outer_high)) = (outer_low, outer_high) else {
+        return Err(stop(NoValue::Undecided("an end of the interval of a root")));
+    };
+    let goal = evaluator.interpretation.goal;
+    let evaluator = RefCell::new(evaluator);
+    let of = |id: Id| {
+        let evaluator = &evaluator;
+        move |x: &Ball, bits: u32| -> Result<Ball, Stop> {
+            let mut evaluator = evaluator.borrow_mut();
+            let outside = std::mem::replace(&mut evaluator.interpretation.prec, bits);
+            evaluator.set_variables(binder, [Value::Real(x.clone())]);
+            let value = evaluator.value(id).map(|v| v.real().cloned());
+            evaluator.interpretation.prec = outside;
+            match value {
+                Ok(Some(ball)) => Ok(ball),
+                // Where nothing is known yet a shorter interval may decide.
+                Ok(None) => Ok(Ball::integer(bits, 0).widened(Mag::INFINITY)),
+                Err(Stop {
+                    reason: NoValue::Undefined(_),
+                    ..
+                }) if x.rad().is_zero() => value.map(|_| Ball::integer(bits, 0)),
+                Err(_) => Ok(Ball::integer(bits, 0).widened(Mag::INFINITY)),
+            }
+        }
+    };
+    let found = unique_root(of(body), of(slope), &outer_low, &outer_high, goal);
+    match found {
+        Ok(root) => {
+            // The root found lies in the larger interval; it has to lie in the one that is meant.
+            let is_inside = (low.rad().is_zero() || root.lower() >= low.upper())
+                && (high.rad().is_zero() || root.upper() <= high.lower());
+            match is_inside {
+                true => Ok(Value::Real(root)),
+                false => Err(stop(NoValue::Undecided(
+                    "a root next to the end of its interval",
+                ))),
+            }
+        }
+        Err(RootError::None) => Err(stop(NoValue::Undefined("no root in the interval"))),
+        Err(RootError::Several { .. }) => Err(stop(NoValue::Undefined(
+            "more than one root in the interval",
+        ))),
+        Err(RootError::Interval { .. }) => Err(stop(NoValue::Undefined(
+            "an interval whose ends are in the wrong order",
+        ))),
+        Err(RootError::Function { error, .. }) => Err(error),
+        Err(RootError::Undecided { .. }) => Err(stop(NoValue::Undecided(
+            "a root that is not proved to be the only one",
+        ))),
+    }
+}

@@ -1,0 +1,120 @@
+//! Values of formulas in balls and in floating point.
+
+use super::{Algebraic, Answer, Certified, Elementary, Evaluator, Floating, Format, Goal};
+use crate::graph::Graph;
+use crate::{Definitions, parse};
+use rug::Rational;
+use std::sync::Arc;
+
+/// The value of a formula of x, to so many digits, or the reason why there is none.
+fn value(text: &str, x: (i64, i64), digits: usize) -> String {
+    let definitions = Definitions::default();
+    let e = parse(text).unwrap();
+    let mut graph = Graph::new(["x".to_string()]);
+    let id = graph.build(&definitions, &e).unwrap();
+    let goal = Goal::Bits((digits as f64 * 3.33) as u32 + 8);
+    let algebra = Algebraic {
+        definitions,
+        expressions: vec![(id, e)],
+    };
+    let mut certified = Certified::new(Arc::new(graph), 4096).with_algebra(Arc::new(algebra));
+    match &certified.values(&[Rational::from(x)], &[id], goal)[0] {
+        Answer::Number(ball) => ball.to_decimal(digits).unwrap_or_else(|| "?".into()),
+        Answer::Zero => "0".into(),
+        Answer::Huge { negative } => if *negative { "-huge" } else { "huge" }.into(),
+        Answer::Undefined { reason, place } => format!("undefined: {reason}: {place}"),
+        Answer::Undecided(u) => format!("undecided: {}: {}", u.reason, u.place),
+    }
+}
+
+#[test]
+fn formulas_at_a_point() {
+    for (text, x, due) in [
+        (
+            "log(1 + x) - x",
+            (1, 1_000_000_000),
+            "-4.9999999966666666692e-19",
+        ),
+        ("sqrt(2)*sqrt(3) - sqrt(6)", (1, 1), "0"),
+        ("sin(x)^2 + cos(x)^2 - 1", (1, 3), "0"),
+        ("(1 - cos(x))/x^2", (1, 1 << 40), "0.50000000000000000000"),
+        ("exp(10^300*x)", (1, 1), "huge"),
+        ("1/(1 + exp(10^300*x))", (0, 1), "0.50000000000000000000"),
+        (
+            "log(x)",
+            (-1, 1),
+            "undefined: the logarithm of a number that is not positive: log(x)",
+        ),
+        (
+            "1/(x - 1)",
+            (1, 1),
+            "undefined: division by zero: 1/(x - 1)",
+        ),
+        ("if(x < 1, x^2, 2*x)", (1, 2), "0.25000000000000000000"),
+        (
+            "while(k < 10, k, 0, k + 1, s, 0, s + x*k, s)",
+            (1, 1),
+            "55.000000000000000000",
+        ),
+        ("sum(k, 1, 100, 1/k^2)", (1, 1), "1.6349839001848928651"),
+        (
+            "let(y, x + 1, z, y^2, z - y)",
+            (2, 1),
+            "6.0000000000000000000",
+        ),
+        ("D(sin(x)*exp(x), x)", (0, 1), "1.0000000000000000000"),
+        ("root(y, 0, 2, y^2 - x)", (2, 1), "1.4142135623730950488"),
+        (
+            "D(root(y, 0, 2, y^2 - x), x)",
+            (2, 1),
+            "0.35355339059327376220",
+        ),
+        ("int(t, 0, 1, exp(x*t))", (1, 1), "1.7182818284590452354"),
+        (
+            "D(int(t, 0, x, exp(x*t)), x)",
+            (1, 1),
+            "3.7182818284590452354",
+        ),
+        (
+            "int(t, 0, inf, exp(-t^2))",
+            (1, 1),
+            "0.88622692545275801365",
+        ),
+        ("int(t, 0, 1, 1/sqrt(t))", (1, 1), "2.0000000000000000000"),
+        ("int(t, 0, 3, floor(t)*x)", (1, 1), "3.0000000000000000000"),
+        ("re(W(x + i))", (1, 1), "0.30474420525691259246"),
+        (
+            "D(while(k < 3, k, 0, k + 1, p, 1, p*x, p), x)",
+            (2, 1),
+            "12.000000000000000000",
+        ),
+    ] {
+        assert_eq!(value(text, x, 20), due, "{text}");
+    }
+}
+
+#[test]
+fn floating_point_has_one_rounding_an_operation() {
+    let mut graph = Graph::new(["x".to_string(), "y".to_string()]);
+    let definitions = Definitions::default();
+    let mut at = |text: &str, format: Format, x: f64, y: f64| {
+        let id = graph.build(&definitions, &parse(text).unwrap()).unwrap();
+        let elementary = Elementary::Platform;
+        let graph = Arc::new(graph.clone());
+        let mut evaluator = Evaluator::new(graph, Floating { format, elementary });
+        evaluator.set_input(0, x);
+        evaluator.set_input(1, y);
+        *evaluator.value(id).unwrap()
+    };
+    assert_eq!(at("x + y - x", Format::Double, 1e16, 1.0), 0.0);
+    assert_eq!(
+        at("fma(x, y, -1)", Format::Double, 1.0 + f64::EPSILON, 1.0),
+        f64::EPSILON
+    );
+    assert_eq!(at("x*0.1", Format::Single, 1.0, 0.0), f64::from(0.1f32));
+    assert_eq!(at("x/y", Format::Single, 1.0, 3.0), f64::from(1.0f32 / 3.0));
+    assert_eq!(
+        at("sin(pi)", Format::Double, 0.0, 0.0),
+        std::f64::consts::PI.sin()
+    );
+}
