@@ -18,11 +18,53 @@ pub trait Typed {
     const SIGNATURE: &'static str;
 }
 
-/// What its line in the registry gives a method besides.
-pub trait Registered: Typed + Sync + 'static {
-    /// The text of `reference/hard/NAME.csv`.
-    const HARD: &'static str;
+/// A method of the registry that this crate defines.
+pub trait Registered: Typed + Sync + 'static {}
+
+/// Registers a type: its name, which is also that of its files of hard cases and of certified values; the
+/// signature of a candidate, and how one is called with an input.
+macro_rules! method {
+    ($method:ident $name:literal: Fn($($argument:ty),*), |$f:ident, $input:pat_param| $call:expr) => {
+        impl $crate::methods::definition::Typed for $method {
+            const NAME: &'static str = $name;
+            const SIGNATURE: &'static str = stringify!(Fn($($argument),*));
+        }
+
+        impl $crate::methods::definition::Registered for $method {}
+
+        impl<F, R> $crate::methods::typed::Candidate<$method> for F
+        where
+            F: Fn($($argument),*) -> R + Sync,
+            R: $crate::methods::typed::IntoAnswer,
+        {
+            fn answer(&self, numbers: &[f64]) -> $crate::audit::SolverAnswer {
+                let $f = self;
+                let input = <$method as $crate::methods::definition::Definition>::unpack(numbers);
+                $crate::methods::typed::IntoAnswer::into_answer(input.map(|$input| $call))
+            }
+        }
+    };
 }
+pub(super) use method;
+
+/// Declares the files of a subject, each with the types of its methods, in the order of reports.
+macro_rules! methods {
+    ($($visibility:vis $module:ident: $($method:ident),+;)+) => {
+        $(
+            $visibility mod $module;
+            pub use $module::*;
+        )+
+
+        /// The methods of this subject.
+        pub(super) fn methods() -> Vec<Box<dyn $crate::methods::definition::Evaluable>> {
+            vec![$($(Box::new($crate::methods::definition::Entry::<$method>::NEW)),+),+]
+        }
+    };
+}
+pub(super) use methods;
+
+// `hard(name)`: the text of `reference/hard/NAME.csv`, or nothing if there is no such file.
+include!(concat!(env!("OUT_DIR"), "/hard.rs"));
 
 /// Solver, reference, domain, budget and source of a method; [`Method`] says more of each.
 pub trait Definition: Registered + Sized {
@@ -112,6 +154,10 @@ pub trait Definition: Registered + Sized {
 
 /// A method that can be evaluated at any input.
 pub trait Evaluable: Method {
+    /// Returns the signature in Rust of a candidate, but for its result.
+    fn signature(&self) -> &'static str;
+    /// Returns the field of each part of the input in the type that declares it.
+    fn fields(&self) -> Vec<String>;
     /// Values whose relative radius shrinks with `2^-bits`.
     ///
     /// # Errors
@@ -196,7 +242,7 @@ impl<D: Definition> Method for Entry<D> {
         D::twin(D::unpack(numbers)?)
     }
     fn hard(&self) -> Vec<HardCase> {
-        HardCase::included(D::HARD)
+        HardCase::included(hard(D::NAME))
     }
     fn branch(&self, numbers: &[f64]) -> Option<BranchAt> {
         D::branch(D::unpack(numbers)?)
@@ -213,6 +259,12 @@ impl<D: Definition> Method for Entry<D> {
 }
 
 impl<D: Definition> Evaluable for Entry<D> {
+    fn signature(&self) -> &'static str {
+        D::SIGNATURE
+    }
+    fn fields(&self) -> Vec<String> {
+        D::fields().into_iter().map(|f| f.path).collect()
+    }
     fn certify(&self, numbers: &[Rational], bits: u32) -> Result<Vec<Scaled>, Uncertified> {
         D::certify(
             D::unpack(numbers).ok_or(Uncertified::Refused(BAD_LAYOUT))?,

@@ -6,7 +6,7 @@ use crate::audit::{
     conditions_by_differences,
 };
 use crate::methods::common::{output, point, region};
-use crate::methods::definition::{Definition, Entry, exact};
+use crate::methods::definition::{Definition, Entry, exact, method};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::Ball;
 use rug::Rational;
@@ -33,6 +33,10 @@ impl<'a, T: Number> CamLawInput<'a, T> {
 /// A candidate is a `Fn(CamLawInput) -> [f64; 5]`.
 #[derive(Clone, Copy, Debug)]
 pub struct CamLaw;
+
+method! {
+    CamLaw "cam-law": Fn(CamLawInput<'_>), |f, i| f(i)
+}
 
 impl Definition for CamLaw {
     type Input<'a, T: Number> = CamLawInput<'a, T>;

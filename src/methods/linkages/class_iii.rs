@@ -2,7 +2,7 @@
 
 use crate::audit::{Budget, Domain, Draw, Law, Limit, Output, ReferenceAnswer, Uncertified};
 use crate::methods::common::{held, largest, output, point, region};
-use crate::methods::definition::{Definition, conditions_at_reference, exact};
+use crate::methods::definition::{Definition, conditions_at_reference, exact, method};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::class_iii::{self as reference, Configuration, ExactAngle, Linkage};
 use crate::reference::{Ball, Mag, Undecided};
@@ -134,6 +134,10 @@ impl<'a, T: Number> ClassIiiInput<'a, T> {
 /// A candidate is a `Fn(ClassIiiInput) -> ` 16 values, as `mechaudit list class-iii` lays them out.
 #[derive(Clone, Copy, Debug)]
 pub struct ClassIii;
+
+method! {
+    ClassIii "class-iii": Fn(ClassIiiInput<'_>), |f, i| f(i)
+}
 
 const BITS_OF_CONDITIONS: u32 = 192;
 

@@ -3,7 +3,7 @@
 use super::four_bar::{refusal, side};
 use crate::audit::{Domain, Draw, Law, Output, ReferenceAnswer, Uncertified};
 use crate::methods::common::{central_difference, conditioned, held, point, region};
-use crate::methods::definition::Definition;
+use crate::methods::definition::{Definition, method};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::dyad::slider_crank;
 use crate::solvers::dyad::{self, SliderCrankMotion};
@@ -30,6 +30,11 @@ inputs! {
 /// phi2, phi2', phi2'', mu]`, metres and radians, derivatives by `phi1`.
 #[derive(Clone, Copy, Debug)]
 pub struct SliderCrank;
+
+method! {
+    SliderCrank "slider-crank":
+        Fn([f64; 3], f64, f64, bool), |f, i| f([i.a, i.b, i.e], i.delta, i.phi1, i.assembly > 0.0)
+}
 
 const POSITION: &str = "a mixed forward-backward stable position: a few roundings of each length \
     and of the difference of the two angles";

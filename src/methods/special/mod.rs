@@ -2,14 +2,13 @@
 
 mod branches;
 mod complex;
-mod faddeeva;
 mod identities;
-mod relatives;
-mod voigt;
-mod voigt_hwhm;
 
 pub use complex::ComplexInput;
-pub use faddeeva::Faddeeva;
-pub use relatives::{Dawson, Erf, Erfc, Erfcx, Erfi, FaddeevaDerivative};
-pub use voigt::{Voigt, VoigtInput};
-pub use voigt_hwhm::{VoigtHwhm, VoigtHwhmInput};
+
+crate::methods::definition::methods! {
+    faddeeva: Faddeeva;
+    relatives: FaddeevaDerivative, Erf, Erfc, Erfcx, Erfi, Dawson;
+    voigt: Voigt;
+    voigt_hwhm: VoigtHwhm;
+}

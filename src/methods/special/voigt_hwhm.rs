@@ -9,7 +9,7 @@ use crate::audit::{
     Uncertified,
 };
 use crate::methods::common::{held, output, point, region};
-use crate::methods::definition::Definition;
+use crate::methods::definition::{Definition, method};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::faddeeva::{self as reference, Scaled};
 use crate::solvers::faddeeva::{LIMITS_OF_VOIGT_HWHM, SEAMS, voigt, voigt_hwhm};
@@ -33,6 +33,10 @@ inputs! {
 /// A candidate is a `Fn(sigma, gamma) -> f64`.
 #[derive(Clone, Copy, Debug)]
 pub struct VoigtHwhm;
+
+method! {
+    VoigtHwhm "voigt-hwhm": Fn(f64, f64), |f, i| f(i.sigma, i.gamma)
+}
 
 impl Definition for VoigtHwhm {
     type Input<'a, T: Number> = VoigtHwhmInput<'a, T>;

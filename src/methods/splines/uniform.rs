@@ -4,7 +4,7 @@ use super::common::{ROWS, outputs, outputs_of, reference_of};
 use super::domain::a_few_floats_away;
 use crate::audit::{Domain, Draw, Law, Output, ReferenceAnswer, Rows, Uncertified};
 use crate::methods::common::{held, point, region};
-use crate::methods::definition::{Definition, conditions_at_reference};
+use crate::methods::definition::{Definition, conditions_at_reference, method};
 use crate::methods::inputs::{Number, inputs};
 use crate::methods::linear::identical;
 use crate::reference::Ball;
@@ -59,6 +59,10 @@ impl<'a> From<CubicSplineUniformInput<'a>> for UniformSplineProblem<'a> {
 /// A candidate is a `Fn(UniformSplineProblem) -> [[S, S', S'', S''', integral]; 2]`.
 #[derive(Clone, Copy, Debug)]
 pub struct CubicSplineUniform;
+
+method! {
+    CubicSplineUniform "cubic-spline-uniform": Fn(UniformSplineProblem<'_>), |f, i| f(i.into())
+}
 
 fn try_fit(i: CubicSplineUniformInput) -> Result<UniformCubicSpline, CubicSplineError> {
     let ends = Boundary::second_derivatives(i.m0, i.mn);

@@ -6,7 +6,7 @@ use crate::audit::{
     Budget, Domain, Draw, Law, Limit, Output, ReferenceAnswer, SolverAnswer, Uncertified,
 };
 use crate::methods::common::{output, point, region};
-use crate::methods::definition::{Definition, exact};
+use crate::methods::definition::{Definition, exact, method};
 use crate::methods::inputs::{Number, inputs};
 use crate::methods::linkages::{ClassIiiInput, at_degrees};
 use crate::reference::Ball;
@@ -48,6 +48,10 @@ inputs! {
 /// A candidate is a `Fn(RunUpInput) -> [phi, psi]`.
 #[derive(Clone, Copy, Debug)]
 pub struct RunUp;
+
+method! {
+    RunUp "run-up": Fn(RunUpInput<'_>), |f, i| f(i)
+}
 
 /// Values of [`RunUpInput::coefficients`].
 const CONSTANT: f64 = 0.0;

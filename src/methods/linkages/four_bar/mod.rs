@@ -6,7 +6,7 @@ mod regions;
 
 use crate::audit::{Domain, Law, Output, ReferenceAnswer, Uncertified};
 use crate::methods::common::conditioned;
-use crate::methods::definition::Definition;
+use crate::methods::definition::{Definition, method};
 use crate::methods::inputs::Number;
 use crate::reference::dyad::{DyadRefusal, four_bar};
 use input::{motion, values};
@@ -22,6 +22,11 @@ pub(super) use input::side;
 /// phi2', phi3', phi2'', phi3'', mu, x_C, y_C]`, metres and radians, derivatives by `phi1`.
 #[derive(Clone, Copy, Debug)]
 pub struct FourBar;
+
+method! {
+    FourBar "four-bar":
+        Fn([f64; 4], f64, bool), |f, i| f([i.a, i.b, i.c, i.d], i.phi1, i.assembly > 0.0)
+}
 
 const POSITION: &str = "a mixed forward-backward stable position: a few roundings of each length \
     and of the crank angle, and of the three angles that are added";

@@ -5,7 +5,7 @@ use super::input::{PROOF, PlanarLinkageInput, SOURCE};
 use super::{conditions, laws, points, regions};
 use crate::audit::{Domain, Law, Output, ReferenceAnswer, Rows, Uncertified};
 use crate::methods::common::conditioned;
-use crate::methods::definition::Definition;
+use crate::methods::definition::{Definition, method};
 use crate::methods::inputs::Number;
 use crate::reference::planar::{Attachment, Linkage, Position};
 use crate::reference::{Ball, Undecided};
@@ -19,6 +19,10 @@ use rug::Rational;
 /// `mechaudit list planar-linkage` lays them out.
 #[derive(Clone, Copy, Debug)]
 pub struct PlanarLinkage;
+
+method! {
+    PlanarLinkage "planar-linkage": Fn(PlanarLinkageInput<'_>), |f, i| f(i)
+}
 
 const POSITION: &str = "the last Newton correction leaves a residual of a few rounding errors in each loop: the \
     effect of perturbing each coordinate and the drive by a few units";

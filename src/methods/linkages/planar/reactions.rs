@@ -4,7 +4,7 @@ use super::input::{PlanarForcesInput, SOURCE};
 use super::{conditions, laws, points, regions};
 use crate::audit::{Domain, Law, Output, ReferenceAnswer, Rows, Uncertified};
 use crate::methods::common::conditioned;
-use crate::methods::definition::Definition;
+use crate::methods::definition::{Definition, method};
 use crate::methods::inputs::Number;
 use crate::reference::Ball;
 use rug::Rational;
@@ -14,6 +14,10 @@ use rug::Rational;
 /// A candidate is a `Fn(PlanarForcesInput) -> ` two values for every pin, force components in the axes of the ground.
 #[derive(Clone, Copy, Debug)]
 pub struct PlanarReactions;
+
+method! {
+    PlanarReactions "planar-reactions": Fn(PlanarForcesInput<'_>), |f, i| f(i)
+}
 
 const FORCE: &str = "one system of three equations a body, its matrix and right side with the errors of positions and \
     accelerations";

@@ -4,7 +4,7 @@ use super::input::{PROOF, PlanarForcesInput, SOURCE};
 use super::{conditions, laws, points, regions};
 use crate::audit::{Domain, Law, Output, ReferenceAnswer, Uncertified};
 use crate::methods::common::conditioned;
-use crate::methods::definition::Definition;
+use crate::methods::definition::{Definition, method};
 use crate::methods::inputs::Number;
 use crate::reference::Ball;
 use rug::Rational;
@@ -15,6 +15,10 @@ use rug::Rational;
 /// `I_n = Σ m |S'|² + J θ'²`, `M_o = Σ m g·S'` and the drive torque `Q = I_n φ̈ + ½ I_n' φ̇² − M_o`.
 #[derive(Clone, Copy, Debug)]
 pub struct PlanarReduction;
+
+method! {
+    PlanarReduction "planar-reduction": Fn(PlanarForcesInput<'_>), |f, i| f(i)
+}
 
 const REDUCED: &str = "all bodies summed from rates that carry the linkage's error";
 const TORQUE: &str = "three products of reduced quantities, each with its error";

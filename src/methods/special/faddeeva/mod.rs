@@ -7,15 +7,16 @@ pub(super) mod regions;
 use super::branches::nearest;
 use super::complex::{ComplexInput, NORM, PROOF, asked, expected_part, number};
 use crate::audit::{
-    BranchAt, Budget, Domain, Expected, Law, Limit, NormBudget, Output, Proof, ProvedBound, ProvedError,
-    ReferenceAnswer, Uncertified,
+    BranchAt, Budget, Domain, Expected, Law, Limit, NormBudget, Output, Proof, ProvedBound,
+    ProvedError, ReferenceAnswer, Uncertified,
 };
 use crate::methods::common::output;
-use crate::methods::definition::Definition;
+use crate::methods::definition::{Definition, method};
 use crate::methods::inputs::Number;
 use crate::reference::Undecided;
 use crate::reference::faddeeva::{Scaled, w, w_scaled};
 use crate::solvers::faddeeva::{PROVED_NORM, SEAMS, branch, faddeeva};
+use num_complex::Complex;
 use rug::Rational;
 
 /// The Faddeeva function: input `Re z, Im z`, output `Re W, Im W`.
@@ -23,6 +24,10 @@ use rug::Rational;
 /// A candidate is a `Fn(Complex<f64>) -> Complex<f64>`.
 #[derive(Clone, Copy, Debug)]
 pub struct Faddeeva;
+
+method! {
+    Faddeeva "faddeeva": Fn(Complex<f64>), |f, z| f(z.into())
+}
 
 fn expected_parts(re: &Rational, im: &Rational, bits: u32) -> Result<Vec<Expected>, Undecided> {
     let bits = asked(bits);
@@ -39,7 +44,11 @@ pub(super) fn expected_not_finite(x: f64, y: f64) -> [Expected; 2] {
         return [Expected::Infinity { negative: false }, number(0)];
     }
     if x.is_nan() || y.is_nan() {
-        let im = if x == 0.0 { number(0) } else { Expected::NotANumber };
+        let im = if x == 0.0 {
+            number(0)
+        } else {
+            Expected::NotANumber
+        };
         return [Expected::NotANumber, im];
     }
     if y > f64::NEG_INFINITY {
@@ -112,7 +121,10 @@ impl Definition for Faddeeva {
     }
 
     fn reference(z: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
-        Ok(ReferenceAnswer::Expected(expected_parts(z.re, z.im, bits)?, PROOF))
+        Ok(ReferenceAnswer::Expected(
+            expected_parts(z.re, z.im, bits)?,
+            PROOF,
+        ))
     }
 
     fn reference_not_finite(z: Self::Input<'_, f64>) -> ReferenceAnswer {

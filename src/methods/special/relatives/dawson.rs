@@ -6,11 +6,13 @@ use super::relative::{
     Exact, NORM_OF_PRODUCTS, Relative, Zeros, odd_limit, on_axis, on_the_real_line,
 };
 use crate::audit::{Expected, Law, ProvedBound};
+use crate::methods::definition::method;
 use crate::methods::special::complex::{C, exponential};
 use crate::methods::special::identities::{batch_agrees, equation, point};
 use crate::reference::Ball;
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{dawson, dawson_batch, dawson_real};
+use num_complex::Complex;
 use rug::Rational;
 use std::f64::consts::PI;
 
@@ -19,6 +21,10 @@ use std::f64::consts::PI;
 /// A candidate is a `Fn(Complex<f64>) -> Complex<f64>`.
 #[derive(Clone, Copy, Debug)]
 pub struct Dawson;
+
+method! {
+    Dawson "dawson": Fn(Complex<f64>), |f, z| f(z.into())
+}
 
 impl Relative for Dawson {
     const SUMMARY: &'static str =

@@ -6,10 +6,12 @@ use super::relative::{
     Exact, NORM_OF_PRODUCTS, Relative, Zeros, erf_from_w, odd_limit, odd_signs, on_the_real_line,
 };
 use crate::audit::{Expected, Law, ProvedBound};
+use crate::methods::definition::method;
 use crate::methods::special::complex::{C, exponential};
 use crate::methods::special::identities::{gaussian, point, within};
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{erf, erf_real, erfc, faddeeva as w};
+use num_complex::Complex;
 use std::f64::consts::FRAC_2_SQRT_PI;
 
 /// Input `Re z, Im z`, output `Re erf z, Im erf z`.
@@ -17,6 +19,10 @@ use std::f64::consts::FRAC_2_SQRT_PI;
 /// A candidate is a `Fn(Complex<f64>) -> Complex<f64>`.
 #[derive(Clone, Copy, Debug)]
 pub struct Erf;
+
+method! {
+    Erf "erf": Fn(Complex<f64>), |f, z| f(z.into())
+}
 
 impl Relative for Erf {
     const SUMMARY: &'static str = "error function erf(z) in the whole plane";

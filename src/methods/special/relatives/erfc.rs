@@ -6,11 +6,13 @@ use super::relative::{
     Exact, NORM_OF_PRODUCTS, Relative, Zeros, negated, odd_limit, on_axis, on_the_real_line,
 };
 use crate::audit::{Expected, Law, ProvedBound};
+use crate::methods::definition::method;
 use crate::methods::special::complex::{C, exponential};
 use crate::methods::special::identities::{gaussian, point, within};
 use crate::reference::Ball;
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{erfc, erfc_real, erfcx};
+use num_complex::Complex;
 use std::f64::consts::FRAC_2_SQRT_PI;
 
 /// Input `Re z, Im z`, output `Re erfc z, Im erfc z`.
@@ -18,6 +20,10 @@ use std::f64::consts::FRAC_2_SQRT_PI;
 /// A candidate is a `Fn(Complex<f64>) -> Complex<f64>`.
 #[derive(Clone, Copy, Debug)]
 pub struct Erfc;
+
+method! {
+    Erfc "erfc": Fn(Complex<f64>), |f, z| f(z.into())
+}
 
 impl Relative for Erfc {
     const SUMMARY: &'static str =

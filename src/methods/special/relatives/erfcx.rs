@@ -5,6 +5,7 @@ use super::regions::zero_of_erfc;
 use super::relative::{Exact, Relative, Zeros, on_the_real_line};
 use crate::audit::{BranchAt, Expected, Law, ProvedBound};
 use crate::methods::common::held;
+use crate::methods::definition::method;
 use crate::methods::special::branches::nearest;
 use crate::methods::special::complex::{C, NORM};
 use crate::methods::special::faddeeva::{expected_not_finite, signs_of_zero};
@@ -19,6 +20,10 @@ use std::f64::consts::FRAC_2_SQRT_PI;
 /// A candidate is a `Fn(Complex<f64>) -> Complex<f64>`.
 #[derive(Clone, Copy, Debug)]
 pub struct Erfcx;
+
+method! {
+    Erfcx "erfcx": Fn(Complex<f64>), |f, z| f(z.into())
+}
 
 impl Relative for Erfcx {
     const SUMMARY: &'static str =

@@ -7,10 +7,12 @@ use super::relative::{
 };
 use crate::audit::{Expected, Law};
 use crate::methods::common::held;
+use crate::methods::definition::method;
 use crate::methods::special::complex::{C, exponential};
 use crate::methods::special::identities::{gaussian, point, same_pair, within};
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{dawson, erf, erfi, erfi_real};
+use num_complex::Complex;
 use std::f64::consts::FRAC_2_SQRT_PI;
 
 /// Input `Re z, Im z`, output `Re erfi z, Im erfi z`.
@@ -18,6 +20,10 @@ use std::f64::consts::FRAC_2_SQRT_PI;
 /// A candidate is a `Fn(Complex<f64>) -> Complex<f64>`.
 #[derive(Clone, Copy, Debug)]
 pub struct Erfi;
+
+method! {
+    Erfi "erfi": Fn(Complex<f64>), |f, z| f(z.into())
+}
 
 impl Relative for Erfi {
     const SUMMARY: &'static str =

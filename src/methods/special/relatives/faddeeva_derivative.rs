@@ -3,12 +3,14 @@
 use super::relative::{Exact, Relative, Zeros, on_axis};
 use crate::audit::{Draw, Expected, Law, Region};
 use crate::methods::common::{held, region};
+use crate::methods::definition::method;
 use crate::methods::special::complex::{C, NORM, infinity, number};
 use crate::methods::special::faddeeva::curves::{BITS_OF_ZEROS, Beside, zero as zero_of_w};
 use crate::methods::special::identities::{point, same_pair, within};
 use crate::reference::ComplexBall;
 use crate::reference::faddeeva::{self, w_f64};
 use crate::solvers::faddeeva::{faddeeva as w, w_derivative};
+use num_complex::Complex;
 use rug::Rational;
 use std::f64::consts::{FRAC_2_SQRT_PI, PI};
 use std::sync::OnceLock;
@@ -18,6 +20,10 @@ use std::sync::OnceLock;
 /// A candidate is a `Fn(Complex<f64>) -> Complex<f64>`.
 #[derive(Clone, Copy, Debug)]
 pub struct FaddeevaDerivative;
+
+method! {
+    FaddeevaDerivative "faddeeva-derivative": Fn(Complex<f64>), |f, z| f(z.into())
+}
 
 impl Relative for FaddeevaDerivative {
     const SUMMARY: &'static str =

@@ -4,9 +4,11 @@ pub(super) mod regions;
 
 use super::complex::{PROOF, asked, expected_part, number};
 use super::identities::{U, same};
-use crate::audit::{Budget, Domain, Expected, Law, Limit, Output, Proof, ReferenceAnswer, Uncertified};
+use crate::audit::{
+    Budget, Domain, Expected, Law, Limit, Output, Proof, ReferenceAnswer, Uncertified,
+};
 use crate::methods::common::{held, output};
-use crate::methods::definition::Definition;
+use crate::methods::definition::{Definition, method};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::faddeeva::{Scaled, voigt_scaled};
 use crate::solvers::faddeeva::{faddeeva as w, voigt, voigt_batch};
@@ -30,6 +32,10 @@ inputs! {
 /// A candidate is a `Fn(x, sigma, gamma) -> f64`.
 #[derive(Clone, Copy, Debug)]
 pub struct Voigt;
+
+method! {
+    Voigt "voigt": Fn(f64, f64, f64), |f, i| f(i.x, i.sigma, i.gamma)
+}
 
 impl Definition for Voigt {
     type Input<'a, T: Number> = VoigtInput<'a, T>;
@@ -59,7 +65,10 @@ impl Definition for Voigt {
 
     fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
         if *i.sigma < 0 || *i.gamma < 0 {
-            return Ok(ReferenceAnswer::Expected(vec![Expected::NotANumber], Proof::Exact));
+            return Ok(ReferenceAnswer::Expected(
+                vec![Expected::NotANumber],
+                Proof::Exact,
+            ));
         }
         if *i.sigma == 0 && *i.gamma == 0 {
             // A point mass.
@@ -70,7 +79,10 @@ impl Definition for Voigt {
             return Ok(ReferenceAnswer::Expected(vec![value], Proof::Exact));
         }
         let value = voigt_scaled(i.x, i.sigma, i.gamma, asked(bits))?;
-        Ok(ReferenceAnswer::Expected(vec![expected_part(&value)], PROOF))
+        Ok(ReferenceAnswer::Expected(
+            vec![expected_part(&value)],
+            PROOF,
+        ))
     }
 
     fn reference_not_finite(i: Self::Input<'_, f64>) -> ReferenceAnswer {
