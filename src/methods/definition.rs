@@ -21,8 +21,8 @@ pub trait Typed {
 /// A method of the registry that this crate defines.
 pub trait Registered: Typed + Sync + 'static {}
 
-/// Registers a type: its name, which is also that of its files of hard cases and of certified values; the
-/// signature of a candidate, and how one is called with an input.
+/// Registers a type: its name, which is also that of its files of hard cases and of certified
+/// values; the signature of a candidate, and how one is called with an input.
 macro_rules! method {
     ($method:ident $name:literal: Fn($($argument:ty),*), |$f:ident, $input:pat_param| $call:expr) => {
         impl $crate::methods::definition::Typed for $method {
@@ -68,7 +68,7 @@ include!(concat!(env!("OUT_DIR"), "/hard.rs"));
 
 /// Solver, reference, domain, budget and source of a method; [`Method`] says more of each.
 pub trait Definition: Registered + Sized {
-    /// What the input holds.
+    /// Describes what the input holds.
     type Input<'a, T: Number>: Fields<'a, T>;
     /// One line in plain words.
     const SUMMARY: &'static str;
@@ -82,7 +82,7 @@ pub trait Definition: Registered + Sized {
     fn norm_budget() -> Option<NormBudget> {
         None
     }
-    /// What is proved of the solver's error.
+    /// Returns what is proved of the solver's error.
     fn proved() -> Vec<ProvedBound> {
         Vec::new()
     }
@@ -123,7 +123,8 @@ pub trait Definition: Registered + Sized {
     }
     fn laws() -> Vec<Law>;
 
-    /// Why `eval` refuses an input, in words, where there is more to say than the solver's name for it.
+    /// Why `eval` refuses an input, in words, where there is more to say than the solver's name for
+    /// it.
     fn refusal(_input: Self::Input<'_, f64>) -> Option<String> {
         None
     }
@@ -131,8 +132,8 @@ pub trait Definition: Registered + Sized {
     fn explanation(_input: Self::Input<'_, f64>) -> Option<String> {
         None
     }
-    /// Values whose relative radius shrinks with `2^-bits`, for `eval`: those of the reference, unless
-    /// it can say more of them than an `f64` could hold.
+    /// Values whose relative radius shrinks with `2^-bits`, for `eval`: those of the reference,
+    /// unless it can say more of them than an `f64` could hold.
     fn certify(input: Self::Input<'_, Rational>, bits: u32) -> Result<Vec<Scaled>, Uncertified> {
         let values = Self::reference(input, bits)?.certified()?;
         Ok(values.into_iter().map(Scaled::from).collect())
@@ -163,7 +164,8 @@ pub trait Evaluable: Method {
     /// # Errors
     /// An input without such values.
     fn certify(&self, numbers: &[Rational], bits: u32) -> Result<Vec<Scaled>, Uncertified>;
-    /// Why the input is refused, in words, where there is more to say than the solver's name for it.
+    /// Why the input is refused, in words, where there is more to say than the solver's name for
+    /// it.
     fn refusal(&self, numbers: &[f64]) -> Option<String>;
     /// The place and the rule behind a refusal, in words, where its name leaves them open.
     fn explanation(&self, numbers: &[f64]) -> Option<String>;

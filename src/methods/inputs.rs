@@ -1,5 +1,5 @@
-//! Inputs as named fields: one declaration gives the layout, the type that solver, reference and laws
-//! work on, and how it is taken from numbers in a row.
+//! Inputs as named fields: one declaration gives the layout, the type that solver, reference and
+//! laws work on, and how it is taken from numbers in a row.
 
 use crate::audit::{Input, Layout};
 use rug::{Float, Rational};
@@ -56,7 +56,7 @@ pub struct Field {
     /// The name of the field in Rust, behind those of the groups that hold it:
     /// `linkage.geometry.l1`.
     pub path: String,
-    /// Whether it is data; if not, it counts or chooses.
+    /// Tells whether it is data; if not, it counts or chooses.
     pub is_data: bool,
 }
 

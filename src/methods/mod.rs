@@ -62,8 +62,8 @@ pub fn signature(name: &str) -> Option<&'static str> {
     Some(find(name)?.signature())
 }
 
-/// Returns, for each part of the input of the method of that name, the field that holds it in the type
-/// which a candidate in Rust takes; nothing where a candidate takes no such type.
+/// Returns, for each part of the input of the method of that name, the field that holds it in the
+/// type which a candidate in Rust takes; nothing where a candidate takes no such type.
 pub fn fields(name: &str) -> Option<Vec<String>> {
     let method = find(name)?;
     method
@@ -104,8 +104,8 @@ pub fn find(name: &str) -> Option<Box<dyn Evaluable>> {
     registry().into_iter().find(|m| m.name() == name)
 }
 
-/// Returns the method that a text names. The command line, the plans of campaigns and candidates all
-/// resolve their METHOD here.
+/// Returns the method that a text names. The command line, the plans of campaigns and candidates
+/// all resolve their METHOD here.
 ///
 /// # Errors
 /// A text that names no method.

@@ -11,7 +11,8 @@ pub struct Bound {
     pub re: f64,
     /// Of the imaginary part.
     pub im: f64,
-    /// Of either component, besides, in units of 2⁻¹⁰⁷⁵: what underflows, where the component may be below 2⁻⁹⁶⁰.
+    /// Of either component, besides, in units of 2⁻¹⁰⁷⁵: what underflows, where the component may
+    /// be below 2⁻⁹⁶⁰.
     pub tiny: f64,
 }
 

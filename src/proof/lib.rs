@@ -1,11 +1,12 @@
 //! Machine proofs of error bounds of `f64` solvers.
 //!
-//! [`upper_half_plane`] proves a bound of the error of the Faddeeva function of `mechaudit-solvers` at every
-//! finite `f64` point of the closed upper half-plane, or of some of its shells. It runs the solver's own generic code with numbers that enclose, over
-//! a rectangle of inputs, the exact value and all that rounding does to it; [`real`] does so for erf, erfc, erfcx and
-//! Dawson's function of every finite real argument; the truncation of each formula is
-//! bounded by certified values of `mechaudit-reference`. The model of arithmetic, every rule and every inequality:
-//! the chapter on proofs in the book of `mechaudit`.
+//! [`upper_half_plane`] proves a bound of the error of the Faddeeva function of `mechaudit-solvers`
+//! at every finite `f64` point of the closed upper half-plane, or of some of its shells. It runs
+//! the solver's own generic code with numbers that enclose, over a rectangle of inputs, the exact
+//! value and all that rounding does to it; [`real`] does so for erf, erfc, erfcx and Dawson's
+//! function of every finite real argument; the truncation of each formula is bounded by certified
+//! values of `mechaudit-reference`. The model of arithmetic, every rule and every inequality: the
+//! chapter on proofs in the book of `mechaudit`.
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 

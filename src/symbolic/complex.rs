@@ -12,7 +12,8 @@ pub(super) fn exp_real(x: &Ball) -> Ball {
     if !mid.is_finite() || !x.is_finite() {
         return Ball::new(Float::new(p), Mag::INFINITY);
     }
-    // One unit in the last place is more than the rounding. What vanishes is at most half the least number, 2^(−2^30).
+    // One unit in the last place is more than the rounding. What vanishes is at most half the least
+    // number, 2^(−2^30).
     let rounding = Mag::power_of_two(match mid.get_exp() {
         Some(exponent) => i64::from(exponent) - i64::from(p),
         None => -1 << 30,
@@ -229,7 +230,7 @@ mod tests {
         }
     }
 
-    /// What the sum leaves out is above its rounding here, in either part.
+    /// Checks what the sum leaves out is above its rounding here, in either part.
     #[test]
     fn the_tail_of_the_antiderivative() {
         for turns in [0, 1] {

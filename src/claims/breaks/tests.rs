@@ -159,7 +159,8 @@ fn errors_are_relative_to_the_certified_value() {
     assert_eq!(error(&[1.0, 1.0], None), None);
 }
 
-/// Beside the axis Re w may be off by some units of a sum as large as |w|, far from it by next to nothing.
+/// Beside the axis Re w may be off by some units of a sum as large as |w|, far from it by next to
+/// nothing.
 #[test]
 fn a_jump_is_above_what_sums_are_rounded_by() {
     for (y, below, above) in [(1e-3, 0.97, 1.05), (30.0, 0.7, 1.6)] {

@@ -109,7 +109,7 @@ fn a_mean_is_decided_by_its_interval() {
     }
 }
 
-/// What is certainly over comes before what is not, whatever its share.
+/// Checks that what is certainly over comes before what is not, whatever its share.
 #[test]
 fn the_worst_of_a_search_is_certain() {
     let mut search = Search {
@@ -186,7 +186,8 @@ fn what_fails_in_a_strip_alone_holds_in_part() {
     assert!(good.found.unwrap() < 1e-14);
 }
 
-/// What is found is the error itself, in the measure's words, and a point for each of forty in five cases.
+/// Checks that what is found is the error itself, in the measure's words, and a point for each of
+/// forty in five cases.
 #[test]
 fn figures_are_those_of_the_measure() {
     let claim =
@@ -235,7 +236,8 @@ fn what_cannot_be_tested_says_why() {
     }
 }
 
-/// The relative errors of Re w and Im w and the larger, where Re w is off by a thousandth and Im w by two.
+/// The relative errors of Re w and Im w and the larger, where Re w is off by a thousandth and Im w
+/// by two.
 #[test]
 fn each_measure_is_of_its_parts() {
     let w: fn(num_complex::Complex64) -> num_complex::Complex64 = |z| {

@@ -231,7 +231,8 @@ mod tests {
         }
     }
 
-    /// At mid-stroke the 3-4-5 law has s' = 15/8, s'' = 0, s''' = −30; by x that is half of each derivative's own.
+    /// At mid-stroke the 3-4-5 law has s' = 15/8, s'' = 0, s''' = −30; by x that is half of each
+    /// derivative's own.
     #[test]
     fn conditions_of_laws_without_data_are_those_of_the_place() {
         let found = CamLaw::conditions(&[0.5, 1.0, 0.5, 0.0]).unwrap();

@@ -77,7 +77,7 @@ fn digits_do_not_depend_on_how_many_are_asked_for() {
     }
 }
 
-/// What a value that is exactly zero is.
+/// Checks what a value that is exactly zero is.
 #[test]
 fn zeros_are_proved() {
     let zeros = |name, text: &str, places: &[usize]| {

@@ -157,7 +157,7 @@ const REDUCED: Budget = Budget {
 };
 
 impl ClassIiiInput<'_> {
-    /// Whether the mode is a whole number and the flags of the pivots are 0 or 1.
+    /// Returns whether the mode is a whole number and the flags of the pivots are 0 or 1.
     pub(in crate::methods) fn is_whole(&self) -> bool {
         let flag = |v: &f64| *v == 0.0 || *v == 1.0;
         self.mode.fract() == 0.0 && self.pivots().iter().all(flag)
@@ -427,7 +427,7 @@ fn scale_law(x: &[f64]) -> Option<f64> {
     held(same_turns(&a.state, &b.state))
 }
 
-/// Whether angles and rates are the same.
+/// Returns whether angles and rates are the same.
 fn same_turns(a: &State, b: &State) -> bool {
     a.positions == b.positions && a.rates == b.rates
 }

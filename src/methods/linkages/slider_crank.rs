@@ -26,8 +26,10 @@ inputs! {
 
 /// Crank and RRP dyad: slider and rod with both derivatives, transmission angle.
 ///
-/// A candidate is a `Fn([crank, rod, offset], guide's angle, phi1, positive assembly) -> [x, x', x'',
-/// phi2, phi2', phi2'', mu]`, metres and radians, derivatives by `phi1`.
+/// A candidate is a
+/// `Fn([crank, rod, offset], guide's angle, phi1, positive assembly) ->
+/// [x, x', x'', phi2, phi2', phi2'', mu]`,
+/// metres and radians, derivatives by `phi1`.
 #[derive(Clone, Copy, Debug)]
 pub struct SliderCrank;
 
@@ -289,8 +291,8 @@ fn mirror(x: &[f64]) -> Option<f64> {
     held(mirrored(&here, &there, i.assembly))
 }
 
-/// x and x'' are even in the crank angle, x' is odd; the rod's angle is odd where the slider is ahead (behind, it is
-/// mirrored at π).
+/// x and x'' are even in the crank angle, x' is odd; the rod's angle is odd where the slider is
+/// ahead (behind, it is mirrored at π).
 fn mirrored(here: &[f64], there: &[f64], assembly: f64) -> bool {
     let even = [0, 2, 4, 6].iter().all(|&i| here[i] == there[i]);
     let odd = [1, 5].iter().all(|&i| here[i] == -there[i]);

@@ -1,4 +1,5 @@
-//! The parts of the audits of functions of a complex argument: input, expected values, the bound of the norm.
+//! The parts of the audits of functions of a complex argument: input, expected values, the bound of
+//! the norm.
 
 use crate::audit::{Expected, Proof};
 use crate::methods::inputs::inputs;
@@ -32,7 +33,8 @@ pub(super) fn asked(bits: u32) -> u32 {
     bits.saturating_sub(SPARED).max(64)
 }
 
-/// Returns a component as the reference expects it. What no ball holds is beyond every `f64` or below all of them.
+/// Returns a component as the reference expects it. What no ball holds is beyond every `f64` or
+/// below all of them.
 pub(super) fn expected_part(part: &Scaled) -> Expected {
     let direct = part.to_ball();
     if direct.is_finite() {

@@ -24,7 +24,8 @@ pub(super) fn same_pair(a: C, b: C) -> bool {
     same(a.re, b.re) && same(a.im, b.im)
 }
 
-/// The batch at the point and around it, of every length up to the longest, gives the scalar values.
+/// The batch at the point and around it, of every length up to the longest, gives the scalar
+/// values.
 pub(super) fn batch_agrees(
     z: C,
     longest: usize,
@@ -56,7 +57,8 @@ pub(super) fn gaussian(z: C, factor: i64) -> C {
     Complex::new((&e * &cos).to_f64(), -(&e * &sin).to_f64())
 }
 
-/// f at z + h by the Taylor series at z, where `f′ = c − 2zf` and so all coefficients follow from f(z); for |z| ≤ 1e6.
+/// f at z + h by the Taylor series at z, where `f′ = c − 2zf` and so all coefficients follow from
+/// f(z); for |z| ≤ 1e6.
 pub(super) fn equation(f: impl Fn(C) -> C, c: C, z: C) -> Option<f64> {
     let r = z.norm();
     if !(r <= 1e6) {
@@ -80,8 +82,8 @@ pub(super) fn equation(f: impl Fn(C) -> C, c: C, z: C) -> Option<f64> {
         terms = [terms[1], next];
         sum += next;
     }
-    // 4 u of both values, the first grown by e^{1/4}, and some ten operations of the first terms with 1 u each, of the
-    // size of h where f is smaller.
+    // 4 u of both values, the first grown by e^{1/4}, and some ten operations of the first terms
+    // with 1 u each, of the size of h where f is smaller.
     within(sum - end, 16.0, size)
 }
 

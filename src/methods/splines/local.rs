@@ -26,8 +26,8 @@ macro_rules! local {
 }
 
 local!(
-    /// PCHIP: the monotone piecewise cubic interpolant of Fritsch and Butland, as MATLAB's `pchip`, SLATEC's
-    /// `PCHIM` and scipy's `PchipInterpolator` define it.
+    /// PCHIP: the monotone piecewise cubic interpolant of Fritsch and Butland, as MATLAB's `pchip`,
+    /// SLATEC's `PCHIM` and scipy's `PchipInterpolator` define it.
     Pchip,
     Pchip,
     "monotone piecewise cubic Hermite interpolant (PCHIP)",

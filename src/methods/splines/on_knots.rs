@@ -141,8 +141,8 @@ on_knots!(
 );
 
 on_knots!(
-    /// Periodic cubic splines, which go on beyond their knots; unequal first and last ordinates have to be
-    /// refused.
+    /// Periodic cubic splines, which go on beyond their knots; unequal first and last ordinates
+    /// have to be refused.
     CubicSplinePeriodic(SplineInput),
     Kind::Periodic,
     "periodic cubic spline",

@@ -3,7 +3,8 @@ use crate::pinned::{bit_by_bit, largest, units};
 use mechaudit_reference::faddeeva;
 use rug::Rational;
 
-/// `|w − S_N|` at points of the quadrant is below the bounds, and not far below where it is largest.
+/// `|w − S_N|` at points of the quadrant is below the bounds, and not far below where it is
+/// largest.
 #[test]
 fn remainders() {
     for (x, y) in [(7.0, 0.0), (7.0, 0.5), (5.0, 5.0), (0.25, 7.0), (9.0, 1.0)] {
@@ -57,7 +58,8 @@ fn exponentials_are_above() {
     }
 }
 
-/// `T_N = Γ(N + ½)/(π r^{2N+1})` and the bounds made of it, by their formulas, each rounded up by little.
+/// `T_N = Γ(N + ½)/(π r^{2N+1})` and the bounds made of it, by their formulas, each rounded up by
+/// little.
 #[test]
 fn bounds_are_the_formulas() {
     let near = |x: f64, due: f64| x >= due * (1.0 - 1e-15) && x <= due * (1.0 + 1e-12);

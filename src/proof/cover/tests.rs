@@ -66,7 +66,8 @@ fn the_first_partition_has_no_overlap() {
     }
 }
 
-/// A strip of one number that is missing is found, wherever it is; without rectangles everything is.
+/// A strip of one number that is missing is found, wherever it is; without rectangles everything
+/// is.
 #[test]
 fn a_missing_number_is_found() {
     assert_eq!(hole(&[]), Some([0.0, 0.0]));
@@ -217,8 +218,8 @@ fn which_side_is_cut() {
     assert_eq!(across([0.0, 1e-300], [3.0, 3.0]), [true, true]);
 }
 
-/// Where the formula changes for one coordinate alone there is a line: on a ring of the same |z|² it does not change
-/// between two of them.
+/// Where the formula changes for one coordinate alone there is a line: on a ring of the same |z|²
+/// it does not change between two of them.
 #[test]
 fn lines_where_the_code_has_some() {
     let of = |a: f64, b: f64| {
@@ -328,7 +329,8 @@ fn pieces_of_steps() {
     assert_eq!(pieces([1.0, 2.0], |_| 7), [([1.0, 2.0], 7)]);
 }
 
-/// The largest coordinate of both corners has one power of two, and ends that are rounded are rounded outwards.
+/// The largest coordinate of both corners has one power of two, and ends that are rounded are
+/// rounded outwards.
 #[test]
 fn scaled_ends_are_rounded_outwards() {
     let of = |a, b| Rectangle { a, b }.scaled();

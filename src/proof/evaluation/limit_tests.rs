@@ -31,10 +31,11 @@ fn a_planted_rounding_is_of_one_operation() {
     assert_eq!(run(Some(3)), sound);
 }
 
-/// What a power of two does to numbers at both ends of the range.
+/// Checks what a power of two does to numbers at both ends of the range.
 #[test]
 fn powers_of_two_at_the_ends_of_the_range() {
-    // Multiples of 2⁻⁵² in [1, 2): 2⁻¹⁰²² times as much still is a number; of those below 1 it need not be.
+    // Multiples of 2⁻⁵² in [1, 2): 2⁻¹⁰²² times as much still is a number; of those below 1 it need
+    // not be.
     let least = x_of_power(-1022);
     let of = |lo: f64, hi: f64| only(|| (Tracked::input(0, [lo, hi]) * least()).result());
     for (lo, hi, tiny) in [(1.0, 1.9, 0.0), (0.5, 0.9, 1.0), (0.5, 2.0, 1.0)] {
@@ -48,7 +49,8 @@ fn powers_of_two_at_the_ends_of_the_range() {
     };
     let finite = |k| over(k).is_ok_and(|w| w[0].exact.hi.is_finite() && w[0].error == 0.0);
     assert!(finite(20) && !finite(23) && !finite(24) && !finite(60));
-    // Sums of subnormal numbers are exact, also those of products by powers of two; from 2⁻¹⁰²¹ on they need not be.
+    // Sums of subnormal numbers are exact, also those of products by powers of two; from 2⁻¹⁰²¹ on
+    // they need not be.
     let sum = |scale: f64| {
         only(|| {
             let x = Tracked::input(0, [scale, 1.1 * scale]);
@@ -66,7 +68,8 @@ fn powers_of_two_at_the_ends_of_the_range() {
     assert!(sum(1.5 * 2f64.powi(-1021)).error > 0.0);
 }
 
-/// What a product by a power of two lost below the normal numbers is handed on with what it lost.
+/// Checks that what a product by a power of two lost below the normal numbers is handed on with
+/// what it lost.
 #[test]
 fn digits_below_the_normal_numbers_are_lost_twice() {
     let [p, lost] = only(|| {
@@ -208,7 +211,8 @@ fn a_fast_sum_out_of_order_is_a_sum() {
     assert!(sum.error == 0.0 && both.error == 0.0 && sum.exact.hi <= 2.0);
 }
 
-/// The error of a product is a multiple of the product of both grids: of a number, or rounded to one.
+/// The error of a product is a multiple of the product of both grids: of a number, or rounded to
+/// one.
 #[test]
 fn errors_of_products_on_the_finest_grid() {
     let lost = |k: i32| {
@@ -223,7 +227,8 @@ fn errors_of_products_on_the_finest_grid() {
     assert!(lost(-971) >= 1.0);
 }
 
-/// The absolute value of what may have either sign begins at zero, and its errors are no part of it.
+/// The absolute value of what may have either sign begins at zero, and its errors are no part of
+/// it.
 #[test]
 fn magnitudes_of_both_signs() {
     let found = only(|| {
@@ -264,8 +269,8 @@ fn form_of(x: Tracked) -> Form {
     here(|e| e.form(x).clone())
 }
 
-/// Numbers of every kind: zero and other constants, of few and many binades, small, with errors, next to both ends of the
-/// range.
+/// Numbers of every kind: zero and other constants, of few and many binades, small, with errors,
+/// next to both ends of the range.
 fn pool() -> Vec<Tracked> {
     let mut all = [0.0, -0.0, 1.0, 3.0, 0.1, -0.5, 1e-290, 1e300]
         .map(x_of)
@@ -442,7 +447,8 @@ fn powers_of_two_bit_by_bit() {
     bit_by_bit(&found, &due);
 }
 
-/// What is decided at equality, how far decisions are followed, and what stands for a number that has failed.
+/// Checks what is decided at equality, how far decisions are followed, and what stands for a number
+/// that has failed.
 #[test]
 fn decisions_bit_by_bit() {
     let of = |lo: f64, hi: f64| {

@@ -28,7 +28,7 @@ pub(super) fn only<T>(f: impl FnMut() -> T) -> T {
     all.remove(0)
 }
 
-/// What is due in exact arithmetic, of the same two inputs.
+/// Describes what is due in exact arithmetic, of the same two inputs.
 type Due = fn(&Rational, &Rational) -> Rational;
 type Program<R> = fn(R, R) -> R;
 
@@ -78,8 +78,8 @@ fn programs() -> Vec<(Program<Tracked>, Program<f64>, Due)> {
     ]
 }
 
-/// At points of a box each number is within the error of its exact value, and the exact value in its enclosure; the
-/// errors come close to their bounds.
+/// At points of a box each number is within the error of its exact value, and the exact value in
+/// its enclosure; the errors come close to their bounds.
 #[test]
 fn programs_at_points_are_within_their_errors() {
     let mut random = ChaCha8Rng::seed_from_u64(1);
@@ -202,7 +202,8 @@ fn exact_sums_and_products_have_no_error() {
     assert!(low.tiny >= 1.0);
 }
 
-/// Multiplied by a power of two nothing is rounded unless it is subnormal; of x and 2ᵏx the products have one error.
+/// Multiplied by a power of two nothing is rounded unless it is subnormal; of x and 2ᵏx the
+/// products have one error.
 #[test]
 fn powers_of_two_are_exact() {
     let half = only(|| {
@@ -240,7 +241,8 @@ fn powers_of_two_are_exact() {
         [(more * y) - (x * y) * x.like(3.0), (x * y) - (x * x)].map(Tracked::result)
     });
     assert!(other.iter().all(|d| d.error > 2e-16));
-    // Below the normal numbers half the smallest number is lost, and the digits are not there any more.
+    // Below the normal numbers half the smallest number is lost, and the digits are not there any
+    // more.
     let below = only(|| {
         let x = Tracked::input(0, [1.0, 1.001]);
         let y = x * x.like(2f64.powi(-600));
@@ -509,7 +511,8 @@ fn grids_are_those_of_the_least_numbers() {
     assert!(raised.relative > 0.5);
 }
 
-/// The sum of two numbers and what is lost of it is exact only if the first one is the larger one for sure.
+/// The sum of two numbers and what is lost of it is exact only if the first one is the larger one
+/// for sure.
 #[test]
 fn a_fast_sum_is_exact_only_in_order() {
     let of = |a: [f64; 2], b: [f64; 2]| {
@@ -529,8 +532,8 @@ fn a_fast_sum_is_exact_only_in_order() {
     assert!(exact(&of([0.0, 0.0], [1.0, 1.001])));
 }
 
-/// What a product loses is rounded itself where it may be below the normal numbers; with products that are rounded
-/// before a sum it is lost.
+/// Checks that what a product loses is rounded itself where it may be below the normal numbers;
+/// with products that are rounded before a sum it is lost.
 #[test]
 fn what_a_product_loses() {
     let of = |a: f64, b: f64, rounding: Rounding| {
@@ -606,7 +609,7 @@ fn powers_of_two_scale_all_errors() {
     assert!(apart.1 >= 2.0 * apart.0);
 }
 
-/// What a stored number is off has no error in common with an operation.
+/// Checks that what a stored number is off has no error in common with an operation.
 #[test]
 fn constants_and_operations_are_apart() {
     let u = 2f64.powi(-53);

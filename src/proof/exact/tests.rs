@@ -52,7 +52,8 @@ fn linear(centre: f64, slopes: [f64; 2], radius: f64) -> Exact {
     }
 }
 
-/// The largest distance of `of(x, y)` from the linear part of a result, over the corners of ξ and of both radii.
+/// The largest distance of `of(x, y)` from the linear part of a result, over the corners of ξ and
+/// of both radii.
 fn farthest(result: &Exact, [x, y]: [&Exact; 2], of: impl Fn(f64, f64) -> f64) -> f64 {
     const SIGNS: [f64; 2] = [1.0, -1.0];
     let mut most = 0.0f64;
@@ -66,7 +67,8 @@ fn farthest(result: &Exact, [x, y]: [&Exact; 2], of: impl Fn(f64, f64) -> f64) -
     most
 }
 
-/// What a linear function leaves out of sums, products and quotients is within its radius, and little less.
+/// Checks that what a linear function leaves out of sums, products and quotients is within its
+/// radius, and little less.
 #[test]
 fn radii_are_needed_and_enough() {
     let numbers = [
@@ -215,7 +217,8 @@ fn unknown_numbers_are_not_believed() {
     assert_eq!(x.scaled(0.0, Interval::ZERO).range, Interval::ZERO);
 }
 
-/// Operations with numbers of all sizes, zero and infinity among them: ranges, centres, slopes and radii.
+/// Operations with numbers of all sizes, zero and infinity among them: ranges, centres, slopes and
+/// radii.
 #[test]
 fn operations_bit_by_bit() {
     let mut unit = units(8);

@@ -21,8 +21,8 @@ fn turned(form: &Form, signs: u32) -> f64 {
     each.map(|&(k, c)| sign(k) * 0.5 * (c.lo + c.hi)).sum()
 }
 
-/// The largest distance of `of(x, y)` from `m + Σ c_k ε_k` of a result, over all signs of ε and of what is left of x
-/// and y.
+/// The largest distance of `of(x, y)` from `m + Σ c_k ε_k` of a result, over all signs of ε and of
+/// what is left of x and y.
 fn farthest(result: &Form, [x, y]: [&Form; 2], of: impl Fn(f64, f64) -> f64) -> f64 {
     let mut most = 0.0f64;
     for signs in 0..16 {
@@ -55,7 +55,8 @@ fn operands() -> Vec<[Form; 2]> {
     all
 }
 
-/// With an error of its own for each the rest is attained, so that no smaller one is a bound and this one is.
+/// With an error of its own for each the rest is attained, so that no smaller one is a bound and
+/// this one is.
 #[test]
 fn what_sums_and_products_leave_out_is_attained() {
     for [x, y] in operands() {
@@ -241,7 +242,8 @@ fn what_has_an_error_is_no_constant() {
     assert!(with(|f| f.small = true).constant().is_none());
 }
 
-/// A sum of two numbers of one sign is wrong by no larger a part of it than one of them; a product by both.
+/// A sum of two numbers of one sign is wrong by no larger a part of it than one of them; a product
+/// by both.
 #[test]
 fn parts_of_sums_and_products() {
     let with_share = |main: Interval, share: f64| {
@@ -308,7 +310,8 @@ fn one_rounding_is_half_a_unit_of_the_largest() {
     assert_eq!(rounding(&f, Exact::ZERO, 2.0), Some((0.0, 2.0)));
 }
 
-/// Beside the factor σ: half a unit in the last place is at most `2⁻⁵³ |v|`, or half a unit of the largest for all σ.
+/// Beside the factor σ: half a unit in the last place is at most `2⁻⁵³ |v|`, or half a unit of the
+/// largest for all σ.
 #[test]
 fn one_rounding_beside_the_small_factor() {
     let u = 2f64.powi(-53);
@@ -341,7 +344,8 @@ fn one_rounding_beside_the_small_factor() {
     assert!(absolute >= 1.0 && error >= u);
 }
 
-/// After its rounding a number has one error more, and its part counts if no number may be subnormal.
+/// After its rounding a number has one error more, and its part counts if no number may be
+/// subnormal.
 #[test]
 fn a_rounded_number() {
     let u = 2f64.powi(-53);
@@ -513,7 +517,8 @@ fn grains_of_the_smallest_numbers() {
     assert_eq!([0.75, 1.0, 0.0].map(grain_of_point), [-2, 0, -1074]);
 }
 
-/// Operations on numbers with errors, beside a small factor, below the normal numbers, and where a limit is met exactly.
+/// Operations on numbers with errors, beside a small factor, below the normal numbers, and where a
+/// limit is met exactly.
 #[test]
 fn operations_bit_by_bit() {
     let sigmas = [

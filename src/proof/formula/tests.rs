@@ -29,7 +29,8 @@ const NONE: Truncation = Truncation {
     sum: None,
 };
 
-/// Differences from a centre are exact below `2^{g+53}`, g the coarser grid's exponent, and refused beyond.
+/// Differences from a centre are exact below `2^{g+53}`, g the coarser grid's exponent, and refused
+/// beyond.
 #[test]
 fn distances_that_are_rounded_are_refused() {
     let of = |ends: [f64; 2], centre: f64| offsets(ends, centre).map(|t| (t.ends, t.grain));
@@ -58,7 +59,8 @@ fn components_in_units_of_their_least_value() {
     };
     let (units, least) = of(&part(1.5, 1.75, u), 0.0, 0.0);
     assert!(near(units, 1.0) && near(least, 1.5));
-    // The truncation is taken from the value and added to the error; the better of both bounds serves.
+    // The truncation is taken from the value and added to the error; the better of both bounds
+    // serves.
     let (units, least) = of(&part(1.5, 1.75, u), 0.6, 0.9);
     assert!(near(units, (0.6 + u) * 2.0 / u) && near(least, 0.9));
     let (units, _) = of(&part(1.5, 1.75, u), 0.6, u);
@@ -80,7 +82,8 @@ fn components_in_units_of_their_least_value() {
     assert!(near(units, 1.0));
     let (units, _) = of(&part(1e-310, 2e-310, f64::from_bits(1)), 0.0, 0.0);
     assert!(near(units, 1.0));
-    // Beside the factor σ: a part of the value is at most as many units of 2⁻⁵³, or by the least value.
+    // Beside the factor σ: a part of the value is at most as many units of 2⁻⁵³, or by the least
+    // value.
     let small = Tracks {
         small: true,
         ..part(1.5, 1.75, u)
@@ -284,8 +287,8 @@ fn formulas_and_their_rows() {
     assert_eq!(others.map(at), [[false, false]; 4]);
 }
 
-/// The formula without rounding is w but for its truncation, at corners of rectangles with and without a small
-/// coordinate.
+/// The formula without rounding is w but for its truncation, at corners of rectangles with and
+/// without a small coordinate.
 #[test]
 fn values_are_enclosed() {
     let narrow = [1e-3, 0.9];
@@ -360,7 +363,7 @@ fn values_are_enclosed() {
     }
 }
 
-/// What a formula leaves out, by its terms and at its farthest point.
+/// Checks what a formula leaves out, by its terms and at its farthest point.
 #[test]
 fn truncations_of_formulas() {
     let of = |formula, a, b| {

@@ -59,7 +59,8 @@ fn lengths_are_on_their_sides() {
     }
 }
 
-/// Whether an interval holds all numbers from `least` to `most`, and no end of it is more than two spacings off.
+/// Returns whether an interval holds all numbers from `least` to `most`, and no end of it is more
+/// than two spacings off.
 fn is_tight(found: Interval, least: &Rational, most: &Rational) -> bool {
     if [least, most]
         .into_iter()

@@ -5,7 +5,8 @@ use super::*;
 use crate::cover::hole;
 use crate::pinned::{bit_by_bit, counted, digest};
 
-/// A rectangle is halved until its bounds are good; at its depth it comes out with what it has, or open.
+/// A rectangle is halved until its bounds are good; at its depth it comes out with what it has, or
+/// open.
 #[test]
 fn rectangles_are_halved_until_the_bounds_are_good() {
     let watch = Watch::default();

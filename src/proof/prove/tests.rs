@@ -336,7 +336,8 @@ fn the_imaginary_part_in_a_cell_is_within_its_bound() {
     assert!((0.8..=most).contains(&off), "{off} {most}");
 }
 
-/// Rectangles in every formula, with small coordinates down to zero, next to lines and beside underflow.
+/// Rectangles in every formula, with small coordinates down to zero, next to lines and beside
+/// underflow.
 const SOME: [([f64; 2], [f64; 2]); 34] = [
     ([0.001, 0.0011], [0.001, 0.002]),
     ([1e-300, 0.001], [0.0, 0.001]),
@@ -374,8 +375,8 @@ const SOME: [([f64; 2], [f64; 2]); 34] = [
     ([0.0, 0.0], [1e300, 1.1e300]),
 ];
 
-/// What is proved there: norm, real and imaginary part, what underflows. Smaller numbers would be a better theorem, which
-/// has to come from a better proof.
+/// Checks what is proved there: norm, real and imaginary part, what underflows. Smaller numbers
+/// would be a better theorem, which has to come from a better proof.
 #[test]
 fn bounds_are_those_that_were_proved() {
     let mut found = Vec::new();

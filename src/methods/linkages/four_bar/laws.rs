@@ -94,8 +94,8 @@ fn mirror(x: &[f64]) -> Option<f64> {
     held(mirrored(&here, &there))
 }
 
-/// φ2, φ3, their second derivatives and the joint's ordinate are odd in φ1; first derivatives, transmission angle and
-/// abscissa are even.
+/// φ2, φ3, their second derivatives and the joint's ordinate are odd in φ1; first derivatives,
+/// transmission angle and abscissa are even.
 fn mirrored(here: &[f64], there: &[f64]) -> bool {
     let signs = [-1.0, -1.0, 1.0, 1.0, -1.0, -1.0, 1.0, 1.0, -1.0];
     let turned = there.iter().zip(signs).map(|(x, sign)| sign * x);

@@ -1,5 +1,5 @@
-//! Condition numbers of a planar linkage by implicit differentiation: `Σ |p ∂f/∂p|` over the data of a [`Flow`], and
-//! what the coefficients of its linear systems add.
+//! Condition numbers of a planar linkage by implicit differentiation: `Σ |p ∂f/∂p|` over the data
+//! of a [`Flow`], and what the coefficients of its linear systems add.
 
 use super::flow::{C, Flow, I, Motion, Path, Spot, cross, dot};
 use super::input::{PlanarForcesInput, PlanarLinkageInput};
@@ -31,7 +31,8 @@ fn flow(linkage: &PlanarLinkageInput) -> Option<Flow> {
 }
 
 impl Flow {
-    /// Of nine values a body: angle, centre of mass, with derivatives; infinite at a singular position.
+    /// Of nine values a body: angle, centre of mass, with derivatives; infinite at a singular
+    /// position.
     pub(super) fn of_motion(&self) -> Vec<f64> {
         let mut sum = vec![[0.0; 9]; self.bodies];
         for datum in self.data() {

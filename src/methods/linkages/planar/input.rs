@@ -1,4 +1,4 @@
-//! What the methods of planar linkages take, as solver and reference take it.
+//! Describes what the methods of planar linkages take, as solver and reference take it.
 
 use crate::audit::Uncertified;
 use crate::methods::definition::exact;
@@ -183,7 +183,8 @@ impl PlanarLinkageInput<'_, Rational> {
         self.exact(&nothing, bits)
     }
 
-    /// The angles that conditions are taken at: with few bits if they are enough to prove the position.
+    /// The angles that conditions are taken at: with few bits if they are enough to prove the
+    /// position.
     pub(super) fn angles(&self) -> Option<Vec<f64>> {
         let at = |bits| Some(self.placed(bits).ok()?.1);
         let position = at(BITS).or_else(|| at(2 * BITS))?;

@@ -11,9 +11,9 @@ use crate::reference::planar::{Attachment, Linkage, Position};
 use crate::reference::{Ball, Undecided};
 use rug::Rational;
 
-/// A planar linkage of pins: angles, centres of mass, both derivatives at the position whose largest difference from
-/// `near` over the angles of all moving bodies is least, if that is at most 0.1 rad; angles are real numbers, not reduced by
-/// whole turns.
+/// A planar linkage of pins: angles, centres of mass, both derivatives at the position whose
+/// largest difference from `near` over the angles of all moving bodies is least, if that is at most
+/// 0.1 rad; angles are real numbers, not reduced by whole turns.
 ///
 /// A candidate is a `Fn(PlanarLinkageInput) -> ` nine values for every moving body, as
 /// `mechaudit list planar-linkage` lays them out.

@@ -80,7 +80,8 @@ fn mirror(solve: Solve, x: &[f64]) -> Option<f64> {
     let Ok(mut there) = solve(other.input()) else {
         return held(false);
     };
-    // θ and its derivatives over φ: the first is even. Of x, y and their derivatives each derivative changes the sign.
+    // θ and its derivatives over φ: the first is even. Of x, y and their derivatives each
+    // derivative changes the sign.
     let signs = [-1.0, 1.0, -1.0, 1.0, -1.0, -1.0, 1.0, 1.0, -1.0];
     for (value, sign) in there.iter_mut().zip(signs.iter().cycle()) {
         *value *= sign;
@@ -120,7 +121,8 @@ fn exchange(x: &[f64]) -> Option<f64> {
         body: last,
         from: GROUND,
     };
-    // The other drive may leave a group that is not solved, or a mechanism in which it moves only a part.
+    // The other drive may leave a group that is not solved, or a mechanism in which it moves only a
+    // part.
     let mechanism = Mechanism::new(description).ok()?;
     // Beside a dead position of that body two positions may be next to what was given.
     let near: Vec<f64> = (0..last).map(|k| here[9 * k]).collect();
@@ -157,7 +159,7 @@ fn power_balance(x: &[f64]) -> Option<f64> {
     Some(within(16.0, &[due], &[got], &conditions[4..]))
 }
 
-/// What the pins on the ground exert, and what weight and inertia ask for.
+/// Returns what the pins on the ground exert, and what weight and inertia ask for.
 fn virtual_work(solve: SolveForces, x: &[f64]) -> Option<f64> {
     let i = PlanarForcesInput::unpack(x)?;
     let forces = solve(i).ok()?;

@@ -11,7 +11,8 @@ use rug::Rational;
 
 /// A planar linkage in motion: what every pin exerts on its body b, and the opposite on a.
 ///
-/// A candidate is a `Fn(PlanarForcesInput) -> ` two values for every pin, force components in the axes of the ground.
+/// A candidate is a `Fn(PlanarForcesInput) -> ` two values for every pin, force components in the
+/// axes of the ground.
 #[derive(Clone, Copy, Debug)]
 pub struct PlanarReactions;
 

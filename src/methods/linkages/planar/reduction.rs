@@ -12,7 +12,8 @@ use rug::Rational;
 /// A planar linkage in motion: reduced inertia, reduced weight, drive torque.
 ///
 /// A candidate is a `Fn(PlanarForcesInput) -> [I_n, dI_n/dphi, M_o, dM_o/dphi, Q]` with
-/// `I_n = Σ m |S'|² + J θ'²`, `M_o = Σ m g·S'` and the drive torque `Q = I_n φ̈ + ½ I_n' φ̇² − M_o`.
+/// `I_n = Σ m |S'|² + J θ'²`, `M_o = Σ m g·S'` and the drive torque
+/// `Q = I_n φ̈ + ½ I_n' φ̇² − M_o`.
 #[derive(Clone, Copy, Debug)]
 pub struct PlanarReduction;
 

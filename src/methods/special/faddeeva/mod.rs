@@ -196,7 +196,8 @@ mod tests {
         assert_eq!(shown(f64::NAN, 1.0), ["nan", "nan"]);
     }
 
-    /// At infinity w is i/(√π z): the real part has the sign of Im z, the imaginary part that of Re z.
+    /// At infinity w is i/(√π z): the real part has the sign of Im z, the imaginary part that of Re
+    /// z.
     #[test]
     fn signs_of_zero_at_infinity_and_on_the_axis() {
         let (inf, plus, minus) = (f64::INFINITY, Some(false), Some(true));

@@ -93,8 +93,8 @@ pub(in crate::methods::special) fn named_points(
         .collect()
 }
 
-/// A part so small that every product with it may be subnormal, and the other from where exponentials
-/// leave the range of `f64`.
+/// A part so small that every product with it may be subnormal, and the other from where
+/// exponentials leave the range of `f64`.
 pub(in crate::methods::special) fn tiny_part(d: &mut Draw) -> (f64, f64) {
     let tiny = d.log_uniform(5e-324, 1e-250);
     let other = match d.chance(0.7) {
@@ -104,7 +104,7 @@ pub(in crate::methods::special) fn tiny_part(d: &mut Draw) -> (f64, f64) {
     (tiny, other)
 }
 
-/// What [`tiny_part`] draws.
+/// States what [`tiny_part`] draws.
 pub(in crate::methods::special) const TINY_PART: &str =
     "one part 5e-324..1e-250, the other 25..1.7e308, where exponentials overflow or underflow";
 
@@ -130,8 +130,8 @@ fn radii() -> impl Iterator<Item = f64> {
     radii.filter(|r| *r < FARTHEST_CIRCLE)
 }
 
-/// Draws a coordinate at which the function changes its formula: one of these lines, limits of its own
-/// included, the radius of a circle, or the side of a cell.
+/// Draws a coordinate at which the function changes its formula: one of these lines, limits of its
+/// own included, the radius of a circle, or the side of a cell.
 pub(in crate::methods::special) fn seam(lines: &[f64], d: &mut Draw) -> f64 {
     match d.integer(0, 3) {
         0 => d.one_of(&radii().collect::<Vec<f64>>()),

@@ -97,8 +97,8 @@ impl Relative for Dawson {
     }
 }
 
-/// Whether `F′(x) = 1 − 2xF(x) < 0`, if that is certain. The maximum of F is irrational, so 256 bits
-/// decide every `f64`; 64 do but where x is next to it.
+/// Returns whether `F′(x) = 1 − 2xF(x) < 0`, if that is certain. The maximum of F is irrational, so
+/// 256 bits decide every `f64`; 64 do but where x is next to it.
 fn slope_is_negative(x: f64) -> Option<bool> {
     let Some(re) = Rational::from_f64(x) else {
         return x.is_infinite().then_some(true);

@@ -98,7 +98,8 @@ fn by_w(input: &[f64]) -> Option<f64> {
     if !(e.norm() < 1e290 && g.norm() < 1e290) {
         return None;
     }
-    // 4 u of erf, 4 u of W, 6 u of the product's roundings and of the exponential's, 2 u of the sum.
+    // 4 u of erf, 4 u of W, 6 u of the product's roundings and of the exponential's, 2 u of the
+    // sum.
     within((e - 1.0) + g * w, 16.0, 1.0 + e.norm())
 }
 

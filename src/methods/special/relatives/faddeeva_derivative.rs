@@ -122,8 +122,9 @@ fn equation(input: &[f64]) -> Option<f64> {
     within(rest, 7.0, slope.norm() + product.norm() + 1.0)
 }
 
-/// A point just below the real axis, next to the curve `2x e^{-x²} = |y| Im W″(x)` on which `Re W′ = 0`, with `Im W″`
-/// by its asymptotic series (DLMF 7.12.1, twice differentiated), whose terms fall down to `e^{-x²}`.
+/// A point just below the real axis, next to the curve `2x e^{-x²} = |y| Im W″(x)` on which
+/// `Re W′ = 0`, with `Im W″` by its asymptotic series (DLMF 7.12.1, twice differentiated), whose
+/// terms fall down to `e^{-x²}`.
 fn beside_flat_curve(d: &mut Draw) -> Vec<f64> {
     let x = d.uniform(6.0, 27.3);
     let square = x * x;
@@ -179,7 +180,8 @@ mod tests {
         assert_eq!(symmetry(|z| C::i() * z, &input), Some(f64::INFINITY));
     }
 
-    /// Of the points beside the flat curve half are so close that all but a few digits of Re W' cancel.
+    /// Of the points beside the flat curve half are so close that all but a few digits of Re W'
+    /// cancel.
     #[test]
     fn points_beside_the_flat_curve() {
         let mut close = 0;
@@ -195,8 +197,8 @@ mod tests {
         assert!((60..140).contains(&close), "{close}");
     }
 
-    /// At infinity W' is −(i/√π) z^{−2}: −2xy has the sign of the real part's opposite, and the imaginary part that of
-    /// y² − x².
+    /// At infinity W' is −(i/√π) z^{−2}: −2xy has the sign of the real part's opposite, and the
+    /// imaginary part that of y² − x².
     #[test]
     fn signs_of_zero_at_infinity_and_on_the_axis() {
         let (inf, plus, minus) = (f64::INFINITY, Some(false), Some(true));

@@ -45,8 +45,8 @@ pub(super) fn real_argument_law(residual: fn(&[f64]) -> Option<f64>) -> Law {
     }
 }
 
-/// How far the function of a real argument is from the complex one on the real axis: four units in the last place for
-/// that one, and one for this, of which less than 7/8 is proved (erfi: found).
+/// How far the function of a real argument is from the complex one on the real axis: four units in
+/// the last place for that one, and one for this, of which less than 7/8 is proved (erfi: found).
 pub(super) fn on_the_axis(
     complex: impl Fn(C) -> C,
     real: impl Fn(f64) -> f64,
@@ -61,7 +61,7 @@ pub(super) fn on_the_axis(
     held(a.im == 0.0).map(|r| r.max((a.re - b).abs() / (5.0 * ulp)))
 }
 
-/// Whether products and sums of such values neither overflow nor lose digits to underflow.
+/// Returns whether products and sums of such values neither overflow nor lose digits to underflow.
 pub(super) fn plain(values: &[C]) -> bool {
     values.iter().all(|v| (1e-290..1e290).contains(&v.norm()))
 }

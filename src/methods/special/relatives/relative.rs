@@ -24,7 +24,7 @@ pub(super) const NORM_OF_PRODUCTS: (f64, &str) = (
 pub struct Zeros {
     /// The `f64` next to the k-th one, k = 1, 2, …
     pub at: fn(usize) -> [f64; 2],
-    /// Whether −x, −y belong to a zero as well.
+    /// Tells whether −x, −y belong to a zero as well.
     pub mirrored: [bool; 2],
     /// The solver stores so many of them; beyond it sums in longer numbers.
     pub stored: usize,
@@ -36,9 +36,9 @@ pub trait Relative: Registered {
     const SOURCE: &'static str;
     /// The components.
     const OUTPUTS: [&'static str; 2];
-    /// What a component may be wrong by, in units in its last place, and why.
+    /// States what a component may be wrong by, in units in its last place, and why.
     const ULPS: (f64, &'static str);
-    /// What the norm may be wrong by, in units of 2⁻⁵³, and why.
+    /// States what the norm may be wrong by, in units of 2⁻⁵³, and why.
     const NORM: (f64, &'static str);
     /// The code under test.
     const VALUE: fn(C) -> C;
@@ -47,19 +47,21 @@ pub trait Relative: Registered {
     /// Where it is zero.
     const ZEROS: Zeros;
 
-    /// The function by its definition from W, roughly: where the search for a point next to a zero curve begins.
+    /// The function by its definition from W, roughly: where the search for a point next to a zero
+    /// curve begins.
     fn from_w(w: fn(C) -> C, z: C) -> C;
-    /// The derivative at `z`, from the value there, to a few digits: points next to zero curves are found with it.
+    /// The derivative at `z`, from the value there, to a few digits: points next to zero curves are
+    /// found with it.
     fn slope(z: C, value: C) -> C;
 
     /// Returns the expected values at an argument that is not finite.
     fn limit(x: f64, y: f64) -> [Expected; 2];
-    /// Whether the limit of each component, where it is zero, is −0; `None` where there is no limit
-    /// of the sign.
+    /// Returns whether the limit of each component, where it is zero, is −0; `None` where there is
+    /// no limit of the sign.
     fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2];
     /// Identities of the values.
     fn laws() -> Vec<Law>;
-    /// What is proved of the solver's error.
+    /// Returns what is proved of the solver's error.
     fn proved() -> Vec<ProvedBound> {
         Vec::new()
     }
@@ -120,7 +122,7 @@ pub(super) fn odd_limit(right: i64, x: f64, y: f64) -> [Expected; 2] {
     }
 }
 
-/// What is proved of a function of a real argument.
+/// Returns what is proved of a function of a real argument.
 pub(super) fn on_the_real_line(inputs: &'static str, command: &'static str) -> Vec<ProvedBound> {
     vec![ProvedBound {
         error: ProvedError::Ulps(PROVED_REAL_ULPS),

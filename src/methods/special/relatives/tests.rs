@@ -244,8 +244,8 @@ fn functions_of_a_real_argument_have_proved_bounds() {
     }
 }
 
-/// The phase of e^{−z²} is known to 1e-30 for |z| up to 1e8: on the diagonal, where its size is 1, laws with it apply
-/// up to there.
+/// The phase of e^{−z²} is known to 1e-30 for |z| up to 1e8: on the diagonal, where its size is 1,
+/// laws with it apply up to there.
 #[test]
 fn laws_with_an_exponential_end_at_a_hundred_million() {
     for (method, name) in [

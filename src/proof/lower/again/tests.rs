@@ -23,7 +23,8 @@ fn bounds_are_little_above_one_rounding() {
     );
 }
 
-/// A weight off, a node moved, a factorial without its low part, 2π/23 or a word of ln 2 wrong, a limit moved.
+/// A weight off, a node moved, a factorial without its low part, 2π/23 or a word of ln 2 wrong, a
+/// limit moved.
 #[test]
 fn faults_show() {
     let [near, far, long] = proved(|_| ());
@@ -70,7 +71,8 @@ fn errors_of_pairs_are_below_their_bounds() {
     assert!(most.into_iter().all(|m| m > 1e-4), "{most:?}");
 }
 
-/// What the bounds are made of, in units of u², and the bounds; smaller ones would have to come from a better proof.
+/// Checks what the bounds are made of, in units of u², and the bounds; smaller ones would have to
+/// come from a better proof.
 #[test]
 fn bounds_are_those_that_were_proved() {
     let c = code::again();
@@ -155,7 +157,8 @@ fn phases_by_their_quarters() {
     }
 }
 
-/// As many coefficients count as the code has terms, and ln 2 by the largest number of times that it is taken.
+/// As many coefficients count as the code has terms, and ln 2 by the largest number of times that
+/// it is taken.
 #[test]
 fn constants_count_as_often_as_they_are_used() {
     type Of = fn(&code::Again) -> f64;

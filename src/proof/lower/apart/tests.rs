@@ -12,8 +12,8 @@ fn the_first_zeros_are_off_all_numbers_bit_by_bit() {
     assert_eq!(found, [86439, 1288, 0]);
 }
 
-/// `(a − b)/δ` on the curve `a² − b² = D = ln(2√π |z|)` over a binade of b is within the numbers of its lines; these are
-/// those of the smallest D over the largest sum, and the other way round.
+/// `(a − b)/δ` on the curve `a² − b² = D = ln(2√π |z|)` over a binade of b is within the numbers of
+/// its lines; these are those of the smallest D over the largest sum, and the other way round.
 #[test]
 fn lines_of_a_binade_are_those_that_meet_it() {
     let d_at = |b: f64| {
@@ -115,7 +115,7 @@ fn a_value_next_to_a_whole_number_is_found() {
     }
 }
 
-/// What is enumerated below which limit, and the few lines of the last binades.
+/// Checks what is enumerated below which limit, and the few lines of the last binades.
 #[test]
 fn what_is_enumerated_bit_by_bit() {
     let watch = Watch::default();

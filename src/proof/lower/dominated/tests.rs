@@ -10,7 +10,8 @@ const E: Exponential = Exponential {
     boxes: 0,
 };
 
-/// `(UW + ρx)/(W − x) + ½` for every D from the limit on, W no smaller than its bound, and the limit attains it.
+/// `(UW + ρx)/(W − x) + ½` for every D from the limit on, W no smaller than its bound, and the
+/// limit attains it.
 #[test]
 fn the_smaller_exponential_counts_most_at_the_limit() {
     let (u, w) = (1.2, 0.066);
@@ -66,8 +67,8 @@ fn the_larger_exponential_counts_least_at_the_limit() {
     assert!((found / due - 1.0).abs() < 2e-14, "{found} {due}");
 }
 
-/// The lower bounds of |w(−z)| where the exponential is smaller: `1/(√π r) − B₁` at 7 and 48, which cells and 26 terms
-/// reach to `r² = 48` and 112.
+/// The lower bounds of |w(−z)| where the exponential is smaller: `1/(√π r) − B₁` at 7 and 48, which
+/// cells and 26 terms reach to `r² = 48` and 112.
 #[test]
 fn the_image_is_no_smaller() {
     let b1 = |r: f64| {

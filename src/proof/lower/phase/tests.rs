@@ -9,8 +9,8 @@ use std::sync::LazyLock;
 static PHASE: LazyLock<Phase> =
     LazyLock::new(|| Phase::of(&code::constants(), Rounding::default()).expect("a bound"));
 
-/// Phases `k H₀ + r` with a low part at points: the reduced pair, and sine and cosine of the short form, are within
-/// their errors.
+/// Phases `k H₀ + r` with a low part at points: the reduced pair, and sine and cosine of the short
+/// form, are within their errors.
 #[test]
 fn reduced_phases_are_within_their_errors() {
     let mut random = ChaCha8Rng::seed_from_u64(23);
@@ -49,7 +49,7 @@ fn reduced_phases_are_within_their_errors() {
     assert!(most[0] > 0.2, "{most:?}");
 }
 
-/// What three and two parts of π/2 lack is counted, as often as it is subtracted.
+/// Checks that what three and two parts of π/2 lack is counted, as often as it is subtracted.
 #[test]
 fn parts_of_half_pi_are_counted() {
     let c = code::constants();
@@ -82,7 +82,8 @@ fn parts_of_half_pi_are_counted() {
     faulty.half_pi = [h0, 0.0, 0.0];
     let found = Phase::of(&faulty, Rounding::default()).expect("a bound");
     assert!(found.short > 0.99 * 127.0 * left_of_half_pi(&[h0]));
-    // Without roundings: what is left of the sine and the cosine is their polynomials' and a few units.
+    // Without roundings: what is left of the sine and the cosine is their polynomials' and a few
+    // units.
     assert!(
         PHASE.short > 1.5 * U && PHASE.short < 6.0 * U,
         "{}",
@@ -145,7 +146,8 @@ fn every_number_of_quarters_is_run() {
     assert_eq!(binades(64.0).last(), Some(&[32.0, 63.0]));
 }
 
-/// The polynomials are off the sine and the cosine by no more than their bounds, at the end by nearly as much.
+/// The polynomials are off the sine and the cosine by no more than their bounds, at the end by
+/// nearly as much.
 #[test]
 fn polynomials_are_within_their_errors() {
     let c = code::constants();
@@ -199,7 +201,8 @@ fn pieces_cover_the_reduced_phases() {
     );
 }
 
-/// Quarters and the rest are coordinates of their own: taking the quarters away leaves the rest, and the other way round.
+/// Quarters and the rest are coordinates of their own: taking the quarters away leaves the rest,
+/// and the other way round.
 #[test]
 fn quarters_and_rest_are_coordinates() {
     let h0 = code::constants().half_pi[0];

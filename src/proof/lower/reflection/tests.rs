@@ -98,7 +98,7 @@ fn the_least_of_w_is_below_w() {
     }
 }
 
-/// What is known of a value, from those of its components.
+/// Checks what is known of a value, from those of its components.
 #[test]
 fn values_of_components() {
     let part = |lo: f64, hi: f64, error: f64, tiny: f64| Tracks {
@@ -125,8 +125,8 @@ fn values_of_components() {
     );
 }
 
-/// `(e + ρx)/|W − x|` in units of 2⁻⁵² and the last rounding, where one term is the larger one by far and where both
-/// are equal.
+/// `(e + ρx)/|W − x|` in units of 2⁻⁵² and the last rounding, where one term is the larger one by
+/// far and where both are equal.
 #[test]
 fn errors_of_a_difference_of_two_terms() {
     let rho = 1e-17;
@@ -214,7 +214,8 @@ fn sizes_of_numbers_known_to_few_digits() {
     assert!((due..=due * (1.0 + 1e-12)).contains(&most), "{most}");
 }
 
-/// The bound against the worst of `(e + ρx)/|x − W|` on a grid of all x and W where the value is used.
+/// The bound against the worst of `(e + ρx)/|x − W|` on a grid of all x and W where the value is
+/// used.
 #[test]
 fn differences_on_a_grid_are_below_their_bound() {
     let mut random = ChaCha8Rng::seed_from_u64(31);

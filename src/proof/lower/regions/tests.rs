@@ -45,8 +45,8 @@ fn error(a: f64, b: f64) -> f64 {
     (off / (size(&w.re) + size(&w.im))).sqrt().to_f64() * 2f64.powi(52)
 }
 
-/// A square in each formula: which one it is, the errors at points below its bound, and the bound no larger than it
-/// was found to be.
+/// A square in each formula: which one it is, the errors at points below its bound, and the bound
+/// no larger than it was found to be.
 #[test]
 fn every_formula_has_its_bound() {
     type Due = (f64, f64, f64, fn(Region) -> bool, f64);
@@ -125,8 +125,8 @@ fn every_formula_has_its_bound() {
     }
 }
 
-/// Of the two terms one dominates from `|Re z²| = 7` on; next to the limit both formulas may be used, none where w
-/// overflows.
+/// Of the two terms one dominates from `|Re z²| = 7` on; next to the limit both formulas may be
+/// used, none where w overflows.
 #[test]
 fn which_terms_may_dominate() {
     let limit = CODE.limits.dominant;
@@ -215,7 +215,7 @@ fn neighbours_along_the_rings() {
     assert!(few.iter().any(|(r, _)| r.a[0] == 2.9) && few.iter().any(|(r, _)| r.a[1] == 3.3));
 }
 
-/// What is used is at least `cancelled` of w(−z), or the part of the larger component.
+/// Checks that what is used is at least `cancelled` of w(−z), or the part of the larger component.
 #[test]
 fn the_part_that_is_used() {
     let with = |cancelled: f64, both_cancelled: f64| {
@@ -251,7 +251,8 @@ const SOME: [(f64, f64, f64); 16] = [
     (40.0, 39.5, 1e-2),
 ];
 
-/// The bounds proved there, in units of 2⁻⁵²; smaller ones would be a better theorem, which has to come from a better proof.
+/// The bounds proved there, in units of 2⁻⁵²; smaller ones would be a better theorem, which has to
+/// come from a better proof.
 #[test]
 fn bounds_are_those_that_were_proved() {
     let mut found = Vec::new();
@@ -285,7 +286,7 @@ const PROVED: [(&str, f64); 16] = [
     ("6 terms, both terms", 5.031198969e-1),
 ];
 
-/// What the code uses at `a − ib`, or may use where rounding decides.
+/// Returns what the code uses at `a − ib`, or may use where rounding decides.
 fn at_point(a: f64, b: f64) -> Vec<Region> {
     // Of e^{−z²}: it is below e^{−d}.
     let d = a * a - b * b;
@@ -374,7 +375,8 @@ fn values_are_enclosed() {
     }
 }
 
-/// Nine terms on the imaginary axis have a way of their own, and a series leaves out what follows its last term.
+/// Nine terms on the imaginary axis have a way of their own, and a series leaves out what follows
+/// its last term.
 #[test]
 fn maclaurin_series_below_the_axis() {
     let of = |terms, a: [f64; 2], b: [f64; 2]| {

@@ -62,7 +62,8 @@ fn errors_of_coefficients_add_up() {
     }
 }
 
-/// As many rows as the solver has for these parts of the plane: one that is not gathered would leave the proof open.
+/// As many rows as the solver has for these parts of the plane: one that is not gathered would
+/// leave the proof open.
 #[test]
 fn rows_of_the_solver_are_counted() {
     let rows = Rows::of_the_solver().expect("decided");

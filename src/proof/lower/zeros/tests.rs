@@ -22,7 +22,8 @@ fn all_zeros_have_a_bound() {
     assert!(found.norm > 1.0 && found.boxes > 1000);
 }
 
-/// Faults of the first zero: a coefficient off by 2⁻⁴⁶ of it, the middle part left out, the row of another zero.
+/// Faults of the first zero: a coefficient off by 2⁻⁴⁶ of it, the middle part left out, the row of
+/// another zero.
 #[test]
 fn faults_show() {
     let sound = proved(&ZEROS[..1]);
@@ -101,7 +102,8 @@ fn rings_are_covered_once() {
     assert!(least <= nearest && least > 0.999 * nearest);
 }
 
-/// `Σ |g̃_n − g_n| Dⁿ⁺¹` and the tail, as a part of |δ|; each entry of a row counts for its coefficient.
+/// `Σ |g̃_n − g_n| Dⁿ⁺¹` and the tail, as a part of |δ|; each entry of a row counts for its
+/// coefficient.
 #[test]
 fn coefficients_about_a_zero() {
     let zero = &ZEROS[1];
@@ -241,7 +243,7 @@ fn rings_go_down_to_the_nearest() {
     assert_eq!(rings(0.25, 0.25), Vec::<Signed>::new());
 }
 
-/// What each number of a bound is, within what rounding upwards adds.
+/// Checks what each number of a bound is, within what rounding upwards adds.
 #[test]
 fn parts_of_the_bound() {
     let near = |x: f64, due: f64, share: f64| {
@@ -259,7 +261,8 @@ fn parts_of_the_bound() {
         );
     }
     near(farthest(3e-5, 4e-5), 5e-5 * (1.0 + 0.9e-12), 2e-13);
-    // Half the side takes in what the code's own rounding of a distance may, the nearest f64 less than there is.
+    // Half the side takes in what the code's own rounding of a distance may, the nearest f64 less
+    // than there is.
     let zero = &ZEROS[0];
     let [outer, least] = zero.shells(0.5);
     near(outer, 0.5 / zero.row[0] * (1.0 + 0.9e-12), 2e-13);

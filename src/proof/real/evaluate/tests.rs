@@ -23,7 +23,8 @@ fn near(x: f64, due: f64) -> bool {
     x >= due * (1.0 - 1e-14) && x <= due * (1.0 + 1e-9)
 }
 
-/// Half a unit for the last rounding, and what is wrong before it as a part of the least value in units.
+/// Half a unit for the last rounding, and what is wrong before it as a part of the least value in
+/// units.
 #[test]
 fn one_rounding_after_what_is_wrong() {
     let none = Rounding::default();
@@ -69,7 +70,8 @@ fn one_rounding_after_what_is_wrong() {
     assert!(near(found.expect("a bound"), 1.3));
 }
 
-/// What underflows counts in units of the least value; where these are of its own size nothing is had.
+/// Checks that what underflows counts in units of the least value; where these are of its own size
+/// nothing is had.
 #[test]
 fn digits_that_underflow_count() {
     let of = |least: f64, small: bool, tiny: f64, x: f64| {
@@ -92,7 +94,7 @@ fn digits_that_underflow_count() {
     assert_eq!(of(1e-300, false, 0.0, 1.0), Ok(0.5));
 }
 
-/// Whether `2^n s` is above 2¹⁰²⁴: all of it, and clear of the limit.
+/// Checks whether `2^n s` is above 2¹⁰²⁴: all of it, and clear of the limit.
 #[test]
 fn overflow_is_decided_on_all_ways() {
     let way = |lo: f64, hi: f64, exponent: f64| Way {
@@ -206,7 +208,7 @@ fn formulas_are_refused_beyond_their_limits() {
     assert!(alone.is_err() || alone.expect("a bound") > 1.0);
 }
 
-/// What is left out as a part of the true value: of the least of it.
+/// Checks what is left out as a part of the true value: of the least of it.
 #[test]
 fn parts_are_of_the_least_value() {
     assert!(near(left_out(0.25, 1.0), 0.25 / 0.75));
@@ -250,7 +252,8 @@ fn subnormal_results_are_noticed() {
     assert!(!normal(0.99, -1021.0) && way(1e-320, 1.0, None).is_normal());
 }
 
-/// `2e^{x²}` on both sides of the end of the range, and Maclaurin's series on both sides of where x² is zero.
+/// `2e^{x²}` on both sides of the end of the range, and Maclaurin's series on both sides of where
+/// x² is zero.
 #[test]
 fn formulas_at_the_ends_of_the_range() {
     let of = |function, formula, negative, lo, hi| {
@@ -285,7 +288,8 @@ fn formulas_at_the_ends_of_the_range() {
     }
 }
 
-/// Where x C is the least of the numbers whose products are not rounded to multiples of the smallest number.
+/// Where x C is the least of the numbers whose products are not rounded to multiples of the
+/// smallest number.
 #[test]
 fn products_beside_underflow() {
     let [c, _] = code::constants()[0];
@@ -298,7 +302,8 @@ fn products_beside_underflow() {
     }
     assert!(!beyond_subnormal(x) && beyond_subnormal(x.next_up()));
     assert!(!beyond_subnormal(0.5 * x) && beyond_subnormal(2.0 * x));
-    // Two units below; above in quarters of a unit in the last place: p, and t by what there is of it.
+    // Two units below; above in quarters of a unit in the last place: p, and t by what there is of
+    // it.
     let found = |lo, hi| underflowing(Function::Erf, [lo, hi], 1e-20);
     let part = 2e-20 * TWO_52;
     let below = 0.5 + 2.8e-17 * TWO_52 + part;
@@ -317,7 +322,8 @@ fn products_beside_underflow() {
         underflowing(Function::Erf, [1e-310, 1e-309], 1e-17),
         0.5 + (2.8e-17 + 2e-17) * TWO_52
     ));
-    // On both sides of the limit the worse of both counts: with the unit of the least normal numbers.
+    // On both sides of the limit the worse of both counts: with the unit of the least normal
+    // numbers.
     let due = 0.5 + (1.0 + 5.0 * x / TINIEST * 1.54e-17) * 0.25 + part;
     assert!(near(found(0.5 * x, 2.5 * x), due + 1e-15));
     // Where t counts all of it.

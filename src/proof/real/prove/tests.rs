@@ -30,8 +30,8 @@ fn computed(function: Function, x: f64) -> f64 {
     }
 }
 
-/// The error at a point in units in the last place of the value; infinity where the value is above the range counts
-/// as none.
+/// The error at a point in units in the last place of the value; infinity where the value is above
+/// the range counts as none.
 fn error(function: Function, x: f64) -> f64 {
     let exact = match function {
         Function::Erf => certified::erf_scaled,
@@ -326,7 +326,8 @@ const SOME: [(Function, Interval); 30] = [
     (Function::Dawson, at(false, 1e200, 2e200)),
 ];
 
-/// The bounds proved there; smaller ones would be a better theorem, which has to come from a better proof.
+/// The bounds proved there; smaller ones would be a better theorem, which has to come from a better
+/// proof.
 #[test]
 fn bounds_are_those_that_were_proved() {
     let codes = Function::ALL.map(|f| (f, solvers(f)));
@@ -390,7 +391,8 @@ fn refined(function: Function, target: f64, at: Interval) -> Certificate {
     found
 }
 
-/// The target is reached by halving; what is not reached comes out with its bound, what has none is open.
+/// The target is reached by halving; what is not reached comes out with its bound, what has none is
+/// open.
 #[test]
 fn intervals_are_halved_until_the_bound_is_good() {
     let whole = at(false, 1.0, 1.1);
@@ -560,7 +562,8 @@ fn a_summary_has_the_worst_of_each_formula() {
     assert!(Certificate::default().summary(Function::Erf).is_none());
 }
 
-/// A formula's line in the summary holds all of its intervals, in whatever order they come, and the worst of them.
+/// A formula's line in the summary holds all of its intervals, in whatever order they come, and the
+/// worst of them.
 #[test]
 fn a_summary_holds_every_interval() {
     let leaf = |ends: [f64; 2], ulps: f64, formula: Formula| Leaf {

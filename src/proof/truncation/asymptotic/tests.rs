@@ -47,8 +47,8 @@ fn gaussian(x: f64, y: f64) -> ComplexBall {
     ComplexBall::unit(&-(&x * &y).shift(1)).scaled(&size)
 }
 
-/// The series at points of rectangles off the axes, beside each of them, and where `e^{−z²}` counts: what it leaves
-/// out, of each component divided by the small coordinate where it has one.
+/// The series at points of rectangles off the axes, beside each of them, and where `e^{−z²}`
+/// counts: what it leaves out, of each component divided by the small coordinate where it has one.
 #[test]
 fn what_is_left_out_is_below_its_bounds() {
     let mut most = [0.0f64; 3];
@@ -162,7 +162,8 @@ fn components_by_their_formulas() {
         let slope = beside(7, &r);
         assert!(near(slope, along), "{slope} {along}");
     }
-    // Components of the order of the other side of the quadrant, where the bound by the arc is the better one.
+    // Components of the order of the other side of the quadrant, where the bound by the arc is the
+    // better one.
     let r = at([0.5, 1.0], [3.9, 4.0]);
     let found = asymptotic(26, &r);
     let least = f64::hypot(0.5, 3.9);
@@ -396,8 +397,8 @@ fn polynomials_of_the_real_line_are_within_their_errors() {
     }
 }
 
-/// On the small side of the diagonal a component is bounded along the arc by the farther end of its coordinate; across it
-/// by the whole.
+/// On the small side of the diagonal a component is bounded along the arc by the farther end of its
+/// coordinate; across it by the whole.
 #[test]
 fn components_by_their_farther_end() {
     let of = |a, b| asymptotic(2, &Rectangle { a, b });
@@ -468,8 +469,8 @@ fn a_polynomial_about_another_centre() {
     }
 }
 
-/// Truncations over rectangles beside both axes, the diagonal and where the exponential is nothing, and errors of what is
-/// stored.
+/// Truncations over rectangles beside both axes, the diagonal and where the exponential is nothing,
+/// and errors of what is stored.
 #[test]
 fn truncations_bit_by_bit() {
     let mut unit = units(14);

@@ -29,7 +29,8 @@ fn sum(x: f64, y: f64, last: u32) -> ComplexBall {
     all
 }
 
-/// What the series leaves out is below its bounds, on the axes and off, and not far below.
+/// Checks that what the series leaves out is below its bounds, on the axes and off, and not far
+/// below.
 #[test]
 fn what_is_left_out_is_below_its_bounds() {
     for last in [8, 20] {

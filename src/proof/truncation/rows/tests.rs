@@ -51,7 +51,8 @@ fn errors_of_coefficients_add_up() {
     }
 }
 
-/// Every entry of a row is compared with its coefficient: a change of one shows in the error of that one alone.
+/// Every entry of a row is compared with its coefficient: a change of one shows in the error of
+/// that one alone.
 #[test]
 fn each_entry_stands_for_its_coefficient() {
     let centre = (1.5, 1.75);

@@ -96,8 +96,8 @@ fn slope(f: impl Fn(&Rational) -> Ball, phi: &Rational) -> Ball {
     (after - before).shift(59).widened(Mag::power_of_two(-90))
 }
 
-/// Crank-rocker, double crank, and double rockers with the crank shorter and longer than the frame; with long couplers and
-/// rockers, whose joint is far out beyond either end of the base.
+/// Crank-rocker, double crank, and double rockers with the crank shorter and longer than the frame;
+/// with long couplers and rockers, whose joint is far out beyond either end of the base.
 fn four_bars() -> [[Rational; 4]; 8] {
     [
         [q(1, 1), q(4, 1), q(3, 1), q(7, 2)],
@@ -111,8 +111,8 @@ fn four_bars() -> [[Rational; 4]; 8] {
     ]
 }
 
-/// The links have their lengths, the joint is on its side, angles are those of the links, and every derivative is that of
-/// the value before it.
+/// The links have their lengths, the joint is on its side, angles are those of the links, and every
+/// derivative is that of the value before it.
 #[test]
 fn a_four_bar_is_closed_and_moves_as_it_says() {
     let mut seen = 0;
@@ -166,8 +166,8 @@ fn a_four_bar_is_closed_and_moves_as_it_says() {
     assert!(seen > 100, "{seen}");
 }
 
-/// Over several turns of the crank no angle jumps; where the crank is shorter than the frame they start from principal
-/// values, and next to the crank's own angle where it is longer.
+/// Over several turns of the crank no angle jumps; where the crank is shorter than the frame they
+/// start from principal values, and next to the crank's own angle where it is longer.
 #[test]
 fn angles_of_a_four_bar_are_continuous() {
     for l in four_bars() {
@@ -194,7 +194,8 @@ fn angles_of_a_four_bar_are_continuous() {
                         principal + turns * std::f64::consts::TAU
                     }
                 };
-                // Of the base's angle the links are off by less than half a turn, on their side of it.
+                // Of the base's angle the links are off by less than half a turn, on their side of
+                // it.
                 for angle in [&m.coupler[0], &m.rocker[0]] {
                     let off = angle.to_f64() - theta;
                     assert!(off.abs() < std::f64::consts::PI, "{k} {off}");
@@ -342,7 +343,8 @@ fn steep_rods() {
     }
 }
 
-/// Dyads that are nearly stretched, 150° and more at the joint: the turns of both angles are told there too.
+/// Dyads that are nearly stretched, 150° and more at the joint: the turns of both angles are told
+/// there too.
 #[test]
 fn stretched_dyads_keep_their_turns() {
     for l in [[1, 2, 2, 3], [3, 2, 2, 1]] {

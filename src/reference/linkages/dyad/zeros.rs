@@ -63,7 +63,7 @@ pub(super) fn of_four_bar(
     }
 }
 
-/// Whether the sign is certain, and the one asked for.
+/// Returns whether the sign is certain, and the one asked for.
 fn decided(x: &Ball, positive: bool) -> bool {
     match positive {
         true => x.is_positive(),

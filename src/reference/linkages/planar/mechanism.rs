@@ -6,8 +6,8 @@ use super::real::Real;
 
 /// Bodies and joints with one degree of freedom by count.
 ///
-/// Coordinates: the angles ψ of the bodies' axes in the order of the bodies, then one displacement for every slide and
-/// slot in the order of the joints.
+/// Coordinates: the angles ψ of the bodies' axes in the order of the bodies, then one displacement
+/// for every slide and slot in the order of the joints.
 #[derive(Clone, Debug)]
 pub struct Mechanism {
     pub(super) bodies: Vec<Body>,

@@ -10,7 +10,7 @@ pub type Point = [Rational; 2];
 /// A point or a vector whose coordinates need not be fractions.
 pub type Place = [Real; 2];
 
-/// What a point belongs to.
+/// Describes what a point belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Frame {
     /// The ground; its coordinates are the mechanism's.
@@ -89,8 +89,8 @@ pub enum Joint {
         /// The other.
         b: Attachment,
     },
-    /// Point b lies at `a + s d` with the direction d fixed in a's frame, and the axes of b's frame are those of a's
-    /// turned by `turn`. Three equations and one coordinate: s, in units of |d|.
+    /// Point b lies at `a + s d` with the direction d fixed in a's frame, and the axes of b's frame
+    /// are those of a's turned by `turn`. Three equations and one coordinate: s, in units of |d|.
     Slide {
         /// A point of the guide.
         a: Attachment,
@@ -117,9 +117,10 @@ pub enum Joint {
         a: Frame,
         /// The other.
         b: Frame,
-        /// What holds the centres.
+        /// Holds what holds the centres.
         carrier: Frame,
-        /// Turns of b for one turn of a, as the carrier sees them; negative where they mesh outside.
+        /// Turns of b for one turn of a, as the carrier sees them; negative where they mesh
+        /// outside.
         ratio: Rational,
         /// `ψ_b − ψ_c` at `ψ_a = ψ_c`.
         offset: ExactAngle,
@@ -139,14 +140,14 @@ pub enum Joint {
 }
 
 impl Joint {
-    /// Whether it brings a coordinate with it.
+    /// Returns whether it brings a coordinate with it.
     pub(super) fn slides(&self) -> bool {
         matches!(self, Joint::Slide { .. } | Joint::Slot { .. })
     }
 }
 
-/// A linear form in the coordinates, which the drive holds at a given value: the angle of one body, the difference of
-/// two angles, a displacement.
+/// A linear form in the coordinates, which the drive holds at a given value: the angle of one body,
+/// the difference of two angles, a displacement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drive(pub Vec<(usize, Rational)>);
 
@@ -162,7 +163,7 @@ impl Drive {
     }
 }
 
-/// What makes a set of bodies and joints no mechanism of one degree of freedom.
+/// Describes what makes a set of bodies and joints no mechanism of one degree of freedom.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum MechanismError {
     /// An index is out of range.

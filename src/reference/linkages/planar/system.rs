@@ -169,7 +169,7 @@ impl System {
         T::real(&Ball::integer(self.bits, 0))
     }
 
-    /// What the drive's form gives.
+    /// Returns what the drive's form gives.
     pub(super) fn driven<T: Scalar>(&self, x: &[T]) -> T {
         combination(&self.drive, x, &self.zero())
     }

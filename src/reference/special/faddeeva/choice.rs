@@ -6,8 +6,8 @@ use super::general::{general, mirrored};
 use super::pair::Member;
 use super::scaled::Scaled;
 
-/// One evaluation for `z.x ≥ 0`, quick where that may do. `None` where |z|² is beyond 10^8 and the asymptotic
-/// series does not reach the precision.
+/// One evaluation for `z.x ≥ 0`, quick where that may do. `None` where |z|² is beyond 10^8 and the
+/// asymptotic series does not reach the precision.
 pub(super) fn at(z: &Argument, member: Member, prec: u32) -> Option<[Scaled; 2]> {
     if prec <= fast::MOST_BITS
         && let Some(value) = fast::parts(&z.x, &z.y, member, prec)

@@ -5,8 +5,8 @@ use super::pair::Member;
 use super::scaled::Scaled;
 use super::{asymptotic, kummer};
 
-/// Returns one evaluation for `z.x ≥ 0`. `None` where |z|² is beyond 10^8 and the asymptotic series does not
-/// reach the precision.
+/// Returns one evaluation for `z.x ≥ 0`. `None` where |z|² is beyond 10^8 and the asymptotic series
+/// does not reach the precision.
 pub(super) fn general(z: &Argument, member: Member, prec: u32) -> Option<[Scaled; 2]> {
     if let Some(parts) = asymptotic::parts(z, member, prec) {
         return Some(parts);

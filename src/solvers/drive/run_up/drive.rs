@@ -1,4 +1,5 @@
-//! What acts on the crank besides the linkage: motor, reducer, rotor, flywheel and resistance.
+//! Describes what acts on the crank besides the linkage: motor, reducer, rotor, flywheel and
+//! resistance.
 
 use super::motor::{Motor, OutsideTable};
 use super::motor_error::{MotorError, finite, not_negative};

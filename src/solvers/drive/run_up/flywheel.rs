@@ -13,7 +13,7 @@ pub struct Flywheel {
     pub inertia: f64,
     /// The cycle with it.
     pub cycle: Cycle,
-    /// What the search cost.
+    /// Holds what the search cost.
     pub counts: Counts,
 }
 

@@ -185,7 +185,7 @@ impl TorqueTable {
     }
 }
 
-/// What drives the crank.
+/// Describes what drives the crank.
 #[derive(Clone, Debug)]
 pub enum Motor {
     /// Nothing: a run-down.
@@ -230,7 +230,8 @@ impl Motor {
         })
     }
 
-    /// Torque in N·m and its slope in N·m·s at a speed in rad/s, both at the motor's shaft, at the beginning of a run.
+    /// Torque in N·m and its slope in N·m·s at a speed in rad/s, both at the motor's shaft, at the
+    /// beginning of a run.
     ///
     /// # Errors
     /// [`OutsideTable`] for a speed that a table does not cover.
@@ -267,7 +268,7 @@ impl Motor {
         }
     }
 
-    /// Whether the torque is known on that side (±1) of standstill.
+    /// Returns whether the torque is known on that side (±1) of standstill.
     #[cfg(feature = "run-up")]
     pub(super) fn is_known_beside_rest(&self, sign: f64) -> bool {
         match self {

@@ -1,4 +1,4 @@
-//! What a cyclic sweep keeps of a matrix, and the row it stops at.
+//! Describes what a cyclic sweep keeps of a matrix, and the row it stops at.
 
 use super::*;
 

@@ -65,8 +65,8 @@ const CIRCLES: [f64; RINGS.len() - 1] = {
     all
 };
 
-/// Those from where rows about the real axis begin, after the circle inside which the relatives have series of their
-/// own.
+/// Those from where rows about the real axis begin, after the circle inside which the relatives
+/// have series of their own.
 const CIRCLES_OF_RELATIVES: [f64; CIRCLES.len() - 2] = {
     let mut all = [odd_series::REACH; CIRCLES.len() - 2];
     let mut k = 1;
@@ -108,8 +108,8 @@ pub const SEAMS_OF_RELATIVES: Seams = Seams {
     pitches: SEAMS.pitches,
 };
 
-/// The limits of `|x|/(σ√2)` and `γ/(σ√2)` at which [`voigt`](super::voigt()) leaves w, whose [`SEAMS`] at
-/// `(x + iγ)/(σ√2)` are its others.
+/// The limits of `|x|/(σ√2)` and `γ/(σ√2)` at which [`voigt`](super::voigt()) leaves w, whose
+/// [`SEAMS`] at `(x + iγ)/(σ√2)` are its others.
 ///
 /// ```
 /// use mechaudit_solvers::faddeeva::LIMITS_OF_VOIGT;
@@ -117,8 +117,8 @@ pub const SEAMS_OF_RELATIVES: Seams = Seams {
 /// ```
 pub const LIMITS_OF_VOIGT: [f64; 2] = [LINEAR, LORENTZ];
 
-/// The limits of `γ/(σ√2)` between which [`voigt_hwhm`](super::voigt_hwhm()) evaluates w, whose [`SEAMS`] are its
-/// others.
+/// The limits of `γ/(σ√2)` between which [`voigt_hwhm`](super::voigt_hwhm()) evaluates w, whose
+/// [`SEAMS`] are its others.
 ///
 /// ```
 /// use mechaudit_solvers::faddeeva::LIMITS_OF_VOIGT_HWHM;

@@ -107,12 +107,12 @@ impl Task for Voigt {
     }
 }
 
-/// The Voigt profile, `Re w((x + iγ)/(σ√2))/(σ√(2π))` (DLMF 7.19.1 in other units): the density at x
-/// of the sum of a normal variable of standard deviation σ and a Cauchy variable of half-width γ.
+/// The Voigt profile, `Re w((x + iγ)/(σ√2))/(σ√(2π))` (DLMF 7.19.1 in other units): the density at
+/// x of the sum of a normal variable of standard deviation σ and a Cauchy variable of half-width γ.
 ///
 /// x, σ and γ share a unit, the value has its inverse. The quotients are kept to 100 bits, so that
-/// the wings of a narrow line, where `e^{−x²/(2σ²)}` magnifies their rounding, are as accurate as the
-/// rest.
+/// the wings of a narrow line, where `e^{−x²/(2σ²)}` magnifies their rounding, are as accurate as
+/// the rest.
 ///
 /// # Accuracy
 /// Worst found against the certified reference, 10⁵ points in each of five regions, σ and γ from

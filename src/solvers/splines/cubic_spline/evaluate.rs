@@ -36,7 +36,7 @@ impl<G: Grid> Cell<G> {
         blend(at, (self.y0, self.y1), (self.p, self.q))
     }
 
-    /// Whether the right end is greater than `x`.
+    /// Returns whether the right end is greater than `x`.
     #[inline(always)]
     pub(super) fn is_left_of_end(&self, x: f64) -> bool {
         G::offsets(&self.at, x).1 > 0.0
@@ -146,7 +146,7 @@ impl<G: Grid> Spline<G> {
         self.jet_on(self.grid.locate(x), x).value
     }
 
-    /// Whether (12) gives `S` at these points.
+    /// Returns whether (12) gives `S` at these points.
     #[inline(always)]
     pub(super) fn is_plain(&self, least: f64, greatest: f64) -> bool {
         least >= self.plain.0 && greatest <= self.plain.1

@@ -56,7 +56,8 @@ fn a_solver_that_is_not_mirrored_breaks_the_law() {
     assert_eq!(law(|_| Err("structure")), None);
 }
 
-/// Planted solvers tell the two linkages apart by the crank's place on the coupler, 1 m from its pivot at first.
+/// Planted solvers tell the two linkages apart by the crank's place on the coupler, 1 m from its
+/// pivot at first.
 #[test]
 fn a_solver_that_turns_with_the_scale_breaks_the_law() {
     let x = check_point("planar-linkage");
@@ -97,7 +98,8 @@ fn a_force_that_does_not_double_with_the_masses_breaks_the_law() {
     assert_eq!(law(|_| Err("masses")), None);
 }
 
-/// Without masses nothing is asked for: pins of a four-bar, the first and the last of which are on the ground.
+/// Without masses nothing is asked for: pins of a four-bar, the first and the last of which are on
+/// the ground.
 #[test]
 fn a_force_on_the_ground_that_nothing_asks_for_breaks_the_law() {
     let mut x = check_point("planar-reactions");
@@ -107,7 +109,8 @@ fn a_force_on_the_ground_that_nothing_asks_for_breaks_the_law() {
     let law = |solve: SolveForces, x: &[f64]| virtual_work(solve, x);
     assert!(law(|i| i.forces(), &heavy).is_some_and(|r| r <= 1.0));
     assert_eq!(law(|_| Ok(vec![0.0; 8]), &x), Some(0.0));
-    // Pins between moving bodies, and a couple of forces on the ground: pin 0 is on its body b, pin 3 likewise.
+    // Pins between moving bodies, and a couple of forces on the ground: pin 0 is on its body b, pin
+    // 3 likewise.
     assert_eq!(
         law(|_| Ok(vec![0.0, 0.0, 5.0, 6.0, 7.0, 8.0, 0.0, 0.0]), &x),
         Some(0.0)

@@ -33,7 +33,8 @@ fn terms_until_the_rest_is_small() {
     }
 }
 
-/// What the series leaves out is in the radius, where it ends early and where it does not.
+/// Checks that what the series leaves out is in the radius, where it ends early and where it does
+/// not.
 #[test]
 fn what_is_left_out_counts() {
     for (x, y) in [(3.0, -20.0), (5.0, -60.0), (11.0, -1500.0)] {
@@ -58,7 +59,8 @@ fn what_is_left_out_counts() {
     }
 }
 
-/// What a map moves by half the limit at most has its solution within the factor of that, and 2⁻¹²⁸ more.
+/// Checks that what a map moves by half the limit at most has its solution within the factor of
+/// that, and 2⁻¹²⁸ more.
 #[test]
 fn solutions_are_within_the_move() {
     let complex = |re: Ball, im: Ball| ComplexBall::new(re, im);
@@ -168,7 +170,8 @@ fn steps_contract_as_they_are_taken_to() {
     }
 }
 
-/// The last step of the iteration is of any size below the limit: the zero is within what is made of it.
+/// The last step of the iteration is of any size below the limit: the zero is within what is made
+/// of it.
 #[test]
 fn zeros_are_within_their_last_step() {
     for k in 0..60 {
@@ -192,8 +195,8 @@ fn zeros_of_the_equation_are_those_of_w() {
     }
 }
 
-/// Terms, values with their radii, and solutions from starts of few bits: how often an iteration has to be repeated shows in
-/// the last bits.
+/// Terms, values with their radii, and solutions from starts of few bits: how often an iteration
+/// has to be repeated shows in the last bits.
 #[test]
 fn solutions_bit_by_bit() {
     let of = |size: f64| [192, 200, 201, 400].map(|bits| (residual(bits), terms(size, bits)));
@@ -244,7 +247,8 @@ fn solutions_bit_by_bit() {
     bit_by_bit(&found, &due);
 }
 
-/// D and P as six steps have them: after one turn they are far from where more would end, later no `f64` is nearer.
+/// D and P as six steps have them: after one turn they are far from where more would end, later no
+/// `f64` is nearer.
 #[test]
 fn starts_bit_by_bit() {
     // To what libraries may differ by.

@@ -62,7 +62,8 @@ fn blocks_follow_one_another() {
     }
 }
 
-/// A polynomial of the degree that the values determine is stepped without an error but that of the last bits.
+/// A polynomial of the degree that the values determine is stepped without an error but that of the
+/// last bits.
 #[test]
 fn differences_step_a_polynomial() {
     for (values, h) in [(10, 7), (10, 113), (7, 1365), (1, 5), (2, 1)] {
@@ -90,7 +91,8 @@ fn differences_step_a_polynomial() {
     }
 }
 
-/// One whole value among many, at every place of a block of each kind, and one that is off by a little.
+/// One whole value among many, at every place of a block of each kind, and one that is off by a
+/// little.
 #[test]
 fn one_whole_value_is_found_anywhere() {
     let watch = Watch::default();
@@ -128,7 +130,8 @@ fn one_whole_value_is_found_anywhere() {
     }
 }
 
-/// What a value may be off by: a power of two moves it, a doubt of it counts, a bound that says too little refuses it.
+/// Checks what a value may be off by: a power of two moves it, a doubt of it counts, a bound that
+/// says too little refuses it.
 #[test]
 fn what_a_polynomial_is_wrong_by_is_bounded() {
     let watch = Watch::default();
@@ -193,8 +196,8 @@ fn close_is_two_to_the_minus_thirty() {
     }
 }
 
-/// A value that is whole after the power of two alone, at single numbers and in blocks; the bound is asked beyond the
-/// last value.
+/// A value that is whole after the power of two alone, at single numbers and in blocks; the bound
+/// is asked beyond the last value.
 #[test]
 fn the_power_of_two_comes_first() {
     let watch = Watch::default();
@@ -226,7 +229,7 @@ fn the_power_of_two_comes_first() {
     assert_eq!(all.stays_off(first, first + 30, &watch), Ok(Some(31)));
 }
 
-/// What the differences themselves are wrong by, 2⁻⁵⁴, is a part of what is allowed.
+/// Checks that what the differences themselves are wrong by, 2⁻⁵⁴, is a part of what is allowed.
 #[test]
 fn errors_of_the_differences_count() {
     let watch = Watch::default();

@@ -36,8 +36,8 @@ fn zeros_give_the_modes() {
     }
 }
 
-/// A zero whose position lies outside the interval in which it is alone proves nothing, and no more does a Δ that
-/// may be zero.
+/// A zero whose position lies outside the interval in which it is alone proves nothing, and no more
+/// does a Δ that may be zero.
 #[test]
 fn what_does_not_fit_is_undecided() {
     let (linkage, e1, mut resultant) = at(100, 128);

@@ -123,7 +123,8 @@ fn a_singular_position_has_no_conditions() {
     );
 }
 
-/// `M_o = −dU/dφ1` with the potential energy `U = g Σ m y`, and its derivative, by differences over 2^-79 rad.
+/// `M_o = −dU/dφ1` with the potential energy `U = g Σ m y`, and its derivative, by differences over
+/// 2^-79 rad.
 #[test]
 fn the_moment_is_what_the_weight_loses() {
     let (g, masses) = (zinchenko(), masses());

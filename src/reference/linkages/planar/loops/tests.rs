@@ -32,8 +32,8 @@ fn pin(a: Attachment, b: Attachment) -> Joint {
     Joint::Pin { a, b }
 }
 
-/// The four-bar with its joints from the last to the first, its bodies' origins beside their axes, and the axes of the
-/// rocker turned by half a turn.
+/// The four-bar with its joints from the last to the first, its bodies' origins beside their axes,
+/// and the axes of the rocker turned by half a turn.
 #[test]
 fn a_four_bar_is_the_same_from_either_end() {
     let b = Attachment::body;
@@ -64,8 +64,8 @@ fn a_four_bar_is_the_same_from_either_end() {
     meets(&y, &(s.shift(1) + &t * &ball("1.75")));
 }
 
-/// A slider-crank whose guide belongs to the slider and runs over a point of the ground: the line at −1/4 rad, and the
-/// way of the other sign.
+/// A slider-crank whose guide belongs to the slider and runs over a point of the ground: the line
+/// at −1/4 rad, and the way of the other sign.
 #[test]
 fn a_guide_on_the_slider() {
     let b = Attachment::body;
@@ -99,8 +99,9 @@ fn a_guide_on_the_slider() {
     }
 }
 
-/// A body on a guide of the crank, its pin in the slot x = 1 of the ground: on the line at the angle ψ through the
-/// origin that pin is at (1, tan ψ). The guide is the crank's, or the body's over the crank's centre.
+/// A body on a guide of the crank, its pin in the slot x = 1 of the ground: on the line at the
+/// angle ψ through the origin that pin is at (1, tan ψ). The guide is the crank's, or the body's
+/// over the crank's centre.
 #[test]
 fn a_guide_between_two_bodies() {
     let b = Attachment::body;
@@ -184,7 +185,8 @@ fn bad_parts_are_refused() {
     for direction in [at("0", "1"), at("1", "0")] {
         assert!(matches!(slot(direction), MechanismError::Freedom { .. }));
     }
-    // One coordinate of a drive that exists is not enough, nor one factor that is not zero elsewhere.
+    // One coordinate of a drive that exists is not enough, nor one factor that is not zero
+    // elsewhere.
     let mechanism = four_bar();
     for terms in [
         vec![(0, q("1")), (3, q("1"))],
@@ -196,8 +198,8 @@ fn bad_parts_are_refused() {
     assert!(Linkage::new(&mechanism, &Drive(vec![(1, q("0")), (2, q("3"))]), BITS).is_ok());
 }
 
-/// A block on a slide along x, held by a spring of stiffness 6 and length 2 from a point 3 above: at s = 4 the spring
-/// is 5 long, and all derivatives of the energy are rational.
+/// A block on a slide along x, held by a spring of stiffness 6 and length 2 from a point 3 above:
+/// at s = 4 the spring is 5 long, and all derivatives of the energy are rational.
 #[test]
 fn a_spring_across_a_slide_by_its_derivatives() {
     let joints = vec![Joint::Slide {

@@ -36,7 +36,8 @@ fn the_nearest_position_is_told_or_not_at_all() {
     assert!(linkage.nearest(&phi, &near(&upper, 0.2), 0.1).is_err());
 }
 
-/// From guesses all over, Newton's method often goes to the farther position: none of those is given as the nearest.
+/// From guesses all over, Newton's method often goes to the farther position: none of those is
+/// given as the nearest.
 #[test]
 fn a_farther_position_is_never_the_nearest() {
     let linkage = cranked(&four_bar());
@@ -66,8 +67,9 @@ fn a_farther_position_is_never_the_nearest() {
     assert!(told > 0 && open > 0, "{told} {open}");
 }
 
-/// The loops of the four-bar are shown to be one to one up to the distance where `‖I − Y F'(X)‖` is one: directions are
-/// off by the half-width d, so that the sum of row i is `(2 + 7/2 + 3) d (|Y_i1| + |Y_i2|)`.
+/// The loops of the four-bar are shown to be one to one up to the distance where `‖I − Y F'(X)‖` is
+/// one: directions are off by the half-width d, so that the sum of row i is
+/// `(2 + 7/2 + 3) d (|Y_i1| + |Y_i2|)`.
 #[test]
 fn a_position_is_the_nearest_as_far_as_the_contraction_shows() {
     let linkage = cranked(&four_bar());

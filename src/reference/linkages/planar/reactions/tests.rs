@@ -51,8 +51,8 @@ fn rates_follow_the_chain_rule() {
     }
 }
 
-/// A drive at the rocker, between two bodies, and of twice the crank's angle: Newton and Euler's equations give the
-/// same force on it as Lagrange's, and the same as the energy of the whole.
+/// A drive at the rocker, between two bodies, and of twice the crank's angle: Newton and Euler's
+/// equations give the same force on it as Lagrange's, and the same as the energy of the whole.
 #[test]
 fn every_form_of_a_drive_has_its_force() {
     let (mechanism, start) = (four_bar(), position());

@@ -21,7 +21,8 @@ pub enum Cell {
 
 static CELLS: [OnceLock<Option<Cell>>; SIDE * SIDE] = [const { OnceLock::new() }; SIDE * SIDE];
 
-/// In units, to the nearest: wrong by one at most. Nothing for a radius of more than 2^-18 of a unit.
+/// In units, to the nearest: wrong by one at most. Nothing for a radius of more than 2^-18 of a
+/// unit.
 fn units(b: &Ball) -> Option<i128> {
     let scaled = b.mid().clone() << SCALE;
     let small = b.rad() <= Mag::power_of_two(-140);

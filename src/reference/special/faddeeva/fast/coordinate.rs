@@ -5,8 +5,8 @@ use crate::faddeeva::argument::Real;
 use rug::Float;
 use std::ops::Range;
 
-/// Binary exponents of what is not a double: no product of a few of such numbers leaves MPFR's range, and their
-/// doubles are finite.
+/// Binary exponents of what is not a double: no product of a few of such numbers leaves MPFR's
+/// range, and their doubles are finite.
 const EXPONENTS: Range<i32> = -(1 << 27)..1024;
 
 /// The modulus of a coordinate: a float with a relative error below 2^-158, and the nearest double.

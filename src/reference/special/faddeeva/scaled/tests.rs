@@ -13,7 +13,8 @@ fn scaled(x: f64, exponent: i64) -> Scaled {
 
 const REACH: i64 = 1 << 29;
 
-/// Balls out of the exponents' reach: the whole line if too large, a tiny ball about zero if too small.
+/// Balls out of the exponents' reach: the whole line if too large, a tiny ball about zero if too
+/// small.
 #[test]
 fn balls_at_the_ends_of_the_exponents() {
     for k in [1 - REACH, 0, REACH - 1] {

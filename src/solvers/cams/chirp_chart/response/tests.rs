@@ -45,7 +45,7 @@ fn the_highest_frequency() {
     assert_eq!(r.fastest([-5.0, -4.0]), 8.0);
 }
 
-/// What is found is not below any state in the turn, and hardly above the largest.
+/// Checks that what is found is not below any state in the turn, and hardly above the largest.
 #[test]
 fn peaks_of_a_turn() {
     let r = CamResponse::new(drive(2.0, 0.5), 6, None).expect("a response");

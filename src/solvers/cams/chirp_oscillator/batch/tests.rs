@@ -31,8 +31,8 @@ fn agree(r: &ChirpResponse, times: &[f64], least: f64) {
     }
 }
 
-/// At `ω + Im λ = −Re λ` exactly, a resonance is not yet behind, neither for the particular solution
-/// nor for what the passage leaves.
+/// At `ω + Im λ = −Re λ` exactly, a resonance is not yet behind, neither for the particular
+/// solution nor for what the passage leaves.
 #[test]
 fn on_the_edge_of_a_resonance() {
     let r = response(1.25, 0.75, -1.25, 0.125);

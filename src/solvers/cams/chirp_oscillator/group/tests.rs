@@ -1,4 +1,4 @@
-//! What a group says of its four times.
+//! Describes what a group says of its four times.
 
 use super::super::types::{Chirp, Harmonic};
 use super::*;

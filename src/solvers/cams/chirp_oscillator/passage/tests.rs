@@ -1,4 +1,4 @@
-//! What the passage through a resonance leaves behind.
+//! Describes what the passage through a resonance leaves behind.
 
 use super::super::types::Chirp;
 use super::*;

@@ -16,7 +16,8 @@ fn from_rest([w, n, nu, kappa, delta]: [f64; 5], t: f64) -> Option<[C; 3]> {
     motion(&sweep, &roots, t, sweep.carrier(t)).map(|(psi, _)| psi)
 }
 
-/// `∫ K(t − s) e^{−iθ(s)} ds` and the same with `K′`, `K(u) = e^{−nu} sin(hu)/h`, by Simpson's rule.
+/// `∫ K(t − s) e^{−iθ(s)} ds` and the same with `K′`, `K(u) = e^{−nu} sin(hu)/h`, by Simpson's
+/// rule.
 fn convolution([w, n, nu, kappa, delta]: [f64; 5], t: f64) -> [C; 2] {
     let h = (w * w - n * n).sqrt();
     let steps = 40_000;

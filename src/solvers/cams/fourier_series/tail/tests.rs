@@ -32,8 +32,8 @@ fn sampled(law: &MotionLaw, p: i32) -> Vec<f64> {
 
 const KNOTS: [f64; 6] = [0.0, 0.25, 0.375, 0.625, 0.875, 1.0];
 
-/// What bounds the variation of a spline's velocity: jumps at the ends, and in each step the larger
-/// of its two accelerations.
+/// Returns what bounds the variation of a spline's velocity: jumps at the ends, and in each step
+/// the larger of its two accelerations.
 fn of_parabolas(law: &MotionLaw) -> f64 {
     let at = |x: f64| law.motion(x).expect("a place");
     let steps = KNOTS.windows(2).map(|k| {

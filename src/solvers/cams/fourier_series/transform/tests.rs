@@ -118,7 +118,8 @@ fn two_ways_of_sines() {
     }
 }
 
-/// Of the law with constant acceleration `F = (sin(q/4)/(q/4))²`: beside its double zeros all digits stay.
+/// Of the law with constant acceleration `F = (sin(q/4)/(q/4))²`: beside its double zeros all
+/// digits stay.
 #[test]
 fn beside_double_zeros() {
     let t = Transform::new(&MotionLaw::constant_acceleration());

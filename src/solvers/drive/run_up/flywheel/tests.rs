@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// What a bare machine of 2 kg·m² has at 3 rad/s.
+/// Returns what a bare machine of 2 kg·m² has at 3 rad/s.
 fn cycle(fluctuation: f64) -> Cycle {
     Cycle {
         psi: 3.0,
@@ -23,7 +23,7 @@ fn cycle(fluctuation: f64) -> Cycle {
 /// A first trial, kg·m².
 const FIRST: f64 = 1e-4 * 2.0;
 
-/// What is found, and what was tried for it.
+/// Returns what is found, and what was tried for it.
 fn searched(
     wanted: f64,
     fluctuation: impl Fn(f64) -> f64,

@@ -1,4 +1,4 @@
-//! What a run makes of the integration: neighbours, samples, events, turns, outcomes.
+//! Describes what a run makes of the integration: neighbours, samples, events, turns, outcomes.
 
 use super::*;
 use crate::run_up::{

@@ -9,7 +9,8 @@ fn ulps(a: f64, b: f64) -> f64 {
     (a - b).abs() / (b.abs() * f64::EPSILON)
 }
 
-/// Three triangles with the sides 3, 4, 5: every direction is rational, A = (1, 0), C = (4, 3), D = (8, 3), B = (4, 6).
+/// Three triangles with the sides 3, 4, 5: every direction is rational, A = (1, 0), C = (4, 3), D =
+/// (8, 3), B = (4, 6).
 fn rational() -> (ClassIii, Positions) {
     let m = Length::from_m;
     let linkage = ClassIii::new(Geometry {
@@ -59,7 +60,8 @@ fn joints_of_rational_triangles() {
     }
 }
 
-/// J x = r for the rational position, solved by hand: with `v = φ3' C-turn` and so on, in fractions.
+/// J x = r for the rational position, solved by hand: with `v = φ3' C-turn` and so on, in
+/// fractions.
 #[test]
 fn rates_of_rational_triangles() {
     let (linkage, positions) = rational();
@@ -76,8 +78,8 @@ fn rates_of_rational_triangles() {
     }
 }
 
-/// Angles off by up to 1e-10 rad give the same rates within their last places, though 1e-9 rad from where two modes
-/// meet a rounding of the angles is worth a million times its size.
+/// Angles off by up to 1e-10 rad give the same rates within their last places, though 1e-9 rad from
+/// where two modes meet a rounding of the angles is worth a million times its size.
 #[test]
 fn rates_do_not_see_roundings_of_the_angles() {
     let linkage = zinchenko();
@@ -97,7 +99,7 @@ fn rates_do_not_see_roundings_of_the_angles() {
     }
 }
 
-/// What is no rounding of a position is taken as it is.
+/// Checks that what is no rounding of a position is taken as it is.
 #[test]
 fn open_loops_stay_open() {
     let linkage = zinchenko();

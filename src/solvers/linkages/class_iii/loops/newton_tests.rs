@@ -1,4 +1,5 @@
-//! Newton's method on the loop equations: when it stops and when it gives up; bounds of the inverse.
+//! Newton's method on the loop equations: when it stops and when it gives up; bounds of the
+//! inverse.
 
 use super::super::tests::zinchenko;
 use super::*;

@@ -17,8 +17,9 @@ fn residual(mechanism: &Mechanism, at: &Pose, along: &[f64], s: f64, h: f64) -> 
     rows
 }
 
-/// The largest second derivatives of each row over their bounds k, m and w, in directions that pull all arms the same way
-/// and others; at the pose and, which the bounds have to hold as well, moved by as much as a step may.
+/// The largest second derivatives of each row over their bounds k, m and w, in directions that pull
+/// all arms the same way and others; at the pose and, which the bounds have to hold as well, moved
+/// by as much as a step may.
 fn shares(mechanism: &Mechanism, pose: &Pose, random: &mut Random, largest: &mut [[f64; 3]]) {
     let n = mechanism.chain.unknowns;
     let mut found: Vec<Bound> = vec![Bound::default(); 3];
@@ -95,7 +96,8 @@ fn bounds_of_a_four_bar() {
     }
 }
 
-/// The piston's travel along the turning cylinder is the drive; the cylinder's arm may grow by the slack.
+/// The piston's travel along the turning cylinder is the drive; the cylinder's arm may grow by the
+/// slack.
 #[test]
 fn bounds_of_a_cylinder() {
     let mechanism = cylinder();
@@ -225,7 +227,8 @@ fn bounds_of_a_stack() {
     }
 }
 
-/// The lever on a rail of the carriage, which slides through a point of the block or on a rail of it: both lengthen arms.
+/// The lever on a rail of the carriage, which slides through a point of the block or on a rail of
+/// it: both lengthen arms.
 #[test]
 fn bounds_of_rails_on_rails() {
     let mut mechanism = stacked();

@@ -52,7 +52,8 @@ fn two_rockers(first: [f64; 3], second: [f64; 3]) -> Mechanism {
     Mechanism::new(d).unwrap()
 }
 
-/// At a fold of one of two dyads the other has two positions: two ends at the same value of the drive.
+/// At a fold of one of two dyads the other has two positions: two ends at the same value of the
+/// drive.
 #[test]
 fn ends_at_the_same_drive_are_told_apart() {
     // The first dyad is stretched where the crank's pin is 0.3 off (0.4, 0).
@@ -79,7 +80,8 @@ fn ends_at_the_same_drive_are_told_apart() {
     assert!(back.ends.iter().all(|e| e.begins && e.branches.len() == 2));
 }
 
-/// Ends stand in the order of the drive, whatever the order of their branches; those that are not refined stand alone.
+/// Ends stand in the order of the drive, whatever the order of their branches; those that are not
+/// refined stand alone.
 #[test]
 fn ends_are_in_order() {
     let m = four_bar([0.1, 0.4, 0.3, 0.35]);
@@ -94,7 +96,8 @@ fn ends_are_in_order() {
     assert!(ends.iter().all(|e| e.begins && e.at.is_none()));
 }
 
-/// A branch met twice, and positions that were not there before though nothing begins: each is counted.
+/// A branch met twice, and positions that were not there before though nothing begins: each is
+/// counted.
 #[test]
 fn what_does_not_match_is_counted() {
     let m = four_bar([0.1, 0.4, 0.3, 0.35]);

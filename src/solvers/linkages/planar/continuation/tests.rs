@@ -1,4 +1,5 @@
-//! Steps are proved: what the proof says of a ball holds in samples of it, and no step is shorter than it has to be.
+//! Steps are proved: what the proof says of a ball holds in samples of it, and no step is shorter
+//! than it has to be.
 
 use super::super::chain::Bound;
 use super::super::dense::Matrix;
@@ -85,8 +86,9 @@ fn steps_are_as_long_as_the_proof_lets_them() {
             "{what}: {step:?} {kappa}"
         );
         assert!((step.mu - mu).abs() <= 1e-12 * mu, "{what}: {step:?} {mu}");
-        // The first, with 4 κ r ≤ 1, makes the map contract by a half, the second takes the ball into itself. Arms are
-        // bounded where no unknown and not the drive has moved by more than the slack.
+        // The first, with 4 κ r ≤ 1, makes the map contract by a half, the second takes the ball
+        // into itself. Arms are bounded where no unknown and not the drive has moved by more than
+        // the slack.
         let shares = [
             4.0 * (kappa * nu + mu) * length,
             length * ((kappa * nu * nu + 2.0 * mu * nu + omega) / radius).sqrt(),
@@ -305,8 +307,8 @@ fn anchors_hold_for_their_own_states_within_their_steps() {
     assert!(!anchor.holds(&state, at));
 }
 
-/// The first correction is the prediction's error: of the fourth order in the step where the state before gives third
-/// derivatives, no more than two steps back, and of the third where it does not.
+/// The first correction is the prediction's error: of the fourth order in the step where the state
+/// before gives third derivatives, no more than two steps back, and of the third where it does not.
 #[test]
 fn orders_of_the_prediction() {
     for (what, mechanism, start) in [
@@ -379,7 +381,8 @@ fn wild_predictions_are_given_up() {
     }
 }
 
-/// One proof serves all rows within its step; where a row fails there, another is made from the last state.
+/// One proof serves all rows within its step; where a row fails there, another is made from the
+/// last state.
 #[test]
 fn proofs_serve_while_they_reach() {
     for (what, mechanism, start) in states() {
@@ -408,7 +411,8 @@ fn proofs_serve_while_they_reach() {
     }
 }
 
-/// What Newton's correction would still change, over the rounding errors of residuals and angles.
+/// Checks what Newton's correction would still change, over the rounding errors of residuals and
+/// angles.
 #[test]
 fn corrections_leave_nothing() {
     let mut worst = 0.0f64;
@@ -457,8 +461,8 @@ fn drives_out_of_range_are_refused() {
     ));
 }
 
-/// A rocker driven beyond its range: the branch ends at the fold, in the drive's own unit, and what is before it has been
-/// seen.
+/// A rocker driven beyond its range: the branch ends at the fold, in the drive's own unit, and what
+/// is before it has been seen.
 #[test]
 fn branches_end_where_they_fold() {
     let mechanism = four_bar([0.3, 0.4, 0.2, 0.35]);
@@ -481,7 +485,8 @@ fn branches_end_where_they_fold() {
     let cylinder = cylinder();
     let start = cylinder.assembly_modes(0.4).states.remove(0);
     let e = cylinder.follow(&start, 3.0).unwrap_err();
-    // Cylinder and arm in one line: the distance of the pivots and the arm give the reach of the piston's pin.
+    // Cylinder and arm in one line: the distance of the pivots and the arm give the reach of the
+    // piston's pin.
     let reach = 0.9f64.hypot(0.1) + 0.5;
     let (turn, along) = (Complex64::cis(0.25), Complex64::cis(0.1));
     let pin = |s: f64| (0.05 + along * s + turn * Complex64::new(0.4, 0.02)).norm();
@@ -491,8 +496,8 @@ fn branches_end_where_they_fold() {
     );
 }
 
-/// Coupler and rocker in one line at half a turn, where the two branches cross: neither is followed through, whichever way it
-/// comes and wherever it starts.
+/// Coupler and rocker in one line at half a turn, where the two branches cross: neither is followed
+/// through, whichever way it comes and wherever it starts.
 #[test]
 fn branches_end_at_a_change_point() {
     let mechanism = four_bar([1.0, 2.0, 4.0, 5.0]);

@@ -70,7 +70,8 @@ fn blocks_one_after_the_other() {
     assert_eq!(x[..2], other[..2]);
 }
 
-/// By how much all entries of a row and b would have to change for x to solve it (Oettli and Prager).
+/// By how much all entries of a row and b would have to change for x to solve it (Oettli and
+/// Prager).
 fn backward_error(a: impl Iterator<Item = (f64, f64)>, b: f64) -> f64 {
     let (mut sum, mut rest, mut size) = (b, 0.0, b.abs());
     for (a, x) in a {
@@ -83,8 +84,8 @@ fn backward_error(a: impl Iterator<Item = (f64, f64)>, b: f64) -> f64 {
     (sum + rest).abs() / size
 }
 
-/// Entries of widely different sizes: elimination leaves rows that only much larger entries solve, one correction
-/// none.
+/// Entries of widely different sizes: elimination leaves rows that only much larger entries solve,
+/// one correction none.
 #[test]
 fn uneven_systems_are_solved_closely() {
     let mut state = 7u64;
@@ -159,7 +160,8 @@ fn even_systems_are_left_alone() {
     }
 }
 
-/// Blocks whose loops are unrolled are factored and solved as those of any size; solutions solve their systems.
+/// Blocks whose loops are unrolled are factored and solved as those of any size; solutions solve
+/// their systems.
 #[test]
 fn blocks_of_every_size() {
     let mut random = super::super::tests::Random(31);

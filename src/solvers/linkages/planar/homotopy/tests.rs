@@ -525,7 +525,8 @@ fn real_ends_and_pairs_are_told_apart() {
     assert_eq!(sorted(pair(p, near, false).into()), [2, 0, 0, 0, 0]);
 }
 
-/// Twins agree to 1e-8 of one more than the largest coordinate, real ends to 1e-7, singular ones to 1e-3.
+/// Twins agree to 1e-8 of one more than the largest coordinate, real ends to 1e-7, singular ones to
+/// 1e-3.
 #[test]
 fn tolerances_grow_with_the_coordinates() {
     for p in [c(3.0, 4.0), c(0.3, -0.4), c(0.0, 0.0)] {

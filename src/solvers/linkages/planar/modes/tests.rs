@@ -1,4 +1,5 @@
-//! What is said of assembly modes beside their positions, and which refined solutions are taken.
+//! Describes what is said of assembly modes beside their positions, and which refined solutions are
+//! taken.
 
 use super::super::tests::*;
 use super::*;
@@ -26,7 +27,8 @@ fn near_folds_are_told() {
     assert!(!triad.assembly_modes(0.3).near_singular);
 }
 
-/// A triad whose links all point to one point, where two positions have merged: told by the polynomial and by the homotopy.
+/// A triad whose links all point to one point, where two positions have merged: told by the
+/// polynomial and by the homotopy.
 #[test]
 fn merged_modes_are_told() {
     for size in [0.01, 1.0, 30.0] {
@@ -68,8 +70,8 @@ fn singular_positions_are_told() {
     assert!(m.assembly_modes(0.0).near_singular);
 }
 
-/// A solution is refined and taken if it is near and new: angles by whole turns, displacements relative to one more than
-/// themselves.
+/// A solution is refined and taken if it is near and new: angles by whole turns, displacements
+/// relative to one more than themselves.
 #[test]
 fn solutions_are_taken_if_near_and_new() {
     let m = slider_crank([0.3, 1.0, 0.1]);

@@ -81,7 +81,8 @@ fn estimates_are_those_of_the_matrices() {
     assert_eq!(some.norm(0.25, 0.5), 0.125 + 0.75 + 0.03125 + 0.5);
 }
 
-/// `‖I − A M‖` of columns turned and shortened as far as the estimate allows: never more than it, and nearly as much.
+/// `‖I − A M‖` of columns turned and shortened as far as the estimate allows: never more than it,
+/// and nearly as much.
 #[test]
 fn turned_columns_are_within_the_estimate() {
     let mut random = Random(32);
@@ -128,8 +129,8 @@ fn turned_columns_are_within_the_estimate() {
     assert!(closest > 0.99, "{closest}");
 }
 
-/// Poses off a position by a known distance: the bound holds it and is at most five times as large; where the estimate
-/// does not contract there is none.
+/// Poses off a position by a known distance: the bound holds it and is at most five times as large;
+/// where the estimate does not contract there is none.
 #[test]
 fn errors_of_positions_are_bounded() {
     let mut random = Random(33);
@@ -190,7 +191,8 @@ fn rounding_grows_with_bodies_and_extent() {
     assert_eq!(m.chain.body_count(), 4);
 }
 
-/// A single pin: told open where its gap is more than its two arms close by turns within reach, and rounding.
+/// A single pin: told open where its gap is more than its two arms close by turns within reach, and
+/// rounding.
 #[test]
 fn gaps_are_open_beyond_reach() {
     let m = four_bar([0.125, 0.5, 0.5, 0.75]);
@@ -263,7 +265,8 @@ fn one_open_pin_is_enough() {
     assert_eq!(told.unwrap_err(), NearestError::NoneWithin { reach: 0.1 });
 }
 
-/// Alone exactly where the norm at the middle, with half the distance, is below 0.95: on both sides of that.
+/// Alone exactly where the norm at the middle, with half the distance, is below 0.95: on both sides
+/// of that.
 #[test]
 fn positions_are_alone_within_the_estimate() {
     let mut random = Random(35);
@@ -317,8 +320,8 @@ fn positions_are_alone_within_the_estimate() {
     assert!(alone);
 }
 
-/// The error counts twice beside the distance, that of the position found and that of the exact one, and once on either
-/// side of the reach.
+/// The error counts twice beside the distance, that of the position found and that of the exact
+/// one, and once on either side of the reach.
 #[test]
 fn errors_of_both_positions_count() {
     let m = four_bar([0.1, 0.4, 0.3, 0.35]);

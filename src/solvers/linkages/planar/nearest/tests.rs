@@ -106,8 +106,8 @@ fn near_a_mode_newton_decides() {
     assert!(all > 80 && open * 20 < all, "{open} of {all}");
 }
 
-/// A dyad whose two modes are 2t apart, from between them. The estimate is nearly sharp: from the share s of the way to
-/// one of them it gives about (1 − s)/(1 + s).
+/// A dyad whose two modes are 2t apart, from between them. The estimate is nearly sharp: from the
+/// share s of the way to one of them it gives about (1 − s)/(1 + s).
 #[test]
 fn equally_far_modes_are_not_told_apart() {
     // Coupler and rocker of length 1 on a base of 2 cos t: the modes are at angles ±t and π ∓ t.
@@ -345,7 +345,8 @@ fn modes_near_merging_are_not_decided() {
     assert_eq!(told.unwrap_err(), NearestError::CannotTell);
 }
 
-/// A block on the crank's pin that slides along a lever, turned by 0.25 rad against it; bodies in this order.
+/// A block on the crank's pin that slides along a lever, turned by 0.25 rad against it; bodies in
+/// this order.
 fn block_on_lever(order: [usize; 3]) -> Mechanism {
     let mut d = Description::new();
     let mut bodies = [0; 3];

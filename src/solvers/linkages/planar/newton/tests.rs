@@ -1,4 +1,5 @@
-//! What is promised of Newton's iteration: when it ends, how far it goes, and by which factors.
+//! Describes what is promised of Newton's iteration: when it ends, how far it goes, and by which
+//! factors.
 
 use super::super::State;
 use super::super::tests::*;
@@ -88,7 +89,8 @@ fn sizes_of_corrections() {
     }
 }
 
-/// From a tenth of a radian off every group is solved; where the Jacobian is singular, or nearly, or no number, nothing is.
+/// From a tenth of a radian off every group is solved; where the Jacobian is singular, or nearly,
+/// or no number, nothing is.
 #[test]
 fn starts_near_and_starts_that_lead_nowhere() {
     let m = four_bar([0.1, 0.4, 0.3, 0.35]);
@@ -152,7 +154,8 @@ fn assert_solved(pose: &Pose, due: &[f64]) {
     }
 }
 
-/// Where corrections by the factors close by leave nothing, no Jacobian is formed; where they might leave something, one is.
+/// Where corrections by the factors close by leave nothing, no Jacobian is formed; where they might
+/// leave something, one is.
 #[test]
 fn factors_close_by_serve() {
     let (m, state, start, due) = ahead();
@@ -177,7 +180,8 @@ fn factors_close_by_serve() {
     assert!(formed(0.1, 1e-3));
 }
 
-/// Factors that were not enough the last time are not tried: these would throw the position far off.
+/// Factors that were not enough the last time are not tried: these would throw the position far
+/// off.
 #[test]
 fn factors_that_do_not_serve_are_not_tried() {
     let (m, state, mut pose, due) = ahead();
@@ -197,12 +201,14 @@ fn factors_that_do_not_serve_are_not_tried() {
             .newton_within(&mut pose, (&wrong, 1e-3), 1e3, &mut work)
     );
     assert_solved(&pose, &due);
-    // The first correction by a Jacobian of its own is noted: half the second derivative times the step's square.
+    // The first correction by a Jacobian of its own is noted: half the second derivative times the
+    // step's square.
     let off = state.rates[1].iter().fold(0.0f64, |m, x| m.max(x.abs())) * 0.5e-6;
     assert!((work.size / off - 1.0).abs() < 0.01, "{} {off}", work.size);
 }
 
-/// What one correction by the Jacobian leaves is corrected once more if the curvature says so.
+/// Checks that what one correction by the Jacobian leaves is corrected once more if the curvature
+/// says so.
 #[test]
 fn what_a_correction_leaves_is_corrected() {
     let (m, state, start, due) = ahead();

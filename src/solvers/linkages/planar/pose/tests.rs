@@ -12,7 +12,8 @@ fn anywhere(mechanism: &Mechanism, random: &mut Random) -> Pose {
     Pose::new(&mechanism.chain, random.within(-3.0, 3.0), u)
 }
 
-/// Positions at a drive of 0.4: all modes, or, as those of gears are not enumerated, what Newton's method finds.
+/// Positions at a drive of 0.4: all modes, or, as those of gears are not enumerated, what Newton's
+/// method finds.
 fn closed(mechanism: &Mechanism) -> Vec<State> {
     let mut states = mechanism.assembly_modes(0.4).states;
     let mut random = Random(21);
@@ -63,7 +64,8 @@ fn jacobians_are_derivatives() {
     }
 }
 
-/// A tie of two turning bodies: their angle less what is due, within half a turn; and its derivatives.
+/// A tie of two turning bodies: their angle less what is due, within half a turn; and its
+/// derivatives.
 #[test]
 fn a_tie_is_an_angle_between_bodies() {
     let mut m = four_bar([0.1, 0.4, 0.3, 0.35]);
@@ -93,7 +95,8 @@ fn a_tie_is_an_angle_between_bodies() {
     }
 }
 
-/// A closed mechanism is closed as its description has it: pins in one place, points on their guides.
+/// A closed mechanism is closed as its description has it: pins in one place, points on their
+/// guides.
 #[test]
 fn joints_are_together() {
     for (what, mechanism) in every() {
@@ -240,7 +243,8 @@ fn rates_are_derivatives() {
     }
 }
 
-/// Directions that have turned by the last correction close the loops better than those of the rounded angles.
+/// Directions that have turned by the last correction close the loops better than those of the
+/// rounded angles.
 #[test]
 fn settled_directions_close_better() {
     let mechanism = four_bar([0.1, 0.4, 0.3, 0.35]);

@@ -81,7 +81,8 @@ fn before(m: &Mechanism, fold: f64, off: f64) -> Vec<State> {
     states
 }
 
-/// Corrections fall with their squares, though the fold is some tenths of a radian off in the angles.
+/// Corrections fall with their squares, though the fold is some tenths of a radian off in the
+/// angles.
 #[test]
 fn searches_converge_quadratically() {
     let (m, fold) = rocker();
@@ -112,7 +113,8 @@ fn searches_converge_quadratically() {
     }
 }
 
-/// A fold up to 1e-2 off in the drive is found, to rounding; one farther off is not the end of this branch.
+/// A fold up to 1e-2 off in the drive is found, to rounding; one farther off is not the end of this
+/// branch.
 #[test]
 fn folds_ahead_are_found() {
     let (m, fold) = rocker();
@@ -139,7 +141,8 @@ fn folds_ahead_are_found() {
             );
         }
     }
-    // A direction that is far from the null vector is given up, though the search would come back to it.
+    // A direction that is far from the null vector is given up, though the search would come back
+    // to it.
     for last in before(&m, fold, 1e-6) {
         let (v, _) = null_vectors(&last.factors, 2);
         let turned = |by: f64| {
@@ -156,7 +159,8 @@ fn folds_ahead_are_found() {
     }
 }
 
-/// A change point is looked for within 1e-4 along the tangent: the parallelogram's with all links on one line.
+/// A change point is looked for within 1e-4 along the tangent: the parallelogram's with all links
+/// on one line.
 #[test]
 fn change_points_ahead_are_found() {
     let m = four_bar([0.2, 0.5, 0.2, 0.5]);

@@ -1,4 +1,4 @@
-//! What is told of a state: curvature, determinant, gap, transmission angle.
+//! Describes what is told of a state: curvature, determinant, gap, transmission angle.
 
 use super::super::tests::*;
 use super::*;
@@ -57,7 +57,8 @@ fn the_gap_is_in_metres() {
     }
 }
 
-/// Where coupler and rocker lie on one line the Jacobian is singular, to the last bit where the angles are zero.
+/// Where coupler and rocker lie on one line the Jacobian is singular, to the last bit where the
+/// angles are zero.
 #[test]
 fn a_singular_pose_has_no_rates() {
     let m = four_bar([1.0, 1.0, 1.0, 1.0]);
@@ -106,7 +107,8 @@ fn what_hangs_on_a_dyad_leaves_its_transmission_angle() {
     );
 }
 
-/// A four-bar whose links fold onto the frame together, seen from a little before: both branches cross there.
+/// A four-bar whose links fold onto the frame together, seen from a little before: both branches
+/// cross there.
 #[test]
 fn a_change_point_is_found_from_beside_it() {
     use std::f64::consts::PI;

@@ -43,8 +43,8 @@ fn is_among(m: &Mechanism, state: &State, all: &[State]) -> bool {
     all.iter().any(same)
 }
 
-/// Four-bar, wheel by the half turn, and a link from the wheel to a slider: two positions each, and two of the wheel. After
-/// a turn of the crank the wheel has made half of one.
+/// Four-bar, wheel by the half turn, and a link from the wheel to a slider: two positions each, and
+/// two of the wheel. After a turn of the crank the wheel has made half of one.
 #[test]
 fn a_geared_dyad_has_eight_modes_and_its_branch_is_one_of_them() {
     let mut d = double_crank();
@@ -80,7 +80,8 @@ fn a_geared_dyad_has_eight_modes_and_its_branch_is_one_of_them() {
     assert_eq!((map.branches, map.unmatched, map.complete), (8, 0, true));
 }
 
-/// The turns after which all wheels of a train are back are the least common multiple of those of each.
+/// The turns after which all wheels of a train are back are the least common multiple of those of
+/// each.
 #[test]
 fn a_train_has_as_many_windings_as_turns_until_it_is_back() {
     for (ratios, due) in [
@@ -146,7 +147,8 @@ fn windings_without_an_end_are_not_complete() {
 /// Two wheels on arms that turn freely: a turn of both is a turn of neither.
 #[test]
 fn a_position_is_counted_once_whatever_turns_lead_to_it() {
-    // Another double crank from the same crank; its rocker carries the wheel that the first rocker drives.
+    // Another double crank from the same crank; its rocker carries the wheel that the first rocker
+    // drives.
     let mut d = double_crank();
     let [coupler, arm] = ["second coupler", "arm"].map(|n| d.body(n));
     d.pin("E", &[(1, [0.0, 0.5]), (coupler, [0.0, 0.0])]);
@@ -166,8 +168,9 @@ fn a_position_is_counted_once_whatever_turns_lead_to_it() {
     }
 }
 
-/// A rack that the rocker moves by 0.05 m a radian, from whose slider two links lead to a pivot of the ground: each turn
-/// that leaves the pivot in reach of them gives two positions. Without the links there is no end.
+/// A rack that the rocker moves by 0.05 m a radian, from whose slider two links lead to a pivot of
+/// the ground: each turn that leaves the pivot in reach of them gives two positions. Without the
+/// links there is no end.
 #[test]
 fn a_rack_has_the_windings_within_its_reach() {
     let radius = 0.05;

@@ -19,8 +19,8 @@ fn off(solver: Solver, exact: Reference, z: Complex<f64>) -> f64 {
     one(got.re, exact.re.mid()).max(one(got.im, exact.im.mid()))
 }
 
-/// The `f64` next to the curves on which a component is zero: each component within `bound` ε. Audits draw far more of
-/// them (`zero-curves-of-re`, `zero-curves-of-im`).
+/// The `f64` next to the curves on which a component is zero: each component within `bound` ε.
+/// Audits draw far more of them (`zero-curves-of-re`, `zero-curves-of-im`).
 fn check(seed: u64, solver: Solver, exact: Reference, bound: f64) {
     let mut random = Random(seed);
     let mut worst = (0.0f64, Complex::ZERO);

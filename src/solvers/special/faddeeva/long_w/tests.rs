@@ -51,7 +51,8 @@ fn values() {
     assert!(worst.0 < 2f64.powi(-195), "{worst:?}");
 }
 
-/// The worst component of the solver in units of ε, below the normal numbers in those of the smallest.
+/// The worst component of the solver in units of ε, below the normal numbers in those of the
+/// smallest.
 fn off(a: f64, y: f64) -> f64 {
     let (re, im) = plane::w(Plain, a, y);
     let exact = exact(a, y);
@@ -62,7 +63,7 @@ fn off(a: f64, y: f64) -> f64 {
     one(re, &exact.0).max(one(im, &exact.1))
 }
 
-/// What is worst at the points of a curve.
+/// Describes what is worst at the points of a curve.
 struct Worst(f64, f64, f64, usize);
 
 impl Worst {
@@ -75,7 +76,8 @@ impl Worst {
     }
 }
 
-/// The `f64` next to the curves on which a component is zero, from either side: each component within two units.
+/// The `f64` next to the curves on which a component is zero, from either side: each component
+/// within two units.
 #[test]
 fn next_to_zero_curves() {
     let mut random = Random(172);
@@ -148,8 +150,9 @@ fn next_to_zeros() {
     assert!(most < 2.0, "{most} ε at {a:e} {y:e}");
 }
 
-/// Products 2ab that are next to a multiple of π/2 among all with 106 digits, within 2⁻¹⁰¹: where `2e^{−z²}` stands
-/// alone, where it is far larger than w(−z), and a few powers of two farther away.
+/// Products 2ab that are next to a multiple of π/2 among all with 106 digits, within 2⁻¹⁰¹: where
+/// `2e^{−z²}` stands alone, where it is far larger than w(−z), and a few powers of two farther
+/// away.
 #[test]
 fn phases_next_to_multiples_of_a_quarter_turn() {
     for (a, b) in [

@@ -13,8 +13,8 @@ fn ratio(a: f64, b: f64) -> f64 {
     2.0 * (b * b - a * a).exp() / u.to_f64().min(v.to_f64())
 }
 
-/// Where w(−z) dominates, no component can vanish; where `2e^{−z²}` is left out, it is below a quarter of a
-/// unit in the last place. Both along the curves where it is largest.
+/// Where w(−z) dominates, no component can vanish; where `2e^{−z²}` is left out, it is below a
+/// quarter of a unit in the last place. Both along the curves where it is largest.
 #[test]
 fn limits() {
     let mut met = [0; 2];
@@ -64,8 +64,8 @@ fn one_term_dominates() {
     assert!(met.iter().all(|&n| n > 2000), "{met:?}");
 }
 
-/// Next to the zero curves of the components where the exponential dominates, the terms cancel and this is
-/// told; a component that is not told keeps its digits.
+/// Next to the zero curves of the components where the exponential dominates, the terms cancel and
+/// this is told; a component that is not told keeps its digits.
 #[test]
 fn cancellation_is_told() {
     let mut random = Random(132);
@@ -92,7 +92,8 @@ fn cancellation_is_told() {
     assert!(told > 300, "{told}");
 }
 
-/// Around zeros values are told whose components are both small, though neither is small beside its terms.
+/// Around zeros values are told whose components are both small, though neither is small beside its
+/// terms.
 #[test]
 fn cancellation_of_both_components_is_told() {
     let mut random = Random(133);

@@ -8,7 +8,7 @@ use super::*;
 use crate::lanes::Plain;
 use num_complex::Complex;
 
-/// What serves a point: the formula, and which row of a table.
+/// Returns what serves a point: the formula, and which row of a table.
 fn key(a: f64, y: f64) -> (Branch, u16, f64) {
     let branch = branch(Complex::new(a, y));
     match branch {
@@ -18,7 +18,7 @@ fn key(a: f64, y: f64) -> (Branch, u16, f64) {
     }
 }
 
-/// Whether two numbers are the same but for a few roundings.
+/// Returns whether two numbers are the same but for a few roundings.
 fn same(p: f64, q: f64) -> bool {
     (p - q).abs() <= 4e-16 * p.max(q)
 }
