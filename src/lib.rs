@@ -12,6 +12,7 @@
 //! | `files` | the writer of files that the program and the Python package share | feature `files` |
 //! | `message` | the words of an error, as a reader meets them | nothing |
 //! | `methods` | one file for each audited method | feature `oracle` |
+//! | `study` | problems that users bring as formulas or files | feature `studies` |
 //!
 //! The program `mechaudit` is the package `mechaudit-cli`. Files of machines, papers, proofs, campaigns and
 //! reports belong to it.
@@ -104,6 +105,10 @@ pub mod files;
 pub mod message;
 #[cfg(feature = "oracle")]
 pub mod methods;
+#[cfg(feature = "oracle")]
+mod resolve;
+#[cfg(feature = "studies")]
+pub mod study;
 
 #[cfg(all(doctest, feature = "oracle", feature = "special"))]
 #[doc = include_str!("../README.md")]
@@ -112,6 +117,9 @@ struct Readme;
 #[cfg(feature = "oracle")]
 #[doc(inline)]
 pub use candidate::{audit, audit_by_name, compare};
+#[cfg(feature = "oracle")]
+pub use resolve::{MethodError, resolve};
+
 #[cfg(feature = "oracle")]
 #[doc(inline)]
 pub use mechaudit_audit as audit;

@@ -30,7 +30,7 @@ pub mod report;
 #[doc(no_inline)]
 pub use mechaudit::{
     Complex64, audit, audit_by_name, book, candidate, compare, files, message, methods, reference,
-    solvers,
+    resolve, solvers, study,
 };
 #[cfg(feature = "report")]
 #[doc(inline)]

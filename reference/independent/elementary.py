@@ -256,6 +256,95 @@ FUNCTIONS = {
     ),
 }
 
+#: Beside a cut, on the side to which its values belong.
+NUDGE = Dyadic(1, -3000)
+
+
+def beside(f, real=lambda x: False, imaginary=lambda y: False):
+    """A function of z with cuts on an axis: on them the limit from above, and from the right."""
+
+    def value(x, y):
+        if y.m == 0 and real(x):
+            y = NUDGE
+        if x.m == 0 and imaginary(y):
+            x = NUDGE
+        return f(acb(x.arb(), y.arb()))
+
+    return value
+
+
+def beyond_one(x):
+    return x.cmp(1) >= 0 or x.cmp(-1) <= 0
+
+
+def negative(x):
+    return x.m <= 0
+
+
+def plane(name, real=lambda x: False, imaginary=lambda y: False):
+    return beside(lambda z: getattr(z, name)(), real, imaginary)
+
+
+def c_pow(a, b, c, d):
+    z, w = acb(a.arb(), b.arb()), acb(c.arb(), d.arb())
+    if c.m == 0 and d.m == 0:
+        return acb(1)
+    if a.m == 0 and b.m == 0:
+        return acb(0)
+    if d.m == 0 and c.is_integer() and abs(c.floor()) < 1000:
+        return z ** c.floor()
+    return (w * z.log()).exp()
+
+
+def off_zero(*all):
+    return any(x.m for x in all)
+
+
+def off_pole(x, y):
+    return y.m != 0 or no_pole(x)
+
+
+def off_units(x, y):
+    return y.m != 0 or not (x.cmp(1) == 0 or x.cmp(-1) == 0)
+
+
+UNIT = [[0, 1, -1, 0.5], [0, 1, -1, 0.5]]
+WAVES = [[0, math.pi / 2, -math.pi], [0, math.pi / 2, -math.pi]]
+BELLS = [[0, 1, -3, 8, 27], [0, 1, -3, 8, 27]]
+POLES = [[0, 1, 2, 0.5, -1, -7, -30.5], [0, 1, -3, 20]]
+
+FUNCTIONS |= {
+    "complex_exp": (plane("exp"), always, WAVES),
+    "complex_expm1": (plane("expm1"), always, WAVES),
+    "complex_log": (plane("log"), off_zero, UNIT),
+    "complex_log1p": (plane("log1p"), lambda x, y: y.m != 0 or x.cmp(-1) != 0, UNIT),
+    "complex_sqrt": (plane("sqrt"), always, UNIT),
+    "complex_cbrt": (beside(lambda z: acb(0) if z == 0 else (z.log() / 3).exp()), always, UNIT),
+    "complex_recip": (beside(lambda z: 1 / z), off_zero, UNIT),
+    "complex_div": (lambda a, b, c, d: acb(a.arb(), b.arb()) / acb(c.arb(), d.arb()), lambda a, b, c, d: off_zero(c, d), UNIT + UNIT),
+    "complex_pow": (c_pow, lambda a, b, c, d: (c.m, d.m) == (0, 0) or off_zero(a, b) or c.m > 0, UNIT + [[0, 1, 2, -3, 0.5, 700], [0, 0, 1]]),
+    "complex_sin": (plane("sin"), always, WAVES),
+    "complex_cos": (plane("cos"), always, WAVES),
+    "complex_tan": (plane("tan"), always, WAVES),
+    "complex_sinh": (plane("sinh"), always, WAVES),
+    "complex_cosh": (plane("cosh"), always, WAVES),
+    "complex_tanh": (plane("tanh"), always, WAVES),
+    "complex_asin": (plane("asin", real=beyond_one), always, UNIT),
+    "complex_acos": (plane("acos", real=beyond_one), always, UNIT),
+    "complex_atan": (plane("atan", imaginary=beyond_one), lambda x, y: off_units(y, x), UNIT),
+    "complex_asinh": (plane("asinh", imaginary=beyond_one), always, UNIT),
+    "complex_acosh": (plane("acosh", real=lambda x: x.cmp(1) <= 0), always, UNIT),
+    "complex_atanh": (plane("atanh", real=beyond_one), off_units, UNIT),
+    "complex_erf": (plane("erf"), always, BELLS),
+    "complex_erfc": (plane("erfc"), always, BELLS),
+    "complex_erfi": (plane("erfi"), always, BELLS),
+    "complex_erfcx": (beside(lambda z: (z * z).exp() * z.erfc()), always, BELLS),
+    "complex_w": (beside(faddeeva), always, BELLS),
+    "complex_dawson": (beside(lambda z: (-z * z).exp() * z.erfi() * arb.pi().sqrt() / 2), always, BELLS),
+    "complex_tgamma": (plane("gamma"), off_pole, POLES),
+    "complex_lgamma": (plane("lgamma", real=negative), off_pole, POLES),
+}
+
 #: Functions whose points are formed as integers.
 EXACT = {"floor", "ceil", "round", "trunc", "nearbyint", "fmin", "fmax", "fdim", "fmod", "remainder", "add", "sub", "fma"}
 #: Functions with jumps, or whose balls are hulls: their widths are not judged.
@@ -313,6 +402,16 @@ def draws(rng, x, r):
             if (Dyadic(abs(d.m), d.e) + -r).m <= 0:
                 points.append(near)
     return points
+
+
+def parts_of(value):
+    return [value.real, value.imag] if isinstance(value, acb) else [value]
+
+
+def all_meet(value, balls):
+    """Whether each component meets its ball; none if one is too wide to tell."""
+    found = [meets(v, mid, rad) for v, (mid, rad) in zip(parts_of(value), balls, strict=True)]
+    return False if False in found else None if None in found else True
 
 
 def meets(value, mid, rad):
@@ -374,7 +473,7 @@ def check(name, count, seed, program):
             continue
         if words[0] == "undecided":
             if all(r.m == 0 for _, _, r in operands):
-                huge = max(abs(x.top()) for _, x, _ in operands) > 10000
+                huge = max(abs(x.top()) for _, x, _ in operands) > (4000 if name.startswith("complex_") else 10000)
                 tally["exact and undecided"] += 1
                 if not huge:
                     wrong.append([line, "an exact operand is undecided"])
@@ -387,7 +486,8 @@ def check(name, count, seed, program):
                     continue
 
                 def beyond(v, sign=sign):
-                    v, bound = v * sign, arb((1, (1 << 30) - 2))
+                    v = abs(v) if isinstance(v, acb) else v * sign
+                    bound = arb((1, (1 << 30) - 2))
                     return True if v >= bound else False if v < bound else None
 
                 found = at(f, p, beyond, bits)
@@ -395,13 +495,13 @@ def check(name, count, seed, program):
                 if found is False:
                     wrong.append([line, "no overflow", str(p[0].arb())])
             continue
-        m, e, r, s = words
-        mid, rad = Dyadic(int(m), int(e)).arb(), Dyadic(int(float(r)), int(s)).arb()
+        fours = [words[k : k + 4] for k in range(0, len(words), 4)]
+        balls = [(Dyadic(int(m), int(e)).arb(), Dyadic(int(float(r)), int(s)).arb()) for m, e, r, s in fours]
         for k, p in enumerate(all_points):
             if not defined(*p):
                 wrong.append([line, answer, "undefined at a point", str(p[0].arb())])
                 continue
-            found = at(f, p, lambda v: meets(v, mid, rad), bits)
+            found = at(f, p, lambda v: all_meet(v, balls), bits)
             tally["points"] += 1
             tally["open"] += found is None
             if found is False:
@@ -412,8 +512,10 @@ def check(name, count, seed, program):
             try:
                 values = [f(*p) for p in all_points[:3]]
                 spread = max(abs(v - values[0]).abs_upper() for v in values)
-                due = spread + abs(mid) * arb((1, -prec))
-                if rad > 0 and due > 0:
+                size = max(abs(mid).abs_upper() for mid, _ in balls)
+                due = spread + size * arb((1, -prec))
+                rad = max(rad for _, rad in balls)
+                if rad > 0 and due > 0 and size > 0:
                     ratios.append((float((rad / due).mid()), line))
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass

@@ -5,7 +5,7 @@ use mechaudit_reference::{Ball, Undecided};
 use rug::Rational;
 use serde::Serialize;
 
-/// Why a reference value is to be believed.
+/// The reason to believe a reference value.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Proof {
@@ -20,11 +20,11 @@ pub enum Proof {
 pub struct Reference {
     /// One ball for each value of the solver.
     pub values: Vec<Ball>,
-    /// Why they hold.
+    /// The proof that they hold.
     pub proof: Proof,
 }
 
-/// What a reference answers.
+/// The answer of a reference.
 #[derive(Clone, Debug)]
 pub enum ReferenceAnswer {
     /// The values.
@@ -52,7 +52,7 @@ impl From<Uncertified> for ReferenceAnswer {
 }
 
 impl ReferenceAnswer {
-    /// Values in exact rational arithmetic, rounded to balls of so many bits.
+    /// Creates values in exact rational arithmetic, rounded to balls of `bits` bits.
     pub fn exact<'a>(values: impl IntoIterator<Item = &'a Rational>, bits: u32) -> ReferenceAnswer {
         let values = values.into_iter().map(|v| Ball::rational(bits, v));
         ReferenceAnswer::Values(Reference {
@@ -67,7 +67,7 @@ impl ReferenceAnswer {
         ReferenceAnswer::Values(Reference { values, proof })
     }
 
-    /// Whether a value is exactly zero and has no sign yet.
+    /// Returns true if a value is exactly zero and has no sign yet.
     fn has_zeros(&self) -> bool {
         let zero = |b: &Ball| b.mid().is_zero() && b.rad().is_zero();
         match self {
@@ -106,7 +106,7 @@ impl ReferenceAnswer {
         }
     }
 
-    /// How many values there are, where there are any.
+    /// Returns the number of values, if there are any.
     pub(super) fn len(&self) -> Option<usize> {
         match self {
             ReferenceAnswer::Values(r) => Some(r.values.len()),
@@ -118,7 +118,7 @@ impl ReferenceAnswer {
     /// The values, if every one of them is due as a number.
     ///
     /// # Errors
-    /// Why they are not.
+    /// The reason why they are not.
     pub fn certified(self) -> Result<Vec<Ball>, Uncertified> {
         match self {
             ReferenceAnswer::Values(r) => Ok(r.values),
@@ -134,7 +134,7 @@ impl ReferenceAnswer {
     }
 }
 
-/// Why there are no certified values.
+/// The reason why there are no certified values.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Uncertified {
     /// There is no value, for the named reason.
@@ -157,7 +157,7 @@ impl From<Undecided> for Uncertified {
     }
 }
 
-/// What the code under test answers.
+/// The answer of the code under test.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SolverAnswer {
     /// The values.
@@ -167,7 +167,7 @@ pub enum SolverAnswer {
     /// A refusal of code that knows no names: in its own word, which has to be the reference's, or
     /// without any, which is right wherever the reference refuses.
     Declines(Option<String>),
-    /// What came is no answer: it cannot be read, or the code panicked. Never a pass.
+    /// No answer: the text cannot be read, or the code panicked. Never a pass.
     Fails(String),
     /// Nothing came, or not in time: what happened instead. Never a pass.
     Unanswered(String),

@@ -1,4 +1,4 @@
-//! How much error a method is allowed, and why.
+//! The error that a method is allowed, and the reason for it.
 
 use super::ulp::Format;
 use serde::Serialize;
@@ -14,8 +14,8 @@ pub enum Limit {
     /// subnormal numbers may cost, unless nothing at all is allowed.
     Conditioned(f64),
     /// `|got − ref| ≤ k · 2⁻⁵³ · max_i (|ref_i| + Σ_j |x_j ∂ref_i/∂x_j|)`, the maximum over all
-    /// values of all outputs with such a limit, which share a unit (components of one vector, parts of complex
-    /// numbers); at least as with [`Conditioned`](Limit::Conditioned).
+    /// values of all outputs with such a limit, which share a unit (components of one vector, parts
+    /// of complex numbers); at least as with [`Conditioned`](Limit::Conditioned).
     Normwise(f64),
     /// `|got − ref| ≤ r · |ref|`, and half the smallest number in any case.
     Relative(f64),
@@ -40,7 +40,7 @@ impl Limit {
         }
     }
 
-    /// Whether it is finite and positive, as a budget has to be.
+    /// Returns true if it is finite and positive, as a budget has to be.
     pub fn is_sound(self) -> bool {
         let good = |k: f64| k.is_finite() && k > 0.0;
         let second = match self {
@@ -50,7 +50,7 @@ impl Limit {
         good(self.factor()) && second
     }
 
-    /// Whether the limit needs condition numbers.
+    /// Returns true if the limit needs condition numbers.
     pub fn needs_conditions(self) -> bool {
         matches!(self, Limit::Conditioned(_) | Limit::Normwise(_))
     }
@@ -73,15 +73,16 @@ impl std::fmt::Display for Limit {
     }
 }
 
-/// What all values of an answer together may be wrong by, where they share a unit:
+/// The error that all values of an answer together may have, where they share a unit:
 /// `‖got − ref‖₂ ≤ k · 2⁻⁵³ · max(‖ref‖₂, 2⁻¹⁰²²)`.
 ///
-/// It is judged besides the budgets of the outputs, where all values are due as numbers and are.
+/// It is judged in addition to the budgets of the outputs, where all values are expected to be
+/// numbers and are.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct NormBudget {
     /// The factor `k`.
     pub factor: f64,
-    /// Why this much and no more.
+    /// The reason for the limit.
     pub reason: &'static str,
 }
 
@@ -102,7 +103,7 @@ impl NormBudget {
     pub fn shown(&self, format: Format) -> String {
         let u = 2f64.powi(-format.precision() as i32);
         match self.factor {
-            // Of one's own, given as a relative error.
+            // A user-supplied budget, given as a relative error.
             k if k >= 1e6 || k.fract() != 0.0 => format!("{:.3e} of the norm", k * u),
             k => format!("{k} u of the norm"),
         }
@@ -121,7 +122,7 @@ impl std::fmt::Display for NormBudget {
 pub struct Budget {
     /// The limit.
     pub limit: Limit,
-    /// Why this much and no more.
+    /// The reason for the limit.
     pub reason: &'static str,
 }
 

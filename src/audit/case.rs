@@ -104,8 +104,8 @@ pub struct Case {
 }
 
 impl Case {
-    /// A total order of the cases of a region: named ones first, then by number, then by input. It does
-    /// not depend on how a run was divided.
+    /// A total order of the cases of a region: named ones first, then by number, then by input. It
+    /// does not depend on how a run was divided.
     pub fn order(&self, other: &Case) -> Ordering {
         fn key(origin: &Origin) -> (u8, u64, u64, &str) {
             match origin {
@@ -197,7 +197,7 @@ fn quoted(path: &str) -> String {
     }
 }
 
-/// The cases of a run, check points and hard cases first; each is drawn when it is asked for.
+/// The cases of a run, check points and hard cases first; each is drawn when needed.
 pub struct Cases {
     method: &'static str,
     domain: Domain,
@@ -255,7 +255,7 @@ impl Cases {
         }
     }
 
-    /// Whether there are none.
+    /// Returns true if there are none.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -280,8 +280,8 @@ impl Cases {
         self.random(region, random % self.per_region)
     }
 
-    /// The case of that number in the box or about the input that cases are drawn from; `None` where they
-    /// are drawn from the regions.
+    /// The case of that number in the box or about the input that cases are drawn from; `None`
+    /// where they are drawn from the regions.
     pub fn at_index(&self, index: u64) -> Option<Case> {
         (self.sampling != Sampling::Domain).then(|| self.sampled(index))
     }
@@ -323,8 +323,8 @@ impl Cases {
         }
     }
 
-    /// The region of the case of that number, and the number of the first case beyond it that may be of
-    /// another.
+    /// The region of the case of that number, and the number of the first case beyond it that may
+    /// be of another.
     ///
     /// # Panics
     /// From [`Cases::len`] on.

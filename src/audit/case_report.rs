@@ -12,7 +12,7 @@ use serde::Serialize;
 pub struct CaseReport {
     /// The case.
     pub case: Case,
-    /// What the solver answered.
+    /// The answer of the solver.
     #[serde(skip)]
     pub answer: Option<SolverAnswer>,
     /// The judgement.
@@ -23,11 +23,12 @@ pub struct CaseReport {
     pub reference: Vec<Option<String>>,
     /// Bounds on the distance from the reference's midpoints to the true values.
     pub radii: Vec<f64>,
-    /// Why the reference holds.
+    /// The proof that the reference holds.
     pub proof: Option<Proof>,
     /// Where the case stands among the formulas of the method's own solver, if that is known.
     pub branch: Option<BranchAt>,
-    /// The reference whose digits are not written out yet: they cost as much as a judgement, and few cases are kept.
+    /// The reference whose digits are not written out yet: they cost as much as a judgement, and
+    /// few cases are kept.
     #[serde(skip)]
     pub unwritten: Option<ReferenceAnswer>,
 }

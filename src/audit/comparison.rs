@@ -13,7 +13,7 @@ use serde::Serialize;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
 
-/// What an answer takes.
+/// The time that an answer takes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Speed {
     /// Nanoseconds for an answer, all its values together.
@@ -29,9 +29,9 @@ pub struct Speed {
 pub struct Compared {
     /// Its name, distinct from the others.
     pub name: String,
-    /// What its answers take, where that was measured.
+    /// The time that its answers take, if measured.
     pub speed: Option<Speed>,
-    /// What was found.
+    /// The findings.
     pub report: MethodReport,
 }
 
@@ -52,8 +52,8 @@ pub struct Standing {
     pub rms_ulps: f64,
     /// Share of the budget divided by that of the best, where both are positive.
     pub ratio: Option<f64>,
-    /// Whether it is the best here, or one of several: the fewest answers of the wrong kind, and of those
-    /// the smallest share of the budget.
+    /// True if it is the best here, or one of several: the fewest answers of the wrong kind, and of
+    /// those the smallest share of the budget.
     pub best: bool,
 }
 
@@ -124,12 +124,12 @@ impl Comparison {
         }
     }
 
-    /// Whether every code passes, and there is one.
+    /// Returns true if every code passes, and there is one.
     pub fn passed(&self) -> bool {
         !self.candidates.is_empty() && self.candidates.iter().all(|c| c.report.passed())
     }
 
-    /// Whether the run was ended before all cases were judged.
+    /// Returns true if the run was ended before all cases were judged.
     pub fn interrupted(&self) -> bool {
         self.candidates.iter().any(|c| c.report.interrupted)
     }
@@ -168,8 +168,8 @@ fn standings<'a>(reports: impl Iterator<Item = Option<&'a RegionReport>>) -> Vec
     all
 }
 
-/// Judges answers of several codes to the same cases on all cores; each tally gets those of its code. A
-/// code that gave none to a case has nothing counted.
+/// Judges answers of several codes to the same cases on all cores; each tally gets those of its
+/// code. A code that gave none to a case has nothing counted.
 pub fn judge_together(
     method: &dyn Method,
     settings: &Settings,
@@ -206,7 +206,7 @@ const CHUNK: usize = 1024;
 const TIMED: usize = 1000;
 const ROUNDS: usize = 5;
 
-/// What an answer takes by the fastest of rounds of so many answers; nothing without any.
+/// Returns the time of an answer in the fastest of rounds of `answers` each, if there are any.
 fn speed(rounds: impl Iterator<Item = Duration>, answers: usize) -> Option<Speed> {
     let fastest = rounds.min().filter(|_| answers > 0)?;
     Some(Speed {

@@ -17,7 +17,7 @@ pub trait Approximation: Send + Sync {
     fn name(&self) -> &'static str;
     /// One line in plain words.
     fn summary(&self) -> &'static str;
-    /// What is counted as work: deterministic, the same on every machine.
+    /// Returns the quantity counted as work: deterministic, the same on every machine.
     fn work_unit(&self) -> &'static str;
     /// The outputs with the order that theory promises, in powers of one over the work, if it does.
     fn outputs(&self) -> Vec<(&'static str, Option<f64>)>;
@@ -25,8 +25,8 @@ pub trait Approximation: Send + Sync {
     fn places(&self) -> String;
     /// The names of the refinements, coarse to fine.
     fn levels(&self) -> Vec<String>;
-    /// Whether the work grows by the same factor from level to level, so that orders can be observed
-    /// between two of them.
+    /// Returns true if the work grows by the same factor from level to level, so that orders can be
+    /// observed between two of them.
     fn is_regular(&self) -> bool {
         true
     }
@@ -44,7 +44,7 @@ pub trait Approximation: Send + Sync {
     /// The truth.
     ///
     /// # Errors
-    /// Why it could not be had.
+    /// The reason why it is unavailable.
     fn truth(&self) -> Result<Vec<Ball>, Uncertified>;
 }
 
@@ -59,8 +59,8 @@ pub struct LevelError {
     /// `|value − twin|`.
     pub rounding: Option<f64>,
     /// Observed order: `log(e₁/e₂) / log(work₂/work₁)` against the level before, of the method
-    /// error where there is a twin and of the total otherwise. Where steps can be cut in two, `log₂`
-    /// of the method error before and after that.
+    /// error where there is a twin and of the total otherwise. Where steps can be cut in two,
+    /// `log₂` of the method error before and after that.
     pub order: Option<f64>,
     /// The order that the values alone show (Richardson), `log(|v₀−v₁|/|v₁−v₂|)/log(work₂/work₁)`
     /// with the two levels before, where the work grows by the same factor each time.
@@ -74,7 +74,7 @@ pub struct LevelReport {
     pub level: String,
     /// The work done.
     pub work: u64,
-    /// Why there are no values, if there are none.
+    /// The reason why there are no values, if there are none.
     pub failed: Option<String>,
     /// One entry for each output; empty for a failed run.
     pub errors: Vec<LevelError>,
@@ -87,7 +87,7 @@ pub struct ConvergenceReport {
     pub name: &'static str,
     /// In plain words.
     pub summary: &'static str,
-    /// What is counted as work.
+    /// The quantity counted as work.
     pub work_unit: &'static str,
     /// The places where values are compared, in words; an error is the largest of them.
     pub places: String,
@@ -102,7 +102,7 @@ pub struct ConvergenceReport {
     pub levels: Vec<LevelReport>,
 }
 
-/// What a level gave, for the levels after it.
+/// The result of a level, for the levels after it.
 struct Level {
     work: f64,
     values: Vec<f64>,
@@ -112,7 +112,7 @@ struct Level {
 /// Runs every level of an approximation.
 ///
 /// # Errors
-/// The truth could not be had.
+/// The true value is unavailable.
 pub fn convergence(of: &dyn Approximation) -> Result<ConvergenceReport, Uncertified> {
     let truth = of.truth()?;
     let outputs = of.outputs();

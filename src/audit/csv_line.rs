@@ -1,7 +1,7 @@
 //! Lines of CSV files.
 
-/// The line, counted from 1, of the record or header that a CSV reader began to look for at `from`: comments (`#`) and
-/// empty lines may come first.
+/// The line, counted from 1, of the record or header that a CSV reader began to look for at `from`:
+/// comments (`#`) and empty lines may come first.
 pub fn csv_line(text: &[u8], from: &csv::Position) -> u64 {
     let mut line = from.line();
     let mut comment = false;

@@ -22,13 +22,16 @@ impl Draw {
         Draw::of(&Draw::keyed(seed), Draw::named(method, region), index)
     }
 
-    /// What all streams of a seed have in common.
+    /// Returns the key that all streams of a seed share.
     pub(super) fn keyed(seed: u64) -> Key {
         ChaCha8Rng::seed_from_u64(seed).get_seed()
     }
 
-    /// What the streams of a region have in common.
+    /// Returns the hash that the streams of a region share.
+    ///
+    /// A study is named by the path of its file; its streams do not depend on the folder.
     pub(super) fn named(method: &str, region: &str) -> u64 {
+        let method = method.rsplit(['/', '\\']).next().unwrap_or(method);
         let names = method.bytes().chain([0]).chain(region.bytes()).chain([0]);
         hashed(0xcbf2_9ce4_8422_2325, names)
     }

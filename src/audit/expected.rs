@@ -79,7 +79,8 @@ impl Expected {
         }
     }
 
-    /// Formats the value: certified decimals, `0` or `-0` where zero has a sign, `inf`, `-inf` or `nan`.
+    /// Formats the value: certified decimals, `0` or `-0` where zero has a sign, `inf`, `-inf` or
+    /// `nan`.
     pub fn to_decimal(&self, digits: usize) -> Option<String> {
         match self {
             Expected::Number(ball) => ball.to_decimal(digits),
@@ -90,8 +91,8 @@ impl Expected {
         }
     }
 
-    /// Returns bounds on the error of `got`, as [`distance`] does; zero or infinity where no number is
-    /// expected.
+    /// Returns bounds on the error of `got`, as [`distance`] does; zero or infinity where no number
+    /// is expected.
     pub(super) fn distance(&self, got: f64, format: Format) -> (Mag, Mag) {
         let right = match self {
             Expected::Number(ball) | Expected::Zero { ball, .. } => {

@@ -16,7 +16,7 @@ pub struct HardCase {
     pub share: f64,
     /// The output.
     pub output: String,
-    /// How it was found.
+    /// The way it was found.
     pub reason: String,
     /// The input.
     pub input: Vec<f64>,
@@ -24,7 +24,7 @@ pub struct HardCase {
     pub folder: Option<String>,
 }
 
-/// What may be lost to another platform's elementary functions.
+/// The error that another platform's elementary functions may add.
 const SLACK: f64 = 1.01;
 
 /// A line that is no hard case.
@@ -33,12 +33,12 @@ const SLACK: f64 = 1.01;
 pub struct HardCaseError {
     /// Counted from one.
     pub line: u64,
-    /// What is wrong.
+    /// The fault.
     #[source]
     pub fault: HardCaseFault,
 }
 
-/// What is wrong with a line of hard cases.
+/// The fault of a line of hard cases.
 #[derive(Debug, thiserror::Error)]
 pub enum HardCaseFault {
     /// No CSV.
@@ -137,7 +137,7 @@ impl HardCase {
         format!("{share},{output},\"{quoted}\",{}\n", input.join(" "))
     }
 
-    /// Whether a share of the budget above one is what was recorded, or less.
+    /// Returns true if a share of the budget above one is what was recorded, or less.
     pub fn allows(&self, share: f64) -> bool {
         share <= self.share * SLACK
     }
@@ -176,7 +176,7 @@ mod tests {
             let e = HardCase::read(&format!("{HARD_HEADER}\n{bad}\n")).unwrap_err();
             assert_eq!(e.line, 2, "{bad}");
         }
-        // What is no file of hard cases loses no line as its header.
+        // A file without hard cases loses no line as its header.
         for bad in ["garbage", "1,Re W,climbed,0x1p0", "a,b,c,d"] {
             let e = HardCase::read(&format!("# comment\n{bad}\n")).unwrap_err();
             assert_eq!(e.line, 2, "{e}");

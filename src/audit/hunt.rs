@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// What a hunt may use.
+/// The resources of a hunt.
 #[derive(Clone, Copy, Debug)]
 pub struct HuntSettings {
     /// Evaluations of solver and reference together.
@@ -32,7 +32,7 @@ pub struct Worst {
     pub reason: String,
 }
 
-/// What a hunt found.
+/// The findings of a hunt.
 #[derive(Clone, Debug)]
 pub struct Hunt {
     /// For each output that was judged anywhere, the worst first.
@@ -42,7 +42,7 @@ pub struct Hunt {
     pub failures: Vec<Case>,
     /// Evaluations made.
     pub evaluations: u64,
-    /// Whether the hunt was ended before all its evaluations.
+    /// True if the hunt was ended before all its evaluations.
     pub interrupted: bool,
 }
 
@@ -56,7 +56,7 @@ const STARTS: usize = 12;
 const ROUNDS: usize = 20;
 /// Rounds without gain after which a climb ends.
 const PATIENCE: usize = 10;
-/// How far a coordinate may leave its seed, as a factor: the regions bound what a budget is for.
+/// The factor by which a coordinate may leave its seed: regions bound the inputs of a budget.
 const REACH: f64 = 4.0;
 
 /// A judged input.
@@ -138,8 +138,8 @@ pub fn hunt_until(
     }
 }
 
-/// Where to climb from and for which output: in turn the worst seed for each output, from the region
-/// that was chosen least for it before.
+/// Where to climb from and for which output: in turn the worst seed for each output, from the
+/// region that was chosen least for it before.
 fn choose(seeds: &[Seed], outputs: usize) -> Vec<(Seed, usize)> {
     let mut taken = vec![vec![false; seeds.len()]; outputs];
     let mut met: Vec<HashMap<&str, usize>> = vec![HashMap::new(); outputs];
@@ -361,7 +361,8 @@ fn moved(x: &[f64], draw: &mut Draw) -> Vec<f64> {
     y
 }
 
-/// Whether every coordinate keeps its sign and is within a factor of its seed's; zeros stay.
+/// Returns true if every coordinate keeps its sign and is within a factor of its seed's; zeros
+/// stay.
 fn within_reach(seed: &[f64], x: &[f64]) -> bool {
     let near = |(s, x): (&f64, &f64)| match *s {
         0.0 => *x == 0.0,

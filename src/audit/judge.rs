@@ -58,21 +58,21 @@ pub struct ComponentJudgement {
 pub struct Judgement {
     /// The worst verdict.
     pub verdict: Verdict,
-    /// Why it is not a pass, if it is not.
+    /// The reason why it is not a pass, if it is not.
     pub reason: Option<Reason>,
     /// In which way it is of the wrong kind, if it is: the first value's that is.
     pub kind: Option<Kind>,
     /// One entry for each value.
     pub components: Vec<ComponentJudgement>,
-    /// `‖got − ref‖₂ / max(‖ref‖₂, N)` in units of u, N the smallest normal number, an upper bound; over
-    /// all values, so of meaning only where they share a unit. NaN unless all values are due as
-    /// numbers.
+    /// `‖got − ref‖₂ / max(‖ref‖₂, N)` in units of u, N the smallest normal number, an upper bound;
+    /// over all values, so of meaning only where they share a unit. NaN unless all values are due
+    /// as numbers.
     pub normwise: f64,
-    /// The share of its budget that the norm of all errors takes up, an upper bound; NaN where there
-    /// is no such budget or no norm.
+    /// The share of its budget that the norm of all errors takes up, an upper bound; NaN where
+    /// there is no such budget or no norm.
     pub norm_of_budget: f64,
-    /// Whether a share of more than a sixteenth is, by more than half, the width of the reference: what
-    /// the bounds on an error have in common says less than what they do not.
+    /// True if a share of more than a sixteenth is, by more than half, the width of the reference:
+    /// what the bounds on an error have in common says less than what they do not.
     #[serde(skip)]
     pub wide: bool,
 }
@@ -94,18 +94,19 @@ impl Judgement {
         Judgement::whole(Verdict::WrongKind, Some(kind), reason)
     }
 
-    /// Why it is not a pass, in words.
+    /// Returns the reason why it is not a pass, in words.
     pub fn why(&self) -> Option<String> {
         self.reason.as_ref().map(Reason::to_string)
     }
 
-    /// Whether the errors can be measured: the answer is right in kind, and the reference decided.
+    /// Returns true if the errors can be measured: the answer is right in kind, and the reference
+    /// decided.
     pub fn is_measured(&self) -> bool {
         matches!(self.verdict, Verdict::Pass | Verdict::Over)
     }
 
-    /// The largest share of a budget that a value or the norm takes up; infinite where a value is wrong
-    /// in kind or its error has no bound.
+    /// The largest share of a budget that a value or the norm takes up; infinite where a value is
+    /// wrong in kind or its error has no bound.
     pub fn share(&self) -> f64 {
         if self.components.is_empty() && self.verdict != Verdict::Pass {
             return f64::INFINITY;
@@ -119,12 +120,12 @@ impl Judgement {
     }
 }
 
-/// What an answer is judged by.
+/// The rules by which an answer is judged.
 #[derive(Clone, Copy, Debug)]
 pub struct Rules<'a> {
     /// The outputs with their budgets.
     pub outputs: &'a [Output],
-    /// What the norm of all errors may be.
+    /// The budget of the norm of all errors.
     pub norm: Option<&'a NormBudget>,
     /// The format of the numbers.
     pub format: Format,
@@ -174,7 +175,7 @@ pub fn judge_by(
     let outputs = rules.outputs;
     let (got, values) = match (answer, reference) {
         (_, R::Failed(why)) => return Judgement::whole(Verdict::OracleError, None, why.clone()),
-        // What is not there is wrong whatever is due.
+        // A missing answer is wrong, whatever is expected.
         (SolverAnswer::Unanswered(why), _) => {
             return Judgement::wrong(Kind::Unanswered, beside(why, reference));
         }
@@ -316,7 +317,7 @@ fn counted(values: usize) -> String {
     }
 }
 
-/// What a limit allows is made of.
+/// The parts of the error that a limit allows.
 struct Terms {
     limit: Limit,
     factor: Mag,
@@ -328,7 +329,8 @@ struct Terms {
 }
 
 impl Terms {
-    /// What is allowed, by sums and products from above; from below for what is certainly allowed.
+    /// The allowed error, by sums and products from above; from below for the certainly allowed
+    /// one.
     #[inline]
     fn bound(
         &self,
@@ -371,7 +373,7 @@ struct Place<'a> {
     format: Format,
 }
 
-/// What is wrong in the kind of a value that is known to be.
+/// Returns the fault of a value that is known to be of the wrong kind.
 fn wrong_kind(got: f64, expected: &Expected) -> Kind {
     match got {
         g if g.is_nan() => Kind::Nan,
@@ -413,7 +415,7 @@ fn component(
     };
     let ulp = format.ulp_exponent(reference.mid());
     let u = -format.precision();
-    // What the rounding of a subnormal number may cost.
+    // The error that the rounding of a subnormal number may add.
     let half = Mag::power_of_two(format.least() - 1);
     // An infinite or absurd condition number allows nothing rather than everything.
     let condition = condition.filter(|c| c.is_finite());
@@ -466,7 +468,7 @@ fn component(
     }
 }
 
-/// Whether the number certainly rounds to an infinity.
+/// Returns true if the number certainly rounds to an infinity.
 fn overflows(reference: &Ball, format: Format) -> bool {
     if reference.magnitude() < format.largest_power() {
         return false;

@@ -9,7 +9,7 @@ use super::referee::Judge;
 use super::settings::Settings;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// What the method's own solver answers; a panic is a failure to answer.
+/// Returns the answer of the method's own solver; a panic is a failure to answer.
 pub fn answer_of(method: &dyn Method, input: &[f64]) -> SolverAnswer {
     catch_unwind(AssertUnwindSafe(|| method.solve(input))).unwrap_or_else(|panic| {
         let text = panic
@@ -49,8 +49,8 @@ pub fn judge_case_briefly(
     judge(method, case, answer, settings, false).written()
 }
 
-/// The same case with everything that is known of it: the reference's digits, the condition numbers,
-/// the solver's formula.
+/// The same case with everything that is known of it: the reference's digits, the condition
+/// numbers, the solver's formula.
 pub(super) fn complete(method: &dyn Method, report: CaseReport, settings: &Settings) -> CaseReport {
     /// Numbers of an input up to which condition numbers by differences cost little.
     const FEW: usize = 16;

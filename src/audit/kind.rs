@@ -73,7 +73,7 @@ impl Kind {
     }
 }
 
-/// How many there are of each [`Kind`].
+/// The number of faults of each [`Kind`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Kinds(pub(super) [u64; Kind::ALL.len()]);
 
@@ -84,7 +84,7 @@ impl Kinds {
     }
 
     /// Those that there are, in the order of reports.
-    pub fn some(&self) -> impl Iterator<Item = (Kind, u64)> + '_ {
+    pub fn nonzero(&self) -> impl Iterator<Item = (Kind, u64)> + '_ {
         let all = Kind::ALL.into_iter().zip(self.0);
         all.filter(|(_, n)| *n > 0)
     }
@@ -134,6 +134,6 @@ mod tests {
         let mut twice = kinds;
         twice.merge(&kinds);
         assert_eq!((twice.total(), twice[Kind::Unanswered]), (72, 16));
-        assert_eq!(kinds.some().count(), 8);
+        assert_eq!(kinds.nonzero().count(), 8);
     }
 }

@@ -15,9 +15,9 @@ pub enum LayoutError {
     /// Too few or too many.
     #[error("{found} numbers where {expected} are due: {layout}")]
     Count {
-        /// How many there are.
+        /// The number found.
         found: usize,
-        /// How many there should be.
+        /// The expected number.
         expected: usize,
         /// The layout.
         layout: String,
@@ -25,7 +25,7 @@ pub enum LayoutError {
     /// A count that belongs to no length.
     #[error("{found} numbers are right for no {letter}: {layout}")]
     NoLength {
-        /// How many there are.
+        /// The number found.
         found: usize,
         /// The length.
         letter: &'static str,
@@ -39,12 +39,12 @@ pub enum LayoutError {
         symbol: &'static str,
         /// Its value.
         value: f64,
-        /// What it counts.
+        /// The quantity that it counts.
         of: &'static str,
     },
 }
 
-/// How many numbers a part of the input has.
+/// The number of numbers in a part of the input.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Length {
     One,
@@ -93,16 +93,16 @@ impl Part {
 pub struct Shape {
     /// Its symbol.
     pub symbol: &'static str,
-    /// Of a vector its length: the symbol of an input before it or a letter that follows from the count
-    /// of all numbers, a constant added or not.
+    /// Of a vector its length: the symbol of an input before it or a letter that follows from the
+    /// count of all numbers, a constant added or not.
     pub length: Option<String>,
     /// Its unit, `1` if none.
     pub unit: &'static str,
-    /// What it may be.
+    /// The condition on its values.
     pub note: Option<&'static str>,
 }
 
-/// What a column of a table holds.
+/// The contents of a column of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Column {
     /// Number `index` of a part of the input.
@@ -166,7 +166,7 @@ impl Layout {
         }
     }
 
-    /// What the rows are, if there are several.
+    /// Returns the description of the rows, if there are several.
     pub fn rows(&self) -> Option<String> {
         let rows = self.rows?;
         let (index, meaning) = (rows.index, rows.meaning);
@@ -198,7 +198,7 @@ impl Layout {
         self.parts.len()
     }
 
-    /// How many numbers of an input belong to each of its parts.
+    /// Returns the number of numbers in each part of an input.
     ///
     /// # Errors
     /// An input of a length that is not due.
@@ -273,7 +273,7 @@ impl Layout {
         self.parts.iter().zip(lengths).map(length).collect()
     }
 
-    /// What a column of that name holds.
+    /// Returns the contents of a column of that name.
     pub fn column(&self, name: &str) -> Option<Column> {
         let (symbol, index) = match name.strip_suffix(']').and_then(|n| n.rsplit_once('[')) {
             None => (name, None),
@@ -318,7 +318,7 @@ impl Layout {
         self.parts[part].column(index)
     }
 
-    /// Whether a part of the input is a single number.
+    /// Returns true if a part of the input is a single number.
     pub fn is_single(&self, part: usize) -> bool {
         self.parts[part].length == Length::One
     }
@@ -343,8 +343,8 @@ impl Layout {
             .collect()
     }
 
-    /// The symbols of single numbers, with their places in an input: those before the first part whose
-    /// length is not fixed.
+    /// The symbols of single numbers, with their places in an input: those before the first part
+    /// whose length is not fixed.
     pub fn singles(&self) -> Vec<(&'static str, usize)> {
         let singles = self.parts.iter().take_while(|p| p.length == Length::One);
         singles.enumerate().map(|(k, p)| (p.symbol, k)).collect()
@@ -369,8 +369,8 @@ impl Layout {
             .collect()
     }
 
-    /// For each number of an input whether it is data of the method; where it is not laid out as it should be,
-    /// every number is.
+    /// For each number of an input whether it is data of the method; where it is not laid out as it
+    /// should be, every number is.
     pub fn is_data(&self, method: &(impl Method + ?Sized), input: &[f64]) -> Vec<bool> {
         let Ok(lengths) = self.lengths(input) else {
             return vec![true; input.len()];

@@ -1,7 +1,7 @@
 //! The audit: domains, cases, budgets and the judge that compares a solver with its reference.
 //!
 //! Only a pass passes: NaN, the wrong infinity, an undecided reference, a missing value and a
-//! panic all fail. What is audited is described by the [`Method`] trait; this module knows no
+//! panic all fail. The [`Method`] trait describes what is audited; this module knows no
 //! particular method.
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]

@@ -45,7 +45,7 @@ pub struct MapOutput {
 }
 
 impl ErrorMap {
-    /// How many points there are.
+    /// Returns the number of points.
     pub fn points(&self) -> usize {
         self.columns * self.rows
     }
@@ -57,7 +57,8 @@ impl ErrorMap {
     }
 }
 
-/// How many points the method's map has; none if it is not a function of one complex variable.
+/// Returns the number of points of the method's map; none if it is no function of one complex
+/// variable.
 pub fn map_points(method: &dyn Method) -> Option<usize> {
     let names: Vec<&str> = method.inputs().iter().map(|i| i.name).collect();
     let complex = matches!(names[..], [re, im] if re.starts_with("Re ") && im.starts_with("Im "));

@@ -19,7 +19,7 @@ pub struct Output {
     pub name: &'static str,
     /// The unit, `1` if none.
     pub unit: &'static str,
-    /// What it may be wrong by.
+    /// The error that it may have.
     pub budget: Budget,
 }
 
@@ -41,11 +41,12 @@ pub struct Rows {
     /// Their number: digits, a letter of the inputs' lengths, or a word where only the reference
     /// tells.
     pub count: &'static str,
-    /// What a row belongs to.
+    /// The object that a row belongs to.
     pub meaning: &'static str,
 }
 
-/// The formula by which a solver computes at an input, and the nearest place where another takes over.
+/// The formula by which a solver computes at an input, and the nearest place where another takes
+/// over.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BranchAt {
     /// The formula, where it has a name.
@@ -56,14 +57,14 @@ pub struct BranchAt {
     pub distance: f64,
 }
 
-/// What a proved bound is a bound of.
+/// The quantity that a proved bound limits.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ProvedError {
     /// `‖got − ref‖₂ ≤ k u ‖ref‖₂` with u = 2⁻⁵³, but for what underflows.
     Norm(f64),
-    /// `|got − ref| ≤ k ulp(ref)`, the unit in the last place at least the smallest number; infinity where the value is
-    /// above the range.
+    /// `|got − ref| ≤ k ulp(ref)`, the unit in the last place at least the smallest number;
+    /// infinity where the value is above the range.
     Ulps(f64),
 }
 
@@ -76,8 +77,8 @@ impl std::fmt::Display for ProvedError {
     }
 }
 
-/// A bound on the error of the method's own solver that is proved for every input of a set; what is found
-/// beside it is the worst of a sample.
+/// A bound on the error of the method's own solver that is proved for every input of a set; what is
+/// found beside it is the worst of a sample.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ProvedBound {
     /// Of which error, and how large.
@@ -114,15 +115,15 @@ pub trait Method: Sync {
     fn inputs(&self) -> Vec<Input>;
     /// The outputs with their budgets.
     fn outputs(&self) -> Vec<Output>;
-    /// How often an answer repeats the outputs, where it holds more than one row of them.
+    /// Returns the rows of an answer, where it holds more than one row of outputs.
     fn rows(&self) -> Option<Rows> {
         None
     }
-    /// What all values together may be wrong by, besides.
+    /// Returns the budget of all values together, in addition to those of the outputs.
     fn norm_budget(&self) -> Option<NormBudget> {
         None
     }
-    /// What is proved of the solver's error.
+    /// Returns the proved bounds of the solver's error.
     fn proved(&self) -> Vec<ProvedBound> {
         Vec::new()
     }
@@ -142,7 +143,7 @@ pub trait Method: Sync {
     fn may_refuse(&self, _input: &[Rational]) -> Option<&'static str> {
         None
     }
-    /// What is due where an input is NaN or infinite: by default a refusal.
+    /// Returns the expected answer where an input is NaN or infinite: by default a refusal.
     fn reference_not_finite(&self, _input: &[f64]) -> ReferenceAnswer {
         ReferenceAnswer::Refuses("not finite")
     }
@@ -153,7 +154,7 @@ pub trait Method: Sync {
         Vec::new()
     }
 
-    /// `Σ_j |x_j ∂f_i/∂x_j|` for each value `i`; `None` if it cannot be had.
+    /// `Σ_j |x_j ∂f_i/∂x_j|` for each value `i`; `None` if unavailable.
     ///
     /// By default one-sided differences of the reference; see [`conditions_by_differences`].
     fn conditions(&self, input: &[f64]) -> Option<Vec<f64>> {
@@ -165,7 +166,7 @@ pub trait Method: Sync {
         self.conditions(input)
     }
 
-    /// What the method's own solver would answer without rounding, in balls, where that can be had:
+    /// Returns the answer of the method's own solver without rounding, in balls, where available:
     /// tells rounding from the error of the method itself.
     fn twin(&self, _input: &[f64]) -> Option<Vec<Ball>> {
         None
@@ -176,13 +177,14 @@ pub trait Method: Sync {
         Format::Double
     }
 
-    /// By which of its formulas the method's own solver computes the values at `input`, and how far it is
-    /// to where another takes over; `None` where the solver does not say.
+    /// By which of its formulas the method's own solver computes the values at `input`, and how far
+    /// it is to where another takes over; `None` where the solver does not say.
     fn branch(&self, _input: &[f64]) -> Option<BranchAt> {
         None
     }
 
-    /// Whether part `k` of the layout is data, which may take any value; if not, it counts or chooses.
+    /// Returns true if part `k` of the layout is data, which may take any value; if not, it counts
+    /// or chooses.
     fn is_data(&self, _k: usize) -> bool {
         true
     }
@@ -192,8 +194,8 @@ pub trait Method: Sync {
         Vec::new()
     }
 
-    /// Whether an input belongs to the domain, beyond what the reference refuses: a hunt leaves
-    /// others alone.
+    /// Returns true if an input belongs to the domain, beyond what the reference refuses: a hunt
+    /// leaves others alone.
     fn admits(&self, _input: &[f64]) -> bool {
         true
     }
@@ -226,9 +228,9 @@ impl HardCase {
 /// multiplied by `1 + 2⁻⁸⁰`, or by `1 − 2⁻⁸⁰` where the former is refused, at 320 bits, or at 640
 /// or 1280 where the reference is undecided with fewer.
 ///
-/// An estimate: its relative error is of the order of 2⁻⁸⁰ times the second derivative, so that it holds also where
-/// the domain ends close by: a linkage may not be assembled any more with a length larger by 2⁻⁴⁰. Inputs for which
-/// `is_data` is false (counts, choices) are left alone.
+/// An estimate: its relative error is of the order of 2⁻⁸⁰ times the second derivative, so that it
+/// holds also where the domain ends close by: a linkage may not be assembled any more with a length
+/// larger by 2⁻⁴⁰. Inputs for which `is_data` is false (counts, choices) are left alone.
 pub fn conditions_by_differences<M: Method + ?Sized>(
     method: &M,
     input: &[f64],

@@ -8,7 +8,7 @@ use super::nearest::did_you_mean;
 pub struct NoSuch {
     /// The method.
     pub method: &'static str,
-    /// What was asked for.
+    /// The name that was asked for.
     pub what: &'static str,
     /// Its name.
     pub name: String,

@@ -12,8 +12,8 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-/// Cases that a thread takes at a time; all of them are solved before the first is judged: the solver's code and tables
-/// stay in the processor's caches from case to case.
+/// Cases that a thread takes at a time; all of them are solved before the first is judged: the
+/// solver's code and tables stay in the processor's caches from case to case.
 const BLOCK: u64 = 32;
 /// Blocks for each thread, so that none waits long for the last one.
 const BLOCKS: u64 = 8;
@@ -21,25 +21,25 @@ const BLOCKS: u64 = 8;
 /// Cases of these numbers with the answers to them.
 pub type Answered<'a> = dyn Fn(Range<usize>) -> Vec<(Case, SolverAnswer)> + Sync + 'a;
 
-/// Judges cases of a method on the threads of the current pool. Each thread counts in a tally of its own: how
-/// cases fall to threads does not show in the sum.
+/// Judges cases of a method on the threads of the current pool. Each thread counts in a tally of
+/// its own: how cases fall to threads does not show in the sum.
 pub struct Panel<'a> {
     method: &'a dyn Method,
     judge: Judge<'a>,
     laws: Vec<Law>,
-    /// Nothing found yet.
+    /// An empty tally.
     empty: Tally,
-    /// Those that no thread is counting in.
+    /// The tallies that no thread is counting in.
     tallies: Mutex<Vec<Tally>>,
 }
 
 impl<'a> Panel<'a> {
-    /// For reports.
+    /// Creates a panel for reports.
     pub fn new(method: &'a dyn Method, settings: &'a Settings) -> Panel<'a> {
         Panel::counting_in(Tally::new(method, settings), method, settings)
     }
 
-    /// For tallies that are stored, see [`Tally::lean`].
+    /// Creates a panel for tallies that are stored; see [`Tally::lean`].
     pub fn lean(method: &'a dyn Method, settings: &'a Settings) -> Panel<'a> {
         Panel::counting_in(Tally::lean(method, settings), method, settings)
     }
@@ -54,7 +54,7 @@ impl<'a> Panel<'a> {
         }
     }
 
-    /// Counts in a tally that no other thread has.
+    /// Counts in a tally that no other thread uses.
     fn counting(&self, count: impl FnOnce(&mut Tally)) {
         // Nobody panics with the lock held.
         let free = || self.tallies.lock().unwrap_or_else(PoisonError::into_inner);
@@ -64,7 +64,7 @@ impl<'a> Panel<'a> {
         free().push(tally);
     }
 
-    /// Judges so many cases in blocks, on all threads.
+    /// Judges `total` cases in blocks, on all threads.
     fn in_blocks(total: u64, judge: impl Fn(Range<u64>) + Sync) {
         let blocks = BLOCKS * rayon::current_num_threads() as u64;
         let block = (total / blocks).clamp(1, BLOCK);
@@ -72,8 +72,8 @@ impl<'a> Panel<'a> {
         (0..total.div_ceil(block)).into_par_iter().for_each(one);
     }
 
-    /// Judges the method's own solver at so many cases, with its laws, until `stop` is set; says whether it was
-    /// to the end. `progress` is told of cases judged.
+    /// Judges the method's own solver at `total` cases, with its laws, until `stop` is set.
+    /// `progress` gets the number of cases judged. Returns true if every case was judged.
     pub fn audit(
         &self,
         total: u64,
@@ -95,8 +95,8 @@ impl<'a> Panel<'a> {
         judged.into_inner() == total
     }
 
-    /// Judges so many answers that have come from elsewhere as long as `go_on` says so; says whether it was to the
-    /// end, none of them missing. Each thread asks for those that it judges.
+    /// Judges `total` answers from elsewhere as long as `go_on` returns true. Returns true if every
+    /// answer was judged and none was missing. Each thread asks for the answers that it judges.
     pub fn judge(
         &self,
         total: usize,
@@ -138,7 +138,7 @@ impl<'a> Panel<'a> {
         counted
     }
 
-    /// What was found.
+    /// The findings.
     pub fn into_tally(self) -> Tally {
         let tallies = self.tallies.into_inner();
         let mut tallies = tallies.unwrap_or_else(PoisonError::into_inner).into_iter();

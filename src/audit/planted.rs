@@ -1,4 +1,5 @@
-//! A method for tests, each of whose parts can be planted. As it is: `x` for `x`, four ulps, one region.
+//! A method for tests, each of whose parts can be planted. As it is: `x` for `x`, four ulps, one
+//! region.
 
 use super::*;
 use mechaudit_reference::Ball;
@@ -96,7 +97,7 @@ pub(crate) fn case(index: u64, input: &[f64]) -> Case {
     }
 }
 
-/// `x` and so many ulps.
+/// Returns `x` plus a number of ulps.
 pub(crate) fn off(x: f64, ulps: u64) -> f64 {
     f64::from_bits(x.to_bits() + ulps)
 }

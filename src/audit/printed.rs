@@ -8,7 +8,7 @@ use mechaudit_reference::{Ball, Decimal, DecimalError, nearest_f64};
 use rug::Rational;
 use serde::Serialize;
 
-/// What a printed entry is worth. Only [`Agreement::Agrees`] is agreement.
+/// The verdict on a printed entry. Only [`Agreement::Agrees`] is agreement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Agreement {
@@ -34,7 +34,7 @@ pub struct EntryJudgement {
     pub units: f64,
     /// The reference to 20 digits, where it certifies them.
     pub reference: Option<String>,
-    /// Why there is no verdict, if there is none.
+    /// The reason why there is no verdict, if there is none.
     pub reason: Option<String>,
     /// The working precision that decided.
     pub bits: u32,
@@ -527,7 +527,8 @@ mod tests {
         assert_eq!(*asked.lock().unwrap(), [100, 200, 400]);
     }
 
-    /// A zero is a number whatever its sign; an infinity, NaN, a refusal and a value that is not there are none.
+    /// A zero is a number whatever its sign; an infinity, NaN, a refusal and a value that is not
+    /// there are none.
     #[test]
     fn what_has_no_number_agrees_with_nothing() {
         let expected = ReferenceAnswer::Expected(

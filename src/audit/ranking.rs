@@ -2,7 +2,8 @@
 
 use std::cmp::Ordering;
 
-/// The first so many of all that were offered, in an order that leaves no two of them equal.
+/// The first elements of all that were offered, up to a number, in an order that leaves no two of
+/// them equal.
 #[derive(Clone, Debug)]
 pub(super) struct First<T> {
     room: usize,
@@ -19,7 +20,7 @@ impl<T> First<T> {
     }
 
     /// Those kept of another that has as much room.
-    pub(super) fn again(room: usize, kept: Vec<T>) -> Option<First<T>> {
+    pub(super) fn restore(room: usize, kept: Vec<T>) -> Option<First<T>> {
         (kept.len() <= room).then_some(First { room, kept })
     }
 
@@ -37,7 +38,7 @@ impl<T> First<T> {
         }
     }
 
-    /// How many may be kept.
+    /// The largest number kept.
     pub(super) fn room(&self) -> usize {
         self.room
     }
@@ -90,7 +91,7 @@ mod tests {
         }
     }
 
-    /// What is after all that are kept is compared with the last of them alone.
+    /// An element after all kept ones is compared with the last of them alone.
     #[test]
     fn without_room_there_is_one_comparison() {
         let mut first = of(&[1, 2, 3, 4, 5, 6, 7, 8], 8);

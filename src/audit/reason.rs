@@ -1,10 +1,10 @@
-//! Why a judgement is no pass.
+//! The reason why a judgement is no pass.
 
 use serde::{Serialize, Serializer};
 use std::fmt::{self, Display, Formatter};
 
-/// Why a judgement is no pass. Of a value it is put in words when it is shown: a bad candidate has a reason at every
-/// case, and few are kept.
+/// The reason why a judgement is no pass. Of a value it is put in words when it is shown: a bad
+/// candidate has a reason at every case, and few are kept.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Reason {
     /// In words.
@@ -15,22 +15,22 @@ pub enum Reason {
         output: &'static str,
         /// Its number among all values.
         number: usize,
-        /// What was answered.
+        /// The value answered.
         got: f64,
         /// The expected value: the nearest number, an infinity or NaN.
         expected: f64,
-        /// What is wrong with it.
+        /// The fault of it.
         fault: Fault,
     },
 }
 
-/// What is wrong with a value.
+/// The fault of a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fault {
     /// It is of the wrong kind: NaN, an infinity, a number for one of them, or the zero of the
     /// wrong sign.
     Kind,
-    /// Its error is so many times the budget.
+    /// Its error exceeds the budget by this factor.
     Over(f64),
     /// It cannot be decided.
     Open,

@@ -12,14 +12,14 @@ use super::reason::Reason;
 use super::settings::Settings;
 use super::ulp::Format;
 
-/// Judges answers to a method's cases: what is the same for all of them is asked for once.
+/// Judges answers to a method's cases: facts that all of them share are computed once.
 pub struct Judge<'a> {
     method: &'a dyn Method,
     settings: &'a Settings,
     outputs: Vec<Output>,
     norm: Option<NormBudget>,
     format: Format,
-    /// Whether a budget or the settings ask for condition numbers.
+    /// True if a budget or the settings ask for condition numbers.
     conditional: bool,
 }
 
@@ -38,8 +38,9 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Judges the answer to a case; the precision doubles until that can be decided, and once more where what
-    /// decides is wide. Without `digits` the reference's are left out: they cost as much as a judgement.
+    /// Judges the answer to a case; the precision doubles until that can be decided, and once more
+    /// where what decides is wide. Without `digits` the reference's are left out: they cost as much
+    /// as a judgement.
     pub fn judge(&self, case: Case, answer: SolverAnswer, digits: bool) -> CaseReport {
         self.referee(case).judge_last(answer, digits)
     }
@@ -128,7 +129,8 @@ impl Referee<'_> {
             (bits, level) = (2 * bits, level + 1);
             judgement = self.judged(&rules, (&answer, allowed), bits, level);
         }
-        // The first reference that decides may be so wide that its own error is what a report would show.
+        // The first reference that decides may be so wide that its own error is what a report would
+        // show.
         if judgement.wide && judgement.is_measured() && bits < settings.last_bits {
             let closer = self.judged(&rules, (&answer, allowed), 2 * bits, level + 1);
             if closer.is_measured() {
@@ -178,7 +180,7 @@ struct Decided {
 }
 
 impl Decided {
-    /// Whether the reference is of interest.
+    /// Returns true if the reference is of interest.
     fn shows(&self, digits: bool) -> bool {
         digits || self.judgement.verdict != Verdict::Pass
     }

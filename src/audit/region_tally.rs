@@ -1,5 +1,5 @@
-//! What was found in one region so far. Counts, bins, exact sums and firsts of a fixed order: merging
-//! is associative and commutative, bit for bit.
+//! The findings in one region so far. Counts, bins, exact sums and firsts of a fixed order:
+//! merging is associative and commutative, bit for bit.
 
 use super::case::Case;
 use super::case_report::CaseReport;
@@ -18,7 +18,7 @@ pub(super) const WORST: usize = 10;
 /// Cases kept of each wrong kind.
 pub(super) const EXAMPLES: usize = 3;
 
-/// How much of the cases a tally keeps.
+/// The part of the cases that a tally keeps.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Keep {
     /// Failing cases of a region.
@@ -56,7 +56,7 @@ fn by_number(a: &(f64, Case), b: &(f64, Case)) -> Ordering {
     larger((a.0, &a.1), (b.0, &b.1))
 }
 
-/// What was found for one output.
+/// The findings for one output.
 #[derive(Clone, Debug)]
 pub(super) struct OutputTally {
     pub(super) values: u64,
@@ -140,7 +140,7 @@ impl OutputTally {
     }
 }
 
-/// What was found in a region.
+/// The findings in a region.
 #[derive(Clone, Debug)]
 pub(super) struct RegionTally {
     pub(super) cases: u64,
@@ -235,8 +235,8 @@ impl RegionTally {
         }
     }
 
-    /// The cases with the smallest hashes of their inputs: a sample that does not depend on the order
-    /// or on the machine.
+    /// The cases with the smallest hashes of their inputs: a sample that does not depend on the
+    /// order or on the machine.
     fn sample(&mut self, report: &CaseReport) {
         if self.points.room() == 0 {
             return;
@@ -320,7 +320,7 @@ impl RegionTally {
         points
     }
 
-    /// What is said of it; `norm` if its normwise errors mean something.
+    /// Returns its report; `norm` is true if normwise errors mean something.
     pub(super) fn report(
         &self,
         (name, description): (&'static str, &'static str),

@@ -14,7 +14,7 @@ use super::spread::Spread;
 use super::ulp::Format;
 use serde::Serialize;
 
-/// What was found for one output, in a region or in all.
+/// The findings for one output, in a region or in all.
 #[derive(Clone, Debug, Serialize)]
 pub struct OutputStatistics {
     /// The output.
@@ -26,7 +26,7 @@ pub struct OutputStatistics {
     /// Errors in ulps, over the values that are not zero.
     pub ulps: Spread,
     /// Errors in units of `u (|ref| + Σ_j |x_j ∂ref/∂x_j|)`: what is left of them when each
-    /// input's last half-ulp is forgiven. Nothing where no condition numbers are asked for.
+    /// input's last half-ulp is forgiven. Nothing without condition numbers.
     pub conditioned: Spread,
     /// The errors in ulps counted by octaves, exact values first.
     pub histogram: Vec<Octave>,
@@ -47,19 +47,19 @@ pub struct OutputStatistics {
 pub struct Octave {
     /// `k` for errors in `[2^k, 2^(k+1))` ulps; nothing for exact values.
     pub exponent: Option<i32>,
-    /// How many.
+    /// The number.
     pub count: u64,
     /// The case with the largest of them, and the first of several.
     #[serde(serialize_with = "briefly")]
     pub worst: Case,
 }
 
-/// What was found in one region of the domain, or in all.
+/// The findings in one region of the domain, or in all.
 #[derive(Clone, Debug, Serialize)]
 pub struct RegionReport {
     /// Its name: a region of the method, `check-points`, `hard`, `given`, `box` or `near`.
     pub name: &'static str,
-    /// What it holds.
+    /// The contents.
     pub description: &'static str,
     /// Cases judged, those without an answer included.
     pub cases: u64,
@@ -67,7 +67,7 @@ pub struct RegionReport {
     pub passed: u64,
     /// Hard cases over budget by no more than is recorded of the method's own solver.
     pub recorded: u64,
-    /// Cases certainly over budget besides.
+    /// The number of cases certainly over budget.
     pub over: u64,
     /// Cases that the reference could not decide.
     pub undecided: u64,
@@ -77,8 +77,8 @@ pub struct RegionReport {
     pub kinds: Kinds,
     /// For each output.
     pub outputs: Vec<OutputStatistics>,
-    /// `‖got − ref‖₂ / ‖ref‖₂` over all values of an answer in units of u (for subnormal norms by the
-    /// smallest normal number), where the outputs share a unit.
+    /// `‖got − ref‖₂ / ‖ref‖₂` over all values of an answer in units of u (for subnormal norms by
+    /// the smallest normal number), where the outputs share a unit.
     pub normwise: Option<Spread>,
     /// Largest share of a budget, that of the norm included; NaN where there is none.
     pub max_of_budget: f64,
@@ -94,7 +94,7 @@ impl RegionReport {
     }
 }
 
-/// What was found about one law.
+/// The findings about one law.
 #[derive(Clone, Debug, Serialize)]
 pub struct LawReport {
     /// Its name.
@@ -120,7 +120,7 @@ pub struct OutputBudget {
     pub budget: Budget,
 }
 
-/// Whose code was audited, if it is not the method's own solver.
+/// The code that was audited, if it is not the method's own solver.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct CandidateReport {
     /// As it calls itself, or the command, or `closure`.
@@ -131,11 +131,12 @@ pub struct CandidateReport {
     pub command: Option<String>,
     /// Answers that came.
     pub answered: u64,
-    /// What went wrong besides the answers.
+    /// The trouble apart from the answers.
     pub trouble: Option<String>,
 }
 
-/// One case with the errors of all its outputs, of a sample that shows how errors depend on the input.
+/// One case with the errors of all its outputs, of a sample that shows how errors depend on the
+/// input.
 #[derive(Clone, Debug, Serialize)]
 pub struct Point {
     /// The case.
@@ -149,17 +150,17 @@ pub struct Point {
     pub of_budget: f64,
 }
 
-/// The parts of a command that are the same for all cases of a report: the command is head, the place
-/// of the case, tail.
+/// The parts of a command that are the same for all cases of a report: the command is head, the
+/// place of the case, tail.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Reproduce {
-    /// What comes before the place of a case: `mechaudit audit METHOD ` with the blank.
+    /// The words before the place of a case: `mechaudit audit METHOD ` with the blank.
     pub head: String,
-    /// What comes after it: nothing, or a blank and options.
+    /// The words after it: nothing, or a blank and options.
     pub tail: String,
 }
 
-/// What was found about one method.
+/// The findings about one method.
 #[derive(Clone, Debug, Serialize)]
 pub struct MethodReport {
     /// The method.
@@ -168,7 +169,7 @@ pub struct MethodReport {
     pub summary: &'static str,
     /// Its source.
     pub source: &'static str,
-    /// Whose code, if it is not the method's own solver.
+    /// The code audited, if it is not the method's own solver.
     pub candidate: Option<CandidateReport>,
     /// The settings.
     pub settings: Settings,
@@ -181,7 +182,7 @@ pub struct MethodReport {
     pub budgets: Vec<OutputBudget>,
     /// The budget of the norm, if one is in force.
     pub norm_budget: Option<NormBudget>,
-    /// What is proved of the error of the method's own solver.
+    /// The proved bounds of the error of the method's own solver.
     pub proved: Vec<ProvedBound>,
     /// Cases judged.
     pub cases: u64,
@@ -189,7 +190,7 @@ pub struct MethodReport {
     pub passed: u64,
     /// Hard cases over budget by no more than is recorded of the method's own solver.
     pub recorded: u64,
-    /// Whether the run was ended before all cases were judged.
+    /// True if the run was ended before all cases were judged.
     pub interrupted: bool,
     /// All regions together.
     pub total: RegionReport,
@@ -197,7 +198,7 @@ pub struct MethodReport {
     pub regions: Vec<RegionReport>,
     /// For each law.
     pub laws: Vec<LawReport>,
-    /// The error map, where one was asked for and the method has one.
+    /// The error map, if one was requested and the method has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub map: Option<ErrorMap>,
     /// The ten cases with the largest shares of a budget: the worst of each region first, then the
@@ -207,17 +208,17 @@ pub struct MethodReport {
     pub wrong: Vec<CaseReport>,
     /// The cases that did not pass, the first of them if there are very many.
     pub failures: Vec<CaseReport>,
-    /// How many more did not pass.
+    /// The number of further cases that did not pass.
     pub failures_left_out: u64,
     /// A sample of all cases.
     pub points: Vec<Point>,
-    /// How a case is judged again.
+    /// The command that judges a case again.
     pub reproduce: Reproduce,
 }
 
 impl MethodReport {
-    /// Whether all cases were judged and every one and every law passed, but for recorded findings,
-    /// nothing went wrong besides, and there was at least one case.
+    /// Returns true if all cases were judged and every one and every law passed, but for recorded
+    /// findings, nothing else went wrong, and there was at least one case.
     pub fn passed(&self) -> bool {
         let all = self.passed + self.recorded == self.cases;
         let laws = self.laws.iter().all(|l| l.worst <= 1.0);
@@ -237,7 +238,7 @@ impl MethodReport {
     }
 
     /// The command that judges a case again.
-    pub fn again(&self, case: &Case) -> String {
+    pub fn reproduce_command(&self, case: &Case) -> String {
         let Reproduce { head, tail } = &self.reproduce;
         format!("{head}{}{tail}", case.place())
     }
@@ -258,7 +259,7 @@ mod tests {
             &Settings::default(),
         );
         let place = "--region middle --seed 1 --case 3";
-        let again = |report: &super::MethodReport| report.again(&case(3, &[1.5]));
+        let again = |report: &super::MethodReport| report.reproduce_command(&case(3, &[1.5]));
         assert_eq!(again(&report), format!("mechaudit audit planted {place}"));
         report.reproduce = Reproduce {
             head: "head ".into(),

@@ -12,8 +12,8 @@ use super::settings::Settings;
 use super::tally::Tally;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Audits a method over its whole domain, on all cores. `progress` is called once for each case, and
-/// for each point of its map.
+/// Audits a method over its whole domain, on all cores. `progress` is called once for each case,
+/// and for each point of its map.
 pub fn audit_method(
     method: &dyn Method,
     settings: &Settings,
@@ -56,8 +56,8 @@ pub fn audit_method_until(
     report
 }
 
-/// Audits one case, at which the code under test gave `answer`, or the method's own solver if there is
-/// none.
+/// Audits one case, at which the code under test gave `answer`, or the method's own solver if there
+/// is none.
 pub fn audit_one(
     method: &dyn Method,
     case: Case,

@@ -18,7 +18,7 @@ pub enum Sampling {
     Near(Near),
 }
 
-/// Why there is no such box or neighbourhood.
+/// The reason why there is no such box or neighbourhood.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SamplingError {
     /// Not `NAME=SIDE`.
@@ -32,7 +32,7 @@ pub enum SamplingError {
     Ends {
         /// The part.
         part: String,
-        /// What is wrong with it.
+        /// The fault of it.
         reason: &'static str,
     },
     /// A name that is no number of the input.
@@ -64,9 +64,9 @@ pub enum SamplingError {
     /// No input.
     #[error("{text:?} is neither numbers, a check point, REGION/CASE nor hard/N: {reason}")]
     Centre {
-        /// What was given.
+        /// The text given.
         text: String,
-        /// Why not.
+        /// The reason.
         reason: String,
     },
     /// A radius that is not a positive number.
@@ -77,7 +77,7 @@ pub enum SamplingError {
     NoRegion,
 }
 
-/// How a number of a box is drawn.
+/// The way a number of a box is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Spacing {
     Uniform,
@@ -102,7 +102,7 @@ pub struct SampleBox {
     text: String,
     layout: Layout,
     sides: Vec<Side>,
-    /// Whether it names every number.
+    /// True if it names every number.
     whole: bool,
 }
 
@@ -115,7 +115,7 @@ impl SampleBox {
         &self.text
     }
 
-    /// Whether it names every number of the input, so that no region is drawn from.
+    /// Returns true if it names every number of the input, so that no region is drawn from.
     pub fn is_whole(&self) -> bool {
         self.whole
     }
@@ -196,8 +196,8 @@ impl Side {
 }
 
 /// The neighbourhood of an input: data `x` becomes `x (1 + ρ t)`, a zero `ρ t`, with t uniform on
-/// [−1, 1); ρ is the radius in one half of the cases and log-uniform from 2⁻⁵² up to it in the other.
-/// Counts and choices stay.
+/// [−1, 1); ρ is the radius in one half of the cases and log-uniform from 2⁻⁵² up to it in the
+/// other. Counts and choices stay.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Near {
     text: String,
@@ -240,15 +240,15 @@ impl Near {
 /// Magnitudes of ordinary numbers: far from the ends of the range, with their squares and cubes.
 const ORDINARY: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
 
-/// Whether every number is zero or of ordinary size.
+/// Returns true if every number is zero or of ordinary size.
 pub(super) fn is_ordinary(input: &[f64]) -> bool {
     let ordinary = |x: &f64| *x == 0.0 || ORDINARY.contains(&x.abs());
     input.iter().all(ordinary)
 }
 
 impl Region {
-    /// Whether the region stays away from the ends of the range: all numbers of 64 draws of a fixed
-    /// stream are zero or between 1e-100 and 1e100 in magnitude.
+    /// Returns true if the region stays away from the ends of the range: all numbers of 64 draws of
+    /// a fixed stream are zero or between 1e-100 and 1e100 in magnitude.
     pub fn is_ordinary(&self, method: &str) -> bool {
         (0..64).all(|i| {
             let mut draw = Draw::new(0, method, self.name, i);

@@ -13,9 +13,10 @@ pub struct Settings {
     pub first_bits: u32,
     /// Working precision at which an open case is called undecided, in bits.
     pub last_bits: u32,
-    /// Whether functions of a complex variable are mapped besides; see [`error_map`](super::error_map).
+    /// True if functions of a complex variable are mapped, too; see
+    /// [`error_map`](super::error_map).
     pub maps: bool,
-    /// Whether condition numbers are had of every case, be its budget in ulps.
+    /// True if condition numbers are computed for every case, even if its budget is in ulps.
     pub conditions: bool,
     /// Cases of each region that the report shows with all their errors, whatever they are.
     pub points: usize,
@@ -39,8 +40,8 @@ impl Default for Settings {
 mod tests {
     use super::*;
 
-    /// Seed and number of cases choose the inputs of an audit, the bits what is called undecided: recorded
-    /// findings are those of these.
+    /// Seed and number of cases choose the inputs of an audit, the bits what is called undecided:
+    /// recorded findings are those of these.
     #[test]
     fn the_defaults_are_pinned() {
         let s = Settings::default();

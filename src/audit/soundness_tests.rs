@@ -1,10 +1,10 @@
-//! What may never pass: a method whose solver, reference and laws go wrong on demand.
+//! Tests that a fault never passes: a method whose solver, reference and laws go wrong on demand.
 
 use super::*;
 use rug::Rational;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// What goes wrong.
+/// The planted fault.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Fault {
     None,

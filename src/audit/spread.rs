@@ -1,20 +1,20 @@
-//! How errors are spread: exact counts and sums that can be merged in any order.
+//! The spread of errors: exact counts and sums that can be merged in any order.
 
 use rug::{Float, Integer};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// How errors are spread; zeros if there are none.
+/// The spread of errors; zeros if there are none.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Spread {
     /// Number of errors.
     pub count: u64,
-    /// Errors beyond the largest `f64` besides, which are in no other member.
+    /// The number of errors beyond the largest `f64`, which are in no other member.
     pub beyond: u64,
     /// The largest found.
     pub max: f64,
-    /// 99th percentile (nearest rank), rounded up by less than a thousandth, in a campaign by less than
-    /// a hundredth or to 2⁻²⁰.
+    /// 99th percentile (nearest rank), rounded up by less than a thousandth, in a campaign by less
+    /// than a hundredth or to 2⁻²⁰.
     pub p99: f64,
     /// 99.99th percentile, rounded up likewise; of ten thousand errors or more.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -25,8 +25,8 @@ pub struct Spread {
     pub rms: f64,
 }
 
-/// Gathers a [`Spread`] in a bounded space. Nothing is rounded before [`SpreadTally::spread`], so the
-/// order of additions and merges never shows.
+/// Gathers a [`Spread`] in a bounded space. Nothing is rounded before [`SpreadTally::spread`], so
+/// the order of additions and merges never shows.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SpreadTally {
     /// Bits of the fraction dropped for percentiles.
@@ -42,13 +42,14 @@ pub struct SpreadTally {
 /// The leading bits of a number.
 pub(super) type Bin = u32;
 
-/// How many numbers have which leading bits, of one exponent.
+/// The counts of numbers of one exponent, by leading bits.
 #[derive(Clone, Debug, Default)]
 struct Bins {
-    /// The bins of up to [`FEW`] numbers that are not in `all` yet: one count after another there would be a cache miss
-    /// each.
+    /// The bins of up to [`FEW`] numbers that are not in `all` yet: one count after another there
+    /// would be a cache miss each.
     few: Vec<u16>,
-    /// Every bin's count; empty until there are more. Errors of a bad candidate are in a hundred octaves.
+    /// Every bin's count; empty until there are more. Errors of a bad candidate are in a hundred
+    /// octaves.
     all: Vec<u64>,
 }
 
@@ -161,8 +162,8 @@ impl SpreadTally {
         }
     }
 
-    /// One that takes less space: percentiles are rounded up by less than a hundredth, and numbers below
-    /// 2⁻²⁰ that are not zero are rounded up to it. It may be merged with its like only.
+    /// One that takes less space: percentiles are rounded up by less than a hundredth, and numbers
+    /// below 2⁻²⁰ that are not zero are rounded up to it. It may be merged with its like only.
     pub fn coarse() -> SpreadTally {
         SpreadTally::dropping(DROPPED_COARSELY)
     }
@@ -296,8 +297,8 @@ impl SpreadTally {
         max
     }
 
-    /// The number that `share` of all numbers do not exceed, given in ten-thousandths (nearest rank),
-    /// rounded up to the end of its bin; 0 of none.
+    /// The number that `share` of all numbers do not exceed, given in ten-thousandths (nearest
+    /// rank), rounded up to the end of its bin; 0 of none.
     pub fn quantile(&self, share: u32) -> f64 {
         match self.count {
             0 => 0.0,
@@ -305,7 +306,7 @@ impl SpreadTally {
         }
     }
 
-    /// What was gathered.
+    /// The gathered numbers.
     pub fn spread(&self) -> Spread {
         if self.count == 0 {
             return Spread {
@@ -338,8 +339,8 @@ impl SpreadTally {
     }
 }
 
-/// The octave of a number, none for zero. Subnormal numbers are in one octave with the smallest normal
-/// ones.
+/// The octave of a number, none for zero. Subnormal numbers are in one octave with the smallest
+/// normal ones.
 pub fn octave(x: f64) -> Option<i32> {
     match (x.to_bits() >> 52) as i32 {
         0 if x.to_bits() >> DROPPED_COARSELY == 0 => None,

@@ -1,4 +1,4 @@
-//! What was found, gathered case by case, on one machine or on many.
+//! The findings, gathered case by case, on one machine or on many.
 
 use super::case::Case;
 use super::case_report::CaseReport;
@@ -28,7 +28,7 @@ pub struct Tally {
     hard: Vec<HardCase>,
 }
 
-/// What regions beside those of the domain hold.
+/// The descriptions of regions beside those of the domain.
 const NAMED: [(&str, &str); 5] = [
     ("check-points", "named points of the domain"),
     ("hard", "hard cases that hunts have found"),
@@ -38,7 +38,7 @@ const NAMED: [(&str, &str); 5] = [
 ];
 
 impl Tally {
-    /// Nothing found yet.
+    /// An empty tally.
     pub fn new(method: &dyn Method, settings: &Settings) -> Tally {
         let laws = method.laws().into_iter().map(|law| LawReport {
             name: law.name,
@@ -61,9 +61,9 @@ impl Tally {
         }
     }
 
-    /// Nothing found yet, for tallies that are [stored](Tally::stored): percentiles are rounded up by less
-    /// than a hundredth, and of each region's failing cases the first twenty are kept. Merges with its
-    /// like only.
+    /// Nothing found yet, for tallies that are [stored](Tally::stored): percentiles are rounded up
+    /// by less than a hundredth, and of each region's failing cases the first twenty are kept.
+    /// Merges with its like only.
     pub fn lean(method: &dyn Method, settings: &Settings) -> Tally {
         Tally {
             keep: Keep::LEAN,
@@ -98,8 +98,8 @@ impl Tally {
         self.region(report.case.region).add(report, recorded);
     }
 
-    /// Whether this is a hard case, each output over its budget by no more than is recorded of it. It is
-    /// known by its input, which may have come in a file.
+    /// Returns true if this is a hard case, each output over its budget by no more than is recorded
+    /// of it. It is known by its input, which may have come in a file.
     fn is_recorded(&self, report: &CaseReport) -> bool {
         if report.judgement.verdict != Verdict::Over {
             return false;
@@ -138,8 +138,8 @@ impl Tally {
         }
     }
 
-    /// Adds what another tally of the same method and settings has gathered. The sum does not depend
-    /// on the order in which tallies are added, bit for bit.
+    /// Adds what another tally of the same method and settings has gathered. The sum does not
+    /// depend on the order in which tallies are added, bit for bit.
     pub fn merge(&mut self, other: Tally) {
         for (name, tally) in other.regions {
             self.region(name).merge(&tally);
@@ -170,7 +170,7 @@ impl Tally {
         self.interrupted = true;
     }
 
-    /// Whether [`Tally::interrupt`] has been called.
+    /// Returns true if [`Tally::interrupt`] has been called.
     pub fn is_interrupted(&self) -> bool {
         self.interrupted
     }

@@ -152,7 +152,8 @@ mod tests {
         assert!(beyond(3.402_823_6e38).is_zero() && !beyond(3.4e38).is_zero());
     }
 
-    /// A ball over the border of the range: an infinity may be right, and may be off by what lies below the border.
+    /// A ball over the border of the range: an infinity may be right, and may be off by what lies
+    /// below the border.
     #[test]
     fn an_infinity_next_to_the_border() {
         let edge = Format::Double.overflow();

@@ -17,7 +17,7 @@ type Solver<'a> = Box<dyn Fn(&[f64]) -> SolverAnswer + Sync + 'a>;
 
 type Admits<'a> = Box<dyn Fn(&[f64]) -> bool + Sync + 'a>;
 
-/// The reason for a budget of one's own.
+/// The reason for a user-supplied budget.
 const AS_ASKED: &str = "as asked for";
 
 /// For each output of a method, whether it is among the names. An output that is repeated in rows
@@ -92,7 +92,7 @@ impl<'a> Variant<'a> {
         self
     }
 
-    /// One more region of the domain; only those asked for, without check points.
+    /// Adds a region of the domain to those selected; check points are left out.
     ///
     /// # Errors
     /// A region that there is not.
@@ -107,8 +107,8 @@ impl<'a> Variant<'a> {
         Ok(self)
     }
 
-    /// Regions of one's own in place of the domain's, without check points, hard cases, laws and what is proved of the
-    /// domain; a hunt stays where `admits` holds.
+    /// Sets user-supplied regions in place of the domain's, without check points, hard cases, laws
+    /// and what is proved of the domain; a hunt stays where `admits` holds.
     #[must_use]
     pub fn placed(
         mut self,
@@ -120,31 +120,33 @@ impl<'a> Variant<'a> {
         self.without_laws()
     }
 
-    /// Without the regions at the ends of the range of floating-point numbers, and without check points and
-    /// hard cases there: see [`Region::is_ordinary`](super::Region::is_ordinary).
+    /// Without the regions at the ends of the range of floating-point numbers, and without check
+    /// points and hard cases there: see [`Region::is_ordinary`](super::Region::is_ordinary).
     #[must_use]
     pub fn ordinary(mut self) -> Variant<'a> {
         self.ordinary = true;
         self
     }
 
-    /// Cases from a box or from about an input, in place of the regions, check points and hard cases.
+    /// Cases from a box or from about an input, in place of the regions, check points and hard
+    /// cases.
     #[must_use]
     pub fn sampling(mut self, sampling: Sampling) -> Variant<'a> {
         self.sampling = sampling;
         self
     }
 
-    /// Code whose numbers are of another format: inputs are numbers of it, ulps are its ulps, answers
-    /// are rounded to it.
+    /// Code whose numbers are of another format: inputs are numbers of it, ulps are its ulps,
+    /// answers are rounded to it.
     #[must_use]
     pub fn format(mut self, format: Format) -> Variant<'a> {
         self.format = Some(format);
         self
     }
 
-    /// A limit of one's own for the norm of all errors: `‖got − ref‖₂ ≤ r ‖ref‖₂`. Besides the outputs'
-    /// limits where there are some of one's own, in their place where there are none.
+    /// Sets a user-supplied limit for the norm of all errors: `‖got − ref‖₂ ≤ r ‖ref‖₂`. It is
+    /// judged in addition to user-supplied limits of outputs, and in place of the outputs' limits
+    /// where there are none.
     ///
     /// # Panics
     /// When `r` is not a finite positive number.
@@ -332,7 +334,7 @@ impl Method for Variant<'_> {
             hard.retain(|h| is_ordinary(&h.input));
         }
         if self.limit.is_some() || self.format.is_some() {
-            // What is recorded is recorded of the method's own budget.
+            // Records refer to the method's own budget.
             hard.iter_mut().for_each(|h| h.share = 0.0);
         }
         hard

@@ -1,4 +1,4 @@
-//! How the work of a plan is dealt to shards.
+//! The distribution of the work of a plan to shards.
 
 use super::plan::{Kind, Part, Plan};
 use crate::audit::Cases;
@@ -16,12 +16,12 @@ pub struct Stride {
 }
 
 impl Stride {
-    /// How many there are.
+    /// The number found.
     pub fn len(self) -> u64 {
         self.end.saturating_sub(self.first).div_ceil(self.step)
     }
 
-    /// Whether there are none.
+    /// Returns true if there are none.
     pub fn is_empty(self) -> bool {
         self.first >= self.end
     }
@@ -41,7 +41,7 @@ pub struct Deal {
 }
 
 impl Deal {
-    /// Among so many shards.
+    /// Deals the work among `shards` shards.
     ///
     /// # Panics
     /// Of a plan that was not checked, or no shards.
@@ -62,7 +62,7 @@ impl Deal {
         }
     }
 
-    /// How many shards there are.
+    /// Returns the number of shards.
     pub fn shards(&self) -> u64 {
         self.shards
     }
@@ -151,7 +151,7 @@ mod tests {
         }
     }
 
-    /// A unit is a case, a rectangle, or a hunt of so many evaluations.
+    /// A unit is a case, a rectangle, or a hunt.
     #[test]
     fn work_is_counted_by_kind() {
         let of = |part: &str| {
@@ -172,7 +172,7 @@ mod tests {
         assert_eq!(of("kind = \"proof\"\nwithin = 0.01"), (n, n));
     }
 
-    /// What is too much to be counted is the most there is.
+    /// A count that is too large is the largest number.
     #[test]
     fn endless_work_does_not_come_round() {
         let deal = Deal {

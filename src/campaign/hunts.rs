@@ -1,4 +1,4 @@
-//! What several hunts found together.
+//! The findings of several hunts together.
 
 use crate::audit::{Case, Hunt, Method, Origin, hex_float};
 use serde::{Deserialize, Serialize};
@@ -96,7 +96,8 @@ impl HuntTally {
         }
     }
 
-    /// Whether nothing is over budget but what is recorded of the method, and no drawn input fails.
+    /// Returns true if nothing is over budget but what is recorded of the method, and no drawn
+    /// input fails.
     pub fn passed(&self, method: &dyn Method) -> bool {
         let all = self.worst(method);
         self.failures == 0 && !all.iter().any(|w| w.share > 1.0 && w.new)
@@ -157,13 +158,13 @@ pub struct WorstOf {
     pub output: &'static str,
     /// The share.
     pub share: f64,
-    /// Whether it is worse than what is recorded of the method.
+    /// True if it is worse than what is recorded of the method.
     pub new: bool,
     /// The seed of the hunt.
     pub seed: u64,
     /// The input.
     pub input: Vec<f64>,
-    /// How it was found.
+    /// The way it was found.
     pub reason: String,
 }
 
@@ -181,5 +182,4 @@ impl WorstOf {
 }
 
 #[cfg(test)]
-#[path = "hunts_tests.rs"]
 mod tests;

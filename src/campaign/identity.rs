@@ -1,5 +1,5 @@
-//! What computes: by what it answers, so that no build with other references, solvers or functions of the
-//! system's library takes part in a campaign unnoticed.
+//! The identity of the code that computes, taken from its answers, so that no build with other
+//! references, solvers or functions of the system's library takes part in a campaign unnoticed.
 
 use super::plan::{Kind, Plan, hex};
 use crate::audit::{Case, Cases, Method, ReferenceAnswer, Settings, SolverAnswer, answer_of};
@@ -12,8 +12,8 @@ use std::collections::BTreeSet;
 const DRAWN: u64 = 2;
 const NAMED: usize = 16;
 
-/// Digests of answers at cases of every method of a plan: check points, hard cases, and two draws of each
-/// region.
+/// Digests of answers at cases of every method of a plan: check points, hard cases, and two draws
+/// of each region.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Identity {

@@ -4,7 +4,6 @@ use crate::audit::{
     Format, Limit, Method, NoSuch, SampleBox, Sampling, SamplingError, Settings, Variant,
 };
 use crate::machine::{Refusal, Source};
-use crate::methods;
 use crate::proof::first_rectangles;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -12,7 +11,7 @@ use sha2::{Digest, Sha256};
 /// Cases of each region whose errors a report shows, whatever they are.
 const POINTS: usize = 16;
 
-/// Why there is no plan.
+/// The reason why there is no plan.
 #[derive(Debug, thiserror::Error)]
 pub enum PlanError {
     /// The file cannot be read as one.
@@ -23,12 +22,12 @@ pub enum PlanError {
     Part {
         /// Its number, counted from one.
         part: usize,
-        /// Why not.
+        /// The reason.
         why: String,
     },
 }
 
-/// What is done in a part.
+/// The kind of work in a part.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Kind {
@@ -61,7 +60,7 @@ pub struct Program {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Part {
-    /// What is done.
+    /// The kind of work.
     pub kind: Kind,
     /// The method.
     pub method: String,
@@ -78,15 +77,15 @@ pub struct Part {
     pub cases: u64,
     /// These outputs only.
     pub outputs: Option<Vec<String>>,
-    /// A limit of one's own, as `ulps`, `relative` or `absolute`.
+    /// A user-supplied limit, as `ulps`, `relative` or `absolute`.
     pub limit: Option<(String, f64)>,
-    /// A limit of one's own for the norm.
+    /// A user-supplied limit for the norm.
     pub normwise: Option<f64>,
     /// In single precision.
     pub single: bool,
     /// The program, of a candidate.
     pub program: Option<Program>,
-    /// How many hunts.
+    /// The number of hunts.
     pub hunts: u64,
     /// Evaluations of each.
     pub evaluations: u64,
@@ -95,7 +94,7 @@ pub struct Part {
     pub within: Option<f64>,
 }
 
-/// What a campaign judges.
+/// The work of a campaign.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
@@ -290,7 +289,7 @@ impl FilePart {
         broken.map_or(Ok(()), |(_, why)| Err(why))
     }
 
-    /// Whether something is said that other kinds choose by.
+    /// Returns true if something is said that other kinds choose by.
     fn chooses(&self) -> bool {
         let limits = [self.ulps, self.relative, self.absolute, self.normwise];
         self.seeds.is_some()
@@ -348,7 +347,7 @@ impl Part {
     /// # Panics
     /// If the plan was not checked and names no method.
     pub fn method(&self) -> Box<dyn Method> {
-        methods::resolve(&self.method).expect("the plan was checked")
+        crate::resolve(&self.method).expect("the plan was checked")
     }
 
     /// The settings of its audit.
@@ -400,7 +399,7 @@ impl Part {
     }
 
     fn check(&self) -> Result<(), String> {
-        let method = methods::resolve(&self.method).map_err(|e| e.to_string())?;
+        let method = crate::resolve(&self.method).map_err(|e| e.to_string())?;
         if self.kind == Kind::Proof {
             if self.method != "faddeeva" {
                 let name = &self.method;
@@ -416,7 +415,7 @@ impl Part {
         self.variant(&*method).map(drop).map_err(|e| e.to_string())
     }
 
-    /// What tells it from other parts of the same method.
+    /// Returns the words that tell it from other parts of the same method.
     pub fn label(&self) -> String {
         let mut label = self.method.clone();
         if !self.regions.is_empty() {
@@ -434,7 +433,7 @@ impl Part {
         label + &format!(", seed {}", self.seed)
     }
 
-    /// The options that a command needs besides the place of a case to judge it again.
+    /// Returns the options that a command needs, after the place of a case, to judge it again.
     pub fn tail(&self) -> String {
         let quoted = |text: &str| format!("'{}'", text.replace('\'', "'\\''"));
         let mut words = Vec::new();
@@ -459,7 +458,7 @@ impl Part {
     }
 }
 
-/// What a method does not have.
+/// A name that a method does not have.
 #[derive(Debug, thiserror::Error)]
 pub enum VariantError {
     /// A region or output.
@@ -471,5 +470,4 @@ pub enum VariantError {
 }
 
 #[cfg(test)]
-#[path = "plan_tests.rs"]
 mod tests;

@@ -1,4 +1,4 @@
-//! What a proof found on its rectangles.
+//! The findings of a proof on its rectangles.
 
 use super::deal::Stride;
 use super::plan::Part;
@@ -31,7 +31,8 @@ fn shown(at: Ends) -> Value {
 /// The largest bound, and the first rectangle where it is attained.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct Attained {
-    /// The complement of the bound's bits, so that the largest comes first; bounds are not negative.
+    /// The complement of the bound's bits, so that the largest comes first; bounds are not
+    /// negative.
     order: u64,
     at: Ends,
 }
@@ -65,7 +66,7 @@ fn finite(x: f64) -> Option<f64> {
     x.is_finite().then_some(x)
 }
 
-/// What is proved by one formula.
+/// The bounds proved by one formula.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct OfFormula {
@@ -77,7 +78,7 @@ pub struct OfFormula {
     pub re: Attained,
     /// Of the imaginary part.
     pub im: Attained,
-    /// Of either part, besides, in units of 2⁻¹⁰⁷⁵, where it may be below 2⁻⁹⁶⁰.
+    /// Of either part, in addition, in units of 2⁻¹⁰⁷⁵, where it may be below 2⁻⁹⁶⁰.
     tiny: Attained,
 }
 
@@ -209,8 +210,8 @@ impl ProofTally {
     }
 }
 
-/// Proves what can be proved on some of the rectangles, on the threads of the pool that this runs in; what is found
-/// after `stop` is set means nothing.
+/// Proves what can be proved on some of the rectangles, on the threads of the pool that this runs
+/// in; what is found after `stop` is set means nothing.
 ///
 /// # Errors
 /// If the reference is undecided about a coefficient of the solver's tables.
@@ -242,7 +243,7 @@ pub fn of(
     }))
 }
 
-/// What is proved on two of the rectangles, bit for bit, so that another prover is told.
+/// The bounds on two of the rectangles, bit for bit, so that another prover is noticed.
 pub fn probe(part: &Part) -> String {
     let all = first_rectangles(part.within);
     let some = [0, all.len() / 3].map(|i| all[i]);
@@ -257,5 +258,4 @@ pub fn probe(part: &Part) -> String {
 }
 
 #[cfg(test)]
-#[path = "proofs_tests.rs"]
 mod tests;

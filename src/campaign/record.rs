@@ -9,7 +9,7 @@ use sha2::{Digest, Sha256};
 /// Grows when the content of a shard changes its meaning.
 pub const SCHEMA: u32 = 1;
 
-/// What the file of a shard belongs to.
+/// The campaign that the file of a shard belongs to.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Header {
     /// The version of the form.
@@ -18,14 +18,14 @@ pub struct Header {
     pub plan: String,
     /// Its number.
     pub shard: u64,
-    /// How many there are.
+    /// The number found.
     pub shards: u64,
-    /// What computed it.
+    /// The program that computed it.
     #[serde(flatten)]
     pub identity: Identity,
     /// SHA-256 of the second line.
     pub content: String,
-    /// What it took, for people: seconds, and on how many threads.
+    /// The time that it took: seconds, and the number of threads.
     pub seconds: f64,
     /// See there.
     pub threads: usize,
@@ -38,13 +38,13 @@ pub struct Record<'a> {
     pub plan: &'a str,
     /// Its number.
     pub shard: u64,
-    /// How many there are.
+    /// The number found.
     pub shards: u64,
-    /// What has to have computed it.
+    /// The program that has to have computed it.
     pub identity: &'a Identity,
 }
 
-/// What was found in the place of a shard.
+/// The findings in the place of a shard.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Found<'a> {
     /// The shard, with its second line.
@@ -57,7 +57,7 @@ pub enum Found<'a> {
     OtherVersion(String),
 }
 
-/// Why a shard's content cannot be read.
+/// The reason why a shard's content cannot be read.
 #[derive(Debug, thiserror::Error)]
 #[error("its content is no shard's: {0}")]
 pub struct RecordError(#[from] serde_json::Error);
@@ -83,7 +83,7 @@ impl<'a> Record<'a> {
         bytes
     }
 
-    /// What the bytes of a file are.
+    /// Returns the state of a shard's file from its bytes.
     pub fn read<'b>(&self, bytes: &'b [u8]) -> Found<'b> {
         /// Read before everything else, which later versions may write otherwise.
         #[derive(Deserialize)]
@@ -130,7 +130,7 @@ impl Content {
     /// Reads the second line of a shard.
     ///
     /// # Errors
-    /// What is no content.
+    /// Bytes that are no content.
     pub fn read(body: &[u8]) -> Result<Content, RecordError> {
         Ok(serde_json::from_slice(body)?)
     }

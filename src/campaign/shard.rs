@@ -20,7 +20,7 @@ pub struct Who {
     pub version: Option<String>,
 }
 
-/// What a shard found in a part.
+/// The findings of a shard in a part.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum PartContent {
@@ -34,7 +34,7 @@ pub enum PartContent {
     Proof(ProofTally),
 }
 
-/// What a shard found, part by part.
+/// The findings of a shard, part by part.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct Content {
@@ -42,18 +42,18 @@ pub struct Content {
     pub parts: Vec<PartContent>,
 }
 
-/// Why a shard cannot be done.
+/// The reason why a shard cannot be done.
 #[derive(Debug, thiserror::Error)]
 #[error("part {part}: {source}")]
 pub struct ShardError {
     /// Its part, counted from one.
     pub part: usize,
-    /// Why not.
+    /// The reason.
     pub source: Box<dyn Error + Send + Sync>,
 }
 
-/// Judges a program at some of the cases on the panel: gives who it was, nothing if it was stopped, or
-/// why not every case has an answer. `progress` is told of cases judged.
+/// Judges a program at some of the cases on the panel: gives who it was, nothing if it was stopped,
+/// or why not every case has an answer. `progress` is told of cases judged.
 pub type Answering<'a> = dyn Fn(
         &Program,
         (Cases, Stride),
@@ -63,8 +63,8 @@ pub type Answering<'a> = dyn Fn(
     + Sync
     + 'a;
 
-/// Does shard `k` on the threads of a pool; nothing once `stop` is set. `progress` is told of cases and
-/// evaluations as they are made.
+/// Does shard `k` on the threads of a pool; nothing once `stop` is set. `progress` is told of cases
+/// and evaluations as they are made.
 ///
 /// # Errors
 /// A program that does not answer, a proof whose tables the reference is undecided about.

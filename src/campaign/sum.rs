@@ -1,23 +1,19 @@
 //! The sum of shards.
 
-use super::deal::Deal;
 use super::hunts::HuntTally;
-use super::identity::Identity;
 use super::plan::{Kind, Plan};
 use super::proofs::ProofTally;
 use super::shard::{Content, PartContent, Who};
 use crate::audit::{CandidateReport, Method, MethodReport, StoredError, Tally};
-use crate::report::json;
-use serde_json::{Value, json};
 
-/// What was found in a part, by the shards added so far.
+/// The findings in a part, by the shards added so far.
 enum Gathered {
     Tally(Box<Tally>, Option<Who>),
     Hunts(HuntTally),
     Proof(ProofTally),
 }
 
-/// What was found in a part of a campaign.
+/// The findings in a part of a campaign.
 pub enum PartSum {
     /// Of an audit or a candidate.
     Report(Box<MethodReport>),
@@ -28,7 +24,7 @@ pub enum PartSum {
 }
 
 impl PartSum {
-    /// Whether all is as expected.
+    /// Returns true if all is as expected.
     pub fn passed(&self) -> bool {
         match self {
             PartSum::Report(report) => report.passed(),
@@ -38,7 +34,7 @@ impl PartSum {
     }
 }
 
-/// Why a shard cannot be added.
+/// The reason why a shard cannot be added.
 #[derive(Debug, thiserror::Error)]
 pub enum SumError {
     /// It holds something else than its plan says.
@@ -94,7 +90,7 @@ impl<'a> Sum<'a> {
     /// Adds a shard.
     ///
     /// # Errors
-    /// What is no shard of the plan; nothing is added then.
+    /// A record that is no shard of the plan; nothing is added then.
     pub fn add(&mut self, content: Content) -> Result<(), SumError> {
         if content.parts.len() != self.plan.parts.len() {
             return Err(SumError::Kind);
@@ -160,12 +156,13 @@ impl<'a> Sum<'a> {
         Tally::restored(&variant, &part.settings(), stored)
     }
 
-    /// How many shards were added.
+    /// Returns the number of shards added.
     pub fn shards(&self) -> u64 {
         self.shards
     }
 
-    /// What was found, part by part; as of a run that was interrupted if it is not `complete`.
+    /// Returns the findings, part by part; as of a run that was interrupted if it is not
+    /// `complete`.
     pub fn finish(self, complete: bool) -> Vec<PartSum> {
         let parts = self.plan.parts.iter().zip(self.methods).zip(self.gathered);
         let finished = parts.map(|((part, method), gathered)| match gathered {
@@ -198,32 +195,5 @@ impl<'a> Sum<'a> {
     }
 }
 
-/// The sum as JSON: the same bytes however the campaign was cut, run and added up.
-pub fn document(plan: &Plan, identity: &Identity, parts: &[PartSum]) -> Value {
-    let shown = parts.iter().zip(&plan.parts).map(|(sum, part)| {
-        let found = match sum {
-            PartSum::Report(report) => json::method(report),
-            PartSum::Hunts(hunts, method) => hunts.json(&**method),
-            PartSum::Proof(found) => found.json(),
-        };
-        json!({ "kind": part.kind, "label": part.label(), "found": found })
-    });
-    json!({
-        "schema_version": json::SCHEMA_VERSION,
-        "mechaudit_version": identity.program,
-        "name": plan.name,
-        "passed": parts.iter().all(PartSum::passed),
-        "digests": {
-            "plan": plan.digest(),
-            "references": identity.references,
-            "solvers": identity.solvers,
-        },
-        "work": Deal::new(plan, 1).work(),
-        "plan": plan.parts,
-        "parts": shown.collect::<Vec<Value>>(),
-    })
-}
-
 #[cfg(test)]
-#[path = "sum_tests.rs"]
 mod tests;

@@ -5,7 +5,7 @@ use crate::audit::{Comparison, Contender, Method, SolverAnswer, compare as compa
 use crate::methods::{Candidate, Typed};
 use std::marker::PhantomData;
 
-/// What code is called, and its version.
+/// The name of a piece of code, and its version.
 type Name = (String, Option<String>);
 type Solver<'a> = Box<dyn Fn(&[f64]) -> SolverAnswer + Sync + 'a>;
 

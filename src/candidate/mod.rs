@@ -1,4 +1,4 @@
-//! Code of one's own in place of a method's solver: its audit in anybody's `cargo test`.
+//! User code in place of a method's solver: its audit in any `cargo test`.
 //!
 //! [`audit`] takes a function with the signature of a method ([`methods`] has one type for each),
 //! [`audit_by_name`] a function from `&[f64]` to values for any method at all.
@@ -33,14 +33,19 @@ use crate::audit::{
     CandidateReport, Case, Cases, Format, Limit, Near, NoSuch, SampleBox, Sampling, SamplingError,
     Settings, SolverAnswer, Variant, audit_method, audit_one,
 };
-use crate::methods::{self, Evaluable, MethodError};
+use crate::methods::{self, Evaluable};
+use crate::resolve::{MethodError, resolve};
 
-/// Why an audit cannot be run.
+/// The reason why an audit cannot be run.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum AuditError {
     /// There is no method of that name.
     #[error(transparent)]
     Method(#[from] MethodError),
+    /// A study that cannot be read.
+    #[cfg(feature = "studies")]
+    #[error(transparent)]
+    Study(#[from] crate::study::StudyError),
     /// No region, check point or output of that name.
     #[error(transparent)]
     NoSuch(#[from] NoSuch),
@@ -78,8 +83,8 @@ pub fn audit<'a, M: Typed>(candidate: impl Candidate<M> + 'a) -> Audit<'a> {
     Audit::new(registered::<M>(), move |x| candidate.answer(x))
 }
 
-/// Audits a function from the method's inputs to its outputs, both laid out as `mechaudit list`
-/// says.
+/// Audits a function from the method's inputs to its outputs, both laid out as
+/// `mechaudit describe` says.
 ///
 /// # Errors
 /// A name that is not in the registry.
@@ -87,7 +92,7 @@ pub fn audit_by_name<'a, R: IntoAnswer>(
     name: &str,
     candidate: impl Fn(&[f64]) -> R + Sync + 'a,
 ) -> Result<Audit<'a>, AuditError> {
-    let method = methods::resolve(name)?;
+    let method = resolve(name)?;
     Ok(Audit::new(method, move |x| candidate(x).into_answer()))
 }
 
@@ -120,7 +125,7 @@ pub struct Audit<'a> {
 }
 
 impl<'a> Audit<'a> {
-    fn new(
+    pub(crate) fn new(
         method: Box<dyn Evaluable>,
         candidate: impl Fn(&[f64]) -> SolverAnswer + Sync + 'a,
     ) -> Audit<'a> {
@@ -175,21 +180,22 @@ impl<'a> Audit<'a> {
         self
     }
 
-    /// Cases about this one, as far as `radius` relative to each number: numbers separated by commas, a
-    /// check point, `REGION/INDEX` or `hard/NUMBER`; see [`Near`].
+    /// Cases about this one, as far as `radius` relative to each number: numbers separated by
+    /// commas, a check point, `REGION/INDEX` or `hard/NUMBER`; see [`Near`].
     pub fn near(mut self, case: &str, radius: f64) -> Audit<'a> {
         self.near = Some((case.into(), radius));
         self
     }
 
-    /// Without regions, check points and hard cases at the ends of the range of floating-point numbers.
+    /// Without regions, check points and hard cases at the ends of the range of floating-point
+    /// numbers.
     pub fn ordinary(mut self) -> Audit<'a> {
         self.ordinary = true;
         self
     }
 
-    /// The code computes in single precision: inputs are numbers that `f32` holds, ulps are those of
-    /// `f32`, answers are rounded to it.
+    /// The code computes in single precision: inputs are numbers that `f32` holds, ulps are those
+    /// of `f32`, answers are rounded to it.
     ///
     /// ```
     /// use mechaudit::Complex64;
@@ -209,7 +215,7 @@ impl<'a> Audit<'a> {
         self
     }
 
-    /// What the code is called in reports.
+    /// Sets the name of the code in reports.
     pub fn named(mut self, name: &str, version: Option<&str>) -> Audit<'a> {
         self.name = (name.into(), version.map(Into::into));
         self
@@ -245,13 +251,13 @@ impl<'a> Audit<'a> {
         self
     }
 
-    /// A limit of one's own for every output in place of the method's.
+    /// Sets a user-supplied limit for every output in place of the method's.
     pub fn limit(mut self, limit: Limit) -> Audit<'a> {
         self.limit = Some(limit);
         self
     }
 
-    /// Allows a norm of all errors of `r` times the norm of the values; alone, or besides
+    /// Allows a norm of all errors of `r` times the norm of the values; alone, or together with
     /// [`Audit::limit`].
     pub fn normwise(mut self, r: f64) -> Audit<'a> {
         self.norm = Some(r);

@@ -1,4 +1,4 @@
-//! What an audit of somebody's code found, in words that can be acted on.
+//! The findings of an audit of a user's code, in words that can be acted on.
 
 use crate::audit::{
     Budget, CaseReport, ComponentJudgement, Kinds, Layout, Method, MethodReport, Origin, Proof,
@@ -10,7 +10,7 @@ use std::ops::Deref;
 /// Failing cases written out in full.
 const SHOWN: usize = 5;
 
-/// What was found; written out, the statistics and the first failing cases with everything that is
+/// The findings; written out, the statistics and the first failing cases with everything that is
 /// known of them.
 #[derive(Clone, Debug)]
 pub struct Report {
@@ -161,7 +161,7 @@ fn short(x: f64) -> String {
 /// Answers of each wrong kind, after a semicolon; nothing if there are none.
 fn wrong(kinds: &Kinds) -> String {
     let each: Vec<String> = kinds
-        .some()
+        .nonzero()
         .map(|(kind, n)| format!("{n} {}", kind.name()))
         .collect();
     match each.is_empty() {
@@ -181,8 +181,8 @@ fn figures(s: &Spread) -> String {
 }
 
 impl Report {
-    /// The head, the statistics and the budgets: what is the same from run to run and from machine to
-    /// machine.
+    /// The head, the statistics and the budgets: what is the same from run to run and from machine
+    /// to machine.
     fn statistics(&self, f: &mut dyn fmt::Write) -> fmt::Result {
         let r = &self.found;
         let word = if r.passed() { "pass" } else { "FAIL" };
@@ -243,8 +243,8 @@ impl Report {
         Ok(())
     }
 
-    /// The report as text that stays the same as long as the code, the seed and this crate's version
-    /// do: no times, no paths, no colours. For snapshots:
+    /// The report as text that stays the same as long as the code, the seed and this crate's
+    /// version do: no times, no paths, no colours. For snapshots:
     ///
     /// ```
     /// let report = mechaudit::audit_by_name("erfc", |x| {
@@ -297,5 +297,4 @@ impl Display for Report {
 }
 
 #[cfg(test)]
-#[path = "report_tests.rs"]
 mod tests;

@@ -218,7 +218,7 @@ fn a_box_and_a_neighbourhood_are_where_cases_are_drawn() {
     }
 }
 
-/// What is set up is what the code is asked, in the precision that it has.
+/// The code gets the cases that are set up, in its precision.
 #[test]
 fn a_choice_is_what_is_judged() {
     let asked = Mutex::new(Vec::new());

@@ -38,6 +38,14 @@ impl Outcome {
         Outcome::of(undecided == 0)
     }
 
+    /// Turns what is as expected into a finding.
+    pub fn or_finding(self) -> Outcome {
+        match self {
+            Outcome::AsExpected => Outcome::Finding,
+            other => other,
+        }
+    }
+
     pub fn unless_interrupted(interrupted: bool, good: bool) -> Outcome {
         match interrupted {
             true => Outcome::Interrupted,
@@ -108,7 +116,7 @@ impl Failure {
         }
     }
 
-    /// What cannot be done to a file or folder: "read", "write".
+    /// Creates the failure to "read" or "write" a file or folder.
     pub fn cannot(act: &str, path: &Path, e: impl Into<Box<dyn Error + Send + Sync>>) -> Failure {
         Failure::caused(e).about(format!("cannot {act} {}", path.display()))
     }
@@ -248,7 +256,7 @@ mod tests {
         }
     }
 
-    /// What nobody reads is no failure, other errors of files are said.
+    /// A closed pipe is no failure; other errors of files are printed.
     #[test]
     fn a_closed_pipe_is_quiet() {
         use std::io::{Error as Io, ErrorKind};

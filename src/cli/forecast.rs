@@ -105,7 +105,8 @@ pub fn check_points(cases: &Cases, decimal: bool) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Returns the seconds and bytes of all lines, estimated from some that are tried for `trial` at most.
+/// Returns the seconds and bytes of all lines, estimated from some that are tried for `trial` at
+/// most.
 fn of_lines(cases: &Cases, decimal: bool, trial: Duration) -> [f64; 2] {
     let (start, mut bytes) = (Instant::now(), 0);
     let tried = sample(cases, trial, |i| {
@@ -208,7 +209,7 @@ mod tests {
         }
     }
 
-    /// How many there are is said, of all methods together.
+    /// The message counts the cases of all methods together.
     #[test]
     fn what_is_refused_is_counted() {
         let methods = ["slider-crank", "erf"].map(|m| methods::find(m).expect("in the registry"));

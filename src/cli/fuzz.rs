@@ -145,7 +145,7 @@ const FILES: [(&str, &str); 12] = [
     ("toml", include_str!("../../examples/chirp-run-up.toml")),
 ];
 
-/// What is done to a file.
+/// The change made to a file.
 #[derive(Clone, Debug)]
 enum Change {
     /// A number becomes another.

@@ -2,10 +2,11 @@
 
 use crate::cli::failure::Failure;
 use mechaudit::methods::{self, Evaluable};
+use mechaudit::study::{Study, StudyError};
 
 /// Returns the method that an argument names.
 pub fn method(text: &str) -> Result<Box<dyn Evaluable>, Failure> {
-    methods::resolve(text).map_err(Failure::caused)
+    mechaudit::resolve(text).map_err(Failure::caused)
 }
 
 /// Returns the method that an argument names, or all methods without one.
@@ -13,5 +14,52 @@ pub fn methods(text: Option<&str>) -> Result<Vec<Box<dyn Evaluable>>, Failure> {
     match text {
         Some(text) => Ok(vec![method(text)?]),
         None => Ok(methods::registry()),
+    }
+}
+
+/// The methods that arguments name, and what could not be read beside others.
+#[derive(Default)]
+pub struct Named {
+    /// The methods.
+    pub methods: Vec<Box<dyn Evaluable>>,
+    /// Cores that were refused, each with its reason.
+    pub refused: Vec<StudyError>,
+}
+
+/// Returns the methods that arguments name: all methods without one, all cores of a file in FPCore. A
+/// core that cannot be read is refused by itself if there are others.
+pub fn named(texts: &[String]) -> Result<Named, Failure> {
+    let mut named = Named::default();
+    if texts.is_empty() {
+        named.methods = methods::registry();
+        return Ok(named);
+    }
+    for text in texts {
+        if !text.ends_with(".fpcore") {
+            named.methods.push(method(text)?);
+            continue;
+        }
+        for study in Study::open_all(text).map_err(Failure::caused)? {
+            match study {
+                Ok(study) => named.methods.push(Box::new(study)),
+                Err(e) => named.refused.push(e),
+            }
+        }
+    }
+    match (named.methods.is_empty(), named.refused.is_empty()) {
+        (true, false) => Err(Failure::caused(named.refused.remove(0))),
+        (true, true) => Err(Failure::new("the files hold no core")),
+        (false, _) => Ok(named),
+    }
+}
+
+/// Refuses a method without a solver of its own, where that is to be judged.
+pub fn has_solver(method: &dyn Evaluable) -> Result<(), Failure> {
+    match method.has_solver() {
+        true => Ok(()),
+        false => Err(Failure::new(format!(
+            "{} states no solver: give a program by --exec, or add [solver.NAME] to the file",
+            method.name()
+        ))),
     }
 }

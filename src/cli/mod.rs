@@ -19,7 +19,7 @@ use args::{Args, Command};
 use clap::{CommandFactory, FromArgMatches};
 use commands::{
     atlas, audit, campaign, chirp, compare, converge, describe, eval, hunt, identity, judge,
-    linkage, list, paper, points, prove, regenerate, runup, shell,
+    linkage, paper, points, prove, regenerate, runup, shell,
 };
 use failure::{Failure, Outcome};
 use mechaudit::message;
@@ -68,7 +68,7 @@ fn run(args: Args) -> Result<Outcome, Failure> {
         Some(Command::Regenerate(a)) => regenerate::regenerate(&a),
         Some(Command::Completions(a)) => shell::completions(&a),
         Some(Command::Man(a)) => shell::man(&a),
-        Some(Command::List(a)) => list::list(&a),
+        Some(Command::List(a)) => describe::list(&a),
         Some(Command::Prove(a)) => prove::prove(&a),
         Some(Command::Paper(a)) => paper::paper(&a),
         Some(Command::Linkage(a)) => linkage::linkage(&a),
@@ -78,7 +78,7 @@ fn run(args: Args) -> Result<Outcome, Failure> {
     }
 }
 
-/// What a command comes to, without the program around it.
+/// Runs a command without the program around it.
 #[cfg(test)]
 fn ran(words: &[&str]) -> Result<Outcome, Failure> {
     let words = [&["mechaudit"], words].concat();
@@ -109,7 +109,7 @@ fn grammar() -> clap::Command {
     negative_numbers(Args::command())
 }
 
-/// Help and version as asked for; a usage error as one line.
+/// Prints help or version, or a usage error as one line.
 fn usage(e: &clap::Error) -> ExitCode {
     if !e.use_stderr() {
         let _ = e.print();
@@ -126,7 +126,7 @@ fn usage(e: &clap::Error) -> ExitCode {
     ExitCode::from(2)
 }
 
-/// What is wrong, without the grammar's preface and its usage.
+/// Returns a message without the grammar's preface and its usage.
 fn in_one_line(text: &str) -> String {
     let text = text.strip_prefix("error: ").unwrap_or(text);
     let end = text.find("\n\nUsage").or_else(|| text.find("\n\nFor more"));

@@ -30,7 +30,7 @@ impl Progress {
 
     /// Shows that `done` of `total` are done.
     pub fn show(&self, phase: &str, done: u64, total: u64) {
-        if self.start.elapsed() < Duration::from_secs(1) || interrupt::asked() {
+        if self.start.elapsed() < Duration::from_secs(1) || interrupt::is_requested() {
             return;
         }
         let Ok(mut slot) = self.bar.lock() else {
@@ -113,7 +113,7 @@ mod tests {
         slow
     }
 
-    /// What the bar says: message, position, length.
+    /// Returns the message, position and length of the bar.
     fn bar(progress: &Progress) -> Option<(String, u64, Option<u64>)> {
         let slot = progress.bar.lock().unwrap();
         let bar = slot.as_ref()?;
@@ -157,7 +157,8 @@ mod tests {
         assert_eq!(position(&progress), Some(1));
     }
 
-    /// Nothing more is shown once it is over; the time between two that are shown is that of the last.
+    /// Nothing more is shown once it is over; the time between two that are shown is that of the
+    /// last.
     #[test]
     fn a_pause_is_as_long_as_it_says() {
         let position = |p: &Progress| bar(p).map(|b| b.1);

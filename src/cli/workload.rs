@@ -234,7 +234,8 @@ pub fn given(method: &'static str, input: Vec<f64>) -> Case {
     }
 }
 
-/// Returns the options that a command needs, after the place of a case, to judge it again in the same way.
+/// Returns the options that a command needs, after the place of a case, to judge it again in the
+/// same way.
 pub fn reproduce_command(candidate: Option<&Candidate>, selection: Selection) -> String {
     let Selection { place, scope, .. } = selection;
     let mut words: Vec<String> = Vec::new();

@@ -19,6 +19,8 @@ pub struct CertifiedValue {
     pub value: Scaled,
     /// The decimals; `None` where the value could not be told from zero, or not well enough.
     pub decimal: Option<String>,
+    /// The reason why there is no number, where the method says it.
+    pub why: Option<String>,
 }
 
 /// The values of a method at exact numbers, each with `digits` significant decimal digits where
@@ -47,6 +49,9 @@ pub fn certified_digits(
     digits: u32,
     is_wanted: impl Fn(usize) -> bool,
 ) -> Result<Vec<CertifiedValue>, Uncertified> {
+    if let Some(found) = method.digits(numbers, digits) {
+        return Ok(found);
+    }
     let mut found: Result<Vec<CertifiedValue>, Uncertified> =
         Err(Uncertified::Undecided("no precision was tried".into()));
     for bits in precisions(digits) {
@@ -64,6 +69,7 @@ pub fn certified_digits(
         let decimals = values.into_iter().map(|value| CertifiedValue {
             decimal: value.to_decimal(digits as usize),
             value,
+            why: None,
         });
         let all: Vec<CertifiedValue> = decimals.collect();
         let is_open = |(i, v): (usize, &CertifiedValue)| v.decimal.is_none() && is_wanted(i);

@@ -35,7 +35,7 @@ pub(super) fn output(name: &'static str, unit: &'static str, budget: Budget) -> 
     Output { name, unit, budget }
 }
 
-/// An output that may be wrong by so many u times one and its condition.
+/// Creates an output with the budget k·u·(1 + condition).
 pub(super) fn conditioned(
     name: &'static str,
     unit: &'static str,

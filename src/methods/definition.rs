@@ -1,5 +1,6 @@
 //! The definition of a method in its file, and the [`Method`] that the registry makes of it.
 
+use super::certified::CertifiedValue;
 use super::inputs::{Field, Fields, Number};
 use crate::audit::{
     BranchAt, Domain, HardCase, Input, Law, Layout, Method, NormBudget, Output, ProvedBound,
@@ -155,10 +156,14 @@ pub trait Definition: Registered + Sized {
 
 /// A method that can be evaluated at any input.
 pub trait Evaluable: Method {
-    /// Returns the signature in Rust of a candidate, but for its result.
-    fn signature(&self) -> &'static str;
+    /// Returns the signature in Rust of a candidate, but for its result, where there is one.
+    fn signature(&self) -> Option<&'static str> {
+        None
+    }
     /// Returns the field of each part of the input in the type that declares it.
-    fn fields(&self) -> Vec<String>;
+    fn fields(&self) -> Vec<String> {
+        Vec::new()
+    }
     /// Values whose relative radius shrinks with `2^-bits`.
     ///
     /// # Errors
@@ -169,6 +174,29 @@ pub trait Evaluable: Method {
     fn refusal(&self, numbers: &[f64]) -> Option<String>;
     /// The place and the rule behind a refusal, in words, where its name leaves them open.
     fn explanation(&self, numbers: &[f64]) -> Option<String>;
+    /// Certified decimals of all values, where the method knows more of single values than
+    /// [`Evaluable::certify`] does: that one is undefined, or undecided beside others.
+    fn digits(&self, _numbers: &[Rational], _digits: u32) -> Option<Vec<CertifiedValue>> {
+        None
+    }
+    /// Returns true if the method has a solver to be audited.
+    fn has_solver(&self) -> bool {
+        true
+    }
+    /// Audits another of the method's own solvers.
+    ///
+    /// # Errors
+    /// A name that is not the name of a solver.
+    fn select_solver(&mut self, name: &str) -> Result<(), String> {
+        Err(format!(
+            "{} has one solver, and none of the name {name:?}",
+            self.name()
+        ))
+    }
+    /// Remarks that a report shows with the method.
+    fn remarks(&self) -> &[String] {
+        &[]
+    }
 }
 
 /// The method that a definition makes.
@@ -261,8 +289,8 @@ impl<D: Definition> Method for Entry<D> {
 }
 
 impl<D: Definition> Evaluable for Entry<D> {
-    fn signature(&self) -> &'static str {
-        D::SIGNATURE
+    fn signature(&self) -> Option<&'static str> {
+        Some(D::SIGNATURE)
     }
     fn fields(&self) -> Vec<String> {
         D::fields().into_iter().map(|f| f.path).collect()

@@ -20,8 +20,6 @@ mod special;
 mod splines;
 mod typed;
 
-use crate::audit::did_you_mean;
-
 #[cfg(feature = "splines")]
 pub use approximations::{approximations, find_approximation};
 #[cfg(feature = "cams")]
@@ -59,17 +57,15 @@ pub fn registry() -> Vec<Box<dyn Evaluable>> {
 
 /// Returns the signature in Rust of a candidate for the method of that name, but for its result.
 pub fn signature(name: &str) -> Option<&'static str> {
-    Some(find(name)?.signature())
+    find(name)?.signature()
 }
 
 /// Returns, for each part of the input of the method of that name, the field that holds it in the
 /// type which a candidate in Rust takes; nothing where a candidate takes no such type.
 pub fn fields(name: &str) -> Option<Vec<String>> {
     let method = find(name)?;
-    method
-        .signature()
-        .contains("Input<")
-        .then(|| method.fields())
+    let takes_fields = method.signature()?.contains("Input<");
+    takes_fields.then(|| method.fields())
 }
 
 /// Returns the method of that name.
@@ -102,40 +98,6 @@ pub fn fields(name: &str) -> Option<Vec<String>> {
 /// ```
 pub fn find(name: &str) -> Option<Box<dyn Evaluable>> {
     registry().into_iter().find(|m| m.name() == name)
-}
-
-/// Returns the method that a text names. The command line, the plans of campaigns and candidates
-/// all resolve their METHOD here.
-///
-/// # Errors
-/// A text that names no method.
-///
-/// ```
-/// use mechaudit::methods::resolve;
-///
-/// assert_eq!(resolve("erf")?.name(), "erf");
-/// let why = resolve("errf").err().unwrap().to_string();
-/// assert!(why.starts_with("there is no method \"errf\" (did you mean \"erf\"?)"));
-/// # Ok::<(), mechaudit::methods::MethodError>(())
-/// ```
-pub fn resolve(text: &str) -> Result<Box<dyn Evaluable>, MethodError> {
-    find(text).ok_or_else(|| MethodError::Unknown {
-        name: text.into(),
-        known: registry().iter().map(|m| m.name()).collect(),
-    })
-}
-
-/// The reason why a text names no method.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum MethodError {
-    /// No method has that name.
-    #[error("there is no method {name:?}{}; there are: {}", did_you_mean(.name, .known), .known.join(", "))]
-    Unknown {
-        /// The name.
-        name: String,
-        /// The names of all methods.
-        known: Vec<&'static str>,
-    },
 }
 
 #[cfg(test)]

@@ -28,40 +28,46 @@ pub type PaperAudit = fn(Progress) -> Result<PaperReport, Undecided>;
 /// A paper that is known.
 struct Paper {
     key: &'static str,
+    citation: fn() -> Citation,
+    items: fn() -> Vec<ledger::Item>,
     audit: PaperAudit,
-    ledger: fn() -> ledger::Ledger,
     motion: Option<fn() -> Motion>,
 }
 
 const PAPERS: &[Paper] = &[
     Paper {
         key: zinchenko::KEY,
+        citation: zinchenko::citation,
+        items: zinchenko::items,
         audit: zinchenko::report,
-        ledger: zinchenko::ledger,
         motion: Some(zinchenko::motion),
     },
     Paper {
         key: gembara_senyk::KEY,
+        citation: gembara_senyk::citation,
+        items: gembara_senyk::items,
         audit: gembara_senyk::report,
-        ledger: gembara_senyk::ledger,
         motion: None,
     },
     Paper {
         key: andrews::KEY,
+        citation: andrews::citation,
+        items: andrews::items,
         audit: andrews::report,
-        ledger: andrews::ledger,
         motion: None,
     },
     Paper {
         key: n_four_bar::KEY,
+        citation: n_four_bar::citation,
+        items: n_four_bar::items,
         audit: n_four_bar::report,
-        ledger: n_four_bar::ledger,
         motion: None,
     },
     Paper {
         key: pmksweb::KEY,
+        citation: pmksweb::citation,
+        items: pmksweb::items,
         audit: pmksweb::report,
-        ledger: pmksweb::ledger,
         motion: None,
     },
 ];
@@ -77,7 +83,7 @@ pub fn find(key: &str) -> Option<PaperAudit> {
 
 /// The ledger of the paper of that key, decided now.
 pub fn ledger_of(key: &str) -> Option<ledger::Ledger> {
-    paper(key).map(|p| (p.ledger)())
+    paper(key).map(|p| ledger::Ledger::of((p.citation)(), &(p.items)()))
 }
 
 /// The motion of the mechanism of the paper of that key, where it has one.

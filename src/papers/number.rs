@@ -157,6 +157,20 @@ pub(super) fn tally<'a>(
     tally
 }
 
+/// The records of a published table; lines that begin with `#` are comments.
+///
+/// # Panics
+/// If the text is no table.
+pub(super) fn records(text: &str) -> Vec<csv::StringRecord> {
+    let mut reader = csv::ReaderBuilder::new()
+        .comment(Some(b'#'))
+        .from_reader(text.as_bytes());
+    let rows = reader
+        .records()
+        .map(|r| r.expect("a row of a published table"));
+    rows.collect()
+}
+
 /// A printed number: its row, its name, what stands there, and the certified value.
 pub(super) type Row<'a> = (u32, &'static str, &'a Number, &'a Ball);
 

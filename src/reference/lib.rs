@@ -8,7 +8,8 @@
 //! | arithmetic | [`Ball`], [`ComplexBall`], [`Mag`], [`Decimal`], [`HexFloat`], Taylor models |
 //! | elementary | [`elementary`]: functions of balls |
 //! | special | [`faddeeva`], [`hartmann_tran`] |
-//! | linear | [`tridiagonal`], [`BallLu`] |
+//! | linear | [`dense`], [`banded`], [`tridiagonal`], [`eigenvalues`], [`BallLu`] |
+//! | roots | [`roots::interval`], [`roots::systems`] |
 //! | splines | [`cubic_spline`] |
 //! | linkages | [`class_iii`], [`dyad`], [`planar`] |
 //! | drive | [`run_up`], [`pendulum`] |

@@ -142,7 +142,11 @@ fn line(
     fields.push(report.interrupted.to_string());
     fields.push(report.settings.seed.to_string());
     fields.push(report.settings.cases_per_region.to_string());
-    fields.push(worst.1.map_or(String::new(), |case| report.again(case)));
+    fields.push(
+        worst
+            .1
+            .map_or(String::new(), |case| report.reproduce_command(case)),
+    );
     fields.extend(Kind::ALL.map(|k| kinds[k].to_string()));
     fields
 }

@@ -6,13 +6,12 @@
 
 use crate::machine::quantity;
 use crate::motion::{Motion, Point};
-use dxf::entities::{Circle, Entity, EntityType, Line, LwPolyline, Text};
-use dxf::enums::{AcadVersion, Units};
-use dxf::tables::Layer;
-use dxf::{Color, Drawing, LwPolylineVertex, Point as Place};
+use file::Writer;
 use rug::Rational;
 
-/// Decimals that the format's writer gives a coordinate.
+mod file;
+
+/// Decimals of a coordinate.
 const DECIMALS: i32 = 12;
 /// Significant digits of the drawing's size below which it is refused.
 const DIGITS: i32 = 6;
@@ -54,9 +53,6 @@ pub enum NotDxf {
         /// Its name.
         point: String,
     },
-    /// The message of the writer.
-    #[error("{0}")]
-    Writing(String),
 }
 
 /// A unit of length that the file is in.
@@ -65,7 +61,8 @@ pub struct Unit {
     name: String,
     /// In metres.
     metres: f64,
-    units: Units,
+    /// The format's number of the unit.
+    number: u32,
 }
 
 impl Unit {
@@ -77,29 +74,28 @@ impl Unit {
         let refused = || NotDxf::Unit { unit: name.into() };
         let unit = quantity::unit(name).map_err(|_| refused())?;
         let known = [
-            (Units::Meters, (1, 1)),
-            (Units::Decimeters, (1, 10)),
-            (Units::Centimeters, (1, 100)),
-            (Units::Millimeters, (1, 1000)),
-            (Units::Microns, (1, 1_000_000)),
-            (Units::Inches, (254, 10_000)),
-            (Units::Feet, (3048, 10_000)),
+            (6, (1, 1)),
+            (14, (1, 10)),
+            (5, (1, 100)),
+            (4, (1, 1000)),
+            (13, (1, 1_000_000)),
+            (1, (254, 10_000)),
+            (2, (3048, 10_000)),
         ];
         let length = quantity::unit("m").map_err(|_| refused())?.dimension;
-        let same = |k: &&(Units, (u32, u32))| {
-            unit.dimension == length && unit.scale == Rational::from(k.1)
-        };
-        let (units, (over, under)) = *known.iter().find(same).ok_or_else(refused)?;
+        let same =
+            |k: &&(u32, (u32, u32))| unit.dimension == length && unit.scale == Rational::from(k.1);
+        let (number, (over, under)) = *known.iter().find(same).ok_or_else(refused)?;
         Ok(Unit {
             name: name.into(),
             metres: f64::from(over) / f64::from(under),
-            units,
+            number,
         })
     }
 }
 
 struct Sheet<'a> {
-    drawing: Drawing,
+    entities: Writer,
     motion: &'a Motion,
     metres: f64,
     size: f64,
@@ -125,54 +121,30 @@ pub fn draw(motion: &Motion, unit: &Unit) -> Result<Vec<u8>, NotDxf> {
         let unit = unit.name.clone();
         return Err(NotDxf::Size { size, unit });
     }
-    let mut drawing = Drawing::new();
-    let header = &mut drawing.header;
-    header.version = AcadVersion::R2007;
-    header.default_drawing_units = unit.units;
-    // The same file whenever it is written.
-    (header.creation_date, header.creation_date_universal) = Default::default();
-    (header.update_date, header.update_date_universal) = Default::default();
-    (header.fingerprint_guid, header.version_guid) = Default::default();
+    let layers = layers(motion);
     let mut sheet = Sheet {
-        drawing,
+        entities: Writer::beyond(layers.len()),
         motion,
         metres: unit.metres,
         size,
     };
-    sheet.layers();
     sheet.parts();
     sheet.points();
-    let mut bytes = Vec::new();
-    let written = sheet.drawing.save(&mut bytes);
-    written.map_err(|e| NotDxf::Writing(e.to_string()))?;
-    Ok(bytes)
+    Ok(file::whole(unit.number, &layers, &sheet.entities))
+}
+
+/// The layers with their colours.
+fn layers(motion: &Motion) -> Vec<(String, u8)> {
+    let traced = motion.points.iter().filter(|p| p.is_traced());
+    let paths = traced.zip(PATHS.iter().cycle());
+    let paths = paths.map(|(p, colour)| (path_layer(p), *colour));
+    let fixed = COLOURS.map(|(name, colour)| (name.to_string(), colour));
+    fixed.into_iter().chain(paths).collect()
 }
 
 impl Sheet<'_> {
-    fn layers(&mut self) {
-        let traced = self.motion.points.iter().filter(|p| p.is_traced());
-        let paths = traced
-            .zip(PATHS.iter().cycle())
-            .map(|(p, c)| (path_layer(p), *c));
-        let fixed = COLOURS.map(|(name, colour)| (name.to_string(), colour));
-        for (name, colour) in fixed.into_iter().chain(paths) {
-            let color = Color::from_index(colour);
-            self.drawing.add_layer(Layer {
-                name,
-                color,
-                ..Default::default()
-            });
-        }
-    }
-
-    fn add(&mut self, layer: &str, part: EntityType) {
-        let mut entity = Entity::new(part);
-        entity.common.layer = layer.into();
-        self.drawing.add_entity(entity);
-    }
-
-    fn place(&self, [x, y]: [f64; 2]) -> Place {
-        Place::new(x / self.metres, y / self.metres, 0.0)
+    fn place(&self, at: [f64; 2]) -> [f64; 2] {
+        at.map(|x| x / self.metres)
     }
 
     /// At the position that is shown.
@@ -182,29 +154,34 @@ impl Sheet<'_> {
 
     fn line(&mut self, layer: &str, ends: [usize; 2]) {
         let [a, b] = ends.map(|p| self.place(self.shown(p)));
-        self.add(layer, EntityType::Line(Line::new(a, b)));
+        self.entities.entity("LINE", layer, "AcDbLine");
+        self.entities.point(0, a);
+        self.entities.point(1, b);
     }
 
     fn polyline(&mut self, layer: &str, places: &[[f64; 2]], closed: bool) {
-        let vertex = |p: &[f64; 2]| {
-            let Place { x, y, .. } = self.place(*p);
-            LwPolylineVertex {
-                x,
-                y,
-                ..Default::default()
-            }
-        };
-        let mut line = LwPolyline {
-            vertices: places.iter().map(vertex).collect(),
-            ..Default::default()
-        };
-        line.set_is_closed(closed);
-        self.add(layer, EntityType::LwPolyline(line));
+        self.entities.entity("LWPOLYLINE", layer, "AcDbPolyline");
+        self.entities.pair(90, places.len());
+        self.entities.pair(70, u32::from(closed));
+        for p in places {
+            let [x, y] = self.place(*p);
+            self.entities.number(10, x);
+            self.entities.number(20, y);
+        }
     }
 
     fn circle(&mut self, layer: &str, at: [f64; 2], radius: f64) {
-        let circle = Circle::new(self.place(at), radius);
-        self.add(layer, EntityType::Circle(circle));
+        self.entities.entity("CIRCLE", layer, "AcDbCircle");
+        self.entities.point(0, self.place(at));
+        self.entities.number(40, radius);
+    }
+
+    fn name(&mut self, text: &str, at: [f64; 2], height: f64) {
+        self.entities.entity("TEXT", "NAMES", "AcDbText");
+        self.entities.point(0, at);
+        self.entities.number(40, height);
+        self.entities.pair(1, text);
+        self.entities.pair(100, "AcDbText");
     }
 
     fn parts(&mut self) {
@@ -216,11 +193,8 @@ impl Sheet<'_> {
             self.polyline("LINKS", &corners, true);
         }
         for wheel in &motion.wheels {
-            self.circle(
-                "LINKS",
-                self.shown(wheel.centre),
-                wheel.radius / self.metres,
-            );
+            let radius = wheel.radius / self.metres;
+            self.circle("LINKS", self.shown(wheel.centre), radius);
         }
     }
 
@@ -231,15 +205,8 @@ impl Sheet<'_> {
             let at = p.at(motion.start);
             let layer = if p.path.len() > 1 { "JOINTS" } else { "GROUND" };
             self.circle(layer, at, radius);
-            let Place { x, y, .. } = self.place(at);
-            let location = Place::new(x + 1.5 * radius, y + 1.5 * radius, 0.0);
-            let name = Text {
-                location,
-                text_height: height,
-                value: p.label.clone(),
-                ..Default::default()
-            };
-            self.add("NAMES", EntityType::Text(name));
+            let beside = self.place(at).map(|x| x + 1.5 * radius);
+            self.name(&p.label, beside, height);
             if p.is_traced() {
                 self.polyline(&path_layer(p), &p.path, motion.closed);
             }

@@ -3,6 +3,7 @@
 pub use super::SCHEMA_VERSION;
 use super::baseline::Changes;
 use crate::audit::{CaseReport, Comparison, Layout, MethodReport, SolverAnswer, hex_float};
+use crate::campaign::{Deal, Identity, PartSum, Plan};
 use crate::methods;
 use serde_json::{Value, json};
 
@@ -51,7 +52,8 @@ pub fn method(report: &MethodReport) -> Value {
     let mut value = serde_json::to_value(report).unwrap_or(Value::Null);
     let cases = |all: &[CaseReport]| -> Value {
         let all = all.iter();
-        all.map(|f| case(f, &report.again(&f.case))).collect()
+        all.map(|f| case(f, &report.reproduce_command(&f.case)))
+            .collect()
     };
     value["passed_all"] = json!(report.passed());
     value["worst"] = cases(&report.worst);
@@ -82,6 +84,32 @@ pub fn comparison(found: &Comparison, changes: Option<&Changes>) -> Value {
         value["baseline"] = json!(changes);
     }
     value
+}
+
+/// Returns the sum of a campaign: the same bytes however the campaign was cut, run and added up.
+pub fn campaign(plan: &Plan, identity: &Identity, parts: &[PartSum]) -> Value {
+    let shown = parts.iter().zip(&plan.parts).map(|(sum, part)| {
+        let found = match sum {
+            PartSum::Report(report) => method(report),
+            PartSum::Hunts(hunts, method) => hunts.json(&**method),
+            PartSum::Proof(found) => found.json(),
+        };
+        json!({ "kind": part.kind, "label": part.label(), "found": found })
+    });
+    json!({
+        "schema_version": SCHEMA_VERSION,
+        "mechaudit_version": identity.program,
+        "name": plan.name,
+        "passed": parts.iter().all(PartSum::passed),
+        "digests": {
+            "plan": plan.digest(),
+            "references": identity.references,
+            "solvers": identity.solvers,
+        },
+        "work": Deal::new(plan, 1).work(),
+        "plan": plan.parts,
+        "parts": shown.collect::<Vec<Value>>(),
+    })
 }
 
 #[cfg(test)]

@@ -167,7 +167,7 @@ fn a_program_says_what_it_is() {
         (&row["source"], &row["nanoseconds"]),
         (&"7".into(), &47.5.into())
     );
-    // What is rounded from certified digits jumps nowhere.
+    // Values rounded from certified digits do not jump.
     assert_eq!(row["jumps"].as_array().unwrap().len(), 0);
 }
 

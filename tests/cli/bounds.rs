@@ -175,7 +175,7 @@ fn a_closer_target_is_told_of() {
     );
 }
 
-/// What every test asks of every message.
+/// Checks every message.
 #[test]
 fn a_message_that_repeats_itself_is_found() {
     for (line, good) in [

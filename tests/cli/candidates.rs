@@ -173,7 +173,7 @@ fn is_gone(file: &Path) -> bool {
     let number = patient(|| written().is_some()).then(written).flatten();
     let number = number.expect("the process was started");
     let stat = format!("/proc/{number}/stat");
-    // What nobody waits for stays as Z.
+    // A process that nobody waits for stays as Z.
     patient(|| std::fs::read_to_string(&stat).map_or(true, |t| t.contains(") Z ")))
 }
 

@@ -36,7 +36,8 @@ fn a_history_begins_on_the_cam_and_stays_within_the_envelope() {
     );
     assert!((xi.0 - 80.0 * 100.0 / 360.0 / 30.0).abs() < 1e-12);
     assert!((xi.1 - 80.0 / 30.0).abs() < 1e-12);
-    // The angle in degrees is the speed's integral, by the rule of trapezoids exactly where the speed is linear.
+    // The angle in degrees is the speed's integral, by the rule of trapezoids exactly where the
+    // speed is linear.
     let [angle, speed] = ["shaft_deg", "speed_rad_per_s"].map(|n| column(&d.out, n));
     for k in 1..=2400 {
         let turned = 0.5 * (speed[k] + speed[k - 1]) * (t[k] - t[k - 1]);

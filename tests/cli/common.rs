@@ -14,7 +14,7 @@ pub fn program() -> Command {
     c
 }
 
-/// What a run came to.
+/// The result of a run.
 pub struct Done {
     pub code: i32,
     pub out: String,
@@ -267,8 +267,8 @@ pub fn needs_nothing_else(page: &str) {
     }
 }
 
-/// Whether programs started here ignore a signal: the hang-up under `nohup`, the interrupt in the background of
-/// a shell.
+/// Returns true if programs started here ignore a signal: the hang-up under `nohup`, the interrupt
+/// in the background of a shell.
 #[cfg(target_os = "linux")]
 pub fn is_ignored(signal: &str) -> bool {
     let number = match signal {

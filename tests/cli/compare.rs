@@ -1,4 +1,4 @@
-//! Programs side by side, boxes and neighbourhoods, budgets of one's own, binary frames.
+//! Programs side by side, boxes and neighbourhoods, user-supplied budgets, binary frames.
 
 use crate::common::{cells, refused, run};
 use serde_json::Value;
@@ -60,7 +60,7 @@ fn programs_side_by_side() {
         (&true.into(), &false.into())
     );
     assert!(s[1]["wrong"].as_u64().unwrap() > 5 && s[0]["wrong"] == 0);
-    // What is wrong is judged again by its command.
+    // A wrong case is judged again by its command.
     let again = candidates[1]["report"]["wrong"][0]["reproduce"]
         .as_str()
         .unwrap();

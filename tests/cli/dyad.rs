@@ -169,7 +169,7 @@ fn certified_digits_are_those_of_known_numbers() {
     assert_eq!(d.code, 0, "{}", d.err);
     let x = texts(&d.out, "slider_m");
     assert_eq!(x[2], "2.30277563773199464655961063374");
-    // What is exactly zero is written so.
+    // An exact zero is written as `0`.
     let zeros = [
         ("phi2_deg", [0, 6]),
         ("dslider_dphi1_m_per_rad", [0, 6]),
@@ -201,7 +201,8 @@ fn a_crank_that_cannot_turn_gives_its_range_and_the_rows_within() {
     said(&d, limit);
     let p1 = column(&d.out, "phi1_deg");
     assert_eq!((p1[0], p1[p1.len() - 1], p1.len()), (16.0, 344.0, 329));
-    // Crank longer than the rod: sin φ1 from −1/2 to 1/2, the ends, where derivatives do not exist, included.
+    // Crank longer than the rod: sin φ1 from −1/2 to 1/2, the ends, where derivatives do not exist,
+    // included.
     for digits in [&[][..], &["--digits", "5"]] {
         let args = [&["--step-deg", "15"][..], digits].concat();
         let d = linkage(&slider("2", "1", ""), &args);

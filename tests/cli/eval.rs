@@ -55,7 +55,7 @@ fn hexadecimal_floats_in_the_order_of_the_lines() {
 fn a_decimal_is_the_nearest_double() {
     let hex = "0x1.999999999999ap-4,0x1.999999999999ap-4\n";
     assert_eq!(good(&[W], "0.1,1e-1\n"), good(&[W], hex));
-    // What comes out goes in again, to the same bits.
+    // Outputs read back as the same bits.
     let out = good(&[W], "0.3,-0.7\n5,1e-300\n1e-310,2\n");
     for line in out.lines() {
         for field in line.split(',') {
@@ -220,7 +220,8 @@ fn a_closed_pipe_ends_it_quietly() {
     assert_eq!((status.code(), err.as_str()), (Some(0), ""));
 }
 
-/// Frames are answered bit for bit as lines are; refusals are frames, what is laid out otherwise ends the run.
+/// Frames are answered bit for bit as lines are; refusals are frames, what is laid out otherwise
+/// ends the run.
 #[test]
 fn binary_frames() {
     let in_frames = |method: &str, input: &[u8]| {
@@ -271,7 +272,7 @@ fn binary_frames() {
     let (code, out, err) = in_frames("chirp-response", &[chirp(-10.0), chirp(10.0)].concat());
     let due = [&u64::MAX.to_le_bytes()[..], &good].concat();
     assert_eq!((code, out, err.as_str()), (Some(0), due, ""));
-    // What comes before is answered.
+    // Lines before it are answered.
     let good = frame(&[0.0, 1.0]);
     for (input, part) in [
         (frame(&[1.0]), "frame 2: 1 number"),

@@ -6,7 +6,7 @@ use std::process::{Command, Stdio};
 const PROGRAM: &str = env!("CARGO_BIN_EXE_mechaudit");
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
-/// Whether a program is there; says that the test is skipped if it is not.
+/// Returns true if a program is there; says that the test is skipped if it is not.
 fn there(program: &str) -> bool {
     let found = Command::new(program)
         .arg("--version")

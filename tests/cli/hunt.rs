@@ -325,7 +325,7 @@ fn what_is_no_file_of_hard_cases_is_refused() {
         assert!(code == 2 && said.contains(part), "{said}");
         assert_eq!(std::fs::read_to_string(&path).unwrap(), text);
     }
-    // What cannot be read is not taken for missing.
+    // A file that cannot be read is not taken for missing.
     let other = tempfile::tempdir().unwrap();
     std::fs::create_dir(other.path().join("slider-crank.csv")).unwrap();
     let (code, said) = mechaudit(&["audit", "--hard", other.path().to_str().unwrap()]);

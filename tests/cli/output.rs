@@ -14,7 +14,7 @@ fn points_to(path: &Path) -> crate::common::Done {
     run(&[&POINTS[..], &["--output", text(path)]].concat())
 }
 
-/// What the points look like.
+/// The form of the points.
 fn expected() -> String {
     let d = run(&POINTS);
     assert_eq!(d.code, 0, "{}", d.err);
@@ -194,7 +194,7 @@ fn a_pipe_is_written_to() {
     assert_eq!((d.out, d.err), (expected(), String::new()));
 }
 
-/// What an open file held before stays.
+/// The contents of an open file stay.
 #[test]
 fn standard_output_by_its_names() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,7 +1,7 @@
 //! Outputs that are the same from run to run, by their digests: a change has to be meant.
 //!
-//! What the numbers are is tested elsewhere. Here layouts, drawings and pages are held, whose marks no other test names. To
-//! see what has changed, run the command before and after.
+//! The numbers are tested elsewhere. Here layouts, drawings and pages are held, whose marks
+//! no other test names. To see what has changed, run the command before and after.
 
 use crate::common::{Done, command, digest, pin, run, text};
 use serde_json::Value;
@@ -9,7 +9,8 @@ use std::fmt::Write;
 use std::path::Path;
 use tempfile::tempdir;
 
-/// A line for the output, one for the messages, and one for each file in the folder that `{}` stands for.
+/// A line for the output, one for the messages, and one for each file in the folder that `{}`
+/// stands for.
 fn outputs(name: &str, lines: &[&str]) {
     let mut all = String::new();
     for line in lines {

@@ -93,8 +93,9 @@ fn andrews_starts_as_published() {
     }
 }
 
-/// Driven by its motor for 0.03 s: the certified angle and speed of `reference/values/andrews-motion.csv`, from
-/// which the values that the test set prints differ by 7e-11 and 1e-10 of themselves.
+/// Driven by its motor for 0.03 s: the certified angle and speed of
+/// `reference/values/andrews-motion.csv`, from which the values that the test set prints differ by
+/// 7e-11 and 1e-10 of themselves.
 #[test]
 fn andrews_ends_as_certified() {
     let d = command("runup examples/andrews.toml");
@@ -110,7 +111,7 @@ fn andrews_ends_as_certified() {
     close(omega, 1_139.920_302_151_208, 1e-9);
 }
 
-/// What the cell is for: D on a straight line, its path without curvature.
+/// The purpose of the cell: D on a straight line, its path without curvature.
 #[test]
 fn peaucellier_draws_a_straight_line() {
     let d = command("linkage examples/peaucellier-cell.toml --step-deg 2.5 --paths");
@@ -215,8 +216,8 @@ fn all_branches_with_their_folds() {
     );
 }
 
-/// The drive torque by the bodies' equations and by the reduced quantities are one column each time;
-/// power is balanced between force, motion and drive.
+/// The drive torque by the bodies' equations and by the reduced quantities are one column each
+/// time; power is balanced between force, motion and drive.
 #[test]
 fn forces_of_the_quick_return() {
     let d = command("linkage examples/quick-return.toml --step-deg 15 --reactions");
@@ -615,7 +616,8 @@ fn a_count_of_modes_that_is_open_is_no_proof() {
     assert!(cells > 1 && d.err.contains(&open), "{}{}", d.out, d.err);
 }
 
-/// The counts of modes of the six-bars and of the disputed drawings, proved; what floating point found are these.
+/// The counts of modes of the six-bars and of the disputed drawings, proved; what floating point
+/// found are these.
 #[test]
 fn all_modes_are_proved() {
     let counts = r#"
@@ -640,8 +642,9 @@ fn all_modes_are_proved() {
     }
 }
 
-/// The four-bar of issue 91, whose coupler turns by 65 degrees for one of the crank: continuation by steps that are proved
-/// stays on the branch with rows 10 degrees apart, where taking the nearest position does not.
+/// The four-bar of issue 91, whose coupler turns by 65 degrees for one of the crank: continuation
+/// by steps that are proved stays on the branch with rows 10 degrees apart, where taking the
+/// nearest position does not.
 #[test]
 fn rows_far_apart_stay_on_the_branch() {
     let at = |step: u32| {
@@ -658,7 +661,8 @@ fn rows_far_apart_stay_on_the_branch() {
     }
 }
 
-/// A crank and dyads one after the other: rods of these lengths from pin to pin, arms from the ground.
+/// A crank and dyads one after the other: rods of these lengths from pin to pin, arms from the
+/// ground.
 fn chain(crank: &str, dyads: &[[&str; 3]]) -> String {
     let pins = |names: &[String]| -> String {
         let each = names.iter();
@@ -717,7 +721,8 @@ const CHANGE_POINT: &str = "type = \"planar\"\n[ground.points]\nO = [\"0 m\", \"
     [[joint]]\nkind = \"pin\"\npoint = \"B\"\n[[joint]]\nkind = \"pin\"\npoint = \"D\"\n\
     [drive]\nbody = \"crank\"\n[start]\nat = \"0 deg\"\nmode = 0\n";
 
-/// Branches cross at half a turn, and which one goes on is not defined: there is no row, and a line says so.
+/// Branches cross at half a turn, and which one goes on is not defined: there is no row, and a line
+/// says so.
 #[test]
 fn a_change_point_without_a_row_is_named() {
     let line = "no row where the position is singular and branches meet: at 180 deg (change point)";
@@ -743,7 +748,8 @@ fn a_change_point_without_a_row_is_named() {
     }
 }
 
-/// A wheel with twice the teeth of the rocker that turns it has two positions, which the slider's two double.
+/// A wheel with twice the teeth of the rocker that turns it has two positions, which the slider's
+/// two double.
 #[test]
 fn modes_behind_gears_are_counted() {
     let mut text = "type = \"planar\"\n[ground.points]\nA = [\"0 m\", \"0 m\"]\nD = [\"0.1 m\", \"0 m\"]\nN = [\"1.5 m\", \"0 m\"]\n\

@@ -1,8 +1,9 @@
-//! What `mechaudit linkage` proves of drawings by ranks.
+//! Tests of what `mechaudit linkage` proves of drawings by ranks.
 
 use crate::common::{command, refused, run_on, said, words};
 
-/// Bodies by the letters of their points, the first driven; everything drawn, every letter on two bodies a pin.
+/// Bodies by the letters of their points, the first driven; everything drawn, every letter on two
+/// bodies a pin.
 fn drawn(ground: &str, bodies: &[&str], points: &[(char, [i32; 2])]) -> String {
     let letters = |b: &str| {
         let all: Vec<String> = b.chars().map(|c| format!("\"{c}\"")).collect();

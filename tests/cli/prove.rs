@@ -30,7 +30,8 @@ fn options_that_do_not_belong_to_a_proof_are_refused() {
     }
 }
 
-/// The bound is that of the method's audit, and the intervals of the file are those that are counted.
+/// The bound is that of the method's audit, and the intervals of the file are those that are
+/// counted.
 #[test]
 fn a_proof_on_the_real_line() {
     let folder = tempdir().unwrap();

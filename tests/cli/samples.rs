@@ -1,14 +1,14 @@
-//! What the README and the book show of the program is what it prints.
+//! The README and the book show what the program prints.
 //!
-//! A sample is a block ```` ```text ```` with a line `$ command` and its output; `…` on a line of its
-//! own stands for any lines, at the end of one for the rest of it. `$ cat FILE` makes the file. With
-//! `MECHAUDIT_SAMPLES=write` the lines are written anew instead of compared.
+//! A sample is a block ```` ```text ```` with a line `$ command` and its output; `…` on a line of
+//! its own stands for any lines, at the end of one for the rest of it. `$ cat FILE` makes the file.
+//! With `MECHAUDIT_SAMPLES=write` the lines are written anew instead of compared.
 //!
-//! The main job takes minutes: of its sample the counts, the lines of single methods and the findings
-//! are compared with the parts that print them; the whole with the output in the file that
+//! The main job takes minutes: of its sample the counts, the lines of single methods and the
+//! findings are compared with the parts that print them; the whole with the output in the file that
 //! `MECHAUDIT_MAIN_JOB` names, which `.ci/run` makes. So do `MECHAUDIT_PROOF` and
-//! `MECHAUDIT_PROOF_LOWER` for the proofs of the error bounds of the Faddeeva function, which take a minute with all
-//! optimizations.
+//! `MECHAUDIT_PROOF_LOWER` for the proofs of the error bounds of the Faddeeva function, which take
+//! a minute with all optimizations.
 
 use crate::common::{run, skipped};
 use mechaudit::audit::{Cases, Settings};
@@ -120,7 +120,7 @@ fn lines(text: &str) -> Vec<String> {
     text.lines().map(|l| l.trim_end().to_string()).collect()
 }
 
-/// What a command prints, standard error last, in a folder like that of the sources.
+/// Returns the output of a command, standard error last, in a folder like that of the sources.
 fn printed(command: &str, folder: &Path) -> Vec<String> {
     let program = Path::new(env!("CARGO_BIN_EXE_mechaudit"));
     let path = std::env::var("PATH").unwrap_or_default();

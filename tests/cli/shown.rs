@@ -257,7 +257,7 @@ fn a_page_has_the_rows_asked_for() {
     said(&d, "crank-rocker");
 }
 
-/// What is said of a window without rows is not said of a page.
+/// A message about a window without rows is not printed of a page.
 #[test]
 fn a_page_is_not_without_rows() {
     for file in ["four-bar", "sand-screen", "watt-2"] {
@@ -296,8 +296,8 @@ fn a_window_is_asked_for_by_any_of_its_ends() {
     assert_eq!(of("--to-deg 15"), (3, 0.0, 15.0));
 }
 
-/// More than a turn is asked for, of a crank that does not turn fully: each position is there once, in the order of the
-/// crank's angle.
+/// More than a turn is asked for, of a crank that does not turn fully: each position is there once,
+/// in the order of the crank's angle.
 #[test]
 fn a_part_of_a_turn_is_shown_once() {
     let page = command(
@@ -308,7 +308,8 @@ fn a_part_of_a_turn_is_shown_once() {
     assert!(values.windows(2).all(|w| w[0] < w[1]), "{values:?}");
 }
 
-/// Coupler and rocker stretch out where the crank is upright: that end of the range has a position, though no velocities.
+/// Coupler and rocker stretch out where the crank is upright: that end of the range has a position,
+/// though no velocities.
 #[test]
 fn a_page_begins_with_its_first_position() {
     let text = "type = \"four-bar\"\n[geometry]\ncrank = \"3 m\"\ncoupler = \"2.5 m\"\n\

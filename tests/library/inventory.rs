@@ -3,6 +3,8 @@
 use mechaudit::audit::{Cases, Settings, audit_method};
 use mechaudit::methods;
 use std::fmt::Write;
+use std::fs;
+use std::path::Path;
 
 /// Outputs with their limits, regions, check points, hard cases and laws of every method.
 #[test]
@@ -26,11 +28,7 @@ fn methods_regions_and_laws() {
             writeln!(text, "  law {}", law.name).unwrap();
         }
     }
-    let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path("../../snapshots");
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
-    settings.bind(|| insta::assert_snapshot!("inventory", text));
+    crate::pin("inventory", &text);
 }
 
 /// An audit judges every check point, every hard case, and as many cases of every region as it is asked for.
@@ -55,4 +53,31 @@ fn no_case_is_left_out() {
             "{name}"
         );
     }
+}
+
+/// Bytes of the data in a folder, without what was built there.
+fn data(folder: &Path) -> u64 {
+    let entries = fs::read_dir(folder).expect("a folder");
+    let paths = entries.map(|e| e.expect("an entry").path());
+    let sizes = paths.map(|path| {
+        if path.is_dir() {
+            let built = path.file_name().is_some_and(|n| n == "target");
+            return if built { 0 } else { data(&path) };
+        }
+        let ending = path.extension().and_then(|e| e.to_str());
+        match ending {
+            Some("csv" | "json" | "snap") => fs::metadata(&path).expect("a file").len(),
+            _ => 0,
+        }
+    });
+    sizes.sum()
+}
+
+/// Data are committed once and in a compact form: values to be held, not what a command prints again.
+#[test]
+fn committed_data_is_small() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folders = ["reference", "tests", "snapshots"];
+    let bytes: u64 = folders.iter().map(|f| data(&root.join(f))).sum();
+    assert!((500_000..2_000_000).contains(&bytes), "{bytes} bytes");
 }

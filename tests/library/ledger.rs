@@ -2,31 +2,28 @@
 
 use crate::pin;
 use mechaudit_cli::papers::ledger::{Item, Ledger, LedgerEntry, Verdict, decide};
-use mechaudit_cli::papers::{andrews, gembara_senyk, n_four_bar, pmksweb, zinchenko};
+use mechaudit_cli::papers::{self, andrews, gembara_senyk, n_four_bar, pmksweb, zinchenko};
 use mechaudit_symbolic::{Family, Outcome, edits, parse_equation};
 use std::fmt::Write;
 use std::sync::OnceLock;
 
-fn ledgers() -> &'static [Ledger; 5] {
-    static LEDGERS: OnceLock<[Ledger; 5]> = OnceLock::new();
+fn ledgers() -> &'static [Ledger] {
+    static LEDGERS: OnceLock<Vec<Ledger>> = OnceLock::new();
     LEDGERS.get_or_init(|| {
-        [
-            zinchenko::ledger(),
-            gembara_senyk::ledger(),
-            andrews::ledger(),
-            n_four_bar::ledger(),
-            pmksweb::ledger(),
-        ]
+        papers::keys()
+            .iter()
+            .filter_map(|k| papers::ledger_of(k))
+            .collect()
     })
 }
 
 fn items() -> Vec<Item> {
     [
-        zinchenko::ledger_items(),
-        gembara_senyk::ledger_items(),
-        andrews::ledger_items(),
-        n_four_bar::ledger_items(),
-        pmksweb::ledger_items(),
+        zinchenko::items(),
+        gembara_senyk::items(),
+        andrews::items(),
+        n_four_bar::items(),
+        pmksweb::items(),
     ]
     .concat()
 }

@@ -93,14 +93,14 @@ impl Accuracy {
         }
     }
 
-    /// The five measures with their names.
-    pub fn spreads(&self) -> [(&'static str, &Spread); 5] {
+    /// The five measures: normwise, of each part, in ulps of each part.
+    pub fn spreads(&self) -> [&Spread; 5] {
         [
-            ("normwise", &self.normwise),
-            ("Re", &self.re),
-            ("Im", &self.im),
-            ("Re ulp", &self.re_ulps),
-            ("Im ulp", &self.im_ulps),
+            &self.normwise,
+            &self.re,
+            &self.im,
+            &self.re_ulps,
+            &self.im_ulps,
         ]
     }
 }

@@ -12,7 +12,6 @@ pub enum Shape {
     /// A slice of complex numbers a call.
     Batch,
     /// Slices of real and imaginary parts a call.
-    #[cfg(feature = "soa")]
     Soa,
 }
 

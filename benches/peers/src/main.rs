@@ -14,7 +14,6 @@ mod scipy;
 mod special;
 mod speed;
 mod spread;
-mod text;
 
 use clap::{Parser, ValueEnum};
 use code::{Code, Codes};
@@ -39,7 +38,7 @@ struct Arguments {
     #[arg(long)]
     speed: bool,
     /// Output.
-    #[arg(long, value_enum, default_value_t = Format::Text)]
+    #[arg(long, value_enum, default_value_t = Format::Markdown)]
     format: Format,
     /// Regions, such as a,b,d; all by default.
     #[arg(long, value_delimiter = ',', value_name = "LETTERS")]
@@ -63,7 +62,6 @@ struct Arguments {
 
 #[derive(Clone, Copy, ValueEnum)]
 enum Format {
-    Text,
     Markdown,
     Json,
 }
@@ -136,7 +134,6 @@ fn run(arguments: &Arguments) -> Result<String, String> {
         speed: speed.transpose()?,
     };
     Ok(match arguments.format {
-        Format::Text => text::report(&report),
         Format::Markdown => markdown::report(&report),
         Format::Json => report::json(&report),
     })

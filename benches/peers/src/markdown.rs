@@ -38,7 +38,7 @@ pub fn report(report: &Report) -> String {
             for i in (0..codes).filter(|&i| !repeats(&a.regions, i)) {
                 let _ = write!(s, "| {} |", a.regions[0].codes[i].code);
                 for r in &a.regions {
-                    let spread = r.codes[i].spreads()[m].1;
+                    let spread = r.codes[i].spreads()[m];
                     let cell = [spread.worst(), spread.p99(), spread.rms()].map(error);
                     let _ = write!(s, " {} |", cell.join(" / "));
                 }
@@ -51,6 +51,9 @@ pub fn report(report: &Report) -> String {
             for r in &a.regions {
                 let c = &r.codes[i];
                 let _ = write!(s, " {}", c.wrong_kind);
+                if c.panics > 0 {
+                    let _ = write!(s, ", {} of them panics", c.panics);
+                }
                 if c.undecided > 0 {
                     let _ = write!(s, ", {} undecided", c.undecided);
                 }

@@ -1,8 +1,9 @@
 //! This project's solver.
 
-use crate::code::{Code, Codes, Scalar, Shape};
+use crate::code::{Code, Codes, Scalar, Shape, timed};
 use mechaudit::solvers::faddeeva;
 use num_complex::Complex64;
+use std::time::Duration;
 
 const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), ", this checkout");
 
@@ -15,7 +16,7 @@ pub fn add(codes: &mut Codes) {
         w: faddeeva::faddeeva,
     }));
     codes.found.push(Box::new(Batch));
-    codes.add("mechaudit SoA", soa());
+    codes.found.push(Box::new(Soa));
 }
 
 struct Batch;
@@ -38,52 +39,35 @@ impl Code for Batch {
     }
 }
 
-#[cfg(feature = "soa")]
-fn soa() -> Result<Box<dyn Code>, String> {
-    Ok(Box::new(parts::Soa))
-}
+/// The function on slices of real and imaginary parts.
+struct Soa;
 
-#[cfg(not(feature = "soa"))]
-fn soa() -> Result<Box<dyn Code>, String> {
-    Err("not compiled in: --features soa".into())
-}
-
-#[cfg(feature = "soa")]
-mod parts {
-    use super::VERSION;
-    use crate::code::{Code, Shape, timed};
-    use mechaudit::solvers::faddeeva::faddeeva_soa;
-    use num_complex::Complex64;
-    use std::time::Duration;
-
-    pub struct Soa;
-
-    impl Code for Soa {
-        fn name(&self) -> &str {
-            "mechaudit SoA"
+impl Code for Soa {
+    fn name(&self) -> &str {
+        "mechaudit SoA"
+    }
+    fn version(&self) -> &str {
+        VERSION
+    }
+    fn shape(&self) -> Shape {
+        Shape::Soa
+    }
+    fn own(&self) -> bool {
+        true
+    }
+    fn evaluate(&self, z: &[Complex64], out: &mut [Complex64]) {
+        self.time(z, out);
+    }
+    fn time(&self, z: &[Complex64], out: &mut [Complex64]) -> Duration {
+        let (re, im): (Vec<f64>, Vec<f64>) = z.iter().map(|z| (z.re, z.im)).unzip();
+        // Written to before, as the other codes' output is.
+        let (mut out_re, mut out_im) = (re.clone(), im.clone());
+        let taken = timed(|| {
+            faddeeva::faddeeva_soa(&re, &im, &mut out_re, &mut out_im).expect("equal lengths")
+        });
+        for (w, (re, im)) in out.iter_mut().zip(out_re.into_iter().zip(out_im)) {
+            *w = Complex64::new(re, im);
         }
-        fn version(&self) -> &str {
-            VERSION
-        }
-        fn shape(&self) -> Shape {
-            Shape::Soa
-        }
-        fn own(&self) -> bool {
-            true
-        }
-        fn evaluate(&self, z: &[Complex64], out: &mut [Complex64]) {
-            self.time(z, out);
-        }
-        fn time(&self, z: &[Complex64], out: &mut [Complex64]) -> Duration {
-            let (re, im): (Vec<f64>, Vec<f64>) = z.iter().map(|z| (z.re, z.im)).unzip();
-            // Written to before, as the other codes' output is.
-            let (mut out_re, mut out_im) = (re.clone(), im.clone());
-            let taken =
-                timed(|| faddeeva_soa(&re, &im, &mut out_re, &mut out_im).expect("equal lengths"));
-            for (w, (re, im)) in out.iter_mut().zip(out_re.into_iter().zip(out_im)) {
-                *w = Complex64::new(re, im);
-            }
-            taken
-        }
+        taken
     }
 }

@@ -70,7 +70,8 @@ fn about(text: &str) -> Planted<'static> {
     method
 }
 
-/// Named cases come first, then those by number, whatever the numbers of others are; the input decides last.
+/// Named cases come first, then those by number, whatever the numbers of others are; the input
+/// decides last.
 #[test]
 fn cases_have_an_order() {
     let inputs: [&[f64]; 2] = [&[1.0], &[1.0, 0.0]];
@@ -181,7 +182,8 @@ fn places_are_arguments() {
     assert_eq!(line.reproduce(), "line 12 of the inputs");
 }
 
-/// Check points, hard cases and each region's cases, every one once and where it is looked for by name.
+/// Check points, hard cases and each region's cases, every one once and where it is looked for by
+/// name.
 #[test]
 fn cases_are_numbered() {
     let method = method();

@@ -4,7 +4,7 @@ use crate::{Kind, Limit, ReferenceAnswer, Verdict};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// A case of a region with its judgement: `x` so many ulps off, or no number.
+/// A case of a region with its judgement: `x` off by a number of ulps, or no number.
 fn judged(region: &'static str, index: u64, ulps: Option<u64>) -> CaseReport {
     let got = ulps.map_or(f64::NAN, |ulps| off(1.0, ulps));
     let case = Case {
@@ -252,7 +252,7 @@ fn answers_of_several_codes_are_counted_apart() {
         ),
     ];
     judge_together(&method, &settings, cases, &mut tallies);
-    // What was computed of a case served all codes.
+    // The values computed for a case served all codes.
     assert_eq!(asked.load(Ordering::Relaxed), 3);
     let reports = tallies.into_iter().map(|t| t.finish(&Planted::default()));
     let counts: Vec<_> = reports
@@ -261,7 +261,8 @@ fn answers_of_several_codes_are_counted_apart() {
     assert_eq!(counts, [(3, 2, 1, 0), (2, 0, 0, 2), (1, 1, 0, 0)]);
 }
 
-/// Every case once for the judge, whichever part it is in; then each of those timed, evenly over all of them.
+/// Every case once for the judge, whichever part it is in; then each of those timed, evenly over
+/// all of them.
 #[test]
 fn contenders_are_judged_at_every_case_and_timed_at_some() {
     let mut method = Planted::default();

@@ -67,7 +67,8 @@ fn the_error_is_taken_apart() {
     assert!(last.total <= last.method.unwrap() + last.rounding.unwrap() + 1e-18);
 }
 
-/// Values, twins and half steps at each level as they are planted; the work doubles. The truth is 1/2 for each value.
+/// Values, twins and half steps at each level as they are planted; the work doubles. The truth is
+/// 1/2 for each value.
 struct Plan {
     outputs: usize,
     truths: usize,
@@ -328,7 +329,8 @@ fn without_the_truth_there_is_no_report() {
     assert!(matches!(convergence(&plan), Err(Uncertified::Undecided(why)) if why == "planted"));
 }
 
-/// Levels next to each other, far from zero on both axes: deviations from the means keep the digits.
+/// Levels next to each other, far from zero on both axes: deviations from the means keep the
+/// digits.
 #[test]
 fn a_line_is_fitted_far_from_its_origin() {
     for n in 5..12 {

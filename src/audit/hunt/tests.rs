@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicUsize;
 
 mod moves;
 
-/// A solver that is so many ulps off, as it depends on the input; four take up the budget.
+/// A solver with an error in ulps that depends on the input; four ulps take up the budget.
 fn wrong_by<'a>(ulps: impl Fn(&[f64]) -> u64 + Sync + 'a) -> Planted<'a> {
     Planted {
         solve: Box::new(move |x| {
@@ -61,7 +61,7 @@ fn found(input: &[f64], shares: Option<&[f64]>) -> Found {
     }
 }
 
-/// What the progress is told during a hunt, and what it finds.
+/// Returns the numbers shown as progress during a hunt, and its findings.
 fn told(method: &Planted, evaluations: u64) -> (Vec<u64>, Hunt) {
     let told = Mutex::new(Vec::new());
     let settings = HuntSettings {
@@ -82,7 +82,8 @@ fn ends(sizes: impl IntoIterator<Item = u64>) -> Vec<u64> {
     sizes.into_iter().map(add).collect()
 }
 
-/// A third of the evaluations goes into seeds, a twelfth of the rest into each climb, until none is left.
+/// A third of the evaluations goes into seeds, a twelfth of the rest into each climb, until none is
+/// left.
 #[test]
 fn evaluations_are_divided() {
     let method = wrong_by(|_| 0);
@@ -134,7 +135,7 @@ fn the_worst_comes_first() {
     assert_eq!(again.worst[1].reason, hunt.worst[1].reason);
 }
 
-/// What was found until the end is kept, and nothing is tried any more.
+/// Findings until the end are kept, and nothing more is tried.
 #[test]
 fn a_hunt_may_be_ended_early() {
     let stop = AtomicBool::new(false);
@@ -288,7 +289,7 @@ fn shares_are_those_of_outputs() {
     assert_eq!((f.shares, f.passed), (None, true));
 }
 
-/// What the seeds of a hunt are: kind, region and first number of each.
+/// Returns kind, region and first number of each seed of a hunt.
 fn seeds_of(h: &mut Hunter, budget: u64) -> (Vec<(&'static str, &'static str, f64)>, Vec<f64>) {
     let (seeds, failures) = h.seeds(budget);
     let seeds = seeds.iter().map(|s| (s.kind, s.region, s.found.input[0]));
@@ -308,7 +309,8 @@ fn points() -> Planted<'static> {
     method
 }
 
-/// Each point, its edge, and between it and the next of its region one to seven eighths of the way in turn.
+/// Each point, its edge, and between it and the next of its region one to seven eighths of the way
+/// in turn.
 #[test]
 fn seeds_lie_at_between_and_beside_cases() {
     let (method, never) = (points(), never());
@@ -343,7 +345,8 @@ fn nothing_lies_between_inputs_of_two_lengths() {
     assert!(spaced.iter().all(|s| s.1 == "check-points"));
 }
 
-/// Inputs outside of the domain are not judged; of what fails without a share only what was drawn is kept.
+/// Inputs outside of the domain are not judged; of what fails without a share only what was drawn
+/// is kept.
 #[test]
 fn seeds_are_admitted_and_failures_are_drawn() {
     let (mut method, never) = (points(), never());

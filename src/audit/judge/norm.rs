@@ -9,7 +9,7 @@ use mechaudit_reference::{Ball, Mag};
 
 /// Sums of squares over all values: bounds on the errors, a lower bound on the references.
 pub(super) struct Squares {
-    /// Whether every value is due as a number.
+    /// True if every value is due as a number.
     pub(super) numbers: bool,
     pub(super) terms: usize,
     low: Mag,
@@ -42,15 +42,15 @@ impl Squares {
         self.norm = self.norm.add(size.mul(size));
     }
 
-    /// A lower bound on the root of a sum of so many squares: `Mag` rounds up, by less than 2⁻⁵² of the root for
-    /// each of them and four times that besides.
+    /// Returns a lower bound on the root of a sum of `n` squares: `Mag` rounds up, by less than
+    /// 2⁻⁵² of the root for each of them and four times that in addition.
     pub(super) fn root_below(sum: Mag, terms: usize) -> Mag {
         let slack = 2f64.powi(-40) * (terms as f64 / 1024.0).max(1.0);
         sum.sqrt().mul(Mag::from_f64(1.0 - slack))
     }
 
-    /// Lower and upper bounds on the norms: of the references, but for the smallest normal number, and of
-    /// the errors.
+    /// Lower and upper bounds on the norms: of the references, but for the smallest normal number,
+    /// and of the errors.
     pub(super) fn norms(&self, format: Format) -> (Mag, Mag) {
         let least = Mag::from_f64(format.min_positive());
         let size = Squares::root_below(self.norm, self.terms).max(least);
@@ -85,8 +85,8 @@ impl Squares {
     }
 }
 
-/// `max_i (|ref_i| + cond_i)` over all outputs with normwise limits, for these; the norm of all values for
-/// those of the norm. Sums are rounded down and up. Nothing where no limit asks for it.
+/// `max_i (|ref_i| + cond_i)` over all outputs with normwise limits, for these; the norm of all
+/// values for those of the norm. Sums are rounded down and up. Nothing where no limit asks for it.
 pub(super) fn output_scales(
     outputs: &[Output],
     values: &[Expected],

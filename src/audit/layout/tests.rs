@@ -123,7 +123,7 @@ fn both() -> Layout {
     }
 }
 
-/// What the count takes up is no part of what the letter divides.
+/// The numbers taken up by the count are no part of those that the letter divides.
 #[test]
 fn a_length_of_either_kind() {
     let l = both();
@@ -187,7 +187,7 @@ fn numbers_have_names_and_units() {
         [true, true, false, false, false]
     );
     assert_eq!(l.singles(), [("side", 0), ("p", 1)]);
-    // What is not laid out as it should be is numbered.
+    // Numbers in another layout are only counted.
     let numbered = ["[0]", "[1]"].map(|n| (n.to_string(), ""));
     assert_eq!(l.names(&[1.0, 0.5]), numbered);
     assert_eq!(l.names(&[]), []);

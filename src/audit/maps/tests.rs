@@ -86,7 +86,7 @@ fn errors_stand_in_their_cells() {
             assert_eq!(cell(&z), (column as u64, row as u64));
             let ulps = [0, 1].map(|o: usize| map.outputs[o].ulps[row * 144 + column]);
             if (column, row) == (3, 5) {
-                // What is wrong in kind has no error in any output.
+                // A value of the wrong kind has no error in any output.
                 assert!(ulps.iter().all(|u| u.is_nan()));
             } else {
                 assert_eq!(ulps, [column as f64, row as f64]);

@@ -4,7 +4,7 @@ use crate::planted::{Planted, output};
 use crate::{HARD_HEADER, Limit};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// What a method has to say, and no more: `x² + 3y`, and `x / 3`.
+/// A method of the required functions alone: `x² + 3y`, and `x / 3`.
 struct Bare;
 
 impl Method for Bare {

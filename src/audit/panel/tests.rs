@@ -81,7 +81,7 @@ fn batches_of_answers_add_up() {
     assert!(0 < report.passed && report.passed < 1110);
 }
 
-/// What is judged when the run is stopped is counted; the rest is neither solved nor counted.
+/// Cases judged when the run is stopped count; the rest are neither solved nor counted.
 #[test]
 fn a_stop_leaves_the_rest() {
     let solved = Mutex::new(BTreeMap::new());

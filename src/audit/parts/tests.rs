@@ -19,8 +19,8 @@ fn parts(method: f64, rounding: f64) -> Option<ErrorParts> {
     Some(ErrorParts { method, rounding })
 }
 
-/// The twin three quarters of an ulp from the reference, the value two and a quarter from the twin; bounds from
-/// above, so a radius counts once in each part that it stands in.
+/// The twin three quarters of an ulp from the reference, the value two and a quarter from the twin;
+/// bounds from above, so a radius counts once in each part that it stands in.
 #[test]
 fn an_error_is_that_of_the_method_and_of_rounding() {
     let at = |twin: Ball, truth: Ball, got: f64| {
@@ -58,7 +58,8 @@ fn an_error_is_that_of_the_method_and_of_rounding() {
     near(at(coarse, beside(1.5, 0.0), off(1.5, 1)), 0.0, 1.0);
 }
 
-/// Of an output in several rows the row with the largest error counts, and no value of another output.
+/// Of an output in several rows the row with the largest error counts, and no value of another
+/// output.
 #[test]
 fn the_worst_value_of_an_output_is_taken_apart() {
     let method = Planted {
@@ -93,7 +94,8 @@ fn the_worst_value_of_an_output_is_taken_apart() {
     assert_eq!(of(6), None);
 }
 
-/// Without a twin, a finite input, values of both sides, or as many of each there is nothing to take apart.
+/// Without a twin, a finite input, values of both sides, or as many of each there is nothing to
+/// take apart.
 #[test]
 fn what_cannot_be_taken_apart() {
     let values = |n: usize| vec![beside(1.0, 0.0); n];
@@ -130,7 +132,7 @@ fn what_cannot_be_taken_apart() {
     }
 }
 
-/// The reference is computed with as many bits as are asked for.
+/// The reference is computed with the requested number of bits.
 #[test]
 fn the_reference_has_the_bits_asked_for() {
     let method = Planted {

@@ -1,4 +1,4 @@
-//! What a referee rounds, computes anew, and leaves out.
+//! Tests of what a referee rounds, computes again and leaves out.
 
 use super::*;
 use crate::Rows;
@@ -88,8 +88,8 @@ fn references_are_computed_once_at_doubled_precision() {
     assert_eq!(*asked.lock().unwrap(), [64, 128, 256, 512]);
 }
 
-/// What is shown of an answer that a wide reference decides is of the next, unless that is undecided, is not there or
-/// the share is of no interest.
+/// What is shown of an answer that a wide reference decides is of the next, unless that is
+/// undecided, is not there or the share is of no interest.
 #[test]
 fn errors_are_measured_by_references_that_are_not_wide() {
     // Radii at 64 and 128 bits, in ulps; what is judged, the last bits; what is reported.
@@ -129,8 +129,8 @@ fn errors_are_measured_by_references_that_are_not_wide() {
     }
 }
 
-/// Condition numbers are had where a budget or the settings ask for them, once for a case, and of finite
-/// inputs only.
+/// Condition numbers are had where a budget or the settings ask for them, once for a case, and of
+/// finite inputs only.
 #[test]
 fn conditions_are_had_where_they_are_asked_for() {
     use Limit::{Conditioned, Ulps};
@@ -294,7 +294,8 @@ fn branch() -> BranchAt {
     }
 }
 
-/// A completed report has digits, the solver's formula, and conditions where they cost little or are asked for.
+/// A completed report has digits, the solver's formula, and conditions where they cost little or
+/// are asked for.
 #[test]
 fn a_completed_report_has_everything() {
     let completed = |numbers: usize, conditions: bool, limits: &[Limit]| {

@@ -205,7 +205,7 @@ fn only_measured_values_are_in_statistics() {
     });
 }
 
-/// What fails as is recorded is counted apart, and is no failure; what passes is no recorded one.
+/// A recorded failure is counted apart and is no failure; a pass is no recorded failure.
 #[test]
 fn recorded_cases_are_counted_apart() {
     let half = |n: u64| {
@@ -263,7 +263,8 @@ fn values_belong_to_their_outputs() {
     );
 }
 
-/// The sample is that of the smallest hashes, in the order of cases, with the largest error of each output.
+/// The sample is that of the smallest hashes, in the order of cases, with the largest error of each
+/// output.
 #[test]
 fn the_sample_is_that_of_the_smallest_hashes() {
     let at = |i: u64| {
@@ -325,7 +326,8 @@ fn the_sample_is_that_of_the_smallest_hashes() {
     }
 }
 
-/// Three examples of each wrong kind, the first; of failures the first so many as there is room for.
+/// Three examples of each wrong kind, the first; of failures the first so many as there is room
+/// for.
 #[test]
 fn first_failures_and_examples_are_kept() {
     let nan = |i| judged(i, &[f64::NAN, 1.0], None);

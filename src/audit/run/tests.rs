@@ -13,7 +13,8 @@ fn settings(cases_per_region: u64) -> Settings {
     }
 }
 
-/// Each case once, whichever part it is in: more than a thousand, and a last block that is not full.
+/// Each case once, whichever part it is in: more than a thousand, and a last block that is not
+/// full.
 #[test]
 fn every_case_is_judged_once() {
     let seen = Mutex::new(Vec::new());
@@ -69,7 +70,8 @@ fn plane<'a>() -> Planted<'a> {
     }
 }
 
-/// A map is drawn where one is asked for and the method has one; that it has none interrupts nothing.
+/// A map is drawn where one is asked for and the method has one; that it has none interrupts
+/// nothing.
 #[test]
 fn a_map_is_drawn_where_it_is_asked_for() {
     let maps = Settings {
@@ -86,8 +88,8 @@ fn a_map_is_drawn_where_it_is_asked_for() {
     assert!(real.map.is_none() && real.passed());
 }
 
-/// A run that is stopped in its map is interrupted, and one that is stopped before has no map; one that is
-/// stopped at the last point of all has everything.
+/// A run that is stopped in its map is interrupted, and one that is stopped before has no map; one
+/// that is stopped at the last point of all has everything.
 #[test]
 fn a_stop_within_the_map_interrupts_the_run() {
     let maps = Settings {
@@ -118,7 +120,8 @@ fn worst_cases_are_taken_apart() {
     let method = || Planted {
         outputs: vec![output("x", Limit::Ulps(4.0)), output("y", Limit::Ulps(4.0))],
         reference: Box::new(|x, bits| ReferenceAnswer::exact([&x[0], &x[0]], bits)),
-        // Wrong by three ulps in the first and one in the second output, of which the method has one.
+        // Wrong by three ulps in the first and one in the second output, of which the method has
+        // one.
         solve: Box::new(|x| SolverAnswer::Values(vec![off(x[0], 3), off(x[0], 1)])),
         twin: Box::new(|x| Some(vec![Ball::exact(64, off(x[0], 1)); 2])),
         ..Planted::default()

@@ -115,11 +115,11 @@ impl SampleBox {
 }
 
 impl Near {
-    /// Reads the centre: numbers separated by commas, the name of a check point, `REGION/CASE` of the
-    /// settings' seed, or `hard/N`.
+    /// Reads the centre: numbers separated by commas, the name of a check point, `REGION/CASE` of
+    /// the settings' seed, or `hard/N`.
     ///
     /// # Errors
-    /// What is no input of the method; a radius that is not positive and at most 1.
+    /// A text that is no input of the method; a radius that is not positive and at most 1.
     pub fn read(
         method: &dyn Method,
         settings: &Settings,

@@ -91,7 +91,7 @@ fn boxes() {
         all[17].place(),
         "--box 'n=2, x=-6..0,y=+-log 0x1p-20..8' --seed 1 --case 17"
     );
-    // What it does not name comes from the regions, one after the other.
+    // Numbers that it does not name come from the regions, one after the other.
     let all = boxed("y=log -1e3..-1").unwrap();
     assert_eq!(all.len(), 400);
     assert!(all.iter().all(|c| (-1e3..=-1.0).contains(&c.input[2])));
@@ -225,8 +225,8 @@ fn sides_are_drawn_by_the_stream() {
     }
 }
 
-/// The order in which a box names its numbers changes nothing, and a region's numbers are those of its own
-/// cases.
+/// The order in which a box names its numbers changes nothing, and a region's numbers are those of
+/// its own cases.
 #[test]
 fn a_box_draws_alike_however_it_is_written() {
     let input = |text: &str| -> Vec<Vec<f64>> {

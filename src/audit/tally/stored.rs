@@ -1,7 +1,7 @@
 //! Tallies as values that can be written and read: exact, every float by its bits.
 //!
-//! A kept case is stored with its answer; its judgement follows from both and is made anew when it is
-//! shown.
+//! A kept case is stored with its answer; its judgement follows from both and is made anew when it
+//! is shown.
 
 mod case;
 mod error;
@@ -94,7 +94,7 @@ fn largest(of: &Largest) -> Option<(Bits, StoredCase)> {
 }
 
 fn first<T>(room: usize, kept: Vec<T>) -> Result<First<T>, StoredError> {
-    First::again(room, kept).ok_or(StoredError::Value("more cases"))
+    First::restore(room, kept).ok_or(StoredError::Value("more cases"))
 }
 
 impl Tally {
@@ -113,10 +113,11 @@ impl Tally {
         }
     }
 
-    /// What [`Tally::stored`] gave of a [lean](Tally::lean) tally of the same method and settings.
+    /// The result of [`Tally::stored`] for a [lean](Tally::lean) tally of the same method and
+    /// settings.
     ///
     /// # Errors
-    /// What belongs to another method, or to no tally.
+    /// A text that belongs to another method, or to no tally.
     pub fn restored(
         method: &dyn Method,
         settings: &Settings,

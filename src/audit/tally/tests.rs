@@ -98,7 +98,8 @@ impl Method for Twice {
 /// Where the first output is known to be over its budget of 4 ulps, twice of it.
 const RECORDED: f64 = 1.5;
 
-/// A finding that is recorded is forgiven: this output at this input, so much and no more, and nothing besides.
+/// A finding that is recorded is forgiven: this output at this input, up to the recorded share, and
+/// nothing else.
 #[test]
 fn only_what_is_recorded_is_forgiven() {
     let at = |x: f64, [one, two]: [u64; 2]| {
@@ -173,8 +174,8 @@ fn trouble_besides_the_answers_is_no_pass() {
     assert!(!found.passed());
 }
 
-/// Of two laws one that fails is enough, in whichever order, and its worst case is the largest residual's, the
-/// earliest of equals.
+/// Of two laws one that fails is enough, in whichever order, and its worst case is the largest
+/// residual's, the earliest of equals.
 #[test]
 fn laws_keep_their_worst() {
     let settings = Settings::default();
@@ -279,7 +280,7 @@ fn judged(region: &'static str, index: u64, x: f64, answer: SolverAnswer) -> Cas
     judge_case_briefly(&Twice, case(region, index, x), answer, &Settings::default())
 }
 
-/// `x` so many ulps off, `2x` right.
+/// `x` off by a number of ulps, `2x` right.
 fn off(region: &'static str, index: u64, ulps: u64) -> CaseReport {
     let x = 1.0 + index as f64 * 2f64.powi(-20);
     let got = f64::from_bits(x.to_bits() + ulps);
@@ -328,7 +329,7 @@ fn each_wrong_kind_is_counted_apart_and_in_no_statistic() {
     assert_eq!(r.total.normwise.unwrap().count, 2);
     // An example of each.
     let kinds: Vec<Option<Kind>> = r.wrong.iter().map(|c| c.judgement.kind).collect();
-    for kind in expected.some().map(|k| k.0) {
+    for kind in expected.nonzero().map(|k| k.0) {
         assert!(kinds.contains(&Some(kind)), "{kind:?}");
     }
     assert_eq!(r.failures.len(), 9);
@@ -402,7 +403,7 @@ fn the_worst_of_each_region_comes_first() {
     );
 }
 
-/// All that a report says, but for how it was asked for.
+/// Returns a report without the settings of its run.
 fn shown(report: &MethodReport) -> String {
     format!("{:?}", report)
 }

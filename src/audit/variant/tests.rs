@@ -1,4 +1,4 @@
-//! What a variant changes, and that it changes nothing else.
+//! Tests that a variant changes what it names and nothing else.
 
 use super::*;
 use crate::planted::{Planted, hard, output, point, region};
@@ -175,7 +175,7 @@ fn another_solver_has_no_laws_proof_or_twin() {
     assert_eq!(other.solve(&[3.0]), SolverAnswer::Values(vec![1.5]));
     assert!(other.laws().is_empty() && other.proved().is_empty());
     assert!(other.twin(&[]).is_none());
-    // What is recorded of hard cases, the domain, and the budgets stay.
+    // Records of hard cases, the domain and the budgets stay.
     assert_eq!(shares(&other), [2.0, 0.5]);
     assert_eq!(points(&other), ["one", "end"]);
     assert_eq!(limits(&other), OWN);
@@ -200,7 +200,7 @@ fn only_regions_asked_for() {
     assert_eq!(e.known, ["near", "far", "next"]);
 }
 
-/// Regions of one's own: the numbers are the method's, nothing that is said of its domain stays.
+/// With user-supplied regions the numbers are the method's, and nothing of its domain stays.
 #[test]
 fn in_regions_of_ones_own() {
     let own = method();
@@ -250,7 +250,7 @@ fn cases_of_a_box() {
     assert_eq!(Method::sampling(&Variant::new(&own)), sampling);
 }
 
-/// What is proved, and what is recorded, is of the method's own format and budget.
+/// Proofs and records refer to the method's own format and budget.
 #[test]
 fn another_format_or_limit_has_nothing_recorded() {
     let own = method();
@@ -287,7 +287,7 @@ fn other_hard_cases() {
     assert!(region.hard().is_empty());
 }
 
-/// A limit on the norm takes the place of the outputs' own, and stands beside one's own of them.
+/// A limit on the norm takes the place of the outputs' own, and stands beside user-supplied ones.
 #[test]
 fn a_limit_of_the_norm() {
     let own = method();
@@ -308,7 +308,8 @@ fn a_limit_of_the_norm() {
     assert_eq!(one.norm_budget().unwrap().factor, 2f64.powi(33));
 }
 
-/// Values, references, signs, conditions and twins of the selected outputs, row by row, and no norm of all.
+/// Values, references, signs, conditions and twins of the selected outputs, row by row, and no norm
+/// of all.
 #[test]
 fn selected_outputs() {
     let own = method();

@@ -29,14 +29,15 @@ pub struct AtlasArgs {
     /// These algorithms only, and of the claims those about them
     #[arg(long, value_name = "NAME", num_args = 1..)]
     pub only: Vec<String>,
-    /// Show the algorithms at this point beside the certified value, and nothing else; the Hartmann-Tran profile at a line of
-    /// eight numbers, Gamma_D,Gamma_0,Gamma_2,Delta_0,Delta_2,nu_VC,eta,detuning
+    /// Show the algorithms at this point beside the certified value, and nothing else; the
+    /// Hartmann-Tran profile at a line of eight numbers,
+    /// Gamma_D,Gamma_0,Gamma_2,Delta_0,Delta_2,nu_VC,eta,detuning
     #[arg(long, value_name = "RE,IM", allow_hyphen_values = true)]
     pub at: Option<String>,
-    /// Libraries besides, those of the built-in list that are installed
+    /// Add the libraries of the built-in list that are installed
     #[arg(long)]
     pub libraries: bool,
-    /// A program besides, of the method `faddeeva`'s protocol; may be given several times
+    /// Add a program that speaks the protocol of `faddeeva`; may be given several times
     #[arg(long, value_name = "COMMAND")]
     pub exec: Vec<String>,
     /// Points in each region, up to a million; searches are multiples of it [default: 200]
@@ -54,7 +55,7 @@ pub struct AtlasArgs {
     /// Which table, in CSV
     #[arg(long, value_enum, default_value = "rows")]
     pub table: AtlasTable,
-    /// Write to this file, whole or not at all, or to a device or pipe; - is standard output
+    /// Write atomically to FILE (`-` is standard output)
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }

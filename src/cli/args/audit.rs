@@ -15,6 +15,8 @@ Examples:
   mechaudit audit four-bar --check-point NAME --format json
   mechaudit audit faddeeva --at 1.5,-0x1p-2    one input
   mechaudit audit erfc --hard my-hard-cases    what a hunt has recorded there
+  mechaudit audit study.toml --solver stable   a problem of your own
+  mechaudit audit cores/*.fpcore --format json many at once
   mechaudit audit --format html --output audit.html
   mechaudit audit --format junit --output audit.xml
   mechaudit audit erfc --maps --format json    errors over the complex plane
@@ -37,8 +39,11 @@ Ctrl-C ends an audit with a report of what is judged until then and exit code 13
 /// Arguments of `audit`.
 #[derive(ClapArgs, Debug)]
 pub struct AuditArgs {
-    /// The method; all methods if left out
-    pub method: Option<String>,
+    /// The methods, or files of studies (.toml, .fpcore); all methods if left out
+    pub method: Vec<String>,
+    /// Audit this solver of a study's file instead of the first
+    #[arg(long, value_name = "NAME", requires = "method", conflicts_with = "exec")]
+    pub solver: Option<String>,
     #[command(flatten)]
     pub place: WhereArgs,
     /// Only this input, its numbers separated by commas
@@ -49,14 +54,14 @@ pub struct AuditArgs {
     /// Form of the report
     #[arg(long, value_enum, default_value = "text")]
     pub format: AuditFormat,
-    /// Judge a grid of the complex plane besides, for functions of a complex variable; a page has it
-    /// in any case
+    /// Judge a grid of the complex plane, too, for functions of a complex variable; a page always
+    /// has it
     #[arg(long, conflicts_with_all = ["case", "check_point", "hard_case", "at", "exec"])]
     pub maps: bool,
-    /// Write to this file, whole or not at all, or to a device or pipe; - is standard output
+    /// Write atomically to FILE (`-` is standard output)
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// A report of `audit` in JSON: says what is better and worse since
+    /// Show the changes since this report of `audit` in JSON
     #[arg(long, value_name = "FILE", requires = "method")]
     pub baseline: Option<PathBuf>,
     #[command(flatten)]
@@ -75,19 +80,19 @@ pub struct ExecArgs {
     pub program: ProgramArgs,
 }
 
-/// How programs are spoken to.
+/// The protocol between the audit and a program.
 #[derive(ClapArgs, Clone, Debug)]
 pub struct ProgramArgs {
-    /// Seconds without a line from the program after which it is ended
+    /// Seconds without an answer after which the program is ended
     #[arg(long, value_name = "S", default_value = "60", value_parser = seconds, requires = "exec")]
     pub timeout: Duration,
-    /// Seconds after which the program is ended, however many lines it has written
+    /// Seconds after which the program is ended, however much it has answered
     #[arg(long, value_name = "S", default_value = "3600", value_parser = seconds, requires = "exec")]
     pub run_timeout: Duration,
-    /// Give the program decimals instead of hexadecimal floats
+    /// Write inputs as decimals instead of hexadecimal floats
     #[arg(long, requires = "exec")]
     pub decimal: bool,
-    /// Speak with the program in binary frames of 64-bit words instead of lines; it sees
+    /// Use binary frames of 64-bit words instead of lines; the program finds
     /// MECHAUDIT_PROTOCOL=binary in its environment
     #[arg(long, requires = "exec", conflicts_with = "decimal")]
     pub binary: bool,

@@ -27,7 +27,7 @@ pub struct CampaignArgs {
     pub step: CampaignStep,
 }
 
-/// What to do with a campaign.
+/// The steps of a campaign.
 #[derive(Debug, Subcommand)]
 pub enum CampaignStep {
     /// Cut a plan into shards: makes the campaign's folder
@@ -47,7 +47,7 @@ pub enum CampaignStep {
 pub struct PlanArgs {
     /// The plan: TOML or JSON, - for standard input
     pub file: PathBuf,
-    /// How many shards
+    /// Number of shards
     #[arg(long, value_name = "N", default_value = "64", value_parser = number::within::<u64>(1..=1_000_000))]
     pub shards: u64,
     /// The campaign's folder, made if missing

@@ -53,7 +53,7 @@ The equation is y'' + 2n y' + w^2 y = w^2 f, f the cam's displacement. The file:
 pub struct ChirpArgs {
     /// The oscillator, its cam and its shaft in TOML or JSON; `-` reads standard input
     pub file: PathBuf,
-    /// What to print [default: history with [run] in the file, else chart with [chart], else
+    /// Rows to print [default: history with [run] in the file, else chart with [chart], else
     /// spectrum; on a page all that there is]
     #[arg(long, value_enum)]
     pub rows: Option<ChirpRows>,
@@ -68,12 +68,12 @@ pub struct ChirpArgs {
     pub svg: Option<PathBuf>,
     #[command(flatten)]
     pub units: UnitsArgs,
-    /// Write the rows, or the page, to this file, whole or not at all, or to a device or pipe; - is standard output
+    /// Write the rows or the page atomically to FILE (`-` is standard output)
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }
 
-/// What `chirp` prints.
+/// The rows that `chirp` prints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum ChirpRows {
     /// The motion over time

@@ -1,6 +1,6 @@
-//! Arguments of `mechaudit compare` and `mechaudit describe`.
+//! Arguments of `mechaudit compare`.
 
-use super::{ProgramArgs, RunArgs, ScopeArgs, TextOrJson, WhereArgs};
+use super::{ProgramArgs, RunArgs, ScopeArgs, WhereArgs};
 use clap::{Args as ClapArgs, ValueEnum};
 use std::path::PathBuf;
 
@@ -18,11 +18,6 @@ called in this process.
 
 The exit code is 1 if one of them is over budget.";
 
-pub const AFTER_DESCRIBE: &str = "\
-Examples:
-  mechaudit describe faddeeva
-  mechaudit describe cubic-spline-clamped --format json";
-
 /// Arguments of `compare`.
 #[derive(ClapArgs, Debug)]
 pub struct CompareArgs {
@@ -31,7 +26,7 @@ pub struct CompareArgs {
     /// A program; may be given several times
     #[arg(long, value_name = "COMMAND", required = true)]
     pub exec: Vec<String>,
-    /// Compare with the method's own solver besides
+    /// Compare with the method's own solver, too
     #[arg(long, value_enum, value_name = "WHAT")]
     pub with: Option<With>,
     #[command(flatten)]
@@ -45,18 +40,18 @@ pub struct CompareArgs {
     /// Leave the speed out
     #[arg(long)]
     pub no_speed: bool,
-    /// A report of `compare` or `audit` in JSON: says what is better and worse since
+    /// Show the changes since this report of `compare` or `audit` in JSON
     #[arg(long, value_name = "FILE")]
     pub baseline: Option<PathBuf>,
     /// Form of the report
     #[arg(long, value_enum, default_value = "text")]
     pub format: CompareFormat,
-    /// Write to this file, whole or not at all, or to a device or pipe; - is standard output
+    /// Write atomically to FILE (`-` is standard output)
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }
 
-/// What is compared besides programs.
+/// The code compared in addition to programs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum With {
     /// The method's own solver
@@ -74,14 +69,4 @@ pub enum CompareFormat {
     Csv,
     /// A page to be opened in a browser
     Html,
-}
-
-/// Arguments of `describe`.
-#[derive(ClapArgs, Debug)]
-pub struct DescribeArgs {
-    /// The method
-    pub method: String,
-    /// Form of the description
-    #[arg(long, value_enum, default_value = "text")]
-    pub format: TextOrJson,
 }

@@ -11,7 +11,7 @@ Examples:
   echo 0.1,0.3,0,0,0,1 | mechaudit eval slider-crank --digits 30 --outputs x,mu
   mechaudit eval faddeeva --threads 4 < cases.csv > values.csv
 
-Input: one case a line, its numbers as `mechaudit list NAME` lays them out, separated by commas; \
+Input: one case a line, its numbers as `mechaudit describe NAME` lays them out, separated by commas; \
 each a decimal or a C99 hexadecimal float, without --digits also inf and nan. Blank lines and lines \
 that begin with # are skipped.
 

@@ -27,10 +27,10 @@ ended by Ctrl-C, what was found until then is reported and recorded.";
 pub struct HuntArgs {
     /// The method
     pub method: String,
-    /// Evaluations of solver and reference
+    /// Number of evaluations of solver and reference
     #[arg(long, value_name = "N", default_value = "10000", value_parser = number::counting::<u64>())]
     pub evals: u64,
-    /// Key of the random stream
+    /// Seed of the random stream
     #[arg(long, value_name = "SEED", default_value = "1", value_parser = number::whole)]
     pub seed: u64,
     /// Climb from the hard cases in this folder, and add what is worse; those built in otherwise,

@@ -44,8 +44,8 @@ Exit codes: 0, every equation is proved; 1, one is not; 2, bad usage or input.";
 /// Arguments of `identity`.
 #[derive(ClapArgs, Debug)]
 pub struct IdentityArgs {
-    /// A definition, `name = expression`, or an image under a derivation, `t: x = expression`, which makes D(x, t) that
-    /// expression; may be given several times
+    /// A definition, `name = expression`, or an image under a derivation, `t: x = expression`,
+    /// which makes D(x, t) that expression; may be given several times
     #[arg(long, value_name = "DEFINITION")]
     pub define: Vec<String>,
     /// Form of the answers; json is an object on each line

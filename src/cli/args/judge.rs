@@ -18,8 +18,8 @@ Answers are matched with inputs in their order; comments (#) are skipped in both
 answer that cannot be read is judged as one, and those after it still count. See mechaudit \
 points --help for what an answer looks like.
 
-A table begins with a line of names, those of the inputs and of outputs (see mechaudit list \
-METHOD), in any order, with their unit in brackets or without: phi1 [rad]. Values in another unit \
+A table begins with a line of names, those of the inputs and of outputs (see mechaudit \
+describe METHOD), in any order, with their unit in brackets or without: phi1 [rad]. Values in another unit \
 of the same, as phi2 [deg] or x [mm], are judged in it; an input in degrees is refused, for it is no \
 exact number of radians. Vectors and rows are counted from 0: diagonal[0], S[1]. Without a column \
 Im z the inputs are real, and x and erf are short for Re z and Re erf. Inputs are taken exactly as \
@@ -49,8 +49,8 @@ pub struct JudgeArgs {
     /// The answers; `-` reads standard input
     #[arg(long, value_name = "FILE", requires = "inputs")]
     pub values: Option<PathBuf>,
-    /// Only the input on this line of its file, or the row of the table, with everything that is known
-    /// of it
+    /// Only the input on this line of its file, or the row of the table, with everything that is
+    /// known of it
     #[arg(long, value_name = "N", value_parser = number::whole)]
     pub line: Option<u64>,
     /// A published table in CSV: inputs and printed decimals; `-` reads standard input
@@ -61,7 +61,7 @@ pub struct JudgeArgs {
     /// Form of the report
     #[arg(long, value_enum, default_value = "text")]
     pub format: AuditFormat,
-    /// Write to this file, whole or not at all, or to a device or pipe; - is standard output
+    /// Write atomically to FILE (`-` is standard output)
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }

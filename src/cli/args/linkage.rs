@@ -69,7 +69,8 @@ With type = \"planar\", any mechanism with one degree of freedom; `mechaudit::bo
 pub struct LinkageArgs {
     /// The linkage in TOML or JSON; `-` reads standard input
     pub file: PathBuf,
-    /// Step of the crank angle in degrees [default: 7.5; of a page, the 720th part of what there is]
+    /// Step of the crank angle in degrees [default: 7.5; of a page, the 720th part of what there
+    /// is]
     #[arg(long, value_name = "DEG", value_parser = Decimal::parse, allow_hyphen_values = true)]
     pub step_deg: Option<Decimal>,
     /// Form of the rows
@@ -91,7 +92,8 @@ pub struct LinkageArgs {
     /// Certified decimals with this many significant digits instead of floating-point numbers
     #[arg(long, value_name = "N", value_parser = number::within::<u32>(1..=1000))]
     pub digits: Option<u32>,
-    /// Positions, derivatives and curvature of the paths of all named points (not for type = "class-iii")
+    /// Positions, derivatives and curvature of the paths of all named points (not for type =
+    /// "class-iii")
     #[arg(long)]
     pub paths: bool,
     /// Forces in the joints at the drive's speed and acceleration (not for type = "class-iii")
@@ -100,13 +102,13 @@ pub struct LinkageArgs {
     /// Draw mechanism.svg and, with masses, reduced.svg into this folder
     #[arg(long, value_name = "DIR")]
     pub svg: Option<PathBuf>,
-    /// Draw mechanism.dxf into this folder: the position at --from-deg, else at the start, and the paths of
-    /// all named points; in metres, or in the length among --units
+    /// Draw mechanism.dxf into this folder: the position at --from-deg, else at the start, and the
+    /// paths of all named points; in metres, or in the length among --units
     #[arg(long, value_name = "DIR")]
     pub dxf: Option<PathBuf>,
     #[command(flatten)]
     pub units: UnitsArgs,
-    /// Write the rows, or the page, to this file, whole or not at all, or to a device or pipe; - is standard output
+    /// Write the rows or the page atomically to FILE (`-` is standard output)
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }

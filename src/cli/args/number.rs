@@ -9,7 +9,7 @@ const EXACT: f64 = 9_007_199_254_740_992.0;
 /// No bound of a rounded value is below this, in units in its last place.
 const HALF: f64 = 0.5;
 
-/// What an argument has to be.
+/// The rule that an argument breaks.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Refused {
     #[error("must be a whole number, {0} or more")]

@@ -28,7 +28,7 @@ pub struct PaperArgs {
     /// Form of the report
     #[arg(long, value_enum, default_value = "text")]
     pub format: PaperFormat,
-    /// Write to this file, whole or not at all, or to a device or pipe; - is standard output
+    /// Write atomically to FILE (`-` is standard output)
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }
@@ -46,6 +46,6 @@ pub enum PaperFormat {
     Html,
     /// The ledger as a LaTeX document
     Latex,
-    /// What is wrong in the ledger, as JSON
+    /// The errata of the ledger, as JSON
     Errata,
 }

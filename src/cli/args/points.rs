@@ -29,16 +29,16 @@ pub struct PointsArgs {
     /// Random inputs in each region
     #[arg(long, value_name = "N", default_value = "200", value_parser = number::whole)]
     pub count: u64,
-    /// Key of the random stream
+    /// Seed of the random stream
     #[arg(long, value_name = "SEED", default_value = "1", value_parser = number::whole)]
     pub seed: u64,
-    /// Numbers that single precision holds
+    /// Round the numbers to single precision
     #[arg(long)]
     pub single: bool,
-    /// Decimals instead of hexadecimal floats
+    /// Write decimals instead of hexadecimal floats
     #[arg(long)]
     pub decimal: bool,
-    /// Write to this file, whole or not at all, or to a device or pipe; - is standard output
+    /// Write atomically to FILE (`-` is standard output)
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }

@@ -34,7 +34,7 @@ and says before what they take at most.
 Exit codes: 0, proved; 1, rectangles are left on which nothing is proved; 2, bad usage, or given up; 130, ended \
 by Ctrl-C, without a theorem.";
 
-/// What is proved.
+/// The part of the plane of a proof.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Part {
     /// The closed upper half-plane
@@ -54,11 +54,12 @@ pub struct ProveArgs {
     /// Where; faddeeva alone
     #[arg(long, value_enum)]
     pub part: Option<Part>,
-    /// Halve rectangles until the error of the norm is at most this, in units of 2^-52; faddeeva alone [default: 1.25]
+    /// Halve rectangles until the error of the norm is at most this, in units of 2^-52; faddeeva
+    /// alone [default: 1.25]
     #[arg(long, value_name = "K", value_parser = super::number::bound)]
     pub norm: Option<f64>,
-    /// Halve rectangles until the error of each component is at most this, in units in its last place; intervals until
-    /// that of the value is [default: 4; of a real argument 0.875]
+    /// Halve rectangles until the error of each component is at most this, in units in its last
+    /// place; intervals until that of the value is [default: 4; of a real argument 0.875]
     #[arg(long, value_name = "C", value_parser = super::number::bound)]
     pub component: Option<f64>,
     /// faddeeva alone: only where Re z and Im z are below this; without it every finite number

@@ -20,7 +20,7 @@ with the first line that differs, or a value left undecided; 2, bad usage.";
 /// Arguments of `regenerate`.
 #[derive(ClapArgs, Debug)]
 pub struct RegenerateArgs {
-    /// What to make; everything if left out
+    /// The files to make; all if left out
     #[arg(value_name = "NAME")]
     pub names: Vec<String>,
     /// Compare with the files, byte for byte, instead of writing them

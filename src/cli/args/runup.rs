@@ -15,7 +15,7 @@ Examples:
   mechaudit runup examples/four-bar-run-up.toml --format html --output run.html
   mechaudit runup examples/soft-start.toml --units rpm
 
-The file describes the linkage as for `mechaudit linkage`, with masses, and besides:
+The file describes the linkage as for `mechaudit linkage`, with masses, and in addition:
   [bodies.coupler]                  # four-bar: crank, coupler, rocker; slider-crank: crank, rod and
                                     # slider, which has a mass only
   [start]
@@ -76,7 +76,7 @@ pub struct RunupArgs {
     pub svg: Option<PathBuf>,
     #[command(flatten)]
     pub units: UnitsArgs,
-    /// Write the rows, or the page, to this file, whole or not at all, or to a device or pipe; - is standard output
+    /// Write the rows or the page atomically to FILE (`-` is standard output)
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }

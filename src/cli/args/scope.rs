@@ -1,4 +1,4 @@
-//! What is judged, where and how strictly: shared by commands that draw or judge cases.
+//! Arguments that select cases and say how strictly they are judged, shared by several commands.
 
 use super::number;
 use crate::cli::number::LineError;
@@ -28,26 +28,26 @@ pub struct WhereArgs {
     /// Only this hard case, counted from 1 in its file
     #[arg(long, value_name = "N", requires = "method", conflicts_with_all = ["region", "case", "check_point"], value_parser = number::index)]
     pub hard_case: Option<usize>,
-    /// Cases from a box: 'Re z=0..8,Im z=log 1e-9..1', +-log for either sign, NAME=X for one number;
-    /// what it does not name is drawn from the regions
+    /// Cases from a box: 'Re z=0..8,Im z=log 1e-9..1', +-log for either sign, NAME=X for one
+    /// number; what it does not name is drawn from the regions
     #[arg(long = "box", value_name = "BOX", requires = "method", allow_hyphen_values = true, conflicts_with_all = ["check_point", "hard", "hard_case"])]
     pub sides: Option<String>,
     /// Cases about this one: numbers separated by commas, a check point, REGION/I or hard/N
     #[arg(long, value_name = "CASE", requires = "radius", allow_hyphen_values = true, conflicts_with_all = ["region", "check_point", "hard_case", "sides"])]
     pub near: Option<String>,
-    /// How far about it, relative to each of its numbers
+    /// Radius about it, relative to each of its numbers
     #[arg(long, value_name = "R", requires = "near", value_parser = number::positive)]
     pub radius: Option<f64>,
-    /// Leave out regions, check points and hard cases at the ends of the range of floating-point numbers,
-    /// beyond 1e-100 and 1e100
+    /// Leave out regions, check points and hard cases at the ends of the range of floating-point
+    /// numbers, beyond 1e-100 and 1e100
     #[arg(long)]
     pub ordinary: bool,
 }
 
-/// What is judged, and how strictly.
+/// The outputs that are judged, and their limits.
 #[derive(ClapArgs, Clone, Debug, Default)]
 pub struct ScopeArgs {
-    /// Judge these outputs only, separated by commas: an answer holds no others
+    /// Judge only these outputs, separated by commas; answers contain no others
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub outputs: Option<Vec<String>>,
     /// Allow K ulps for every output instead of the method's budget
@@ -59,11 +59,12 @@ pub struct ScopeArgs {
     /// Allow an absolute error of A, in the output's unit, for every output instead
     #[arg(long, value_name = "A", value_parser = number::positive)]
     pub absolute: Option<f64>,
-    /// Allow a norm of all errors of R times the norm of the values; alone, or besides one of the others
+    /// Allow a norm of all errors of R times the norm of the values; alone, or with one of the
+    /// others
     #[arg(long, value_name = "R", value_parser = number::positive)]
     pub normwise: Option<f64>,
-    /// The code computes in single precision: inputs are f32, ulps are those of f32, answers are rounded
-    /// to f32
+    /// The code computes in single precision: inputs are f32, ulps are those of f32, answers are
+    /// rounded to f32
     #[arg(long)]
     pub single: bool,
 }

@@ -17,6 +17,7 @@ use mechaudit::audit::{
     Cases, ConvergenceReport, Method, MethodReport, Settings, Uncertified, audit_method_until,
     audit_one, convergence, map_points,
 };
+use mechaudit::methods::Evaluable;
 use mechaudit::papers::PaperReport;
 use mechaudit::reference::Undecided;
 use mechaudit::report::text;
@@ -44,7 +45,7 @@ pub fn everything(args: &RunArgs, verbose: bool) -> Result<Outcome, Failure> {
     let started = Instant::now();
     // Side by side: parts of a paper that follow one from another leave a core to the others.
     let shown = Arc::clone(&progress);
-    let read = interrupt::unless_asked(move || {
+    let read = interrupt::unless_requested(move || {
         let keys = papers::keys().into_par_iter();
         keys.filter_map(|key| Some((key, paper(key, &shown)?)))
             .collect::<Vec<_>>()
@@ -125,7 +126,8 @@ impl<'a> Panel<'a> {
         Panel { progress, seconds }
     }
 
-    /// Judges all methods until the user asks to stop; `show` gets each report as soon as it is there.
+    /// Judges all methods until the user asks to stop; `show` gets each report as soon as it is
+    /// there.
     fn judge_all(
         &mut self,
         workload: &Workload,
@@ -205,14 +207,46 @@ fn candidate(args: &AuditArgs) -> Option<Candidate> {
 /// Audits methods as the arguments say.
 pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
     let settings = settings(args)?;
-    let methods = lookup::methods(args.method.as_deref())?;
+    let lookup::Named {
+        mut methods,
+        refused,
+    } = lookup::named(&args.method)?;
+    for method in &mut methods {
+        if let Some(name) = &args.solver {
+            method.select_solver(name).map_err(Failure::new)?;
+        }
+        if args.program.exec.is_none() {
+            lookup::has_solver(&**method)?;
+        }
+    }
+    if args.program.exec.is_some() && methods.len() > 1 {
+        return Err(Failure::new(
+            "--exec audits a program as one method, and several are named",
+        ));
+    }
+    for error in &refused {
+        complain(&format!("refused: {error}"));
+    }
+    let outcome = judge_named(args, &methods, settings)?;
+    Ok(match refused.is_empty() {
+        true => outcome,
+        false => outcome.or_finding(),
+    })
+}
+
+/// Audits methods that are resolved.
+fn judge_named(
+    args: &AuditArgs,
+    methods: &[Box<dyn Evaluable>],
+    settings: Settings,
+) -> Result<Outcome, Failure> {
     let output = Output::open(args.output.as_deref())?;
     let mut extras = ReportExtras {
         baseline: report::baseline(args.baseline.as_deref(), args.format)?,
         ..ReportExtras::default()
     };
-    let workload = match methods.as_slice() {
-        [method] if args.method.is_some() => {
+    let workload = match methods {
+        [method] if !args.method.is_empty() => {
             Workload::of_one(&**method, selection(args), settings)?
         }
         all => Workload::of_all(all, selection(args), settings)?,
@@ -247,7 +281,7 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
         output.text(&text)?;
         return Ok(outcome);
     }
-    if args.format == AuditFormat::Html && args.method.is_none() && !is_stopped(&reports) {
+    if args.format == AuditFormat::Html && args.method.is_empty() && !is_stopped(&reports) {
         extras.approximations = approximations();
         mark_incomplete(&extras, &mut reports);
     }
@@ -277,7 +311,7 @@ fn mark_incomplete(extras: &ReportExtras, reports: &mut [MethodReport]) {
 
 /// Returns the convergence of all approximations, unless the user asks to stop.
 fn approximations() -> Option<Vec<Result<ConvergenceReport, Uncertified>>> {
-    interrupt::unless_asked(|| {
+    interrupt::unless_requested(|| {
         let all = methods::approximations();
         all.par_iter().map(|a| convergence(&**a)).collect()
     })

@@ -23,7 +23,8 @@ use std::time::{Duration, Instant};
 
 /// Cases judged together.
 const BATCH: usize = 1024;
-/// Inputs of a first timed run, the most of any, and how long the last one takes at least if they suffice.
+/// Inputs of a first timed run, the most of any, and how long the last one takes at least if they
+/// suffice.
 const FEW: usize = 200;
 const MANY: usize = 500_000;
 const LONG: Duration = Duration::from_millis(400);
@@ -132,7 +133,7 @@ fn judged(
         }
         judge_together(method, settings, cases, &mut tallies);
         progress.show(method.name(), to as u64, total as u64);
-        if interrupt::asked() {
+        if interrupt::is_requested() {
             tallies.iter_mut().for_each(Tally::interrupt);
             break;
         }
@@ -193,7 +194,7 @@ fn speed(run: impl Fn(usize) -> Option<Duration>) -> Option<Speed> {
     })
 }
 
-/// How many inputs are likely to take long enough, if `n` took so long: twice as many at least, 16 times at most.
+/// Returns the number of inputs likely to take long enough, if `n` took `taken`: 2n to 16n.
 fn more(n: usize, taken: Duration) -> usize {
     let wanted = LONG.as_secs_f64() / taken.as_secs_f64().max(1e-9) * n as f64 * 1.25;
     (wanted as usize).clamp(2 * n, 16 * n).min(MANY)
@@ -246,7 +247,7 @@ mod tests {
         }
     }
 
-    /// What a comparison of the method's own solver alone writes into a file.
+    /// Returns the file that a comparison of the method's own solver alone writes.
     fn ours(folder: &Path, line: &str) -> (Outcome, String) {
         let file = folder.join("found");
         let line = format!("{line} --with ours --exec none --output {}", file.display());

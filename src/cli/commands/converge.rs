@@ -29,7 +29,7 @@ pub fn converge(args: &ConvergeArgs) -> Result<Outcome, Failure> {
     for approximation in chosen {
         let name = approximation.name();
         progress.show(name, done as u64, total as u64);
-        let Some(report) = interrupt::unless_asked(move || convergence(&*approximation)) else {
+        let Some(report) = interrupt::unless_requested(move || convergence(&*approximation)) else {
             break;
         };
         let report = report.map_err(|e| Failure::caused(e).about(name))?;
@@ -117,7 +117,7 @@ mod tests {
     use mechaudit::audit::LevelError;
     use mechaudit::report::text::style::plain;
 
-    /// What is known of no level has no column.
+    /// A fact that is known of no level has no column.
     #[test]
     fn columns_are_those_that_have_values() {
         let table = |method: Option<f64>, order: Option<f64>| {

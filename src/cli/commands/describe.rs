@@ -1,26 +1,78 @@
-//! A method described to whoever writes a candidate, from the layout that the judge reads answers by.
+//! Descriptions of methods, from the layout that the judge reads answers by: `describe` prints the
+//! long form, `list` the short one.
 
-use crate::cli::args::DescribeArgs;
+use crate::cli::args::{DescribeArgs, ListArgs};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::print_as;
 use crate::cli::lookup;
 use crate::cli::process::wire;
 use crate::cli::terminal::width;
-use mechaudit::audit::{Case, Cases, Layout, Method, Settings, SolverAnswer, answer_of, hex_float};
-use mechaudit::methods;
+use mechaudit::audit::{
+    Budget, Case, Cases, Layout, Method, Settings, SolverAnswer, answer_of, hex_float,
+};
 use mechaudit::report::text::style::{BOLD, DIM, PLAIN, paint, paragraph, wrap};
 use mechaudit::report::text::table::Table;
+use mechaudit::report::words::audit::proved;
 use mechaudit::report::words::numbers::unit;
+use mechaudit::{methods, papers};
 use serde_json::{Value, json};
 
-/// Describes it.
+/// Describes a method.
 pub fn describe(args: &DescribeArgs) -> Result<Outcome, Failure> {
     let method = lookup::method(&args.method)?;
     print_as(args.format, || text(&*method, width()), || json(&*method))?;
     Ok(Outcome::AsExpected)
 }
 
-/// The shortest case with an answer of values among the first of the regions; check points come before them.
+/// Lists a method, or all methods and papers.
+pub fn list(args: &ListArgs) -> Result<Outcome, Failure> {
+    let methods = lookup::methods(args.method.as_deref())?;
+    let all = args.method.is_none();
+    let text = || {
+        let mut out: String = methods.iter().map(|m| short(&**m, width())).collect();
+        if all {
+            out += &format!("\n{}\n", paint(BOLD, "Papers"));
+            for key in papers::keys() {
+                out += &format!("  {key:<20} mechaudit paper {key}\n");
+            }
+        }
+        out
+    };
+    let document = || match methods.as_slice() {
+        [method] if !all => json(&**method),
+        methods => {
+            let methods: Vec<Value> = methods.iter().map(|m| json(&**m)).collect();
+            json!({ "methods": methods, "papers": papers::keys() })
+        }
+    };
+    print_as(args.format, text, document)?;
+    Ok(Outcome::AsExpected)
+}
+
+/// Returns the name and the summary of a method, the summary wrapped beside the name.
+pub fn short(method: &dyn Method, width: usize) -> String {
+    format!(
+        "{:<31} {}\n",
+        method.name(),
+        wrap(method.summary(), 32, width)
+    )
+}
+
+/// Returns the names of the outputs that share a budget, with the budget.
+fn budgets(method: &dyn Method, layout: &Layout) -> Vec<(Vec<String>, Budget)> {
+    let mut groups: Vec<(Vec<String>, Budget)> = Vec::new();
+    for o in method.outputs() {
+        let name = layout.output(o.name);
+        match groups.iter_mut().find(|g| g.1 == o.budget) {
+            Some(group) => group.0.push(name),
+            None => groups.push((vec![name], o.budget)),
+        }
+    }
+    groups
+}
+
+/// Returns the shortest case with an answer of values among the first of the regions; check points
+/// come before them.
 fn example(method: &dyn Method) -> Option<(Case, Vec<f64>)> {
     let settings = Settings {
         cases_per_region: 3,
@@ -72,6 +124,8 @@ fn json(method: &dyn Method) -> Value {
             "ordinary": r.is_ordinary(method.name()),
         })
     });
+    let laws = method.laws().into_iter();
+    let laws = laws.map(|l| json!({ "name": l.name, "statement": l.statement }));
     let points = domain.check_points.iter();
     let points = points
         .map(|p| json!({ "name": p.name, "input": p.input, "input_hexadecimal": hex(&p.input) }));
@@ -85,12 +139,15 @@ fn json(method: &dyn Method) -> Value {
         "schema_version": 1,
         "mechaudit_version": env!("CARGO_PKG_VERSION"),
         "method": method.name(),
+        "name": method.name(),
         "summary": method.summary(),
         "source": method.source(),
         "inputs": inputs,
         "outputs": outputs.collect::<Vec<_>>(),
         "rows": method.rows(),
         "norm_budget": method.norm_budget(),
+        "proved": method.proved(),
+        "laws": laws.collect::<Vec<_>>(),
         "input": layout.input(),
         "answer": layout.answer(),
         "rust": methods::signature(method.name()),
@@ -152,8 +209,19 @@ fn text(method: &dyn Method, width: usize) -> String {
     if let Some(rows) = layout.rows() {
         out.push_str(&line("rows", &rows));
     }
+    for (i, (names, budget)) in budgets(method, &layout).iter().enumerate() {
+        let text = format!("{}: {}", names.join(", "), budget.reason);
+        out.push_str(&line(if i == 0 { "reasons" } else { "" }, &text));
+    }
     if let Some(norm) = method.norm_budget() {
-        out.push_str(&line("all together", &norm.to_string()));
+        out.push_str(&line("all together", &format!("{norm}; {}", norm.reason)));
+    }
+    for bound in method.proved() {
+        out.push_str(&line("proved", &proved(&bound)));
+    }
+    for (i, law) in method.laws().iter().enumerate() {
+        let text = format!("{}: {}", law.name, law.statement);
+        out.push_str(&line(if i == 0 { "laws" } else { "" }, &text));
     }
     if let Some((case, values)) = example(method) {
         out.push_str(&line("a line in", &wire::line(&case.input, false)));
@@ -262,7 +330,10 @@ mod tests {
                 ("source", 1),
                 ("in Rust", usize::from(methods::signature(name).is_some())),
                 ("rows", usize::from(Layout::new(&*method).rows().is_some())),
+                ("reasons", 1),
                 ("all together", usize::from(method.norm_budget().is_some())),
+                ("proved", method.proved().len()),
+                ("laws", usize::from(!method.laws().is_empty())),
                 ("a line in", 1),
                 ("a line out", 1),
                 ("regions", of_kind(true)),
@@ -278,6 +349,9 @@ mod tests {
                     r.name
                 );
             }
+            for law in method.laws() {
+                assert!(text.contains(&format!("{}: {}", law.name, law.statement)));
+            }
             for point in method.domain().check_points {
                 assert!(text.contains(point.name), "{name}: {}", point.name);
             }
@@ -290,6 +364,26 @@ mod tests {
                 .find(|l| l.starts_with("  a line out"))
                 .unwrap();
             assert!(line.contains("0x") || line.contains("inf"), "{line}");
+        }
+    }
+
+    /// Each output stands once, with those that share its budget.
+    #[test]
+    fn outputs_are_grouped_by_budget() {
+        for method in methods::registry() {
+            let layout = Layout::new(&*method);
+            let groups = budgets(&*method, &layout);
+            let named = groups.iter().flat_map(|g| &g.0).count();
+            assert_eq!(named, method.outputs().len());
+            for o in method.outputs() {
+                let name = layout.output(o.name);
+                let of: Vec<_> = groups.iter().filter(|g| g.0.contains(&name)).collect();
+                assert!(
+                    of.len() == 1 && of[0].1 == o.budget,
+                    "{}: {name}",
+                    method.name()
+                );
+            }
         }
     }
 

@@ -17,6 +17,7 @@ use mechaudit::report::words::numbers::percent;
 /// Hunts and records.
 pub fn hunt(args: &HuntArgs) -> Result<Outcome, Failure> {
     let method = lookup::method(&args.method)?;
+    lookup::has_solver(&*method)?;
     let settings = HuntSettings {
         evaluations: args.evals,
         seed: args.seed,
@@ -74,7 +75,8 @@ fn is_good(found: &Hunt, new: &[HardCase]) -> bool {
     new.iter().all(|c| c.share <= 1.0) && found.failures.is_empty()
 }
 
-/// Every input found, with the outputs that it is the worst for and the command that judges it again.
+/// Every input found, with the outputs that it is the worst for and the command that judges it
+/// again.
 fn inputs(
     method: &dyn Method,
     found: &Hunt,

@@ -16,9 +16,10 @@ use std::io::{BufRead, BufReader, Read, Write};
 const LINES: usize = 16;
 /// The longest line, in bytes.
 const LONGEST: usize = 1 << 16;
-/// How many bytes of text are held at a time.
+/// The number of bytes of text held at a time.
 const BUFFER: usize = 1 << 16;
-/// Stack of a thread, in bytes: definitions may be nested in one another, and each as deep as the parser lets it.
+/// Stack of a thread, in bytes: definitions may be nested in one another, and each as deep as the
+/// parser lets it.
 const STACK: usize = 1 << 28;
 /// Names that have a meaning of their own.
 const RESERVED: [&str; 4] = ["pi", "inf", "each", "n_num"];
@@ -29,7 +30,7 @@ struct Line {
     text: String,
 }
 
-/// Why an equation or a definition cannot be read.
+/// The reason why an equation or a definition cannot be read.
 #[derive(Debug, thiserror::Error)]
 enum IdentityError {
     #[error("longer than {LONGEST} bytes")]
@@ -132,7 +133,7 @@ fn stream(
     while more {
         let mut equations: Vec<(Line, Equation)> = Vec::new();
         let mut failed = None;
-        // What has arrived is answered before more is waited for.
+        // Lines that have arrived are answered before more are waited for.
         while more && equations.len() < most && (equations.is_empty() || has_line(&input)) {
             let mut text = Vec::new();
             let read = (&mut input)
@@ -191,7 +192,7 @@ fn equation(line: &[u8]) -> Result<Option<(String, Equation)>, IdentityError> {
     Ok(Some((trimmed.into(), equation)))
 }
 
-/// Why an equation is undecided.
+/// The reason why an equation is undecided.
 fn reason(found: &Identity) -> Option<String> {
     let undecided = found.outcome == Decision::Undecided;
     undecided.then(|| match &found.error {

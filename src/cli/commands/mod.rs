@@ -12,7 +12,6 @@ pub mod hunt;
 pub mod identity;
 pub mod judge;
 pub mod linkage;
-pub mod list;
 pub mod paper;
 pub mod points;
 pub mod prove;

@@ -87,7 +87,7 @@ mod tests {
     use crate::cli::args::{Args, Command};
     use clap::Parser;
 
-    /// What `points` writes into a file.
+    /// Returns the file that `points` writes.
     fn written(line: &str) -> String {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("points");
@@ -106,7 +106,8 @@ mod tests {
         (comments.collect(), inputs.collect())
     }
 
-    /// Check points and hard cases are named, then each region with its description and so many inputs.
+    /// Check points and hard cases are named, then each region with its description and so many
+    /// inputs.
     #[test]
     fn every_region_has_a_heading() {
         let method = lookup::method("erf").unwrap();
@@ -158,7 +159,8 @@ mod tests {
         assert_ne!(parts(&other, "#").1, found);
     }
 
-    /// In single precision 29 bits of the fraction are zero; a decimal reads back as the same number.
+    /// In single precision 29 bits of the fraction are zero; a decimal reads back as the same
+    /// number.
     #[test]
     fn the_form_of_numbers() {
         let numbers = |line: &str| -> Vec<f64> {

@@ -98,7 +98,7 @@ fn proved(
     })
 }
 
-/// How long a proof with a closer target runs before it is told what it takes at most.
+/// The time that a proof with a closer target runs before an upper bound of its time is printed.
 const TRIAL: Duration = Duration::from_secs(2);
 
 /// A proof on a thread of its own, watched; nothing if the user ends it. One with a target that is
@@ -157,7 +157,7 @@ fn at_most(name: &str, watch: &Watch, seconds: f64) -> String {
     )
 }
 
-/// How many parts are done, and of how many; nothing is known before there are some.
+/// Returns the number of parts done and of all parts, if there are some.
 fn reached(watch: &Watch) -> Option<(u64, u64)> {
     let [done, of] = [&watch.done, &watch.of].map(|n| n.load(Ordering::Relaxed));
     (of > 0).then_some((done, of))

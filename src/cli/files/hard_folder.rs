@@ -53,7 +53,7 @@ pub fn of_method(folder: &Path, method: &dyn Method) -> Result<Vec<HardCase>, Fa
     read(folder, method)?.ok_or_else(missing)
 }
 
-/// Whether hard cases can be added: before a hunt, not after it.
+/// Returns true if hard cases can be added: before a hunt, not after it.
 pub fn check_writable(folder: &Path, method: &dyn Method) -> Result<(), Failure> {
     Output::open(Some(&file(folder, method))).map(drop)
 }
@@ -88,8 +88,8 @@ pub fn add(
     Ok((known.len() + 1..).zip(new).collect())
 }
 
-/// Held by one process at a time, until it is dropped. The file of hard cases cannot be locked itself,
-/// as another takes its place.
+/// Held by one process at a time, until it is dropped. The file of hard cases cannot be locked
+/// itself, as another takes its place.
 fn lock(folder: &Path) -> io::Result<File> {
     let lock = match cfg!(unix) {
         true => File::open(folder)?,

@@ -41,7 +41,7 @@ pub fn print_json(value: &Value) -> Result<(), Failure> {
     write_json(Output::open(None)?, value)
 }
 
-/// What is said in the form asked for.
+/// Prints a text or a JSON value, in the selected form.
 pub fn print_as(
     format: TextOrJson,
     text: impl FnOnce() -> String,

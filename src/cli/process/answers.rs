@@ -13,20 +13,20 @@ use std::time::{Duration, Instant};
 mod batch;
 pub use batch::Batch;
 
-/// Answers handed over at once, and how many such batches are read before they are asked for.
+/// The number of answers in a chunk, and the number of chunks read ahead.
 const TOGETHER: usize = 512;
 const AHEAD: usize = 8;
 /// Characters of a name or version.
 const LONGEST: usize = 80;
 
-/// How answers are written.
+/// The form of answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     Lines,
     Frames,
 }
 
-/// What the code says of itself, in lines `name: …`, `version: …` and `ns: …` before its first answer.
+/// The header of a candidate: lines `name: …`, `version: …` and `ns: …` before its first answer.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Header {
     pub name: Option<String>,
@@ -60,19 +60,19 @@ impl Header {
     }
 }
 
-/// What is handed over: answers, and why there are no more where they cannot be read.
-type Heard = (Batch, Option<std::io::Error>);
+/// A chunk of answers, and the error that ends them where they cannot be read.
+type AnswerChunk = (Batch, Option<std::io::Error>);
 
 /// A stream of answers.
 pub struct Answers {
-    from: Receiver<Heard>,
-    here: Heard,
-    /// How many of those here are taken.
+    from: Receiver<AnswerChunk>,
+    here: AnswerChunk,
+    /// The number of answers taken from the current chunk.
     taken: usize,
     header: Arc<Mutex<Header>>,
 }
 
-/// Why there are no more answers to judge.
+/// The reason why there are no more answers to judge.
 pub enum End {
     /// There are no more.
     Closed,
@@ -100,13 +100,13 @@ impl Answers {
         });
         Answers {
             from,
-            here: Heard::default(),
+            here: AnswerChunk::default(),
             taken: 0,
             header,
         }
     }
 
-    /// What the code has called itself until now.
+    /// Returns the header read until now.
     pub fn header(&self) -> Header {
         let header = self.header.lock();
         header.unwrap_or_else(PoisonError::into_inner).clone()
@@ -115,17 +115,17 @@ impl Answers {
     /// The next one, waited for as long as that, or for ever.
     ///
     /// # Errors
-    /// Why there is none.
+    /// The reason why there is none.
     pub fn next(&mut self, patience: Option<Duration>) -> Result<SolverAnswer, End> {
         self.wait(patience)?;
         self.taken += 1;
         Ok(self.here.0.get(self.taken - 1))
     }
 
-    /// Takes the next one, waited for likewise, and what is here of those after it, so many at most.
+    /// Takes the next answer, waiting likewise, and those that are here after it, at most `most`.
     ///
     /// # Errors
-    /// Why there is none.
+    /// The reason why there is none.
     pub fn take(&mut self, most: usize, patience: Duration, into: &mut Batch) -> Result<(), End> {
         let some = self.wait(Some(patience))?.min(most);
         into.extend(&self.here.0, self.taken..self.taken + some);
@@ -138,7 +138,7 @@ impl Answers {
         interrupt::flag();
         let start = Instant::now();
         loop {
-            if interrupt::asked() {
+            if interrupt::is_requested() {
                 return Err(End::Interrupted);
             }
             let here = self.here.0.len() - self.taken;
@@ -163,11 +163,11 @@ impl Answers {
     }
 }
 
-/// What answers are read from.
+/// A source of answers.
 trait Source {
     /// The next answer; lines of a header on the way go to `header`.
     fn answer(&mut self, header: &mut dyn FnMut(&str)) -> Option<std::io::Result<SolverAnswer>>;
-    /// Whether the next one has to be waited for.
+    /// Returns true if the next one has to be waited for.
     fn is_drained(&self) -> bool;
 }
 
@@ -208,7 +208,7 @@ impl<R: Read> Source for Frames<R> {
 }
 
 /// Hands over answers until there are no more or nobody wants them.
-fn listen(from: &mut dyn Source, header: &Mutex<Header>, to: &SyncSender<Heard>) {
+fn listen(from: &mut dyn Source, header: &Mutex<Header>, to: &SyncSender<AnswerChunk>) {
     let mut first = true;
     let mut batch = Batch::default();
     loop {
@@ -273,7 +273,7 @@ mod tests {
         assert_eq!(found.version, None);
     }
 
-    /// What has arrived is handed over at once, and not an answer at a time.
+    /// Answers that have arrived are handed over together.
     #[test]
     fn answers_come_together() {
         let batches = |from: &mut dyn Source| {
@@ -335,7 +335,7 @@ mod tests {
         assert!(matches!(answers.next(None), Err(End::Closed)));
     }
 
-    /// What comes before it is handed over.
+    /// Answers before it are handed over.
     #[test]
     fn what_cannot_be_read_is_told_once() {
         let mut bytes = Vec::new();

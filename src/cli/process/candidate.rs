@@ -1,7 +1,7 @@
 //! Programs under audit: they read inputs and write answers.
 //!
-//! For each program one thread writes all inputs and one reads answers ahead ([`Answers`]); answers are
-//! judged batch by batch, those of several programs to a case together.
+//! For each program one thread writes all inputs and one reads answers ahead ([`Answers`]); answers
+//! are judged batch by batch, those of several programs to a case together.
 
 use crate::cli::failure::Failure;
 use crate::cli::process::answers::{Answers, Batch, End, Form, Header};
@@ -99,7 +99,7 @@ impl CandidateProcess {
         None
     }
 
-    /// How long a line is waited for; nothing where the time for the whole run is over.
+    /// Returns the time to wait for a line; none if the time for the whole run is over.
     fn patience(&self) -> Option<Duration> {
         let Some(deadline) = self.deadline else {
             return Some(self.timeout);
@@ -108,7 +108,8 @@ impl CandidateProcess {
         (!left.is_zero()).then(|| left.min(self.timeout))
     }
 
-    /// Every input is answered: waits for the end of its output, which what it left behind may hold open.
+    /// Every input is answered: waits for the end of its output, which what it left behind may hold
+    /// open.
     pub fn rest(&mut self) -> End {
         let start = Instant::now();
         loop {
@@ -147,7 +148,7 @@ impl CandidateProcess {
         ))
     }
 
-    /// What is reported of it besides the verdicts.
+    /// Returns the report of the candidate itself.
     pub fn report(&self, trouble: Option<String>) -> CandidateReport {
         let header = self.answers.header();
         CandidateReport {
@@ -159,12 +160,12 @@ impl CandidateProcess {
         }
     }
 
-    /// What it says of itself, as far as its header is read.
+    /// Returns its header as far as it is read.
     pub fn header(&self) -> Header {
         self.answers.header()
     }
 
-    /// How many answers there were.
+    /// Returns the number of answers.
     pub fn answered(&self) -> usize {
         self.answered
     }
@@ -207,8 +208,9 @@ pub fn audit(
     Ok(report)
 }
 
-/// Audits a program at the inputs of a shard on a panel; its report names what went wrong, and nothing is
-/// counted in place of answers that did not come; no report if the user asked to stop. `progress` is told of cases judged.
+/// Audits a program at the inputs of a shard on a panel; its report names what went wrong, and
+/// nothing is counted in place of answers that did not come; no report if the user asked to stop.
+/// `progress` is told of cases judged.
 pub fn gather(
     panel: &Panel,
     inputs: Inputs,
@@ -254,8 +256,8 @@ fn judged(
     }
 }
 
-/// Counts the inputs from `from` on as unanswered, region by region; the first of them is a case to look
-/// at.
+/// Counts the inputs from `from` on as unanswered, region by region; the first of them is a case to
+/// look at.
 pub fn unanswered(
     method: &dyn Method,
     settings: &Settings,
@@ -281,7 +283,7 @@ pub fn unanswered(
 /// Answers judged side by side.
 pub const BATCH: usize = 1024;
 
-/// How long a batch is still judged after the user has asked to stop.
+/// The time for which a batch is still judged after the user has asked to stop.
 const GRACE: Duration = Duration::from_secs(1);
 
 /// Judges a batch of `total` answers on all cores, each block of them made where it is judged.
@@ -289,14 +291,14 @@ const GRACE: Duration = Duration::from_secs(1);
 pub fn judge_batch(panel: &Panel, total: usize, answered: &Answered) -> bool {
     let start = Instant::now();
     panel.judge(total, answered, &|| {
-        !interrupt::asked() || start.elapsed() < GRACE
+        !interrupt::is_requested() || start.elapsed() < GRACE
     })
 }
 
 /// Inputs that are drawn and written together.
 const SHOWN: usize = 64;
 
-/// Writes so many inputs; a program that reads no more is noticed by its silence or its end.
+/// Writes `total` inputs; a program that reads no more is noticed by its silence or its end.
 fn feed(stdin: ChildStdin, inputs: &Inputs, total: usize, form: Form, decimal: bool) {
     let mut out = BufWriter::with_capacity(1 << 16, stdin);
     let (mut lines, mut frames) = (String::new(), Vec::new());

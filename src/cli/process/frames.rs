@@ -1,8 +1,8 @@
 //! Inputs and answers as binary frames of 64-bit little-endian words.
 //!
-//! An input is its count of numbers and the numbers; an answer likewise. Two counts that no answer has
-//! mean something else: all bits set, a refusal; one less, a text (its length in bytes, then the bytes,
-//! filled up with zeros to whole words), whose lines are those of a header.
+//! An input is its count of numbers and the numbers; an answer likewise. Two counts that no answer
+//! has mean something else: all bits set, a refusal; one less, a text (its length in bytes, then
+//! the bytes, filled up with zeros to whole words), whose lines are those of a header.
 
 use crate::cli::number::FIELDS;
 use mechaudit::audit::SolverAnswer;
@@ -15,7 +15,7 @@ pub const TEXT: u64 = u64::MAX - 1;
 /// Bytes of a text.
 const LONGEST: usize = 4096;
 
-/// What a frame holds.
+/// The contents of a frame.
 #[derive(Debug, PartialEq)]
 pub enum Frame {
     Answer(SolverAnswer),
@@ -46,7 +46,7 @@ impl<R: Read> Frames<R> {
         }
     }
 
-    /// Whether the end of the next frame has to be waited for.
+    /// Returns true if the end of the next frame has to be waited for.
     pub fn is_drained(&self) -> bool {
         let Some((word, rest)) = self.input.buffer().split_first_chunk::<8>() else {
             return true;
@@ -72,8 +72,8 @@ impl<R: Read> Frames<R> {
         Ok(read)
     }
 
-    /// The next frame, or nothing at the end. A frame that is cut off is an answer that cannot be read; a
-    /// count that none has ends the stream, whose frames cannot be told apart any more.
+    /// The next frame, or nothing at the end. A frame that is cut off is an answer that cannot be
+    /// read; a count that none has ends the stream, whose frames cannot be told apart any more.
     pub fn read(&mut self) -> std::io::Result<Option<Frame>> {
         if self.ended {
             return Ok(None);
@@ -111,7 +111,7 @@ impl<R: Read> Frames<R> {
         Ok(word.ok().filter(|_| read == 8).map(u64::from_le_bytes))
     }
 
-    /// What ends within a frame.
+    /// A stream that ends within a frame.
     fn cut(&mut self) -> Option<Frame> {
         self.ended = true;
         let why = format!("frame {} is cut off", self.number);
@@ -258,7 +258,7 @@ mod tests {
         assert_eq!(none.read().unwrap(), None);
     }
 
-    /// What is in memory is not waited for, what is not whole is.
+    /// A whole frame in memory is not waited for; an incomplete one is.
     #[test]
     fn a_frame_that_is_not_whole_is_waited_for() {
         let drained = |bytes: &[u8]| {

@@ -37,7 +37,7 @@ impl Guard {
             .stdin(Stdio::piped())
             .stdout(Stdio::null())
             .stderr(Stdio::null())
-            // What a terminal sends this process does not reach it.
+            // Signals that a terminal sends to this process do not reach it.
             .process_group(0)
             .spawn()?;
         Ok(Guard(guard))
@@ -69,7 +69,7 @@ pub fn end_group(child: &Child) {
     let _ = kill_process_group(Pid::from_child(child), Signal::KILL);
 }
 
-/// Whether this process is a guard, which has done its work then.
+/// Returns true if this process is a guard, which has done its work then.
 pub fn served() -> bool {
     let mut arguments = std::env::args_os().skip(1);
     if arguments.next().is_none_or(|a| a != ARGUMENT) {

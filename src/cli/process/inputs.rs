@@ -1,5 +1,5 @@
-//! Inputs that programs are shown. They are drawn when they are needed; the last ones are kept, so that nothing
-//! grows with their number and few are drawn twice.
+//! Inputs that programs are shown. They are drawn when they are needed; the last ones are kept, so
+//! that nothing grows with their number and few are drawn twice.
 
 use crate::cli::failure::Failure;
 use mechaudit::audit::{Case, Cases, Method, Settings};
@@ -15,22 +15,23 @@ enum Source {
     Listed(Vec<Case>),
 }
 
-/// The inputs of a run, drawn when a program is shown them, kept, and taken when its answers are judged.
+/// The inputs of a run, drawn when a program is shown them, kept, and taken when its answers are
+/// judged.
 pub struct Inputs {
     source: Source,
     /// Those shown last, number `i` in place `i` modulo their number, until they are taken.
     drawn: Mutex<Vec<Option<Kept>>>,
 }
 
-/// An input that is kept. Few numbers are kept in it: memory that is made by the thread that feeds a program and given
-/// back by one that judges is slow.
+/// An input that is kept. Few numbers are kept in it: memory that is made by the thread that feeds
+/// a program and given back by one that judges is slow.
 #[derive(Clone)]
 struct Kept {
     number: usize,
     /// Without those numbers.
     case: Case,
     few: [f64; FEW],
-    /// How many they are.
+    /// Their number.
     length: u8,
 }
 
@@ -120,7 +121,8 @@ impl Inputs {
         self.drawn.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Those from number `from` on, shown to a program: others, and whoever judges their answers, find them kept.
+    /// Those from number `from` on, shown to a program: others, and whoever judges their answers,
+    /// find them kept.
     pub fn keep(&self, from: usize, cases: Vec<Case>) {
         let mut drawn = self.lock();
         drawn.resize(KEPT, None);
@@ -228,8 +230,8 @@ mod tests {
         }
     }
 
-    /// What was shown is judged, without being drawn again, until it is taken; unless it is long, or another came in its
-    /// place.
+    /// What was shown is judged, without being drawn again, until it is taken; unless it is long,
+    /// or another came in its place.
     #[test]
     fn inputs_that_were_shown_are_at_hand() {
         let case = |x: f64, length: usize| Case {

@@ -1,5 +1,5 @@
-//! Signals. The first Ctrl-C ends the work with a report of what is done, if the work can be reported;
-//! any other ends the program, which takes its temporary files along.
+//! Signals. The first Ctrl-C ends the work with a report of what is done, if the work can be
+//! reported; any other ends the program, which takes its temporary files along.
 
 use mechaudit::files::temporary::remove_unfinished;
 use std::panic::resume_unwind;
@@ -10,12 +10,12 @@ use std::thread;
 use std::time::Duration;
 
 static STOP: AtomicBool = AtomicBool::new(false);
-/// Whether the work can end with a report.
+/// True if the work can end with a report.
 static REPORTS: AtomicBool = AtomicBool::new(false);
 
 /// The exit code: 128 and the number of SIGINT, as shells have it.
 pub const EXIT_CODE: u8 = 130;
-/// How often whoever waits looks whether to go on.
+/// The interval between two looks at the request to stop.
 pub const POLL: Duration = Duration::from_millis(20);
 
 /// Set once the user has asked to stop; asking for it begins to listen.
@@ -25,12 +25,12 @@ pub fn flag() -> &'static AtomicBool {
     &STOP
 }
 
-/// Whether the user has asked to stop.
-pub fn asked() -> bool {
+/// Returns true if the user has asked to stop.
+pub fn is_requested() -> bool {
     STOP.load(Ordering::Relaxed)
 }
 
-/// What Ctrl-C comes to: a report, the first time there can be one; the end otherwise.
+/// Handles Ctrl-C: a report, the first time there can be one; the end otherwise.
 fn ctrl_c() {
     let reports = REPORTS.load(Ordering::Relaxed);
     if reports && !STOP.swap(true, Ordering::Relaxed) {
@@ -63,15 +63,15 @@ fn listen_on_a_thread() {
                 SIGINT => ctrl_c(),
                 _ => remove_unfinished(),
             }
-            if signal != SIGINT || !asked() {
+            if signal != SIGINT || !is_requested() {
                 let _ = emulate_default_handler(signal);
             }
         }
     });
 }
 
-/// Whether whoever started the program wants a signal ignored, as `nohup` does; where the system
-/// does not say, it is left alone.
+/// Returns true if whoever started the program wants a signal ignored, as `nohup` does; where the
+/// system does not say, it is left alone.
 #[cfg(unix)]
 fn is_ignored(signal: i32) -> bool {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
@@ -84,17 +84,17 @@ fn is_ignored(signal: i32) -> bool {
 fn listen_on_a_thread() {
     let _ = ctrlc::set_handler(|| {
         ctrl_c();
-        if !asked() {
+        if !is_requested() {
             std::process::exit(EXIT_CODE.into());
         }
     });
 }
 
-/// What `work` gives on a thread of its own; nothing once the user has asked to stop, and the work
-/// is left to itself.
-pub fn unless_asked<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> Option<T> {
+/// Returns the result of `work`, done on a thread of its own; nothing once the user has asked to
+/// stop, and the work is left to itself.
+pub fn unless_requested<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> Option<T> {
     flag();
-    if asked() {
+    if is_requested() {
         return None;
     }
     let (sender, receiver) = channel();
@@ -104,7 +104,7 @@ pub fn unless_asked<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static
     loop {
         match receiver.recv_timeout(POLL) {
             Ok(value) => return Some(value),
-            Err(RecvTimeoutError::Timeout) if asked() => return None,
+            Err(RecvTimeoutError::Timeout) if is_requested() => return None,
             Err(RecvTimeoutError::Timeout) => {}
             Err(RecvTimeoutError::Disconnected) => match worker.join() {
                 Err(panic) => resume_unwind(panic),
@@ -126,15 +126,15 @@ mod tests {
 
     #[test]
     fn work_gives_its_value_or_its_panic() {
-        assert_eq!(unless_asked(|| 5), Some(5));
-        let slow = unless_asked(|| {
+        assert_eq!(unless_requested(|| 5), Some(5));
+        let slow = unless_requested(|| {
             thread::sleep(3 * POLL);
             6
         });
         assert_eq!(slow, Some(6));
-        let panic = std::panic::catch_unwind(|| unless_asked(|| -> u32 { panic!("planted") }));
+        let panic = std::panic::catch_unwind(|| unless_requested(|| -> u32 { panic!("planted") }));
         let panic = panic.unwrap_err();
         assert_eq!(panic.downcast_ref::<&str>(), Some(&"planted"));
-        assert!(!asked());
+        assert!(!is_requested());
     }
 }

@@ -1,5 +1,5 @@
-//! A running program and all that it starts: its process group, which ends with the audit, however the
-//! audit ends.
+//! A running program and all that it starts: its process group, which ends with the audit, however
+//! the audit ends.
 
 use crate::cli::failure::Failure;
 use crate::cli::process::answers::End;
@@ -89,7 +89,7 @@ impl Program {
         self.end_all()
     }
 
-    /// Whether it has ended by itself.
+    /// Returns true if it has ended by itself.
     pub fn has_ended(&mut self) -> bool {
         #[cfg(unix)]
         {

@@ -55,14 +55,14 @@ impl<R: BufRead> Lines<R> {
 }
 
 impl<R: Read> Lines<BufReader<R>> {
-    /// Whether the end of the next line has to be waited for.
+    /// Returns true if the end of the next line has to be waited for.
     pub fn is_drained(&self) -> bool {
         !self.input.buffer().contains(&b'\n')
     }
 }
 
 impl Line {
-    /// Whether it is a comment, readable or not.
+    /// Returns true if it is a comment, readable or not.
     pub fn is_comment(&self) -> bool {
         self.text.first() == Some(&b'#')
     }
@@ -74,7 +74,7 @@ impl Line {
         Ok(std::str::from_utf8(&self.text)?.trim())
     }
 
-    /// What follows `#`, trimmed, if the line is a comment.
+    /// Returns the text after `#`, trimmed, if the line is a comment.
     pub fn comment(&self) -> Option<&str> {
         self.text().ok()?.strip_prefix('#').map(str::trim)
     }

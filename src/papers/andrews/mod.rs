@@ -3,7 +3,7 @@
 //! prints it after Hairer and Wanner.
 //!
 //! [`motion()`] encloses the motion without integrating in time; every printed digit is compared
-//! with it. [`ledger()`] proves the printed equations from the kinetic and potential energy.
+//! with it. [`items()`] proves the printed equations from the kinetic and potential energy.
 
 pub mod data;
 mod entries;
@@ -13,10 +13,11 @@ mod motion;
 mod printed;
 
 pub use data::BITS;
+pub use ledger::items;
 pub use motion::{DIGITS, Motion, TIMES, motion};
 pub use printed::{Printed, QUANTITIES, printed, unit};
 
-use super::ledger::{Item, Ledger};
+use super::ledger::Ledger;
 use super::{Citation, PaperReport, Progress};
 use crate::reference::Undecided;
 
@@ -35,23 +36,13 @@ pub fn citation() -> Citation {
     }
 }
 
-/// Every printed equation, decided.
-pub fn ledger() -> Ledger {
-    Ledger::of(citation(), &ledger_items())
-}
-
-/// The entries of the ledger before they are decided.
-pub fn ledger_items() -> Vec<Item> {
-    ledger::items()
-}
-
 /// Encloses the motion and compares every printed value.
 ///
 /// # Errors
 /// [`Undecided`] if a proof fails.
 pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
     progress("ledger", 0, 3);
-    let ledger = ledger();
+    let ledger = Ledger::of(citation(), &items());
     progress("motion", 1, 3);
     let motion = motion(BITS)?;
     progress("digits", 2, 3);

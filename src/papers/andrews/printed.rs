@@ -1,6 +1,6 @@
 //! The printed values.
 
-use crate::papers::number::Number;
+use crate::papers::number::{Number, records};
 
 const VALUES: &str = include_str!("../../../reference/published/andrews.csv");
 
@@ -58,10 +58,7 @@ pub struct Printed {
 
 /// All printed values in the order of the file.
 pub fn printed() -> Vec<Printed> {
-    let mut reader = csv::ReaderBuilder::new()
-        .comment(Some(b'#'))
-        .from_reader(VALUES.as_bytes());
-    let row = |r: csv::StringRecord| {
+    let row = |r: &csv::StringRecord| {
         let name = QUANTITIES.iter().position(|q| *q == &r[1]);
         Printed {
             time: r[0].into(),
@@ -69,8 +66,7 @@ pub fn printed() -> Vec<Printed> {
             number: Number::read(&r[2]),
         }
     };
-    let rows = reader.records().map(|r| row(r.expect("a row of values")));
-    rows.collect()
+    records(VALUES).iter().map(row).collect()
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 //! the driven link of a cam mechanism as one mass on a spring while the shaft speeds up or runs
 //! down, solved with the probability integral of complex argument.
 //!
-//! [`ledger()`] decides every formula; [`amplitude`] and [`charts`] show what follows from the
+//! [`items()`] decides every formula; [`amplitude`] and [`charts`] show what follows from the
 //! wrong ones; [`report`] sums that up.
 
 pub mod amplitude;
@@ -10,7 +10,9 @@ pub mod charts;
 mod findings;
 mod ledger;
 
-use super::ledger::{Item, Ledger, Verdict};
+pub use ledger::items;
+
+use super::ledger::{Ledger, Verdict};
 use super::{Citation, Draft, Finding, FindingVerdict, PaperReport, Progress, Subject, figures};
 use crate::reference::Undecided;
 
@@ -28,16 +30,6 @@ pub fn citation() -> Citation {
     }
 }
 
-/// Every formula, step and inline number, decided.
-pub fn ledger() -> Ledger {
-    Ledger::of(citation(), &ledger_items())
-}
-
-/// The entries of the ledger before they are decided.
-pub fn ledger_items() -> Vec<Item> {
-    ledger::items()
-}
-
 /// The findings of the ledger: what is wrong, and one finding for what is proved; and what follows.
 /// The paper's graphs cannot be recomputed: it gives neither cams nor oscillator.
 ///
@@ -45,7 +37,7 @@ pub fn ledger_items() -> Vec<Item> {
 /// None; the signature is that of every paper.
 pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
     progress("ledger", 0, 3);
-    let ledger = ledger();
+    let ledger = Ledger::of(citation(), &items());
     let mut findings = of_the_ledger(&ledger);
     progress("amplitudes", 1, 3);
     findings.extend(findings::formulas());

@@ -33,7 +33,7 @@ const LOOP: [&str; 2] = [
 const FALL: [&str; 1] = ["f = 3*(3*N + 1)/(2*(4*N + 1))"];
 
 /// All entries.
-pub(super) fn items() -> Vec<Item> {
+pub fn items() -> Vec<Item> {
     let mut all = specification();
     all.extend(reduction());
     all.extend(windows());

@@ -5,7 +5,7 @@
 //! Cranks and rods form parallelograms, whose motion is that of a pendulum that turns over:
 //! [`data`] reduces it in exact numbers, [`motion()`] encloses it, and every printed number is
 //! compared. [`singular`] tells what meets where all bars lie on one line, what is defined there
-//! and what is not. [`ledger()`] proves the equations for every N.
+//! and what is not. [`items()`] proves the equations for every N.
 
 pub mod data;
 mod entries;
@@ -16,10 +16,11 @@ mod motion;
 mod printed;
 pub mod singular;
 
+pub use ledger::items;
 pub use motion::{BITS, Course, DIGITS, Motion, QUANTITIES, TIMES, motion};
 pub use printed::{Copied, Row};
 
-use super::ledger::{Item, Ledger};
+use super::ledger::Ledger;
 use super::{Citation, PaperReport, Progress};
 use crate::reference::Undecided;
 
@@ -39,23 +40,13 @@ pub fn citation() -> Citation {
     }
 }
 
-/// Every equation, decided.
-pub fn ledger() -> Ledger {
-    Ledger::of(citation(), &ledger_items())
-}
-
-/// The entries of the ledger before they are decided.
-pub fn ledger_items() -> Vec<Item> {
-    ledger::items()
-}
-
 /// Encloses the motion, looks at the singular positions and compares every printed number.
 ///
 /// # Errors
 /// [`Undecided`] if a proof fails.
 pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
     progress("ledger", 0, 4);
-    let ledger = ledger();
+    let ledger = Ledger::of(citation(), &items());
     progress("motion", 1, 4);
     let motion = motion(BITS)?;
     progress("digits", 2, 4);

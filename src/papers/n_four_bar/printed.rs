@@ -1,6 +1,6 @@
 //! The printed numbers: the library's reference for N = 40, and EXUDYN's runs for N = 2.
 
-use crate::papers::number::Number;
+use crate::papers::number::{Number, records};
 use rug::Rational;
 
 const LIBRARY: &str = include_str!("../../../reference/published/n-four-bar-a02.csv");
@@ -24,14 +24,6 @@ pub struct Copied {
     pub quantity: String,
     /// The printed number.
     pub number: Number,
-}
-
-fn records(text: &str) -> Vec<csv::StringRecord> {
-    let mut reader = csv::ReaderBuilder::new()
-        .comment(Some(b'#'))
-        .from_reader(text.as_bytes());
-    let rows = reader.records().map(|r| r.expect("a row of values"));
-    rows.collect()
 }
 
 fn seconds(text: &str) -> Rational {

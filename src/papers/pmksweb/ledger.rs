@@ -11,7 +11,7 @@ const CIRCLES: [&str; 2] = ["p = (n + l^2 - s^2)/(2*n)", "q_2 = l^2/n - p^2"];
 const SLIDER: [&str; 1] = ["y = L - r + r*cos(2*z)"];
 
 /// All entries.
-pub(super) fn items() -> Vec<Item> {
+pub fn items() -> Vec<Item> {
     let item = |id, place, form| Item::new(id, place, Formula).composed(form);
     vec![
         item("pm-frame", "issue 91", "n = r^2 + g^2 - 2*r*g*cos(psi)")

@@ -3,14 +3,16 @@
 //! lengths; pull request 231, a slider that passes through the position in which its two roots
 //! meet.
 //!
-//! [`drawing`] has the positions in balls from the drawn decimals; [`ledger()`] proves what they
+//! [`drawing`] has the positions in balls from the drawn decimals; [`items()`] proves what they
 //! rest on.
 
 pub mod drawing;
 mod findings;
 mod ledger;
 
-use super::ledger::{Item, Ledger};
+pub use ledger::items;
+
+use super::ledger::Ledger;
 use super::{Citation, PaperReport, Progress};
 use crate::reference::Undecided;
 
@@ -28,23 +30,13 @@ pub fn citation() -> Citation {
     }
 }
 
-/// Every formula, decided.
-pub fn ledger() -> Ledger {
-    Ledger::of(citation(), &ledger_items())
-}
-
-/// The entries of the ledger before they are decided.
-pub fn ledger_items() -> Vec<Item> {
-    ledger::items()
-}
-
 /// The verdicts.
 ///
 /// # Errors
 /// [`Undecided`] if a sign cannot be told.
 pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
     progress("ledger", 0, 2);
-    let ledger = ledger();
+    let ledger = Ledger::of(citation(), &items());
     progress("drawings", 1, 2);
     let findings = findings::all(&ledger)?;
     progress("done", 2, 2);

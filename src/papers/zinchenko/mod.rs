@@ -21,8 +21,10 @@ mod recovery;
 mod run_up;
 mod tables;
 
+pub use ledger::items;
 pub use motion::motion;
 
+use super::ledger::Ledger;
 use super::{Citation, Finding, PaperReport, Progress};
 use crate::reference::{Ball, Undecided};
 use crate::solvers::cubic_spline::Boundary;
@@ -38,7 +40,8 @@ const BITS: u32 = 192;
 /// The name used on the command line.
 pub const KEY: &str = "zinchenko";
 
-fn citation() -> Citation {
+/// The paper.
+pub fn citation() -> Citation {
     Citation {
         key: KEY,
         authors: "O. I. Zinchenko",
@@ -46,16 +49,6 @@ fn citation() -> Citation {
         year: Some(2008),
         venue: "NTU KhPI, Kharkiv (in Ukrainian)",
     }
-}
-
-/// Every formula, step, table definition and inline number, decided.
-pub fn ledger() -> super::ledger::Ledger {
-    super::ledger::Ledger::of(citation(), &ledger_items())
-}
-
-/// The entries of the ledger before they are decided.
-pub fn ledger_items() -> Vec<super::ledger::Item> {
-    ledger::items()
 }
 
 /// Audits the paper.
@@ -101,7 +94,7 @@ pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
     all.extend(findings::run_up(run_up::figures().as_ref()));
     progress("formulas", 6, STEPS);
     all.extend(findings::formulas(
-        &ledger(),
+        &Ledger::of(citation(), &items()),
         extreme::finding(&extreme::PRINTED),
     ));
     progress("done", STEPS, STEPS);

@@ -93,7 +93,10 @@ pub fn recip(x: &Ball, prec: u32) -> Evaluated {
 /// `x²`; radius `(2|x| + r) r`. Never negative.
 pub fn sqr(x: &Ball, prec: u32) -> Evaluated {
     let (m, r) = (Mag::above(x.mid()), x.rad());
-    let found = finish(nearest(prec, x.mid().square_ref()), m.shift(1).add(r).mul(r));
+    let found = finish(
+        nearest(prec, x.mid().square_ref()),
+        m.shift(1).add(r).mul(r),
+    );
     let found = or_overflow(found, x.mignitude().mul_below(x.mignitude()), false)?;
     if is_narrow(r, Mag::below(x.mid())) || r.is_zero() {
         return Ok(found);
@@ -103,12 +106,7 @@ pub fn sqr(x: &Ball, prec: u32) -> Evaluated {
 }
 
 /// An even function that increases with |x| from f(0) = 0.
-fn even_hull(
-    f: impl super::support::Directed,
-    low: Float,
-    high: Float,
-    prec: u32,
-) -> Evaluated {
+fn even_hull(f: impl super::support::Directed, low: Float, high: Float, prec: u32) -> Evaluated {
     if low >= 0 {
         return increasing(f, &[low, high], prec);
     }

@@ -75,11 +75,14 @@ pub(super) fn of_scaled(value: &Scaled, prec: u32) -> Evaluated {
             Err(WIDE)
         };
     };
-    let k = value.exponent.to_i64().unwrap_or(if value.exponent.is_negative() {
-        -(1 << 40)
-    } else {
-        1 << 40
-    });
+    let k = value
+        .exponent
+        .to_i64()
+        .unwrap_or(if value.exponent.is_negative() {
+            -(1 << 40)
+        } else {
+            1 << 40
+        });
     let to = i64::from(e).saturating_add(k);
     if to > i64::from(exp_max()) {
         // At least 2^(to − 2) where the ball is not wide.
@@ -119,7 +122,10 @@ fn erfcx_at(x: &Float, prec: u32) -> Evaluated {
     }
     let bits = i64::from(prec);
     if i64::from(e) < -bits - 8 {
-        return finish(nearest(prec, Float::with_val(prec, 1)), Mag::above(x).shift(2));
+        return finish(
+            nearest(prec, Float::with_val(prec, 1)),
+            Mag::above(x).shift(2),
+        );
     }
     if i64::from(e) > bits / 2 + 8 {
         let root = Ball::pi(prec + GUARD).sqrt();
@@ -146,8 +152,8 @@ pub fn erfcx(x: &Ball, prec: u32) -> Evaluated {
         return Err(WIDE);
     }
     // To the right of zero the relative change is r/x.
-    let level = is_level(x)
-        || (x.is_positive() && super::support::is_narrow(x.rad(), Mag::below(x.mid())));
+    let level =
+        is_level(x) || (x.is_positive() && super::support::is_narrow(x.rad(), Mag::below(x.mid())));
     if level {
         let slope = if x.is_positive() {
             let a = x.mignitude();
@@ -164,13 +170,21 @@ pub fn erfcx(x: &Ball, prec: u32) -> Evaluated {
         }
     }
     let [low, high] = ends(x, prec);
-    between_values(erfcx_at(&high, prec + GUARD), erfcx_at(&low, prec + GUARD), prec)
+    between_values(
+        erfcx_at(&high, prec + GUARD),
+        erfcx_at(&low, prec + GUARD),
+        prec,
+    )
 }
 
 /// A ball enlarged; undecided where that has no bound.
 pub(super) fn widened(ball: Ball, extra: Mag) -> Evaluated {
     let wide = ball.widened(extra);
-    if wide.is_finite() { Ok(wide) } else { Err(WIDE) }
+    if wide.is_finite() {
+        Ok(wide)
+    } else {
+        Err(WIDE)
+    }
 }
 
 /// erfi at a float. `|erfi x − 2x/√π| ≤ (2/√π) |x|³` for |x| ≤ 1, because
@@ -209,7 +223,11 @@ pub fn erfi(x: &Ball, prec: u32) -> Evaluated {
         }
     }
     let [low, high] = ends(x, prec);
-    between_values(erfi_at(&low, prec + GUARD), erfi_at(&high, prec + GUARD), prec)
+    between_values(
+        erfi_at(&low, prec + GUARD),
+        erfi_at(&high, prec + GUARD),
+        prec,
+    )
 }
 
 /// Dawson's function at a float. `|F(x) − x| ≤ |x|³` for |x| ≤ 1 (an alternating series whose terms

@@ -76,7 +76,8 @@ fn psi_above(x: &Ball, d: Mag, curve: Mag) -> Mag {
     if m.is_sign_positive() {
         log
     } else {
-        log.add(Mag::power_of_two(0).div(d)).add(Mag::power_of_two(0))
+        log.add(Mag::power_of_two(0).div(d))
+            .add(Mag::power_of_two(0))
     }
 }
 
@@ -125,7 +126,9 @@ pub fn tgamma(x: &Ball, prec: u32) -> Evaluated {
     let m = x.mid();
     if m.is_sign_negative() && *m < -f64::from(OVERFLOW) {
         // |Γ(x)| = π/(|sin πx| Γ(1 − x)), Γ(1 − x) ≥ 2^(2^30); the ball lies between two integers.
-        let size = Mag::power_of_two(-(1 << 30)).mul(Mag::from_f64(1.5708)).div(d);
+        let size = Mag::power_of_two(-(1 << 30))
+            .mul(Mag::from_f64(1.5708))
+            .div(d);
         return Ok(Ball::new(Float::new(prec), size));
     }
     if x.rad().is_zero() {
@@ -191,7 +194,9 @@ fn log_abs_gamma_at(x: &Float, d: Mag, prec: u32) -> Evaluated {
     let other = Float::with_val(bits, 1 - x);
     let lead = log_gamma_at(&other, prec)?;
     let rest = Ball::new(Float::with_val(53, d.to_float()), Mag::ZERO);
-    let rest = super::log(&rest, BITS)?.magnitude().add(Mag::power_of_two(1));
+    let rest = super::log(&rest, BITS)?
+        .magnitude()
+        .add(Mag::power_of_two(1));
     super::error::widened(-lead, rest)
 }
 
@@ -232,7 +237,10 @@ fn psi_at(x: &Float, d: Mag, prec: u32) -> Evaluated {
     let far = i64::from(e) > i64::from(prec) + i64::from(FAR);
     if x.is_sign_positive() && far {
         // ψ(x) = ln x − θ/x
-        return finish(nearest(prec, x.ln_ref()), Mag::power_of_two(1 - i64::from(e)));
+        return finish(
+            nearest(prec, x.ln_ref()),
+            Mag::power_of_two(1 - i64::from(e)),
+        );
     }
     if x.is_sign_negative() && e > FAR {
         // ψ(x) = ψ(1 − x) − π cot πx

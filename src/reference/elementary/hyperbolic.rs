@@ -3,8 +3,8 @@
 use super::arithmetic::above_rounded;
 use super::exponential::expm1_above;
 use super::support::{
-    BITS, NARROW, directed, ends, exp_above, f64_below, finish, increasing, is_narrow,
-    nearest, off, one_more,
+    BITS, NARROW, directed, ends, exp_above, f64_below, finish, increasing, is_narrow, nearest,
+    off, one_more,
 };
 use super::trigonometric::{inside, root_below};
 use super::{Evaluated, NoValue};
@@ -131,10 +131,14 @@ pub fn atanh(x: &Ball, prec: u32) -> Evaluated {
     }
     let [low, high] = ends(x, prec);
     if low >= 1 || high <= -1 {
-        return Err(NoValue::Undefined("atanh of a number that is not inside (-1, 1)"));
+        return Err(NoValue::Undefined(
+            "atanh of a number that is not inside (-1, 1)",
+        ));
     }
     if low <= -1 || high >= 1 {
-        return Err(NoValue::Undecided("atanh of what may not be inside (-1, 1)"));
+        return Err(NoValue::Undecided(
+            "atanh of what may not be inside (-1, 1)",
+        ));
     }
     if r.is_zero() {
         return finish(nearest(prec, x.mid().atanh_ref()), Mag::ZERO);

@@ -1,5 +1,5 @@
-//! Functions of balls: the real functions of C99 with their domains, and holomorphic ones beside
-//! them.
+//! Functions of balls: the real functions of C99 with their domains, and holomorphic ones in
+//! [`complex`].
 //!
 //! # Contract
 //! If each operand's ball contains a number and the function has a value there, the result's ball
@@ -20,6 +20,7 @@
 //! MPFR is [`NoValue::Overflow`]. A value that is too small for them is a ball around zero.
 
 mod arithmetic;
+pub mod complex;
 mod error;
 mod exponential;
 mod gamma;
@@ -67,5 +68,7 @@ pub type Evaluated = Result<Ball, NoValue>;
 /// The ball of a complex function, or the reason why there is none.
 pub type ComplexEvaluated = Result<ComplexBall, NoValue>;
 
+#[cfg(test)]
+mod radius_tests;
 #[cfg(test)]
 mod tests;

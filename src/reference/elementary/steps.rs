@@ -4,9 +4,7 @@
 //! values of all of them, from the least to the greatest.
 
 use super::arithmetic::fabs;
-use super::support::{
-    Directed, ends, finish, float_above, hull, nearest, unsigned, with_prec,
-};
+use super::support::{Directed, ends, finish, float_above, hull, nearest, unsigned, with_prec};
 use super::{Evaluated, NoValue};
 use crate::{Ball, Mag};
 use rug::Float;
@@ -108,8 +106,8 @@ pub fn fmod(x: &Ball, y: &Ball, prec: u32) -> Evaluated {
     }
     if x.is_finite() {
         let (value, off) = remainder_at(x, y, false);
-        let same = off.is_zero()
-            || (off <= Mag::below(&value) && Mag::above(&value).add(off) < least);
+        let same =
+            off.is_zero() || (off <= Mag::below(&value) && Mag::above(&value).add(off) < least);
         if same {
             return finish(nearest(prec, &unsigned(value)), off);
         }
@@ -117,7 +115,11 @@ pub fn fmod(x: &Ball, y: &Ball, prec: u32) -> Evaluated {
     let reach = float_above(x.magnitude().min(y.magnitude()));
     let zero = Float::new(prec);
     let [low, high] = ends(x, prec);
-    let low_end = if low >= 0 { zero.clone() } else { -reach.clone() };
+    let low_end = if low >= 0 {
+        zero.clone()
+    } else {
+        -reach.clone()
+    };
     let high_end = if high <= 0 { zero } else { reach };
     hull(prec, &low_end, &high_end)
 }

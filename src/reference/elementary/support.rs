@@ -100,9 +100,7 @@ pub(super) fn exact(prec: u32, n: i32) -> Ball {
 /// A radius as a float, rounded up at the lower end of the exponents.
 pub(super) fn float_above(rad: Mag) -> Float {
     match rad.exponent() {
-        Some(e) if e < i64::from(exp_min()) - 1 => {
-            Float::with_val(53, 1) << (exp_min() - 1)
-        }
+        Some(e) if e < i64::from(exp_min()) - 1 => Float::with_val(53, 1) << (exp_min() - 1),
         Some(e) if e >= i64::from(exp_max()) => Float::with_val(53, f64::INFINITY),
         _ => rad.to_float(),
     }
@@ -157,7 +155,11 @@ pub(super) fn hull(prec: u32, low: &Float, high: &Float) -> Evaluated {
     }
     let ball = Ball::between(prec, low, high);
     // The sum of the ends may be beyond the exponents.
-    if ball.is_finite() { Ok(ball) } else { Err(WIDE) }
+    if ball.is_finite() {
+        Ok(ball)
+    } else {
+        Err(WIDE)
+    }
 }
 
 /// A function that rounds as it is told.
@@ -166,12 +168,20 @@ impl<F: Fn(&Float, u32, Round) -> Float> Directed for F {}
 
 /// An increasing function over `[low, high]`.
 pub(super) fn increasing(f: impl Directed, [low, high]: &[Float; 2], prec: u32) -> Evaluated {
-    hull(prec, &f(low, prec + 8, Round::Down), &f(high, prec + 8, Round::Up))
+    hull(
+        prec,
+        &f(low, prec + 8, Round::Down),
+        &f(high, prec + 8, Round::Up),
+    )
 }
 
 /// A decreasing function over `[low, high]`.
 pub(super) fn decreasing(f: impl Directed, [low, high]: &[Float; 2], prec: u32) -> Evaluated {
-    hull(prec, &f(high, prec + 8, Round::Down), &f(low, prec + 8, Round::Up))
+    hull(
+        prec,
+        &f(high, prec + 8, Round::Down),
+        &f(low, prec + 8, Round::Up),
+    )
 }
 
 /// A function of MPFR as [`Directed`].

@@ -1,10 +1,10 @@
 //! Circular functions and their inverses.
 
+use super::arithmetic::above_rounded;
 use super::support::{
     BITS, NARROW, Rounded, WIDE, decreasing, directed, down, ends, exact, f64_below, finish, hull,
     increasing, is_narrow, nearest, one_more,
 };
-use super::arithmetic::above_rounded;
 use super::{Evaluated, NoValue};
 use crate::{Ball, Mag};
 use rug::Float;
@@ -121,7 +121,9 @@ fn wide_wave(
 /// tan increases.
 pub fn tan(x: &Ball, prec: u32) -> Evaluated {
     if !is_reduced(x.mid()) {
-        return Err(NoValue::Undecided("the argument of tan is too large to be reduced"));
+        return Err(NoValue::Undecided(
+            "the argument of tan is too large to be reduced",
+        ));
     }
     tangent(
         x,
@@ -264,7 +266,9 @@ pub(super) fn root_below(x: Mag) -> Mag {
 
 /// `arcsin x`, in `[−π/2, π/2]`.
 pub fn asin(x: &Ball, prec: u32) -> Evaluated {
-    if !x.rad().is_zero() && let Some(propagated) = of_arc(x) {
+    if !x.rad().is_zero()
+        && let Some(propagated) = of_arc(x)
+    {
         return finish(nearest(prec, x.mid().asin_ref()), propagated);
     }
     let both = in_unit(x, prec)?;
@@ -276,7 +280,9 @@ pub fn asin(x: &Ball, prec: u32) -> Evaluated {
 
 /// `arccos x`, in `[0, π]`.
 pub fn acos(x: &Ball, prec: u32) -> Evaluated {
-    if !x.rad().is_zero() && let Some(propagated) = of_arc(x) {
+    if !x.rad().is_zero()
+        && let Some(propagated) = of_arc(x)
+    {
         return finish(nearest(prec, x.mid().acos_ref()), propagated);
     }
     let both = in_unit(x, prec)?;

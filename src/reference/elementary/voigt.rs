@@ -35,7 +35,11 @@ pub fn voigt(x: &Ball, sigma: &Ball, gamma: &Ball, prec: u32) -> Evaluated {
     if sigma.is_zero() && positive(gamma) {
         // γ/(π(x² + γ²)) = 1/(π γ (1 + (x/γ)²))
         let ratio = sqr(&div(x, gamma, p)?, p)?;
-        let below = mul(&mul(&Ball::pi(p), gamma, p)?, &add(&exact(p, 1), &ratio, p)?, p)?;
+        let below = mul(
+            &mul(&Ball::pi(p), gamma, p)?,
+            &add(&exact(p, 1), &ratio, p)?,
+            p,
+        )?;
         return super::recip(&below, prec);
     }
     if gamma.is_zero() && positive(sigma) {
@@ -52,7 +56,9 @@ pub fn voigt(x: &Ball, sigma: &Ball, gamma: &Ball, prec: u32) -> Evaluated {
     let parts = [x, sigma, gamma];
     let out = |b: &&Ball| b.mid().get_exp().is_some_and(|e| e.abs() > REACH);
     if parts.iter().any(out) {
-        return Err(NoValue::Undecided("the arguments of a Voigt profile differ too much"));
+        return Err(NoValue::Undecided(
+            "the arguments of a Voigt profile differ too much",
+        ));
     }
     let exactly = |b: &Ball| b.mid().to_rational().ok_or(WIDE);
     let (a, s, g) = (exactly(x)?, exactly(sigma)?, exactly(gamma)?);
@@ -92,7 +98,10 @@ fn by_slope(x: &Ball, sigma: &Ball, gamma: &Ball) -> Option<Mag> {
     let at = |b: &Ball| Ball::new(b.mid().clone(), Mag::ZERO);
     let scale = |s: &Ball| mul(s, &sqrt(&exact(p, 2), p).ok()?, p).ok();
     let (middle, whole) = (scale(&at(sigma))?, scale(sigma)?);
-    let (re, im) = (div(&at(x), &middle, p).ok()?, div(&at(gamma), &middle, p).ok()?);
+    let (re, im) = (
+        div(&at(x), &middle, p).ok()?,
+        div(&at(gamma), &middle, p).ok()?,
+    );
     let w = faddeeva::w_float(re.mid(), im.mid(), p).ok()?;
     // z over the balls, and how far its components are from those at which w is known.
     let (re_all, im_all) = (div(x, &whole, p).ok()?, div(gamma, &whole, p).ok()?);
@@ -103,7 +112,10 @@ fn by_slope(x: &Ball, sigma: &Ball, gamma: &Ball) -> Option<Mag> {
     let other = (&u * &w.im) + (&v * &w.re);
     let lead = Ball::integer(p, 1) / &Ball::pi(p).sqrt();
     // Re w' and Im w', halved.
-    let slope = turned.magnitude().mul(dx).add((lead - &other).magnitude().mul(dy));
+    let slope = turned
+        .magnitude()
+        .mul(dx)
+        .add((lead - &other).magnitude().mul(dy));
     let rho = dx.mul(dx).add(dy.mul(dy));
     let of_w = slope.shift(1).add(rho);
     // V = Re w/(σ√(2π)): the change of w, and that of 1/σ.

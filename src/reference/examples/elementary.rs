@@ -1,11 +1,12 @@
 //! Answers functions of balls line by line, for checks by another program.
 //!
 //! A line is a name, the precision of the result and the operands, each `bits m e r s` for the ball
-//! `m 2^e ± r 2^s` with a midpoint of so many bits. The answer is `m e r s`, or `undefined`,
+//! `m 2^e ± r 2^s` with a midpoint of so many bits. A complex function has the prefix `complex_`, and
+//! its operands and its answer consist of two balls. The answer is `m e r s`, or `undefined`,
 //! `undecided` or `overflow` with a sign.
 
-use mechaudit_reference::elementary::{self, Evaluated, NoValue};
-use mechaudit_reference::{Ball, Mag};
+use mechaudit_reference::elementary::{self, NoValue, complex};
+use mechaudit_reference::{Ball, ComplexBall, Mag};
 use rug::{Float, Integer};
 use std::io::{BufRead, BufWriter, Write};
 
@@ -39,27 +40,42 @@ fn reason(why: NoValue) -> String {
     }
 }
 
+fn box_of(words: &mut Word) -> Option<ComplexBall> {
+    Some(ComplexBall::new(ball(words)?, ball(words)?))
+}
+
+/// The balls of an answer.
+type Answer = Result<Vec<Ball>, NoValue>;
+
+fn of_complex(found: Result<ComplexBall, NoValue>) -> Answer {
+    found.map(|z| vec![z.re, z.im])
+}
+
 macro_rules! table {
-    ($($arity:ident: $($name:ident)*;)*) => {
-        fn value(name: &str, prec: u32, words: &mut Word) -> Option<Evaluated> {
-            match name {
-                $($(stringify!($name) => table!($arity, $name, prec, words),)*)*
-                "powi" => {
-                    let x = ball(words)?;
-                    Some(elementary::powi(&x, next(words)?, prec))
-                }
-                _ => None,
+    (one: $($one:ident)*; two: $($two:ident)*; three: $($three:ident)*;
+        complex: $($complex:ident)*; complex_two: $($pair:ident)*;) => {
+        fn value(name: &str, prec: u32, words: &mut Word) -> Option<Answer> {
+            let b = ball;
+            if let Some(name) = name.strip_prefix("complex_") {
+                return match name {
+                    $(stringify!($complex) => Some(of_complex(complex::$complex(&box_of(words)?, prec))),)*
+                    $(stringify!($pair) => {
+                        Some(of_complex(complex::$pair(&box_of(words)?, &box_of(words)?, prec)))
+                    })*
+                    _ => None,
+                };
             }
+            let found = match name {
+                $(stringify!($one) => elementary::$one(&b(words)?, prec),)*
+                $(stringify!($two) => elementary::$two(&b(words)?, &b(words)?, prec),)*
+                $(stringify!($three) => {
+                    elementary::$three(&b(words)?, &b(words)?, &b(words)?, prec)
+                })*
+                "powi" => elementary::powi(&b(words)?, next(words)?, prec),
+                _ => return None,
+            };
+            Some(found.map(|x| vec![x]))
         }
-    };
-    (one, $name:ident, $prec:ident, $words:ident) => {
-        Some(elementary::$name(&ball($words)?, $prec))
-    };
-    (two, $name:ident, $prec:ident, $words:ident) => {
-        Some(elementary::$name(&ball($words)?, &ball($words)?, $prec))
-    };
-    (three, $name:ident, $prec:ident, $words:ident) => {
-        Some(elementary::$name(&ball($words)?, &ball($words)?, &ball($words)?, $prec))
     };
 }
 
@@ -69,6 +85,9 @@ table! {
         round trunc nearbyint recip sqr sinpi cospi tanpi;
     two: hypot pow atan2 fmin fmax fdim fmod remainder copysign add sub mul div;
     three: fma voigt;
+    complex: exp log sqrt sin cos tan sinh cosh tanh asin acos atan asinh acosh atanh expm1 log1p
+        cbrt recip erf erfc erfcx erfi dawson w tgamma lgamma;
+    complex_two: pow div;
 }
 
 fn main() -> std::io::Result<()> {
@@ -79,7 +98,10 @@ fn main() -> std::io::Result<()> {
         let name = words.next().unwrap_or_default();
         let found = next(&mut words).and_then(|prec| value(name, prec, &mut words));
         match found {
-            Some(Ok(ball)) => writeln!(out, "{}", written(&ball))?,
+            Some(Ok(balls)) => {
+                let parts: Vec<String> = balls.iter().map(written).collect();
+                writeln!(out, "{}", parts.join(" "))?;
+            }
             Some(Err(why)) => writeln!(out, "{}", reason(why))?,
             None => {
                 out.flush()?;

@@ -146,11 +146,9 @@ impl<'a> Scaled<'a> {
         let mut exponents = Vec::with_capacity(band.n);
         for i in 0..band.n {
             let row: Vec<Ball> = band.row(i).iter().map(|q| short(q, bits)).collect();
-            let e = row
-                .iter()
-                .filter_map(|x| x.mid().get_exp())
-                .max()
-                .unwrap_or(0);
+            // The same at any number of bits, since a bound for one scale is used at another.
+            let exponent = |q: &Rational| Float::with_val(53, q).get_exp();
+            let e = band.row(i).iter().filter_map(exponent).max().unwrap_or(0);
             rows.push(row.iter().map(|x| x.shift(-e)).collect());
             exponents.push(e);
         }
@@ -439,7 +437,8 @@ fn refined(
 /// Bounds `‖r‖₂/√λ` by the root of `‖r‖₂²/λ`.
 fn distance(residual: &[Ball], lambda: Mag) -> Mag {
     let square = |sum: Mag, r: &Ball| sum.add(r.magnitude().mul(r.magnitude()));
-    residual.iter().fold(Mag::ZERO, square).div(lambda).sqrt()
+    let sum = residual.iter().fold(Mag::ZERO, square);
+    sum.div(lambda).sqrt()
 }
 
 /// Finds a vector of short fractions that is not zero and that the matrix maps to zero, computed

@@ -29,6 +29,12 @@ use rug::Rational;
 /// Word operations of an exact solution; 10¹⁰ of them take about a minute.
 const WORK: f64 = 1e10;
 
+/// The same where an exact answer is asked for.
+const EXACT_WORK: f64 = 1e11;
+
+/// The order of the largest matrix that is inverted in balls: that takes minutes.
+const ROWS: usize = 1000;
+
 /// Bits of working precision beyond the accuracy asked for that are tried first, and the number of
 /// times that the precision is doubled.
 const SPARE: u32 = 96;
@@ -41,11 +47,32 @@ fn check_system<T, U>(a: &Matrix<T>, b: &Matrix<U>) -> Result<usize, LinearError
     Ok(n)
 }
 
-/// Refuses orders whose work nobody waits for.
-pub(super) fn check_order(n: usize) -> Result<(), LinearError> {
-    match n <= modular::ROWS {
+/// Refuses an order whose work nobody waits for.
+pub(super) fn check_most(n: usize, most: usize) -> Result<(), LinearError> {
+    match n <= most {
         true => Ok(()),
-        false => Err(Undecided::new(0, format!("order {n} is above {}", modular::ROWS)).into()),
+        false => Err(Undecided::new(0, format!("order {n} is above {most}")).into()),
+    }
+}
+
+fn check_order(n: usize) -> Result<(), LinearError> {
+    check_most(n, modular::ROWS)
+}
+
+fn check_inverse(n: usize) -> Result<(), LinearError> {
+    check_most(n, ROWS)
+}
+
+/// Refuses an exact answer whose work nobody waits for.
+fn check_work(cleared: &Cleared, sides: usize) -> Result<(), LinearError> {
+    let work = cleared.work(sides);
+    match work <= EXACT_WORK {
+        true => Ok(()),
+        false => {
+            let reason =
+                format!("an exact answer takes {work:.0e} operations, above {EXACT_WORK:.0e}");
+            Err(Undecided::new(0, reason).into())
+        }
     }
 }
 
@@ -90,6 +117,8 @@ pub fn solve(
     if cleared.work(b.columns()) <= WORK {
         return Ok(rounded(&exact::solve(a, &cleared, b)?, goal));
     }
+    exact::check_regular(a, &cleared)?;
+    check_inverse(n)?;
     let mut bits = goal + SPARE;
     for _ in 0..=DOUBLINGS {
         if let Some(verified) = Verified::new(a.balls(bits), bits) {
@@ -115,7 +144,9 @@ pub fn solve_exactly(
     if check_system(a, b)? == 0 {
         return Ok(b.clone());
     }
-    exact::solve(a, &Cleared::new(a), b)
+    let cleared = Cleared::new(a);
+    check_work(&cleared, b.columns())?;
+    exact::solve(a, &cleared, b)
 }
 
 /// Returns the determinant to a relative accuracy of `2^-goal`; it is zero exactly where the
@@ -132,8 +163,15 @@ pub fn determinant(a: &Matrix<Rational>, goal: u32) -> Result<Ball, LinearError>
 /// # Errors
 /// As [`determinant`].
 pub fn determinant_exactly(a: &Matrix<Rational>) -> Result<Rational, LinearError> {
-    check_order(a.check_square()?)?;
-    exact::determinant(a)
+    let n = a.check_square()?;
+    check_order(n)?;
+    if n == 0 {
+        return Ok(Rational::from(1));
+    }
+    let cleared = Cleared::new(a);
+    // The second half is residues modulo primes that a bound asks for.
+    check_work(&cleared, 2)?;
+    exact::determinant(a, &cleared)
 }
 
 /// Returns the inverse to a relative accuracy of `2^-goal` of each entry.
@@ -192,7 +230,7 @@ fn normal_equations(
 }
 
 fn verified(a: &Matrix<Ball>, bits: u32) -> Result<Verified, LinearError> {
-    check_order(a.check_square()?)?;
+    check_inverse(a.check_square()?)?;
     a.check_finite()?;
     let reason = "the matrix of balls was not proved regular";
     Verified::new(a.clone(), bits).ok_or_else(|| Undecided::new(bits, reason).into())
@@ -240,7 +278,7 @@ pub fn least_squares_balls(
 ) -> Result<Matrix<Ball>, LinearError> {
     let (m, n) = (a.rows(), a.columns());
     check_length("rows of the right-hand sides", b.rows(), m)?;
-    check_order(m + n)?;
+    check_inverse(m + n)?;
     a.check_finite()?;
     b.check_finite()?;
     let zero = || Ball::integer(bits, 0);

@@ -136,6 +136,29 @@ fn dependent_columns_are_refused_with_a_proof() {
     ));
 }
 
+/// Long systems are refused as short ones are, and what nobody waits for is refused at once.
+#[test]
+fn work_is_bounded() {
+    let flat = q(3, 3, &[1, 2, 3, 4, 5, 6, 7, 8, 9]);
+    let refused = exact::check_regular(&flat, &Cleared::new(&flat));
+    assert!(matches!(refused, Err(LinearError::Singular { .. })));
+    let large = |n: usize, x: f64| {
+        Matrix::from_fn(n, n, |i, j| {
+            let on = if i == j { 3.0 } else { 0.0 };
+            Rational::from_f64(on + x * (1.0 + (i * 7 + j * 3) as f64)).unwrap()
+        })
+    };
+    let a = large(120, 1e-300);
+    assert!(matches!(
+        inverse_exactly(&a),
+        Err(LinearError::Undecided(_))
+    ));
+    assert!(matches!(
+        determinant_balls(&large(1001, 0.0).balls(64), 64),
+        Err(LinearError::Undecided(_))
+    ));
+}
+
 /// A wide matrix of balls holds a singular one, and is not solved.
 #[test]
 fn balls_that_hold_a_singular_matrix_are_undecided() {
@@ -212,6 +235,27 @@ fn an_approximate_inverse_encloses_what_is_exact() {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+    /// Floating-point numbers of any size: the same fractions as by elimination.
+    #[test]
+    fn elimination_gives_the_same_fractions(
+        v in prop::collection::vec(prop_oneof![4 => prop::num::f64::NORMAL, 1 => Just(0.0)], 30),
+        n in 1usize..6,
+    ) {
+        let a = Matrix::from_f64(n, n, &v[..n * n]).unwrap();
+        let b = Matrix::from_f64(n, 1, &v[25..25 + n]).unwrap();
+        let equation = |i: usize| {
+            let row = a.row(i).iter().cloned().enumerate();
+            crate::tridiagonal::equation(row, vec![b.at(i, 0).clone()])
+        };
+        let due = crate::tridiagonal::solve_sparse(n, (0..n).map(equation).collect());
+        match (solve_exactly(&a, &b), due) {
+            (Ok(x), Some(due)) => prop_assert_eq!(x.entries(), due.concat()),
+            (Err(LinearError::Singular { .. }), None) => {}
+            (found, _) => prop_assert!(false, "{:?}", found),
+        }
+    }
+
     /// Solutions solve, inverses invert, determinants are those of Laplace's expansion, and
     /// residuals of least squares are orthogonal to the columns.
     #[test]

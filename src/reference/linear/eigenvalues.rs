@@ -9,7 +9,7 @@
 //! (Golub and Van Loan, *Matrix Computations*, 2013, 8.5); W is taken as exact, and a bad one can
 //! only make the balls wide.
 
-use super::dense::{are_known, check_order};
+use super::dense::{are_known, check_most};
 use super::exact::null_vector;
 use super::matrix::{LinearError, Matrix, inner};
 use crate::{Ball, Mag, Undecided, dot};
@@ -70,10 +70,7 @@ fn known(
     n: usize,
     goal: u32,
 ) -> Result<Vec<Ball>, LinearError> {
-    check_order(n)?;
-    if n > ROWS {
-        return Err(Undecided::new(0, format!("order {n} is above {ROWS}")).into());
-    }
+    check_most(n, ROWS)?;
     let mut bits = goal + SPARE;
     let mut directions = None;
     let mut is_definite = false;
@@ -129,9 +126,7 @@ pub fn balls(
             }
         }
     }
-    if n > ROWS {
-        return Err(Undecided::new(0, format!("order {n} is above {ROWS}")).into());
-    }
+    check_most(n, ROWS)?;
     let undecided = |reason| LinearError::from(Undecided::new(bits, reason));
     let start = conjugate(b, n, bits)
         .ok_or_else(|| undecided("a pivot of the second matrix is not positive"))?;

@@ -167,10 +167,13 @@ impl<'a> Lifting<'a> {
             }
             power *= &p;
             if step == next || step == last {
-                if let Some(found) = fractions(&x, &power)
-                    && self.is_solution(&found, b)
-                {
-                    return Some(found);
+                // Short in sum, which is soon; or each short, which is the only such solution.
+                for is_balanced in [false, true] {
+                    if let Some(found) = fractions(&x, &power, is_balanced)
+                        && self.is_solution(&found, b)
+                    {
+                        return Some(found);
+                    }
                 }
                 next += next / 4 + 1;
             }
@@ -191,11 +194,15 @@ impl<'a> Lifting<'a> {
     }
 }
 
-/// Finds fractions with a common denominator from their residues; none if they are too long.
-fn fractions(x: &[Integer], power: &Integer) -> Option<Fractions> {
+/// Finds fractions with a common denominator from their residues; none if they are too long: in
+/// sum, or balanced, which is each of them beside half of the residues' length.
+fn fractions(x: &[Integer], power: &Integer, is_balanced: bool) -> Option<Fractions> {
     let length = power.significant_bits();
-    let is_short =
-        |n: &Integer, d: &Integer| n.significant_bits() + d.significant_bits() + SPARE < length;
+    let is_short = |n: &Integer, d: &Integer| {
+        let (n, d) = (n.significant_bits(), d.significant_bits());
+        let due = if is_balanced { 2 * n.max(d) } else { n + d };
+        due + SPARE < length
+    };
     let half = Integer::from(power >> 1u32);
     let mut denominator = Integer::from(1);
     let mut numerators: Vec<Integer> = Vec::with_capacity(x.len());
@@ -232,6 +239,8 @@ fn fraction(x: &Integer, m: &Integer) -> (Integer, Integer) {
         u -= &q * &v;
         std::mem::swap(&mut u, &mut v);
     }
+    let gcd = Integer::from(s.gcd_ref(&v));
+    let (s, v) = (s / &gcd, v / gcd);
     if v < 0 { (-s, -v) } else { (s, v) }
 }
 
@@ -284,7 +293,16 @@ pub(super) fn singular(a: &Matrix<Rational>) -> LinearError {
 }
 
 fn undecided(reason: &str) -> LinearError {
-    LinearError::Undecided(Undecided::new(u32::MAX, reason))
+    Undecided::new(58, reason).into()
+}
+
+/// Checks that a matrix is regular modulo a prime, and so regular.
+pub(super) fn check_regular(a: &Matrix<Rational>, cleared: &Cleared) -> Result<(), LinearError> {
+    let is_regular = |p| modular::inverse(cleared.modulo(p), p).is_some();
+    match modular::primes().take(TRIALS).any(is_regular) {
+        true => Ok(()),
+        false => Err(singular(a)),
+    }
 }
 
 /// Solves `A X = B` exactly, for every column of B.
@@ -321,12 +339,11 @@ pub(super) fn solve(
 ///
 /// The denominator of any solution divides the determinant of an integer matrix; the quotient
 /// follows from its residues modulo primes whose product exceeds twice Hadamard's bound on it.
-pub(super) fn determinant(a: &Matrix<Rational>) -> Result<Rational, LinearError> {
+pub(super) fn determinant(
+    a: &Matrix<Rational>,
+    cleared: &Cleared,
+) -> Result<Rational, LinearError> {
     let n = a.rows();
-    if n == 0 {
-        return Ok(Rational::from(1));
-    }
-    let cleared = Cleared::new(a);
     let Some(lifting) = Lifting::new(&cleared.matrix) else {
         return match singular(a) {
             LinearError::Singular { .. } => Ok(Rational::new()),

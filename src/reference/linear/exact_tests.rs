@@ -29,10 +29,32 @@ fn a_matrix_that_is_singular_modulo_a_prime_alone_is_regular() {
     let a = q(2, &[p + 1, 1, 1, 1]);
     assert!(modular::inverse(Cleared::new(&a).modulo(p as u64), p as u64).is_none());
     assert_eq!(null_vector(&a), None);
-    assert_eq!(determinant(&a).unwrap(), p);
+    assert_eq!(check_regular(&a, &Cleared::new(&a)), Ok(()));
+    assert_eq!(determinant(&a, &Cleared::new(&a)).unwrap(), p);
     let b = Matrix::new(2, 1, vec![Rational::from(p + 2), Rational::from(2)]).unwrap();
     let x = solve(&a, &Cleared::new(&a), &b).unwrap();
     assert_eq!(x.entries(), [1, 1]);
+}
+
+/// Residues of −1/(p + 1) and the like are short for their length, and are no solutions.
+#[test]
+fn residues_that_look_like_integers_are_not_taken_for_solutions() {
+    let p = Integer::from(modular::primes().next().unwrap());
+    for d in [
+        Integer::from(&p + 1u32),
+        p.clone().square() + 1u32,
+        p - 1u32,
+    ] {
+        let matrix = Matrix::new(1, 1, vec![d.clone()]).unwrap();
+        let found = Lifting::new(&matrix)
+            .unwrap()
+            .solve(&[Integer::from(-1)])
+            .unwrap();
+        assert_eq!(
+            (&found.numerators[0], &found.denominator),
+            (&Integer::from(-1), &d)
+        );
+    }
 }
 
 /// Equal blocks have one denominator between them: the determinant is a power of it.
@@ -46,7 +68,7 @@ fn a_determinant_of_many_primes() {
         false => Rational::new(),
     });
     assert_eq!(
-        determinant(&a).unwrap(),
+        determinant(&a, &Cleared::new(&a)).unwrap(),
         Rational::from(d.clone().square().square() * &d)
     );
 }

@@ -7,7 +7,7 @@
 //! floating-point numbers and taken as exact; a bad one can only make the test fail. A ball matrix
 //! is not eliminated, because radii would grow by a factor in each row.
 
-use super::exact;
+use super::dense;
 use super::matrix::{LinearError, Matrix};
 use crate::{Ball, Mag, dot};
 use rug::Float;
@@ -156,7 +156,7 @@ impl Verified {
     pub(crate) fn determinant(&self) -> Result<Ball, LinearError> {
         let n = self.matrix.rows();
         let exact = |x: &Ball| x.mid().to_rational().unwrap_or_default();
-        let middle = exact::determinant(&self.matrix.map(exact))?;
+        let middle = dense::determinant_exactly(&self.matrix.map(exact))?;
         let widths: Vec<Mag> = (0..n)
             .map(|k| {
                 self.matrix

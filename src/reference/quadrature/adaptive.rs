@@ -106,6 +106,8 @@ struct Panel<V> {
     /// Whether no ellipse around the whole was found free of singularities.
     refused: bool,
     depth: u32,
+    /// The precision of enclosures on rectangles.
+    bits: u32,
 }
 
 impl<V> Ord for Panel<V> {
@@ -132,23 +134,32 @@ impl<V> PartialEq for Panel<V> {
 
 impl<V> Eq for Panel<V> {}
 
-/// Bits by which the parameters are larger than the width of a panel: a node has to be known to so many bits more.
-fn resolution(lower: &Float, upper: &Float) -> u32 {
+fn exponent(x: &Float) -> i32 {
+    x.get_exp().unwrap_or(i32::MIN / 2)
+}
+
+/// Bits by which a size is larger than the width of a panel.
+fn resolution(size: i32, lower: &Float, upper: &Float) -> u32 {
     let width = (upper - lower).complete(64);
-    let exponent = |x: &Float| x.get_exp().unwrap_or(i32::MIN / 2);
-    let largest = exponent(lower).max(exponent(upper));
-    u32::try_from(largest.saturating_sub(exponent(&width))).unwrap_or(0)
+    u32::try_from(size.saturating_sub(exponent(&width))).unwrap_or(0)
+}
+
+/// Bits by which the parameters are larger than the width: a node has to be known to so many bits more.
+fn finer(lower: &Float, upper: &Float) -> u32 {
+    resolution(exponent(lower).max(exponent(upper)), lower, upper)
 }
 
 fn panel<P: Path>(
     path: &mut P,
     [lower, upper]: [Float; 2],
     depth: u32,
-    refused: bool,
+    refused: Option<i32>,
     tolerance: &mut Tolerance,
     budget: &mut Budget,
 ) -> Panel<P::Value> {
-    let bits = 64 + resolution(&lower, &upper);
+    // Next to a jump, sizes like those of the whole interval or like 1 may have to be resolved.
+    let beside = refused.map_or(0, |size| resolution(size, &lower, &upper));
+    let bits = 64 + finer(&lower, &upper).max(beside);
     let width = difference(&upper, &lower, bits);
     budget.spent += 1;
     let values = path.value(&Ball::between(bits, &lower, &upper), bits);
@@ -164,8 +175,9 @@ fn panel<P: Path>(
         upper,
         direct,
         error,
-        refused,
+        refused: refused.is_some(),
         depth,
+        bits,
     }
 }
 
@@ -206,7 +218,7 @@ struct Ellipse {
 }
 
 /// Parts of an ellipse: the interval of the major axis in units of the half-axis, and the height above it.
-const PARTS: [([f64; 2], f64); 5] = [
+pub(super) const PARTS: [([f64; 2], f64); 5] = [
     ([-1.0, -0.96], 0.2801),
     ([0.96, 1.0], 0.2801),
     ([-0.96, -0.8], 0.6001),
@@ -373,7 +385,7 @@ fn gauss<P: Path>(
     let Some(direct) = &panel.direct else {
         return Outcome::Refused;
     };
-    let finer = resolution(&panel.lower, &panel.upper);
+    let finer = finer(&panel.lower, &panel.upper);
     let half_of = |bits: u32| difference(&panel.upper, &panel.lower, bits).shift(-1);
     let mid_of = |bits: u32| {
         let exact = |x: &Float| Ball::new(x.clone(), Mag::ZERO);
@@ -381,7 +393,7 @@ fn gauss<P: Path>(
         (exact(&panel.lower).with_prec(bits) + exact(&panel.upper).with_prec(bits)).shift(-1)
     };
     let around = Around {
-        mid: &mid_of(64),
+        mid: &mid_of(panel.bits.saturating_sub(finer)),
         reach: half_of(64).magnitude(),
     };
     let found = ellipse(path, panel, &around, tolerance, greatest, hint, budget);
@@ -444,14 +456,16 @@ pub(super) fn adaptive<P: Path>(
     let mut queue = BinaryHeap::new();
     for ends in breaks.windows(2) {
         let ends = [ends[0].clone(), ends[1].clone()];
-        queue.push(panel(path, ends, 0, false, tolerance, budget));
+        queue.push(panel(path, ends, 0, None, tolerance, budget));
     }
     let greatest = u32::try_from(60 + tolerance.relative.max(0) / 2).unwrap_or(u32::MAX);
     let mut hint = Hint::FIRST;
+    let size = [breaks.first(), breaks.last()].map(|x| x.map_or(0, exponent));
+    let size = size[0].max(size[1]).max(0);
     let mut total = P::Value::zero();
     let mut hindered = None;
     while let Some(top) = queue.pop() {
-        let mut refused = false;
+        let mut refused = None;
         if let Some(direct) = &top.direct
             && top.error <= tolerance.now
         {
@@ -465,11 +479,11 @@ pub(super) fn adaptive<P: Path>(
                     total = total.plus(&value);
                     continue;
                 }
-                Outcome::Refused => refused = top.direct.is_some(),
+                Outcome::Refused => refused = Some(size),
                 Outcome::Costly => {}
             }
         }
-        let bits = 64 + resolution(&top.lower, &top.upper);
+        let bits = 64 + finer(&top.lower, &top.upper);
         let middle = (&top.lower + &top.upper).complete(bits) >> 1u32;
         let splits = top.lower < middle && middle < top.upper;
         if budget.spent >= budget.limit || top.depth >= DEPTH || !splits {

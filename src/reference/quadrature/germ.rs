@@ -520,10 +520,14 @@ impl Germ {
     }
 
     fn of(k: u32, bounds: Bounds) -> Germ {
-        Germ {
-            k,
-            form: Form::Bounds(bounds),
-        }
+        let lower = bounds.lower.map(|lower| lower.nearer(k));
+        let upper = bounds.upper.nearer(k);
+        let form = Form::Bounds(Bounds {
+            lower,
+            upper,
+            ..bounds
+        });
+        Germ { k, form }
     }
 
     /// x itself, for all `0 < s ≤ 2^−k`; k is at least 2.
@@ -898,3 +902,7 @@ fn powers(x: &Ball, a: &Ball, n: usize) -> Option<Vec<Ball>> {
     }
     Some(all)
 }
+
+#[cfg(test)]
+#[path = "germ_tests.rs"]
+mod tests;

@@ -2,6 +2,7 @@
 
 use crate::Mag;
 use rug::Float;
+use rug::float::Constant;
 use rug::ops::Pow;
 
 /// `C s^p L^q e^(−σ s^−r)` with `L = ln(1/s)`, an upper or a lower bound for all `0 < s ≤ 2^−k`.
@@ -46,7 +47,8 @@ impl Side {
     /// The product, likewise.
     fn mul(self, a: f64, b: f64) -> f64 {
         let product = a * b;
-        if product != 0.0 && product.abs() < 1e-250 {
+        // What is rounded off may be too small for a double.
+        if a != 0.0 && b != 0.0 && product.abs() < 1e-250 {
             return self.step(product, if self == Upper { 1.0 } else { -1.0 });
         }
         self.step(product, a.mul_add(b, -product))
@@ -87,6 +89,11 @@ impl Side {
 
 /// Bits of the logarithms and exponentials of bounds.
 const BITS: u32 = 128;
+
+/// `ln 2^k`.
+fn logarithm(k: u32) -> Float {
+    Float::with_val(BITS, Constant::Log2) * k
+}
 
 /// `2^(k r)`.
 fn distance(k: u32, r: f64) -> Float {
@@ -180,6 +187,14 @@ impl Growth {
         self.k
     }
 
+    /// The same for a smaller distance.
+    pub(super) fn nearer(self, k: u32) -> Growth {
+        Growth {
+            k: self.k.max(k),
+            ..self
+        }
+    }
+
     /// The bound times a constant.
     pub(super) fn scaled(&self, by: Mag, side: Side) -> Growth {
         Growth {
@@ -250,14 +265,12 @@ impl Growth {
         })
     }
 
-    /// The value at `s = 2^−k`, to the safe side.
-    fn value(&self, k: u32, side: Side) -> Mag {
-        let ln2 = Float::with_val(BITS, rug::float::Constant::Log2);
-        let t = Float::with_val(BITS, &ln2 * k);
-        let mut exponent = Float::with_val(BITS, -Float::with_val(BITS, &t * self.p));
-        exponent += Float::with_val(BITS, t.ln_ref()) * self.q;
+    /// The value at `s = e^−t`, to the safe side.
+    pub(super) fn at(&self, t: &Float, side: Side) -> Mag {
+        let mut exponent = Float::with_val(BITS, t.ln_ref()) * self.q;
+        exponent -= Float::with_val(BITS, t * self.p);
         if self.sigma != 0.0 {
-            exponent -= distance(k, self.r) * self.sigma;
+            exponent -= Float::with_val(BITS, t * self.r).exp() * self.sigma;
         }
         side.mul_mag(self.c, exponential(&exponent, side))
     }
@@ -270,7 +283,7 @@ impl Growth {
         let fall = self.fall(self.p, self.k);
         // Nothing is lost to rounding where every factor falls.
         let falls = self.p >= 0.0 && self.q <= 0.0 && self.sigma >= 0.0;
-        (falls || fall > 0.0).then(|| self.value(self.k, Upper))
+        (falls || fall > 0.0).then(|| self.at(&logarithm(self.k), Upper))
     }
 
     /// A lower bound on `a + σ r e^(rT) − max(q, 0)/T`, not positive where that is not sure.
@@ -309,7 +322,7 @@ impl Growth {
             p: a,
             ..self.clone()
         };
-        there.value(k, Upper).div(Mag::from_f64(divisor))
+        there.at(&logarithm(k), Upper).div(Mag::from_f64(divisor))
     }
 
     /// The greatest value of the quotient of an upper and a lower bound.
@@ -368,3 +381,7 @@ fn exponent_sum([a, b]: [&Growth; 2], k: u32, side: Side) -> (f64, f64) {
         large.r,
     )
 }
+
+#[cfg(test)]
+#[path = "growth_tests.rs"]
+mod tests;

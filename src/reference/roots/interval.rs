@@ -169,14 +169,12 @@ where
         if value.is_finite() && !value.contains_zero() {
             return Ok(Verdict::None);
         }
-        if slope.contains_zero() {
-            return Ok(Verdict::Open);
-        }
-        Ok(by_signs(
-            piece.low.sign,
-            piece.high.sign,
-            slope.is_positive(),
-        ))
+        let is_monotone = slope.is_positive() || slope.is_negative();
+        let (low, high) = (piece.low.sign, piece.high.sign);
+        Ok(match is_monotone {
+            true => by_signs(low, high, slope.is_positive()),
+            false => Verdict::Open,
+        })
     }
 
     /// Encloses the root of an interval with one root, over which the function is monotone.

@@ -35,6 +35,16 @@ pub enum SystemError<E> {
     /// A list has another length than the number of unknowns asks for, or a start is no number.
     #[error(transparent)]
     Data(#[from] LinearError),
+    /// The lower end of a side does not lie below the upper one.
+    #[error("side {row} of the box: {lo} does not lie below {hi}")]
+    Side {
+        /// The side, counted from 0.
+        row: usize,
+        /// The lower end.
+        lo: f64,
+        /// The upper end.
+        hi: f64,
+    },
     /// The equations could not be evaluated.
     #[error("the equations: {0}")]
     Function(E),
@@ -353,8 +363,12 @@ pub fn in_box<S: System>(
     goal: u32,
     limit: usize,
 ) -> Result<Vec<Ball>, SystemError<S::Error>> {
-    let side = |(row, [lo, hi]): (usize, &[f64; 2])| -> Result<[Float; 2], SystemError<S::Error>> {
-        Ok([finite(row, lo.min(*hi))?, finite(row, hi.max(*lo))?])
+    let side = |(row, &[lo, hi]): (usize, &[f64; 2])| -> Result<_, SystemError<S::Error>> {
+        let ends = [finite(row, lo)?, finite(row, hi)?];
+        match lo < hi {
+            true => Ok(ends),
+            false => Err(SystemError::Side { row, lo, hi }),
+        }
     };
     let first = sides
         .iter()

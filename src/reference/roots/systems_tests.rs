@@ -183,6 +183,13 @@ fn wrong_data_are_named() {
             column: 0
         }))
     ));
+    let turned = in_box(&mut system, &[[0.0, 1.0], [2.0, 1.0]], 53, 9);
+    assert!(matches!(turned, Err(SystemError::Side { row: 1, .. })));
+    let nan = in_box(&mut system, &[[0.0, 1.0], [f64::NAN, 1.0]], 53, 9);
+    assert!(matches!(
+        nan,
+        Err(SystemError::Data(LinearError::NotFinite { row: 1, .. }))
+    ));
     let mut short = By(
         |x: &[Ball], _| Ok(vec![x[0].clone()]),
         |_: &[Ball], bits| Ok(vec![Ball::integer(bits, 1); 3]),

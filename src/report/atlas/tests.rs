@@ -195,6 +195,23 @@ pub fn fabricated() -> Atlas {
     }
 }
 
+/// Heights are words, a code that reaches none has empty fields.
+#[test]
+fn heights_have_a_line_for_each_accuracy() {
+    let mut out = Vec::new();
+    super::heights(&fabricated(), &mut out).unwrap();
+    let text = String::from_utf8(out).unwrap();
+    let due = "\
+name,precision,parts,target,norm,each_part
+first,double,Re and Im,1e-4,everywhere,everywhere
+first,double,Re and Im,1e-4,everywhere,1e-3
+first,double,Re and Im,1e-4,1e-20,
+first,double,Re and Im,1e-4,,
+bare,single,";
+    assert!(text.starts_with(due), "{text}");
+    assert_eq!(text.lines().count(), 9);
+}
+
 #[test]
 fn what_is_about_all_regions_stands_in_their_line() {
     let mut out = Vec::new();

@@ -33,7 +33,11 @@ pub fn method(report: &MethodReport, width: usize) -> String {
     let shown = failing(report, FAILURES_SHOWN);
     for failure in &shown {
         out.push('\n');
-        out.push_str(&case::text(failure, &report.again(&failure.case), width));
+        out.push_str(&case::text(
+            failure,
+            &report.reproduce_command(&failure.case),
+            width,
+        ));
     }
     let left = report.failed().saturating_sub(shown.len() as u64);
     if left > 0 && !shown.is_empty() {
@@ -47,7 +51,7 @@ pub fn method(report: &MethodReport, width: usize) -> String {
 
 /// The report of a single case.
 pub fn single(report: &MethodReport, only: &CaseReport, width: usize) -> String {
-    let mut out = case::text(only, &report.again(&only.case), width);
+    let mut out = case::text(only, &report.reproduce_command(&only.case), width);
     let line = |label: &str, text: &str| format!("    {label:<10} {}\n", wrap(text, 15, width));
     out.push_str(&line("budget", &budgets(report)));
     if let Some(c) = &report.candidate {
@@ -292,7 +296,10 @@ fn laws(report: &MethodReport, width: usize) -> String {
             && let Some(worst) = &law.worst_case
         {
             out.push_str(&case::input(worst, 4));
-            out.push_str(&format!("    reproduce  {}\n", report.again(worst)));
+            out.push_str(&format!(
+                "    reproduce  {}\n",
+                report.reproduce_command(worst)
+            ));
         }
     }
     out

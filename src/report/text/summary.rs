@@ -25,7 +25,11 @@ pub fn news(papers: &[PaperReport], methods: &[MethodReport], width: usize) -> S
     for report in methods.iter().filter(|r| !r.passed()) {
         out.push_str(&format!("\n{}\n", paint(BOLD, report.method)));
         for failure in failing(report, FAILURES_SHOWN) {
-            out.push_str(&case::text(failure, &report.again(&failure.case), width));
+            out.push_str(&case::text(
+                failure,
+                &report.reproduce_command(&failure.case),
+                width,
+            ));
         }
         let failed = report.failed() as usize;
         if failed > FAILURES_SHOWN {
@@ -40,7 +44,10 @@ pub fn news(papers: &[PaperReport], methods: &[MethodReport], width: usize) -> S
             let text = format!("law {} does not hold: {}", law.name, law.statement);
             out.push_str(&paragraph(&paint(BAD, &text), 2, width));
             if let Some(worst) = &law.worst_case {
-                out.push_str(&format!("    reproduce  {}\n", report.again(worst)));
+                out.push_str(&format!(
+                    "    reproduce  {}\n",
+                    report.reproduce_command(worst)
+                ));
             }
         }
     }

@@ -69,7 +69,7 @@ impl Worst {
 
 /// How many there are of each wrong kind.
 pub fn kinds(of: &Kinds) -> String {
-    let each = of.some().map(|(kind, n)| format!("{n} {}", kind.name()));
+    let each = of.nonzero().map(|(kind, n)| format!("{n} {}", kind.name()));
     each.collect::<Vec<_>>().join(", ")
 }
 

@@ -356,7 +356,7 @@ pub(super) fn unary(f: Func, x: &Ball, p: u32) -> Found {
         },
         Func::W => {
             let z = ComplexBall::new(x.clone(), Ball::integer(p, 0));
-            return super::shim::w(&z, p).map(Value::Complex);
+            return real::complex::w(&z, p).map(Value::Complex);
         }
         Func::Pow
         | Func::Atan2

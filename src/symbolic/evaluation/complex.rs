@@ -16,7 +16,7 @@ fn complex(x: &Value) -> Result<ComplexBall, NoValue> {
 
 /// `a / b`.
 pub(super) fn div(a: &ComplexBall, b: &ComplexBall, p: u32) -> ComplexEvaluated {
-    super::shim::div(a, b, p)
+    real::complex::div(a, b, p)
 }
 
 /// An integer power, by squarings.
@@ -42,7 +42,7 @@ pub(super) fn power(z: &ComplexBall, k: i32, p: u32) -> ComplexEvaluated {
 
 /// A holomorphic function of one complex number, principal branches.
 fn holomorphic(f: Func, z: &ComplexBall, p: u32) -> Option<ComplexEvaluated> {
-    use super::shim as c;
+    use real::complex as c;
     let scaled = |e: ComplexEvaluated, by: Ball| e.map(|z| z.scaled(&by));
     let log = |n: i64| real::log(&Ball::integer(p, n), p);
     Some(match f {
@@ -127,7 +127,9 @@ pub(super) fn call(f: Func, x: &[&Value], must_be_holomorphic: bool, p: u32) -> 
         };
     }
     match (f, x) {
-        (Func::Pow, [a, b]) => super::shim::pow(&complex(a)?, &complex(b)?, p).map(Value::Complex),
+        (Func::Pow, [a, b]) => {
+            real::complex::pow(&complex(a)?, &complex(b)?, p).map(Value::Complex)
+        }
         (Func::Fma, [a, b, c]) => {
             let product = &complex(a)? * &complex(b)?;
             Ok(Value::Complex(&product + &complex(c)?))
@@ -171,13 +173,13 @@ pub(super) fn continued(f: Func, x: &[&Value], p: u32) -> Found {
                 // Odd on the real line.
                 Func::Cbrt => {
                     let positive = sign(&z)?;
-                    signed(positive, &super::shim::cbrt(&signed(positive, &z), p)?)
+                    signed(positive, &real::complex::cbrt(&signed(positive, &z), p)?)
                 }
-                Func::Lgamma if sign(&z)? => super::shim::lgamma(&z, p)?,
+                Func::Lgamma if sign(&z)? => real::complex::lgamma(&z, p)?,
                 Func::Floor | Func::Ceil | Func::Round | Func::Trunc | Func::Nearbyint => {
                     return step(f, &z).map(Value::Real);
                 }
-                Func::W => return super::shim::w(&z, p).map(Value::Complex),
+                Func::W => return real::complex::w(&z, p).map(Value::Complex),
                 f => match holomorphic(f, &z, p) {
                     Some(found) => found?,
                     None => return Err(NoValue::Undecided("a function without continuation")),
@@ -191,9 +193,9 @@ pub(super) fn continued(f: Func, x: &[&Value], p: u32) -> Found {
                     Some(k) if k.is_integer() && *k < 1000 && *k > -1000 => {
                         power(&a, k.to_i32_saturating().unwrap_or(0), p)?
                     }
-                    _ => super::shim::pow(&a, &b, p)?,
+                    _ => real::complex::pow(&a, &b, p)?,
                 },
-                Func::Hypot => super::shim::sqrt(&(&a.square() + &b.square()), p)?,
+                Func::Hypot => real::complex::sqrt(&(&a.square() + &b.square()), p)?,
                 Func::Fmin | Func::Fmax => {
                     let first_is_larger = sign(&(&a - &b))?;
                     if first_is_larger == (f == Func::Fmax) {
@@ -226,11 +228,11 @@ pub(super) fn continued(f: Func, x: &[&Value], p: u32) -> Found {
                 // atan2(y, x) = atan(y/x) right of the axis, else ±π/2 − atan(x/y).
                 Func::Atan2 => {
                     if b.re.is_positive() {
-                        super::shim::atan(&div(&a, &b, p)?, p)?
+                        real::complex::atan(&div(&a, &b, p)?, p)?
                     } else {
                         let half = Ball::pi(p).shift(-1);
                         let half = if sign(&a)? { half } else { -half };
-                        let angle = super::shim::atan(&div(&b, &a, p)?, p)?;
+                        let angle = real::complex::atan(&div(&b, &a, p)?, p)?;
                         let half = ComplexBall::new(half, Ball::integer(p, 0));
                         &half - &angle
                     }
@@ -247,7 +249,7 @@ pub(super) fn continued(f: Func, x: &[&Value], p: u32) -> Found {
                     let below = b.scaled(&Ball::integer(p, 2).sqrt());
                     let up = div(&(&a + &c.turned()), &below, p)?;
                     let down = div(&(&c.turned() - &a), &below, p)?;
-                    let sum = &super::shim::w(&up, p)? + &super::shim::w(&down, p)?;
+                    let sum = &real::complex::w(&up, p)? + &real::complex::w(&down, p)?;
                     let width = below.scaled(&Ball::pi(p).sqrt().shift(1));
                     div(&sum, &width, p)?
                 }

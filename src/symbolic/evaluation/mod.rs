@@ -13,7 +13,6 @@ mod germ;
 mod huge;
 mod integral;
 mod root;
-mod shim;
 #[cfg(test)]
 mod tests;
 

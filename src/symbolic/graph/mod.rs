@@ -218,6 +218,19 @@ impl Graph {
         self.facts[id as usize].is_complex
     }
 
+    /// Returns true if the value is true or false.
+    pub fn is_condition(&self, id: Id) -> bool {
+        matches!(
+            self.node(id),
+            Node::Truth(_) | Node::Compare(..) | Node::And(..) | Node::Or(..) | Node::Not(_)
+        )
+    }
+
+    /// The node of an input.
+    pub fn input(&mut self, k: usize) -> Id {
+        self.push(Node::Input(k as u32))
+    }
+
     /// Returns true if the value depends on a variable of the binder.
     pub fn depends_on(&self, id: Id, binder: BinderId) -> bool {
         self.facts[id as usize].binders.contains(&binder)

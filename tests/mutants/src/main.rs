@@ -16,7 +16,7 @@ use clap::Parser;
 use mutate::{Kind, Place};
 use render::{Mutant, Rendered, render};
 use serde::Serialize;
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 use std::fs;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -35,7 +35,7 @@ struct Args {
     #[arg(required_unless_present = "planted")]
     files: Vec<String>,
     /// Plant the faults of this table, one at a time: the test named beside each has to fail
-    #[arg(long, value_name = "CSV", conflicts_with_all = ["files", "sample", "again", "list", "output", "filter", "lib", "bin", "test"])]
+    #[arg(long, value_name = "CSV", conflicts_with_all = ["files", "sample", "list", "output", "filter", "lib", "bin", "test"])]
     planted: Option<PathBuf>,
     /// The package they belong to
     #[arg(long, default_value = "mechaudit-reference")]
@@ -67,10 +67,6 @@ struct Args {
     /// The seed of the draw
     #[arg(long, value_name = "N", default_value_t = 1, requires = "sample")]
     seed: u64,
-    /// Only mutants that this table names by file, function, original and instead, of several alike by line and column:
-    /// survivors, to be met again
-    #[arg(long, value_name = "CSV", conflicts_with = "sample")]
-    again: Option<PathBuf>,
     /// List the mutants and judge none
     #[arg(long)]
     list: bool,
@@ -130,26 +126,6 @@ fn audit(args: &Args) -> Result<bool> {
     if let Some(n) = args.sample {
         fastrand::Rng::with_seed(args.seed).shuffle(&mut mutants);
         mutants.truncate(n);
-    }
-    if let Some(table) = &args.again {
-        let named = named(table)?;
-        let named_here = |m: &Mutant| {
-            let row = row(&sources, m, &Verdict::Missed);
-            let places = named.get(&identity(&row))?;
-            Some((places, identity(&row), [row.line, row.column]))
-        };
-        // Of several that are alike, those that stand where the table says, if any does.
-        let in_place: HashSet<[String; 4]> = mutants
-            .iter()
-            .filter_map(named_here)
-            .filter(|(places, _, at)| places.contains(at))
-            .map(|(_, identity, _)| identity)
-            .collect();
-        mutants.retain(|m| {
-            named_here(m).is_some_and(|(places, identity, at)| {
-                places.contains(&at) || !in_place.contains(&identity)
-            })
-        });
     }
     if args.list {
         for m in &mutants {
@@ -211,33 +187,6 @@ fn audit(args: &Args) -> Result<bool> {
     let most = args.most.map(Duration::from_secs_f64);
     let verdicts = judge(&suite, &sources, &viable, jobs, most, table)?;
     report(args, &sources, &viable, &verdicts)
-}
-
-/// What names a mutant, wherever its line has moved to.
-fn identity(row: &Row) -> [String; 4] {
-    [row.file, row.function, &row.original, &row.instead].map(str::to_owned)
-}
-
-/// The mutants that a table names, and the lines and columns where it says that they stand.
-fn named(table: &std::path::Path) -> Result<HashMap<[String; 4], HashSet<[usize; 2]>>> {
-    let mut rows = csv::Reader::from_path(table).with_context(|| table.display().to_string())?;
-    let headers = rows.headers()?.clone();
-    let column = |name: &str| headers.iter().position(|h| h == name);
-    let names = ["file", "function", "original", "instead"]
-        .map(|name| column(name).with_context(|| format!("{}: no column {name}", table.display())));
-    let [file, function, original, instead] = names;
-    let names = [file?, function?, original?, instead?];
-    let places = [column("line"), column("column")];
-    let mut all: HashMap<_, HashSet<_>> = HashMap::new();
-    for record in rows.records() {
-        let record = record?;
-        let at = places.map(|c| record.get(c?)?.parse().ok());
-        let stands = all.entry(names.map(|c| record[c].to_owned())).or_default();
-        if let [Some(line), Some(column)] = at {
-            stands.insert([line, column]);
-        }
-    }
-    Ok(all)
 }
 
 fn read(project: &std::path::Path, files: &[String]) -> Result<Vec<Source>> {

@@ -1,4 +1,4 @@
-//! How a climb moves.
+//! The moves of a climb.
 
 use super::*;
 
@@ -55,7 +55,8 @@ fn numbers_move_by_neighbours() {
     }
 }
 
-/// An edge keeps none to eight bits behind the point and is such a number or next to it, all alike often.
+/// An edge keeps none to eight bits behind the point and is such a number or next to it, all alike
+/// often.
 #[test]
 fn edges_have_few_bits() {
     // Every bit is set: cut off after j of them, 2 - 2^-j is left.
@@ -108,8 +109,8 @@ fn an_edge_is_one_coordinate() {
     }
 }
 
-/// Of ten moves five are a power of two of neighbours in one coordinate, two up to four neighbours in all, two a
-/// factor on one, one an edge.
+/// Of ten moves five are a power of two of neighbours in one coordinate, two up to four neighbours
+/// in all, two a factor on one, one an edge.
 #[test]
 fn moves_are_of_four_kinds() {
     const X: f64 = 1.3;
@@ -246,7 +247,7 @@ fn a_gain_gives_ten_more_rounds() {
     assert!(is(worst.unwrap().share, 0.25));
 }
 
-/// What is less bad is not moved to.
+/// A climb does not move to a smaller error.
 #[test]
 fn a_climb_never_goes_down() {
     let (seen, _, made) = climbed(wrong_by(|x| 2 * u64::from(x[0] == 1.0)), 1000);
@@ -268,7 +269,7 @@ fn a_climb_finds_the_worst_within_reach() {
     assert!(worst.unwrap().input[0] > 3.9);
 }
 
-/// A climb has so many evaluations, be the last round cut.
+/// A climb has its number of evaluations, even if the last round is cut.
 #[test]
 fn a_climb_uses_its_evaluations() {
     for evaluations in [0, 1, 16, 50, 159] {
@@ -296,7 +297,7 @@ fn a_climb_ends_where_nothing_is_admitted() {
     assert_eq!(asked.load(Ordering::Relaxed), 128);
 }
 
-/// What is admitted may be rare: nothing else is judged.
+/// Admitted inputs may be rare; nothing else is judged.
 #[test]
 fn a_climb_stays_in_the_domain() {
     let method = Planted {

@@ -25,7 +25,7 @@ fn one(
     judge_by(&rules, &answer, &exactly(expected), conditions)
 }
 
-/// What is wrong where no number is due has its kind in its place, and what is right has none.
+/// Where no number is expected, a wrong value has its kind in its place, and a right one has none.
 #[test]
 fn kinds_where_no_number_is_due() {
     let kind = |got: f64, expected: Expected| {
@@ -89,8 +89,8 @@ fn the_smallest_numbers_of_single_precision() {
     }
 }
 
-/// A number for an infinity is wrong in kind where the reference certainly rounds to one: from half a unit beyond
-/// the largest number on.
+/// A number for an infinity is wrong in kind where the reference certainly rounds to one: from half
+/// a unit beyond the largest number on.
 #[test]
 fn a_number_is_no_infinity_from_the_border_on() {
     for format in [Format::Double, Format::Single] {
@@ -168,7 +168,8 @@ fn an_error_that_may_be_allowed_is_undecided() {
     assert_eq!(infinite, Verdict::Undecided);
 }
 
-/// The norm of an error is a multiple of u of the norm, for subnormal norms of the smallest normal number.
+/// The norm of an error is a multiple of u of the norm, for subnormal norms of the smallest normal
+/// number.
 #[test]
 fn norms_have_a_least_size() {
     let normwise = |got: f64, expected: f64, format: Format| {
@@ -195,8 +196,8 @@ fn norms_have_a_least_size() {
     ));
 }
 
-/// `1` where the error is `part` of what is left of the reference and a constant: the reference `1 − e` for the
-/// error `e = part (1 − e + more)`, which is made larger by `by` of it.
+/// `1` where the error is `part` of what is left of the reference and a constant: the reference `1
+/// − e` for the error `e = part (1 − e + more)`, which is made larger by `by` of it.
 fn reference_of(part: &Float, more: f64, by: f64) -> Ball {
     let e = Float::with_val(400, part * (Float::with_val(400, more) + 1))
         / (Float::with_val(400, part) + 1);
@@ -204,7 +205,8 @@ fn reference_of(part: &Float, more: f64, by: f64) -> Ball {
     Ball::new(1 - e, Mag::ZERO)
 }
 
-/// An error larger than the budget by 2^-60 of it is no pass, whatever the limit; within it by 2^-45 it passes.
+/// An error larger than the budget by 2^-60 of it is no pass, whatever the limit; within it by
+/// 2^-45 it passes.
 #[test]
 fn a_pass_is_within_the_budget() {
     let mut undecided = 0;
@@ -232,8 +234,8 @@ fn a_pass_is_within_the_budget() {
     assert!(undecided > 0);
 }
 
-/// Under a normwise limit an infinite condition number of one value allows nothing of another: values of 1 and 2 ulps
-/// off beside an infinity that is due, and beside a number.
+/// Under a normwise limit an infinite condition number of one value allows nothing of another:
+/// values of 1 and 2 ulps off beside an infinity that is due, and beside a number.
 #[test]
 fn an_infinite_condition_allows_nothing_elsewhere() {
     let outputs = outputs(Limit::Normwise(4.0));

@@ -1,4 +1,4 @@
-//! How errors, shares and budgets are measured and told.
+//! Tests of the measures of errors, shares and budgets, and of their words.
 
 use super::*;
 

@@ -1,12 +1,12 @@
-//! Why what is stored is no tally.
+//! The reason why a stored text is no tally.
 
-/// Why a stored tally is none of a method and its settings.
+/// The reason why a stored tally does not fit a method and its settings.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum StoredError {
     /// A region, check point, output or law that the method does not have.
     #[error("the method has no {what} {name:?}")]
     Name {
-        /// What it would be.
+        /// The expected content.
         what: &'static str,
         /// Its name.
         name: String,

@@ -1,10 +1,10 @@
-//! What a tally says in its report: regions, examples, norms, laws, and what it leaves out.
+//! Tests of a tally's report: regions, examples, norms, laws, and the parts left out.
 
 use super::*;
 use crate::judged::judge_case_briefly;
 use crate::planted::{self, Planted, off as shifted, output, region};
 
-/// `1` in each of the outputs, so many ulps off.
+/// `1` in each of the outputs, off by a number of ulps.
 fn at(method: &Planted, region: &'static str, index: u64, ulps: &[u64]) -> CaseReport {
     let got: Vec<f64> = ulps.iter().map(|k| shifted(1.0, *k)).collect();
     given(method, region, index, SolverAnswer::Values(got))
@@ -39,7 +39,8 @@ fn index(case: &Case) -> u64 {
     }
 }
 
-/// Regions with their descriptions: named ones first, then those of the domain, then unknown ones by name.
+/// Regions with their descriptions: named ones first, then those of the domain, then unknown ones
+/// by name.
 #[test]
 fn regions_stand_in_their_order() {
     let method = Planted {
@@ -240,7 +241,7 @@ fn points_of_every_region() {
     assert_eq!(each, expected);
 }
 
-/// What a run was ended by is no pass, in either half of a sum.
+/// The end of a run is no pass, in either half of a sum.
 #[test]
 fn an_interruption_is_kept() {
     let method = Planted::default();
@@ -260,7 +261,7 @@ fn an_interruption_is_kept() {
     assert!(!sum.is_interrupted());
 }
 
-/// What a report says of the method itself.
+/// The description of the method in a report.
 #[test]
 fn a_report_names_its_method() {
     let proved = crate::ProvedBound {

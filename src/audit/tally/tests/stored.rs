@@ -13,8 +13,8 @@ fn settings() -> Settings {
     }
 }
 
-/// Two outputs with condition numbers, a recorded excess at 1, a reference that is open at 3 and fails at 4,
-/// a law.
+/// Two outputs with condition numbers, a recorded excess at 1, a reference that is open at 3 and
+/// fails at 4, a law.
 fn method<'a>() -> Planted<'a> {
     Planted {
         outputs: vec![output("x", Limit::Ulps(4.0)), output("y", Limit::Ulps(4.0))],

@@ -32,7 +32,7 @@ pub fn atlas(args: &AtlasArgs) -> Result<Outcome, Failure> {
     let timed = !args.no_speed;
     let mapped = args.format == AtlasFormat::Html;
     let asked = (chosen.clone(), programs);
-    let made = interrupt::unless_asked(move || made(asked, effort, timed, mapped));
+    let made = interrupt::unless_requested(move || made(asked, effort, timed, mapped));
     let Some((mut found, maps)) = made else {
         return Ok(Outcome::Interrupted);
     };

@@ -234,7 +234,8 @@ mod tests {
             "{found:?}"
         );
         assert_eq!(found[4], ["fixed", one, "1.3e0", "–"]);
-        // Below the axis an algorithm of the upper half-plane has no answer, and nothing is certified for nobody.
+        // Below the axis an algorithm of the upper half-plane has no answer, and nothing is
+        // certified for nobody.
         let found = lines(&[fixed(Parts::Both, Plane::Upper)], "0,-1");
         assert_eq!(found[1], ["algorithm", "Re W", "off by", "Im W", "off by"]);
         assert_eq!(found[2], ["fixed", "not below the axis"]);

@@ -14,7 +14,7 @@ use std::time::Duration;
 
 /// The candidate of every library that Python reaches.
 const SCRIPT: &str = include_str!("../../../../examples/atlas/libraries.py");
-/// What the script knows.
+/// The libraries that the script knows.
 const KNOWN: [(&str, Parts); 9] = [
     ("scipy", Parts::Both),
     ("libcerf", Parts::Both),
@@ -26,9 +26,9 @@ const KNOWN: [(&str, Parts); 9] = [
     ("mht-fast", Parts::Both),
     ("hapi", Parts::Both),
 ];
-/// What the script ends with where a library is not installed.
+/// The exit code of the script where a library is not installed.
 const NOT_INSTALLED: i32 = 3;
-/// How long a program may be silent.
+/// The time for which a program may be silent.
 const PATIENCE: Duration = Duration::from_secs(120);
 
 /// A program with its name.
@@ -117,7 +117,7 @@ impl Library {
     }
 }
 
-/// What a program says of itself before it answers a first input.
+/// Returns the header that a program writes before its first answer.
 fn header(command: &str) -> Header {
     let answered = answered(command, vec![vec![1.0, 1.0]]);
     answered.map_or_else(|_| Header::default(), |(process, ..)| process.header())
@@ -146,7 +146,7 @@ fn answered(
     Ok((process, batch, trouble))
 }
 
-/// What the program answers; what does not come is unanswered.
+/// Returns the answers of the program; a missing one is unanswered.
 fn answers(command: &str, inputs: &[Vec<f64>]) -> Vec<SolverAnswer> {
     let (batch, trouble) = match answered(command, inputs.to_vec()) {
         Err(e) => (Batch::default(), Some(e.to_string())),

@@ -17,7 +17,8 @@ fn rates_are_those_of_a_core() {
     assert_eq!(rate_of(0, 0.0, 2), "0 cases a second on each of 2 cores");
 }
 
-/// Judging takes time, that of all methods together; a page that is ended before its last part is not whole.
+/// Judging takes time, that of all methods together; a page that is ended before its last part is
+/// not whole.
 #[test]
 fn methods_one_after_the_other() {
     let settings = Settings {
@@ -209,7 +210,8 @@ fn one_case_is_that_of_its_place() {
     );
 }
 
-/// Check points, hard cases and regions are what is judged, or the regions alone that are asked for.
+/// Check points, hard cases and regions are what is judged, or the regions alone that are asked
+/// for.
 #[test]
 fn regions_are_those_asked_for() {
     let names = |words: &[&str]| {
@@ -233,7 +235,7 @@ fn regions_are_those_asked_for() {
     );
     assert!(ordinary.len() < all.len() && ordinary.len() > 2);
     assert_eq!(names(&["--box", "Re z=0..1,Im z=0..1"]), ["box"]);
-    // What a box does not name is drawn from the regions.
+    // Numbers that a box does not name are drawn from the regions.
     assert_eq!(names(&["--box", "Re z=0..1", "--region", "mid"]), ["mid"]);
     assert_eq!(names(&["--near", "0.5,0.5", "--radius", "0.1"]), ["near"]);
 }
@@ -299,7 +301,7 @@ fn an_audit_is_written_in_the_form_asked_for() {
     assert!(v["passed"] == true && v["baseline"].is_null());
 }
 
-/// What has changed since an earlier report is said in text and JSON.
+/// Text and JSON show the changes since an earlier report.
 #[test]
 fn changes_since_a_baseline_are_said() {
     let folder = tempfile::tempdir().unwrap();

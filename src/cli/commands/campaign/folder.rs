@@ -37,7 +37,7 @@ pub struct Folder {
     digest: String,
 }
 
-/// What is in the place of a shard.
+/// The state of the file of a shard.
 pub enum State {
     Done(Box<Header>),
     Missing,
@@ -207,7 +207,7 @@ impl Folder {
         }
     }
 
-    /// What is in the place of a shard.
+    /// The state of the file of a shard.
     pub fn state(&self, shard: u64) -> Result<State, Failure> {
         let Some(bytes) = self.bytes(shard)? else {
             return Ok(State::Missing);
@@ -220,13 +220,13 @@ impl Folder {
         })
     }
 
-    /// What is in the place of every shard.
+    /// Returns the states of all shards.
     pub fn states(&self) -> Result<Vec<State>, Failure> {
         let all = (0..self.deal.shards()).into_par_iter();
         all.map(|k| self.state(k)).collect()
     }
 
-    /// What was found in a shard, if it is done.
+    /// Returns the findings of a shard, if it is done.
     pub fn content(&self, shard: u64) -> Result<Option<Content>, Failure> {
         let file = self.file(shard);
         let Some(bytes) = self.bytes(shard)? else {
@@ -242,8 +242,8 @@ impl Folder {
         }
     }
 
-    /// Makes sure that nobody else does a shard; nothing if somebody does. Where a file system has no locks
-    /// two may do it: they write the same.
+    /// Makes sure that nobody else does a shard; nothing if somebody does. Where a file system has
+    /// no locks two may do it: they write the same.
     pub fn claim(&self, shard: u64) -> Result<Option<Claim>, Failure> {
         let path = self.lock(shard);
         let mut options = OpenOptions::new();
@@ -263,8 +263,8 @@ impl Folder {
         self.path.join(SHARDS).join(format!("{shard:06}.lock"))
     }
 
-    /// Takes away what a program that was killed between its last write and its end has left of the claim of a
-    /// shard that is done.
+    /// Takes away what a program that was killed between its last write and its end has left of the
+    /// claim of a shard that is done.
     pub fn sweep(&self, shard: u64) {
         if self.lock(shard).exists()
             && let Ok(Some(claim)) = self.claim(shard)
@@ -273,8 +273,8 @@ impl Folder {
         }
     }
 
-    /// A shard that is done, or is left to another run, is no longer claimed. Should two runs do it now, they
-    /// write the same.
+    /// A shard that is done, or is left to another run, is no longer claimed. Should two runs do it
+    /// now, they write the same.
     pub fn leave(&self, claim: Claim) {
         claim.release();
     }
@@ -302,5 +302,4 @@ impl Folder {
 }
 
 #[cfg(test)]
-#[path = "folder_tests.rs"]
 mod tests;

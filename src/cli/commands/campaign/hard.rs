@@ -1,4 +1,4 @@
-//! What a campaign found worse than anything recorded, added to a folder of hard cases.
+//! Adds the findings of a campaign that are worse than anything recorded to a folder of hard cases.
 
 use crate::cli::complain;
 use crate::cli::failure::Failure;
@@ -7,7 +7,7 @@ use mechaudit::audit::{HardCase, Method, Origin, rounded_up};
 use mechaudit::campaign::{Kind, Part, PartSum, Plan};
 use std::path::Path;
 
-/// Whether a part judges the method's own solver by its own budgets.
+/// Returns true if a part judges the method's own solver by its own budgets.
 fn is_of_method(part: &Part) -> bool {
     let own = part.limit.is_some() || part.normwise.is_some();
     matches!(part.kind, Kind::Audit | Kind::Hunt) && !own && !part.single && part.outputs.is_none()
@@ -49,8 +49,8 @@ fn worst(plan: &Plan, part: &Part, sum: &PartSum, method: &dyn Method) -> Vec<Ha
     all.into_iter().filter(good).collect()
 }
 
-/// Adds to `METHOD.csv` what takes up more of an output's budget than any line there, by a hundredth or
-/// more, as a hunt does.
+/// Adds to `METHOD.csv` what takes up more of an output's budget than any line there, by a
+/// hundredth or more, as a hunt does.
 pub fn record(folder: &Path, plan: &Plan, parts: &[PartSum]) -> Result<(), Failure> {
     for (part, sum) in plan.parts.iter().zip(parts) {
         if !is_of_method(part) {
@@ -83,7 +83,8 @@ mod tests {
     use super::*;
     use mechaudit::machine::Source;
 
-    /// What a program, single precision, other budgets or some outputs found is not the method's own.
+    /// Findings with a program, single precision, other budgets or some outputs are not the
+    /// method's own.
     #[test]
     fn only_the_methods_own_cases_are_kept() {
         let part = |more: &str| {

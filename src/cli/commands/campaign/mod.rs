@@ -13,9 +13,9 @@ use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::{Output, print, print_as, write_json, write_to};
 use crate::cli::files::source;
 use mechaudit::audit::Method;
-use mechaudit::campaign::{PartSum, Plan, Sum, document};
-use mechaudit::report::html;
+use mechaudit::campaign::{PartSum, Plan, Sum};
 use mechaudit::report::words::numbers::count;
+use mechaudit::report::{html, json};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -64,7 +64,7 @@ fn status(args: &StatusArgs) -> Result<Outcome, Failure> {
     Ok(Outcome::of(status.done == status.shards))
 }
 
-/// How far a campaign is.
+/// The progress of a campaign.
 #[derive(Default)]
 struct Status {
     name: String,
@@ -214,7 +214,10 @@ fn merge(args: &MergeArgs) -> Result<Outcome, Failure> {
     if let Some(hard) = &args.hard {
         hard::record(hard, &folder.plan, &parts)?;
     }
-    write_json(output, &document(&folder.plan, &folder.identity, &parts))?;
+    write_json(
+        output,
+        &json::campaign(&folder.plan, &folder.identity, &parts),
+    )?;
     Ok(Outcome::of(parts.iter().all(PartSum::passed)))
 }
 

@@ -19,7 +19,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// How often a shard that somebody else does is looked at.
+/// The interval between two looks at a shard that another run does.
 const PATIENCE: Duration = Duration::from_millis(200);
 
 /// Does what is missing of the shards asked for; waits for those that another run does.
@@ -28,11 +28,11 @@ pub fn run(args: &CampaignRunArgs) -> Result<Outcome, Failure> {
     folder.same_program()?;
     let mut left = asked(&args.shards, folder.deal.shards())?;
     let mut run = Run::new(folder, args.jobs)?;
-    while !left.is_empty() && !interrupt::asked() {
+    while !left.is_empty() && !interrupt::is_requested() {
         let before = left.len();
         let mut others = Vec::new();
         for k in left {
-            if interrupt::asked() {
+            if interrupt::is_requested() {
                 break;
             }
             if !run.shard(k)? {
@@ -40,7 +40,7 @@ pub fn run(args: &CampaignRunArgs) -> Result<Outcome, Failure> {
             }
         }
         left = others;
-        if left.len() == before && !interrupt::asked() {
+        if left.len() == before && !interrupt::is_requested() {
             thread::sleep(PATIENCE);
         }
     }
@@ -107,8 +107,8 @@ impl Run {
             .reach(&self.folder.plan.name, done, self.total);
     }
 
-    /// Whether the shard needs nothing more from this run: it is done, or cannot be. If not, somebody else
-    /// does it.
+    /// Returns true if the shard needs nothing more from this run: it is done, or cannot be. If
+    /// not, somebody else does it.
     fn shard(&mut self, k: u64) -> Result<bool, Failure> {
         if self.is_done(k)? {
             self.before += 1;
@@ -177,7 +177,7 @@ impl Run {
 
     fn end(self) -> Result<Outcome, Failure> {
         self.progress.clear();
-        let stopped = interrupt::asked();
+        let stopped = interrupt::is_requested();
         let text = done(stopped, self.own, self.before);
         write_to(|out| Ok(writeln!(out, "{text}")?))?;
         outcome(stopped, &self.failed)
@@ -190,7 +190,7 @@ fn done(stopped: bool, own: u64, before: u64) -> String {
     format!("{mark}{own} done, {before} done before.")
 }
 
-/// What a run came to that was stopped, or left some undone.
+/// Returns the outcome of a run that was stopped or left shards undone.
 fn outcome(stopped: bool, failed: &[(u64, String)]) -> Result<Outcome, Failure> {
     match failed.first() {
         _ if stopped => Ok(Outcome::Interrupted),
@@ -265,7 +265,7 @@ mod tests {
         assert_eq!(claimed(1), (1, 0));
         assert_eq!(claimed(1), (1, 1));
         assert_eq!(claimed(0), (2, 1));
-        // What is done is so whoever has a claim on it.
+        // A finished shard is finished, whoever has a claim on it.
         let claim = run.folder.claim(1).unwrap();
         assert!(claim.is_some() && run.shard(1).unwrap());
         assert_eq!((run.own, run.before), (2, 2));

@@ -1,7 +1,8 @@
 use super::*;
 use mechaudit::machine::Source;
 
-/// Ten shards of 100 judgements, some done on two threads in 4 s each, one damaged, one of another version.
+/// Ten shards of 100 judgements, some done on two threads in 4 s each, one damaged, one of another
+/// version.
 fn status(done: u64, seconds: f64) -> Status {
     Status {
         name: "x".into(),

@@ -69,7 +69,7 @@ fn columns(run: &Run, response: &CamResponse) -> Vec<Column> {
     (0..COLUMNS).into_par_iter().map(one).collect()
 }
 
-/// How often a column of that many seconds is looked at: eight times in a period of the oscillator,
+/// The number of looks at a column of that many seconds: eight times in a period of the oscillator,
 /// and of the tenth harmonic at the faster of the speeds that the shaft begins and ends with.
 fn samples(speeds: [f64; 2], w: f64, width: f64) -> usize {
     let fastest = speeds.map(|s| 10.0 * s.abs()).into_iter().fold(w, f64::max);

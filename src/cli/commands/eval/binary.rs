@@ -1,5 +1,6 @@
 //! Values at cases that come as binary frames, for whoever started this program with
-//! `MECHAUDIT_PROTOCOL=binary`: [`audit --exec`](crate::cli::commands::audit) `--binary` among them.
+//! `MECHAUDIT_PROTOCOL=binary`: [`audit --exec`](crate::cli::commands::audit) `--binary` among
+//! them.
 
 use super::{BUFFER, EvalError, Evaluation, LINES};
 use crate::cli::failure::{Failure, Outcome};
@@ -7,7 +8,7 @@ use crate::cli::process::frames::{Frame, Frames, REFUSAL, encode};
 use mechaudit::audit::{SolverAnswer, answer_of};
 use std::io::{BufReader, Write};
 
-/// Whether frames are asked for.
+/// Returns true if frames are asked for.
 pub fn is_asked_for() -> bool {
     std::env::var_os("MECHAUDIT_PROTOCOL").is_some_and(|protocol| protocol == "binary")
 }
@@ -23,7 +24,7 @@ pub fn stream(evaluation: &Evaluation) -> Result<Outcome, Failure> {
     while let Some(frame) = frames.read().map_err(unread)? {
         number += 1;
         let answered = answer(evaluation, frame, &mut answers);
-        // What has arrived is answered before more is waited for.
+        // Lines that have arrived are answered before more are waited for.
         if answered.is_err() || frames.is_drained() || answers.len() > 64 * LINES {
             out.write_all(&answers)?;
             out.flush()?;

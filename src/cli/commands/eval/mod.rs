@@ -3,6 +3,7 @@
 mod binary;
 
 use crate::cli::args::EvalArgs;
+use crate::cli::commands::describe::short;
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome, chain};
 use crate::cli::files::output::write_to;
@@ -21,7 +22,7 @@ use std::io::{BufRead, BufReader, Read, Write};
 const LINES: usize = 1024;
 /// The longest line.
 const LONGEST: usize = 1 << 20;
-/// How many lines' worth of text is held at a time.
+/// The number of bytes of text held at a time.
 const BUFFER: usize = 1 << 16;
 
 /// The word in the place of a value without certified digits.
@@ -33,7 +34,7 @@ struct Line {
     text: Vec<u8>,
 }
 
-/// Why there is no value.
+/// The reason why there is no value.
 #[derive(Debug, thiserror::Error)]
 enum EvalError {
     #[error("longer than {LONGEST} bytes")]
@@ -70,7 +71,7 @@ fn refused(word: &str, why: Option<&str>) -> String {
 }
 
 impl EvalError {
-    /// Whether the line is right and its value could not be had.
+    /// Returns true if the line is right and its value is unavailable.
     fn is_undecided(&self) -> bool {
         use EvalError::{NoAnswer, Uncertified};
         matches!(self, NoAnswer(_) | Uncertified(_))
@@ -107,7 +108,7 @@ pub fn eval(args: &EvalArgs) -> Result<Outcome, Failure> {
 fn list() -> Result<Outcome, Failure> {
     write_to(|out| {
         for m in registry() {
-            writeln!(out, "{:<31} {}", m.name(), m.summary())?;
+            write!(out, "{}", short(&*m, usize::MAX))?;
         }
         Ok(())
     })?;
@@ -128,7 +129,7 @@ pub fn stream(
     let mut outcome = Outcome::AsExpected;
     while more {
         lines.clear();
-        // What has arrived is answered before more is waited for.
+        // Lines that have arrived are answered before more are waited for.
         while more && lines.len() < most && (lines.is_empty() || has_line(input.buffer())) {
             let mut text = Vec::new();
             let read = (&mut input)
@@ -187,11 +188,11 @@ fn has_line(buffer: &[u8]) -> bool {
 struct Answer {
     /// The values, separated by commas.
     text: String,
-    /// Why some of them are undecided, if some are.
+    /// The reason why some of them are undecided, if some are.
     open: Option<String>,
 }
 
-/// What is done to every line.
+/// The evaluation of every line.
 pub struct Evaluation<'a> {
     method: &'a dyn Evaluable,
     layout: Layout,
@@ -211,7 +212,7 @@ impl<'a> Evaluation<'a> {
         }
     }
 
-    /// Whether value `i` of an answer is asked for.
+    /// Returns true if value `i` of an answer is asked for.
     fn is_selected(&self, i: usize) -> bool {
         self.selected[i % self.selected.len()]
     }
@@ -283,11 +284,18 @@ impl Answer {
     fn certified(values: Vec<CertifiedValue>, digits: u32) -> Answer {
         let open = values.iter().filter(|v| v.decimal.is_none()).count();
         let all = values.len();
+        let known = values.iter().filter(|v| v.decimal.is_none());
+        let reasons: Vec<String> = known.filter_map(|v| v.why.clone()).collect();
         let word = |decimal: Option<String>| decimal.unwrap_or_else(|| UNDECIDED.into());
         Answer {
             text: joined(values.into_iter().map(|v| word(v.decimal))),
-            open: (open > 0).then(|| {
-                format!("{open} of {all} values undecided: {digits} digits could not be certified")
+            open: (open > 0).then(|| match reasons.is_empty() {
+                true => {
+                    format!(
+                        "{open} of {all} values undecided: {digits} digits could not be certified"
+                    )
+                }
+                false => format!("{open} of {all} values undecided: {}", reasons.join("; ")),
             }),
         }
     }
@@ -328,6 +336,7 @@ mod tests {
         let value = |radius: f64, decimal: Option<&str>| CertifiedValue {
             value: Ball::exact(64, 0.0).widened(Mag::from_f64(radius)).into(),
             decimal: decimal.map(String::from),
+            why: None,
         };
         let values = vec![
             value(0.0, Some("0")),
@@ -394,7 +403,8 @@ mod tests {
         }
     }
 
-    /// Lines that have arrived are answered together, so many for each thread; the end is looked for once more.
+    /// Lines that have arrived are answered together, so many for each thread; the end is looked
+    /// for once more.
     #[test]
     fn lines_are_answered_together() {
         let method = lookup::method("erf").unwrap();
@@ -463,7 +473,7 @@ mod tests {
         assert_eq!(long.chars().count(), 81);
     }
 
-    /// What a stream by one thread comes to: its output, and its outcome or why it ended.
+    /// Returns the output of a stream by one thread, and its outcome or the reason for its end.
     fn streamed(
         name: &str,
         digits: Option<u32>,
@@ -564,7 +574,7 @@ mod tests {
         assert!(end.unwrap_err().contains("knots[2] = 1 is not greater"));
     }
 
-    /// Its line is right, and its value cannot be had.
+    /// Its line is right, and its value is unavailable.
     #[test]
     fn some_errors_are_no_fault_of_the_line() {
         use mechaudit::audit::Uncertified as Why;

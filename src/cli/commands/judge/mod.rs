@@ -123,17 +123,18 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
     report::write(&[report], args.format, output, &ReportExtras::default())
 }
 
-/// How far it came.
+/// The progress of judging.
 #[derive(Default)]
 struct Judged {
     answered: u64,
     /// The first input without an answer.
     open: Option<Case>,
-    /// Whether the user asked to stop.
+    /// True if the user asked to stop.
     interrupted: bool,
 }
 
-/// Judges answers as long as there are some: of all inputs or that on a line, of so many if that is known.
+/// Judges answers as long as there are some: of all inputs or that on a line, of so many if that is
+/// known.
 fn judged(
     inputs: &mut Inputs,
     (line, total): (Option<u64>, Option<u64>),

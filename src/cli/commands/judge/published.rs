@@ -362,7 +362,7 @@ pub fn read(method: &dyn Method, input: impl Read) -> Result<(Vec<String>, Vec<R
     Ok((headings.into_iter().map(|h| h.name).collect(), rows))
 }
 
-/// What the reader says, without its own preface.
+/// Returns the reader's message without its preface.
 fn reason(e: &csv::Error) -> String {
     match e.kind() {
         csv::ErrorKind::Io(e) => e.to_string(),
@@ -374,8 +374,8 @@ fn reason(e: &csv::Error) -> String {
     }
 }
 
-/// Whether a part of the input is an imaginary part, which is zero in a table that has no column
-/// for it.
+/// Returns true if a part of the input is an imaginary part, which is zero in a table that has no
+/// column for it.
 fn is_imaginary(layout: &Layout, part: usize) -> bool {
     layout.is_single(part) && layout.input_column(part, 0).starts_with("Im ")
 }
@@ -436,7 +436,7 @@ fn factor(from: &str, to: &str) -> Option<PrintedUnit> {
     })
 }
 
-/// Whether every input has its column, and there is something to judge.
+/// Returns true if every input has its column, and there is something to judge.
 fn complete(method: &dyn Method, layout: &Layout, columns: &[Column]) -> Result<(), TableError> {
     let method = method.name();
     if !columns.iter().any(|c| matches!(c, Column::Value(_))) {
@@ -532,5 +532,4 @@ fn row(
 }
 
 #[cfg(test)]
-#[path = "published_tests.rs"]
 mod tests;

@@ -1,5 +1,6 @@
 //! Type, range and dead positions of a four-bar linkage or slider-crank, in words and as JSON.
 
+use super::facts::head;
 use mechaudit::machine::dyad::{Dyad, Meeting, Shape, Turn, dead, number, swing, turn};
 use mechaudit::reference::nearest_f64;
 use mechaudit::solvers::dyad::{Assembly, FourBar, GrashofType};
@@ -25,16 +26,12 @@ fn word(assembly: Assembly) -> &'static str {
 
 /// The head of a JSON file.
 pub fn json(dyad: &Dyad, assemblies: &[Assembly], meetings: &[Meeting]) -> Map<String, Value> {
-    let mut map = Map::new();
+    let mut map = head(
+        dyad.shape.type_name(),
+        dyad.name.as_deref(),
+        dyad.crank.as_ref(),
+    );
     let mut put = |key: &str, value: Value| map.insert(key.into(), value);
-    put("schema_version", json!(1));
-    put("mechaudit_version", json!(env!("CARGO_PKG_VERSION")));
-    put("type", json!(dyad.shape.type_name()));
-    put("name", json!(dyad.name));
-    if let Some(c) = &dyad.crank {
-        put("crank_speed_rad_per_s", json!(c.omega.to_f64()));
-        put("crank_acceleration_rad_per_s2", json!(c.epsilon.to_f64()));
-    }
     match &dyad.shape {
         Shape::FourBar { solver, .. } => put("grashof_type", json!(grashof(solver))),
         Shape::SliderCrank { solver, .. } => put("stroke_m", json!(solver.stroke().map(|s| s.m()))),

@@ -1,5 +1,6 @@
 //! Range, dead positions and folds of a class-III linkage, in words and as JSON.
 
+use mechaudit::machine::CrankMotion;
 use mechaudit::machine::class_iii::{Branch, End, Linkage, Reach, TURNS};
 use mechaudit::solvers::class_iii::Fold;
 use serde_json::{Map, Value, json};
@@ -53,26 +54,29 @@ pub fn fold_json(fold: &Fold) -> Value {
     })
 }
 
-/// The head of a JSON file.
-pub fn head(linkage: &Linkage) -> Map<String, Value> {
+/// The head of a JSON file about a mechanism of that type.
+pub fn head(kind: &str, name: Option<&str>, crank: Option<&CrankMotion>) -> Map<String, Value> {
     let mut map = Map::new();
-    map.insert("schema_version".into(), json!(1));
-    map.insert("mechaudit_version".into(), json!(env!("CARGO_PKG_VERSION")));
-    map.insert("type".into(), json!("class-iii"));
-    map.insert("name".into(), json!(linkage.name));
-    if let Some(c) = &linkage.crank {
-        map.insert("crank_speed_rad_per_s".into(), json!(c.omega.to_f64()));
-        map.insert(
-            "crank_acceleration_rad_per_s2".into(),
-            json!(c.epsilon.to_f64()),
-        );
+    let mut put = |key: &str, value: Value| map.insert(key.into(), value);
+    put("schema_version", json!(1));
+    put("mechaudit_version", json!(env!("CARGO_PKG_VERSION")));
+    put("type", json!(kind));
+    put("name", json!(name));
+    if let Some(c) = crank {
+        put("crank_speed_rad_per_s", json!(c.omega.to_f64()));
+        put("crank_acceleration_rad_per_s2", json!(c.epsilon.to_f64()));
     }
     map
 }
 
+/// The head of a JSON file about a linkage of class III.
+pub fn of_linkage(linkage: &Linkage) -> Map<String, Value> {
+    head("class-iii", linkage.name.as_deref(), linkage.crank.as_ref())
+}
+
 /// The facts about the branch.
 pub fn of_branch(linkage: &Linkage, branch: &Branch) -> Map<String, Value> {
-    let mut map = head(linkage);
+    let mut map = of_linkage(linkage);
     map.insert("branch".into(), json!(branch.mode));
     let (full, turns, low, high) = match branch.reach {
         Reach::Whole { turns } => (true, turns, None, None),

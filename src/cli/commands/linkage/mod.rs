@@ -245,7 +245,7 @@ fn all_branches(
         return Err(Failure::caused(why));
     }
     let outcome = output.write(|out| {
-        let mut facts = facts::head(linkage);
+        let mut facts = facts::of_linkage(linkage);
         facts.insert("branches".into(), json!(map.branches));
         let folds: Vec<Value> = map.folds.iter().map(facts::fold_json).collect();
         facts.insert("folds".into(), json!(folds));

@@ -152,7 +152,7 @@ struct Asked<'a> {
     reasons: Reasons,
 }
 
-/// Why digits of rows are missing.
+/// The reason why digits of rows are missing.
 #[derive(Default)]
 struct Reasons(RefCell<Vec<String>>);
 

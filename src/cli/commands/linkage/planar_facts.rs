@@ -1,5 +1,6 @@
 //! Structure, range and branches of a mechanism, in words and as JSON.
 
+use super::facts;
 use mechaudit::machine::planar::{Branch, End, Machine, Reach};
 use mechaudit::reference::planar::Mobility;
 use mechaudit::solvers::planar::{BranchEnd, BranchMap, Group, GroupKind, SingularKind};
@@ -126,12 +127,8 @@ pub fn left_out_line(machine: &Machine, left_out: &[(f64, End)]) -> Option<Strin
 
 /// The head of a JSON file.
 fn head(machine: &Machine) -> Map<String, Value> {
-    let mut map = Map::new();
+    let mut map = facts::head("planar", machine.name.as_deref(), None);
     let mut put = |key: &str, value: Value| map.insert(key.into(), value);
-    put("schema_version", json!(1));
-    put("mechaudit_version", json!(env!("CARGO_PKG_VERSION")));
-    put("type", json!("planar"));
-    put("name", json!(machine.name));
     put("bodies", json!(machine.bodies));
     put("joints", json!(machine.joints));
     let groups = machine.solver.structure().groups.iter().map(|g| {

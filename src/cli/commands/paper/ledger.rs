@@ -2,7 +2,7 @@
 
 use crate::cli::args::{PaperArgs, PaperFormat};
 use crate::cli::failure::{Failure, Outcome};
-use crate::cli::files::output::Output;
+use crate::cli::files::{errata, output::Output};
 use crate::cli::{complain, terminal};
 use mechaudit::papers;
 use mechaudit::report::{html, latex, text};
@@ -27,9 +27,7 @@ pub fn ledger(args: &PaperArgs) -> Result<Outcome, Failure> {
         PaperFormat::Json => json(&ledger)?,
         PaperFormat::Html => html::ledger::page(&ledger),
         PaperFormat::Latex => latex::ledger(&ledger),
-        PaperFormat::Errata => {
-            crate::cli::commands::regenerate::errata::text(&ledger).map_err(Failure::caused)?
-        }
+        PaperFormat::Errata => errata::text(&ledger).map_err(Failure::caused)?,
         PaperFormat::Csv => return Err(Failure::new("a ledger has no CSV form")),
     };
     if args.check {

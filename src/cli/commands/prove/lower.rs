@@ -154,5 +154,4 @@ fn document(found: &Theorem, within: Option<f64>, seconds: f64) -> Value {
 }
 
 #[cfg(test)]
-#[path = "lower_tests.rs"]
 mod tests;

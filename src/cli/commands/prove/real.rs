@@ -242,7 +242,8 @@ mod tests {
         }
     }
 
-    /// Made up: a formula on two intervals, one of them negative, and one behind which the value overflows.
+    /// Made up: a formula on two intervals, one of them negative, and one behind which the value
+    /// overflows.
     fn theorem(open: Vec<Open>, missing: Option<f64>) -> Theorem {
         let function = Function::Erfc;
         let found = Certificate {

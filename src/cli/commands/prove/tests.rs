@@ -269,7 +269,8 @@ fn options_belong_to_a_part() {
     }
 }
 
-/// A hundredth of the binades about zero is proved in a moment: the bounds asked for are those that are met.
+/// A hundredth of the binades about zero is proved in a moment: the bounds asked for are those that
+/// are met.
 #[test]
 fn targets_are_those_asked_for() {
     let found = |norm: f64, component: f64| {

@@ -1,10 +1,11 @@
 //! The enclosed motion of Andrews' squeezing mechanism.
 
-use super::artefact::{Made, Outcome, certified};
+use crate::cli::files::artefact::{Made, Outcome, certified};
 use mechaudit::papers::andrews::{BITS, DIGITS, QUANTITIES, TIMES, data, motion, printed, unit};
 use std::fmt::Write as _;
 
-/// Angles, rates, accelerations, multipliers at the start and at [`TIMES`], with what is printed for them.
+/// Angles, rates, accelerations, multipliers at the start and at [`TIMES`], with what is printed
+/// for them.
 pub fn made() -> Outcome<Made> {
     let motion = motion(BITS)?;
     let printed = printed();

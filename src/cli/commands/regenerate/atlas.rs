@@ -1,6 +1,6 @@
 //! The committed atlas: at a small effort, without times.
 
-use super::artefact::{Made, Outcome};
+use crate::cli::files::artefact::{Made, Outcome};
 use mechaudit::claims::{Atlas, Code, Effort, PROFILES, Profile, algorithms, atlas};
 use mechaudit::report;
 use std::sync::OnceLock;

@@ -1,5 +1,5 @@
-//! The numbers behind the `f64` Faddeeva function, its relatives and the exponential below them, from the
-//! certified reference: `tables.rs`, `constants.rs` and `relatives_tables.rs` in
+//! The numbers behind the `f64` Faddeeva function, its relatives and the exponential below them,
+//! from the certified reference: `tables.rs`, `constants.rs` and `relatives_tables.rs` in
 //! `src/solvers/special/faddeeva/`, `tables.rs` in `src/solvers/arithmetic/`.
 //!
 //! Every number is the `f64` nearest to the exact one, and every second or third part of a number
@@ -15,7 +15,7 @@ mod tests;
 pub use arithmetic::tables as arithmetic_tables;
 pub use relatives::{constants, tables as relatives_tables};
 
-use super::artefact::{Made, MakeError, Outcome};
+use crate::cli::files::artefact::{Made, MakeError, Outcome};
 use mechaudit::reference::{Ball, ComplexBall, Undecided, faddeeva};
 use rug::Rational;
 use rug::ops::Pow;
@@ -136,7 +136,7 @@ fn zero_row(k: u32, bits: u32) -> Result<Option<Vec<f64>>, Undecided> {
     Ok(row())
 }
 
-/// How closely every generated number is known.
+/// The accuracy of every generated number.
 fn precision() -> (&'static str, String) {
     let bits = format!("every rounding decided at {FIRST_BITS} to {LAST_BITS} bits");
     ("precision", bits)
@@ -210,8 +210,8 @@ fn cells() -> Vec<(usize, Centre)> {
             }
         }
     }
-    // Squares with side 1/2 outside, as far as their corner next to zero is in |z| < 7; in the first column, where a side
-    // is nearer, it makes no difference.
+    // Squares with side 1/2 outside, as far as their corner next to zero is in |z| < 7; in the
+    // first column, where a side is nearer, it makes no difference.
     for j in 1..15 {
         for i in 0..15 {
             let (p, q) = (2 * i - 1, 2 * j - 1);

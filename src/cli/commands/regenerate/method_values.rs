@@ -1,6 +1,6 @@
 //! Certified values of a method at inputs from every region of its domain.
 
-use super::artefact::{Made, MakeError, Outcome};
+use crate::cli::files::artefact::{Made, MakeError, Outcome};
 use crate::cli::process::wire;
 use mechaudit::audit::{
     Case, Cases, Expected, Layout, Method, Origin, ReferenceAnswer, Settings, Uncertified,
@@ -99,7 +99,7 @@ fn chosen(method: &dyn Method, settings: &Settings) -> Outcome<Vec<Case>> {
     Ok(all)
 }
 
-/// What is written of a case.
+/// Returns the rows of a case.
 struct Row {
     value: String,
     radius: String,

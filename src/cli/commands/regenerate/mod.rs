@@ -1,9 +1,7 @@
 //! Generated files: regenerated, or compared with what is held.
 
 mod andrews_motion;
-mod artefact;
 mod atlas;
-pub mod errata;
 mod faddeeva_tables;
 mod method_values;
 mod n_four_bar_motion;
@@ -12,9 +10,10 @@ mod sand_screen;
 use crate::cli::args::RegenerateArgs;
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome, chain};
+use crate::cli::files::artefact::{self, Artefact, Form, Made, MakeError, broken, difference};
+use crate::cli::files::errata;
 use crate::cli::files::output::{Output, write_to};
 use crate::cli::progress::Progress;
-use artefact::{Artefact, Form, Made, MakeError, broken, difference};
 use mechaudit::report::glossary;
 use mechaudit::report::text::style::{BAD, DIM, GOOD, paint};
 use mechaudit::{methods, papers};
@@ -205,7 +204,8 @@ mod tests {
     use super::*;
     use std::collections::BTreeSet;
 
-    /// Every generated file of the folders is made and compared: none is left out of what is chosen without a name.
+    /// Every generated file of the folders is made and compared: none is left out of what is chosen
+    /// without a name.
     #[test]
     fn no_file_of_the_folders_is_left_out() {
         let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));

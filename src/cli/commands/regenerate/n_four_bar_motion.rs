@@ -1,6 +1,6 @@
 //! The enclosed motion of the N four-bar mechanism.
 
-use super::artefact::{Made, Outcome, certified};
+use crate::cli::files::artefact::{Made, Outcome, certified};
 use mechaudit::papers::n_four_bar::data::{SIZES, inertia, pendulum, squares, state};
 use mechaudit::papers::n_four_bar::{BITS, DIGITS, QUANTITIES};
 use rug::Rational;

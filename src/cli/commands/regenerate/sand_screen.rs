@@ -1,7 +1,7 @@
 //! The enclosed run-up of the sand screen: recovered masses, a motor by Kloss's formula at the
 //! crank, from rest.
 
-use super::artefact::{Made, Outcome, certified};
+use crate::cli::files::artefact::{Made, Outcome, certified};
 use mechaudit::papers::zinchenko::data;
 use mechaudit::reference::run_up::{
     Coefficients, LinkageCurve, Motor, Run, free_motion_factor, integrate,

@@ -162,7 +162,7 @@ mod tests {
         assert_eq!(found.settings.tolerance, plan.settings.tolerance);
     }
 
-    /// How it ends, stiffness, cost, cycle and flywheel, in this order.
+    /// The end, stiffness, cost, cycle and flywheel, in this order.
     #[test]
     fn lines_come_in_their_order() {
         let machine = example(["\"2 s\"", "\"0.01 s\"\nfluctuation = 1.5"]);

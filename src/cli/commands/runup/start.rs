@@ -5,7 +5,7 @@ use mechaudit::solvers::run_up::Sample;
 /// A rise of the speed within this part of the run shows as a vertical line.
 const SHORT: f64 = 0.04;
 
-/// How long a start is that the drawing of the whole run would show as a vertical line: somewhat
+/// The length of a start that the drawing of the whole run would show as a vertical line: somewhat
 /// longer than the speed takes to come to where it stays in the second half of the run.
 pub fn short_start(samples: &[Sample]) -> Option<f64> {
     let end = samples.last()?.t;

@@ -1,7 +1,7 @@
 //! Answers one after the other, their numbers in one piece of memory.
 //!
-//! One thread reads answers and others judge them. An allocator is slow to take back what another thread has made; here
-//! each thread frees its own.
+//! One thread reads answers and others judge them. An allocator is slow to take back what another
+//! thread has made; here each thread frees its own.
 
 use mechaudit::audit::SolverAnswer;
 use std::ops::Range;

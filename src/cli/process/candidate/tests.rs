@@ -72,7 +72,7 @@ fn one_input_is_judged() {
     assert_eq!((candidate.name, candidate.version), (shell(wrong), None));
 }
 
-/// What ends a program, and how far it had come, is said in one sentence.
+/// One sentence gives the reason for the end of a program and the number of its answers.
 #[test]
 fn what_went_wrong_is_said() {
     let settings = few(1);

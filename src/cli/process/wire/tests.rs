@@ -122,7 +122,7 @@ fn refusals_may_have_reasons() {
     }
 }
 
-/// What is wrong with an answer names its line, comments and blank ones counted.
+/// A fault of an answer names its line, comments and blank lines counted.
 #[test]
 fn a_bad_line_is_named_by_its_number() {
     let said = |text: &[u8]| match answers(text).pop() {

@@ -16,7 +16,7 @@ use rug::Rational;
 /// 0.1 rad; angles are real numbers, not reduced by whole turns.
 ///
 /// A candidate is a `Fn(PlanarLinkageInput) -> ` nine values for every moving body, as
-/// `mechaudit list planar-linkage` lays them out.
+/// `mechaudit describe planar-linkage` lays them out.
 #[derive(Clone, Copy, Debug)]
 pub struct PlanarLinkage;
 

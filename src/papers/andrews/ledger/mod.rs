@@ -27,7 +27,7 @@ fn places(printed: &str) -> [usize; 2] {
 }
 
 /// All entries in the order of the print.
-pub(super) fn items() -> Vec<Item> {
+pub fn items() -> Vec<Item> {
     let mut all = dynamics::items();
     all.extend(constraints::items());
     all

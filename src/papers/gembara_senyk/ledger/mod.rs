@@ -33,7 +33,7 @@ const HARMONIC: [&str; 11] = [
 const AT_THE_END: [&str; 1] = ["tau = t"];
 
 /// All entries in the order of the paper.
-pub(super) fn items() -> Vec<Item> {
+pub fn items() -> Vec<Item> {
     let mut all = model::items();
     all.extend(solution::items());
     all.extend(amplitude::items());

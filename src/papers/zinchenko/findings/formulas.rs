@@ -281,8 +281,8 @@ fn figure(entry: &LedgerEntry) -> Figure {
         value: match (&entry.corrected, statements) {
             (Some(corrected), _) => format!("misprint, has to be {}", corrected.text),
             (None, 0) => entry.verdict.words().into(),
-            (None, 1) => format!("{}, one statement", entry.verdict.words()),
-            (None, n) => format!("{}, {n} statements", entry.verdict.words()),
+            (None, 1) => format!("{}, one statement decided", entry.verdict.words()),
+            (None, n) => format!("{}, {n} statements decided", entry.verdict.words()),
         },
         unit: "1",
         latex: None,
@@ -320,12 +320,12 @@ pub(in crate::papers::zinchenko) fn formulas(ledger: &Ledger, extreme: Finding) 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::papers::zinchenko::ledger;
+    use crate::papers::zinchenko::{citation, items};
 
     /// Each of the entries is needed, with its verdict and its record.
     #[test]
     fn a_finding_rests_on_each_of_its_entries() {
-        let ledger = ledger();
+        let ledger = Ledger::of(citation(), &items());
         for group in [MOTION, SPLINE, SWEEP, RATES].into_iter().flatten() {
             let whole = finding(group, &ledger);
             assert!(whole.as_recorded, "{}: {:?}", group.id, whole.figures);

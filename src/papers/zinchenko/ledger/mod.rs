@@ -15,7 +15,7 @@ mod sweep;
 use crate::papers::ledger::Item;
 
 /// All entries in the order of the paper.
-pub(super) fn items() -> Vec<Item> {
+pub fn items() -> Vec<Item> {
     let mut all = dynamics::items();
     all.extend(spline::items());
     all.extend(sweep::items());

@@ -45,11 +45,11 @@ use std::f64::consts::FRAC_2_SQRT_PI;
 use value::{scaled, value};
 
 pub use derivatives::{taylor, w_derivative, w_derivative_scaled};
+pub(crate) use related::Relative;
 pub use related::{
     dawson, dawson_scaled, erf, erf_scaled, erfc, erfc_scaled, erfcx, erfcx_scaled, erfi,
     erfi_scaled, voigt, voigt_scaled,
 };
-pub(crate) use related::Relative;
 pub use scaled::Scaled;
 pub use voigt_hwhm::voigt_hwhm;
 pub use zeros::{zero, zero_of_erf};
@@ -146,7 +146,7 @@ pub fn w_ball(z: &ComplexBall, prec: u32) -> ComplexBall {
 }
 
 /// An upper bound on |w'| over the ball; `rho` its radius, `size` a bound on |w| at its midpoint.
-fn slope(z: &ComplexBall, rho: Mag, size: Mag) -> Mag {
+pub(crate) fn slope(z: &ComplexBall, rho: Mag, size: Mag) -> Mag {
     let low = z.im.lower();
     let flat = Mag::from_f64(FRAC_2_SQRT_PI.next_up());
     if low < 0 {

@@ -43,7 +43,7 @@ pub fn section(k: usize, name: &str, r: &MethodReport, data: &Data, full: bool) 
             @if !r.failures.is_empty() {
                 details { summary { "Failing cases in full" } "\n"
                     @for f in r.failures.iter().take(FAILURES_SHOWN) {
-                        @let text = plain(&case::text(f, &r.again(&f.case), 110));
+                        @let text = plain(&case::text(f, &r.reproduce_command(&f.case), 110));
                         pre { (text.trim_end()) } "\n"
                     }
                     @if left > 0 { p.alarm { (left) " more failing cases." } "\n" }
@@ -205,7 +205,7 @@ fn first(k: usize, r: &MethodReport, data: &Data) -> Markup {
                     (number(!ulps.is_nan(), ulps))
                     td.left.wrap {
                         @if let Some(reason) = &c.judgement.reason { div.reason { (reason) } }
-                        code { (r.again(&c.case)) }
+                        code { (r.reproduce_command(&c.case)) }
                     }
                 } "\n"
             } } "\n"

@@ -5,8 +5,8 @@
 //! interval are subtracted one after the other (Lanczos, *Applied Analysis*, 1956, VII.8), all with
 //! exact rational numbers. What is left out is at most the sum of the factors subtracted.
 
-use super::super::artefact::{MakeError, Outcome};
 use super::{Tables, decided, nearest};
+use crate::cli::files::artefact::{MakeError, Outcome};
 use mechaudit::reference::Ball;
 use rug::Rational;
 use std::fmt::Write as _;

@@ -10,7 +10,7 @@ fn held(file: &str) -> String {
 
 const TABLES: &str = "special/faddeeva/tables.rs";
 
-/// What is written of a part, and what it depends on.
+/// Returns the text of a part and its recipe.
 fn written(part: impl FnOnce(&mut Tables) -> Outcome<()>) -> (String, String) {
     let mut tables = Tables::default();
     part(&mut tables).unwrap();
@@ -263,10 +263,11 @@ fn nodes_are_squares_of_steps() {
     }
 }
 
-/// Files that are made in a moment, as they are committed: headers with the digest of their recipe as well.
+/// Files that are made in a moment, as they are committed: headers with the digest of their recipe
+/// as well.
 #[test]
 fn constants_and_tables_of_arithmetic_are_those_that_are_held() {
-    use super::super::artefact::{Form, document};
+    use crate::cli::files::artefact::{Form, document};
     for (name, file, make) in [
         (
             "arithmetic-tables",
@@ -286,7 +287,7 @@ fn constants_and_tables_of_arithmetic_are_those_that_are_held() {
 
 #[test]
 fn relatives_are_those_that_are_held() {
-    use super::super::artefact::{Form, document};
+    use crate::cli::files::artefact::{Form, document};
     let name = "faddeeva-relatives-tables";
     let text = document(name, Form::Rust, &relatives_tables().unwrap()).unwrap();
     assert_eq!(text, held("special/faddeeva/relatives_tables.rs"));

@@ -1,0 +1,129 @@
+//! TOML with places: a tree whose tables keep the order of the file.
+
+use super::error::{Place, StudyError};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// A value with its place.
+#[derive(Clone, Debug)]
+pub(super) struct Item {
+    /// Where it begins.
+    pub place: Place,
+    /// The value.
+    pub value: Value,
+}
+
+/// A value.
+#[derive(Clone, Debug)]
+pub(super) enum Value {
+    /// A string.
+    Text(String),
+    /// A number as it is written.
+    Number(String),
+    /// True or false.
+    Truth(bool),
+    /// A list.
+    List(Vec<Item>),
+    /// A table.
+    Table(Vec<(String, Item)>),
+}
+
+/// The longest text that is read, in bytes.
+pub(super) const LONGEST: usize = 4 << 20;
+
+/// Reads a text.
+pub(super) fn read(text: &str) -> Result<Item, StudyError> {
+    if text.len() > LONGEST {
+        let reason = format!("{} bytes where at most {LONGEST} are read", text.len());
+        return Err(StudyError::new(reason));
+    }
+    let table = DeTable::parse(text).map_err(|e| {
+        let at = e.span().map_or(0, |span| span.start);
+        StudyError::new(e.message().to_string()).at(Place::of(text, at))
+    })?;
+    Ok(Item {
+        place: Place { line: 1, column: 1 },
+        value: self::table(text, table.get_ref()),
+    })
+}
+
+fn table(text: &str, table: &DeTable<'_>) -> Value {
+    let mut entries: Vec<_> = table.iter().collect();
+    entries.sort_by_key(|(key, _)| key.span().start);
+    let entries = entries.into_iter();
+    Value::Table(
+        entries
+            .map(|(key, value)| (key.get_ref().to_string(), item(text, value)))
+            .collect(),
+    )
+}
+
+fn item(text: &str, value: &Spanned<DeValue<'_>>) -> Item {
+    let place = Place::of(text, value.span().start);
+    let value = match value.get_ref() {
+        DeValue::String(s) => Value::Text(s.to_string()),
+        DeValue::Integer(n) => Value::Number(match n.radix() {
+            16 => format!("0x{}", n.as_str()),
+            _ => n.as_str().to_string(),
+        }),
+        DeValue::Float(x) => Value::Number(x.as_str().to_string()),
+        DeValue::Boolean(b) => Value::Truth(*b),
+        DeValue::Datetime(d) => Value::Text(d.to_string()),
+        DeValue::Array(items) => Value::List(items.iter().map(|x| item(text, x)).collect()),
+        DeValue::Table(t) => self::table(text, t),
+    };
+    Item { place, value }
+}
+
+impl Item {
+    /// A fault here.
+    pub fn fault(&self, reason: impl Into<String>) -> StudyError {
+        StudyError::new(reason).at(self.place)
+    }
+
+    /// The text of a string, or of a number.
+    pub fn text(&self) -> Result<&str, StudyError> {
+        match &self.value {
+            Value::Text(s) | Value::Number(s) => Ok(s),
+            _ => Err(self.fault("expected a string or a number")),
+        }
+    }
+
+    /// The entries of a table.
+    pub fn table(&self) -> Result<&[(String, Item)], StudyError> {
+        match &self.value {
+            Value::Table(entries) => Ok(entries),
+            _ => Err(self.fault("expected a table")),
+        }
+    }
+
+    /// The items of a list.
+    pub fn list(&self) -> Result<&[Item], StudyError> {
+        match &self.value {
+            Value::List(items) => Ok(items),
+            _ => Err(self.fault("expected a list")),
+        }
+    }
+
+    /// The entry of a key in a table.
+    pub fn get(&self, key: &str) -> Option<&Item> {
+        let Value::Table(entries) = &self.value else {
+            return None;
+        };
+        entries.iter().find(|e| e.0 == key).map(|e| &e.1)
+    }
+
+    /// Refuses keys that are not known.
+    pub fn only(&self, known: &[&str]) -> Result<(), StudyError> {
+        for (key, item) in self.table()? {
+            if !known.contains(&key.as_str()) {
+                let hint = crate::audit::did_you_mean(key, known);
+                let known = known.join(", ");
+                return Err(item.fault(format!(
+                    "there is no key {key:?}{hint} here; there are: {known}"
+                )));
+            }
+        }
+        Ok(())
+    }
+}

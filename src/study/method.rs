@@ -1,0 +1,147 @@
+//! A study as a method.
+
+use super::Study;
+use super::problem::{intern, kept};
+use super::sampling::admits;
+use crate::audit::{
+    Domain, Expected, Format, Input, Method, Output, Proof, ReferenceAnswer, SolverAnswer,
+    Uncertified, conditions_by_differences,
+};
+use crate::methods::{CertifiedValue, Evaluable};
+use crate::reference::Ball;
+use crate::reference::faddeeva::Scaled;
+use mechaudit_symbolic::evaluation::{self, Answer, Goal};
+use rug::Rational;
+
+/// Reason to believe the references of studies.
+const PROOF: Proof = Proof::Bounded(
+    "balls with proved radii at a precision that is raised until the value is decided",
+);
+
+/// Bits of references beyond those of the numbers that are judged.
+const GUARD: u32 = 48;
+
+impl Method for Study {
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    fn summary(&self) -> &'static str {
+        intern(&self.problem().title)
+    }
+
+    fn source(&self) -> &'static str {
+        self.source
+    }
+
+    fn inputs(&self) -> Vec<Input> {
+        let inputs = self.problem().inputs.iter();
+        let input = |i: &super::StudyInput| Input {
+            name: intern(&i.name),
+            unit: intern(&i.unit),
+        };
+        inputs.map(input).collect()
+    }
+
+    fn outputs(&self) -> Vec<Output> {
+        let outputs = self.problem().outputs.iter();
+        let output = |o: &super::StudyOutput| Output {
+            name: intern(&o.name),
+            unit: intern(&o.unit),
+            budget: kept(&o.budget),
+        };
+        outputs.map(output).collect()
+    }
+
+    fn domain(&self) -> Domain {
+        self.domain.clone()
+    }
+
+    fn solve(&self, input: &[f64]) -> SolverAnswer {
+        let Some(solver) = self.solvers.get(self.chosen) else {
+            return SolverAnswer::Declines(None);
+        };
+        if input.len() != self.problem().inputs.len() {
+            return SolverAnswer::Refuses("bad layout");
+        }
+        match solver.values(input) {
+            Ok(values) => SolverAnswer::Values(values),
+            Err(reason) => SolverAnswer::Refuses(reason),
+        }
+    }
+
+    fn reference(&self, input: &[Rational], bits: u32) -> ReferenceAnswer {
+        if input.len() != self.problem().inputs.len() {
+            return ReferenceAnswer::Refuses("bad layout");
+        }
+        let goal = Goal::Double(bits.saturating_sub(GUARD).max(72));
+        let mut values = Vec::new();
+        for answer in self.answers(input, goal) {
+            values.push(match answer {
+                Answer::Number(ball) => Expected::Number(ball),
+                Answer::Zero => Expected::Number(Ball::integer(64, 0)),
+                Answer::Huge { negative } => Expected::Infinity { negative },
+                Answer::Undefined { .. } => Expected::NotANumber,
+                Answer::Undecided(why) => return ReferenceAnswer::Undecided(why.to_string()),
+            });
+        }
+        ReferenceAnswer::Expected(values, PROOF)
+    }
+
+    fn conditions(&self, input: &[f64]) -> Option<Vec<f64>> {
+        let exact: Option<Vec<Rational>> = input.iter().map(|x| Rational::from_f64(*x)).collect();
+        let exact = exact.filter(|x| x.len() == self.problem().inputs.len())?;
+        self.compiled
+            .conditions(&exact)
+            .or_else(|| conditions_by_differences(self, input, |_| true))
+    }
+
+    fn format(&self) -> Format {
+        match self.solvers.get(self.chosen).map(|s| s.format()) {
+            Some(evaluation::Format::Single) => Format::Single,
+            _ => Format::Double,
+        }
+    }
+
+    fn admits(&self, input: &[f64]) -> bool {
+        admits(self.problem(), &self.sketch, input)
+    }
+}
+
+impl Evaluable for Study {
+    fn certify(&self, numbers: &[Rational], bits: u32) -> Result<Vec<Scaled>, Uncertified> {
+        let answers = self.answers(numbers, Goal::Bits(bits)).into_iter();
+        let value = |answer: Answer| match answer {
+            Answer::Number(ball) => Ok(ball.into()),
+            Answer::Zero => Ok(Ball::integer(64, 0).into()),
+            Answer::Undecided(why) => Err(Uncertified::Undecided(why.to_string())),
+            Answer::Huge { .. } | Answer::Undefined { .. } => Err(Uncertified::NoNumber),
+        };
+        answers.map(value).collect()
+    }
+
+    fn refusal(&self, _: &[f64]) -> Option<String> {
+        None
+    }
+
+    fn explanation(&self, _: &[f64]) -> Option<String> {
+        None
+    }
+
+    fn digits(&self, numbers: &[Rational], digits: u32) -> Option<Vec<CertifiedValue>> {
+        Some(Study::digits(self, numbers, digits))
+    }
+
+    fn has_solver(&self) -> bool {
+        !self.solvers.is_empty()
+    }
+
+    fn select_solver(&mut self, name: &str) -> Result<(), String> {
+        *self = self.clone().with_solver(name).map_err(|e| e.to_string())?;
+        Ok(())
+    }
+
+    fn remarks(&self) -> &[String] {
+        &self.problem().notes
+    }
+}

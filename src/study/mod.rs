@@ -1,0 +1,299 @@
+//! Studies: problems that users bring as text, certified and audited like the built-in methods.
+//!
+//! A [`Study`] states inputs, what outputs mean mathematically, and how accurate answers have to be.
+//! It is a [`Method`](crate::audit::Method): whatever takes a method takes a study. Its references
+//! are balls with proved radii, at a precision that is raised until the value is decided; where balls
+//! cannot decide that a value is zero, the symbolic algebra is asked.
+//!
+//! # A formula in a test
+//! ```
+//! use mechaudit::study::{Study, ulps};
+//!
+//! let report = Study::formula("log(1 + x) - x")
+//!     .input("x", 1e-8..=1.0)
+//!     .budget(ulps(4.0))
+//!     .audit(|x: f64| {
+//!         // A series where the difference cancels.
+//!         if x > 0.1 { return x.ln_1p() - x; }
+//!         let terms = (2..30).rev();
+//!         terms.fold(0.0, |s, n| x * (s + if n % 2 == 0 { -1.0 } else { 1.0 } / f64::from(n))) * x
+//!     })?;
+//! report.assert_within_budget();
+//! # Ok::<(), mechaudit::candidate::AuditError>(())
+//! ```
+//!
+//! # A file
+//! ```
+//! use mechaudit::study::Study;
+//! use rug::Rational;
+//!
+//! let study = Study::parse(
+//!     r#"
+//!     [inputs]
+//!     M = { from = 0, to = 3 }
+//!     e = { from = 0, to = 0.9 }
+//!     [outputs]
+//!     E = { root_of = "E - e*sin(E) - M", between = ["M - e", "M + e"], budget = "4 ulp" }
+//!     "#,
+//!     "kepler",
+//! )?;
+//! let digits = study.digits(&[Rational::from(1), Rational::from((1, 2))], 25);
+//! assert_eq!(digits[0].decimal.as_deref(), Some("1.498701133517848314209265"));
+//! # Ok::<(), mechaudit::study::StudyError>(())
+//! ```
+//!
+//! Formulas are in the language of [`parse`](mechaudit_symbolic::parse()), or in FPCore 2.0.
+
+mod builder;
+mod compiled;
+mod core;
+mod document;
+mod error;
+mod method;
+mod problem;
+mod read;
+mod sampling;
+
+pub use builder::{Formula, absolute, conditioned, relative, ulps};
+pub use error::{Place, StudyError};
+pub use problem::{Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver};
+
+use crate::audit::{Domain, did_you_mean};
+use crate::methods::CertifiedValue;
+use crate::reference::Ball;
+use compiled::{Compiled, FloatSolver, Sketch};
+use mechaudit_symbolic::evaluation::{Answer, Goal};
+use problem::intern;
+use rug::Rational;
+use std::path::Path;
+use std::sync::Arc;
+
+/// A problem that a user brings: see the [module](self).
+#[derive(Clone)]
+pub struct Study {
+    compiled: Arc<Compiled>,
+    sketch: Arc<Sketch>,
+    solvers: Arc<Vec<FloatSolver>>,
+    domain: Domain,
+    /// The solver that is audited, by its place.
+    chosen: usize,
+    name: &'static str,
+    source: &'static str,
+}
+
+impl Study {
+    /// Prepares a problem.
+    ///
+    /// # Errors
+    /// Formulas without meaning, and conditions that no input satisfies.
+    pub fn new(problem: Problem) -> Result<Study, StudyError> {
+        let sketch = Arc::new(Sketch::new(&problem)?);
+        let solvers = problem
+            .solvers
+            .iter()
+            .map(|s| FloatSolver::new(&problem, s));
+        let solvers = solvers.collect::<Result<_, _>>()?;
+        let domain = sampling::domain(&problem, &sketch)?;
+        let name = intern(&problem.name);
+        let source = match problem.notes.is_empty() {
+            true => problem.source.clone(),
+            false => format!("{}. {}", problem.source, problem.notes.join(" ")),
+        };
+        Ok(Study {
+            compiled: Arc::new(Compiled::new(problem)?),
+            sketch,
+            solvers: Arc::new(solvers),
+            domain,
+            chosen: 0,
+            name,
+            source: intern(&source),
+        })
+    }
+
+    /// Reads a study from a text in TOML, or in FPCore if it begins with a bracket or a semicolon.
+    ///
+    /// # Errors
+    /// The place and the rule that the text breaks.
+    pub fn parse(text: &str, name: &str) -> Result<Study, StudyError> {
+        let problem = match text.trim_start().starts_with(['(', ';']) {
+            true => core::picked(text, name, None)?,
+            false => read::problem(text, name)?,
+        };
+        Study::new(problem)
+    }
+
+    /// Reads every core of a text in FPCore, each by itself.
+    ///
+    /// # Errors
+    /// A text that is no sequence of cores.
+    pub fn cores(text: &str, file: &str) -> Result<Vec<Result<Study, StudyError>>, StudyError> {
+        let problems = core::problems(text, file)?.into_iter();
+        Ok(problems.map(|problem| Study::new(problem?)).collect())
+    }
+
+    /// Opens `FILE.toml`, `FILE.fpcore` or `FILE.fpcore#NAME`.
+    ///
+    /// # Errors
+    /// A file that cannot be read, and as [`Study::parse`].
+    pub fn open(path: &str) -> Result<Study, StudyError> {
+        let (file, core) = split(path);
+        let fault = |e: StudyError| e.in_file(path);
+        let text = read_text(file).map_err(fault)?;
+        let stem = Path::new(file)
+            .file_stem()
+            .map_or(file.into(), |s| s.to_string_lossy());
+        let problem = match is_fpcore(file) {
+            true => core::picked(&text, &stem, core),
+            false => read::problem(&text, &stem),
+        };
+        let mut study = problem.and_then(Study::new).map_err(fault)?;
+        study.name = intern(path);
+        Ok(study)
+    }
+
+    /// Opens every core of `FILE.fpcore`, each by itself.
+    ///
+    /// # Errors
+    /// A file that cannot be read as a sequence of cores.
+    pub fn open_all(file: &str) -> Result<Vec<Result<Study, StudyError>>, StudyError> {
+        let fault = |e: StudyError| e.in_file(file);
+        let text = read_text(file).map_err(fault)?;
+        let stem = Path::new(file)
+            .file_stem()
+            .map_or(file.into(), |s| s.to_string_lossy());
+        let mut all = Study::cores(&text, &stem).map_err(fault)?;
+        // A core is named by its own name, or by its number where another has the same.
+        let names: Vec<Option<&str>> = all
+            .iter()
+            .map(|s| s.as_ref().ok().map(|s| s.name))
+            .collect();
+        for (k, study) in all.iter_mut().enumerate() {
+            if let Ok(study) = study {
+                let is_unique = names.iter().filter(|n| **n == Some(study.name)).count() == 1;
+                let core = if is_unique {
+                    study.name.to_string()
+                } else {
+                    (k + 1).to_string()
+                };
+                study.name = intern(&format!("{file}#{core}"));
+            }
+        }
+        Ok(all.into_iter().map(|study| study.map_err(fault)).collect())
+    }
+
+    /// Begins a study of one formula, for tests.
+    pub fn formula(text: &str) -> Formula {
+        Formula::new(text)
+    }
+
+    /// The same study with another solver of its own.
+    ///
+    /// # Errors
+    /// A name that is not the name of a solver.
+    pub fn with_solver(mut self, name: &str) -> Result<Study, StudyError> {
+        let known: Vec<&str> = self
+            .problem()
+            .solvers
+            .iter()
+            .map(|s| s.name.as_str())
+            .collect();
+        match known.iter().position(|s| *s == name) {
+            Some(place) => {
+                self.chosen = place;
+                Ok(self)
+            }
+            None if known.is_empty() => Err(StudyError::new("the study states no solver")),
+            None => {
+                let hint = did_you_mean(name, &known);
+                let known = known.join(", ");
+                Err(StudyError::new(format!(
+                    "there is no solver {name:?}{hint}; there are: {known}"
+                )))
+            }
+        }
+    }
+
+    /// The problem as it was read.
+    pub fn problem(&self) -> &Problem {
+        &self.compiled.problem
+    }
+
+    /// The values of all outputs at exact inputs, in the order of the file.
+    pub fn answers(&self, inputs: &[Rational], goal: Goal) -> Vec<Answer> {
+        self.compiled.values(inputs, goal)
+    }
+
+    /// Certified decimals of all outputs: `0` where a value is exactly zero, `nan` where it is
+    /// undefined, `inf` or `-inf` where it is beyond every exponent, and none where it is undecided.
+    pub fn digits(&self, inputs: &[Rational], digits: u32) -> Vec<CertifiedValue> {
+        // One hundredth of a unit in the last digit, and a guard bit or two.
+        let bits = (f64::from(digits) * std::f64::consts::LOG2_10).ceil() as u32 + 10;
+        let answers = self.answers(inputs, Goal::Bits(bits)).into_iter();
+        answers.map(|answer| certified(answer, digits)).collect()
+    }
+}
+
+/// The decimals of an answer.
+fn certified(answer: Answer, digits: u32) -> CertifiedValue {
+    let zero = || Ball::integer(64, 0);
+    let word = |word: &str, why: Option<String>| CertifiedValue {
+        value: zero().into(),
+        decimal: Some(word.into()),
+        why,
+    };
+    match answer {
+        Answer::Number(ball) => CertifiedValue {
+            decimal: ball.to_decimal(digits as usize),
+            value: ball.into(),
+            why: None,
+        },
+        Answer::Zero => word("0", None),
+        Answer::Huge { negative } => word(if negative { "-inf" } else { "inf" }, None),
+        Answer::Undefined { reason, place } => word("nan", Some(format!("{reason}: {place}"))),
+        Answer::Undecided(why) => CertifiedValue {
+            value: zero().into(),
+            decimal: None,
+            why: Some(why.to_string()),
+        },
+    }
+}
+
+/// The longest file that is read.
+const LONGEST: u64 = 4 << 20;
+
+fn read_text(file: &str) -> Result<String, StudyError> {
+    use std::io::Read;
+    let failed = |e: std::io::Error| StudyError::new(format!("cannot read the file: {e}"));
+    let open = std::fs::File::open(file).map_err(failed)?;
+    let mut bytes = Vec::new();
+    open.take(LONGEST + 1)
+        .read_to_end(&mut bytes)
+        .map_err(failed)?;
+    if bytes.len() as u64 > LONGEST {
+        return Err(StudyError::new(format!(
+            "the file is longer than {LONGEST} bytes"
+        )));
+    }
+    String::from_utf8(bytes).map_err(|_| StudyError::new("the file is not UTF-8"))
+}
+
+/// A path and the core that it names.
+fn split(path: &str) -> (&str, Option<&str>) {
+    match path.split_once(".fpcore#") {
+        Some((file, core)) => (&path[..file.len() + ".fpcore".len()], Some(core)),
+        None => (path, None),
+    }
+}
+
+fn is_fpcore(file: &str) -> bool {
+    file.ends_with(".fpcore")
+}
+
+/// Returns true if a text names a file of a study rather than a built-in method.
+pub fn is_path(text: &str) -> bool {
+    let file = split(text).0;
+    is_fpcore(file) || file.ends_with(".toml")
+}
+
+#[cfg(test)]
+mod tests;

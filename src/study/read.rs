@@ -1,0 +1,427 @@
+//! Studies in TOML.
+
+use super::document::{Item, Value, read as document};
+use super::error::StudyError;
+use super::problem::{
+    Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver, budget, default_budget,
+    fault_in,
+};
+use mechaudit_symbolic::evaluation::{Elementary, Format};
+use mechaudit_symbolic::{
+    Bound, Constant, Definitions, Equation, Expr, Func, number, parse_declared,
+    parse_declared_equation,
+};
+use rug::Rational;
+
+/// Keys of a study.
+const KEYS: [&str; 9] = [
+    "title",
+    "source",
+    "inputs",
+    "parameters",
+    "let",
+    "outputs",
+    "region",
+    "where",
+    "solver",
+];
+
+/// Reads a study; its name is that of its file.
+pub(super) fn problem(text: &str, name: &str) -> Result<Problem, StudyError> {
+    let file = document(text)?;
+    file.only(&KEYS)?;
+    let line = |key: &str| {
+        file.get(key)
+            .map(|item| item.text().map(String::from))
+            .transpose()
+    };
+    let mut problem = Problem {
+        name: name.into(),
+        title: line("title")?.unwrap_or_else(|| name.to_string()),
+        source: line("source")?.unwrap_or_else(|| "the user's own study".into()),
+        ..Problem::default()
+    };
+    for (name, item) in entries(&file, "inputs")? {
+        named(&problem, name, item)?;
+        problem.inputs.push(input(name, item)?);
+    }
+    let parameters = entries(&file, "parameters")?;
+    let lets = entries(&file, "let")?;
+    let outputs = entries(&file, "outputs")?;
+    if outputs.is_empty() {
+        return Err(StudyError::new(
+            "a study has at least one output: [outputs]",
+        ));
+    }
+    let mut declared: Vec<String> = problem.inputs.iter().map(|i| i.name.clone()).collect();
+    for (name, item) in parameters.iter().chain(lets).chain(outputs) {
+        is_name(name, item)?;
+        if declared.contains(name) {
+            return Err(item.fault(format!("the name {name} is declared twice")));
+        }
+        declared.push(name.clone());
+    }
+    let names = Names { declared };
+    problem.notes.extend(names.hidden());
+    for (name, item) in parameters.iter().chain(lets) {
+        let value = names.expression(item)?;
+        problem.definitions.set(name, value);
+    }
+    for (name, item) in outputs {
+        let output = output(&names, name, item)?;
+        problem.definitions.set(name, output.is.clone());
+        problem.outputs.push(output);
+    }
+    // A name that leads back to itself has no value.
+    for (name, item) in parameters.iter().chain(lets).chain(outputs) {
+        if leads_to(&problem.definitions, name) {
+            return Err(item.fault(format!("the definition of {name} leads back to {name}")));
+        }
+    }
+    problem.condition = file
+        .get("where")
+        .map(|item| names.expression(item))
+        .transpose()?;
+    if let Some(regions) = file.get("region") {
+        for item in regions.list()? {
+            problem.regions.push(region(&names, &problem, item)?);
+        }
+    }
+    for (name, item) in entries(&file, "solver")? {
+        problem.solvers.push(solver(&names, &problem, name, item)?);
+    }
+    problem.notes.extend(dependent(&problem));
+    Ok(problem)
+}
+
+/// Entries of a table that may be missing.
+fn entries<'a>(file: &'a Item, key: &str) -> Result<&'a [(String, Item)], StudyError> {
+    file.get(key).map_or(Ok(&[]), Item::table)
+}
+
+fn is_name(name: &str, item: &Item) -> Result<(), StudyError> {
+    let mut letters = name.chars();
+    let first = letters
+        .next()
+        .is_some_and(|c| c.is_ascii_alphabetic() || c == '_');
+    let rest = letters.all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '\''));
+    match first && rest && name.len() <= 64 {
+        true => Ok(()),
+        false => Err(item.fault(format!(
+            "{name:?} is no name: a letter, then up to 63 letters, digits and underscores"
+        ))),
+    }
+}
+
+fn named(problem: &Problem, name: &str, item: &Item) -> Result<(), StudyError> {
+    is_name(name, item)?;
+    match problem.inputs.iter().any(|i| i.name == name) {
+        true => Err(item.fault(format!("the name {name} is declared twice"))),
+        false => Ok(()),
+    }
+}
+
+/// The names that expressions of a study may use.
+struct Names {
+    declared: Vec<String>,
+}
+
+impl Names {
+    /// An expression of a string or a number.
+    fn expression(&self, item: &Item) -> Result<Expr, StudyError> {
+        self.expression_with(item, &[])
+    }
+
+    fn expression_with(&self, item: &Item, more: &[&str]) -> Result<Expr, StudyError> {
+        let text = item.text()?;
+        let (text, sign) = match (&item.value, text.strip_prefix('-')) {
+            (Value::Number(_), Some(rest)) => (rest, true),
+            _ => (text, false),
+        };
+        let known = |name: &str| self.declared.iter().any(|n| n == name) || more.contains(&name);
+        let found =
+            parse_declared(text, &known).map_err(|e| fault_in(e, item.place, &self.all()))?;
+        Ok(if sign {
+            Expr::Neg(Box::new(found))
+        } else {
+            found
+        })
+    }
+
+    /// `left = right`, or an expression that is to be zero.
+    fn equation(&self, item: &Item, more: &[&str]) -> Result<Expr, StudyError> {
+        let text = item.text()?;
+        let is_equation = text
+            .replace("==", "")
+            .replace("<=", "")
+            .replace(">=", "")
+            .replace("!=", "")
+            .contains('=');
+        if !is_equation {
+            return self.expression_with(item, more);
+        }
+        let known = |name: &str| self.declared.iter().any(|n| n == name) || more.contains(&name);
+        let Equation { left, right } = parse_declared_equation(text, &known)
+            .map_err(|e| fault_in(e, item.place, &self.all()))?;
+        Ok(Expr::Add(vec![left, Expr::Neg(Box::new(right))]))
+    }
+
+    /// All names that may be meant where one is not known.
+    fn all(&self) -> Vec<String> {
+        let functions = Func::ALL.iter().map(|f| f.1.to_string());
+        self.declared.iter().cloned().chain(functions).collect()
+    }
+
+    /// Remarks on names that hide constants or functions.
+    fn hidden(&self) -> Vec<String> {
+        let constant = |name: &str| {
+            matches!(name, "e" | "i" | "pi" | "inf") || Constant::ALL.iter().any(|c| c.1 == name)
+        };
+        let names = self.declared.iter();
+        names
+            .filter_map(|name| match (constant(name), Func::named(name)) {
+                (true, _) => Some(format!(
+                    "The name {name} is declared and hides the constant."
+                )),
+                (_, Some(_)) => Some(format!(
+                    "The name {name} is declared and hides the function."
+                )),
+                _ => None,
+            })
+            .collect()
+    }
+}
+
+/// An exact number of a string or a number.
+fn rational(item: &Item) -> Result<Rational, StudyError> {
+    let text = item.text()?;
+    let (sign, size) = match text.trim().strip_prefix('-') {
+        Some(size) => (-1, size),
+        None => (1, text.trim().strip_prefix('+').unwrap_or(text.trim())),
+    };
+    match number(&size.replace('_', "")) {
+        Some(value) => Ok(value * sign),
+        None => Err(item.fault(format!("{text:?} is no finite number"))),
+    }
+}
+
+/// An input: a table of ends, spacing and unit.
+fn input(name: &str, item: &Item) -> Result<StudyInput, StudyError> {
+    item.only(&["from", "to", "spacing", "unit"])?;
+    let end = |key: &str| item.get(key).map(rational).transpose();
+    let spacing = match item.get("spacing").map(Item::text).transpose()? {
+        None | Some("linear") => Spacing::Linear,
+        Some("log") => Spacing::Log,
+        Some(other) => {
+            return Err(item.fault(format!(
+                "the spacing {other:?} is neither \"linear\" nor \"log\""
+            )));
+        }
+    };
+    let unit = item.get("unit").map(Item::text).transpose()?.unwrap_or("1");
+    let found = StudyInput {
+        name: name.into(),
+        unit: unit.into(),
+        from: end("from")?,
+        to: end("to")?,
+        spacing,
+    };
+    if let (Some(from), Some(to)) = (&found.from, &found.to)
+        && from > to
+    {
+        return Err(item.fault(format!("the range of {name} is empty: {from} to {to}")));
+    }
+    Ok(found)
+}
+
+/// An output: its definition as a string, or a table.
+fn output(names: &Names, name: &str, item: &Item) -> Result<StudyOutput, StudyError> {
+    let plain = |is: Expr, text: String| StudyOutput {
+        name: name.into(),
+        unit: "1".into(),
+        is,
+        text,
+        budget: default_budget(),
+    };
+    if !matches!(item.value, Value::Table(_)) {
+        return Ok(plain(names.expression(item)?, item.text()?.into()));
+    }
+    item.only(&["is", "root_of", "between", "unit", "budget", "why"])?;
+    let mut found = match (item.get("is"), item.get("root_of")) {
+        (Some(is), None) => plain(names.expression(is)?, is.text()?.into()),
+        (None, Some(of)) => {
+            let Some(between) = item.get("between") else {
+                return Err(item.fault(format!("the root {name} needs between = [LOW, HIGH]")));
+            };
+            let [low, high] = between.list()? else {
+                return Err(between.fault("expected two ends: between = [LOW, HIGH]"));
+            };
+            let bound = Bound {
+                var: name.into(),
+                from: names.expression(low)?,
+                to: names.expression(high)?,
+                body: names.equation(of, &[name])?,
+            };
+            let (low, high) = (low.text()?, high.text()?);
+            let text = format!("root of {} between {low} and {high}", of.text()?);
+            plain(Expr::Root(Box::new(bound)), text)
+        }
+        _ => return Err(item.fault(format!("the output {name} needs is = ... or root_of = ..."))),
+    };
+    if let Some(unit) = item.get("unit") {
+        found.unit = unit.text()?.into();
+    }
+    if let Some(text) = item.get("budget") {
+        let limit = budget(text.text()?).map_err(|e| e.at(text.place))?;
+        let why = item.get("why").map(Item::text).transpose()?;
+        let why = why.unwrap_or("stated by the study without a reason");
+        found.budget = (limit, why.into());
+    }
+    Ok(found)
+}
+
+/// A region: a name, other ends of inputs, a condition.
+fn region(names: &Names, problem: &Problem, item: &Item) -> Result<StudyRegion, StudyError> {
+    let Some(name) = item.get("name") else {
+        return Err(item.fault("a region has a name"));
+    };
+    let word = name.text()?;
+    let is_word = !word.is_empty()
+        && word
+            .chars()
+            .all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_');
+    if !is_word {
+        return Err(name.fault(format!("the region's name {word:?} is not one word")));
+    }
+    let mut inputs = Vec::new();
+    let mut condition = None;
+    for (key, value) in item.table()? {
+        match key.as_str() {
+            "name" => {}
+            "where" => condition = Some(names.expression(value)?),
+            key => {
+                if !problem.inputs.iter().any(|i| i.name == key) {
+                    let known: Vec<&str> = problem.inputs.iter().map(|i| i.name.as_str()).collect();
+                    let hint = crate::audit::did_you_mean(key, &known);
+                    return Err(value.fault(format!("there is no input {key}{hint}")));
+                }
+                inputs.push(input(key, value)?);
+            }
+        }
+    }
+    Ok(StudyRegion {
+        name: word.into(),
+        inputs,
+        condition,
+    })
+}
+
+/// A solver: a formula for each output; names of its own in `let`, `format`, `elementary`.
+fn solver(
+    names: &Names,
+    problem: &Problem,
+    name: &str,
+    item: &Item,
+) -> Result<StudySolver, StudyError> {
+    let lets = entries(item, "let")?;
+    let mut declared = names.declared.clone();
+    for (own, value) in lets {
+        is_name(own, value)?;
+        declared.push(own.clone());
+    }
+    let own = Names { declared };
+    // Outputs have no values in a solver, or it would be the definition.
+    let mut definitions = Definitions::default();
+    for (key, value) in &problem.definitions.names {
+        if !problem.outputs.iter().any(|o| o.name == *key) {
+            definitions.set(key, value.clone());
+        }
+    }
+    for (key, value) in lets {
+        definitions.set(key, own.expression(value)?);
+    }
+    let mut formulas = Vec::new();
+    for output in &problem.outputs {
+        let Some(formula) = item.get(&output.name) else {
+            let missing = &output.name;
+            return Err(item.fault(format!("the solver {name} has no formula for {missing}")));
+        };
+        let formula = own.expression(formula)?;
+        definitions.set(&output.name, formula.clone());
+        formulas.push(formula);
+    }
+    for (key, value) in item.table()? {
+        let known = ["let", "format", "elementary"].contains(&key.as_str())
+            || problem.outputs.iter().any(|o| o.name == *key);
+        if !known {
+            return Err(value.fault(format!("the solver {name} has the unknown key {key:?}")));
+        }
+    }
+    let format = match item.get("format").map(Item::text).transpose()? {
+        None | Some("binary64") => Format::Double,
+        Some("binary32") => Format::Single,
+        Some(other) => {
+            return Err(item.fault(format!(
+                "the format {other:?} is neither \"binary64\" nor \"binary32\""
+            )));
+        }
+    };
+    let elementary = match item.get("elementary").map(Item::text).transpose()? {
+        None | Some("platform") => Elementary::Platform,
+        Some("correct") => Elementary::Correct,
+        Some(other) => {
+            return Err(item.fault(format!(
+                "elementary = {other:?} is neither \"platform\" nor \"correct\""
+            )));
+        }
+    };
+    Ok(StudySolver {
+        name: name.into(),
+        formulas,
+        definitions,
+        format,
+        elementary,
+    })
+}
+
+/// Returns true if a definition depends on its own name.
+fn leads_to(definitions: &Definitions, name: &str) -> bool {
+    let Some(e) = definitions.names.get(name) else {
+        return false;
+    };
+    // A root's variable has the name of its output.
+    match e {
+        Expr::Root(bound) if bound.var == name => [&bound.from, &bound.to]
+            .into_iter()
+            .any(|e| definitions.reaches(e, &[name])),
+        e => definitions.reaches(e, &[name]),
+    }
+}
+
+/// Remarks on solvers that are no witness for the definition.
+fn dependent(problem: &Problem) -> Vec<String> {
+    let mut notes = Vec::new();
+    for solver in &problem.solvers {
+        for (output, formula) in problem.outputs.iter().zip(&solver.formulas) {
+            let (solver, name) = (&solver.name, &output.name);
+            if *formula == output.is {
+                notes.push(format!(
+                    "The solver {solver} and the definition of {name} are the same formula: they are not independent."
+                ));
+                continue;
+            }
+            let shared = problem.definitions.names.keys().find(|key| {
+                let is_parameter = |e: &Expr| e.children().is_empty();
+                !is_parameter(&problem.definitions.names[*key])
+                    && problem.definitions.reaches(&output.is, &[key])
+                    && problem.definitions.reaches(formula, &[key])
+            });
+            if let Some(shared) = shared {
+                notes.push(format!(
+                    "The solver {solver} and the definition of {name} share {shared}: they are not independent."
+                ));
+            }
+        }
+    }
+    notes
+}
