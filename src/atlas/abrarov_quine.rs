@@ -1,8 +1,9 @@
-//! S. M. Abrarov, B. M. Quine, Appl. Math. Comput. 218 (2011) 1894–1902, equation (14): the Fourier series of
-//! `e^{−t²/4}` over `|t| ≤ τ` integrated term by term, τ = 12, 23 terms,
-//! `w ≈ (iτ²z/√π) (√π/τ (1 − e^{iτz})/(τz)² + Σ a_n ((−1)ⁿ e^{iτz} − 1)/(n²π² − τ²z²))`, `a_n = (2√π/τ) e^{−n²π²/τ²}`;
-//! and the authors' program `fadf.m` of 2014–2016: that within `|z| ≤ 8`, Laplace's continued fraction beyond, and
-//! for `Im z < 0.005` the same series with `cos τz` and `e^{−z²}` in place of `e^{iτz}`.
+//! S. M. Abrarov, B. M. Quine, Appl. Math. Comput. 218 (2011) 1894–1902, equation (14): the Fourier
+//! series of `e^{−t²/4}` over `|t| ≤ τ` integrated term by term, τ = 12, 23 terms,
+//! `w ≈ (iτ²z/√π) (√π/τ (1 − e^{iτz})/(τz)² + Σ a_n ((−1)ⁿ e^{iτz} − 1)/(n²π² − τ²z²))`,
+//! `a_n = (2√π/τ) e^{−n²π²/τ²}`; and the authors' program `fadf.m` of 2014–2016: that within
+//! `|z| ≤ 8`, Laplace's continued fraction beyond, and for `Im z < 0.005` the same series with
+//! `cos τz` and `e^{−z²}` in place of `e^{iτz}`.
 
 use crate::algorithm::{Algorithm, UPPER, WHOLE};
 use crate::elementary::{SQRT_PI, exp, gaussian, quotient, times_i};

@@ -1,4 +1,4 @@
-//! What an algorithm is described by.
+//! The description of an algorithm.
 
 use num_complex::{Complex32, Complex64};
 
@@ -11,7 +11,7 @@ pub enum Plane {
     Whole,
 }
 
-/// What an algorithm gives.
+/// Describes what an algorithm gives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Parts {
     /// w.
@@ -33,18 +33,19 @@ pub struct Algorithm {
     pub read_from: &'static str,
     /// Where it is defined.
     pub plane: Plane,
-    /// What it gives.
+    /// Holds what it gives.
     pub parts: Parts,
     /// The algorithm.
     pub w: fn(Complex64) -> Complex64,
-    /// The same operations in single precision, where it is made of arithmetic and exponentials alone.
+    /// The same operations in single precision, where it is made of arithmetic and exponentials
+    /// alone.
     pub single: Option<fn(Complex32) -> Complex32>,
     /// The number of the formula that is used at an argument, where there are several.
     pub formula: Option<fn(Complex64) -> u8>,
 }
 
-/// What most have in common, to be completed: both parts in the upper half-plane, by one formula and in double
-/// precision alone.
+/// States what most have in common, to be completed: both parts in the upper half-plane, by one
+/// formula and in double precision alone.
 pub(crate) const UPPER: Algorithm = Algorithm {
     name: "",
     title: "",

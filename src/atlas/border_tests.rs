@@ -1,5 +1,5 @@
-//! Which formula is used on a border itself and beside it, as the papers' programs compare: a checksum over a lattice has
-//! no point there.
+//! Which formula is used on a border itself and beside it, as the papers' programs compare: a
+//! checksum over a lattice has no point there.
 
 use crate::elementary::quotient;
 use crate::{find, gauss_hermite};

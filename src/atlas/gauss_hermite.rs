@@ -2,11 +2,12 @@
 
 use crate::elementary::SQRT_PI;
 
-/// The positive nodes of the formula with an even number `n` of nodes, ascending, with their weights.
+/// The positive nodes of the formula with an even number `n` of nodes, ascending, with their
+/// weights.
 ///
-/// Changes of sign of the orthonormal Hermite polynomial `h_n` (DLMF 18.3) on a lattice finer than its nodes, each
-/// refined by Newton's method; `w_k = 1/(n h_{n−1}(t_k)²)` (DLMF 3.5.22 with `h_n' = √(2n) h_{n−1}`). The nodes of n = 12 are
-/// those that Humlíček prints.
+/// Changes of sign of the orthonormal Hermite polynomial `h_n` (DLMF 18.3) on a lattice finer than
+/// its nodes, each refined by Newton's method; `w_k = 1/(n h_{n−1}(t_k)²)` (DLMF 3.5.22 with
+/// `h_n' = √(2n) h_{n−1}`). The nodes of n = 12 are those that Humlíček prints.
 pub fn positive(n: usize) -> Vec<(f64, f64)> {
     let mut found: Vec<(f64, f64)> = Vec::new();
     let end = ((2 * n + 1) as f64).sqrt();

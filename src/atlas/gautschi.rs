@@ -1,6 +1,6 @@
-//! W. Gautschi, Comm. ACM 12 (1969) 635, algorithm 363, and SIAM J. Numer. Anal. 7 (1970) 187–198: Laplace's
-//! continued fraction far from the origin, and within `|x| < 5.33, |y| < 4.29` a truncated Taylor expansion
-//! whose derivatives the continued fraction gives.
+//! W. Gautschi, Comm. ACM 12 (1969) 635, algorithm 363, and SIAM J. Numer. Anal. 7 (1970) 187–198:
+//! Laplace's continued fraction far from the origin, and within `|x| < 5.33, |y| < 4.29` a
+//! truncated Taylor expansion whose derivatives the continued fraction gives.
 //!
 //! CERNLIB's WWERF (C335, K. Kölbig) has the same numbers.
 

@@ -1,13 +1,15 @@
-//! H. Tran, N. H. Ngo, J.-M. Hartmann, JQSRT 129 (2013) 199–203, erratum JQSRT 134 (2014) 104: the profile of
-//! partially correlated hard collisions with widths and shifts quadratic in the speed, as combinations of two w,
-//! `pCqSDHC`; and their `CPF`, Humlíček's twelve poles within |z| = 8, 15 terms of the asymptotic series beyond.
+//! H. Tran, N. H. Ngo, J.-M. Hartmann, JQSRT 129 (2013) 199–203, erratum JQSRT 134 (2014) 104: the
+//! profile of partially correlated hard collisions with widths and shifts quadratic in the speed,
+//! as combinations of two w, `pCqSDHC`; and their `CPF`, Humlíček's twelve poles within |z| = 8, 15
+//! terms of the asymptotic series beyond.
 //!
 //! With `C_n = Γ_n + iΔ_n`, `c = √(ln 2)/Γ_D`, `C̃₀ = (1−η)(C₀ − 3C₂/2) + ν`, `C̃₂ = (1−η)C₂`,
-//! `X = (C̃₀ − iδ)/C̃₂`, `Y = 1/(2cC̃₂)²`, `Z_± = √(X+Y) ± √Y`: `A = √π c (w(iZ₋) − w(iZ₊))` and so on; four cases
-//! by the sizes of X and Y.
+//! `X = (C̃₀ − iδ)/C̃₂`, `Y = 1/(2cC̃₂)²`, `Z_± = √(X+Y) ± √Y`: `A = √π c (w(iZ₋) − w(iZ₊))` and so
+//! on; four cases by the sizes of X and Y.
 //!
-//! HAPI, HITRAN's own program, has the same with `schreier-2011-hum1wei24` for CPF and √Y = `1/(2cC̃₂)`.
-//! F. Schreier, P. Hochstaffl, JQSRT 258 (2021) 107385: `Z₋ = X/Z₊` and a single rational w, for Γ's alone.
+//! HAPI, HITRAN's own program, has the same with `schreier-2011-hum1wei24` for CPF and √Y =
+//! `1/(2cC̃₂)`. F. Schreier, P. Hochstaffl, JQSRT 258 (2021) 107385: `Z₋ = X/Z₊` and a single
+//! rational w, for Γ's alone.
 
 use crate::algorithm::{Algorithm, UPPER};
 use crate::elementary::{FRAC_1_SQRT_PI, SQRT_PI, quotient, times_i};
@@ -55,7 +57,7 @@ pub struct Profile {
     pub source: &'static str,
     /// Where it was read.
     pub read_from: &'static str,
-    /// Whether it has shifts and a correlation.
+    /// Tells whether it has shifts and a correlation.
     pub whole: bool,
     /// The profile; its real part is the absorption.
     pub value: fn(&Line) -> Complex64,
@@ -250,7 +252,8 @@ fn sdr(line: &Line) -> Complex64 {
 mod tests {
     use super::*;
 
-    /// Quadrature by mpmath of the integral over speeds; the lines of `mechaudit_reference::hartmann_tran`'s tests.
+    /// Quadrature by mpmath of the integral over speeds; the lines of
+    /// `mechaudit_reference::hartmann_tran`'s tests.
     const LINES: [([f64; 8], f64, f64); 4] = [
         (
             [1.0, 1.0, 0.125, 0.0, 0.0, 0.0, 0.0, 0.0],

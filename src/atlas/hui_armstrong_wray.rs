@@ -1,5 +1,5 @@
-//! A. K. Hui, B. H. Armstrong, A. A. Wray, JQSRT 19 (1978) 509–516: one rational function of `t = y − ix` with
-//! p = 6, `w ≈ Σ a_k t^k/(t⁷ + Σ b_k t^k)`.
+//! A. K. Hui, B. H. Armstrong, A. A. Wray, JQSRT 19 (1978) 509–516: one rational function of
+//! `t = y − ix` with p = 6, `w ≈ Σ a_k t^k/(t⁷ + Σ b_k t^k)`.
 
 #![allow(clippy::excessive_precision)] // Constants as printed.
 

@@ -1,8 +1,9 @@
 //! J. Humlíček, JQSRT 21 (1979) 309–313: twelve poles, `cpf12`.
 //!
 //! Gauss's formula after the shift of the contour by `i y₀`, `y₀ = 1.5`:
-//! `w(z) ≈ (i/π) Σ_k W_k e^{y₀²} e^{2i t_k y₀}/(z + i y₀ − t_k)`, t_k and W_k the nodes and weights of the
-//! twelve-point Gauss–Hermite formula; near the real axis the real part is `e^{−x²}` and y times a sum.
+//! `w(z) ≈ (i/π) Σ_k W_k e^{y₀²} e^{2i t_k y₀}/(z + i y₀ − t_k)`, t_k and W_k the nodes and weights
+//! of the twelve-point Gauss–Hermite formula; near the real axis the real part is `e^{−x²}` and y
+//! times a sum.
 
 use crate::algorithm::{Algorithm, UPPER};
 use num_complex::{Complex, Complex64};

@@ -1,6 +1,7 @@
-//! T. M. Karbach, G. Raven, M. Schiller, arXiv:1407.0748 (2014), section 5: Abrarov and Quine's series in the
-//! form of equation (14), Taylor expansions about its removable poles `nπ/τ`, Laplace's continued fraction for
-//! `|z| > τ`. RooFit's `faddeeva` (τ = 12, 24 terms) and `faddeeva_fast` (τ = 8, 11 terms).
+//! T. M. Karbach, G. Raven, M. Schiller, arXiv:1407.0748 (2014), section 5: Abrarov and Quine's
+//! series in the form of equation (14), Taylor expansions about its removable poles `nπ/τ`,
+//! Laplace's continued fraction for `|z| > τ`. RooFit's `faddeeva` (τ = 12, 24 terms) and
+//! `faddeeva_fast` (τ = 8, 11 terms).
 
 use crate::algorithm::{Algorithm, WHOLE};
 use crate::elementary::{

@@ -1,4 +1,5 @@
-//! Laplace's continued fraction, `w(z) = (i/√π)/(z − (1/2)/(z − (2/2)/(z − (3/2)/(z − …))))` (DLMF 7.9.3).
+//! Laplace's continued fraction, `w(z) = (i/√π)/(z − (1/2)/(z − (2/2)/(z − (3/2)/(z − …))))` (DLMF
+//! 7.9.3).
 
 use crate::elementary::{FRAC_1_SQRT_PI, FRAC_2_SQRT_PI, quotient, times_i};
 use num_complex::{Complex, Complex64};
@@ -12,8 +13,8 @@ pub fn convergent(z: Complex64, terms: usize) -> Complex64 {
     times_i(quotient(Complex::new(FRAC_1_SQRT_PI, 0.0), z - tail))
 }
 
-/// In the first quadrant a convergent of so many levels, or Gautschi's truncated Taylor expansion about `z + ih`, whose
-/// derivatives the continued fraction gives: h and the number of its terms.
+/// In the first quadrant a convergent of so many levels, or Gautschi's truncated Taylor expansion
+/// about `z + ih`, whose derivatives the continued fraction gives: h and the number of its terms.
 pub fn expansion(z: Complex64, levels: i32, about: Option<(f64, i32)>) -> Complex64 {
     let (h, terms) = about.unwrap_or_default();
     let mut power = (2.0 * h).powi(terms);

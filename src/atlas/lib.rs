@@ -1,13 +1,14 @@
-//! Published algorithms for the Faddeeva function `w(z) = e^{−z²} erfc(−iz)` and its real part, the Voigt
-//! function, each written from its paper's formulas in `f64`: to be audited, not to be used.
+//! Published algorithms for the Faddeeva function `w(z) = e^{−z²} erfc(−iz)` and its real part, the
+//! Voigt function, each written from its paper's formulas in `f64`: to be audited, not to be used.
 //!
-//! One file an algorithm. Constants are those that the paper or its authors' code prints, or are computed
-//! from the paper's formula; each file says which. What is claimed about an algorithm and whether it holds
-//! stands in `mechaudit::claims`; nothing here is used by a solver.
+//! One file an algorithm. Constants are those that the paper or its authors' code prints, or are
+//! computed from the paper's formula; each file says which. What is claimed about an algorithm and
+//! whether it holds stands in `mechaudit::claims`; nothing here is used by a solver.
 //!
-//! Exponentials and circular functions are those of the `libm` crate, which come out the same on every
-//! machine, with and without fused operations; complex quotients are Smith's, as compilers of Fortran and C
-//! make them, so that `|z|²` beyond the range of `f64` is not held against an algorithm.
+//! Exponentials and circular functions are those of the `libm` crate, which come out the same on
+//! every machine, with and without fused operations; complex quotients are Smith's, as compilers of
+//! Fortran and C make them, so that `|z|²` beyond the range of `f64` is not held against an
+//! algorithm.
 //!
 //! ```
 //! use num_complex::Complex;
@@ -76,7 +77,7 @@ pub fn find(name: &str) -> Option<Algorithm> {
     all().into_iter().find(|a| a.name == name)
 }
 
-/// What is missing from [`all`], and why.
+/// States what is missing from [`all`], and why.
 pub const NOT_AT_HAND: &[NotAtHand] = &[NotAtHand {
     name: "letchworth-benner-2007",
     source: "K. L. Letchworth, D. C. Benner, JQSRT 107 (2007) 173-192",

@@ -1,5 +1,6 @@
-//! A. B. McLean, C. E. J. Mitchell, D. M. Swanston, J. Electron Spectrosc. Relat. Phenom. 69 (1994) 125–132: four
-//! generalised Lorentzians, `K(x, y) ≈ Σ_k (C_k (y − A_k) + D_k (x − B_k))/((y − A_k)² + (x − B_k)²)`.
+//! A. B. McLean, C. E. J. Mitchell, D. M. Swanston, J. Electron Spectrosc. Relat. Phenom. 69 (1994)
+//! 125–132: four generalised Lorentzians,
+//! `K(x, y) ≈ Σ_k (C_k (y − A_k) + D_k (x − B_k))/((y − A_k)² + (x − B_k)²)`.
 
 use crate::algorithm::{Algorithm, Parts, UPPER};
 use num_complex::{Complex, Complex64};

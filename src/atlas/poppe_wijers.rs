@@ -1,5 +1,6 @@
-//! G. P. M. Poppe, C. M. J. Wijers, ACM TOMS 16 (1990) 38–46 and 47, algorithm 680: the Maclaurin series near
-//! the origin, Gautschi's expansion with fewer terms around it, Laplace's continued fraction beyond.
+//! G. P. M. Poppe, C. M. J. Wijers, ACM TOMS 16 (1990) 38–46 and 47, algorithm 680: the Maclaurin
+//! series near the origin, Gautschi's expansion with fewer terms around it, Laplace's continued
+//! fraction beyond.
 
 use crate::algorithm::{Algorithm, WHOLE};
 use crate::elementary::{FRAC_2_SQRT_PI, continued_below, gaussian, mirrored};

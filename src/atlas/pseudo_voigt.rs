@@ -1,9 +1,11 @@
-//! P. Thompson, D. E. Cox, J. B. Hastings, J. Appl. Cryst. 20 (1987) 79–83: the pseudo-Voigt profile, a sum of a
-//! Lorentzian and a Gaussian of one width, `η L(x; f) + (1 − η) G(x; f)` with
+//! P. Thompson, D. E. Cox, J. B. Hastings, J. Appl. Cryst. 20 (1987) 79–83: the pseudo-Voigt
+//! profile, a sum of a Lorentzian and a Gaussian of one width, `η L(x; f) + (1 − η) G(x; f)` with
 //! `f⁵ = g⁵ + 2.69269 g⁴l + 2.42843 g³l² + 4.47163 g²l³ + 0.07842 g l⁴ + l⁵` and
-//! `η = 1.36603 (l/f) − 0.47719 (l/f)² + 0.11116 (l/f)³`; g and l are the full widths at half the height.
+//! `η = 1.36603 (l/f) − 0.47719 (l/f)² + 0.11116 (l/f)³`; g and l are the full widths at half the
+//! height.
 //!
-//! As K(x, y): the Gaussian `e^{−t²}` has `g = 2 √ln 2`, the Lorentzian `l = 2y`, and K is √π times the profile.
+//! As K(x, y): the Gaussian `e^{−t²}` has `g = 2 √ln 2`, the Lorentzian `l = 2y`, and K is √π times
+//! the profile.
 
 use crate::algorithm::{Algorithm, Parts, UPPER};
 use crate::elementary::SQRT_PI;

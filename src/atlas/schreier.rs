@@ -1,9 +1,10 @@
 //! F. Schreier's combinations.
 //!
-//! MNRAS 479 (2018) 3068–3075: Humlíček's poles with an even number n of Gauss–Hermite nodes and a shift δ,
-//! `w(z) ≈ (i/π) Σ_k W_k e^{δ² + 2i t_k δ}/(z + iδ − t_k)`, without a formula of its own
+//! MNRAS 479 (2018) 3068–3075: Humlíček's poles with an even number n of Gauss–Hermite nodes and a
+//! shift δ, `w(z) ≈ (i/π) Σ_k W_k e^{δ² + 2i t_k δ}/(z + iδ − t_k)`, without a formula of its own
 //! beside the real axis; and n = 16 within `|x| + y < 10`, region II of w4 beyond (`hum2zpf16`).
-//! JQSRT 112 (2011) 1010–1025: Weideman's N = 24 within `|x| + y < 15`, region I of w4 beyond (`hum1wei24`).
+//! JQSRT 112 (2011) 1010–1025: Weideman's N = 24 within `|x| + y < 15`, region I of w4 beyond
+//! (`hum1wei24`).
 
 #![allow(clippy::excessive_precision)] // Constants as printed.
 
@@ -118,7 +119,8 @@ impl Poles {
     }
 }
 
-/// In Z = z + 1.35 i: real coefficients of even powers, imaginary ones of odd powers, from the lowest.
+/// In Z = z + 1.35 i: real coefficients of even powers, imaginary ones of odd powers, from the
+/// lowest.
 const NUMERATOR: [f64; 16] = [
     46236.3358828121,
     -147726.58393079657,

@@ -1,4 +1,5 @@
-//! Each algorithm reaches about what its paper claims at ordinary points: its constants are those of the paper.
+//! Each algorithm reaches about what its paper claims at ordinary points: its constants are those
+//! of the paper.
 
 use crate::{Algorithm, Parts, Plane, all, find};
 use mechaudit_solvers::faddeeva::faddeeva;
@@ -31,8 +32,8 @@ fn worst(a: &Algorithm, from: f64) -> [f64; 3] {
     worst
 }
 
-/// By name: the largest error in the norm and of the real part where y ≥ 0.1, as the papers have it or as the
-/// formula gives.
+/// By name: the largest error in the norm and of the real part where y ≥ 0.1, as the papers have it
+/// or as the formula gives.
 const REACHED: [(&str, f64, f64); 31] = [
     ("gautschi-1970", 1e-9, 2e-8),
     ("cernlib-wwerf", 1e-9, 2e-8),
@@ -123,8 +124,8 @@ impl Checksum {
     }
 }
 
-/// Points of every size, on the axes too; half of them left of the imaginary axis, and below the real one where an
-/// algorithm is defined there.
+/// Points of every size, on the axes too; half of them left of the imaginary axis, and below the
+/// real one where an algorithm is defined there.
 fn everywhere(plane: Plane) -> Vec<Complex64> {
     let mut sizes = vec![0.0, 1e-300, 1e-20, 1e-9, 1e-5, 1e-3, 0.03];
     sizes.extend((1..90).map(|k| 0.1003 * f64::from(k)));
@@ -147,7 +148,8 @@ fn everywhere(plane: Plane) -> Vec<Complex64> {
     all
 }
 
-/// Values, in single precision too, and numbers of formulas by their bits: they are the same on every machine.
+/// Values, in single precision too, and numbers of formulas by their bits: they are the same on
+/// every machine.
 fn checksum(a: &Algorithm) -> u64 {
     let mut sum = Checksum(0xcbf2_9ce4_8422_2325);
     for z in everywhere(a.plane) {
@@ -166,8 +168,8 @@ fn checksum(a: &Algorithm) -> u64 {
     sum.0
 }
 
-/// What stands behind what is said of the algorithms: a change of any constant or limit changes a checksum. One that is
-/// meant has its new one here.
+/// States what stands behind what is said of the algorithms: a change of any constant or limit
+/// changes a checksum. One that is meant has its new one here.
 const CHECKSUMS: [(&str, u64); 35] = [
     ("gautschi-1970", 0x6688_cf8c_8505_e825),
     ("cernlib-wwerf", 0x223f_f956_884e_288a),
@@ -250,8 +252,8 @@ fn checksum_of_profile(p: &crate::Profile) -> u64 {
     sum.0
 }
 
-/// Where all collisions are correlated the mean over the speed has a formula of its own, near its centre and far out: the
-/// limit of the others.
+/// Where all collisions are correlated the mean over the speed has a formula of its own, near its
+/// centre and far out: the limit of the others.
 #[test]
 fn full_correlation_is_a_limit() {
     let authors = &crate::PROFILES[0];

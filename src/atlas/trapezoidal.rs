@@ -1,12 +1,12 @@
 //! The trapezoidal rule for `w(z) = (i/π) ∫ e^{−t²}/(z − t) dt` with what the pole at z leaves:
-//! `w ≈ (2ihz/π) Σ e^{−t²}/(z² − t²)` over `t = h/2, 3h/2, …` (midpoints), or `t = h, 2h, …` and `(ih/π)/z`; where z is
-//! below `π/h`, besides `2e^{−z²}/(1 ± e^{−2πiz/h})`.
+//! `w ≈ (2ihz/π) Σ e^{−t²}/(z² − t²)` over `t = h/2, 3h/2, …` (midpoints), or `t = h, 2h, …` and
+//! `(ih/π)/z`; where z is below `π/h`, besides `2e^{−z²}/(1 ± e^{−2πiz/h})`.
 //!
-//! F. Matta, A. Reichel, Math. Comp. 25 (1971) 339–344 take the multiples of h everywhere, whose pole's term
-//! and whose sum cancel beside each node.
-//! D. B. Hunter, T. Regan, Math. Comp. 26 (1972) 539–541 change between the two rules by the distance of the
-//! pole from the nodes. M. Al Azah, S. N. Chandler-Wilde, SIAM J. Numer. Anal. 59 (2021) 2346–2367 prove
-//! `|w − w_N| ≤ 0.7 e^{−πN}` for `h = √(π/(N+1))` and their choice of the rule.
+//! F. Matta, A. Reichel, Math. Comp. 25 (1971) 339–344 take the multiples of h everywhere, whose
+//! pole's term and whose sum cancel beside each node. D. B. Hunter, T. Regan, Math. Comp. 26 (1972)
+//! 539–541 change between the two rules by the distance of the pole from the nodes. M. Al Azah, S.
+//! N. Chandler-Wilde, SIAM J. Numer. Anal. 59 (2021) 2346–2367 prove `|w − w_N| ≤ 0.7 e^{−πN}` for
+//! `h = √(π/(N+1))` and their choice of the rule.
 
 use crate::algorithm::{Algorithm, UPPER, WHOLE};
 use crate::elementary::{continued_below, exp, gaussian, mirrored, quotient, times_i};
@@ -116,7 +116,8 @@ impl Rule {
         u8::from((place - place.floor() - 0.5).abs() <= 0.25)
     }
 
-    /// That of Al Azah and Chandler-Wilde: 0 midpoints alone, 1 multiples, 2 midpoints, both corrected.
+    /// That of Al Azah and Chandler-Wilde: 0 midpoints alone, 1 multiples, 2 midpoints, both
+    /// corrected.
     fn choice(&self, z: Complex64) -> u8 {
         if z.im >= z.re.max(PI / self.h) {
             0

@@ -1,8 +1,9 @@
 //! J. A. C. Weideman, SIAM J. Numer. Anal. 31 (1994) 1497–1518, equation (38) and table I:
-//! `w(z) ≈ (1/√π)/(L − iz) + 2/(L − iz)² Σ_{n=0}^{N−1} a_{n+1} Z^n`, `Z = (L + iz)/(L − iz)`, `L = 2^{−1/4} √N`.
+//! `w(z) ≈ (1/√π)/(L − iz) + 2/(L − iz)² Σ_{n=0}^{N−1} a_{n+1} Z^n`, `Z = (L + iz)/(L − iz)`,
+//! `L = 2^{−1/4} √N`.
 //!
-//! The coefficients are computed as in the paper, by the trapezoidal rule with `2M = 4N` points for the
-//! Fourier coefficients of `(L² + t²) e^{−t²}`, `t = L tan(θ/2)`.
+//! The coefficients are computed as in the paper, by the trapezoidal rule with `2M = 4N` points for
+//! the Fourier coefficients of `(L² + t²) e^{−t²}`, `t = L tan(θ/2)`.
 
 use crate::algorithm::{Algorithm, UPPER};
 use crate::elementary::{FRAC_1_SQRT_PI, horner, quotient};

@@ -1,5 +1,6 @@
-//! R. J. Wells, JQSRT 62 (1999) 29–48, `HUMLIK`: Humlíček's w4 and twelve poles with borders that a wanted number
-//! R of digits moves, 2 ≤ R ≤ 5, and one pole beyond `|x| + y = R₀`: `R₀ = 1.51 e^{1.144 R}`, `R₁ = 1.60 e^{0.554 R}`.
+//! R. J. Wells, JQSRT 62 (1999) 29–48, `HUMLIK`: Humlíček's w4 and twelve poles with borders that a
+//! wanted number R of digits moves, 2 ≤ R ≤ 5, and one pole beyond `|x| + y = R₀`:
+//! `R₀ = 1.51 e^{1.144 R}`, `R₁ = 1.60 e^{0.554 R}`.
 
 use crate::algorithm::{Algorithm, UPPER};
 use crate::elementary::quotient;

@@ -1,5 +1,6 @@
-//! M. R. Zaghloul, ACM TOMS 44 (2017) article 22, algorithm 985: one to four convergents of Laplace's continued
-//! fraction outside, region IV of Humlíček's w4 beside the real axis, Hui, Armstrong and Wray's p = 6 inside.
+//! M. R. Zaghloul, ACM TOMS 44 (2017) article 22, algorithm 985: one to four convergents of
+//! Laplace's continued fraction outside, region IV of Humlíček's w4 beside the real axis, Hui,
+//! Armstrong and Wray's p = 6 inside.
 
 use crate::algorithm::{Algorithm, UPPER};
 use crate::elementary::{exp, horner, quotient, times_i};

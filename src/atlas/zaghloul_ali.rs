@@ -1,7 +1,6 @@
-//! M. R. Zaghloul, A. N. Ali, ACM TOMS 38 (2011) article 15, algorithm 916: equations (13) to (19). With
-//! `a = π/√(ln(2/tiny))` the five sums
-//! `Σ₁ = Σ e^{−a²n²}/d_n`, `Σ₂,₃ = Σ e^{−(an ± x)²}/d_n`, `Σ₄,₅ = Σ n e^{−(an ± x)²}/d_n`, `d_n = a²n² + y²`, and
-//! erfcx(y). Accuracy is chosen by `tiny`.
+//! M. R. Zaghloul, A. N. Ali, ACM TOMS 38 (2011) article 15, algorithm 916: equations (13) to (19).
+//! With `a = π/√(ln(2/tiny))` the five sums `Σ₁ = Σ e^{−a²n²}/d_n`, `Σ₂,₃ = Σ e^{−(an ± x)²}/d_n`,
+//! `Σ₄,₅ = Σ n e^{−(an ± x)²}/d_n`, `d_n = a²n² + y²`, and erfcx(y). Accuracy is chosen by `tiny`.
 
 use crate::algorithm::{Algorithm, WHOLE};
 use crate::elementary::{FRAC_1_SQRT_PI, continued_below, mirrored};

@@ -135,12 +135,20 @@ fn with_unit(name: &str, unit: &str) -> String {
 impl Layout {
     /// That of a method.
     pub fn new(method: &(impl Method + ?Sized)) -> Layout {
-        let inputs = method.inputs();
+        Layout {
+            outputs: method.outputs().iter().map(|o| (o.name, o.unit)).collect(),
+            rows: method.rows(),
+            ..Layout::of_inputs(method.inputs())
+        }
+    }
+
+    /// Returns the layout of these inputs, without that of an answer.
+    pub fn of_inputs(inputs: Vec<Input>) -> Layout {
         Layout {
             parts: inputs.iter().map(Part::new).collect(),
             inputs,
-            outputs: method.outputs().iter().map(|o| (o.name, o.unit)).collect(),
-            rows: method.rows(),
+            outputs: Vec::new(),
+            rows: None,
         }
     }
 

@@ -1,4 +1,4 @@
-//! What follows from the rows for whoever has to choose.
+//! Describes what follows from the rows for whoever has to choose.
 
 use super::survey::Row;
 use serde::Serialize;
@@ -8,14 +8,15 @@ use serde::Serialize;
 pub struct Advice {
     /// The need.
     pub need: String,
-    /// The codes that meet it at every point tried, the fastest first where times are known, else by name.
+    /// The codes that meet it at every point tried, the fastest first where times are known, else
+    /// by name.
     pub codes: Vec<String>,
     /// Those of the same kind that do not.
     pub others: Vec<String>,
 }
 
 impl Advice {
-    /// What meets the need, or, where that is shorter, what does not.
+    /// Returns what meets the need, or, where that is shorter, what does not.
     pub fn words(&self) -> String {
         match (self.codes.len(), self.others.len()) {
             (0, _) => "none of these".into(),
@@ -127,7 +128,8 @@ mod tests {
         }
     }
 
-    /// What the committed tables say of each code: its heights, and the errors of its derivative.
+    /// Returns what the committed tables say of each code: its heights, and the errors of its
+    /// derivative.
     fn committed() -> Vec<Row> {
         fn records(text: &str) -> Vec<csv::StringRecord> {
             let mut reader = csv::ReaderBuilder::new()
@@ -219,8 +221,8 @@ mod tests {
         assert_eq!(words(&["a"], &["c", "d"]), "a");
     }
 
-    /// One of both parts that reaches less and less, one of Re w alone, one in single precision; each with a worse one
-    /// beside it.
+    /// One of both parts that reaches less and less, one of Re w alone, one in single precision;
+    /// each with a worse one beside it.
     #[test]
     fn each_need_is_told_with_what_meets_it() {
         let everywhere = Some(f64::NEG_INFINITY);

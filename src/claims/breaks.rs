@@ -1,9 +1,10 @@
-//! Jumps of a code whose formulas are not known, a program's for one: looked for where its error changes most.
+//! Jumps of a code whose formulas are not known, a program's for one: looked for where its error
+//! changes most.
 //!
-//! On a segment the error of Re w, relative to the certified value, is taken at equal distances; the pair of
-//! neighbours that differ most is divided in the same way, until its ends are neighbours among the floats. A smooth
-//! error has gone by then. What is left is a jump if it is far above the changes among the floats on either side of it,
-//! which are rounding.
+//! On a segment the error of Re w, relative to the certified value, is taken at equal distances;
+//! the pair of neighbours that differ most is divided in the same way, until its ends are
+//! neighbours among the floats. A smooth error has gone by then. What is left is a jump if it is
+//! far above the changes among the floats on either side of it, which are rounding.
 
 use super::code::Code;
 use super::rounded;
@@ -175,5 +176,4 @@ fn error(z: &[f64], re: Option<f64>) -> Option<f64> {
 }
 
 #[cfg(test)]
-#[path = "breaks_tests.rs"]
 mod tests;

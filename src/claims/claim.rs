@@ -3,7 +3,7 @@
 use crate::audit::Draw;
 use serde::Serialize;
 
-/// What is measured.
+/// Describes what is measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Measure {
@@ -52,7 +52,7 @@ pub struct Place {
     pub words: &'static str,
     /// Draws a point of it.
     pub draw: fn(&mut Draw) -> Vec<f64>,
-    /// Whether a point is of it.
+    /// Tells whether a point is of it.
     pub holds: fn(&[f64]) -> bool,
 }
 
@@ -67,11 +67,11 @@ pub struct Claim {
     pub source: &'static str,
     /// How it is read here, where the wording leaves a choice.
     pub reading: &'static str,
-    /// What decides it; nothing if it cannot be tested, for the reason that `reading` has.
+    /// Holds what decides it; nothing if it cannot be tested, for the reason that `reading` has.
     pub test: Option<(Place, Measure, Statistic, f64)>,
 }
 
-/// What became of a claim.
+/// Describes what became of a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Verdict {

@@ -12,15 +12,15 @@ type Answers<'a> = Box<dyn Fn(&[Vec<f64>]) -> Vec<SolverAnswer> + 'a>;
 pub struct Code<'a> {
     /// The name of its row.
     pub name: String,
-    /// What it is.
+    /// Holds what it is.
     pub title: String,
     /// The paper, or the version.
     pub source: String,
     /// Where it is defined.
     pub plane: Plane,
-    /// What it gives.
+    /// Holds what it gives.
     pub parts: Parts,
-    /// Whether it computes in single precision.
+    /// Tells whether it computes in single precision.
     pub single: bool,
     /// The algorithm, if it is one.
     pub algorithm: Option<Algorithm>,
@@ -65,7 +65,8 @@ impl<'a> Code<'a> {
         })
     }
 
-    /// Anything else: `answers` gets points of the upper half-plane, of the whole plane if `plane` says so.
+    /// Anything else: `answers` gets points of the upper half-plane, of the whole plane if `plane`
+    /// says so.
     pub fn other(
         (name, title, source): (String, String, String),
         plane: Plane,

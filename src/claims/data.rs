@@ -1,6 +1,7 @@
 //! The claims.
 //!
-//! Statements are as printed in what was read; where that is not the paper itself the source says so.
+//! Statements are as printed in what was read; where that is not the paper itself the source says
+//! so.
 
 use super::claim::{Claim, Measure, Place, Statistic};
 use super::lines;
@@ -551,5 +552,4 @@ pub fn claims() -> Vec<Claim> {
 }
 
 #[cfg(test)]
-#[path = "data_tests.rs"]
 mod tests;

@@ -1,4 +1,5 @@
-//! Decides claims: maxima by an audit of the claim's own domain and a hunt in it, means by a certified sample.
+//! Decides claims: maxima by an audit of the claim's own domain and a hunt in it, means by a
+//! certified sample.
 
 use super::claim::{Claim, Measure, Place, Statistic, Verdict};
 use super::code::{self, answer};
@@ -35,11 +36,11 @@ pub struct Decided {
     pub reading: &'static str,
     /// Where it is tested.
     pub domain: &'static str,
-    /// What is measured, in words.
+    /// Holds what is measured, in words.
     pub measure: String,
-    /// What it may be.
+    /// Holds what it may be.
     pub bound: Option<f64>,
-    /// What became of it.
+    /// Holds what became of it.
     pub verdict: Verdict,
     /// Which part holds, or why it cannot be tested.
     pub part: String,
@@ -113,7 +114,7 @@ fn of_mean(m: &Mean, bound: f64) -> Verdict {
     }
 }
 
-/// What a claim is about.
+/// Describes what a claim is about.
 pub(super) enum Subject {
     W(Algorithm),
     Line(Profile),
@@ -161,7 +162,8 @@ impl Tested {
         }
     }
 
-    /// Calls `f` with the method over the claim's domain above `Im z = floor`, judged as the claim is read.
+    /// Calls `f` with the method over the claim's domain above `Im z = floor`, judged as the claim
+    /// is read.
     fn over<T>(&self, floor: f64, f: impl FnOnce(&dyn Method) -> T) -> T {
         let region = Region::new("claim", self.place.words, self.place.draw);
         let holds =
@@ -224,7 +226,7 @@ struct Search {
 }
 
 impl Search {
-    /// What is certain comes before what is not.
+    /// Considers what is certain before what is not.
     fn offer(&mut self, (share, over): (f64, bool), z: &[f64]) {
         if over {
             self.ceiling = self.ceiling.max(z[1]);
@@ -312,5 +314,4 @@ fn power_above(y: f64) -> f64 {
 }
 
 #[cfg(test)]
-#[path = "decide_tests.rs"]
 mod tests;

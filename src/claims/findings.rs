@@ -1,4 +1,4 @@
-//! What is wrong where in what is widely used, each in one sentence with a command.
+//! Findings about code that is widely used, each in one sentence with a command.
 
 use super::code;
 use super::decide::Subject;
@@ -19,9 +19,9 @@ pub struct Finding {
     pub at: Vec<f64>,
     /// The part of w.
     pub part: &'static str,
-    /// What it gives there.
+    /// Holds what it gives there.
     pub got: f64,
-    /// What is due, to 20 digits.
+    /// Holds what is due, to 20 digits.
     pub due: String,
     /// The relative error of the part; nothing where none is a number.
     pub error: Option<f64>,

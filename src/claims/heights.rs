@@ -73,8 +73,8 @@ pub fn heights(codes: &[&Code], effort: &Effort) -> Vec<Vec<Height>> {
     worst.iter().map(|bands| of_bands(bands)).collect()
 }
 
-/// The relative errors of each answer, of the norm and the larger of its parts; infinite where it is no
-/// number.
+/// The relative errors of each answer, of the norm and the larger of its parts; infinite where it
+/// is no number.
 pub fn errors(
     variant: &dyn Method,
     input: &[f64],

@@ -1,4 +1,5 @@
-//! The Hartmann–Tran profile as a method: input the eight parameters of a line, output the complex profile.
+//! The Hartmann–Tran profile as a method: input the eight parameters of a line, output the complex
+//! profile.
 
 use super::regions::region;
 use crate::audit::{
@@ -34,12 +35,13 @@ pub fn answer(profile: &Profile, input: &[f64]) -> SolverAnswer {
     SolverAnswer::Values(vec![value.re, value.im])
 }
 
-/// Whether a line has neither shifts nor correlation.
+/// Returns whether a line has neither shifts nor correlation.
 pub fn simple(p: &[f64]) -> bool {
     p[3] == 0.0 && p[4] == 0.0 && p[6] == 0.0
 }
 
-/// What spectroscopy calls a line: widths that are positive at every speed, of any ratio to Doppler's.
+/// Returns what spectroscopy calls a line: widths that are positive at every speed, of any ratio to
+/// Doppler's.
 pub fn physical(p: &[f64]) -> bool {
     let [gd, g0, g2, d0, d2, nu, eta, delta] = [0, 1, 2, 3, 4, 5, 6, 7].map(|k| p[k]);
     let ratio = g0 / gd;
@@ -182,5 +184,4 @@ impl Method for HartmannTran {
 }
 
 #[cfg(test)]
-#[path = "lines_tests.rs"]
 mod tests;

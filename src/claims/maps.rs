@@ -17,7 +17,8 @@ const PER_DECADE: f64 = 3.0;
 /// Points lie off the middle of their cells by something that is no simple fraction.
 const WITHIN: f64 = 0.527_864;
 
-/// A character for each level: the first for no number, then up to 1e-17, then a third of a decade each.
+/// A character for each level: the first for no number, then up to 1e-17, then a third of a decade
+/// each.
 pub const LEVELS: &str = "0ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
 
 /// The level of a relative error.

@@ -7,8 +7,9 @@ use serde::Serialize;
 pub struct Mean {
     /// The sample's mean.
     pub mean: f64,
-    /// Four standard errors: the half-width of the interval. By the central limit theorem it misses the mean
-    /// once in 16,000 samples; where a few points carry the mean it may miss it more often.
+    /// Four standard errors: the half-width of the interval. By the central limit theorem it misses
+    /// the mean once in 16,000 samples; where a few points carry the mean it may miss it more
+    /// often.
     pub within: f64,
     /// The sample.
     pub points: u64,

@@ -1,8 +1,9 @@
-//! What is claimed about published algorithms for W(z) and the Voigt function, beside what is certified.
+//! Describes what is claimed about published algorithms for W(z) and the Voigt function, beside
+//! what is certified.
 //!
-//! `mechaudit-atlas` has the algorithms; here they are surveyed by the audit's judge ([`survey`]), and what
-//! their papers and users say of them is decided ([`decide`]): a claim is data, with the statement as printed,
-//! its domain, its measure and its source.
+//! `mechaudit-atlas` has the algorithms; here they are surveyed by the audit's judge ([`survey`]),
+//! and what their papers and users say of them is decided ([`decide`]): a claim is data, with the
+//! statement as printed, its domain, its measure and its source.
 //!
 //! ```
 //! use mechaudit_cli::claims::{Effort, Verdict, claims, decide};
@@ -51,8 +52,8 @@ pub use mechaudit_atlas::{
 
 use crate::audit::{Case, Format, Limit, Method, Origin, Variant};
 
-/// The relative limit that measured errors are judged by: an answer is off by exactly that much by no
-/// accident that happens, as zero for a value is by 1.
+/// The relative limit that measured errors are judged by: an answer is off by exactly that much by
+/// no accident that happens, as zero for a value is by 1.
 const WHOLE: f64 = 3.0;
 
 /// The method with errors measured, as the code answers, or all of one kind whose first it is.

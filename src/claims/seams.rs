@@ -1,8 +1,8 @@
-//! Where an algorithm's formulas meet: how far its values jump, and whether Re w rises away from the
-//! imaginary axis, where it falls.
+//! Where an algorithm's formulas meet: how far its values jump, and whether Re w rises away from
+//! the imaginary axis, where it falls.
 //!
-//! A segment whose ends have different formulas is halved until its ends are neighbours among the floats; w
-//! itself changes there by a few ulps at most.
+//! A segment whose ends have different formulas is halved until its ends are neighbours among the
+//! floats; w itself changes there by a few ulps at most.
 
 use super::rounded;
 use crate::audit::Draw;
@@ -26,8 +26,8 @@ pub struct Jump {
     pub re: f64,
     /// Where the jump of Re w is largest.
     pub at: [f64; 2],
-    /// Crossings at fixed Im z, and those of them at which Re w rises away from the imaginary axis by more
-    /// than rounding.
+    /// Crossings at fixed Im z, and those of them at which Re w rises away from the imaginary axis
+    /// by more than rounding.
     pub crossings: u64,
     /// See there.
     pub rising: u64,
@@ -86,7 +86,7 @@ pub fn jumps(a: &Algorithm, seed: u64) -> Vec<Jump> {
     found
 }
 
-/// Whether it grows by more than a hundred times what is called rounding.
+/// Returns whether it grows by more than a hundred times what is called rounding.
 pub(super) fn rises(inner: f64, outer: f64, size: f64) -> bool {
     outer - inner > 100.0 * LEAST * size
 }
@@ -129,5 +129,4 @@ fn halved(
 }
 
 #[cfg(test)]
-#[path = "seams_tests.rs"]
 mod tests;

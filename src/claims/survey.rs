@@ -33,7 +33,7 @@ pub struct Figures {
     pub median: f64,
 }
 
-/// What was found in a region.
+/// Describes what was found in a region.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Part {
     /// The region; `all` for all of them.
@@ -54,18 +54,18 @@ pub struct Part {
     pub worst_at: Option<Vec<f64>>,
 }
 
-/// What was found about a code.
+/// Describes what was found about a code.
 #[derive(Clone, Debug, Serialize)]
 pub struct Row {
     /// Its name.
     pub name: String,
-    /// What it is.
+    /// Holds what it is.
     pub title: String,
     /// The paper, or the version.
     pub source: String,
-    /// Whether it is defined below the real axis.
+    /// Tells whether it is defined below the real axis.
     pub whole_plane: bool,
-    /// Whether it gives Re w alone.
+    /// Tells whether it gives Re w alone.
     pub real_part_only: bool,
     /// Single precision.
     pub single: bool,
@@ -100,7 +100,7 @@ impl Row {
         }
     }
 
-    /// What was found in a region.
+    /// Returns what was found in a region.
     pub fn part(&self, region: &str) -> Option<&Part> {
         self.parts.iter().find(|p| p.region == region)
     }
@@ -161,7 +161,7 @@ pub fn survey(codes: &[Code], effort: &Effort, step: &dyn Fn(&str)) -> Vec<Row> 
     rows.into_iter().flatten().collect()
 }
 
-/// Whether a code is asked there.
+/// Returns whether a code is asked there.
 fn above(code: &Code, z: &[f64]) -> bool {
     code.plane == Plane::Whole || z[1] >= 0.0
 }
@@ -184,7 +184,7 @@ pub fn survey_lines(codes: &[Code], effort: &Effort) -> Vec<Row> {
         .collect()
 }
 
-/// What a point and the code's w make its answer.
+/// Describes what a point and the code's w make its answer.
 type Turned<'a> = dyn Fn(&[f64], SolverAnswer) -> SolverAnswer + 'a;
 
 /// For each code its report and how often Re w was negative, by region.
@@ -292,5 +292,4 @@ fn figures(report: &MethodReport, negative: &[(&'static str, u64)], unit: f64) -
 }
 
 #[cfg(test)]
-#[path = "survey_tests.rs"]
 mod tests;

@@ -31,15 +31,16 @@ pub struct Atlas {
     pub rows: Vec<Row>,
     /// Those for the Hartmann–Tran profile.
     pub profiles: Vec<Row>,
-    /// What is said of them.
+    /// Holds what is said of them.
     pub claims: Vec<Decided>,
-    /// What follows for what is in use.
+    /// Holds what follows for what is in use.
     pub findings: Vec<Finding>,
-    /// What is missing.
+    /// Holds what is missing.
     pub not_at_hand: Vec<Missing>,
 }
 
-/// The atlas of these codes and profiles. `step` is called when something is done, with a word for it.
+/// The atlas of these codes and profiles. `step` is called when something is done, with a word for
+/// it.
 pub fn atlas(
     codes: &[Code],
     lines: &[Profile],
@@ -118,7 +119,8 @@ mod tests {
         assert_eq!(told.into_inner()[..5], due);
     }
 
-    /// Times are of algorithms in double precision and of profiles, and only where they are asked for.
+    /// Times are of algorithms in double precision and of profiles, and only where they are asked
+    /// for.
     #[test]
     fn what_is_chosen_is_surveyed_timed_and_decided() {
         let algorithm = mechaudit_atlas::find("humlicek-1982").unwrap();

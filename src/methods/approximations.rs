@@ -73,8 +73,8 @@ enum Ends {
     NotAKnot,
 }
 
-/// Cubic splines of the witch of Agnesi. Everything about them is rational, so the twin is the spline
-/// itself in exact arithmetic, through the exact ordinates.
+/// Cubic splines of the witch of Agnesi. Everything about them is rational, so the twin is the
+/// spline itself in exact arithmetic, through the exact ordinates.
 struct SplineOfWitch {
     name: &'static str,
     summary: &'static str,
@@ -217,8 +217,8 @@ enum Machine {
 }
 
 #[cfg(feature = "run-up")]
-/// A run-up at falling tolerances against its enclosure. The twin takes the steps that were accepted,
-/// with the same coefficients, in balls; an implicit method has none.
+/// A run-up at falling tolerances against its enclosure. The twin takes the steps that were
+/// accepted, with the same coefficients, in balls; an implicit method has none.
 struct RunUp {
     method: Integration,
     machine: Machine,

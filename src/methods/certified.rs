@@ -93,5 +93,4 @@ fn precisions(digits: u32) -> impl Iterator<Item = u32> {
 }
 
 #[cfg(test)]
-#[path = "certified_tests.rs"]
 mod tests;

@@ -1,7 +1,7 @@
 //! The definition of a method in its file, and the [`Method`] that the registry makes of it.
 
 use super::certified::CertifiedValue;
-use super::inputs::{Field, Fields, Number, Row};
+use super::inputs::{Field, Fields, Number};
 use crate::audit::{
     BranchAt, Domain, HardCase, Input, Law, Layout, Method, NormBudget, Output, ProvedBound,
     ReferenceAnswer, Rows, SolverAnswer, Uncertified, conditions_by_differences,
@@ -19,17 +19,57 @@ pub trait Typed {
     const SIGNATURE: &'static str;
 }
 
-/// What its line in the registry gives a method besides.
-pub trait Registered: Typed + Sync + 'static {
-    /// The text of `reference/hard/NAME.csv`.
-    const HARD: &'static str;
-    /// The layout of its numbers, made once.
-    fn layout() -> &'static Layout;
+/// A method of the registry that this crate defines.
+pub trait Registered: Typed + Sync + 'static {}
+
+/// Registers a type: its name, which is also that of its files of hard cases and of certified
+/// values; the signature of a candidate, and how one is called with an input.
+macro_rules! method {
+    ($method:ident $name:literal: Fn($($argument:ty),*), |$f:ident, $input:pat_param| $call:expr) => {
+        impl $crate::methods::definition::Typed for $method {
+            const NAME: &'static str = $name;
+            const SIGNATURE: &'static str = stringify!(Fn($($argument),*));
+        }
+
+        impl $crate::methods::definition::Registered for $method {}
+
+        impl<F, R> $crate::methods::typed::Candidate<$method> for F
+        where
+            F: Fn($($argument),*) -> R + Sync,
+            R: $crate::methods::typed::IntoAnswer,
+        {
+            fn answer(&self, numbers: &[f64]) -> $crate::audit::SolverAnswer {
+                let $f = self;
+                let input = <$method as $crate::methods::definition::Definition>::unpack(numbers);
+                $crate::methods::typed::IntoAnswer::into_answer(input.map(|$input| $call))
+            }
+        }
+    };
 }
+pub(super) use method;
+
+/// Declares the files of a subject, each with the types of its methods, in the order of reports.
+macro_rules! methods {
+    ($($visibility:vis $module:ident: $($method:ident),+;)+) => {
+        $(
+            $visibility mod $module;
+            pub use $module::*;
+        )+
+
+        /// The methods of this subject.
+        pub(super) fn methods() -> Vec<Box<dyn $crate::methods::definition::Evaluable>> {
+            vec![$($(Box::new($crate::methods::definition::Entry::<$method>::NEW)),+),+]
+        }
+    };
+}
+pub(super) use methods;
+
+// `hard(name)`: the text of `reference/hard/NAME.csv`, or nothing if there is no such file.
+include!(concat!(env!("OUT_DIR"), "/hard.rs"));
 
 /// Solver, reference, domain, budget and source of a method; [`Method`] says more of each.
 pub trait Definition: Registered + Sized {
-    /// What the input holds.
+    /// Describes what the input holds.
     type Input<'a, T: Number>: Fields<'a, T>;
     /// One line in plain words.
     const SUMMARY: &'static str;
@@ -43,7 +83,7 @@ pub trait Definition: Registered + Sized {
     fn norm_budget() -> Option<NormBudget> {
         None
     }
-    /// What is proved of the solver's error.
+    /// Returns what is proved of the solver's error.
     fn proved() -> Vec<ProvedBound> {
         Vec::new()
     }
@@ -84,7 +124,8 @@ pub trait Definition: Registered + Sized {
     }
     fn laws() -> Vec<Law>;
 
-    /// Why `eval` refuses an input, in words, where there is more to say than the solver's name for it.
+    /// Why `eval` refuses an input, in words, where there is more to say than the solver's name for
+    /// it.
     fn refusal(_input: Self::Input<'_, f64>) -> Option<String> {
         None
     }
@@ -92,8 +133,8 @@ pub trait Definition: Registered + Sized {
     fn explanation(_input: Self::Input<'_, f64>) -> Option<String> {
         None
     }
-    /// Values whose relative radius shrinks with `2^-bits`, for `eval`: those of the reference, unless
-    /// it can say more of them than an `f64` could hold.
+    /// Values whose relative radius shrinks with `2^-bits`, for `eval`: those of the reference,
+    /// unless it can say more of them than an `f64` could hold.
     fn certify(input: Self::Input<'_, Rational>, bits: u32) -> Result<Vec<Scaled>, Uncertified> {
         let values = Self::reference(input, bits)?.certified()?;
         Ok(values.into_iter().map(Scaled::from).collect())
@@ -103,26 +144,33 @@ pub trait Definition: Registered + Sized {
     fn fields() -> Vec<Field> {
         <Self::Input<'static, f64> as Fields<'static, f64>>::fields()
     }
-    /// Takes an input apart; nothing if it is not laid out as it should be.
+    /// Returns the layout of the input.
+    fn layout() -> &'static Layout {
+        <Self::Input<'static, f64> as Fields<'static, f64>>::layout()
+    }
+    /// Takes an input apart. Returns nothing if its numbers are not laid out as declared.
     fn unpack<T: Number>(numbers: &[T]) -> Option<Self::Input<'_, T>> {
-        let layout = Self::layout();
-        if (0..layout.parts()).all(|part| layout.is_single(part)) {
-            let mut row = Row::of_singles(numbers);
-            return Self::Input::take(&mut row).filter(|_| row.is_empty());
-        }
-        let nearest: Vec<f64> = numbers.iter().map(T::nearest).collect();
-        Self::Input::take(&mut Row::new(numbers, layout.lengths(&nearest).ok()?))
+        Self::Input::unpack(numbers)
     }
 }
 
 /// A method that can be evaluated at any input.
 pub trait Evaluable: Method {
+    /// Returns the signature in Rust of a candidate, but for its result, where there is one.
+    fn signature(&self) -> Option<&'static str> {
+        None
+    }
+    /// Returns the field of each part of the input in the type that declares it.
+    fn fields(&self) -> Vec<String> {
+        Vec::new()
+    }
     /// Values whose relative radius shrinks with `2^-bits`.
     ///
     /// # Errors
     /// An input without such values.
     fn certify(&self, numbers: &[Rational], bits: u32) -> Result<Vec<Scaled>, Uncertified>;
-    /// Why the input is refused, in words, where there is more to say than the solver's name for it.
+    /// Why the input is refused, in words, where there is more to say than the solver's name for
+    /// it.
     fn refusal(&self, numbers: &[f64]) -> Option<String>;
     /// The place and the rule behind a refusal, in words, where its name leaves them open.
     fn explanation(&self, numbers: &[f64]) -> Option<String>;
@@ -140,7 +188,10 @@ pub trait Evaluable: Method {
     /// # Errors
     /// A name that is not the name of a solver.
     fn select_solver(&mut self, name: &str) -> Result<(), String> {
-        Err(format!("{} has one solver, and none of the name {name:?}", self.name()))
+        Err(format!(
+            "{} has one solver, and none of the name {name:?}",
+            self.name()
+        ))
     }
     /// Remarks that a report shows with the method.
     fn remarks(&self) -> &[String] {
@@ -221,7 +272,7 @@ impl<D: Definition> Method for Entry<D> {
         D::twin(D::unpack(numbers)?)
     }
     fn hard(&self) -> Vec<HardCase> {
-        HardCase::included(D::HARD)
+        HardCase::included(hard(D::NAME))
     }
     fn branch(&self, numbers: &[f64]) -> Option<BranchAt> {
         D::branch(D::unpack(numbers)?)
@@ -238,6 +289,12 @@ impl<D: Definition> Method for Entry<D> {
 }
 
 impl<D: Definition> Evaluable for Entry<D> {
+    fn signature(&self) -> Option<&'static str> {
+        Some(D::SIGNATURE)
+    }
+    fn fields(&self) -> Vec<String> {
+        D::fields().into_iter().map(|f| f.path).collect()
+    }
     fn certify(&self, numbers: &[Rational], bits: u32) -> Result<Vec<Scaled>, Uncertified> {
         D::certify(
             D::unpack(numbers).ok_or(Uncertified::Refused(BAD_LAYOUT))?,

@@ -1,7 +1,7 @@
-//! Inputs as named fields: one declaration gives the layout, the type that solver, reference and laws
-//! work on, and how it is taken from numbers in a row.
+//! Inputs as named fields: one declaration gives the layout, the type that solver, reference and
+//! laws work on, and how it is taken from numbers in a row.
 
-use crate::audit::Input;
+use crate::audit::{Input, Layout};
 use rug::{Float, Rational};
 use std::fmt::Debug;
 
@@ -56,7 +56,7 @@ pub struct Field {
     /// The name of the field in Rust, behind those of the groups that hold it:
     /// `linkage.geometry.l1`.
     pub path: String,
-    /// Whether it is data; if not, it counts or chooses.
+    /// Tells whether it is data; if not, it counts or chooses.
     pub is_data: bool,
 }
 
@@ -104,6 +104,18 @@ impl<'a, T: Number> Row<'a, T> {
 pub trait Fields<'a, T: Number>: Copy {
     /// The declaration.
     fn fields() -> Vec<Field>;
+    /// Returns the layout of its numbers, which is made once.
+    fn layout() -> &'static Layout;
+    /// Takes an input apart. Returns nothing if its numbers are not laid out as declared.
+    fn unpack(numbers: &'a [T]) -> Option<Self> {
+        let layout = Self::layout();
+        if (0..layout.parts()).all(|part| layout.is_single(part)) {
+            let mut row = Row::of_singles(numbers);
+            return Self::take(&mut row).filter(|_| row.is_empty());
+        }
+        let nearest: Vec<f64> = numbers.iter().map(T::nearest).collect();
+        Self::take(&mut Row::new(numbers, layout.lengths(&nearest).ok()?))
+    }
     /// Takes it from the beginning of a row.
     fn take(row: &mut Row<'a, T>) -> Option<Self>;
 }
@@ -129,7 +141,7 @@ macro_rules! inputs {
         }
     ) => {
         $(#[$doc])*
-        pub struct $name<'a, T: $crate::methods::Number = f64> {
+        pub struct $name<'a, T: $crate::methods::inputs::Number = f64> {
             $(
                 #[doc = concat!("Field `", stringify!($field), "`"$(, ": `", $text, "`, unit ", $unit)?, ".")]
                 $(#[$about])*
@@ -137,25 +149,32 @@ macro_rules! inputs {
             )*
         }
 
-        impl<T: $crate::methods::Number> Clone for $name<'_, T> {
+        impl<T: $crate::methods::inputs::Number> Clone for $name<'_, T> {
             fn clone(&self) -> Self {
                 *self
             }
         }
 
-        impl<T: $crate::methods::Number> Copy for $name<'_, T> {}
+        impl<T: $crate::methods::inputs::Number> Copy for $name<'_, T> {}
 
-        impl<T: $crate::methods::Number> std::fmt::Debug for $name<'_, T> {
+        impl<T: $crate::methods::inputs::Number> std::fmt::Debug for $name<'_, T> {
             fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
                 f.debug_struct(stringify!($name))$(.field(stringify!($field), &self.$field))*.finish()
             }
         }
 
-        impl<'a, T: $crate::methods::Number> $crate::methods::inputs::Fields<'a, T> for $name<'a, T> {
+        impl<'a, T: $crate::methods::inputs::Number> $crate::methods::inputs::Fields<'a, T> for $name<'a, T> {
             fn fields() -> Vec<$crate::methods::inputs::Field> {
                 let mut all = Vec::new();
                 $($crate::methods::inputs::inputs!(@declare all $field $shape 'a T $($text, $unit)?);)*
                 all
+            }
+            fn layout() -> &'static $crate::audit::Layout {
+                static LAYOUT: std::sync::OnceLock<$crate::audit::Layout> = std::sync::OnceLock::new();
+                LAYOUT.get_or_init(|| {
+                    let fields = <Self as $crate::methods::inputs::Fields<'a, T>>::fields();
+                    $crate::audit::Layout::of_inputs(fields.into_iter().map(|f| f.input).collect())
+                })
             }
             fn take(row: &mut $crate::methods::inputs::Row<'a, T>) -> Option<Self> {
                 Some($name { $($field: $crate::methods::inputs::inputs!(@take row $shape)?),* })
@@ -182,7 +201,7 @@ macro_rules! inputs {
     (@type list $a:lifetime $t:ident) => { &$a [$t] };
     (@type choices $a:lifetime $t:ident) => { &$a [$t] };
     (@type ($group:ident) $a:lifetime $t:ident) => { $group<$a, $t> };
-    (@type $one:ident $a:lifetime $t:ident) => { <$t as $crate::methods::Number>::Of<$a> };
+    (@type $one:ident $a:lifetime $t:ident) => { <$t as $crate::methods::inputs::Number>::Of<$a> };
     (@declare $all:ident $field:ident ($group:ident) $a:lifetime $t:ident) => {
         let fields = <$group<$a, $t> as $crate::methods::inputs::Fields<$a, $t>>::fields();
         $all.extend(fields.into_iter().map(|f| $crate::methods::inputs::Field {

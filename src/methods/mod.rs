@@ -1,4 +1,4 @@
-//! The registry: a file for each audited method, and its line in the list below.
+//! The registry: a file for each audited method, and its line in the `mod.rs` of its subject.
 
 #[cfg(feature = "splines")]
 mod approximations;
@@ -20,11 +20,6 @@ mod special;
 mod splines;
 mod typed;
 
-use crate::audit::Layout;
-use definition::{Entry, Registered};
-use num_complex::Complex;
-use std::sync::OnceLock;
-
 #[cfg(feature = "splines")]
 pub use approximations::{approximations, find_approximation};
 #[cfg(feature = "cams")]
@@ -44,164 +39,33 @@ pub use special::*;
 pub use splines::*;
 pub use typed::{Candidate, IntoAnswer};
 
-/// A line for each method: its type, which [`definition::Definition`] makes a method; its name, which
-/// is also that of its files of hard cases and of certified values; the signature of a candidate, and
-/// how one is called with an input. The lines stand under the feature of their subject.
-macro_rules! registry {
-    ($($subject:literal { $(
-        $method:ident $name:literal:
-        Fn($($argument:ty),*), |$f:ident, $input:pat_param| $call:expr;
-    )* })*) => {
-        /// Every method, in the order of reports.
-        pub fn registry() -> Vec<Box<dyn Evaluable>> {
-            let mut all: Vec<Box<dyn Evaluable>> = Vec::new();
-            $(
-                #[cfg(feature = $subject)]
-                all.extend([$(Box::new(Entry::<$method>::NEW) as Box<dyn Evaluable>),*]);
-            )*
-            all
-        }
-
-        /// The signature in Rust of a candidate for the method of that name, but for its result.
-        pub fn signature(name: &str) -> Option<&'static str> {
-            match name {
-                $($(
-                    #[cfg(feature = $subject)]
-                    $name => Some($method::SIGNATURE),
-                )*)*
-                _ => None,
-            }
-        }
-
-        /// For each part of the input of the method of that name, the field that holds it in the
-        /// type which a candidate in Rust takes; nothing where a candidate takes no such type.
-        pub fn fields(name: &str) -> Option<Vec<String>> {
-            let fields = match name {
-                $($(
-                    #[cfg(feature = $subject)]
-                    $name => <$method as definition::Definition>::fields(),
-                )*)*
-                _ => return None,
-            };
-            let takes_fields = signature(name)?.contains("Input<");
-            takes_fields.then(|| fields.into_iter().map(|f| f.path).collect())
-        }
-
-        $($(
-            #[cfg(feature = $subject)]
-            impl Typed for $method {
-                const NAME: &'static str = $name;
-                const SIGNATURE: &'static str = stringify!(Fn($($argument),*));
-            }
-
-            #[cfg(feature = $subject)]
-            impl Registered for $method {
-                const HARD: &'static str = include_str!(concat!(
-                    env!("CARGO_MANIFEST_DIR"), "/reference/hard/", $name, ".csv"
-                ));
-                fn layout() -> &'static Layout {
-                    static LAYOUT: OnceLock<Layout> = OnceLock::new();
-                    LAYOUT.get_or_init(|| Layout::new(&Entry::<$method>::NEW))
-                }
-            }
-
-            // There has to be one; `mechaudit regenerate` fills it.
-            #[cfg(feature = $subject)]
-            const _: &str = include_str!(concat!(
-                env!("CARGO_MANIFEST_DIR"), "/reference/values/", $name, ".csv"
-            ));
-
-            #[cfg(feature = $subject)]
-            impl<F, R> Candidate<$method> for F
-            where
-                F: Fn($($argument),*) -> R + Sync,
-                R: IntoAnswer,
-            {
-                fn answer(&self, numbers: &[f64]) -> crate::audit::SolverAnswer {
-                    let $f = self;
-                    let input = <$method as definition::Definition>::unpack(numbers);
-                    input.map(|$input| $call).into_answer()
-                }
-            }
-        )*)*
-    };
+/// Every method, in the order of reports.
+pub fn registry() -> Vec<Box<dyn Evaluable>> {
+    let mut all: Vec<Box<dyn Evaluable>> = Vec::new();
+    #[cfg(feature = "splines")]
+    all.extend(linear::methods().into_iter().chain(splines::methods()));
+    #[cfg(feature = "linkages")]
+    all.extend(linkages::methods());
+    #[cfg(feature = "special")]
+    all.extend(special::methods());
+    #[cfg(feature = "cams")]
+    all.extend(cams::methods());
+    #[cfg(feature = "run-up")]
+    all.extend(drive::methods());
+    all
 }
 
-registry! {
-"splines" {
-    Tridiagonal "tridiagonal":
-        Fn(&[f64], &[f64], &[f64], &[f64]), |f, i| f(i.lower, i.diagonal, i.upper, i.d);
-    TridiagonalPivoting "tridiagonal-pivoting":
-        Fn(&[f64], &[f64], &[f64], &[f64]), |f, i| f(i.lower, i.diagonal, i.upper, i.d);
-    CyclicTridiagonal "cyclic-tridiagonal":
-        Fn(&[f64], &[f64], &[f64], &[f64]), |f, i| f(i.lower, i.diagonal, i.upper, i.d);
-    CubicSplineSecondDerivatives "cubic-spline-second-derivatives":
-        Fn(SplineProblem<'_>), |f, i| f(i.into());
-    CubicSplineClamped "cubic-spline-clamped":
-        Fn(SplineProblem<'_>), |f, i| f(i.into());
-    CubicSplineNotAKnot "cubic-spline-not-a-knot":
-        Fn(SplineProblem<'_>), |f, i| f(i.into());
-    CubicSplinePeriodic "cubic-spline-periodic":
-        Fn(SplineProblem<'_>), |f, i| f(i.into());
-    CubicSplineUniform "cubic-spline-uniform":
-        Fn(UniformSplineProblem<'_>), |f, i| f(i.into());
-    CubicSplineMixedEnds "cubic-spline-mixed-ends":
-        Fn(CubicSplineMixedEndsInput<'_>), |f, i| f(i);
-    Pchip "pchip":
-        Fn(SplineProblem<'_>), |f, i| f(i.into());
-    Akima "akima":
-        Fn(SplineProblem<'_>), |f, i| f(i.into());
-    ModifiedAkima "modified-akima":
-        Fn(SplineProblem<'_>), |f, i| f(i.into());
+/// Returns the signature in Rust of a candidate for the method of that name, but for its result.
+pub fn signature(name: &str) -> Option<&'static str> {
+    find(name)?.signature()
 }
-"linkages" {
-    FourBar "four-bar":
-        Fn([f64; 4], f64, bool), |f, i| f([i.a, i.b, i.c, i.d], i.phi1, i.assembly > 0.0);
-    SliderCrank "slider-crank":
-        Fn([f64; 3], f64, f64, bool), |f, i| f([i.a, i.b, i.e], i.delta, i.phi1, i.assembly > 0.0);
-    ClassIiiAssemblyModes "class-iii-assembly-modes":
-        Fn(&[f64; 11], f64), |f, i| f(&i.geometry.values(), i.phi1);
-    ClassIii "class-iii":
-        Fn(ClassIiiInput<'_>), |f, i| f(i);
-    PlanarLinkage "planar-linkage":
-        Fn(PlanarLinkageInput<'_>), |f, i| f(i);
-    PlanarReduction "planar-reduction":
-        Fn(PlanarForcesInput<'_>), |f, i| f(i);
-    PlanarReactions "planar-reactions":
-        Fn(PlanarForcesInput<'_>), |f, i| f(i);
-}
-"special" {
-    Faddeeva "faddeeva":
-        Fn(Complex<f64>), |f, z| f(z.into());
-    FaddeevaDerivative "faddeeva-derivative":
-        Fn(Complex<f64>), |f, z| f(z.into());
-    Erf "erf":
-        Fn(Complex<f64>), |f, z| f(z.into());
-    Erfc "erfc":
-        Fn(Complex<f64>), |f, z| f(z.into());
-    Erfcx "erfcx":
-        Fn(Complex<f64>), |f, z| f(z.into());
-    Erfi "erfi":
-        Fn(Complex<f64>), |f, z| f(z.into());
-    Dawson "dawson":
-        Fn(Complex<f64>), |f, z| f(z.into());
-    Voigt "voigt":
-        Fn(f64, f64, f64), |f, i| f(i.x, i.sigma, i.gamma);
-    VoigtHwhm "voigt-hwhm":
-        Fn(f64, f64), |f, i| f(i.sigma, i.gamma);
-}
-"cams" {
-    CamLaw "cam-law":
-        Fn(CamLawInput<'_>), |f, i| f(i);
-    CamFourierSeries "cam-fourier-series":
-        Fn(CamFourierSeriesInput<'_>), |f, i| f(i);
-    ChirpResponse "chirp-response":
-        Fn(ChirpResponseInput<'_>), |f, i| f(i);
-}
-"run-up" {
-    RunUp "run-up":
-        Fn(RunUpInput<'_>), |f, i| f(i);
-}
+
+/// Returns, for each part of the input of the method of that name, the field that holds it in the
+/// type which a candidate in Rust takes; nothing where a candidate takes no such type.
+pub fn fields(name: &str) -> Option<Vec<String>> {
+    let method = find(name)?;
+    let takes_fields = method.signature()?.contains("Input<");
+    takes_fields.then(|| method.fields())
 }
 
 /// Returns the method of that name.

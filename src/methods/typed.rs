@@ -24,7 +24,8 @@ pub trait Candidate<M>: Sync {
     fn answer(&self, input: &[f64]) -> SolverAnswer;
 }
 
-/// What a candidate may return: numbers in the order of the method's outputs, or a refusal.
+/// Describes what a candidate may return: numbers in the order of the method's outputs, or a
+/// refusal.
 ///
 /// `None` and `Err` are refusals without a reason, right wherever the reference refuses.
 #[diagnostic::on_unimplemented(

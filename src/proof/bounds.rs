@@ -37,8 +37,9 @@ fn t(n: u32, r: f64) -> f64 {
     p
 }
 
-/// `B_N = √(e (N + 3/2)) T_N`, a bound of the remainder `R_N` of N terms of the asymptotic series in the closed
-/// quadrant (proved at the head of `special/faddeeva/asymptotic.rs` of the reference).
+/// `B_N = √(e (N + 3/2)) T_N`, a bound of the remainder `R_N` of N terms of the asymptotic series
+/// in the closed quadrant (proved at the head of `special/faddeeva/asymptotic.rs` of the
+/// reference).
 fn remainder_alone(n: u32, r: f64) -> f64 {
     let root = product_up(SQRT_E, sqrt_up(f64::from(n) + 1.5));
     product_up(root, t(n, r))
@@ -62,13 +63,15 @@ fn least_of(n: u32, f: impl Fn(u32) -> f64, g: impl Fn(u32) -> f64) -> f64 {
     least
 }
 
-/// A bound of `R_N`: the terms that follow, of absolute value `T_k` each, and the remainder after some of them.
+/// A bound of `R_N`: the terms that follow, of absolute value `T_k` each, and the remainder after
+/// some of them.
 pub(crate) fn remainder(n: u32, r: f64) -> f64 {
     least_of(n, |m| remainder_alone(m, r), |k| t(k, r))
 }
 
-/// A bound, divided by the angle from an axis, of the component of `R_N` that vanishes on it: that of term k is
-/// `T_k |sin (2k + 1)φ| ≤ (2k + 1) φ T_k`, φ the angle, and for the remainder after some of them as above.
+/// A bound, divided by the angle from an axis, of the component of `R_N` that vanishes on it: that
+/// of term k is `T_k |sin (2k + 1)φ| ≤ (2k + 1) φ T_k`, φ the angle, and for the remainder after
+/// some of them as above.
 pub(crate) fn remainder_slope(n: u32, r: f64) -> f64 {
     least_of(
         n,
@@ -88,5 +91,4 @@ pub(crate) fn above(ball: &Ball) -> f64 {
 }
 
 #[cfg(test)]
-#[path = "tests/bounds.rs"]
 mod tests;

@@ -1,4 +1,4 @@
-//! What a proof leaves: the parts on which a bound is proved, and those on which none is.
+//! Describes what a proof leaves: the parts on which a bound is proved, and those on which none is.
 
 use crate::cover::Rectangle;
 use rayon::prelude::*;
@@ -16,9 +16,10 @@ pub struct Open<P = Rectangle> {
 /// All parts.
 #[derive(Clone, Debug)]
 pub struct Certificate<L, P = Rectangle> {
-    /// What is proved; together they cover all inputs that the theorem names unless something is open.
+    /// Holds what is proved; together they cover all inputs that the theorem names unless something
+    /// is open.
     pub leaves: Vec<L>,
-    /// What is not.
+    /// Holds what is not.
     pub open: Vec<Open<P>>,
 }
 
@@ -48,7 +49,7 @@ pub struct Watch {
 pub const MOST_PARTS: u64 = 30_000_000;
 
 impl Watch {
-    /// Whether the proof has given up, after [`MOST_PARTS`].
+    /// Returns whether the proof has given up, after [`MOST_PARTS`].
     pub fn is_spent(&self) -> bool {
         self.looked_at.load(Ordering::Relaxed) > MOST_PARTS
     }
@@ -65,7 +66,8 @@ impl Watch {
 }
 
 impl<L: Send, P: Send> Certificate<L, P> {
-    /// What `prove` finds on each part of the first partition, on all cores; `None` if it was stopped.
+    /// Returns what `prove` finds on each part of the first partition, on all cores; `None` if it
+    /// was stopped.
     pub(crate) fn of_all<R: Sync>(
         roots: &[R],
         watch: &Watch,
@@ -97,7 +99,8 @@ impl<L: Send, P: Send> Certificate<L, P> {
 mod tests {
     use super::*;
 
-    /// What is proved and what is open of every part, how many are done, and nothing where it was stopped.
+    /// Checks what is proved and what is open of every part, how many are done, and nothing where
+    /// it was stopped.
     #[test]
     fn all_parts_are_gathered() {
         let at = Rectangle {

@@ -35,9 +35,10 @@ const UNKNOWN: &str = "an unknown branch";
 
 /// All that the code chooses in a rectangle, each with the piece of it where it may.
 ///
-/// All choices of the code are made by `|z|²`, which in floating-point arithmetic too never falls when a coordinate
-/// grows, and by comparisons of a coordinate with a constant ([`Rectangle::lines`]): on a piece between those lines the
-/// choices at two opposite corners are the first and the last. `rank` is the order of formulas along the rings.
+/// All choices of the code are made by `|z|²`, which in floating-point arithmetic too never falls
+/// when a coordinate grows, and by comparisons of a coordinate with a constant
+/// ([`Rectangle::lines`]): on a piece between those lines the choices at two opposite corners are
+/// the first and the last. `rank` is the order of formulas along the rings.
 pub(crate) fn choices(
     at: &Rectangle,
     branch: fn(f64, f64) -> Branch,
@@ -68,7 +69,7 @@ fn between(ends: &[Branch; 2], rank: fn(Branch) -> Option<usize>) -> Option<&[Br
     follows(*ends, rank).then_some(ends)
 }
 
-/// Whether no third formula comes between two along the rings.
+/// Decides whether no third formula comes between two along the rings.
 pub(crate) fn follows([first, second]: [Branch; 2], rank: fn(Branch) -> Option<usize>) -> bool {
     let strip = |b: Branch| matches!(b, Branch::Strip { .. } | Branch::RealLine { .. });
     let far = matches!(first, Branch::Asymptotic { terms: 26 });
@@ -139,5 +140,4 @@ fn with_rows(piece: Rectangle, branch: Branch, out: &mut Vec<Part>) -> Result<()
 }
 
 #[cfg(test)]
-#[path = "tests/choice.rs"]
 mod tests;

@@ -1,7 +1,7 @@
 //! The stored constants of the series, and what they stand for.
 //!
-//! A formula whose constants are replaced by the numbers they stand for is, in exact arithmetic, the truncated
-//! series itself; the differences are errors of the operands.
+//! A formula whose constants are replaced by the numbers they stand for is, in exact arithmetic,
+//! the truncated series itself; the differences are errors of the operands.
 
 use crate::interval::Interval;
 use crate::tracked::Constant;
@@ -31,8 +31,8 @@ fn constant(stored: f64, exact: &Ball) -> Option<Constant> {
     })
 }
 
-/// The low part of a number stored in two: it stands for zero, so that all of it is an error; that of the high part
-/// takes it back.
+/// The low part of a number stored in two: it stands for zero, so that all of it is an error; that
+/// of the high part takes it back.
 fn low_part(stored: f64) -> Option<Constant> {
     constant(stored, &Ball::integer(BITS, 0))
 }
@@ -104,5 +104,4 @@ pub(crate) static MACLAURIN: LazyLock<Vec<Constant>> = LazyLock::new(|| {
 });
 
 #[cfg(test)]
-#[path = "tests/constants.rs"]
 mod tests;

@@ -20,8 +20,8 @@ const LINES: [&[f64]; 2] = {
     [re, SEAMS.im]
 };
 
-/// Lines on Im z next to the real axis: below the first `e^{−z²}` counts in Re w for every Re z there, above the second
-/// for none; then those of the code.
+/// Lines on Im z next to the real axis: below the first `e^{−z²}` counts in Re w for every Re z
+/// there, above the second for none; then those of the code.
 const BESIDE_REAL_AXIS: &[f64] = &[
     f64::from_bits((1023 - 55) << 52),
     f64::from_bits((1023 - 51) << 52),
@@ -33,22 +33,23 @@ const BESIDE_REAL_AXIS: &[f64] = &[
 const NARROW: f64 = 4.0;
 
 impl Rectangle {
-    /// Whether both coordinates are below the limit, if there is one.
+    /// Returns whether both coordinates are below the limit, if there is one.
     pub fn is_below(&self, limit: Option<f64>) -> bool {
         limit.is_none_or(|limit| self.a[1].max(self.b[1]) < limit)
     }
 
-    /// Whether Re z is the small coordinate.
+    /// Returns whether Re z is the small coordinate.
     pub(crate) fn small_re(&self) -> bool {
         self.a[1] <= self.b[0] && self.a[0] * NARROW < self.a[1]
     }
 
-    /// Whether Im z is.
+    /// Returns whether Im z is.
     pub(crate) fn small_im(&self) -> bool {
         self.b[1] <= self.a[0] && self.b[0] * NARROW < self.b[1]
     }
 
-    /// Divided by the power of two of its largest coordinate, for rectangles within one shell: as the code scales z.
+    /// Divided by the power of two of its largest coordinate, for rectangles within one shell: as
+    /// the code scales z.
     pub(crate) fn scaled(&self) -> Option<Rectangle> {
         let most = |r: f64, s: f64| exponent(r.max(s).max(f64::MIN_POSITIVE));
         let k = most(self.a[0], self.b[0]);
@@ -80,13 +81,14 @@ impl Rectangle {
         [self.a, self.b].map(|[lo, hi]| hi.to_bits() - lo.to_bits())
     }
 
-    /// Whether it is one point.
+    /// Returns whether it is one point.
     pub fn is_point(&self) -> bool {
         self.sides() == [0, 0]
     }
 
-    /// The lines at which the code chooses there: all of them where there may be cells, `|z|² < 48`; the two next to
-    /// the real axis where it has a strip, `|z|² < 768`; beyond, it chooses by `|z|²` alone.
+    /// The lines at which the code chooses there: all of them where there may be cells,
+    /// `|z|² < 48`; the two next to the real axis where it has a strip, `|z|² < 768`; beyond, it
+    /// chooses by `|z|²` alone.
     pub(crate) fn lines(&self) -> [&'static [f64]; 2] {
         let nearest = self.a[0].max(self.b[0]);
         if nearest < 7.0 {
@@ -98,8 +100,8 @@ impl Rectangle {
         }
     }
 
-    /// Two parts of it, cut across Re z or Im z: at the last of [`Self::lines`] inside, or in the middle by the number
-    /// of `f64`s.
+    /// Two parts of it, cut across Re z or Im z: at the last of [`Self::lines`] inside, or in the
+    /// middle by the number of `f64`s.
     pub(crate) fn halves(&self, across_re: bool) -> [Rectangle; 2] {
         let cut = |[lo, hi]: [f64; 2], lines: &[f64]| {
             let (p, q) = (lo.to_bits(), hi.to_bits());
@@ -168,8 +170,9 @@ fn binade(k: i32) -> [f64; 2] {
     [power_of_two(k), end]
 }
 
-/// A square about zero, and shells `2^k ≤ max(Re z, |Im z|) < 2^{k+1}` around it, each cut into rectangles, with so many
-/// binades of the smaller coordinate cut apart at once; from the least coordinates on.
+/// A square about zero, and shells `2^k ≤ max(Re z, |Im z|) < 2^{k+1}` around it, each cut into
+/// rectangles, with so many binades of the smaller coordinate cut apart at once; from the least
+/// coordinates on.
 pub(crate) fn shells(
     binades: RangeInclusive<i32>,
     beside: i32,
@@ -195,7 +198,8 @@ pub(crate) fn shells(
     all
 }
 
-/// The quadrant of finite positive `Re z` and finite `Im z ≥ 0` as shells; then the half-axis `Re z = 0`.
+/// The quadrant of finite positive `Re z` and finite `Im z ≥ 0` as shells; then the half-axis
+/// `Re z = 0`.
 pub(crate) fn roots() -> Vec<Rectangle> {
     const FIRST: i32 = -9;
     let mut all = shells(FIRST..=1023, 5, [f64::from_bits(1), 0.0]);
@@ -207,8 +211,8 @@ pub(crate) fn roots() -> Vec<Rectangle> {
 
 /// A point of the closed quadrant that no rectangle covers, if there is one.
 ///
-/// The numbers by their bits: the square of all pairs is cut at ends of rectangles until one of them holds what is
-/// left of it, or none meets it.
+/// The numbers by their bits: the square of all pairs is cut at ends of rectangles until one of
+/// them holds what is left of it, or none meets it.
 pub fn hole(rectangles: &[Rectangle]) -> Option<[f64; 2]> {
     let bits = |[lo, hi]: [f64; 2]| [lo.to_bits(), hi.to_bits()];
     let all: Vec<[[u64; 2]; 2]> = rectangles.iter().map(|r| [bits(r.a), bits(r.b)]).collect();
@@ -254,5 +258,4 @@ fn hole_in(square: [[u64; 2]; 2], rectangles: &[[[u64; 2]; 2]]) -> Option<[u64; 
 }
 
 #[cfg(test)]
-#[path = "tests/cover.rs"]
 mod tests;

@@ -1,7 +1,9 @@
-//! An evaluation of the solver's code over a box: the numbers met so far, and the operations on them.
+//! An evaluation of the solver's code over a box: the numbers met so far, and the operations on
+//! them.
 //!
-//! The forms of one evaluation live beside the thread that does it. A decision that is not the same all over the
-//! box is taken both ways, one evaluation after the other: every point of the box follows one of them.
+//! The forms of one evaluation live beside the thread that does it. A decision that is not the same
+//! all over the box is taken both ways, one evaluation after the other: every point of the box
+//! follows one of them.
 
 use crate::exact::Exact;
 use crate::form::{Form, exponent, mapped, product, quotient, regrained, rounded, rounding, sum};
@@ -23,8 +25,8 @@ impl Rounding {
     pub(crate) const LAST: u32 = u32::MAX;
 }
 
-/// A stored number that stands for another one: what exact arithmetic has in its place, and the difference
-/// `stored − exact`.
+/// A stored number that stands for another one: what exact arithmetic has in its place, and the
+/// difference `stored − exact`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Constant {
     pub stored: f64,
@@ -32,7 +34,7 @@ pub(crate) struct Constant {
     pub error: Interval,
 }
 
-/// What an evaluation is told.
+/// Describes what an evaluation is told.
 #[derive(Clone, Copy)]
 pub(crate) struct Setting<'a> {
     /// The range of the small coordinate, not negative.
@@ -165,8 +167,8 @@ impl Evaluation {
         }
     }
 
-    /// `x y` where one of them is a power of two and nothing is rounded, or below the normal numbers only; of which
-    /// number, and by what.
+    /// `x y` where one of them is a power of two and nothing is rounded, or below the normal
+    /// numbers only; of which number, and by what.
     fn scaled(&self, x: Tracked, y: Tracked) -> Option<(Form, (Tracked, f64))> {
         let power = |t: Tracked| self.form(t).constant().filter(|c| is_power_of_two(*c));
         let (of, by) = match (power(x), power(y)) {
@@ -224,8 +226,8 @@ impl Evaluation {
         self.rounded_product(x, y)
     }
 
-    /// `x y` rounded. Of `x` and `2^k x` as factors the rounded products have the ratio `2^k`, if neither may be
-    /// below the normal numbers: they share their ε.
+    /// `x y` rounded. Of `x` and `2^k x` as factors the rounded products have the ratio `2^k`, if
+    /// neither may be below the normal numbers: they share their ε.
     fn rounded_product(&mut self, x: Tracked, y: Tracked) -> (Tracked, Tracked) {
         let multiple = |t: Tracked| {
             let found = self.multiples.iter().find(|m| m.0 == t.0);
@@ -316,7 +318,7 @@ impl Evaluation {
         self.push(Form::point(ROUND + (least + k as f64)))
     }
 
-    /// Whether `x < y`.
+    /// Returns whether `x < y`.
     pub fn below(&mut self, x: Tracked, y: Tracked) -> bool {
         let [p, q] = [x, y].map(|t| self.form(t).range(self.sigma));
         if p.hi < q.lo {
@@ -333,14 +335,14 @@ fn is_power_of_two(x: f64) -> bool {
     x.is_normal() && x.to_bits() << 12 == 0
 }
 
-/// Whether `a b` is an `f64`; normal numbers only.
+/// Returns whether `a b` is an `f64`; normal numbers only.
 fn exact_product(a: f64, b: f64) -> bool {
     let p = a * b;
     p == 0.0 && (a == 0.0 || b == 0.0)
         || p.is_normal() && p.abs() > 1e-290 && a.mul_add(b, -p) == 0.0
 }
 
-/// Whether `a + b` is an `f64`.
+/// Returns whether `a + b` is an `f64`.
 fn exact_sum(a: f64, b: f64) -> bool {
     let s = a + b;
     let (small, large) = if a.abs() < b.abs() { (a, b) } else { (b, a) };
@@ -401,9 +403,7 @@ pub(crate) fn evaluate<T>(
 }
 
 #[cfg(test)]
-#[path = "tests/evaluation.rs"]
 mod tests;
 
 #[cfg(test)]
-#[path = "tests/evaluation_limits.rs"]
-mod limits;
+mod limit_tests;

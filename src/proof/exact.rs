@@ -1,6 +1,6 @@
-//! An exact value over a rectangle: an interval, and beside it a linear function of the two coordinates with a
-//! radius. The function keeps what two values that depend on the same coordinates have in common, and each of the
-//! two makes the other narrower.
+//! An exact value over a rectangle: an interval, and beside it a linear function of the two
+//! coordinates with a radius. The function keeps what two values that depend on the same
+//! coordinates have in common, and each of the two makes the other narrower.
 
 use crate::interval::{Interval, product_up, quotient_up, sum_up, up};
 use std::ops::{Add, Mul, Neg};
@@ -15,7 +15,7 @@ pub(crate) struct Exact {
     radius: f64,
 }
 
-/// What one rounded operation with result `x` may be off, with room for a second one.
+/// Returns what one rounded operation with result `x` may be off, with room for a second one.
 fn slack(x: f64) -> f64 {
     up(up(x.abs() * f64::EPSILON) + f64::from_bits(2))
 }
@@ -219,5 +219,4 @@ impl Mul for Exact {
 }
 
 #[cfg(test)]
-#[path = "tests/exact.rs"]
 mod tests;

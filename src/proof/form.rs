@@ -1,17 +1,17 @@
-//! What the code computes over a box of inputs: its value in exact arithmetic, and how far rounding takes it from
-//! there.
+//! Describes what the code computes over a box of inputs: its value in exact arithmetic, and how
+//! far rounding takes it from there.
 //!
-//! At every point of the box, for each operation number k there is an `ε_k` in `[−1, 1]` such that the number
-//! computed is
+//! At every point of the box, for each operation number k there is an `ε_k` in `[−1, 1]` such that
+//! the number computed is
 //!
 //! ```text
 //! v = s (m + Σ_k c_k ε_k + r) + t        |r| ≤ rest,  |t| ≤ 2⁻¹⁰⁷⁵ tiny
 //! ```
 //!
-//! with `m` what exact arithmetic gives, `c_k` a function of the point, and `s` one or the small coordinate σ
-//! ([`Setting::sigma`]). `m` and every `c_k` are known by an interval over the box. Since an `ε_k` is the same in
-//! all numbers that depend on operation k, `v₁ − v₂` has it with `c_k − c′_k`: what a correction takes back is
-//! taken back here too.
+//! with `m` what exact arithmetic gives, `c_k` a function of the point, and `s` one or the small
+//! coordinate σ ([`Setting::sigma`]). `m` and every `c_k` are known by an interval over the box.
+//! Since an `ε_k` is the same in all numbers that depend on operation k, `v₁ − v₂` has it with
+//! `c_k − c′_k`: what a correction takes back is taken back here too.
 //!
 //! Transfer rules and their proofs: the chapter on proofs of the book of `mechaudit`.
 
@@ -51,13 +51,14 @@ pub(crate) struct Form {
     pub rest: f64,
     /// Bound of t in units of 2⁻¹⁰⁷⁵, what a rounding below the normal numbers may be off.
     pub tiny: f64,
-    /// Whether s is σ.
+    /// Tells whether s is σ.
     pub small: bool,
     /// v is a multiple of `2^grain`.
     pub grain: i32,
     /// `Σ |c_k| + rest`.
     pub deviation: f64,
-    /// Bound of `|v − t − s m|/(s |m|)` that sums of numbers of one sign keep; see [`Form::relative`].
+    /// Bound of `|v − t − s m|/(s |m|)` that sums of numbers of one sign keep; see
+    /// [`Form::relative`].
     pub share: f64,
 }
 
@@ -81,8 +82,8 @@ impl Form {
         }
     }
 
-    /// The error as a part of m: of the sum of two numbers of one sign no larger than the larger of theirs, however
-    /// different their sizes are over the box.
+    /// The error as a part of m: of the sum of two numbers of one sign no larger than the larger of
+    /// theirs, however different their sizes are over the box.
     pub fn relative(&self) -> f64 {
         let by_size = quotient_up(self.deviation, self.main.range.mignitude());
         self.share.min(by_size)
@@ -225,8 +226,8 @@ pub(crate) fn sum(x: &Form, y: &Form) -> Form {
 
 /// `x y` before rounding, at most one of them with `s = σ`; `square` if they are the same number.
 ///
-/// `(X + Σ x_k ε_k + r)(Y + Σ y_k ε_k + q) = XY + Σ (X y_k + Y x_k) ε_k + …`, what is left out at most
-/// `|X| q + |Y| r` and the product of the deviations.
+/// `(X + Σ x_k ε_k + r)(Y + Σ y_k ε_k + q) = XY + Σ (X y_k + Y x_k) ε_k + …`, what is left out at
+/// most `|X| q + |Y| r` and the product of the deviations.
 pub(crate) fn product(x: &Form, y: &Form, sigma: Exact, square: bool) -> Form {
     let main = match square {
         true => x.main.square(),
@@ -263,8 +264,9 @@ pub(crate) fn product(x: &Form, y: &Form, sigma: Exact, square: bool) -> Form {
 
 /// `x/y` before rounding, y with `s = 1`; `None` if y may be zero.
 ///
-/// With `Q = X/Y` and the deviations d, e: `(X + d)/(Y + e) = Q + (d − Q e)/(Y + e)`, whose first-order part is
-/// `(x_k − Q y_k)/Y`; what is left out at most `(r + |Q| q)/|Y|` and `(|d| + |Q| |e|) |e|/(|Y| |Y + e|)`.
+/// With `Q = X/Y` and the deviations d, e: `(X + d)/(Y + e) = Q + (d − Q e)/(Y + e)`, whose
+/// first-order part is `(x_k − Q y_k)/Y`; what is left out at most `(r + |Q| q)/|Y|` and
+/// `(|d| + |Q| |e|) |e|/(|Y| |Y + e|)`.
 pub(crate) fn quotient(x: &Form, y: &Form) -> Option<Form> {
     let least = y.value().mignitude();
     if y.small || least == 0.0 || y.tiny != 0.0 {
@@ -306,8 +308,9 @@ fn grain_of_point(x: f64) -> i32 {
     grain_of(x.abs()) + zeros as i32
 }
 
-/// The error of one rounding of the number that `form` encloses, in units of s, and the part of it that is
-/// absolute; `None` if the number is an `f64` all over the box. `factor` is 1 for rounding to nearest.
+/// The error of one rounding of the number that `form` encloses, in units of s, and the part of it
+/// that is absolute; `None` if the number is an `f64` all over the box. `factor` is 1 for rounding
+/// to nearest.
 pub(crate) fn rounding(form: &Form, sigma: Exact, factor: f64) -> Option<(f64, f64)> {
     let range = form.range(sigma);
     let most = range.magnitude();
@@ -387,5 +390,4 @@ pub(crate) fn regrained(mut form: Form, sigma: Exact) -> Form {
 }
 
 #[cfg(test)]
-#[path = "tests/form.rs"]
 mod tests;

@@ -1,5 +1,6 @@
 //! A formula over a rectangle, and the bound that is proved for it there.
 
+use crate::bound::Bound;
 use crate::constants::{ASYMPTOTIC, MACLAURIN};
 use crate::cover::Rectangle;
 use crate::exact::Exact;
@@ -104,40 +105,7 @@ impl Formula {
     }
 }
 
-/// What is proved on a rectangle.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bound {
-    /// `|faddeeva(z) − w(z)| ≤ norm · 2⁻⁵² |w(z)|`, and what underflows.
-    pub norm: f64,
-    /// Of the real part, in units in its last place; infinite where nothing is proved.
-    pub re: f64,
-    /// Of the imaginary part.
-    pub im: f64,
-    /// Of either component, besides, in units of 2⁻¹⁰⁷⁵: what underflows, where the component may be below 2⁻⁹⁶⁰.
-    pub tiny: f64,
-}
-
-impl Bound {
-    /// The worse of both in each respect.
-    pub fn max(self, other: Bound) -> Bound {
-        Bound {
-            norm: larger(self.norm, other.norm),
-            re: larger(self.re, other.re),
-            im: larger(self.im, other.im),
-            tiny: larger(self.tiny, other.tiny),
-        }
-    }
-
-    /// Nothing wrong at all.
-    pub const NONE: Bound = Bound {
-        norm: 0.0,
-        re: 0.0,
-        im: 0.0,
-        tiny: 0.0,
-    };
-}
-
-/// What a formula gives, with its truncation.
+/// Describes what a formula gives, with its truncation.
 struct Evaluated {
     parts: [Tracks; 2],
     truncation: Truncation,
@@ -160,13 +128,13 @@ pub(crate) fn bound(
     gathered(formula, at, ways, truncation)
 }
 
-/// That of one term, which the code computes at z divided by `2^k`, its largest coordinate then in [1, 2), and
-/// divides by `2^k` again.
+/// That of one term, which the code computes at z divided by `2^k`, its largest coordinate then in
+/// [1, 2), and divides by `2^k` again.
 ///
-/// Both divisions take two steps. The first is exact but for a coordinate that becomes subnormal, and then off by
-/// less than `2⁻¹⁰⁷³`, which the second makes nothing of. The second is exact but where its result is subnormal,
-/// and off by at most two units of `2⁻¹⁰⁷⁵`. `e^{−z²}`, where it is not one of the remainders of the norm, is less than a
-/// unit. Six units leave room.
+/// Both divisions take two steps. The first is exact but for a coordinate that becomes subnormal,
+/// and then off by less than `2⁻¹⁰⁷³`, which the second makes nothing of. The second is exact but
+/// where its result is subnormal, and off by at most two units of `2⁻¹⁰⁷⁵`. `e^{−z²}`, where it is
+/// not one of the remainders of the norm, is less than a unit. Six units leave room.
 fn scaled_bound(
     tables: &Tables,
     at: &Rectangle,
@@ -212,7 +180,7 @@ fn sigma(formula: Formula, at: &Rectangle) -> Interval {
     }
 }
 
-/// Whether Re z, or Im z, is handled as a factor.
+/// Returns whether Re z, or Im z, is handled as a factor.
 fn small(formula: Formula, at: &Rectangle) -> [bool; 2] {
     match formula {
         Formula::Cell { centre } => [centre.0 == 0.0, false],
@@ -359,8 +327,8 @@ impl Offsets {
 }
 
 /// # Errors
-/// If a difference may be rounded: the numbers and the centre are multiples of `2^g`, so that a difference below
-/// `2^{g+53}` is exact.
+/// If a difference may be rounded: the numbers and the centre are multiples of `2^g`, so that a
+/// difference below `2^{g+53}` is exact.
 pub(crate) fn offsets([lo, hi]: [f64; 2], centre: f64) -> Result<Offsets, &'static str> {
     if centre == 0.0 {
         return Ok(Offsets {
@@ -417,10 +385,11 @@ impl Evaluated {
     }
 }
 
-/// 2⁻⁹⁶⁰: a unit in the last place of what is above it is at least 2⁻¹⁰¹², 2⁶³ times the unit of what underflows.
+/// 2⁻⁹⁶⁰: a unit in the last place of what is above it is at least 2⁻¹⁰¹², 2⁶³ times the unit of
+/// what underflows.
 pub(crate) const FAR_ABOVE: f64 = f64::from_bits((1023 - 960) << 52);
 
-/// What underflows, in units in the last place of the least value.
+/// Returns what underflows, in units in the last place of the least value.
 pub(crate) fn lost_units(tiny: f64, least: f64) -> f64 {
     let ulp = power_of_two(exponent(least) - 52);
     quotient_up(product_up(tiny, TINIEST), ulp)
@@ -428,8 +397,9 @@ pub(crate) fn lost_units(tiny: f64, least: f64) -> f64 {
 
 pub(crate) const TWO_52: f64 = 4_503_599_627_370_496.0;
 
-/// That of the real part beside the real axis, `y u` where the formula leaves `e^{−z²}` out, `y u + E` where it adds it:
-/// a sum of positive terms is wrong by no larger a part of it than one of them.
+/// That of the real part beside the real axis, `y u` where the formula leaves `e^{−z²}` out,
+/// `y u + E` where it adds it: a sum of positive terms is wrong by no larger a part of it than one
+/// of them.
 fn of_sum(r: &Tracks, t: &OfSum, sigma: Interval) -> (f64, f64) {
     const NOT_PROVED: (f64, f64) = (f64::INFINITY, 0.0);
     let (off, size, least) = if r.small {
@@ -456,8 +426,8 @@ fn of_sum(r: &Tracks, t: &OfSum, sigma: Interval) -> (f64, f64) {
     (quotient_up(off, size) * (2.0 * TWO_52), least)
 }
 
-/// The error of a component in units in the last place of its value, without what underflows, and the least
-/// value.
+/// The error of a component in units in the last place of its value, without what underflows, and
+/// the least value.
 fn component(r: &Tracks, truncated: f64, norm: f64, sigma: Interval) -> (f64, f64) {
     if r.exact.is_zero() && r.error == 0.0 {
         return (0.0, f64::INFINITY);
@@ -488,5 +458,4 @@ fn component(r: &Tracks, truncated: f64, norm: f64, sigma: Interval) -> (f64, f6
 }
 
 #[cfg(test)]
-#[path = "tests/formula.rs"]
 mod tests;

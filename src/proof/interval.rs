@@ -1,7 +1,8 @@
 //! Intervals with `f64` ends, every operation rounded outwards.
 //!
-//! An operation rounded to nearest is within half a spacing of the exact result, so that the neighbour below and the
-//! neighbour above enclose it, subnormal results and overflow (to infinity, which stays) included.
+//! An operation rounded to nearest is within half a spacing of the exact result, so that the
+//! neighbour below and the neighbour above enclose it, subnormal results and overflow (to infinity,
+//! which stays) included.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -35,8 +36,8 @@ pub fn sum_up(a: f64, b: f64) -> f64 {
     up(a + b)
 }
 
-/// An upper bound of `a b` for non-negative numbers; zero is kept, also beside infinity, which here is an unknown
-/// finite number.
+/// An upper bound of `a b` for non-negative numbers; zero is kept, also beside infinity, which here
+/// is an unknown finite number.
 pub fn product_up(a: f64, b: f64) -> f64 {
     if a == 0.0 || b == 0.0 {
         return 0.0;
@@ -44,7 +45,8 @@ pub fn product_up(a: f64, b: f64) -> f64 {
     up(a * b)
 }
 
-/// An upper bound of `a/b`, `a ≥ 0`, from a lower bound `b` of the divisor; infinite where that is not positive.
+/// An upper bound of `a/b`, `a ≥ 0`, from a lower bound `b` of the divisor; infinite where that is
+/// not positive.
 pub fn quotient_up(a: f64, b: f64) -> f64 {
     match (a == 0.0, b > 0.0) {
         (true, _) => 0.0,
@@ -82,7 +84,8 @@ pub fn hypot_down(a: f64, b: f64) -> f64 {
     down(large * root).max(large)
 }
 
-/// The larger of two bounds; infinite where one of them is not a number, which `f64::max` would pass over.
+/// The larger of two bounds; infinite where one of them is not a number, which `f64::max` would
+/// pass over.
 pub fn larger(a: f64, b: f64) -> f64 {
     if a >= b {
         a
@@ -122,7 +125,8 @@ impl Interval {
         }
     }
 
-    /// The least and the largest that an operation makes of the ends; none where a bound is lost: zero times infinity.
+    /// The least and the largest that an operation makes of the ends; none where a bound is lost:
+    /// zero times infinity.
     fn extremes(self, other: Interval, f: impl Fn(f64, f64) -> f64) -> Option<[f64; 2]> {
         let (x, y) = (self, other);
         let p = [f(x.lo, y.lo), f(x.lo, y.hi), f(x.hi, y.lo), f(x.hi, y.hi)];
@@ -131,12 +135,12 @@ impl Interval {
         (!p.iter().any(|x| x.is_nan())).then_some([lo, hi])
     }
 
-    /// Whether it is one number, known exactly.
+    /// Returns whether it is one number, known exactly.
     pub fn is_point(self) -> bool {
         self.lo == self.hi
     }
 
-    /// Whether it is the number zero.
+    /// Returns whether it is the number zero.
     pub fn is_zero(self) -> bool {
         self.lo == 0.0 && self.hi == 0.0
     }
@@ -239,5 +243,4 @@ impl Div for Interval {
 }
 
 #[cfg(test)]
-#[path = "tests/interval.rs"]
 mod tests;

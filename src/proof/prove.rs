@@ -1,13 +1,15 @@
-//! The proof for the closed upper half-plane: rectangles halved until the bound is good enough on each.
+//! The proof for the closed upper half-plane: rectangles halved until the bound is good enough on
+//! each.
 
+use crate::bound::Bound;
 use crate::certificate::{self, Open, Watch};
 use crate::choice::parts;
 use crate::code::Code;
 use crate::cover::{Rectangle, roots};
-use crate::formula::{Bound, Formula, bound};
+use crate::formula::{Formula, bound};
 use crate::interval::{larger, worst};
 
-/// What a rectangle is not halved below.
+/// Describes what a rectangle is not halved below.
 #[derive(Clone, Copy, Debug)]
 pub struct Target {
     /// Of the norm, in units of 2⁻⁵².
@@ -38,14 +40,15 @@ pub struct Leaf {
     pub at: Rectangle,
     /// By which formula.
     pub formula: Formula,
-    /// What is proved.
+    /// Holds what is proved.
     pub bound: Bound,
 }
 
 /// Leaves together cover the closed quadrant unless something is open.
 pub type Certificate = certificate::Certificate<Leaf>;
 
-/// Proves what can be proved on the rectangles of the partition that `wanted` keeps; `None` if it was stopped.
+/// Proves what can be proved on the rectangles of the partition that `wanted` keeps; `None` if it
+/// was stopped.
 pub fn upper_half_plane(
     code: &Code,
     target: Target,
@@ -75,7 +78,8 @@ pub fn on_rectangle(
     Some(found)
 }
 
-/// The rectangles that a proof of the closed upper half-plane begins with, in the binades below `within` or all.
+/// The rectangles that a proof of the closed upper half-plane begins with, in the binades below
+/// `within` or all.
 pub fn first_rectangles(within: Option<f64>) -> Vec<Rectangle> {
     let mut all = roots();
     all.retain(|r| r.is_below(within));
@@ -125,7 +129,8 @@ fn refine(
     halve(code, target, watch, at, depth, across_re, found)
 }
 
-/// The cut, across Re z or not, after which the worse half is better by a tenth: a little better now may be worse later.
+/// The cut, across Re z or not, after which the worse half is better by a tenth: a little better
+/// now may be worse later.
 fn better_cut(after_re: f64, after_im: f64) -> Option<bool> {
     let better = |p: f64, q: f64| p < 0.9 * q;
     match (better(after_re, after_im), better(after_im, after_re)) {
@@ -135,8 +140,9 @@ fn better_cut(after_re: f64, after_im: f64) -> Option<bool> {
     }
 }
 
-/// Which cut a rectangle beside the real axis needs: the lines first, then columns, of half a row or across which
-/// `e^{−z²}` changes by less than a fifth; `None` elsewhere and for what is narrower.
+/// Which cut a rectangle beside the real axis needs: the lines first, then columns, of half a row
+/// or across which `e^{−z²}` changes by less than a fifth; `None` elsewhere and for what is
+/// narrower.
 fn beside_real_axis(at: &Rectangle, leaves: &[Leaf]) -> Option<bool> {
     let column = |l: &Leaf| match l.formula {
         Formula::RealLine => Some(0.004),
@@ -154,7 +160,7 @@ fn beside_real_axis(at: &Rectangle, leaves: &[Leaf]) -> Option<bool> {
 }
 
 impl Target {
-    /// Whether the norm is farther above its target than the components.
+    /// Returns whether the norm is farther above its target than the components.
     fn norm_is_worse(&self, leaves: &[Leaf]) -> bool {
         let norm = worst(leaves.iter().map(|l| l.bound.norm));
         norm / self.norm >= self.excess(leaves)
@@ -196,9 +202,7 @@ fn leaves(code: &Code, at: &Rectangle) -> Result<Vec<Leaf>, &'static str> {
 }
 
 #[cfg(test)]
-#[path = "tests/theorem.rs"]
 mod tests;
 
 #[cfg(test)]
-#[path = "tests/cuts.rs"]
-mod cuts;
+mod cut_tests;

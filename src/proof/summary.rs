@@ -1,7 +1,7 @@
-//! What a certificate proves, in a few numbers.
+//! Describes what a certificate proves, in a few numbers.
 
+use crate::bound::Bound;
 use crate::cover::Rectangle;
-use crate::formula::Bound;
 use crate::prove::{Certificate, Leaf};
 
 /// A bound and the rectangle where it is attained.
@@ -37,7 +37,7 @@ pub struct Summary {
     pub norm: Attained,
     /// C, over all formulas; `None` unless each has a bound of both parts.
     pub component: Option<Attained>,
-    /// What underflows, in units of 2⁻¹⁰⁷⁵.
+    /// Holds what underflows, in units of 2⁻¹⁰⁷⁵.
     pub tiny: f64,
     /// Rectangles.
     pub boxes: usize,
@@ -67,7 +67,7 @@ fn of_formula(name: &'static str, leaves: &[&Leaf]) -> Option<OfFormula> {
 }
 
 impl Certificate {
-    /// What is proved; `None` for no rectangle at all.
+    /// Returns what is proved; `None` for no rectangle at all.
     pub fn summary(&self) -> Option<Summary> {
         let all: Vec<&Leaf> = self.leaves.iter().collect();
         let mut names: Vec<&'static str> = Vec::new();
@@ -105,7 +105,8 @@ mod tests {
     use super::*;
     use crate::formula::Formula;
 
-    /// The worst of each formula with its rectangle, and of all; no component where one has no bound.
+    /// The worst of each formula with its rectangle, and of all; no component where one has no
+    /// bound.
     #[test]
     fn every_formula_has_a_line() {
         let leaf = |x: f64, formula: Formula, [norm, re, im, tiny]: [f64; 4]| Leaf {

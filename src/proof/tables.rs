@@ -1,7 +1,7 @@
 //! The solver's tables with their errors, each computed once.
 
 use crate::ProofError;
-use crate::formula::Bound;
+use crate::bound::Bound;
 use crate::truncation::{RowErrors, exponential_error, polynomial_error};
 use mechaudit_solvers::faddeeva::proof as code;
 use mechaudit_solvers::faddeeva::proof::{AxisRow, Row};
@@ -36,7 +36,7 @@ pub struct Tables {
     real_axis: HashMap<Key, WithErrors<Row>>,
     imaginary_axis: HashMap<Key, WithErrors<AxisRow>>,
     pub(crate) real_line: [f64; 2],
-    /// What the exponential beside the real axis is wrong by without rounding.
+    /// Holds what the exponential beside the real axis is wrong by without rounding.
     pub(crate) exponential: f64,
     /// Bounds of the scaled formula, whose rectangles are the same in every shell.
     pub(crate) scaled: Arc<Mutex<HashMap<Scaled, Bound>>>,
@@ -63,8 +63,8 @@ pub(crate) fn imaginary_axis_at(b: f64) -> (f64, &'static AxisRow) {
     (b - t, row)
 }
 
-/// Points in all cells that a point of the closed quadrant may have: just inside the corners of the fine cells, which no
-/// line between cells meets.
+/// Points in all cells that a point of the closed quadrant may have: just inside the corners of the
+/// fine cells, which no line between cells meets.
 pub(crate) fn in_cells() -> impl Iterator<Item = (f64, f64)> {
     let near = |i: i32, s: f64| (0.25 * f64::from(i) + s).max(0.0);
     let corners = [(-0.1, -0.1), (-0.1, 0.1), (0.1, -0.1), (0.1, 0.1)];
@@ -141,5 +141,4 @@ impl Tables {
 }
 
 #[cfg(test)]
-#[path = "tests/tables.rs"]
 mod tests;

@@ -8,7 +8,7 @@ use crate::interval::{Interval, sum_up};
 use mechaudit_solvers::faddeeva::proof::{ROUND, Real, Vectors};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// What is known of a result.
+/// Describes what is known of a result.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Result {
     /// Its value in exact arithmetic, divided by σ if it is small.
@@ -17,7 +17,7 @@ pub(crate) struct Result {
     pub error: f64,
     /// And besides, in units of 2⁻¹⁰⁷⁵.
     pub tiny: f64,
-    /// Whether σ is a factor.
+    /// Tells whether σ is a factor.
     pub small: bool,
     /// The error as a part of the value, besides.
     pub relative: f64,
@@ -60,7 +60,8 @@ impl Tracked {
         })
     }
 
-    /// A coordinate's distance from a centre, which the code computes without rounding: a multiple of `2^grain`.
+    /// A coordinate's distance from a centre, which the code computes without rounding: a multiple
+    /// of `2^grain`.
     pub fn offset(self, centre: f64, grain: i32) -> Tracked {
         here(|e| {
             let main = e.form(self).main + Exact::point(-centre);

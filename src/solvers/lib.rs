@@ -9,12 +9,13 @@
 //! | drive | [`run_up`] |
 //! | cams | [`cam_law`], [`fourier_series`], [`chirp_oscillator`], [`chirp_chart`] |
 //!
-//! Features: each folder is one (`splines` brings `linear`; `cams` needs `special` and `splines`, `drive` needs
-//! `linkages` and `splines`), and all of them are on by default. `vectors` (on by default) computes batches with vector
-//! instructions, `parallel` on all cores, with the same bits; `run-up` integrates the equation of motion.
+//! Features: each folder is one (`splines` brings `linear`; `cams` needs `special` and `splines`,
+//! `drive` needs `linkages` and `splines`), and all of them are on by default. `vectors` (on by
+//! default) computes batches with vector instructions, `parallel` on all cores, with the same bits;
+//! `run-up` integrates the equation of motion.
 //!
-//! Batches of the special functions are five times faster where this crate is compiled in one part; else the compiler leaves
-//! their vector instructions as calls. In the `Cargo.toml` of the program:
+//! Batches of the special functions are five times faster where this crate is compiled in one part;
+//! else the compiler leaves their vector instructions as calls. In the `Cargo.toml` of the program:
 //!
 //! ```toml
 //! [profile.release.package.mechaudit-solvers]

@@ -1,40 +1,12 @@
 //! Functions of complex balls that the enclosures need.
 
 use super::{Func, SymbolicError};
+use mechaudit_reference::faddeeva::w_ball;
 use mechaudit_reference::{Ball, ComplexBall, Mag};
-use rug::Float;
-use rug::float::Round;
-
-/// `e^x`: `|e^x − e^m| ≤ e^m r e^r`.
-pub(super) fn exp_real(x: &Ball) -> Ball {
-    let p = x.prec();
-    let mid = Float::with_val_round(p, x.mid().exp_ref(), Round::Nearest).0;
-    if !mid.is_finite() || !x.is_finite() {
-        return Ball::new(Float::new(p), Mag::INFINITY);
-    }
-    // One unit in the last place is more than the rounding. What vanishes is at most half the least number, 2^(−2^30).
-    let rounding = Mag::power_of_two(match mid.get_exp() {
-        Some(exponent) => i64::from(exponent) - i64::from(p),
-        None => -1 << 30,
-    });
-    let mut rad = rounding;
-    if !x.rad().is_zero() {
-        let r = x.rad().to_float();
-        let growth = Float::with_val_round(53, r.exp_ref(), Round::Up).0;
-        let size = Mag::above(&mid).add(rounding);
-        rad = rad.add(size.mul(x.rad()).mul(Mag::above(&growth)));
-    }
-    Ball::new(mid, rad)
-}
-
-/// `e^z`.
-pub(super) fn exp(z: &ComplexBall) -> ComplexBall {
-    ComplexBall::unit(&z.im).scaled(&exp_real(&z.re))
-}
 
 /// Sine or cosine, by exponentials as the algebra has them.
 pub(super) fn sine_and_cosine(f: Func, z: &ComplexBall) -> ComplexBall {
-    let (up, down) = (exp(&z.turned()), exp(&-&z.turned()));
+    let (up, down) = (z.turned().exp(), (-&z.turned()).exp());
     match f {
         Func::Cos => (&up + &down).scaled(&Ball::exact(z.re.prec(), 0.5)),
         _ => -&(&up - &down)
@@ -43,11 +15,9 @@ pub(super) fn sine_and_cosine(f: Func, z: &ComplexBall) -> ComplexBall {
     }
 }
 
-/// `a/b`; `None` if b may be zero.
+/// Returns `a/b`; `None` if b may be zero.
 pub(super) fn quotient(a: &ComplexBall, b: &ComplexBall) -> Option<ComplexBall> {
-    let norm = b.norm_sqr();
-    norm.is_positive()
-        .then(|| (a * &b.conj()).scaled(&norm.recip()))
+    b.norm_sqr().is_positive().then(|| a.div(b))
 }
 
 /// `√z`, the root with positive real part; of a negative number the one above the real axis.
@@ -116,13 +86,13 @@ pub(super) fn antiderivative(z: &ComplexBall) -> Result<ComplexBall, SymbolicErr
     Err(SymbolicError::Wide("an integral of e^(s^2)".into()))
 }
 
-/// `W(z)`.
+/// Returns `W(z)`.
 pub(super) fn w(z: &ComplexBall) -> Result<ComplexBall, SymbolicError> {
-    let p = z.re.prec();
-    let factor = &Ball::integer(p, 2) / &Ball::pi(p).sqrt();
-    let inner = antiderivative(z)?.scaled(&factor).turned();
-    let one = ComplexBall::new(Ball::integer(p, 1), Ball::integer(p, 0));
-    Ok(&exp(&-&(z * z)) * &(&one + &inner))
+    let value = w_ball(z, z.re.prec());
+    match value.is_finite() {
+        true => Ok(value),
+        false => Err(SymbolicError::Wide("W".into())),
+    }
 }
 
 #[cfg(test)]
@@ -140,31 +110,6 @@ mod tests {
         let tiny = Ball::exact(64, 1e-200);
         let r = size(&ComplexBall::new(tiny.clone(), tiny));
         assert!((1.414e-200..1.415e-200).contains(&r), "{r:e}");
-    }
-
-    #[test]
-    fn exponentials() {
-        let e = exp_real(&Ball::integer(128, 1));
-        let digits: Rational =
-            Rational::from((2_718_281_828_459_045_i64, 1_000_000_000_000_000_i64));
-        let gap = &e - &Ball::rational(128, &digits);
-        assert!(gap.is_positive() && gap.magnitude().to_f64() < 3e-16);
-        // e^{a+b} = e^a e^b, also for wide balls.
-        let wide = Ball::integer(128, 2).widened(Mag::from_f64(0.25));
-        assert!(
-            exp_real(&wide)
-                .contains_ball(&(exp_real(&Ball::rational(128, &Rational::from((9, 4))))))
-        );
-        assert!(
-            exp_real(&wide)
-                .contains_ball(&(exp_real(&Ball::rational(128, &Rational::from((7, 4))))))
-        );
-        let product = &exp(&at((1, 3), (2, 5))) * &exp(&at((-1, 3), (-2, 5)));
-        assert!(
-            (&product.re - &Ball::integer(128, 1)).contains_zero() && product.im.contains_zero()
-        );
-        assert!(!exp_real(&Ball::exact(64, 1e300)).is_finite());
-        assert!(exp_real(&Ball::exact(64, -1e300)).magnitude().to_f64() < 1e-100);
     }
 
     #[test]
@@ -229,7 +174,7 @@ mod tests {
         }
     }
 
-    /// What the sum leaves out is above its rounding here, in either part.
+    /// Checks what the sum leaves out is above its rounding here, in either part.
     #[test]
     fn the_tail_of_the_antiderivative() {
         for turns in [0, 1] {
@@ -272,7 +217,7 @@ mod tests {
                 sum += &term;
                 term *= Rational::from(2 * k + 1) / &square;
             }
-            let damped = &exp_real(&Ball::integer(128, i64::from(-x * x))) * &found.re;
+            let damped = &Ball::integer(128, i64::from(-x * x)).exp() * &found.re;
             let off = (&damped - &Ball::rational(128, &sum)).magnitude().to_f64();
             assert!(off < 1e-10, "{x}: {off:e}");
         }
@@ -325,33 +270,5 @@ mod tests {
         let right = ComplexBall::new(Ball::integer(128, 1), tiny.clone());
         assert!(arg(&right).unwrap().contains_zero());
         assert!(arg(&ComplexBall::new(tiny.clone(), tiny)).is_err());
-    }
-
-    /// A result that vanishes has a radius still, and one beyond all numbers is any number.
-    #[test]
-    fn exponentials_beyond_the_exponents() {
-        let log2 = |k: i64| &Ball::integer(128, 2).ln() * &Ball::integer(128, k);
-        let none = exp_real(&log2(-(1 << 30) - 1000));
-        assert!(none.mid().is_zero() && none.rad() >= Mag::power_of_two(-(1 << 30) - 1000));
-        assert!(none.rad().to_f64() == 0.0 || none.rad().to_f64() < 1e-300);
-        let all = exp_real(&Ball::exact(64, 1e300));
-        assert!(!all.is_finite() && all.contains_zero());
-        let unknown = exp_real(&Ball::integer(64, 1).widened(Mag::INFINITY));
-        assert!(!unknown.is_finite());
-    }
-
-    /// Where `e^x` is below the least number, the ball about zero holds all that may have vanished.
-    #[test]
-    fn exponentials_that_vanish() {
-        let ln2 = Ball::integer(128, 2).ln();
-        for below in [10, 50, 1000] {
-            let x = (Ball::integer(128, -(1 << 30) - below) * &ln2)
-                .mid()
-                .clone();
-            let found = exp_real(&Ball::new(x, Mag::ZERO));
-            assert!(found.mid().is_zero());
-            assert!(found.rad() >= Mag::power_of_two(-(1 << 30) - below));
-            assert!(found.rad() <= Mag::power_of_two(-(1 << 30)));
-        }
     }
 }

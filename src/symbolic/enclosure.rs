@@ -212,7 +212,7 @@ impl Domain for Enclosures<'_> {
         };
         let real = |re: Ball| ComplexBall::new(re, Ball::integer(BITS, 0));
         match f {
-            Func::Exp => Ok(complex::exp(x)),
+            Func::Exp => Ok(x.exp()),
             Func::Sqrt => complex::sqrt(x),
             Func::W => complex::w(x),
             Func::Re => Ok(real(x.re.clone())),
@@ -378,7 +378,7 @@ impl<'a> Values<'a> {
         for (p, c) in form.terms() {
             let p = self.fraction(p)?;
             let c = self.fraction(c)?;
-            sum = &sum + &(&c * &complex::exp(&p));
+            sum = &sum + &(&c * &p.exp());
         }
         Ok(sum)
     }

@@ -95,7 +95,7 @@ impl Domain for Jets<'_> {
             return Ok(self.constant(&Gauss::real(1)));
         };
         // e = exp q: k e_k = Σ_j j q_j e_{k−j}.
-        let mut e = vec![complex::exp(first)];
+        let mut e = vec![first.exp()];
         if x.len() == 1 {
             return Ok(e);
         }

@@ -47,7 +47,7 @@ impl Kernel {
         let bits = values.bits;
         let real = |re| ComplexBall::new(re, Ball::integer(bits, 0));
         match self {
-            Kernel::Exp(p) => Ok(complex::exp(&values.fraction(p)?)),
+            Kernel::Exp(p) => Ok(values.fraction(p)?.exp()),
             Kernel::Inverse(e) => {
                 complex::quotient(&real(Ball::integer(bits, 1)), &values.form(e)?)
                     .ok_or_else(|| SymbolicError::NotInvertible(e.to_string()))

@@ -107,20 +107,12 @@ const SEAMS: Region = ("seams", |r| {
         f64::from_bits((t.to_bits() as i64 + n) as u64)
     };
     let other = r.between(0.0, 8.0);
-    let line = *r.pick(&[0.125, 0.25, 0.5, 1.125, 3.75, 7.0, 27.5]);
+    let line = *r.pick(solver::SEAMS_OF_RELATIVES.re);
     let (x, y) = match r.bits() % 3 {
         0 => (nudge(r, line), other),
         1 => (other, nudge(r, line)),
         _ => {
-            let radius = *r.pick(&[
-                0.5f64.sqrt(),
-                7.0,
-                10.0,
-                16.0,
-                1000f64.sqrt(),
-                1e3,
-                0.0078125,
-            ]);
+            let radius = r.pick(solver::SEAMS_OF_RELATIVES.circles).sqrt();
             let t = r.between(0.0, 1.6);
             let z = Complex::from_polar(radius, t);
             (nudge(r, z.re), nudge(r, z.im))

@@ -48,7 +48,8 @@ fn held(method: &dyn Method) -> Vec<Held> {
 
 /// The methods with values: enclosing the motions of `run-up` takes minutes, `run_up_accuracy` compares some.
 fn methods() -> impl Iterator<Item = Box<dyn Method>> {
-    registry().into_iter().filter(|m| m.name() != "run-up")
+    let values = registry().into_iter().filter(|m| m.name() != "run-up");
+    values.map(|m| m as Box<dyn Method>)
 }
 
 fn case_of(cases: &Cases, held: &Held) -> Case {

@@ -3,7 +3,7 @@
 use super::law_input::{self as input, LawInput};
 use crate::audit::{Budget, Domain, Draw, Law, Limit, Output, ReferenceAnswer, Rows, Uncertified};
 use crate::methods::common::{largest, output, point, region};
-use crate::methods::definition::{Definition, conditions_at_reference, exact};
+use crate::methods::definition::{Definition, conditions_at_reference, exact, method};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::cam_law::Law as ExactLaw;
 use crate::reference::fourier_series::{self as reference, Orders, Stroke as ExactStroke};
@@ -92,6 +92,10 @@ impl CamFourierSeriesInput<'_, Rational> {
 /// A candidate is a `Fn(CamFourierSeriesInput) -> [[a_0, a_n, b_n]; 8]`.
 #[derive(Clone, Copy, Debug)]
 pub struct CamFourierSeries;
+
+method! {
+    CamFourierSeries "cam-fourier-series": Fn(CamFourierSeriesInput<'_>), |f, i| f(i)
+}
 
 fn series(i: CamFourierSeriesInput) -> Result<FourierSeries, &'static str> {
     const LAYOUT: &str = "bad layout";

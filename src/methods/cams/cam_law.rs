@@ -6,7 +6,7 @@ use crate::audit::{
     conditions_by_differences,
 };
 use crate::methods::common::{output, point, region};
-use crate::methods::definition::{Definition, Entry, exact};
+use crate::methods::definition::{Definition, Entry, exact, method};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::Ball;
 use rug::Rational;
@@ -33,6 +33,10 @@ impl<'a, T: Number> CamLawInput<'a, T> {
 /// A candidate is a `Fn(CamLawInput) -> [f64; 5]`.
 #[derive(Clone, Copy, Debug)]
 pub struct CamLaw;
+
+method! {
+    CamLaw "cam-law": Fn(CamLawInput<'_>), |f, i| f(i)
+}
 
 impl Definition for CamLaw {
     type Input<'a, T: Number> = CamLawInput<'a, T>;
@@ -227,7 +231,8 @@ mod tests {
         }
     }
 
-    /// At mid-stroke the 3-4-5 law has s' = 15/8, s'' = 0, s''' = −30; by x that is half of each derivative's own.
+    /// At mid-stroke the 3-4-5 law has s' = 15/8, s'' = 0, s''' = −30; by x that is half of each
+    /// derivative's own.
     #[test]
     fn conditions_of_laws_without_data_are_those_of_the_place() {
         let found = CamLaw::conditions(&[0.5, 1.0, 0.5, 0.0]).unwrap();

@@ -44,12 +44,12 @@ impl<'a, T: Number> LawInput<'a, T> {
         })
     }
 
-    /// Whether its parameters are a table whose data are known to half an ulp.
+    /// Returns whether its parameters are a table whose data are known to half an ulp.
     pub(super) fn is_table(&self) -> bool {
         self.kind == TABLE
     }
 
-    /// Whether a parameter is an inner knot or ordinate of a table.
+    /// Returns whether a parameter is an inner knot or ordinate of a table.
     pub(super) fn is_inner(&self, place: usize) -> bool {
         let count = self.parameters.len();
         let half = count / 2;
@@ -79,9 +79,9 @@ impl LawInput<'_, f64> {
 }
 
 impl LawInput<'_, Rational> {
-    /// Whether the parameters make a law of motion: shares that fill the rise, a share of the
-    /// stroke between 0.001 and 0.999, a polynomial of degree 1 to 24 that ends at 1 within 1e-9,
-    /// a table from (0, 0) to (1, 1).
+    /// Returns whether the parameters make a law of motion: shares that fill the rise, a share of
+    /// the stroke between 0.001 and 0.999, a polynomial of degree 1 to 24 that ends at 1 within
+    /// 1e-9, a table from (0, 0) to (1, 1).
     pub(super) fn is_law(&self) -> bool {
         let p = self.parameters;
         let (zero, one) = (Rational::new(), Rational::from(1));
@@ -211,7 +211,8 @@ pub(super) fn any_table(d: &mut Draw) -> Vec<f64> {
 mod tests {
     use super::*;
 
-    /// Shares b and d of the constant, harmonic, trapezoidal, modified sine, cycloidal laws and of one more.
+    /// Shares b and d of the constant, harmonic, trapezoidal, modified sine, cycloidal laws and of
+    /// one more.
     #[test]
     fn named_laws_are_drawn() {
         let drawn = |k| any_scca(&mut Draw::new(1, "cam-law", "scca", k))[3..].to_vec();

@@ -1,5 +1,5 @@
 //! Linkages under a motor.
 
-pub(super) mod run_up;
-
-pub use run_up::{RunUp, RunUpInput};
+crate::methods::definition::methods! {
+    pub(super) run_up: RunUp;
+}

@@ -3,7 +3,7 @@
 use super::tridiagonal::{UNKNOWNS, ZERO_PIVOT, answer, dominant, identical, word};
 use crate::audit::{Domain, Draw, Law, Output, ReferenceAnswer, Rows, Uncertified};
 use crate::methods::common::{conditioned, point, region};
-use crate::methods::definition::{Definition, exact};
+use crate::methods::definition::{Definition, exact, method};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::tridiagonal as reference;
 use crate::solvers::cyclic_tridiagonal::CyclicSweep;
@@ -29,6 +29,11 @@ inputs! {
 /// stands in the last column, the last of `upper` in the first.
 #[derive(Clone, Copy, Debug)]
 pub struct CyclicTridiagonal;
+
+method! {
+    CyclicTridiagonal "cyclic-tridiagonal":
+        Fn(&[f64], &[f64], &[f64], &[f64]), |f, i| f(i.lower, i.diagonal, i.upper, i.d)
+}
 
 fn is_ring<T: Number>(i: CyclicTridiagonalInput<T>) -> bool {
     i.d.len() >= 3

@@ -1,11 +1,9 @@
 //! Linear systems.
 
-mod cyclic_tridiagonal;
-mod tridiagonal;
-mod tridiagonal_pivoting;
-
 pub(super) use tridiagonal::identical;
 
-pub use cyclic_tridiagonal::{CyclicTridiagonal, CyclicTridiagonalInput};
-pub use tridiagonal::{Tridiagonal, TridiagonalInput};
-pub use tridiagonal_pivoting::TridiagonalPivoting;
+crate::methods::definition::methods! {
+    tridiagonal: Tridiagonal;
+    tridiagonal_pivoting: TridiagonalPivoting;
+    cyclic_tridiagonal: CyclicTridiagonal;
+}

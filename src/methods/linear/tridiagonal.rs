@@ -2,7 +2,7 @@
 
 use crate::audit::{Domain, Draw, Law, Output, ReferenceAnswer, Rows, Uncertified};
 use crate::methods::common::{conditioned, held, point, region};
-use crate::methods::definition::{Definition, exact};
+use crate::methods::definition::{Definition, exact, method};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::Undecided;
 use crate::reference::tridiagonal::{self as reference, Solution};
@@ -29,6 +29,11 @@ inputs! {
 /// A candidate is a `Fn(lower, diagonal, upper, d) -> x`, all slices of `f64`.
 #[derive(Clone, Copy, Debug)]
 pub struct Tridiagonal;
+
+method! {
+    Tridiagonal "tridiagonal":
+        Fn(&[f64], &[f64], &[f64], &[f64]), |f, i| f(i.lower, i.diagonal, i.upper, i.d)
+}
 
 /// The word for a pivot before the last row that is zero or too small to divide by: without row
 /// exchanges elimination ends there, whether the matrix is singular or not.

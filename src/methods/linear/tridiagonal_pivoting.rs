@@ -5,7 +5,7 @@ use super::tridiagonal::{
 };
 use crate::audit::{Domain, Draw, Law, Output, ReferenceAnswer, Rows, Uncertified};
 use crate::methods::common::{conditioned, point, region};
-use crate::methods::definition::Definition;
+use crate::methods::definition::{Definition, method};
 use crate::methods::inputs::Number;
 use crate::solvers::tridiagonal::{Pivoted, TridiagonalError};
 use rug::Rational;
@@ -16,6 +16,11 @@ use rug::Rational;
 /// A candidate is a `Fn(lower, diagonal, upper, d) -> x`, all slices of `f64`.
 #[derive(Clone, Copy, Debug)]
 pub struct TridiagonalPivoting;
+
+method! {
+    TridiagonalPivoting "tridiagonal-pivoting":
+        Fn(&[f64], &[f64], &[f64], &[f64]), |f, i| f(i.lower, i.diagonal, i.upper, i.d)
+}
 
 fn word(e: &TridiagonalError) -> &'static str {
     match e {

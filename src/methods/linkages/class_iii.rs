@@ -2,7 +2,7 @@
 
 use crate::audit::{Budget, Domain, Draw, Law, Limit, Output, ReferenceAnswer, Uncertified};
 use crate::methods::common::{held, largest, output, point, region};
-use crate::methods::definition::{Definition, conditions_at_reference, exact};
+use crate::methods::definition::{Definition, conditions_at_reference, exact, method};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::class_iii::{self as reference, Configuration, ExactAngle, Linkage};
 use crate::reference::{Ball, Mag, Undecided};
@@ -135,6 +135,10 @@ impl<'a, T: Number> ClassIiiInput<'a, T> {
 #[derive(Clone, Copy, Debug)]
 pub struct ClassIii;
 
+method! {
+    ClassIii "class-iii": Fn(ClassIiiInput<'_>), |f, i| f(i)
+}
+
 const BITS_OF_CONDITIONS: u32 = 192;
 
 const LINKAGE: Budget = Budget {
@@ -153,7 +157,7 @@ const REDUCED: Budget = Budget {
 };
 
 impl ClassIiiInput<'_> {
-    /// Whether the mode is a whole number and the flags of the pivots are 0 or 1.
+    /// Returns whether the mode is a whole number and the flags of the pivots are 0 or 1.
     pub(in crate::methods) fn is_whole(&self) -> bool {
         let flag = |v: &f64| *v == 0.0 || *v == 1.0;
         self.mode.fract() == 0.0 && self.pivots().iter().all(flag)
@@ -423,7 +427,7 @@ fn scale_law(x: &[f64]) -> Option<f64> {
     held(same_turns(&a.state, &b.state))
 }
 
-/// Whether angles and rates are the same.
+/// Returns whether angles and rates are the same.
 fn same_turns(a: &State, b: &State) -> bool {
     a.positions == b.positions && a.rates == b.rates
 }

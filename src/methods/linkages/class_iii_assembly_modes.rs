@@ -3,7 +3,7 @@
 use super::class_iii::{COINCIDING, ClassIiiGeometry, NO_LENGTH, PROOF, coincide, shorten};
 use crate::audit::{Budget, Domain, Draw, Law, Limit, Output, ReferenceAnswer, Rows, Uncertified};
 use crate::methods::common::{output, point, region};
-use crate::methods::definition::{Definition, conditions_at_reference, exact};
+use crate::methods::definition::{Definition, conditions_at_reference, exact, method};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::class_iii::Linkage;
 use crate::reference::{Ball, Mag};
@@ -25,6 +25,11 @@ inputs! {
 /// Vec<[phi2, phi3, phi4, phi5]>`, the modes by `phi4`; no mode at all is a refusal.
 #[derive(Clone, Copy, Debug)]
 pub struct ClassIiiAssemblyModes;
+
+method! {
+    ClassIiiAssemblyModes "class-iii-assembly-modes":
+        Fn(&[f64; 11], f64), |f, i| f(&i.geometry.values(), i.phi1)
+}
 
 const BITS_OF_CONDITIONS: u32 = 192;
 

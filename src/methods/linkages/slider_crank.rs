@@ -3,7 +3,7 @@
 use super::four_bar::{refusal, side};
 use crate::audit::{Domain, Draw, Law, Output, ReferenceAnswer, Uncertified};
 use crate::methods::common::{central_difference, conditioned, held, point, region};
-use crate::methods::definition::Definition;
+use crate::methods::definition::{Definition, method};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::dyad::slider_crank;
 use crate::solvers::dyad::{self, SliderCrankMotion};
@@ -26,10 +26,17 @@ inputs! {
 
 /// Crank and RRP dyad: slider and rod with both derivatives, transmission angle.
 ///
-/// A candidate is a `Fn([crank, rod, offset], guide's angle, phi1, positive assembly) -> [x, x', x'',
-/// phi2, phi2', phi2'', mu]`, metres and radians, derivatives by `phi1`.
+/// A candidate is a
+/// `Fn([crank, rod, offset], guide's angle, phi1, positive assembly) ->
+/// [x, x', x'', phi2, phi2', phi2'', mu]`,
+/// metres and radians, derivatives by `phi1`.
 #[derive(Clone, Copy, Debug)]
 pub struct SliderCrank;
+
+method! {
+    SliderCrank "slider-crank":
+        Fn([f64; 3], f64, f64, bool), |f, i| f([i.a, i.b, i.e], i.delta, i.phi1, i.assembly > 0.0)
+}
 
 const POSITION: &str = "a mixed forward-backward stable position: a few roundings of each length \
     and of the difference of the two angles";
@@ -284,8 +291,8 @@ fn mirror(x: &[f64]) -> Option<f64> {
     held(mirrored(&here, &there, i.assembly))
 }
 
-/// x and x'' are even in the crank angle, x' is odd; the rod's angle is odd where the slider is ahead (behind, it is
-/// mirrored at π).
+/// x and x'' are even in the crank angle, x' is odd; the rod's angle is odd where the slider is
+/// ahead (behind, it is mirrored at π).
 fn mirrored(here: &[f64], there: &[f64], assembly: f64) -> bool {
     let even = [0, 2, 4, 6].iter().all(|&i| here[i] == there[i]);
     let odd = [1, 5].iter().all(|&i| here[i] == -there[i]);

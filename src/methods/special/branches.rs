@@ -4,8 +4,8 @@ use crate::audit::BranchAt;
 use crate::solvers::faddeeva::Seams;
 use num_complex::Complex;
 
-/// The nearest seam to `z`; cells of Taylor series are all one formula here. The distance to a hyperbola
-/// is that of its tangent's first order.
+/// The nearest seam to `z`; cells of Taylor series are all one formula here. The distance to a
+/// hyperbola is that of its tangent's first order.
 pub(super) fn nearest(z: Complex<f64>, seams: &Seams, branch: Option<String>) -> Option<BranchAt> {
     if !(z.re.is_finite() && z.im.is_finite()) {
         return None;

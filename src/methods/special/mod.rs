@@ -1,12 +1,14 @@
 //! The Faddeeva function and its relatives.
 
 mod branches;
-mod faddeeva;
-mod relatives;
-mod voigt;
-mod voigt_hwhm;
+mod complex;
+mod identities;
 
-pub use faddeeva::{ComplexInput, Faddeeva};
-pub use relatives::{Dawson, Erf, Erfc, Erfcx, Erfi, FaddeevaDerivative};
-pub use voigt::{Voigt, VoigtInput};
-pub use voigt_hwhm::{VoigtHwhm, VoigtHwhmInput};
+pub use complex::ComplexInput;
+
+crate::methods::definition::methods! {
+    faddeeva: Faddeeva;
+    relatives: FaddeevaDerivative, Erf, Erfc, Erfcx, Erfi, Dawson;
+    voigt: Voigt;
+    voigt_hwhm: VoigtHwhm;
+}

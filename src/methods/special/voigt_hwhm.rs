@@ -1,20 +1,21 @@
 //! Half the width of the Voigt profile.
 
-use super::faddeeva::asked;
-use super::faddeeva::regions::beside;
-use super::relatives::laws::{U, same};
+use super::complex::asked;
+use super::faddeeva::regions::{beside, listed_seams, seam};
+use super::identities::{U, same};
 use super::voigt::regions::any_bits;
 use crate::audit::{
     Budget, CheckPoint, Domain, Draw, Expected, Law, Limit, Output, Proof, ReferenceAnswer, Region,
     Uncertified,
 };
 use crate::methods::common::{held, output, point, region};
-use crate::methods::definition::Definition;
+use crate::methods::definition::{Definition, method};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::faddeeva::{self as reference, Scaled};
-use crate::solvers::faddeeva::{voigt, voigt_hwhm};
+use crate::solvers::faddeeva::{LIMITS_OF_VOIGT_HWHM, SEAMS, voigt, voigt_hwhm};
 use rug::Rational;
 use std::f64::consts::{LN_2, SQRT_2};
+use std::sync::LazyLock;
 
 inputs! {
     /// The two widths of a Voigt profile.
@@ -32,6 +33,10 @@ inputs! {
 /// A candidate is a `Fn(sigma, gamma) -> f64`.
 #[derive(Clone, Copy, Debug)]
 pub struct VoigtHwhm;
+
+method! {
+    VoigtHwhm "voigt-hwhm": Fn(f64, f64), |f, i| f(i.sigma, i.gamma)
+}
 
 impl Definition for VoigtHwhm {
     type Input<'a, T: Number> = VoigtHwhmInput<'a, T>;
@@ -154,7 +159,17 @@ fn pure(width: impl Fn(f64, f64) -> f64, input: &[f64]) -> Option<f64> {
     held(same(width(0.0, g), g) && (gauss - 1.0).abs() <= 6.0 * U)
 }
 
-/// Where `γ/(σ√2)` is p and σ about 1.
+/// The lines of W on which y may lie, and the function's own limits of y.
+static LINES: LazyLock<Vec<f64>> = LazyLock::new(|| [SEAMS.im, &LIMITS_OF_VOIGT_HWHM].concat());
+
+static ON_SEAMS: LazyLock<String> = LazyLock::new(|| {
+    format!(
+        "gamma is {} times sigma sqrt 2, exactly, nearly or 0.6..1.1 times that",
+        listed_seams(&LINES)
+    )
+});
+
+/// Returns widths at which `γ/(σ√2)` is p, and σ about 1.
 fn ratio(p: f64, d: &mut Draw) -> Vec<f64> {
     let sigma = d.log_uniform(1e-3, 1e3);
     vec![sigma, p * sigma * SQRT_2]
@@ -184,31 +199,15 @@ fn regions() -> Vec<Region> {
         region("cauchy", "sigma = 0, gamma = 1e-308..1e308", |d| {
             vec![0.0, d.log_uniform(1e-308, 1e308)]
         }),
-        region(
-            "seams",
-            "gamma is 2^-60, 256 or where W changes its formula times sigma sqrt 2, nearly",
-            |d| {
-                // |t + iy| or y on one of the limits of W's formulas.
-                let edges = [
-                    2f64.powi(-60),
-                    256.0,
-                    0.0625,
-                    0.125,
-                    0.1875,
-                    0.25,
-                    0.375,
-                    1.0,
-                    4.8125,
-                    6.92820323,
-                ];
-                let edge = d.one_of(&edges);
-                let p = match d.chance(0.5) {
-                    true => beside(edge, d),
-                    false => edge * d.uniform(0.6, 1.1),
-                };
-                ratio(p, d)
-            },
-        ),
+        // |t + iy| or y on one of the limits of W's formulas.
+        region("seams", &ON_SEAMS, |d| {
+            let edge = seam(&LINES, d);
+            let p = match d.chance(0.5) {
+                true => beside(edge, d),
+                false => edge * d.uniform(0.6, 1.1),
+            };
+            ratio(p, d)
+        }),
         region("subnormal", "sigma and gamma 5e-324..1e-300 or zero", |d| {
             let mut tiny = || d.zero_or_log(0.25, 5e-324, 1e-300);
             vec![tiny(), tiny()]

@@ -14,7 +14,7 @@ use crate::solvers::cubic_spline::{
 use crate::solvers::hermite_spline::{HermiteSpline, Slopes};
 use rug::Rational;
 
-/// What makes a spline on arbitrary knots the only one.
+/// Describes what makes a spline on arbitrary knots the only one.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Kind {
     /// A cubic spline with a condition for each end.
@@ -200,7 +200,7 @@ fn word(e: &CubicSplineError) -> &'static str {
     }
 }
 
-/// What the solver gives for the two queries.
+/// Returns what the solver gives for the two queries.
 pub(super) fn outputs_of(s: &dyn Fitted, q: [f64; 2]) -> Result<Vec<f64>, &'static str> {
     let refuse = |e: EvaluationError| match e {
         EvaluationError::Outside { .. } => "outside",
@@ -215,7 +215,7 @@ pub(super) fn outputs_of(s: &dyn Fitted, q: [f64; 2]) -> Result<Vec<f64>, &'stat
     Ok(out)
 }
 
-/// What the exact spline gives for the two queries.
+/// Returns what the exact spline gives for the two queries.
 pub(super) fn reference_of(
     s: &ExactSpline,
     x: &[Rational],
@@ -445,8 +445,8 @@ mod tests {
             let outputs = method.outputs();
             judge(&outputs, &answer, &reference, conditions.as_deref()).verdict
         };
-        // q0 = 1.5 lies before the knot 2 with chords 0 and 1, where Akima's weights are both 0: a slope
-        // of 0 or 1 there instead of 1/2 changes S by 1/16.
+        // q0 = 1.5 lies before the knot 2 with chords 0 and 1, where Akima's weights are both 0: a
+        // slope of 0 or 1 there instead of 1/2 changes S by 1/16.
         for other in [0.0625, -0.0625] {
             let moved = |v: &mut Vec<f64>| v[0] += other;
             assert_eq!(
@@ -457,7 +457,8 @@ mod tests {
         for place in ["two-straight-pieces", "a-step", "level"] {
             assert_eq!(judged("akima", place, &|_| ()), Verdict::Pass, "{place}");
         }
-        // A threshold of 10⁻⁹ of the largest weight gives 0.5·10⁻¹² at knot 2, where 1.5·10⁻¹² is due.
+        // A threshold of 10⁻⁹ of the largest weight gives 0.5·10⁻¹² at knot 2, where 1.5·10⁻¹² is
+        // due.
         let place = "small-bend-far-from-a-large-one";
         let with_threshold = |v: &mut Vec<f64>| v[5] += 1.25e-13;
         assert_eq!(judged("akima", place, &|_| ()), Verdict::Pass);

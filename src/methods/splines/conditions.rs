@@ -1,10 +1,10 @@
 //! `Σ_j |x_j ∂f/∂x_j|` of splines, by differences at 256 bits.
 //!
 //! An estimate, as every condition is here; no reference value depends on it. The spline is solved
-//! for its slopes by ordinary elimination in floats, and again with each datum times `1 + 2⁻⁹⁰`; local
-//! slopes, which have kinks, also with `1 − 2⁻⁹⁰`, and the larger change counts. Queries stay on their
-//! segments, so that one-sided derivatives are well defined; where both of Akima's weights vanish the
-//! slope stays the mean of two chords, which it is by definition at the input alone.
+//! for its slopes by ordinary elimination in floats, and again with each datum times `1 + 2⁻⁹⁰`;
+//! local slopes, which have kinks, also with `1 − 2⁻⁹⁰`, and the larger change counts. Queries stay
+//! on their segments, so that one-sided derivatives are well defined; where both of Akima's weights
+//! vanish the slope stays the mean of two chords, which it is by definition at the input alone.
 
 use super::common::{EndKind, Kind, SplineProblem};
 use crate::methods::common::largest;
@@ -371,8 +371,8 @@ impl<'a> Slopes<'a> {
     }
 }
 
-/// The conditions of the ten outputs: of a kind, at an input that begins with `x[n]`, `y[n]`. Numbers
-/// that choose are no data.
+/// The conditions of the ten outputs: of a kind, at an input that begins with `x[n]`, `y[n]`.
+/// Numbers that choose are no data.
 pub(super) fn conditions(
     kind: Kind,
     input: &[f64],

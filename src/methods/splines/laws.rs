@@ -50,8 +50,9 @@ impl Kind {
         )
     }
 
-    /// At the ends of each segment the slope is between none and three times that of the chord, which
-    /// makes the interpolant monotone there (Fritsch & Carlson 1980); 4 u are allowed for rounding.
+    /// At the ends of each segment the slope is between none and three times that of the chord,
+    /// which makes the interpolant monotone there (Fritsch & Carlson 1980); 4 u are allowed for
+    /// rounding.
     pub(super) fn monotone_residual(self, p: SplineProblem) -> Option<f64> {
         let s = self.fit(p).ok()?;
         let slopes: Option<Vec<f64>> = p.x.iter().map(|x| Some(s.jet(*x).ok()?.first)).collect();
@@ -74,12 +75,13 @@ impl Kind {
     }
 }
 
-/// Whether a function has the ordinates at all knots.
+/// Returns whether a function has the ordinates at all knots.
 fn interpolates(p: SplineProblem, value: impl Fn(f64) -> Option<f64>) -> bool {
     p.x.iter().zip(p.y).all(|(x, y)| value(*x) == Some(*y))
 }
 
-/// Whether `S, S', S'', S'''` and the integral of every query are those for x in units of 1/4, y of 1/8.
+/// Returns whether `S, S', S'', S'''` and the integral of every query are those for x in units of
+/// 1/4, y of 1/8.
 fn in_other_units(here: &[f64], there: &[f64]) -> bool {
     let units = [8.0, 2.0, 0.5, 0.125, 32.0].into_iter().cycle();
     let due = here.iter().zip(units).map(|(x, unit)| x * unit);
@@ -157,8 +159,8 @@ mod tests {
         }
     }
 
-    /// With x in quarters and y in eighths S is 8 times what it was, S' twice, S'' a half, S''' an eighth, the integral
-    /// 32 times.
+    /// With x in quarters and y in eighths S is 8 times what it was, S' twice, S'' a half, S''' an
+    /// eighth, the integral 32 times.
     #[test]
     fn every_value_is_measured_in_its_own_unit() {
         let here: Vec<f64> = (1..=10).map(f64::from).collect();

@@ -6,7 +6,7 @@ use super::domain::{Shape, domain_of};
 use super::laws::{knots_law, scaling_law};
 use crate::audit::{Domain, Draw, Law, Output, ReferenceAnswer, Rows, Uncertified};
 use crate::methods::common::point;
-use crate::methods::definition::{Definition, Entry, Registered};
+use crate::methods::definition::{Definition, Entry, method};
 use crate::methods::inputs::{Number, inputs};
 use rug::Rational;
 
@@ -30,6 +30,10 @@ inputs! {
 /// A candidate is a `Fn(CubicSplineMixedEndsInput) -> [[S, S', S'', S''', integral]; 2]`.
 #[derive(Clone, Copy, Debug)]
 pub struct CubicSplineMixedEnds;
+
+method! {
+    CubicSplineMixedEnds "cubic-spline-mixed-ends": Fn(CubicSplineMixedEndsInput<'_>), |f, i| f(i)
+}
 
 /// The condition of a code with its value; none for another number, and for a value that not-a-knot
 /// would not use.

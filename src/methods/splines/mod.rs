@@ -4,15 +4,14 @@ mod common;
 mod conditions;
 mod domain;
 mod laws;
-mod mixed_ends;
-mod on_knots;
-mod uniform;
 
 pub use common::SplineProblem;
-pub use mixed_ends::{CubicSplineMixedEnds, CubicSplineMixedEndsInput};
-pub use on_knots::{
-    Akima, CubicSplineClamped, CubicSplineClampedInput, CubicSplineNotAKnot, CubicSplinePeriodic,
-    CubicSplineSecondDerivatives, CubicSplineSecondDerivativesInput, ModifiedAkima, Pchip,
-    SplineInput,
-};
-pub use uniform::{CubicSplineUniform, CubicSplineUniformInput, UniformSplineProblem};
+
+// The order of reports: ends on knots, uniform knots, mixed ends, local slopes.
+crate::methods::definition::methods! {
+    on_knots: CubicSplineSecondDerivatives, CubicSplineClamped, CubicSplineNotAKnot,
+        CubicSplinePeriodic;
+    uniform: CubicSplineUniform;
+    mixed_ends: CubicSplineMixedEnds;
+    local: Pchip, Akima, ModifiedAkima;
+}

@@ -1,12 +1,11 @@
 //! Cubic splines on arbitrary knots, a method for each kind of end condition.
 
 use super::common::{self, Kind, SplineProblem};
-use super::laws::{ends_law, knots_law, monotone_law, reflection_law, scaling_law};
+use super::laws::{ends_law, knots_law, scaling_law};
 use super::{conditions, domain};
 use crate::audit::{Domain, Law, Output, ReferenceAnswer, Rows, Uncertified};
-use crate::methods::definition::Definition;
+use crate::methods::definition::{Definition, method};
 use crate::methods::inputs::{Number, inputs};
-use crate::solvers::hermite_spline::Slopes;
 use rug::Rational;
 
 inputs! {
@@ -111,6 +110,7 @@ macro_rules! on_knots {
         }
     };
 }
+pub(super) use on_knots;
 
 on_knots!(
     /// Cubic splines with given second derivatives at the ends.
@@ -141,8 +141,8 @@ on_knots!(
 );
 
 on_knots!(
-    /// Periodic cubic splines, which go on beyond their knots; unequal first and last ordinates have to be
-    /// refused.
+    /// Periodic cubic splines, which go on beyond their knots; unequal first and last ordinates
+    /// have to be refused.
     CubicSplinePeriodic(SplineInput),
     Kind::Periodic,
     "periodic cubic spline",
@@ -150,43 +150,19 @@ on_knots!(
     common::outputs(16.0),
 );
 
-macro_rules! local {
-    ($(#[$doc:meta])* $method:ident, $slopes:ident, $summary:literal, $source:literal $(, $law:expr)*) => {
-        on_knots!(
-            $(#[$doc])*
-            $method(SplineInput),
-            Kind::Local(Slopes::$slopes),
-            $summary,
-            $source,
-            common::local_outputs(16.0),
-            reflection_law(|v| Kind::Local(Slopes::$slopes).reflection_residual($method::unpack(v)?.into()))
-            $(, $law)*
-        );
-    };
+method! {
+    CubicSplineSecondDerivatives "cubic-spline-second-derivatives":
+        Fn(SplineProblem<'_>), |f, i| f(i.into())
 }
 
-local!(
-    /// PCHIP: the monotone piecewise cubic interpolant of Fritsch and Butland, as MATLAB's `pchip`, SLATEC's
-    /// `PCHIM` and scipy's `PchipInterpolator` define it.
-    Pchip,
-    Pchip,
-    "monotone piecewise cubic Hermite interpolant (PCHIP)",
-    "Fritsch & Butland 1984, weighted harmonic mean; ends: Moler 2004, sections 3.4 and 3.6 (pchiptx)",
-    monotone_law(|v| Kind::Local(Slopes::Pchip).monotone_residual(Pchip::unpack(v)?.into()))
-);
+method! {
+    CubicSplineClamped "cubic-spline-clamped": Fn(SplineProblem<'_>), |f, i| f(i.into())
+}
 
-local!(
-    /// Akima's interpolant; the mean of two chords where both weights vanish.
-    Akima,
-    Akima,
-    "Akima's piecewise cubic interpolant of 1970",
-    "Akima, J. ACM 17 (1970) 589-602, eq. (1), ends by section 2.3"
-);
+method! {
+    CubicSplineNotAKnot "cubic-spline-not-a-knot": Fn(SplineProblem<'_>), |f, i| f(i.into())
+}
 
-local!(
-    /// The modified Akima interpolant, MATLAB's `makima`.
-    ModifiedAkima,
-    ModifiedAkima,
-    "modified Akima piecewise cubic interpolant (makima)",
-    "Moler & Ionita 2019, Makima piecewise cubic interpolation; ends by Akima 1970, section 2.3"
-);
+method! {
+    CubicSplinePeriodic "cubic-spline-periodic": Fn(SplineProblem<'_>), |f, i| f(i.into())
+}

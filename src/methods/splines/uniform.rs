@@ -4,7 +4,7 @@ use super::common::{ROWS, outputs, outputs_of, reference_of};
 use super::domain::a_few_floats_away;
 use crate::audit::{Domain, Draw, Law, Output, ReferenceAnswer, Rows, Uncertified};
 use crate::methods::common::{held, point, region};
-use crate::methods::definition::{Definition, conditions_at_reference};
+use crate::methods::definition::{Definition, conditions_at_reference, method};
 use crate::methods::inputs::{Number, inputs};
 use crate::methods::linear::identical;
 use crate::reference::Ball;
@@ -54,11 +54,16 @@ impl<'a> From<CubicSplineUniformInput<'a>> for UniformSplineProblem<'a> {
     }
 }
 
-/// Cubic splines on equal steps with given second derivatives at the ends: the fit with the constant λ.
+/// Cubic splines on equal steps with given second derivatives at the ends: the fit with the
+/// constant λ.
 ///
 /// A candidate is a `Fn(UniformSplineProblem) -> [[S, S', S'', S''', integral]; 2]`.
 #[derive(Clone, Copy, Debug)]
 pub struct CubicSplineUniform;
+
+method! {
+    CubicSplineUniform "cubic-spline-uniform": Fn(UniformSplineProblem<'_>), |f, i| f(i.into())
+}
 
 fn try_fit(i: CubicSplineUniformInput) -> Result<UniformCubicSpline, CubicSplineError> {
     let ends = Boundary::second_derivatives(i.m0, i.mn);
@@ -273,8 +278,8 @@ impl Definition for CubicSplineUniform {
             let [s, d, dd, ddd, integral] = base[5 * a..5 * a + 5] else {
                 return None;
             };
-            // |q f'| + |x0 f'| + |h ∂f/∂h|, with h ∂f/∂h = −order·f − (q − x0) f' + 2 Σ end ∂f/∂end: beside a longer
-            // step a second derivative that stays is a larger one.
+            // |q f'| + |x0 f'| + |h ∂f/∂h|, with h ∂f/∂h = −order·f − (q − x0) f' + 2 Σ end
+            // ∂f/∂end: beside a longer step a second derivative that stays is a larger one.
             let moved = |order: f64, f: f64, df: f64, ends: f64| {
                 ((q * df).abs() + (x0 * df).abs()) + (2.0 * ends - order * f - (q - x0) * df).abs()
             };
@@ -340,7 +345,8 @@ impl Definition for CubicSplineUniform {
     }
 }
 
-/// Whether a function has the ordinates at all knots that are floats; nothing without steps.
+/// Returns whether a function has the ordinates at all knots that are floats; nothing without
+/// steps.
 fn interpolates(i: CubicSplineUniformInput, value: impl Fn(f64) -> Option<f64>) -> Option<bool> {
     let (x0, h) = (Rational::from_f64(i.x0)?, Rational::from_f64(i.h)?);
     let hit = |(i, y): (usize, &f64)| {

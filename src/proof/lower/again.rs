@@ -1,43 +1,52 @@
-//! Points that the code computes again because terms cancel: in pairs of `f64`, and where even those have too few
-//! digits in 256 bits.
+//! Points that the code computes again because terms cancel: in pairs of `f64`, and where even
+//! those have too few digits in 256 bits.
 //!
-//! Let `z = a − ib`, `r = |z| ≥ 1`, `x = 2|e^{−z²}| = m 2^{k+1}`, `m ≤ 1.4143`. The error E is proved as a part of
-//! `M = max(2^{k+1}, max(a, b)/r²)`, where `1/r ≤ √2 max(a, b)/r²`. The code uses pairs only where the real part is
-//! above `P max(2^{k+1}, b/r²)` and the imaginary part above `P a/r²`, so that they are above `P M` together: K is `E/(P − E)` and
-//! half a unit.
+//! Let `z = a − ib`, `r = |z| ≥ 1`, `x = 2|e^{−z²}| = m 2^{k+1}`, `m ≤ 1.4143`. The error E is
+//! proved as a part of `M = max(2^{k+1}, max(a, b)/r²)`, where `1/r ≤ √2 max(a, b)/r²`. The code
+//! uses pairs only where the real part is above `P max(2^{k+1}, b/r²)` and the imaginary part above
+//! `P a/r²`, so that they are above `P M` together: K is `E/(P − E)` and half a unit.
 //!
-//! Below, units of u². A sum of pairs is within 3 of itself, a product within 4, a square within 5, a sum or product with
-//! an `f64` within 2 (Joldes, Muller & Popescu, as quoted by the solver), a quotient within [`DIV`]. Underflow is below
-//! 2⁻¹⁰⁰⁰ and is not counted.
+//! Below, units of u². A sum of pairs is within 3 of itself, a product within 4, a square within 5,
+//! a sum or product with an `f64` within 2 (Joldes, Muller & Popescu, as quoted by the solver), a
+//! quotient within [`DIV`]. Underflow is below 2⁻¹⁰⁰⁰ and is not counted.
 //!
-//! * **Quotient** of `A = (H, l)` by `b = (B, m)`: `q = H/B` rounded, `qB` exactly, `H − p` exact (Sterbenz). What is left,
-//!   `R = A − q b`, `|R| ≤ 3u|H|`, is formed with roundings of at most u² + 2u² + 3u² of H, divided by B for b (3u²) and rounded (3u²).
-//! * **Exponential.** `|x − k ln 2| ≤` [`HALF_LN_2`] with errors 3, 3 and 2 of it; an eighth of it in the series, whose first 8
-//!   coefficients are pairs; three doublings `2m + m²`; 1 is added. Sine and cosine likewise, within [`REDUCED`]
-//!   (the phase by Payne & Hanek: 64). The series by Horner's rule with absolute values of coefficients and argument.
-//! * **−Re z²** is wrong by at most `9|Re z²|` (as in [`super::exponential`]). The exponential is below `2²⁰⁰` where
-//!   it comes to this, and as a part `|Re z²| x ≤ 140 max(x, 1/r)` for `r < 5800`, `240 max(x, 1/r)` for `r < 2³³³`.
-//! * **Sums over nodes.** With `d = |z − t|`, `d′ = |z + t|`, `ϱ = r²/(d d′)`: since `d′ ≥ r`, `d ≥ D = h/4` for the rule that is
-//!   chosen, and `r ≤ d + t`, `ϱ ≤ r/d ≤ 1 + t/D`. `r² − t²` is wrong by `3r²` and 2 of itself, `|z² − t²|²` therefore by
-//!   `6ϱ + 14` of itself, the weight divided by it by `6ϱ + 28`, each component of a term by `9ϱ + 40` of `weight/d`, and eleven sums, a
-//!   factor and the last sum make `9ϱ + 80`. So r times the error of both components is at most
-//!   `√2 Σ weight (1 + t/D)(9(1 + t/D) + 80)`.
-//! * **Residue**, `2e^{−z²}(1 + κG − iGσ)/(1 + 2κG + G²)`, `κ ≥ 0`, `G ≤ 1`: the factor is at most one, the divisor at least.
-//!   Its phase, `2π(64a − 23n)/23`, is wrong by 18 of at most π; its exponent by 5 of itself, times G at most `5/e`.
-//! * **Truncation.** The rule's remainder on lines at `A = π/h` and at c above the axis is (head of `trapezoidal.rs` of
-//!   the reference) at most `(1/√π)(e^{−A²}/A + e^{c² − 2cA}/|b − c|)/(1 − e^{−2cA})`: `c = A` but for b within 0.74 of it, where
-//!   `c = 15/2`, above which the residue is below 2⁻²⁰⁰ of x. Nodes left out from S on: `(8/π) e^{−S²}(1 + 1/(2hS))`.
-//! * **From |z| = 4096 on**: four terms. `1/(√π r²)` and the last products are pairs, within 30. In the correction g
-//!   `3a² − b²` is wrong by `9u r²`, `b₁` by 1.01u, what they make by 9.1u r², `1/r⁴` by 4.01u of itself: together 17u/r².
-//!   What is left out: `√(11e/2) T₄`. Where `r⁴` overflows g is zero, or below 2⁻⁴⁰⁰ in any case.
-//! * **256 bits.** Products are within 2⁻²⁵⁴, sums within that of the larger term, reciprocals within 2⁻²⁵¹; `e^{x + iφ}` is within
-//!   `(8|x| + 2¹²) 2⁻²⁵⁴` (24 steps of Horner's rule, then 8 squarings, each doubling the error) and the error of its phase,
-//!   2⁻²¹¹ (digits of 2/π left out). Weights by 52 quotients: 2⁻²³¹; terms as above with `ϱ ≤ 1 + 16t`: 2⁻²²⁷/r; the remainder
-//!   with `h = 1/4` and nodes from 13 on: 2⁻²²⁵; twelve terms beyond: 2⁻²⁸⁰. All of it is below [`LONG`] of M. That |w| is not as
-//!   small is the subject of [`super::apart`].
+//! * **Quotient** of `A = (H, l)` by `b = (B, m)`: `q = H/B` rounded, `qB` exactly, `H − p` exact
+//!   (Sterbenz). What is left, `R = A − q b`, `|R| ≤ 3u|H|`, is formed with roundings of at most u²
+//!   + 2u² + 3u² of H, divided by B for b (3u²) and rounded (3u²).
+//! * **Exponential.** `|x − k ln 2| ≤` [`HALF_LN_2`] with errors 3, 3 and 2 of it; an eighth of it
+//!   in the series, whose first 8 coefficients are pairs; three doublings `2m + m²`; 1 is added.
+//!   Sine and cosine likewise, within [`REDUCED`] (the phase by Payne & Hanek: 64). The series by
+//!   Horner's rule with absolute values of coefficients and argument.
+//! * **−Re z²** is wrong by at most `9|Re z²|` (as in [`super::exponential`]). The exponential is
+//!   below `2²⁰⁰` where it comes to this, and as a part `|Re z²| x ≤ 140 max(x, 1/r)` for
+//!   `r < 5800`, `240 max(x, 1/r)` for `r < 2³³³`.
+//! * **Sums over nodes.** With `d = |z − t|`, `d′ = |z + t|`, `ϱ = r²/(d d′)`: since `d′ ≥ r`,
+//!   `d ≥ D = h/4` for the rule that is chosen, and `r ≤ d + t`, `ϱ ≤ r/d ≤ 1 + t/D`. `r² − t²` is
+//!   wrong by `3r²` and 2 of itself, `|z² − t²|²` therefore by `6ϱ + 14` of itself, the weight
+//!   divided by it by `6ϱ + 28`, each component of a term by `9ϱ + 40` of `weight/d`, and eleven
+//!   sums, a factor and the last sum make `9ϱ + 80`. So r times the error of both components is at
+//!   most `√2 Σ weight (1 + t/D)(9(1 + t/D) + 80)`.
+//! * **Residue**, `2e^{−z²}(1 + κG − iGσ)/(1 + 2κG + G²)`, `κ ≥ 0`, `G ≤ 1`: the factor is at most
+//!   one, the divisor at least. Its phase, `2π(64a − 23n)/23`, is wrong by 18 of at most π; its
+//!   exponent by 5 of itself, times G at most `5/e`.
+//! * **Truncation.** The rule's remainder on lines at `A = π/h` and at c above the axis is (head of
+//!   `trapezoidal.rs` of the reference) at most
+//!   `(1/√π)(e^{−A²}/A + e^{c² − 2cA}/|b − c|)/(1 − e^{−2cA})`: `c = A` but for b within 0.74 of
+//!   it, where `c = 15/2`, above which the residue is below 2⁻²⁰⁰ of x. Nodes left out from S on:
+//!   `(8/π) e^{−S²}(1 + 1/(2hS))`.
+//! * **From |z| = 4096 on**: four terms. `1/(√π r²)` and the last products are pairs, within 30. In
+//!   the correction g `3a² − b²` is wrong by `9u r²`, `b₁` by 1.01u, what they make by 9.1u r²,
+//!   `1/r⁴` by 4.01u of itself: together 17u/r². What is left out: `√(11e/2) T₄`. Where `r⁴`
+//!   overflows g is zero, or below 2⁻⁴⁰⁰ in any case.
+//! * **256 bits.** Products are within 2⁻²⁵⁴, sums within that of the larger term, reciprocals
+//!   within 2⁻²⁵¹; `e^{x + iφ}` is within `(8|x| + 2¹²) 2⁻²⁵⁴` (24 steps of Horner's rule, then 8
+//!   squarings, each doubling the error) and the error of its phase, 2⁻²¹¹ (digits of 2/π left
+//!   out). Weights by 52 quotients: 2⁻²³¹; terms as above with `ϱ ≤ 1 + 16t`: 2⁻²²⁷/r; the
+//!   remainder with `h = 1/4` and nodes from 13 on: 2⁻²²⁵; twelve terms beyond: 2⁻²⁸⁰. All of it is
+//!   below [`LONG`] of M. That |w| is not as small is the subject of [`super::apart`].
 
-use super::exponential::U;
 use super::phase::REDUCED;
+use super::phase::U;
 use crate::ProofError;
 use crate::bounds::{above, exp_up, power_up, rational};
 use crate::form::power_of_two;
@@ -58,7 +67,7 @@ const HALF_LN_2: f64 = 0.346_58;
 const EXPONENTS: [f64; 2] = [140.0, 240.0];
 /// The error in 256 bits, as a part of M.
 const LONG: i32 = -200;
-/// What is left for errors of second order.
+/// States what is left for errors of second order.
 const SLACK: f64 = 1.0 + 1e-6;
 
 /// Bounds of the norm, in units of 2⁻⁵².
@@ -90,8 +99,8 @@ fn sum(terms: &[f64]) -> f64 {
     terms.iter().fold(0.0, |s, t| sum_up(s, *t))
 }
 
-/// `Σ c_j y^j` by Horner's rule, the first 8 coefficients and their sums in pairs: a bound of `Σ |c_j| |y|^j`, and of the
-/// error in units of u², that of y being `dy`.
+/// `Σ c_j y^j` by Horner's rule, the first 8 coefficients and their sums in pairs: a bound of
+/// `Σ |c_j| |y|^j`, and of the error in units of u², that of y being `dy`.
 fn series(c: &[([f64; 2], Rational)], y: f64, dy: f64) -> [f64; 2] {
     const PAIRS: usize = 8;
     let (mut size, mut error) = (0.0, 0.0);
@@ -127,7 +136,8 @@ fn coefficient(c: &code::Again, n: usize) -> ([f64; 2], Rational) {
     (c.inverse_factorial[n], Rational::from((1, factorial)))
 }
 
-/// What follows the powers of y below n in a series with coefficients below `1/m!`, in units of u².
+/// Returns what follows the powers of y below n in a series with coefficients below `1/m!`, in
+/// units of u².
 fn left_out(y: f64, n: u32, m: u32) -> f64 {
     let factorial = Integer::from(Integer::factorial(m)).to_f64();
     units(product_up(
@@ -196,7 +206,8 @@ fn reduction(half_pi: [f64; 3], quarters: f64) -> f64 {
 /// Half the nodes and the step of the rule in pairs, `h = 23/64`.
 const STEP: f64 = 23.0 / 64.0;
 
-/// `r` times the error of the sums, in units of u²; the stored nodes and weights are compared with what they stand for.
+/// `r` times the error of the sums, in units of u²; the stored nodes and weights are compared with
+/// what they stand for.
 fn sums(c: &code::Again) -> Result<f64, ProofError> {
     let distance = down(0.25 * STEP * (1.0 - 1e-9));
     let mut worst: f64 = 0.0;
@@ -247,7 +258,8 @@ fn truncation() -> f64 {
     product_up(sum_up(product_up(0.5642, lines), nodes), 1.001)
 }
 
-/// Whether the constants of 256 bits are the numbers they stand for, each within 2⁻²⁵⁵ of itself.
+/// Returns whether the constants of 256 bits are the numbers they stand for, each within 2⁻²⁵⁵ of
+/// itself.
 fn are_long(c: &code::Again) -> bool {
     let root = Ball::pi(BITS).sqrt().recip();
     let exact = [Ball::integer(BITS, 2).ln(), Ball::pi(BITS).shift(-1), root];
@@ -261,13 +273,13 @@ fn are_long(c: &code::Again) -> bool {
     })
 }
 
-/// Whether errors in units of u² are those of rounding.
+/// Returns whether errors in units of u² are those of rounding.
 fn are_pairs(errors: &[f64]) -> bool {
     errors.iter().all(|e| *e <= 0.9)
 }
 
-/// The errors of phases in units of u²: below 4096² · 2.01 · 2/π quarters, beyond, there by Payne & Hanek too, and of
-/// the residue.
+/// The errors of phases in units of u²: below 4096² · 2.01 · 2/π quarters, beyond, there by Payne &
+/// Hanek too, and of the residue.
 fn phases(half_pi: [f64; 3]) -> [f64; 3] {
     let turn = product_up(up(std::f64::consts::PI), sum(&[DIV, MUL, 1.0]));
     [
@@ -350,5 +362,4 @@ impl Again {
 }
 
 #[cfg(test)]
-#[path = "tests/again.rs"]
 mod tests;

@@ -1,15 +1,17 @@
 //! Where one of the two terms is much larger, each a single number, and where z is scaled.
 //!
-//! With `U · 2⁻⁵²` the bound of the rounded w(−z), which is that of the upper half-plane, ρ that of the exponential,
-//! `x = 2|e^{−z²}|`, `W = |w(−z)|`, and one rounding of the sum, half a unit in the last place of each component:
+//! With `U · 2⁻⁵²` the bound of the rounded w(−z), which is that of the upper half-plane, ρ that of
+//! the exponential, `x = 2|e^{−z²}|`, `W = |w(−z)|`, and one rounding of the sum, half a unit in
+//! the last place of each component:
 //!
-//! * `Re z² = D > 7`: `(UW + ρx)/(W − x) + ½` with `ρ = ρ₀ + ρ₁D`. Since `D e^{−D}` falls, the worst is `D = 7`. There
-//!   `W ≥ 1/(√π r) − B₁`, `B₁ = √(5e/2) T₁ ≤ 0.7355/r³`; this is at least `0.459/r` for `r² ≥ 7`, and `0.548/r` for `r² ≥ 48`.
-//!   With 26 terms and `D > 47` the exponential is left out, below `2e^{−47}`.
+//! * `Re z² = D > 7`: `(UW + ρx)/(W − x) + ½` with `ρ = ρ₀ + ρ₁D`. Since `D e^{−D}` falls, the
+//!   worst is `D = 7`. There `W ≥ 1/(√π r) − B₁`, `B₁ = √(5e/2) T₁ ≤ 0.7355/r³`; this is at least
+//!   `0.459/r` for `r² ≥ 7`, and `0.548/r` for `r² ≥ 48`. With 26 terms and `D > 47` the
+//!   exponential is left out, below `2e^{−47}`.
 //! * `Re z² < −7`, in cells: `(UW + ρx)/(x − W) + ½` with `W ≤ erfcx(Im(−z)) ≤ 1`.
-//! * `|z|² ≥ 10²⁰⁰`: for `|Re z| > |Im z|` the exponential is nothing, `Re z²` being at least an `f64` spacing times
-//!   `|z|`; for `|Re z| < |Im z|` it overflows; on the diagonals the code has the leading parts of 2 cos and 2 sin, and
-//!   leaves w(−z) out, below 10⁻¹⁰⁰.
+//! * `|z|² ≥ 10²⁰⁰`: for `|Re z| > |Im z|` the exponential is nothing, `Re z²` being at least an
+//!   `f64` spacing times `|z|`; for `|Re z| < |Im z|` it overflows; on the diagonals the code has
+//!   the leading parts of 2 cos and 2 sin, and leaves w(−z) out, below 10⁻¹⁰⁰.
 
 use super::exponential::Exponential;
 use crate::ProofError;
@@ -88,8 +90,8 @@ impl Dominated {
     }
 }
 
-/// Whether a rectangle of the upper half-plane may be behind one of the bounds: the shells of the cells and of 26 terms,
-/// and one of those that are scaled.
+/// Returns whether a rectangle of the upper half-plane may be behind one of the bounds: the shells
+/// of the cells and of 26 terms, and one of those that are scaled.
 fn is_behind(r: &Rectangle) -> bool {
     let most = r.a[1].max(r.b[1]);
     (0.5..16.0).contains(&most) || (1e101..2e101).contains(&most)
@@ -121,5 +123,4 @@ fn exponential(u: f64, e: &Exponential, limits: &Limits) -> f64 {
 }
 
 #[cfg(test)]
-#[path = "tests/dominated.rs"]
 mod tests;

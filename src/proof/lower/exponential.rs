@@ -1,15 +1,18 @@
-//! `e^{−z²}` as the solver computes it: how far from it the number is, as a part of its absolute value.
+//! `e^{−z²}` as the solver computes it: how far from it the number is, as a part of its absolute
+//! value.
 //!
-//! With `−z² = x − iθ`, `x = y² − a²`, `θ = 2ay`, the code has `2^k e (c − i s)`, each of the three factors from the
-//! solver's own functions, which are run over boxes of their arguments. The quadrant, which swaps and signs c and s, is
-//! exact.
+//! With `−z² = x − iθ`, `x = y² − a²`, `θ = 2ay`, the code has `2^k e (c − i s)`, each of the three
+//! factors from the solver's own functions, which are run over boxes of their arguments. The
+//! quadrant, which swaps and signs c and s, is exact.
 //!
-//! * **x** is formed as `(y − a)(y + a)` from two exact sums and an exact product, `d₁ s₁ + p`, and three `fma`s of what
-//!   is left: with P = |d₁ s₁| and |d₂| ≤ u|d₁|, |s₂| ≤ u|s₁|, |p| ≤ uP their results are at most 2.1 uP, 3.1 uP and
-//!   3.2 uP, so that they round by at most 8.4 u²P, and `P ≤ |x|/(1 − u)²`: [`ARGUMENT`] is a bound of the error as a
-//!   part of x. The short form has one number, three roundings and so `3.01 u |x|`.
+//! * **x** is formed as `(y − a)(y + a)` from two exact sums and an exact product, `d₁ s₁ + p`, and
+//!   three `fma`s of what is left: with P = |d₁ s₁| and |d₂| ≤ u|d₁|, |s₂| ≤ u|s₁|, |p| ≤ uP their
+//!   results are at most 2.1 uP, 3.1 uP and 3.2 uP, so that they round by at most 8.4 u²P, and
+//!   `P ≤ |x|/(1 − u)²`: [`ARGUMENT`] is a bound of the error as a part of x. The short form has
+//!   one number, three roundings and so `3.01 u |x|`.
 //! * **θ** is `two_prod(2a, y)`, exact.
-//! * **k** is the integer next to `x log₂ e` in floating-point arithmetic, followed for each that it may be.
+//! * **k** is the integer next to `x log₂ e` in floating-point arithmetic, followed for each that
+//!   it may be.
 //! * `e` is run over intervals of the leading part of x, its low part any number that it may have.
 //! * **θ − k π/2**: [`super::phase`].
 //! * c and s are run over intervals of the leading part of the reduced phase.
@@ -17,26 +20,23 @@
 //! The products `e c`, `e s` are rounded once (u of the absolute value), or kept as two numbers to
 //! [`PRODUCT`].
 
-use super::phase::{self, Phase};
+use super::phase::{self, Phase, U, around_zero};
 use crate::ProofError;
-use crate::exact::Exact;
-use crate::form::{Form, exponent, power_of_two};
+use crate::form::{exponent, power_of_two};
 use crate::interval::{Interval, hypot_up, larger, product_up, quotient_up, sum_up, up};
 use crate::tracked::{Rounding, Setting, Tracked, evaluate};
 use crate::truncation::exponential_error;
 use mechaudit_solvers::faddeeva::proof::lower as code;
 use rayon::prelude::*;
 
-/// u = 2⁻⁵³.
-pub(crate) const U: f64 = 1.0 / 9_007_199_254_740_992.0;
 /// `9 u²`: what the pair x is wrong by, as a part of it.
 const ARGUMENT: f64 = 9.0 * U * U;
-/// A product of two pairs, `a₁b₁` exactly and `a₁b₂ + (a₂b₁ + p)` rounded twice: at most `u(2.1 + 3.2)u`, and `a₂b₂`
-/// left out, `u²`; less than `8u²` of the product.
+/// A product of two pairs, `a₁b₁` exactly and `a₁b₂ + (a₂b₁ + p)` rounded twice: at most
+/// `u(2.1 + 3.2)u`, and `a₂b₂` left out, `u²`; less than `8u²` of the product.
 const PRODUCT: f64 = 8.0 * U * U;
 
-/// The arguments between which `e^x` is proved: above, 2e^x overflows (`ln 2¹⁰²⁴ = 709.78…`); below, it is less than
-/// 2⁻¹⁰⁰⁰ and so is what the code has for it.
+/// The arguments between which `e^x` is proved: above, 2e^x overflows (`ln 2¹⁰²⁴ = 709.78…`);
+/// below, it is less than 2⁻¹⁰⁰⁰ and so is what the code has for it.
 pub(crate) const LEAST: f64 = -700.0;
 const MOST: f64 = 710.5;
 /// Above the binary exponents of `e^X` there.
@@ -47,7 +47,7 @@ const MOST_EXPONENT: f64 = 1100.0;
 pub struct Factors {
     /// The stored numbers.
     pub constants: fn() -> code::Constants,
-    /// Whether the low part of the argument is handed on.
+    /// Tells whether the low part of the argument is handed on.
     pub low_part: bool,
     /// How operations round.
     pub rounding: Rounding,
@@ -119,8 +119,8 @@ fn intervals(lo: f64, hi: f64, step: f64) -> Vec<[f64; 2]> {
     (0..n).map(|i| [at(i), at(i + 1)]).collect()
 }
 
-/// The intervals of x: of each k the numbers that are surely next to `k ln 2`, cut into equal parts, and between two k
-/// what may be next to either.
+/// The intervals of x: of each k the numbers that are surely next to `k ln 2`, cut into equal
+/// parts, and between two k what may be next to either.
 fn arguments() -> Vec<[f64; 2]> {
     const EITHER: f64 = 1e-9;
     const PARTS: usize = 20;
@@ -141,7 +141,7 @@ fn arguments() -> Vec<[f64; 2]> {
     all
 }
 
-/// What the low part of a pair may be: half a unit in the last place of the leading one.
+/// Returns what the low part of a pair may be: half a unit in the last place of the leading one.
 fn low([lo, hi]: [f64; 2]) -> f64 {
     let most = Interval::new(lo, hi).magnitude();
     power_of_two((exponent(most) - 53).max(-1074))
@@ -150,12 +150,6 @@ fn low([lo, hi]: [f64; 2]) -> f64 {
 /// An error as a part of the least value.
 fn relative(error: f64, exact: Interval) -> f64 {
     quotient_up(error, exact.mignitude())
-}
-
-/// Any number within `r` of zero.
-pub(super) fn around_zero(r: f64) -> Tracked {
-    let any = Exact::within(Interval::new(-r, r));
-    Tracked::of(Form::exact(any, i32::MIN / 4))
 }
 
 /// `e^x` over an interval of its leading part, each error as a part of it.
@@ -192,8 +186,8 @@ fn of_exp(f: &Factors, at: [f64; 2]) -> Result<Errors, &'static str> {
     })
 }
 
-/// What the code makes of the low part l at `|x|` differs from `l cos x` by, with l `(1 − x²/2)` and l alone, and from
-/// `l sin x` with `l x`.
+/// Returns what the code makes of the low part l at `|x|` differs from `l cos x` by, with l
+/// `(1 − x²/2)` and l alone, and from `l sin x` with `l x`.
 fn of_low_part(x: f64, l: f64) -> [f64; 3] {
     let square = product_up(x, x);
     let cubed = product_up(square, x);
@@ -209,12 +203,13 @@ fn circle() -> Vec<[f64; 2]> {
     intervals(-phase::REDUCED, phase::REDUCED, 1.0 / 96.0)
 }
 
-/// `(sin, cos)` over an interval of the leading part of a reduced phase, `at` within ±0.79: the absolute value of
-/// both errors.
+/// `(sin, cos)` over an interval of the leading part of a reduced phase, `at` within ±0.79: the
+/// absolute value of both errors.
 ///
-/// Without rounding the code has `S(x) + l (1 − x²/2)` and `C(x) − l x` for the phase `x + l`, S and C polynomials
-/// ([`phase::polynomials`]); `l cos x` and `l sin x` are due, which differ by at most `|l| x⁴/24` and `|l||x|³/6`
-/// (`|l| x²/2` where the sine has l itself), and by l² what follows.
+/// Without rounding the code has `S(x) + l (1 − x²/2)` and `C(x) − l x` for the phase `x + l`, S
+/// and C polynomials ([`phase::polynomials`]); `l cos x` and `l sin x` are due, which differ by at
+/// most `|l| x⁴/24` and `|l||x|³/6` (`|l| x²/2` where the sine has l itself), and by l² what
+/// follows.
 fn of_circle(
     f: &Factors,
     phase: &Phase,
@@ -310,5 +305,4 @@ impl Exponential {
 }
 
 #[cfg(test)]
-#[path = "tests/exponential.rs"]
 mod tests;

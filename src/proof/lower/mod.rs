@@ -1,7 +1,7 @@
 //! The open lower half-plane, `w(z) = 2e^{−z²} − w(−z)`.
 //!
-//! Proved is the norm, at every finite `f64` point with `Im z < 0` where w does not overflow. Every bound and its derivation:
-//! the chapter on proofs of the book.
+//! Proved is the norm, at every finite `f64` point with `Im z < 0` where w does not overflow. Every
+//! bound and its derivation: the chapter on proofs of the book.
 
 mod again;
 mod apart;

@@ -1,15 +1,16 @@
 //! The phase `θ = 2ay` modulo π/2, and the polynomials of the sine and the cosine.
 //!
-//! Below 2³⁰ the code subtracts `k (H₀ + H₁ + H₂)`, three parts of π/2. It is run over binades of k: with
-//! `θ₁ = k H₀ + r`, r any multiple of 2⁻⁵³ of at most [`REDUCED`], and θ₂ any low part of it. That r is so small: k is the
-//! integer next to `θ₁ c`, c within `u` of 2/π, so that `|θ₁ − k π/2| ≤ π/4 + 2⁻²²`; and `k |π/2 − H₀| < 2⁻²³`.
+//! Below 2³⁰ the code subtracts `k (H₀ + H₁ + H₂)`, three parts of π/2. It is run over binades of
+//! k: with `θ₁ = k H₀ + r`, r any multiple of 2⁻⁵³ of at most [`REDUCED`], and θ₂ any low part of
+//! it. That r is so small: k is the integer next to `θ₁ c`, c within `u` of 2/π, so that
+//! `|θ₁ − k π/2| ≤ π/4 + 2⁻²²`; and `k |π/2 − H₀| < 2⁻²³`.
 //!
-//! From 2³⁰ on `2 a |y| = m 2^e` with a whole m below 2¹⁰⁶ is multiplied by 320 binary digits of 2/π in integers; those
-//! before them give multiples of four, those after them are less than `2⁻²¹²` of a quarter. Of the fraction three words
-//! of 64 bits from the first that is not zero are summed in pairs, at least 129 digits, and the sum is multiplied by a pair
-//! for π/2: within `2⁻¹⁰⁰` of the phase, which is below one. The stored digits are compared with those of π.
+//! From 2³⁰ on `2 a |y| = m 2^e` with a whole m below 2¹⁰⁶ is multiplied by 320 binary digits of
+//! 2/π in integers; those before them give multiples of four, those after them are less than
+//! `2⁻²¹²` of a quarter. Of the fraction three words of 64 bits from the first that is not zero are
+//! summed in pairs, at least 129 digits, and the sum is multiplied by a pair for π/2: within
+//! `2⁻¹⁰⁰` of the phase, which is below one. The stored digits are compared with those of π.
 
-use super::exponential::{U, around_zero};
 use crate::ProofError;
 use crate::bounds::{above, power_up, rational};
 use crate::exact::Exact;
@@ -20,6 +21,8 @@ use mechaudit_reference::Ball;
 use mechaudit_solvers::faddeeva::proof::lower::{self as code, Constants};
 use rug::{Integer, Rational};
 
+/// u = 2⁻⁵³.
+pub(crate) const U: f64 = 1.0 / 9_007_199_254_740_992.0;
 const BITS: u32 = 400;
 /// Above the largest reduced phase.
 pub(super) const REDUCED: f64 = 0.785_400_5;
@@ -34,6 +37,12 @@ pub(super) struct Phase {
     pub short: f64,
     /// Boxes that were run.
     pub boxes: usize,
+}
+
+/// Returns any number within `r` of zero.
+pub(super) fn around_zero(r: f64) -> Tracked {
+    let any = Exact::within(Interval::new(-r, r));
+    Tracked::of(Form::exact(any, i32::MIN / 4))
 }
 
 /// `|π/2 − Σ parts|`.
@@ -52,8 +61,8 @@ fn quarters_and_rest(h0: f64, k: [f64; 2], r: [f64; 2]) -> [Exact; 2] {
     [whole * Exact::point(h0) + rest, whole]
 }
 
-/// The exponent of what a phase of `k` quarters and more is a multiple of: a quarter of a turn and more of 2⁻⁵³, less is
-/// any number.
+/// The exponent of what a phase of `k` quarters and more is a multiple of: a quarter of a turn and
+/// more of 2⁻⁵³, less is any number.
 fn grain(k: f64) -> i32 {
     if k > 0.0 { -53 } else { -1074 }
 }
@@ -71,7 +80,7 @@ fn reduced() -> [f64; 2] {
     [-REDUCED, REDUCED]
 }
 
-/// What up to `most` quarters lack, each of them these parts of π/2.
+/// Returns what up to `most` quarters lack, each of them these parts of π/2.
 fn left_of_quarters([_, most]: [f64; 2], parts: &[f64]) -> f64 {
     product_up(most, left_of_half_pi(parts))
 }
@@ -156,8 +165,8 @@ fn are_digits_of_two_over_pi(words: &[u64]) -> Result<(), ProofError> {
     }
 }
 
-/// What the polynomials of the sine and the cosine differ from both by for `|x| ≤` [`REDUCED`]: those of the accurate
-/// form and of the others, of the sine and of the cosine.
+/// Returns what the polynomials of the sine and the cosine differ from both by for `|x| ≤`
+/// [`REDUCED`]: those of the accurate form and of the others, of the sine and of the cosine.
 pub(super) fn polynomials(c: &Constants) -> [[f64; 2]; 2] {
     let sixth = rational(c.sixth[0]) + rational(c.sixth[1]);
     let fifth: Vec<Rational> = c.sin_from_fifth.iter().map(|x| rational(*x)).collect();
@@ -169,8 +178,8 @@ pub(super) fn polynomials(c: &Constants) -> [[f64; 2]; 2] {
     [accurate, rounded].map(|sine| [difference(&sine, 3, -1), cosine])
 }
 
-/// `Σ |c_j − sign (−1)^j/(first + 2j)!| x^{first + 2j}` and the first term left out, which bounds the rest of an
-/// alternating series.
+/// `Σ |c_j − sign (−1)^j/(first + 2j)!| x^{first + 2j}` and the first term left out, which bounds
+/// the rest of an alternating series.
 fn difference(c: &[Rational], first: u32, sign: i32) -> f64 {
     let mut exact = Rational::from(sign);
     for n in 2..=first {
@@ -190,5 +199,4 @@ fn difference(c: &[Rational], first: u32, sign: i32) -> f64 {
 }
 
 #[cfg(test)]
-#[path = "tests/phase.rs"]
 mod tests;

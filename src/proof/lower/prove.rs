@@ -1,10 +1,11 @@
-//! The proof for the open lower half-plane: rectangles `a − i b` halved until the bound is good enough on each.
+//! The proof for the open lower half-plane: rectangles `a − i b` halved until the bound is good
+//! enough on each.
 
 use super::regions::{Code, Region, bound, regions};
 use crate::certificate::{self, Open, Watch};
 use crate::cover::{Rectangle, shells};
 
-/// What a rectangle is not halved below.
+/// Describes what a rectangle is not halved below.
 #[derive(Clone, Copy, Debug)]
 pub struct Target {
     /// Of the norm, in units of 2⁻⁵².
@@ -29,20 +30,23 @@ pub struct Leaf {
     pub at: Rectangle,
     /// By which formula.
     pub region: Region,
-    /// What is proved of the norm, in units of 2⁻⁵².
+    /// Holds what is proved of the norm, in units of 2⁻⁵².
     pub norm: f64,
 }
 
-/// Leaves together cover the quadrant up to `|z|² = 10²⁰⁰` but for overflow, unless something is open.
+/// Leaves together cover the quadrant up to `|z|² = 10²⁰⁰` but for overflow, unless something is
+/// open.
 pub type Certificate = certificate::Certificate<Leaf>;
 
-/// The quadrant `a ≥ 0`, `b > 0` up to the shell in which z begins to be scaled, as shells of rectangles.
+/// The quadrant `a ≥ 0`, `b > 0` up to the shell in which z begins to be scaled, as shells of
+/// rectangles.
 pub fn roots() -> Vec<Rectangle> {
     // 2³³² < 10¹⁰⁰ < 2³³³.
     shells(-9..=332, 2, [0.0, f64::from_bits(1)])
 }
 
-/// Proves what can be proved on the rectangles of the partition that `wanted` keeps; `None` if it was stopped.
+/// Proves what can be proved on the rectangles of the partition that `wanted` keeps; `None` if it
+/// was stopped.
 pub fn lower_half_plane(
     code: &Code,
     target: Target,

@@ -17,7 +17,7 @@ const ROUNDINGS: f64 = 0.5 + 1e-4 + 1e-9;
 /// `e^710.48 > 2^1025`: from here on a component of w overflows.
 const OVERFLOW: f64 = 710.48;
 
-/// What is known of the two components of a formula, and of its truncation.
+/// Describes what is known of the two components of a formula, and of its truncation.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Value {
     /// A lower bound of the absolute value of what the formula stands for.
@@ -72,9 +72,10 @@ pub(super) fn exponential([lo, hi]: [f64; 2]) -> [f64; 2] {
     [below(hi), above(lo)]
 }
 
-/// A lower bound of |w| over a rectangle, from its value at the centre: with D the distance of the farthest point and
-/// `|w′| ≤ 2|z||w| + 2/√π`, the largest |w| is at most `M = (|w(c)| + 1.13 D)/(1 − 2RD)` for `|z| ≤ R` (infinite
-/// unless `2RD < 1`), and the least at least `|w(c)| − D (2RM + 1.13)`. Zero where that is nothing.
+/// A lower bound of |w| over a rectangle, from its value at the centre: with D the distance of the
+/// farthest point and `|w′| ≤ 2|z||w| + 2/√π`, the largest |w| is at most
+/// `M = (|w(c)| + 1.13 D)/(1 − 2RD)` for `|z| ≤ R` (infinite unless `2RD < 1`), and the least at
+/// least `|w(c)| − D (2RM + 1.13)`. Zero where that is nothing.
 pub(super) fn least_of_w(at: &Rectangle) -> f64 {
     let middle = |[lo, hi]: [f64; 2]| lo + 0.5 * (hi - lo);
     let far = |[lo, hi]: [f64; 2], c: f64| up(hi - c).max(up(c - lo));
@@ -104,19 +105,21 @@ pub(super) fn reflected_off_zeros(w: Value, at: &Rectangle, rho: f64) -> f64 {
     sum_up(quotient_up(error, least_of_w(at)) * TWO_52, ROUNDINGS)
 }
 
-/// Whether a component of w overflows on the whole rectangle.
+/// Returns whether a component of w overflows on the whole rectangle.
 pub(super) fn overflows(at: &Rectangle) -> bool {
     decay(at).hi < -OVERFLOW
 }
 
-/// The bound of the norm of `2e^{−z²} − w(−z)`, in units of 2⁻⁵², from w(−z), the error ρ of the exponential as a part of
-/// it, and the part λ of `|w(−z)|` below which the code does not use this value.
+/// The bound of the norm of `2e^{−z²} − w(−z)`, in units of 2⁻⁵², from w(−z), the error ρ of the
+/// exponential as a part of it, and the part λ of `|w(−z)|` below which the code does not use this
+/// value.
 ///
-/// With `x = 2|e^{−z²}|` and `W = |w(−z)|` the error before the last rounding is at most `e + ρx`, `|w| ≥ |x − W|`, and
-/// where the value is used also `|w| ≥ λW` up to the errors: `(e + ρx)/(W − x)` grows with x, `(e + ρx)/(x − W)` falls. The last rounding is
-/// half a unit in the last place of each component. The roundings of what is below the leading parts are of the order u²,
-/// counted by 10⁻⁹; the exponential, where it is left out, is below 2⁻⁶⁶ of each component, and where it stands alone
-/// w(−z) is below 2⁻¹⁹⁸ of it: 10⁻⁴ units.
+/// With `x = 2|e^{−z²}|` and `W = |w(−z)|` the error before the last rounding is at most `e + ρx`,
+/// `|w| ≥ |x − W|`, and where the value is used also `|w| ≥ λW` up to the errors:
+/// `(e + ρx)/(W − x)` grows with x, `(e + ρx)/(x − W)` falls. The last rounding is half a unit in
+/// the last place of each component. The roundings of what is below the leading parts are of the
+/// order u², counted by 10⁻⁹; the exponential, where it is left out, is below 2⁻⁶⁶ of each
+/// component, and where it stands alone w(−z) is below 2⁻¹⁹⁸ of it: 10⁻⁴ units.
 pub(super) fn reflected(w: Value, at: &Rectangle, rho: f64, cancelled: f64) -> f64 {
     let decay = decay(at);
     let [least, most] = exponential([decay.lo, decay.hi]);
@@ -149,5 +152,4 @@ pub(super) fn reflected(w: Value, at: &Rectangle, rho: f64, cancelled: f64) -> f
 }
 
 #[cfg(test)]
-#[path = "tests/reflection.rs"]
 mod tests;

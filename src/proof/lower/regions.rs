@@ -86,7 +86,7 @@ pub enum Region {
 }
 
 impl Region {
-    /// Whether `2e^{−z²}` is added to a formula for w(−z), both as pairs.
+    /// Returns whether `2e^{−z²}` is added to a formula for w(−z), both as pairs.
     pub(super) fn is_reflected(self) -> bool {
         matches!(self, Region::Cell { .. } | Region::Asymptotic { .. })
     }
@@ -128,7 +128,8 @@ fn rank(b: Branch) -> Option<usize> {
     })
 }
 
-/// The formulas that the code may use on a rectangle of `a − i b`, each with its piece; none where w overflows.
+/// The formulas that the code may use on a rectangle of `a − i b`, each with its piece; none where
+/// w overflows.
 ///
 /// As above the axis: the choice is made by |z|² and by lines.
 pub(super) fn regions(
@@ -220,8 +221,9 @@ pub(super) fn bound(code: &Code, region: Region, at: &Rectangle) -> Result<f64, 
     Ok(worst(ways.iter().map(norm)))
 }
 
-/// The part λ of `|w(−z)|` that |w| has at least where its value is used: neither component is below [`Limits::cancelled`]
-/// of that of w(−z), and one is above [`Limits::both_cancelled`] of the larger one, which is at least `|w(−z)|/√2`.
+/// The part λ of `|w(−z)|` that |w| has at least where its value is used: neither component is
+/// below [`Limits::cancelled`] of that of w(−z), and one is above [`Limits::both_cancelled`] of the
+/// larger one, which is at least `|w(−z)|/√2`.
 ///
 /// [`Limits::cancelled`]: code::Limits::cancelled
 /// [`Limits::both_cancelled`]: code::Limits::both_cancelled
@@ -233,7 +235,7 @@ fn used(limits: &code::Limits) -> f64 {
         .max(down(limits.both_cancelled * HALF_ROOT))
 }
 
-/// What the formula gives, on each way through its decisions; of the reflected ones w(−z).
+/// Returns what the formula gives, on each way through its decisions; of the reflected ones w(−z).
 fn values(code: &Code, region: Region, at: &Rectangle) -> Result<Vec<Value>, &'static str> {
     let y = [-at.b[1], -at.b[0]];
     let setting = |constants| Setting::new(constants, code.rounding);
@@ -328,5 +330,4 @@ fn values(code: &Code, region: Region, at: &Rectangle) -> Result<Vec<Value>, &'s
 }
 
 #[cfg(test)]
-#[path = "tests/regions.rs"]
 mod tests;

@@ -32,7 +32,8 @@ impl RowWithErrors {
     /// # Errors
     /// If the reference is undecided.
     pub fn of(row: &Row, centre: (f64, f64), kind: Kind) -> Result<RowWithErrors, ProofError> {
-        // erfcx(Im z) ≤ 2e^{(Im z)²} on the circle of radius 3, down to Im z = −3, or −4: 2e⁹ and 2e¹⁶.
+        // erfcx(Im z) ≤ 2e^{(Im z)²} on the circle of radius 3, down to Im z = −3, or −4: 2e⁹ and
+        // 2e¹⁶.
         let most = if kind == Kind::Disc { 1.78e7 } else { 16207.0 };
         Ok(RowWithErrors {
             row: *row,
@@ -115,5 +116,4 @@ impl Rows {
 }
 
 #[cfg(test)]
-#[path = "tests/rows.rs"]
 mod tests;

@@ -1,4 +1,4 @@
-use super::exponential::U;
+use super::phase::U;
 use super::prove::leaves;
 use super::reflection::least_of_w;
 use super::rows::Kind;
@@ -192,7 +192,7 @@ fn error(a: f64, b: f64) -> Option<f64> {
     Some((off / (size(&w.re) + size(&w.im))).sqrt().to_f64() * 2f64.powi(52))
 }
 
-/// Whether the formula is that of the point; elsewhere another leaf has it.
+/// Returns whether the formula is that of the point; elsewhere another leaf has it.
 fn is_used(region: Region, a: f64, b: f64) -> bool {
     let decay = a * a - b * b;
     let limit = CODE.limits.dominant - 1e-9;

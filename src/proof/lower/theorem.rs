@@ -10,10 +10,10 @@ use crate::prove::UPPER_HALF_PLANE;
 use crate::tracked::Rounding;
 use mechaudit_solvers::faddeeva::proof::lower as code;
 
-/// What is not proved.
+/// States what is not proved.
 pub const NOT_PROVED: [&str; 1] = ["a component as a part of itself; of |w| each is within K"];
 
-/// What of it is no run of the solver's code.
+/// States what of it is no run of the solver's code.
 pub const BY_HAND: &str =
     "roundings of points computed again, in pairs and 256 bits; their constants are checked";
 
@@ -39,7 +39,7 @@ pub struct Theorem {
     pub regions: Vec<OfRegion>,
     /// Boxes of the exponential and its phase.
     pub of_exponential: usize,
-    /// What shows that no zero is next to an `f64`.
+    /// Holds what shows that no zero is next to an `f64`.
     pub apart: Apart,
     /// Rectangles on which nothing is proved.
     pub open: Vec<Open>,
@@ -47,10 +47,12 @@ pub struct Theorem {
     pub leaves: Vec<Leaf>,
 }
 
-/// Proves what can be proved; up to |Re z|, |Im z| in the binades below `within`. `None` if it was stopped.
+/// Proves what can be proved; up to |Re z|, |Im z| in the binades below `within`. `None` if it was
+/// stopped.
 ///
 /// # Errors
-/// If the reference is undecided, or the exponential or the rounded formulas of the upper half-plane have no bound.
+/// If the reference is undecided, or the exponential or the rounded formulas of the upper
+/// half-plane have no bound.
 pub fn theorem(
     target: Target,
     within: Option<f64>,
@@ -143,7 +145,8 @@ mod tests {
     use super::*;
     use crate::lower::Region;
 
-    /// Rectangles by the names of their formulas with the worst of each, bounds without rectangles, and the worst of all.
+    /// Rectangles by the names of their formulas with the worst of each, bounds without rectangles,
+    /// and the worst of all.
     #[test]
     fn every_bound_counts() {
         let leaf = |x: f64, region: Region, norm: f64| Leaf {

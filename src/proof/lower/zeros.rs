@@ -1,19 +1,24 @@
 //! Points around the first zeros, where the code sums a Taylor series about the stored zero.
 //!
-//! With `δ = z − z_k`, `w = (2i/√π)(δ + h(δ))`, `h = δ² Σ g_n δⁿ`: as `w(z_k) = 0`, `w′ = −2zw + 2i/√π`, the coefficients
-//! `d_n = g_{n−2}` obey `d_0 = 0`, `d_1 = 1`, `n d_n = −2 (z_k d_{n−1} + d_{n−2})`.
+//! With `δ = z − z_k`, `w = (2i/√π)(δ + h(δ))`, `h = δ² Σ g_n δⁿ`: as `w(z_k) = 0`,
+//! `w′ = −2zw + 2i/√π`, the coefficients `d_n = g_{n−2}` obey `d_0 = 0`, `d_1 = 1`,
+//! `n d_n = −2 (z_k d_{n−1} + d_{n−2})`.
 //!
-//! * **δ.** `x − z₀` is exact (Sterbenz), so is the sum with `−z₁`, `d + d₂`; `d₂ − z₂` is rounded, by at most
-//!   `u(u|d| + |z₂|)`, and not at all where `x = z₀`. Elsewhere `|d|` is at least half a spacing of x, and `|z₂| ≤ 2⁻⁵³ |z₁|`
-//!   at most `2⁻⁵³` of that: the pair is within `2.1u²` of itself and the error of the stored zero, a certified ball less the three parts.
-//! * **h** is computed from the leading part δ₁, `|δ − δ₁| ≤ u|δ₁|`. Since `h′ = w′√π/(2i) − 1 = −2zw √π/(2i)`, h changes by
-//!   at most `2|z||w|u|δ₁|` of `2/√π`, on the way |w| by less than 10⁻¹² of itself: relative to w it is `2|z||δ|u`.
-//! * **Truncation.** `Σ |g̃_n − g_n| Dⁿ⁺²`, the terms that follow as far as they are computed, and a tail: on `|δ| ≤ 1`
-//!   Grönwall's inequality for w′ gives `|w| ≤ (2/√π) e^{2(|z_k| + 1)}`, so that `|d_n| ≤ e^{2(|z_k| + 1)}`.
-//! * **Rounding.** The code runs over rectangles of δ₁, in shells down to the distance of the f64 next to the zero; the
-//!   lower parts are any numbers that they may be. A rectangle on which the code surely gives up is none of these.
+//! * **δ.** `x − z₀` is exact (Sterbenz), so is the sum with `−z₁`, `d + d₂`; `d₂ − z₂` is rounded,
+//!   by at most `u(u|d| + |z₂|)`, and not at all where `x = z₀`. Elsewhere `|d|` is at least half a
+//!   spacing of x, and `|z₂| ≤ 2⁻⁵³ |z₁|` at most `2⁻⁵³` of that: the pair is within `2.1u²` of
+//!   itself and the error of the stored zero, a certified ball less the three parts.
+//! * **h** is computed from the leading part δ₁, `|δ − δ₁| ≤ u|δ₁|`. Since
+//!   `h′ = w′√π/(2i) − 1 = −2zw √π/(2i)`, h changes by at most `2|z||w|u|δ₁|` of `2/√π`, on the way
+//!   |w| by less than 10⁻¹² of itself: relative to w it is `2|z||δ|u`.
+//! * **Truncation.** `Σ |g̃_n − g_n| Dⁿ⁺²`, the terms that follow as far as they are computed, and
+//!   a tail: on `|δ| ≤ 1` Grönwall's inequality for w′ gives `|w| ≤ (2/√π) e^{2(|z_k| + 1)}`, so
+//!   that `|d_n| ≤ e^{2(|z_k| + 1)}`.
+//! * **Rounding.** The code runs over rectangles of δ₁, in shells down to the distance of the f64
+//!   next to the zero; the lower parts are any numbers that they may be. A rectangle on which the
+//!   code surely gives up is none of these.
 
-use super::exponential::{U, around_zero};
+use super::phase::{U, around_zero};
 use super::reflection::Value;
 use crate::ProofError;
 use crate::bounds::{above, exp_up, power_up, rational};
@@ -47,7 +52,7 @@ pub(crate) struct Zero {
     off: f64,
 }
 
-/// What is proved around the zeros.
+/// Describes what is proved around the zeros.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct AroundZeros {
     /// Of the norm, in units of 2⁻⁵².
@@ -129,7 +134,7 @@ fn farthest(x: f64, y: f64) -> f64 {
     up(hypot_up(x, y) * (1.0 + 1e-12))
 }
 
-/// What rounding makes of δ: `2.1u²` of itself, beside the error of the stored zero.
+/// Returns what rounding makes of δ: `2.1u²` of itself, beside the error of the stored zero.
 fn of_offset(d: f64, off: f64) -> f64 {
     sum_up(product_up(2.1 * U, product_up(U, d)), off)
 }
@@ -291,5 +296,4 @@ impl AroundZeros {
 }
 
 #[cfg(test)]
-#[path = "tests/zeros.rs"]
 mod tests;

@@ -93,8 +93,8 @@ fn of_erfcx(x: f64) -> Inner {
     inner(code::erfcx_branch(x), || imaginary_axis_at(x).0)
 }
 
-/// The formula of the solver at x or −x, `x ≥ 0`. Its choices are comparisons of x with constants, and of numbers that
-/// never fall when x grows.
+/// The formula of the solver at x or −x, `x ≥ 0`. Its choices are comparisons of x with constants,
+/// and of numbers that never fall when x grows.
 pub fn choice(function: Function, negative: bool, x: f64) -> Formula {
     let [series, complement, one, far] = code::LIMITS;
     match function {

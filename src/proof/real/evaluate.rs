@@ -16,7 +16,7 @@ use mechaudit_solvers::faddeeva::proof::{AxisRow, ROUND};
 use rug::Rational;
 use rug::float::Round;
 
-/// What a formula gives before its last rounding.
+/// Describes what a formula gives before its last rounding.
 struct Way {
     /// The sum of the two numbers.
     sum: Tracks,
@@ -27,7 +27,7 @@ struct Way {
 }
 
 impl Way {
-    /// Whether the product with its power of two is no subnormal number anywhere.
+    /// Returns whether the product with its power of two is no subnormal number anywhere.
     fn is_normal(&self) -> bool {
         let least = || f64::from(exponent(self.sum.exact.mignitude()));
         self.exponent.is_none_or(|n| n + least() > -1022.0)
@@ -39,7 +39,7 @@ struct Operand<'a> {
     function: Function,
     row: Option<(&'a AxisRow, f64, i32)>,
     terms: u32,
-    /// What the formula without rounding is wrong by at most.
+    /// Holds what the formula without rounding is wrong by at most.
     off: f64,
 }
 
@@ -98,7 +98,7 @@ impl<'a> Operand<'a> {
         series(x)
     }
 
-    /// What it is wrong by without rounding, as a part of it, from its enclosure.
+    /// Returns what it is wrong by without rounding, as a part of it, from its enclosure.
     fn part(&self, value: &Tracks) -> f64 {
         // (2/√π) F, from F.
         let factor = if self.function == Function::Dawson {
@@ -110,7 +110,8 @@ impl<'a> Operand<'a> {
     }
 }
 
-/// What a value of at least `least` is wrong by, as a part of the true one, if it is by `off`.
+/// Returns what a value of at least `least` is wrong by, as a part of the true one, if it is by
+/// `off`.
 fn left_out(off: f64, least: f64) -> f64 {
     quotient_up(off, (least - off).next_down())
 }
@@ -119,8 +120,8 @@ fn sum_of([hi, lo]: [Tracked; 2]) -> Tracks {
     hi.exact_sum(lo)
 }
 
-/// The formula that is used, infinity included, and its bound over an interval: `|computed − f| ≤ C ulp(f)`, where `ulp(f)`
-/// is at least the smallest number.
+/// The formula that is used, infinity included, and its bound over an interval:
+/// `|computed − f| ≤ C ulp(f)`, where `ulp(f)` is at least the smallest number.
 ///
 /// # Errors
 /// Why there is none.
@@ -204,7 +205,8 @@ pub(super) fn bound(
                     exponent: n,
                 }
             });
-            // erfc x is less than what it is taken from leaves; erfcx x is less than that, and 2e^{x²} less than twice.
+            // erfc x is less than what it is taken from leaves; erfcx x is less than that, and
+            // 2e^{x²} less than twice.
             let both = function == Function::Erfcx;
             let exponential = if both { 2.0 * exponential } else { exponential };
             one(ways, &|way| {
@@ -268,7 +270,7 @@ pub(super) fn bound(
     }
 }
 
-/// What is Dawson's function's, or that of the others.
+/// Returns what is Dawson's function's, or that of the others.
 fn of_function(function: Function, [dawson, others]: [f64; 2]) -> f64 {
     match function {
         Function::Dawson => dawson,
@@ -296,7 +298,8 @@ fn joined(p: f64, q: f64) -> f64 {
     sum_up(sum_up(p, q), product_up(p, q))
 }
 
-/// Whether the value is above the range all over the interval; it may not be within `2⁻⁵⁰` of its end.
+/// Returns whether the value is above the range all over the interval; it may not be within `2⁻⁵⁰`
+/// of its end.
 fn overflows(ways: &[Way], at: &Interval) -> Result<bool, &'static str> {
     const BOTH: &str = "on both sides of overflow";
     if at.is_point() {
@@ -326,7 +329,7 @@ fn overflows(ways: &[Way], at: &Interval) -> Result<bool, &'static str> {
     all.ok_or("no way")
 }
 
-/// Whether all numbers between the two are above 1, or none, by `2⁻⁵⁰` at least.
+/// Decides whether all numbers between the two are above 1, or none, by `2⁻⁵⁰` at least.
 fn above_one([lo, hi]: [f64; 2]) -> Option<bool> {
     let margin = power_of_two(-50);
     match (lo > 1.0 + margin, hi < 1.0 - margin) {
@@ -336,16 +339,17 @@ fn above_one([lo, hi]: [f64; 2]) -> Option<bool> {
     }
 }
 
-/// The bound, in units in the last place of f, of a sum y of two numbers that is rounded to nearest, where y without
-/// rounding is wrong by `part` of f.
+/// The bound, in units in the last place of f, of a sum y of two numbers that is rounded to
+/// nearest, where y without rounding is wrong by `part` of f.
 ///
-/// With `|y − f| ≤ e ulp(f)`, `e ≤ 1`, the rounded y is within `½ + e` units of f: where y and f are in the same binade
-/// it is within half a unit of y; where y is below and f is not, y has the smaller unit; where f is below 2^k and y is
-/// not, y is rounded to 2^k, which lies between them.
+/// With `|y − f| ≤ e ulp(f)`, `e ≤ 1`, the rounded y is within `½ + e` units of f: where y and f
+/// are in the same binade it is within half a unit of y; where y is below and f is not, y has the
+/// smaller unit; where f is below 2^k and y is not, y is rounded to 2^k, which lies between them.
 ///
-/// If it is then multiplied by a power of two and the product may be subnormal, it is rounded once more there, by half a
-/// unit. The first rounding and e are half as many units then: `¾ + e/2`. Where f is the least normal number or
-/// above and y is below, or the other way round, the result is that number if `e < ¼`.
+/// If it is then multiplied by a power of two and the product may be subnormal, it is rounded once
+/// more there, by half a unit. The first rounding and e are half as many units then: `¾ + e/2`.
+/// Where f is the least normal number or above and y is below, or the other way round, the result
+/// is that number if `e < ¼`.
 fn rounded(
     y: &Tracks,
     at: &Interval,
@@ -381,24 +385,25 @@ fn rounded(
 /// Below this x² is no `f64` but zero.
 pub(super) const SMALL: f64 = f64::from_bits((1023 - 950) << 52);
 
-/// Whether the product of x with 2/√π as stored is at least 2⁻¹⁰²¹; exactly, as the difference of 2¹⁰⁰⁰ times as much is
-/// not rounded to zero.
+/// Returns whether the product of x with 2/√π as stored is at least 2⁻¹⁰²¹; exactly, as the
+/// difference of 2¹⁰⁰⁰ times as much is not rounded to zero.
 pub(super) fn beyond_subnormal(x: f64) -> bool {
     let [c, _] = code::constants()[0];
     (x * power_of_two(1000)).mul_add(c, -power_of_two(-21)) >= 0.0
 }
 
-/// The bound of `Maclaurin series` where `x < 2⁻⁹⁵⁰`. There `x²` and with it all that follows the first term is zero in
-/// the code, so that Dawson's function is x, within a part x² of its value, and erf x is `x (C + c)`, (C, c) the two parts
-/// of 2/√π:
+/// The bound of `Maclaurin series` where `x < 2⁻⁹⁵⁰`. There `x²` and with it all that follows the
+/// first term is zero in the code, so that Dawson's function is x, within a part x² of its value,
+/// and erf x is `x (C + c)`, (C, c) the two parts of 2/√π:
 ///
 /// ```text
 /// p = RN(x C),  q = RN(x C − p),  t = RN(x c),  erf = RN(p + RN(q + t))
 /// ```
 ///
-/// In units of 2⁻¹⁰⁷⁵, of which subnormal numbers have an even number: where `x C < 2⁻¹⁰²¹` p is off by 1, so that q = 0,
-/// and t = 0. From there on a unit in the last place of erf x is at least 4; q is off by 1, t by 1 or by all of it, if that
-/// is less, and what is rounded of `q + t`, below 2⁻⁵¹ of p, does not count.
+/// In units of 2⁻¹⁰⁷⁵, of which subnormal numbers have an even number: where `x C < 2⁻¹⁰²¹` p is
+/// off by 1, so that q = 0, and t = 0. From there on a unit in the last place of erf x is at least
+/// 4; q is off by 1, t by 1 or by all of it, if that is less, and what is rounded of `q + t`, below
+/// 2⁻⁵¹ of p, does not count.
 fn underflowing(function: Function, ends: [f64; 2], constant: f64) -> f64 {
     const C_LOW: f64 = 1.54e-17;
     const ROUNDINGS: f64 = 1e-15;
@@ -418,5 +423,4 @@ fn underflowing(function: Function, ends: [f64; 2], constant: f64) -> f64 {
 }
 
 #[cfg(test)]
-#[path = "tests/evaluate.rs"]
 mod tests;

@@ -1,9 +1,10 @@
-//! erf, erfc, erfcx and Dawson's function of a real argument: bounds of the error in units in the last place of the
-//! value, for every finite `f64`.
+//! erf, erfc, erfcx and Dawson's function of a real argument: bounds of the error in units in the
+//! last place of the value, for every finite `f64`.
 //!
-//! [`real_line`] proves them as [`upper_half_plane`](crate::upper_half_plane) does for w, on intervals in place of
-//! rectangles. Each of the four functions is a sum of two numbers that is rounded once at the end; the sum is known to
-//! much less than a unit in the last place, so that the bounds are little more than one half.
+//! [`real_line`] proves them as [`upper_half_plane`](crate::upper_half_plane) does for w, on
+//! intervals in place of rectangles. Each of the four functions is a sum of two numbers that is
+//! rounded once at the end; the sum is known to much less than a unit in the last place, so that
+//! the bounds are little more than one half.
 
 mod choice;
 mod evaluate;
@@ -53,8 +54,8 @@ impl Function {
         mechaudit_solvers::faddeeva::PROVED_REAL_ULPS
     }
 
-    /// The signs of the arguments for which something has to be proved: the code of an odd function takes |x| and gives
-    /// the value the sign of x.
+    /// The signs of the arguments for which something has to be proved: the code of an odd function
+    /// takes |x| and gives the value the sign of x.
     pub(crate) fn signs(self) -> &'static [bool] {
         match self {
             Function::Erf | Function::Dawson => &[false],
@@ -66,7 +67,7 @@ impl Function {
 /// The `f64`s of one sign with `ends[0] ≤ |x| ≤ ends[1]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
-    /// Whether x is negative.
+    /// Tells whether x is negative.
     pub negative: bool,
     /// The ends of |x|.
     pub ends: [f64; 2],
@@ -82,7 +83,7 @@ impl Interval {
         }
     }
 
-    /// Whether it is one number.
+    /// Returns whether it is one number.
     pub fn is_point(&self) -> bool {
         self.ends[0] == self.ends[1]
     }

@@ -50,7 +50,8 @@ pub type Open = certificate::Open<Interval>;
 /// Leaves together cover the finite numbers unless something is open.
 pub type Certificate = certificate::Certificate<Leaf, Interval>;
 
-/// How often an interval is halved at most for a better bound, and for one at all: to single numbers.
+/// How often an interval is halved at most for a better bound, and for one at all: to single
+/// numbers.
 const DEPTH: u32 = 14;
 const MOST_DEPTH: u32 = 64;
 /// More than these intervals for one to begin with, and it is given up.
@@ -78,8 +79,8 @@ fn roots(code: &Code, function: Function) -> Vec<(Interval, Formula)> {
     all
 }
 
-/// Proves what can be proved of a function, with intervals halved until the bound is at most `target` units in the last
-/// place; `None` if it was stopped.
+/// Proves what can be proved of a function, with intervals halved until the bound is at most
+/// `target` units in the last place; `None` if it was stopped.
 pub fn real_line(
     code: &Code,
     function: Function,
@@ -132,7 +133,8 @@ impl Refined<'_> {
     }
 }
 
-/// A finite number that no interval holds, if there is one; of an odd function the positive ones count.
+/// A finite number that no interval holds, if there is one; of an odd function the positive ones
+/// count.
 pub fn hole(function: Function, intervals: impl IntoIterator<Item = Interval>) -> Option<f64> {
     const LAST: u64 = f64::MAX.to_bits();
     let all: Vec<Interval> = intervals.into_iter().collect();
@@ -156,5 +158,4 @@ pub fn hole(function: Function, intervals: impl IntoIterator<Item = Interval>) -
 }
 
 #[cfg(test)]
-#[path = "tests/theorem.rs"]
 mod tests;

@@ -1,4 +1,4 @@
-//! What a certificate proves, in a few numbers.
+//! Describes what a certificate proves, in a few numbers.
 
 use super::prove::{Certificate, Leaf};
 use super::{Function, Interval};
@@ -53,7 +53,7 @@ impl OfFormula {
 }
 
 impl Certificate {
-    /// What is proved; `None` for no interval at all.
+    /// Returns what is proved; `None` for no interval at all.
     pub fn summary(&self, function: Function) -> Option<Summary> {
         let mut formulas: Vec<OfFormula> = Vec::new();
         for leaf in &self.leaves {

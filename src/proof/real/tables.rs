@@ -11,13 +11,13 @@ use rayon::prelude::*;
 use rug::Rational;
 use std::collections::HashMap;
 
-/// What the formulas of one function are made of.
+/// Describes what the formulas of one function are made of.
 #[derive(Clone)]
 pub struct Tables {
     /// By the bits of the centre.
     pub(super) rows: HashMap<u64, (AxisRow, RowErrors)>,
-    /// What is wrong without rounding, as a part of the value: the exponential, the Maclaurin series, and 2/√π, √π/2 and
-    /// 1/√π.
+    /// Holds what is wrong without rounding, as a part of the value: the exponential, the Maclaurin
+    /// series, and 2/√π, √π/2 and 1/√π.
     pub(super) exponential: f64,
     pub(super) near: f64,
     pub(super) constants: [f64; 3],
@@ -110,5 +110,4 @@ impl Tables {
 }
 
 #[cfg(test)]
-#[path = "tests/tables.rs"]
 mod tests;

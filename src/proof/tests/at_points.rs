@@ -5,13 +5,14 @@ use rand::rngs::ChaCha8Rng;
 use rand::{Rng, SeedableRng};
 use std::fmt::Debug;
 
-/// Whether the point is in the rectangle.
+/// Returns whether the point is in the rectangle.
 pub(crate) fn holds(at: &Rectangle, a: f64, b: f64) -> bool {
     (at.a[0]..=at.a[1]).contains(&a) && (at.b[0]..=at.b[1]).contains(&b)
 }
 
-/// On rectangles of all sizes, every eighth changed by `beside`: all that is due at a point is among the pieces that hold
-/// it. Some rectangles have no pieces, many have some, few have more than two and none more than `many`.
+/// On rectangles of all sizes, every eighth changed by `beside`: all that is due at a point is
+/// among the pieces that hold it. Some rectangles have no pieces, many have some, few have more
+/// than two and none more than `many`.
 pub(crate) fn pieces_hold_what_is_due<T: PartialEq + Debug>(
     pieces: impl Fn(&Rectangle) -> Result<Vec<(Rectangle, T)>, &'static str>,
     due: impl Fn(f64, f64) -> Vec<T>,
@@ -22,7 +23,8 @@ pub(crate) fn pieces_hold_what_is_due<T: PartialEq + Debug>(
     let mut uniform = move || (random.next_u64() >> 11) as f64 * 2f64.powi(-53);
     let (mut known, mut refused, mut several) = (0, 0, 0);
     for k in 0..6000 {
-        // Coordinates evenly and by their exponents, sides from a hundredth of the coordinate to more than it.
+        // Coordinates evenly and by their exponents, sides from a hundredth of the coordinate to
+        // more than it.
         let mut coordinate = || match uniform() < 0.5 {
             true => 14.0 * uniform(),
             false => 2f64.powf(-60.0 + 72.0 * uniform()),

@@ -1,12 +1,14 @@
 //! Bounds beside those that were proved before: a change has to be meant.
 //!
-//! A bound that shrinks may no longer be one and a bound that grows is a loss, and neither fails a test of inclusion.
-//! [`bit_by_bit`] notices every change of a number of terms, a working precision, a slack or a start.
+//! A bound that shrinks may no longer be one and a bound that grows is a loss, and neither fails a
+//! test of inclusion. [`bit_by_bit`] notices every change of a number of terms, a working
+//! precision, a slack or a start.
 
 use crate::form::power_of_two;
 use std::fmt::Debug;
 
-/// A name, a digest of what was found under it, and a figure to read: the worst of it, or how much of it there is.
+/// A name, a digest of what was found under it, and a figure to read: the worst of it, or how much
+/// of it there is.
 pub(crate) type Pinned<'a> = (&'a str, u64, f64);
 
 /// A digest of values as they are printed, which tells every `f64` from every other (FNV-1a).
@@ -65,7 +67,8 @@ pub(crate) fn of_binades(unit: &mut impl FnMut() -> f64, [least, most]: [i32; 2]
     (1.0 + unit()) * power_of_two(k.floor() as i32)
 }
 
-/// Asserts that these are the bounds of these formulas, to 1e-6; what was found is listed where they are not.
+/// Asserts that these are the bounds of these formulas, to 1e-6; what was found is listed where
+/// they are not.
 pub(crate) fn as_proved(found: &[(&str, f64)], due: &[(&str, f64)]) {
     let line = |(name, b): &(&str, f64)| format!("    ({name:?}, {b:.9e}),");
     let listed: Vec<String> = found.iter().map(line).collect();

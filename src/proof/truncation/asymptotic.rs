@@ -14,12 +14,12 @@ fn decay(at: &Rectangle) -> f64 {
     if t > 700.0 { f64::INFINITY } else { exp_up(t) }
 }
 
-/// With the terms up to `a_N`, so that `R_{N+1}` is left out; the component along the small coordinate divided by
-/// it.
+/// With the terms up to `a_N`, so that `R_{N+1}` is left out; the component along the small
+/// coordinate divided by it.
 ///
-/// On the real axis `w − e^{−z²}` and the series are imaginary, on the imaginary axis both are real: along the arc
-/// from there the component grows as the remainder's slope allows, `π/2 − θ ≤ (π/2) Re z/|z|`,
-/// `θ ≤ (π/2) Im z/|z|` (for `θ ≤ π/4`).
+/// On the real axis `w − e^{−z²}` and the series are imaginary, on the imaginary axis both are
+/// real: along the arc from there the component grows as the remainder's slope allows,
+/// `π/2 − θ ≤ (π/2) Re z/|z|`, `θ ≤ (π/2) Im z/|z|` (for `θ ≤ π/4`).
 pub(crate) fn asymptotic(terms: u32, at: &Rectangle) -> Truncation {
     let (near, far) = (hypot_down(at.a[0], at.b[0]), hypot_up(at.a[1], at.b[1]));
     let whole = remainder(terms + 1, near);
@@ -53,12 +53,12 @@ pub(crate) fn asymptotic(terms: u32, at: &Rectangle) -> Truncation {
     }
 }
 
-/// The same with 16 terms where `e^{−z²}` is added or does not count: what is added, and what should be, are at
-/// most `e^{y² − x²}` each.
+/// The same with 16 terms where `e^{−z²}` is added or does not count: what is added, and what
+/// should be, are at most `e^{y² − x²}` each.
 ///
-/// Re w is bounded by its two terms, [`OfSum`]: the remainder without `e^{−z²}` is imaginary on the real axis, so that
-/// its real part is at most `(π/2)(y/|z|)` times its slope, [`asymptotic`]. The exponential is only added below
-/// `y = 2⁻⁵⁰`, which these boxes are above.
+/// Re w is bounded by its two terms, [`OfSum`]: the remainder without `e^{−z²}` is imaginary on the
+/// real axis, so that its real part is at most `(π/2)(y/|z|)` times its slope, [`asymptotic`]. The
+/// exponential is only added below `y = 2⁻⁵⁰`, which these boxes are above.
 pub(crate) fn strip(at: &Rectangle) -> Truncation {
     let mut t = asymptotic(16, at);
     let most = decay(at);
@@ -84,16 +84,18 @@ fn beside(n: u32, at: &Rectangle) -> f64 {
 
 /// Next to the real axis, `b < 2⁻²⁸`, by the polynomials in `v = 1/a²`.
 ///
-/// `|w(a + ib) − w(a) − i b w′(a)| ≤ b²/2 sup |w″|`, and by Cauchy's estimate on circles of radius 3 about the
-/// points between, `|w″| ≤ (2/9) sup |w|`, where for `a ≥ 8.9` all points have `|z| ≥ 5.9` and
-/// `|w| ≤ 0.6/5.9 + 2e^{h² − x²}`, `x² − h² ≥ 5.9²`: together below 0.023. (`|w| ≤ (1 + B₁ √π|z|)/(√π|z|)` above
-/// the axis with `B₁ ≤ 0.74/|z|³`.) The rest is the remainder of 25 terms and its slope, and what the polynomials
-/// differ from the sums they stand for.
+/// `|w(a + ib) − w(a) − i b w′(a)| ≤ b²/2 sup |w″|`, and by Cauchy's estimate on circles of radius
+/// 3 about the points between, `|w″| ≤ (2/9) sup |w|`, where for `a ≥ 8.9` all points have
+/// `|z| ≥ 5.9` and `|w| ≤ 0.6/5.9 + 2e^{h² − x²}`, `x² − h² ≥ 5.9²`: together below 0.023.
+/// (`|w| ≤ (1 + B₁ √π|z|)/(√π|z|)` above the axis with `B₁ ≤ 0.74/|z|³`.) The rest is the remainder
+/// of 25 terms and its slope, and what the polynomials differ from the sums they stand for.
 ///
-/// `Re w = y U + E`: U is wrong by the remainder of 25 terms of the series ([`beside`]), by what follows the first
-/// power of y in their sum, and by the polynomial. Each term `a_n Re i z^{−m}/√π`, `m = 2n + 1`, is odd in y, so that
-/// what follows is at most `y³ m(m + 1)(m + 2)/6 · a_n x^{−m−3}/√π`, summed below `0.7 y³/x⁴` for `x² ≥ 79`. E has `e^{−a²}` in place of `e^{y² − a²} cos 2ay`, wrong by `y²` and `(2ay)²/2` parts of
-/// it, and what the code's exponential is wrong by.
+/// `Re w = y U + E`: U is wrong by the remainder of 25 terms of the series ([`beside`]), by what
+/// follows the first power of y in their sum, and by the polynomial. Each term
+/// `a_n Re i z^{−m}/√π`, `m = 2n + 1`, is odd in y, so that what follows is at most
+/// `y³ m(m + 1)(m + 2)/6 · a_n x^{−m−3}/√π`, summed below `0.7 y³/x⁴` for `x² ≥ 79`. E has
+/// `e^{−a²}` in place of `e^{y² − a²} cos 2ay`, wrong by `y²` and `(2ay)²/2` parts of it, and what
+/// the code's exponential is wrong by.
 pub(crate) fn on_real_line(at: &Rectangle, [p0, p1]: [f64; 2], exponential: f64) -> Truncation {
     let (a, b) = (at.a[0], at.b[1]);
     if !(a >= 8.9) {
@@ -126,23 +128,26 @@ pub(crate) fn on_real_line(at: &Rectangle, [p0, p1]: [f64; 2], exponential: f64)
     }
 }
 
-/// The remainder's slope next to the real axis, and that of the polynomial, which is off by `missing`.
+/// The remainder's slope next to the real axis, and that of the polynomial, which is off by
+/// `missing`.
 fn line_slope(a: f64, missing: f64) -> f64 {
     let remainder = quotient_up(remainder_slope(25, a), a);
     sum_up(remainder, quotient_up(missing, a))
 }
 
-/// In units of `e^{−x²}`: `e^{−z²}` itself, its slope `2|z|` times b, and what the code adds for it.
+/// In units of `e^{−x²}`: `e^{−z²}` itself, its slope `2|z|` times b, and what the code adds for
+/// it.
 fn exponentials_of_line(a: f64, b: f64) -> f64 {
     sum_up(4.0, product_up(2.0 * a, b))
 }
 
-/// What `2^k (1 + s + s² Σ c_j s^j)`, evaluated without rounding, differs from `e^x` by, as a part of it:
-/// `s = x − k (L₀ + L₁)` with `|s| ≤ 0.348`, `|k| ≤ most`.
+/// Returns what `2^k (1 + s + s² Σ c_j s^j)`, evaluated without rounding, differs from `e^x` by, as
+/// a part of it: `s = x − k (L₀ + L₁)` with `|s| ≤ 0.348`, `|k| ≤ most`.
 ///
-/// k is an integer next to `x log₂ e` as computed, so that `|s| ≤ ½ ln 2 + 2⁻³⁰`, and the low part of x is below 2⁻⁴⁴.
-/// `k (ln 2 − L₀ − L₁)`, the errors of the coefficients, and what follows the last of them, `Σ_{n>13} |s|ⁿ/n!`, at most
-/// 1.03 times its first term; all divided by `e^{−0.348} > 0.7`.
+/// k is an integer next to `x log₂ e` as computed, so that `|s| ≤ ½ ln 2 + 2⁻³⁰`, and the low part
+/// of x is below 2⁻⁴⁴. `k (ln 2 − L₀ − L₁)`, the errors of the coefficients, and what follows the
+/// last of them, `Σ_{n>13} |s|ⁿ/n!`, at most 1.03 times its first term; all divided by
+/// `e^{−0.348} > 0.7`.
 pub(crate) fn exponential_error(coefficients: &[f64], ln_2: [f64; 2], most: f64) -> f64 {
     const BITS: u32 = 300;
     const MOST: f64 = 0.348;
@@ -162,8 +167,8 @@ pub(crate) fn exponential_error(coefficients: &[f64], ln_2: [f64; 2], most: f64)
     quotient_up(sum_up(sum, product_up(1.03, tail)), 0.7)
 }
 
-/// The most by which a stored polynomial of the real line differs from `Σ_{k<24} a_{k+1} (2k + 3)^s v^k` for
-/// `0 ≤ v ≤ 1/79`, `s = 0` or 1.
+/// The most by which a stored polynomial of the real line differs from
+/// `Σ_{k<24} a_{k+1} (2k + 3)^s v^k` for `0 ≤ v ≤ 1/79`, `s = 0` or 1.
 pub(crate) fn polynomial_error(stored: &[f64; 10], slope: bool) -> f64 {
     let mut a = Rational::from(1);
     let mut c: Vec<Rational> = Vec::new();
@@ -213,5 +218,4 @@ pub(crate) fn huge() -> Truncation {
 }
 
 #[cfg(test)]
-#[path = "tests/asymptotic.rs"]
 mod tests;

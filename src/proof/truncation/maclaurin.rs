@@ -6,8 +6,8 @@ use crate::interval::{product_up, quotient_up};
 
 /// `Σ_{n>last} |z|ⁿ/Γ(n/2 + 1)`, last 8 or 20, `|z| ≤ r < ½`; the imaginary part divided by `Re z`.
 ///
-/// Γ grows there, and `|Im vⁿ| ≤ n |Im v| |v|^{n−1}`, `n r^{n−1}` summed at most twice its first term, because
-/// `(n + 1) r/n ≤ ½` for `r ≤ 9/20`.
+/// Γ grows there, and `|Im vⁿ| ≤ n |Im v| |v|^{n−1}`, `n r^{n−1}` summed at most twice its first
+/// term, because `(n + 1) r/n ≤ ½` for `r ≤ 9/20`.
 pub(crate) fn maclaurin(last: u32, r: f64) -> Truncation {
     // Γ(5.5) = 945 √π/32 and Γ(11.5) = 13749310575 √π/2048, rounded down.
     let inside = r <= 0.45;
@@ -28,5 +28,4 @@ pub(crate) fn maclaurin(last: u32, r: f64) -> Truncation {
 }
 
 #[cfg(test)]
-#[path = "tests/maclaurin.rs"]
 mod tests;

@@ -12,12 +12,14 @@ pub(crate) use maclaurin::maclaurin;
 pub(crate) use odd::{odd_series_error, pair_error};
 pub(crate) use rows::RowErrors;
 
-/// Bounds of `|formula − w|`, and of its components divided by σ, where they have the factor σ in the formula.
+/// Bounds of `|formula − w|`, and of its components divided by σ, where they have the factor σ in
+/// the formula.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Truncation {
     /// Of the absolute value.
     pub norm: f64,
-    /// Of the real part; infinite where nothing better than `norm` is proved and the part has the factor σ.
+    /// Of the real part; infinite where nothing better than `norm` is proved and the part has the
+    /// factor σ.
     pub re: f64,
     /// Of the imaginary part.
     pub im: f64,
@@ -40,8 +42,8 @@ impl Truncation {
     }
 }
 
-/// `Re w = y U + E` beside the real axis, `E = Re e^{−z²}`, both terms positive: bounds of what each of the two that
-/// the formula has in their place is wrong by.
+/// `Re w = y U + E` beside the real axis, `E = Re e^{−z²}`, both terms positive: bounds of what
+/// each of the two that the formula has in their place is wrong by.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct OfSum {
     /// Of U.

@@ -8,11 +8,11 @@ use rug::Rational;
 /// The coefficients of a series `x (1 + c₁x² + c₂x⁴ + …)` from the one before.
 pub(crate) type Next = fn(n: u32, before: Rational) -> Rational;
 
-/// What a stored series differs from the function by, as a part of it, for `x² ≤ ¼`; `low` is what the second
-/// coefficient lacks.
+/// Returns what a stored series differs from the function by, as a part of it, for `x² ≤ ¼`; `low`
+/// is what the second coefficient lacks.
 ///
-/// `Σ |c̃_n − c_n| 4^{−n}`, and of what is left out, whose terms alternate and fall, the first one; the function is at
-/// least 0.8 x. After each `c_n` it takes `c_n` from the one before by `next`.
+/// `Σ |c̃_n − c_n| 4^{−n}`, and of what is left out, whose terms alternate and fall, the first one;
+/// the function is at least 0.8 x. After each `c_n` it takes `c_n` from the one before by `next`.
 pub(crate) fn odd_series_error(stored: &[f64], low: f64, next: Next) -> f64 {
     let mut sum = 0.0;
     let mut exact = Rational::from(1);
@@ -28,7 +28,7 @@ pub(crate) fn odd_series_error(stored: &[f64], low: f64, next: Next) -> f64 {
     quotient_up(sum, 0.8)
 }
 
-/// What the sum of two numbers differs from what it stands for by, as a part of it.
+/// Returns what the sum of two numbers differs from what it stands for by, as a part of it.
 pub(crate) fn pair_error([hi, lo]: [f64; 2], exact: &Ball) -> f64 {
     const BITS: u32 = 300;
     let stored = Ball::rational(BITS, &(rational(hi) + rational(lo)));
@@ -36,5 +36,4 @@ pub(crate) fn pair_error([hi, lo]: [f64; 2], exact: &Ball) -> f64 {
 }
 
 #[cfg(test)]
-#[path = "tests/odd.rs"]
 mod tests;

@@ -7,8 +7,8 @@
 //! ```
 //!
 //! by Cauchy's estimate on the circle ρ = 3 about the centre: `|w(z)| ≤ erfcx(Im z)` (the integral
-//! `(2/√π)∫₀^∞ e^{−t²+2izt}dt` with the absolute value inside), which is at most `2e^{(Im z)²}` below the axis, so
-//! that with a centre on or above the axis `M = 2e⁹`.
+//! `(2/√π)∫₀^∞ e^{−t²+2izt}dt` with the absolute value inside), which is at most `2e^{(Im z)²}`
+//! below the axis, so that with a centre on or above the axis `M = 2e⁹`.
 
 use super::Truncation;
 use crate::ProofError;
@@ -120,9 +120,10 @@ impl RowErrors {
 
     /// For `|Re δ| ≤ dx`, `|Im δ| ≤ dy`.
     ///
-    /// The real part about a real centre: `Re Σ e_n δⁿ` is at most `Σ |Re e_n| Dⁿ + dy Σ n |Im e_n| D^{n−1}`, since
-    /// `|Im δⁿ| ≤ n |Im δ| |δ|^{n−1}`. The imaginary part about a centre on the imaginary axis, where `iⁿ e_n` is
-    /// real, divided by `Re δ`: at most `Σ n |e_n| D^{n−1}`, by the same for `−iδ`.
+    /// The real part about a real centre: `Re Σ e_n δⁿ` is at most
+    /// `Σ |Re e_n| Dⁿ + dy Σ n |Im e_n| D^{n−1}`, since `|Im δⁿ| ≤ n |Im δ| |δ|^{n−1}`. The
+    /// imaginary part about a centre on the imaginary axis, where `iⁿ e_n` is real, divided by
+    /// `Re δ`: at most `Σ n |e_n| D^{n−1}`, by the same for `−iδ`.
     pub fn within(&self, dx: f64, dy: f64) -> Truncation {
         let d = hypot_up(dx, dy);
         if !(d <= 1.0) {
@@ -152,7 +153,8 @@ impl RowErrors {
         }
     }
 
-    /// Whether the components that are zero by symmetry about a centre on the imaginary axis are exactly zero.
+    /// Returns whether the components that are zero by symmetry about a centre on the imaginary
+    /// axis are exactly zero.
     pub fn is_symmetric(&self) -> bool {
         self.centre.0 == 0.0
             && self.parts.iter().enumerate().all(|(n, e)| match n % 2 {
@@ -162,7 +164,8 @@ impl RowErrors {
     }
 }
 
-/// `Σ_{n>40} n q^{n−1} ≤ 41 q⁴⁰/(1 − q)² ≤ 100 q⁴⁰`, `q = D/ρ ≤ 1/3`, times M; the sum without n is less.
+/// `Σ_{n>40} n q^{n−1} ≤ 41 q⁴⁰/(1 − q)² ≤ 100 q⁴⁰`, `q = D/ρ ≤ 1/3`, times M; the sum without n is
+/// less.
 pub(crate) fn tail(d: f64, most: f64) -> f64 {
     let q = quotient_up(d, RADIUS);
     product_up(100.0 * most, power_up(q, TERMS as u32 - 1))
@@ -174,5 +177,4 @@ fn certified(centre: (f64, f64)) -> Result<Vec<ComplexBall>, ProofError> {
 }
 
 #[cfg(test)]
-#[path = "tests/rows.rs"]
 mod tests;

@@ -23,7 +23,6 @@ use crate::{ComplexBall, Mag, Undecided};
 use rug::{Float, Rational};
 use std::cmp::Ordering;
 
-#[path = "dyad_zeros.rs"]
 mod zeros;
 
 /// Why there are no values.
@@ -321,5 +320,4 @@ pub fn slider_crank(
 }
 
 #[cfg(test)]
-#[path = "dyad_tests.rs"]
 mod tests;

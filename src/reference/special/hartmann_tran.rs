@@ -1,18 +1,21 @@
 //! The Hartmann–Tran profile: partially correlated, quadratic in the speed, hard collisions.
 //!
-//! N. H. Ngo, D. Lisak, H. Tran, J.-M. Hartmann, JQSRT 129 (2013) 89–100; in the form of J. Tennyson et al.,
-//! Pure Appl. Chem. 86 (2014) 1931–1943, with `C_n = Γ_n + iΔ_n`, `c = √(ln 2)/Γ_D` and the detuning δ:
+//! N. H. Ngo, D. Lisak, H. Tran, J.-M. Hartmann, JQSRT 129 (2013) 89–100; in the form of J.
+//! Tennyson et al., Pure Appl. Chem. 86 (2014) 1931–1943, with `C_n = Γ_n + iΔ_n`,
+//! `c = √(ln 2)/Γ_D` and the detuning δ:
 //!
-//! `HT = (1/π) A/(1 − (ν − η(C₀ − 3C₂/2)) A + η C₂ B)`, `C̃₀ = (1 − η)(C₀ − 3C₂/2) + ν`, `C̃₂ = (1 − η) C₂`.
+//! `HT = (1/π) A/(1 − (ν − η(C₀ − 3C₂/2)) A + η C₂ B)`, `C̃₀ = (1 − η)(C₀ − 3C₂/2) + ν`,
+//! `C̃₂ = (1 − η) C₂`.
 //!
-//! A and B are the means of 1/D and u²/D over a Maxwellian of speeds u in units of the most probable one,
-//! `D = C̃₀ + C̃₂u² − iδ + iu_z/c`. What is evaluated follows from that:
+//! A and B are the means of 1/D and u²/D over a Maxwellian of speeds u in units of the most
+//! probable one, `D = C̃₀ + C̃₂u² − iδ + iu_z/c`. What is evaluated follows from that:
 //!
 //! With `1/D = ∫_0^∞ e^{−sD} ds` and `λ = 1 + sC̃₂` the Gaussian integrals give
-//! `A = ∫_0^∞ λ^{−3/2} e^{−s(C̃₀−iδ) − s²/(4c²λ)} ds` and B with `3/2 λ^{−5/2} − s²/(4c²) λ^{−7/2}` for `λ^{−3/2}`.
-//! Put `X = (C̃₀ − iδ)/C̃₂`, `b = √Y = 1/(2cC̃₂)`, `t = √λ`, `Φ = e^{−X(t²−1) − Y(t−1/t)²}`. Then
-//! `A = (2/C̃₂) ∫_1 Φ t^{−2} dt`, and with a root a of `X + Y` the exponent is `−(at ∓ b/t)² + (a ∓ b)²`. Because
-//! `2b/t² = (a + b/t²) − (a − b/t²)`, the derivatives of `at ∓ b/t`,
+//! `A = ∫_0^∞ λ^{−3/2} e^{−s(C̃₀−iδ) − s²/(4c²λ)} ds` and B with `3/2 λ^{−5/2} − s²/(4c²) λ^{−7/2}`
+//! for `λ^{−3/2}`. Put `X = (C̃₀ − iδ)/C̃₂`, `b = √Y = 1/(2cC̃₂)`, `t = √λ`,
+//! `Φ = e^{−X(t²−1) − Y(t−1/t)²}`. Then `A = (2/C̃₂) ∫_1 Φ t^{−2} dt`, and with a root a of `X + Y`
+//! the exponent is `−(at ∓ b/t)² + (a ∓ b)²`. Because `2b/t² = (a + b/t²) − (a − b/t²)`, the
+//! derivatives of `at ∓ b/t`,
 //!
 //! `A = √π c (w(iZ₋) − w(iZ₊))`, `Z_± = a ± b`,
 //!
@@ -20,10 +23,11 @@
 //!
 //! `C̃₂ B = −1 + (√π/(2b)) ((1 − Z₋²) w(iZ₋) − (1 − Z₊²) w(iZ₊))`.
 //!
-//! The path ends where `Re at → +∞`: `t ~ √(sC̃₂)`, and `C̃₂(X + Y) = C̃₀ − iδ + 1/(4c²C̃₂)` has a positive
-//! real part where `Re C̃₀ ≥ 0`, `Re C̃₂ ≥ 0` and not both are zero. So a is the quotient of the principal roots of
-//! `C̃₂(X + Y)` and `C̃₂`, that is the root of `X + Y` in the right half-plane. `Z₋ = X/Z₊` loses nothing.
-//! For `C̃₂ = 0`: `A = √π c w(iZ)`, `B = √π c ((1 − Z²) w(iZ) + Z/√π)`, `Z = c(C̃₀ − iδ)`.
+//! The path ends where `Re at → +∞`: `t ~ √(sC̃₂)`, and `C̃₂(X + Y) = C̃₀ − iδ + 1/(4c²C̃₂)` has a
+//! positive real part where `Re C̃₀ ≥ 0`, `Re C̃₂ ≥ 0` and not both are zero. So a is the quotient
+//! of the principal roots of `C̃₂(X + Y)` and `C̃₂`, that is the root of `X + Y` in the right
+//! half-plane. `Z₋ = X/Z₊` loses nothing. For `C̃₂ = 0`: `A = √π c w(iZ)`,
+//! `B = √π c ((1 − Z²) w(iZ) + Z/√π)`, `Z = c(C̃₀ − iδ)`.
 
 use super::faddeeva::{first, w_ball};
 use crate::{Ball, ComplexBall, Undecided};
@@ -46,7 +50,7 @@ pub struct Parameters {
     pub detuning: Rational,
 }
 
-/// What is outside the domain, in words.
+/// Returns what is outside the domain, in words.
 fn refused(p: &Parameters) -> Option<&'static str> {
     let [g0, g2] = &p.widths;
     if p.doppler <= 0 {
@@ -75,8 +79,9 @@ fn tilded(p: &Parameters) -> [Rational; 2] {
     [slow * &rest + &p.narrowing, Rational::from(g2 * &rest)]
 }
 
-/// The complex profile, each component with a relative radius of at most 2^-bits; its real part is the
-/// absorption. Im is exactly zero where δ, Δ₀ and Δ₂ are, and for δ = Δ₀ where Δ₂ and η are zero.
+/// The complex profile, each component with a relative radius of at most 2^-bits; its real part is
+/// the absorption. Im is exactly zero where δ, Δ₀ and Δ₂ are, and for δ = Δ₀ where Δ₂ and η are
+/// zero.
 ///
 /// ```
 /// use mechaudit_reference::hartmann_tran::{Parameters, hartmann_tran};
@@ -97,14 +102,14 @@ fn tilded(p: &Parameters) -> [Rational; 2] {
 /// ```
 ///
 /// # Errors
-/// [`Undecided`]: parameters outside the domain, with the rule; or a component that cannot be told from
-/// zero at `16 bits + 4096` bits.
+/// [`Undecided`]: parameters outside the domain, with the rule; or a component that cannot be told
+/// from zero at `16 bits + 4096` bits.
 pub fn hartmann_tran(p: &Parameters, bits: u32) -> Result<ComplexBall, Undecided> {
     if let Some(rule) = refused(p) {
         return Err(Undecided::new(bits, rule));
     }
-    // Conjugate parameters give the conjugate profile; at the middle of a line that is but shifted they are real: C̃₀ − iδ has
-    // no imaginary part where η = 0 and δ = Δ₀.
+    // Conjugate parameters give the conjugate profile; at the middle of a line that is but shifted
+    // they are real: C̃₀ − iδ has no imaginary part where η = 0 and δ = Δ₀.
     let [at_rest, by_speed] = &p.shifts;
     let shifted = *at_rest != 0 && p.correlation != 0;
     let real = *by_speed == 0 && p.detuning == *at_rest && !shifted;

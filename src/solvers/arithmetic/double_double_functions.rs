@@ -161,5 +161,4 @@ pub(crate) fn circles_and_exponential<L: Lanes>(
 }
 
 #[cfg(test)]
-#[path = "tests/double_double_functions.rs"]
 mod tests;

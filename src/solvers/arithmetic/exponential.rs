@@ -2,9 +2,10 @@
 //!
 //! With `z = a + i y`: `−z² = (y − a)(y + a) − 2 a y i`. Both parts are formed exactly or to 2⁻¹⁰⁴
 //! as two `f64`, then reduced by multiples of ln 2 and π/2 that are themselves kept to 160 bits
-//! (Cody & Waite, *Software Manual for the Elementary Functions*, 1980; phases from 2³⁰ upwards
-//! are left to [`payne_hanek`](super::payne_hanek)). The factors are returned as `hi + lo` with
-//! a relative error of 0.06 · 2⁻⁵² at the worst found by their test (12 000 points), the power of two apart.
+//! (Cody & Waite, *Software Manual for the Elementary Functions*, 1980; phases from 2³⁰ upwards are
+//! left to [`payne_hanek`](super::payne_hanek)). The factors are returned as `hi + lo` with a
+//! relative error of 0.06 · 2⁻⁵² at the worst found by their test (12 000 points), the power of two
+//! apart.
 
 use super::payne_hanek;
 use super::tables::{self, HALF_PI, INVERSE_FACTORIAL};
@@ -148,8 +149,8 @@ pub(crate) fn of_pairs() -> (&'static [f64; 11], [f64; 2]) {
     (&EXP_FROM_CUBE, LN_2)
 }
 
-/// The coefficients of `e^s` from s³ on, of the sine from s³ and from s⁵ on, and of the cosine from s⁴ on; 1/6 and
-/// π/2 in parts, and the digits of 2/π.
+/// The coefficients of `e^s` from s³ on, of the sine from s³ and from s⁵ on, and of the cosine from
+/// s⁴ on; 1/6 and π/2 in parts, and the digits of 2/π.
 #[cfg(feature = "proof")]
 pub(crate) struct Constants {
     pub exp: &'static [f64; 11],
@@ -284,8 +285,8 @@ pub(crate) fn exp_minus_square_rounded<R: Real>(a: R, y: R) -> (R, R, R) {
     (e * c, -(e * s), n)
 }
 
-/// The same with a relative error of about `2⁻⁵³ (3|Re z²| + 4)`, for phases below 2⁸ and `|Re z²|` below
-/// 700.
+/// The same with a relative error of about `2⁻⁵³ (3|Re z²| + 4)`, for phases below 2⁸ and `|Re z²|`
+/// below 700.
 #[inline(always)]
 pub(crate) fn exp_minus_square_short<R: Real>(a: R, y: R) -> (R, R, R) {
     // y² − a² as one number.
@@ -402,5 +403,4 @@ fn short_product<R: Real>(a: Dd<R>, b: Dd<R>) -> Dd<R> {
 }
 
 #[cfg(test)]
-#[path = "tests/exponential.rs"]
 mod tests;

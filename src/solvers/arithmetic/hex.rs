@@ -3,7 +3,8 @@
 /// The number that a literal of C99 (6.4.4.2) such as `0x1.8p-3` denotes, exactly.
 ///
 /// # Panics
-/// At compile time in a constant: another form, more than 53 bits, a number outside the range of `f64`.
+/// At compile time in a constant: another form, more than 53 bits, a number outside the range of
+/// `f64`.
 pub(crate) const fn hex(literal: &str) -> f64 {
     let text = literal.as_bytes();
     let mut at = 0;

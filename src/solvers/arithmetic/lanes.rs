@@ -43,15 +43,15 @@ pub(crate) trait Lanes: Vectors<Scalar = f64> {
 pub(crate) trait Task: Sized {
     type Output;
     fn run<L: Lanes>(self, lanes: L) -> Self::Output;
-    // Methods of the task: incremental builds keep them with the module of the task, so that a change there
-    // compiles no other task again.
+    // Methods of the task: incremental builds keep them with the module of the task, so that a
+    // change there compiles no other task again.
     /// Runs it with arrays, as a function of its own.
     #[inline(never)]
     fn with_arrays(self) -> Self::Output {
         self.run(Plain)
     }
-    /// Runs it with AVX2 and FMA, as a function of its own. In development builds there is one of it, not one for
-    /// each module that calls it.
+    /// Runs it with AVX2 and FMA, as a function of its own. In development builds there is one of
+    /// it, not one for each module that calls it.
     #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
     #[cfg_attr(debug_assertions, inline(never))]
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -79,7 +79,8 @@ fn plain<T: Task>(task: T) -> T::Output {
     task.with_arrays()
 }
 
-/// Code for such processors alone has no other: half of its size would be for processors it does not run on.
+/// Code for such processors alone has no other: half of its size would be for processors it does
+/// not run on.
 #[cfg(all(target_feature = "avx2", target_feature = "fma"))]
 #[cold]
 fn plain<T: Task>(_: T) -> T::Output {
@@ -153,11 +154,11 @@ mod x86 {
     use pulp::{NullaryFnOnce, cast, f64x4};
     use std::sync::OnceLock;
 
-    /// What the processor was found to have.
+    /// States what the processor was found to have.
     pub(crate) static BEST: OnceLock<Option<V3>> = OnceLock::new();
 
-    /// Looks what the processor has. A function of its own, and away from the others: where it may be
-    /// called in between, numbers in vector registers go to memory and back, for every value.
+    /// Looks what the processor has. A function of its own, and away from the others: where it may
+    /// be called in between, numbers in vector registers go to memory and back, for every value.
     #[cold]
     #[inline(never)]
     pub(crate) fn first<T: Task>(task: T) -> T::Output {

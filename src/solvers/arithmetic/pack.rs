@@ -28,7 +28,7 @@ pub(crate) trait Wide: Simd {
     fn leading(self, x: Self::u64s) -> Self::u64s;
     /// `x << 62`
     fn to_sign(self, x: Self::u64s) -> Self::u64s;
-    /// Whether `a = b` as integers, for 0 and 1 only.
+    /// Returns whether `a = b` as integers, for 0 and 1 only.
     #[inline(always)]
     fn is_one(self, a: Self::u64s) -> Self::m64s {
         self.equal_u64s(a, self.splat_u64s(1))
@@ -76,7 +76,7 @@ fn transposed(simd: V3, [a, b, c, d]: [f64x4; 4]) -> [f64x4; 4] {
     ]
 }
 
-/// What the two sets differ in by their names and widths only.
+/// Holds what the two sets differ in by their names and widths only.
 macro_rules! by_width {
     ($width:literal, $add:ident, $shl:ident, $shr:ident, $avx:ident:
      $max:ident, $min:ident, $low:ident, $high:ident, [$($even:literal),*]) => {
@@ -228,7 +228,7 @@ impl<S: Wide> Pack<S> {
         v
     }
 
-    /// Whether all numbers, none of them negative, are zero.
+    /// Returns whether all numbers, none of them negative, are zero.
     #[inline(always)]
     pub(crate) fn is_zero(self) -> bool {
         let s = self.0;
@@ -328,10 +328,10 @@ impl<S: Wide> Real for Pack<S> {
     }
 }
 
-// The coefficients of a row lie side by side. With 32 vector registers they are transposed, so that each vector
-// holds one coefficient of all points; with 16 there is no room for that, and each point's four interleaved
-// polynomials stay in one vector until their sums are transposed. Both carry out the same operations on the same
-// numbers.
+// The coefficients of a row lie side by side. With 32 vector registers they are transposed, so that
+// each vector holds one coefficient of all points; with 16 there is no room for that, and each
+// point's four interleaved polynomials stay in one vector until their sums are transposed. Both
+// carry out the same operations on the same numbers.
 
 /// Numbers `at … at + 3` of each row.
 #[inline(always)]
@@ -344,7 +344,8 @@ pub(crate) fn columns<S: Wide, const N: usize>(
     [Pack(simd, a), Pack(simd, b), Pack(simd, c), Pack(simd, d)]
 }
 
-/// The four interleaved polynomials of each point in `δ⁴ = x + i y`: real parts, and imaginary parts.
+/// The four interleaved polynomials of each point in `δ⁴ = x + i y`: real parts, and imaginary
+/// parts.
 pub(crate) type Parts<S> = ([Pack<S>; 4], [Pack<S>; 4]);
 
 /// `p_m = q_m + q_{m+4}δ⁴ + …`

@@ -40,11 +40,11 @@ fn digits(at: i64) -> u64 {
 /// Words of the window of 2/π.
 const N: usize = 5;
 
-/// `2 a |y|` in quarters of a turn: the nearest whole number modulo four, and the sign and the binary digits of
-/// what is left, for `a ≥ 0`.
+/// `2 a |y|` in quarters of a turn: the nearest whole number modulo four, and the sign and the
+/// binary digits of what is left, for `a ≥ 0`.
 ///
-/// It is the product of 2/π's window, 320 digits of it, with `m` below 2¹⁰⁶; what the window leaves out is below
-/// 2⁻²¹².
+/// It is the product of 2/π's window, 320 digits of it, with `m` below 2¹⁰⁶; what the window leaves
+/// out is below 2⁻²¹².
 pub(crate) fn fraction(a: f64, y: f64) -> (i64, bool, [u64; N]) {
     let ((ma, ea), (my, ey)) = (parts(a), parts(y));
     let m = u128::from(ma) * u128::from(my);

@@ -51,20 +51,21 @@ pub trait Real:
     fn at_least(self, low: Self) -> Self;
     /// `high` if it is larger.
     fn at_most(self, high: Self) -> Self;
-    /// At least a constant. Where the result is squared: of a comparison written out a compiler squares
-    /// both sides and then chooses, and a square that underflows takes as long as half of a formula.
+    /// At least a constant. Where the result is squared: of a comparison written out a compiler
+    /// squares both sides and then chooses, and a square that underflows takes as long as half of a
+    /// formula.
     fn raised(self, least: f64) -> Self;
-    /// Whether it is smaller than the other one.
+    /// Returns whether it is smaller than the other one.
     fn below(self, other: Self) -> Self::Mask;
-    /// Whether either is true.
+    /// Returns whether either is true.
     fn or(self, a: Self::Mask, b: Self::Mask) -> Self::Mask;
     /// One or the other.
     fn pick(self, mask: Self::Mask, yes: Self, no: Self) -> Self;
-    /// Whether the mask is true in every place.
+    /// Returns whether the mask is true in every place.
     fn all(self, mask: Self::Mask) -> bool;
     /// 2^k, where `self` is `ROUND + k` and `k` within the normal exponents.
     fn power_of_two(self) -> Self;
-    /// Whether `k` is odd, where `self` is `ROUND + k`.
+    /// Returns whether `k` is odd, where `self` is `ROUND + k`.
     fn is_odd(self) -> Self::Mask;
     /// `x`, negated if the second bit of `k` is set, where `self` is `ROUND + k`.
     fn flip(self, x: Self) -> Self;
@@ -136,8 +137,8 @@ pub(crate) fn scaled<R: Real>(x: R, n: R) -> R {
     x * half.power_of_two() * rest.power_of_two()
 }
 
-/// `t`, negated if `x` has a minus sign: without a branch, which for signs by chance is taken wrongly
-/// every other time.
+/// `t`, negated if `x` has a minus sign: without a branch, which for signs by chance is taken
+/// wrongly every other time.
 #[inline(always)]
 pub(crate) fn with_sign_of(t: f64, x: f64) -> f64 {
     f64::from_bits(t.to_bits() ^ (x.to_bits() & (1 << 63)))
@@ -184,7 +185,8 @@ impl Real for Four {
     fn like(self, x: f64) -> Four {
         Four([x; 4])
     }
-    // Four calls where there is no instruction for it: inlined they are most of the time that tests take to build.
+    // Four calls where there is no instruction for it: inlined they are most of the time that tests
+    // take to build.
     #[cfg_attr(debug_assertions, inline(never))]
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn fma(self, b: Four, c: Four) -> Four {

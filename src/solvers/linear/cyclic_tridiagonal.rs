@@ -32,7 +32,7 @@ pub type CyclicSweep = Elimination<Cyclic>;
 pub struct Cyclic {
     /// `φ_i`, for rows 0 to n−2; `λ_i` are there for rows 0 to n−3.
     phi: Vec<f64>,
-    /// What is left of the last row in column i when it is eliminated, for columns 0 to n−2.
+    /// Holds what is left of the last row in column i when it is eliminated, for columns 0 to n−2.
     last_row: Vec<f64>,
 }
 
@@ -229,5 +229,4 @@ mod tests {
 }
 
 #[cfg(test)]
-#[path = "cyclic_factor_tests.rs"]
 mod factor_tests;

@@ -82,7 +82,7 @@ pub enum BodyError {
     },
 }
 
-/// What the crank feels: the reduced quantities at one position.
+/// Describes what the crank feels: the reduced quantities at one position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reduced {
     /// I_n in kg·m².

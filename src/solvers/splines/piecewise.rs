@@ -1,7 +1,20 @@
 //! Places and integrals, which do not depend on how the cubics between the knots are held.
 
-use super::cubic_spline::{EvaluationError as Error, Extrapolation, Jet};
+use super::cubic_spline::{EvaluationError as Error, Extrapolation};
 use crate::double_double::{Dd, fast_two_sum, two_prod, two_sum};
+
+/// Value and derivatives at a point.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Jet {
+    /// `S`.
+    pub value: f64,
+    /// `S'`.
+    pub first: f64,
+    /// `S''`.
+    pub second: f64,
+    /// `S'''`, of the segment to the right at a knot.
+    pub third: f64,
+}
 
 /// Where a point lies.
 pub(super) enum Place {

@@ -38,8 +38,8 @@ fn batch(method: &str, one: fn(C) -> C, many: impl Fn(&[C]) -> Vec<C>) {
     }
 }
 
-/// Checks a function of a real argument against the lines on the real axis, to a unit in the last place
-/// or what is allowed there.
+/// Checks a function of a real argument against the lines on the real axis, to a unit in the last
+/// place or what is allowed there.
 fn real(method: &str, f: fn(f64) -> f64, part: usize, axis: usize) {
     let mut met = 0;
     for line in lines(method) {

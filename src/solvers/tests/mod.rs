@@ -1,9 +1,9 @@
 //! The solvers against certified values, without GMP or MPFR.
 //!
-//! The values are those of `reference/values/`; `tests/solver_values/allowed.csv` says how far off each of
-//! them a solver may be. `tests/solver_values/special.csv` has more points of the Faddeeva family, with
-//! both. Each value is asked for on all paths there are: one point, batches, all cores.
-//! `tests/library/solver_values.rs` writes the allowances.
+//! The values are those of `reference/values/`; `tests/solver_values/allowed.csv` says how far off
+//! each of them a solver may be. `tests/solver_values/special.csv` has more points of the Faddeeva
+//! family, with both. Each value is asked for on all paths there are: one point, batches, all
+//! cores. `tests/library/solver_values.rs` writes the allowances.
 //!
 //! These are unit tests of the lean build, not a target in `tests/`, so that a mutant is compiled
 //! once (`tests/mutants.md`).
@@ -22,7 +22,7 @@ mod splines;
 mod stability;
 mod systems;
 
-/// What a solver says: values, or the word of its refusal.
+/// Describes what a solver says: values, or the word of its refusal.
 type Answer = Result<Vec<f64>, String>;
 
 /// A way through a solver, with its name.
@@ -64,7 +64,8 @@ fn body(file: &str, header: &str) -> String {
     text[start + header.len()..].trim_start().to_owned()
 }
 
-/// All lines of a method: those of `reference/values/`, then those of the Faddeeva family's own file.
+/// All lines of a method: those of `reference/values/`, then those of the Faddeeva family's own
+/// file.
 fn lines(method: &str) -> Vec<Line> {
     let values = body(
         &format!("reference/values/{method}.csv"),
@@ -141,7 +142,7 @@ fn close(got: f64, (due, allowed): (f64, f64)) -> bool {
     }
 }
 
-/// Whether the values are the ones that are due.
+/// Returns whether the values are the ones that are due.
 fn fits(due: &[(f64, f64)], got: &[f64]) -> bool {
     due.len() == got.len() && got.iter().zip(due).all(|(g, d)| close(*g, *d))
 }
@@ -170,7 +171,7 @@ fn hold(method: &str, paths: &[Path]) {
     }
 }
 
-/// Whether two numbers are the same number, zeros with their signs.
+/// Returns whether two numbers are the same number, zeros with their signs.
 fn same(a: f64, b: f64) -> bool {
     a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan()
 }

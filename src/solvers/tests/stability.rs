@@ -1,4 +1,4 @@
-//! What a factored tridiagonal or cyclic system says of itself, against dense matrices.
+//! Describes what a factored tridiagonal or cyclic system says of itself, against dense matrices.
 
 use crate::cyclic_tridiagonal::CyclicSweep;
 use crate::tridiagonal::{Stability, Sweep};

@@ -98,8 +98,9 @@ fn the_reference_refuses_the_same_harmonics() {
     assert_eq!(word(&no_law).as_deref(), Some("bad layout"));
 }
 
-/// A trapezoid: up by a straight line in the first quarter of a turn, high in the second, down in the third. Its mean is
-/// half the lift; the n-th coefficients are integrals of pieces of straight lines.
+/// A trapezoid: up by a straight line in the first quarter of a turn, high in the second, down in
+/// the third. Its mean is half the lift; the n-th coefficients are integrals of pieces of straight
+/// lines.
 #[test]
 fn coefficients_of_a_trapezoid() {
     let values =
@@ -120,7 +121,8 @@ fn coefficients_of_a_trapezoid() {
     }
 }
 
-/// Without a return the lift goes on: what is left is a sawtooth, of which the return's law is no part.
+/// Without a return the lift goes on: what is left is a sawtooth, of which the return's law is no
+/// part.
 #[test]
 fn without_a_return_the_other_law_counts_nothing() {
     let solved = |fall: &[f64]| {

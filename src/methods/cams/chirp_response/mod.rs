@@ -4,7 +4,7 @@ mod regions;
 
 use crate::audit::{Domain, Law, Output, ReferenceAnswer, Uncertified};
 use crate::methods::common::{conditioned, held};
-use crate::methods::definition::{Definition, exact};
+use crate::methods::definition::{Definition, exact, method};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::chirp_oscillator::{Problem, conditions, enclose, response};
 use crate::reference::faddeeva::Scaled;
@@ -33,6 +33,10 @@ inputs! {
 /// A candidate is a `Fn(ChirpResponseInput) -> [f64; 5]`.
 #[derive(Clone, Copy, Debug)]
 pub struct ChirpResponse;
+
+method! {
+    ChirpResponse "chirp-response": Fn(ChirpResponseInput<'_>), |f, i| f(i)
+}
 
 const REASON: &str = "each part is of the size of the result or smaller and takes a few roundings of \
     its own; the divided difference over roots half their distance apart costs four of them, and the \

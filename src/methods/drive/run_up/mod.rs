@@ -6,7 +6,7 @@ use crate::audit::{
     Budget, Domain, Draw, Law, Limit, Output, ReferenceAnswer, SolverAnswer, Uncertified,
 };
 use crate::methods::common::{output, point, region};
-use crate::methods::definition::{Definition, exact};
+use crate::methods::definition::{Definition, exact, method};
 use crate::methods::inputs::{Number, inputs};
 use crate::methods::linkages::{ClassIiiInput, at_degrees};
 use crate::reference::Ball;
@@ -48,6 +48,10 @@ inputs! {
 /// A candidate is a `Fn(RunUpInput) -> [phi, psi]`.
 #[derive(Clone, Copy, Debug)]
 pub struct RunUp;
+
+method! {
+    RunUp "run-up": Fn(RunUpInput<'_>), |f, i| f(i)
+}
 
 /// Values of [`RunUpInput::coefficients`].
 const CONSTANT: f64 = 0.0;
@@ -205,7 +209,7 @@ fn reference_motor(i: RunUpInput<Rational>) -> Option<certified::Motor> {
     })
 }
 
-/// What the reference starts from.
+/// Returns what the reference starts from.
 fn reference_run(i: RunUpInput<Rational>) -> Option<certified::Run> {
     Some(certified::Run {
         motor: reference_motor(i)?,
@@ -273,8 +277,8 @@ impl Definition for RunUp {
     }
 
     fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
-        // The budget is far above an ulp: fewer bits decide, and more are asked for if not. 80 leave
-        // radii of a few ulps after a start from rest.
+        // The budget is far above an ulp: fewer bits decide, and more are asked for if not. 80
+        // leave radii of a few ulps after a start from rest.
         let bits = bits * 5 / 8;
         let model = reference_model(i, bits)?;
         let run = reference_run(i).ok_or(Uncertified::Refused("layout"))?;

@@ -31,7 +31,8 @@ fn reference(i: RunUpInput) -> Result<Vec<f64>, Uncertified> {
     Ok(values.iter().map(Ball::to_f64).collect())
 }
 
-/// Solver and reference against `ψ = ψ0 + T t/I` and, under a straight motor, `ψ = ω0 − (ω0 − ψ0) e^{−M0 t/(I ω0)}`.
+/// Solver and reference against `ψ = ψ0 + T t/I` and, under a straight motor,
+/// `ψ = ω0 − (ω0 − ψ0) e^{−M0 t/(I ω0)}`.
 #[test]
 fn a_bare_rotor_moves_as_its_closed_form_says() {
     let t = 0.03125;

@@ -47,7 +47,7 @@ fn coefficients(method: Integration) -> Option<RungeKutta> {
     })
 }
 
-/// What the solver did.
+/// Returns what the solver did.
 fn steps(i: RunUpInput, tolerance: f64, method: Integration) -> Option<Vec<Stretch>> {
     let settings = Settings {
         tolerance,

@@ -123,7 +123,8 @@ fn what_is_no_system_is_refused_by_its_name() {
     }
 }
 
-/// `|A⁻¹| (|A| |x| + |d|)` of 2x + y = 3, x + 2y = 3 with x = y = 1: A⁻¹ = (2, −1; −1, 2)/3, sums of 6.
+/// `|A⁻¹| (|A| |x| + |d|)` of 2x + y = 3, x + 2y = 3 with x = y = 1: A⁻¹ = (2, −1; −1, 2)/3, sums
+/// of 6.
 #[test]
 fn conditions_of_two_equations() {
     let found = Tridiagonal::conditions(&[1.0, 2.0, 2.0, 1.0, 3.0, 3.0]).unwrap();

@@ -1,9 +1,9 @@
 //! Identities of every position of a four-bar linkage.
 
-use super::{FourBar, FourBarInput, motion, values};
+use super::input::{FourBarInput, motion, values};
 use crate::audit::Law;
 use crate::methods::common::{central_difference, held};
-use crate::methods::definition::Definition;
+use crate::methods::inputs::Fields;
 use std::f64::consts::TAU;
 
 pub(super) fn all() -> Vec<Law> {
@@ -40,7 +40,7 @@ pub(super) fn all() -> Vec<Law> {
 const U: f64 = f64::EPSILON / 2.0;
 
 fn closure(x: &[f64]) -> Option<f64> {
-    let i = FourBar::unpack(x)?;
+    let i = FourBarInput::unpack(x)?;
     let m = motion(i).ok()?;
     let FourBarInput {
         a, b, c, d, phi1, ..
@@ -67,7 +67,7 @@ fn spread(i: FourBarInput) -> f64 {
 }
 
 fn scale_law(x: &[f64]) -> Option<f64> {
-    let i = FourBar::unpack(x)?;
+    let i = FourBarInput::unpack(x)?;
     let here = values(&motion(i).ok()?);
     let [a, b, c, d] = [i.a, i.b, i.c, i.d].map(|l| l * 128.0);
     let there = values(&motion(FourBarInput { a, b, c, d, ..i }).ok()?);
@@ -80,7 +80,7 @@ fn same_turns(here: &[f64], there: &[f64]) -> bool {
 }
 
 fn mirror(x: &[f64]) -> Option<f64> {
-    let i = FourBar::unpack(x)?;
+    let i = FourBarInput::unpack(x)?;
     let here = values(&motion(i).ok()?);
     let (phi1, assembly) = (-i.phi1, -i.assembly);
     let there = values(
@@ -94,8 +94,8 @@ fn mirror(x: &[f64]) -> Option<f64> {
     held(mirrored(&here, &there))
 }
 
-/// φ2, φ3, their second derivatives and the joint's ordinate are odd in φ1; first derivatives, transmission angle and
-/// abscissa are even.
+/// φ2, φ3, their second derivatives and the joint's ordinate are odd in φ1; first derivatives,
+/// transmission angle and abscissa are even.
 fn mirrored(here: &[f64], there: &[f64]) -> bool {
     let signs = [-1.0, -1.0, 1.0, 1.0, -1.0, -1.0, 1.0, 1.0, -1.0];
     let turned = there.iter().zip(signs).map(|(x, sign)| sign * x);
@@ -103,7 +103,7 @@ fn mirrored(here: &[f64], there: &[f64]) -> bool {
 }
 
 fn angle_sum(x: &[f64]) -> Option<f64> {
-    let i = FourBar::unpack(x)?;
+    let i = FourBarInput::unpack(x)?;
     let m = motion(i).ok()?;
     let (p2, p3) = (m.coupler.angle.rad(), m.rocker.angle.rad());
     let sine = m.transmission.rad().sin();
@@ -114,7 +114,7 @@ fn angle_sum(x: &[f64]) -> Option<f64> {
 
 fn velocity(x: &[f64]) -> Option<f64> {
     const H: f64 = 1e-4;
-    let i = FourBar::unpack(x)?;
+    let i = FourBarInput::unpack(x)?;
     let m = motion(i).ok()?;
     let angle = |phi1: f64| {
         let mut moved = i;

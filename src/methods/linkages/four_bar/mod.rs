@@ -1,29 +1,20 @@
 //! The four-bar linkage.
 
+mod input;
 mod laws;
 mod regions;
 
 use crate::audit::{Domain, Law, Output, ReferenceAnswer, Uncertified};
 use crate::methods::common::conditioned;
-use crate::methods::definition::Definition;
-use crate::methods::inputs::{Number, inputs};
+use crate::methods::definition::{Definition, method};
+use crate::methods::inputs::Number;
 use crate::reference::dyad::{DyadRefusal, four_bar};
-use crate::solvers::dyad::{self, Assembly, FourBarMotion};
-use crate::solvers::units::{Angle, Length};
+use input::{motion, values};
 use rug::Rational;
 use std::cmp::Ordering;
 
-inputs! {
-    /// A four-bar linkage at a crank angle.
-    pub struct FourBarInput {
-        a: number "a (crank)", "m";
-        b: number "b (coupler)", "m";
-        c: number "c (rocker)", "m";
-        d: number "d (frame)", "m";
-        phi1: number "phi1", "rad";
-        assembly: choice "assembly (1 or -1)", "1";
-    }
-}
+pub use input::FourBarInput;
+pub(super) use input::side;
 
 /// Crank and RRR dyad: position, both derivatives, transmission angle.
 ///
@@ -32,40 +23,15 @@ inputs! {
 #[derive(Clone, Copy, Debug)]
 pub struct FourBar;
 
+method! {
+    FourBar "four-bar":
+        Fn([f64; 4], f64, bool), |f, i| f([i.a, i.b, i.c, i.d], i.phi1, i.assembly > 0.0)
+}
+
 const POSITION: &str = "a mixed forward-backward stable position: a few roundings of each length \
     and of the crank angle, and of the three angles that are added";
 const FIRST: &str = "the position's errors pass through the link directions into two quotients";
 const SECOND: &str = "two squares of the first derivatives and the position's errors once more";
-
-fn motion(i: FourBarInput) -> Result<FourBarMotion, &'static str> {
-    let [a, b, c, d] = [i.a, i.b, i.c, i.d].map(Length::from_m);
-    dyad::FourBar::new(a, b, c, d)
-        .and_then(|bar| bar.position(Angle::from_rad(i.phi1), side(i.assembly)))
-        .map_err(|e| e.name())
-}
-
-/// The assembly that an input chooses.
-pub(super) fn side(assembly: f64) -> Assembly {
-    match assembly > 0.0 {
-        true => Assembly::Positive,
-        false => Assembly::Negative,
-    }
-}
-
-fn values(m: &FourBarMotion) -> Vec<f64> {
-    let (b, c) = (m.coupler, m.rocker);
-    vec![
-        b.angle.rad(),
-        c.angle.rad(),
-        b.first,
-        c.first,
-        b.second,
-        c.second,
-        m.transmission.rad(),
-        m.joint.position_m[0],
-        m.joint.position_m[1],
-    ]
-}
 
 /// The word of a reference that gives no values.
 pub(super) fn refusal(why: DyadRefusal) -> Uncertified {

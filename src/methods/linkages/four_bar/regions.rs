@@ -1,6 +1,6 @@
 //! Where the four-bar linkage is audited.
 
-use super::{FourBarInput, motion};
+use super::input::{FourBarInput, motion};
 use crate::audit::{Domain, Draw};
 use crate::methods::common::{point, region};
 use crate::solvers::dyad::{CrankRange, FourBar};
@@ -218,7 +218,8 @@ fn swinging(r: &mut Draw) -> FourBarInput<'static> {
 mod tests {
     use super::*;
 
-    /// Crank and ground in line: b, c and 2 are a triangle with the transmission angle μ, its sine about 2√(b + c − 2).
+    /// Crank and ground in line: b, c and 2 are a triangle with the transmission angle μ, its sine
+    /// about 2√(b + c − 2).
     #[test]
     fn links_next_to_a_limit_are_not_drawn() {
         let stretched = |sine: f64| FourBarInput {

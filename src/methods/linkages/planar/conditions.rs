@@ -1,12 +1,38 @@
-//! Condition numbers of a planar linkage by implicit differentiation: `Σ |p ∂f/∂p|` over the data of a [`Flow`], and
-//! what the coefficients of its linear systems add.
+//! Condition numbers of a planar linkage by implicit differentiation: `Σ |p ∂f/∂p|` over the data
+//! of a [`Flow`], and what the coefficients of its linear systems add.
 
 use super::flow::{C, Flow, I, Motion, Path, Spot, cross, dot};
-use super::input::PlanarForcesInput;
+use super::input::{PlanarForcesInput, PlanarLinkageInput};
+use crate::methods::inputs::Fields;
 use nalgebra::{DMatrix, DVector};
 
+/// Returns the condition numbers of the motion of a linkage in the method's layout.
+pub(super) fn of_motion(numbers: &[f64]) -> Option<Vec<f64>> {
+    let linkage = PlanarLinkageInput::unpack(numbers)?;
+    Some(flow(&linkage)?.of_motion())
+}
+
+/// Returns the condition numbers of the reduction of a linkage in motion.
+pub(super) fn of_reduction(numbers: &[f64]) -> Option<Vec<f64>> {
+    let i = PlanarForcesInput::unpack(numbers)?;
+    Some(flow(&i.linkage)?.of_reduction(&i))
+}
+
+/// Returns the condition numbers of the forces in the pins of a linkage in motion.
+pub(super) fn of_reactions(numbers: &[f64]) -> Option<Vec<f64>> {
+    let i = PlanarForcesInput::unpack(numbers)?;
+    flow(&i.linkage)?.of_reactions(&i)
+}
+
+/// Returns the linkage at the angles of the reference.
+fn flow(linkage: &PlanarLinkageInput) -> Option<Flow> {
+    let angles = linkage.exactly(|i| i.angles())??;
+    Flow::new(linkage, &angles)
+}
+
 impl Flow {
-    /// Of nine values a body: angle, centre of mass, with derivatives; infinite at a singular position.
+    /// Of nine values a body: angle, centre of mass, with derivatives; infinite at a singular
+    /// position.
     pub(super) fn of_motion(&self) -> Vec<f64> {
         let mut sum = vec![[0.0; 9]; self.bodies];
         for datum in self.data() {

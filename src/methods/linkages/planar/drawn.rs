@@ -1,9 +1,8 @@
-//! Linkages drawn at random at a position: the pins first, then the bodies' frames, so that each can be assembled.
+//! Linkages drawn at random at a position: the pins first, then the bodies' frames, so that each
+//! can be assembled.
 
 use super::input::{BITS, PlanarForcesInput, PlanarLinkageInput, REACH};
-use super::kinematics::PlanarLinkage;
 use crate::audit::Draw;
-use crate::methods::definition::Definition;
 use crate::reference::Ball;
 use std::f64::consts::PI;
 
@@ -11,9 +10,9 @@ type Place = [f64; 2];
 
 /// Places that are tried for a pin before all is drawn anew.
 const TRIES: usize = 50;
-/// Linkages are drawn where the reference tells the position from others with all angles this far off, in radians. Nearer to
-/// a fold `f64` need not tell two positions apart: of linkages told up to 3.3e-6 rad off the solver, whose closures round to
-/// 1e-13, left some unproved.
+/// Linkages are drawn where the reference tells the position from others with all angles this far
+/// off, in radians. Nearer to a fold `f64` need not tell two positions apart: of linkages told up
+/// to 3.3e-6 rad off the solver, whose closures round to 1e-13, left some unproved.
 const TOLD: f64 = 5e-6;
 
 /// Assur groups that are drawn.
@@ -44,7 +43,8 @@ impl Group {
 pub(super) enum Places {
     /// Anywhere.
     Ordinary,
-    /// Off a singular position by this part of the links: dyads stretched, the three links of a triad through one point.
+    /// Off a singular position by this part of the links: dyads stretched, the three links of a
+    /// triad through one point.
     NearFold(f64),
     /// Crowded about the first outer pin, so that links differ by such a factor.
     Crowded(f64),
@@ -71,7 +71,8 @@ fn beside(from: Place, to: Place, t: f64, off: f64) -> Place {
 }
 
 impl Drawing {
-    /// A crank on the ground and the groups, each on bodies before it; none where there is no room between its pins.
+    /// A crank on the ground and the groups, each on bodies before it; none where there is no room
+    /// between its pins.
     fn new(d: &mut Draw, groups: &[Group], places: Places) -> Option<Drawing> {
         let mut all = Drawing {
             bodies: 1,
@@ -91,7 +92,8 @@ impl Drawing {
             .map(|p| p.1)
     }
 
-    /// A place on a body for an outer pin: sometimes that of a moving pin which is there, else away from all.
+    /// A place on a body for an outer pin: sometimes that of a moving pin which is there, else away
+    /// from all.
     fn outer(&self, d: &mut Draw, body: usize) -> Option<Place> {
         let there: Vec<Place> = self.on(body).collect();
         let moves = |p: &&Place| self.on(0).all(|q| q != **p);
@@ -164,14 +166,15 @@ impl Drawing {
         })
     }
 
-    /// Whether the pins of a body are apart.
+    /// Returns whether the pins of a body are apart.
     fn spaced(&self, body: usize, least: f64) -> bool {
         let all: Vec<Place> = self.on(body).collect();
         let far = |(k, p): (usize, &Place)| all[..k].iter().all(|q| apart(*p, *q) > least);
         all.iter().enumerate().all(far)
     }
 
-    /// Frames, centres of mass and angles for the bodies; with every number exact but for the rounding of the pins.
+    /// Frames, centres of mass and angles for the bodies; with every number exact but for the
+    /// rounding of the pins.
     fn framed(&self, d: &mut Draw) -> Linkage {
         let n = self.bodies;
         let mut frames = vec![([0.0, 0.0], 0.0)];
@@ -260,7 +263,8 @@ pub(super) struct Linkage {
 }
 
 impl Linkage {
-    /// One of the groups, its angles given to a random number of digits: as few as leave the position the nearest one.
+    /// One of the groups, its angles given to a random number of digits: as few as leave the
+    /// position the nearest one.
     pub(super) fn drawn(d: &mut Draw, groups: &[Group], places: Places) -> Linkage {
         loop {
             let Some(drawing) = Drawing::new(d, groups, places) else {
@@ -287,11 +291,10 @@ impl Linkage {
         }
     }
 
-    /// Whether angles are those of a position that the reference proves to be the nearest: [`PlanarLinkage::admits`], the
-    /// linkage being made once.
+    /// Returns the test that angles are those of a position which the reference proves to be the
+    /// nearest: [`PlanarLinkageInput::is_placed`], the linkage being made once.
     fn decider(&self) -> impl Fn(&[f64]) -> bool + use<> {
-        let numbers = crate::methods::definition::exact(&self.input().to_vec());
-        let linkage = numbers.and_then(|x| PlanarLinkage::unpack(&x)?.massless(BITS).ok());
+        let linkage = self.input().exactly(|i| i.massless(BITS).ok()).flatten();
         let phi = Ball::exact(BITS, self.phi);
         move |near| {
             let nearest = linkage.as_ref().map(|l| l.nearest(&phi, near, REACH));
@@ -305,7 +308,7 @@ impl Linkage {
         // Pins: crank, outer ones of links 2 and 3, the inner one, whose a is link 2.
         let from = [all.xb[1], all.yb[1]];
         let mut factor = d.uniform(3.0, 8.0);
-        while PlanarLinkage::admits(all.input()) || !all.is_open() {
+        while all.input().is_placed() || !all.is_open() {
             all.xa[3] = from[0] + (all.xa[3] - from[0]) * factor;
             all.ya[3] = from[1] + (all.ya[3] - from[1]) * factor;
             factor = 2.0;
@@ -313,11 +316,9 @@ impl Linkage {
         all
     }
 
-    /// Whether the reference proves that no position is near.
+    /// Returns whether the reference proves that no position is near.
     fn is_open(&self) -> bool {
-        let numbers = self.input().to_vec();
-        let exact = crate::methods::definition::exact(&numbers);
-        let placed = exact.and_then(|x| Some(PlanarLinkage::unpack(&x)?.placed(BITS).err()));
+        let placed = self.input().exactly(|i| i.placed(BITS).err());
         placed.flatten() == Some(crate::audit::Uncertified::Refused(super::input::NONE))
     }
 

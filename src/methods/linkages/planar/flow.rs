@@ -1,17 +1,21 @@
-//! How a planar linkage moves with its data, by implicit differentiation in `f64` at the reference's angles.
+//! How a planar linkage moves with its data, by implicit differentiation in `f64` at the
+//! reference's angles.
 //!
-//! With origins O and angles θ of the bodies, `F(q, p) = 0` says that every pin's points `O + e^{iθ} z` coincide and that
-//! the first angle is φ. A datum p moves q, q', q'' by `F_q δq = −F_p δp` and the same differentiated once and twice by
-//! the drive with what the lower orders give on the right. `Σ |p ∂f/∂p|` follows by one pass for each datum.
+//! With origins O and angles θ of the bodies, `F(q, p) = 0` says that every pin's points
+//! `O + e^{iθ} z` coincide and that the first angle is φ. A datum p moves q, q', q'' by
+//! `F_q δq = −F_p δp` and the same differentiated once and twice by the drive with what the lower
+//! orders give on the right. `Σ |p ∂f/∂p|` follows by one pass for each datum.
 //!
-//! To these come the equations themselves, as they are solved one after another, each as if it had data of its own. A
-//! position closes the loops to within the rounding of their terms: a gap of that size in each is a datum which
-//! moves q and, through it alone, q' and q''. The linear systems for q' and q'' add Skeel's `|F_q⁻¹| (|F_q| |q'| + |right
-//! side|)` (*J. ACM* 26 (1979) 494–526), in every loop of an Assur group of the group's largest term: a loop is a sum around
-//! it, and a group's loops are solved together. What errors of rates make of the squared ones on the right is each pin's own.
-//! Without these a rate on which position and coefficients have opposite effects, the data being what they may, would have
-//! to be found without using the position, a body that by its structure moves as another does would have to have the
-//! difference of both exactly, and one that hardly moves among others that do would have to be found without them.
+//! To these come the equations themselves, as they are solved one after another, each as if it had
+//! data of its own. A position closes the loops to within the rounding of their terms: a gap of
+//! that size in each is a datum which moves q and, through it alone, q' and q''. The linear systems
+//! for q' and q'' add Skeel's `|F_q⁻¹| (|F_q| |q'| + |right side|)` (*J. ACM* 26 (1979) 494–526),
+//! in every loop of an Assur group of the group's largest term: a loop is a sum around it, and a
+//! group's loops are solved together. What errors of rates make of the squared ones on the right is
+//! each pin's own. Without these a rate on which position and coefficients have opposite effects,
+//! the data being what they may, would have to be found without using the position, a body that by
+//! its structure moves as another does would have to have the difference of both exactly, and one
+//! that hardly moves among others that do would have to be found without them.
 
 use super::input::PlanarLinkageInput;
 use nalgebra::{Complex, DMatrix, DVector, Dyn, LU};
@@ -69,7 +73,7 @@ pub(super) struct Datum {
     pub of: Change,
 }
 
-/// What a datum changes.
+/// Describes what a datum changes.
 #[derive(Clone, Copy)]
 pub(super) enum Change {
     Drive,
@@ -89,7 +93,8 @@ pub(super) struct Flow {
     pub direction: Vec<C>,
     pub motion: Motion,
     pub loops: LU<f64, Dyn, Dyn>,
-    /// What the coefficients of the systems for the first and second derivatives make of origins and angles.
+    /// Holds what the coefficients of the systems for the first and second derivatives make of
+    /// origins and angles.
     pub systems: Vec<[[f64; 2]; 2]>,
 }
 
@@ -171,8 +176,8 @@ impl Flow {
         }
     }
 
-    /// What the systems make of origins and angles if each loop is closed to within the largest term of its group, and what
-    /// errors of rates make of the squared ones on the right.
+    /// Returns what the systems make of origins and angles if each loop is closed to within the
+    /// largest term of its group, and what errors of rates make of the squared ones on the right.
     fn of_systems(&self) -> Option<Vec<[[f64; 2]; 2]>> {
         let inverse = self.loops.try_inverse()?.abs();
         let group = groups(self.bodies, &self.pins)?;
@@ -220,7 +225,8 @@ impl Flow {
         self.motion.origin[s.body][order].norm() + s.at.norm() * turning
     }
 
-    /// What the systems make of the first and second derivative of a body's centre of mass and of its angle.
+    /// Returns what the systems make of the first and second derivative of a body's centre of mass
+    /// and of its angle.
     pub(super) fn system(&self, k: usize) -> [[f64; 2]; 2] {
         let [origin, turn] = self.systems[k + 1];
         let arm = self.centres[k].norm();
@@ -371,9 +377,9 @@ impl Flow {
     }
 }
 
-/// The number of each body's Assur group in their order, 0 for ground and driven body: again and again the fewest bodies
-/// that the pins among them and to those before determine. Counted here: a fault of the solver's own count would widen what it
-/// is judged by.
+/// The number of each body's Assur group in their order, 0 for ground and driven body: again and
+/// again the fewest bodies that the pins among them and to those before determine. Counted here: a
+/// fault of the solver's own count would widen what it is judged by.
 fn groups(bodies: usize, pins: &[[Spot; 2]]) -> Option<Vec<usize>> {
     let mut group: Vec<Option<usize>> = vec![None; bodies + 1];
     group[..2].fill(Some(0));

@@ -1,7 +1,8 @@
-//! What the methods of planar linkages take, as solver and reference take it.
+//! Describes what the methods of planar linkages take, as solver and reference take it.
 
 use crate::audit::Uncertified;
-use crate::methods::inputs::{Number, inputs};
+use crate::methods::definition::exact;
+use crate::methods::inputs::{Fields, Number, inputs};
 use crate::reference::Ball;
 use crate::reference::planar::{
     Attachment, Body, Drive, Forces, Joint, Linkage, Mechanism, Position,
@@ -51,6 +52,12 @@ const MOST_BODIES: usize = 9;
 /// The word where no position is within reach.
 pub(super) const NONE: &str = "no position near";
 
+/// The proof of the reference.
+pub(super) const PROOF: &str = "Krawczyk (1969); no nearer position by a one-to-one map on the cube around the \
+    angles given; Taylor arithmetic in balls";
+/// The source of the equations.
+pub(super) const SOURCE: &str = "closed loops of rigid bodies, differentiated; Assur groups: Artobolevskii, Theory of Mechanisms and Machines";
+
 impl<T: Number> PlanarLinkageInput<'_, T> {
     /// The bodies of each pin; nothing if the counts or the bodies are none.
     pub(super) fn joined(&self) -> Option<Vec<[usize; 2]>> {
@@ -94,6 +101,34 @@ impl PlanarLinkageInput<'_> {
             NearestError::NoneWithin { .. } => NONE,
             _ => "unsolved",
         })
+    }
+
+    /// Returns nine values for each moving body, as the solver finds them.
+    pub(super) fn motion(&self) -> Result<Vec<f64>, &'static str> {
+        let mechanism = self.solver()?;
+        let state = self.state(&mechanism)?;
+        let mut all = Vec::new();
+        for k in 0..self.near.len() {
+            let turn = mechanism.body_angle(&state, k + 1);
+            all.extend([turn.angle.rad(), turn.first, turn.second]);
+            let c = mechanism.point(&state, &self.centre(k));
+            all.extend([c.r, c.first, c.second].concat());
+        }
+        Ok(all)
+    }
+
+    /// Returns the same numbers as exact fractions, for `of`; nothing if one is not finite.
+    pub(super) fn exactly<R>(
+        &self,
+        of: impl FnOnce(PlanarLinkageInput<Rational>) -> R,
+    ) -> Option<R> {
+        let numbers = exact(&self.to_vec())?;
+        Some(of(PlanarLinkageInput::unpack(&numbers)?))
+    }
+
+    /// Checks that the reference finds a position.
+    pub(super) fn is_placed(&self) -> bool {
+        self.exactly(|i| i.placed(BITS).is_ok()) == Some(true)
     }
 
     /// The centre of mass of moving body k.
@@ -148,7 +183,8 @@ impl PlanarLinkageInput<'_, Rational> {
         self.exact(&nothing, bits)
     }
 
-    /// The angles that conditions are taken at: with few bits if they are enough to prove the position.
+    /// The angles that conditions are taken at: with few bits if they are enough to prove the
+    /// position.
     pub(super) fn angles(&self) -> Option<Vec<f64>> {
         let at = |bits| Some(self.placed(bits).ok()?.1);
         let position = at(BITS).or_else(|| at(2 * BITS))?;
@@ -175,6 +211,23 @@ impl PlanarForcesInput<'_> {
         };
         let masses = (0..self.m.len()).map(mass).collect();
         Loads::new(mechanism, masses, Vec::new(), [self.gx, self.gy]).map_err(|_| "masses")
+    }
+
+    /// Returns the two components of each pin's force, as the solver finds them.
+    pub(super) fn forces(&self) -> Result<Vec<f64>, &'static str> {
+        let mechanism = self.linkage.solver()?;
+        let loads = self.loads(&mechanism)?;
+        let state = self.linkage.state(&mechanism)?;
+        let found = loads
+            .reactions(&mechanism, &state, self.speed, self.acceleration)
+            .map_err(|_| "singular")?;
+        Ok(found.joints.iter().flat_map(|j| j.force_n).collect())
+    }
+
+    /// Checks that the reference finds a position of the linkage, and that masses are not negative.
+    pub(super) fn is_placed(&self) -> bool {
+        let heavy = self.m.iter().chain(self.j).all(|x| *x >= 0.0);
+        heavy && self.linkage.is_placed()
     }
 }
 

@@ -1,24 +1,28 @@
 //! Positions, rates and accelerations of a planar linkage.
 
 use super::flow::Flow;
-use super::input::{BITS, PlanarLinkageInput};
-use super::{laws, points, regions};
+use super::input::{PROOF, PlanarLinkageInput, SOURCE};
+use super::{conditions, laws, points, regions};
 use crate::audit::{Domain, Law, Output, ReferenceAnswer, Rows, Uncertified};
 use crate::methods::common::conditioned;
-use crate::methods::definition::{Definition, exact};
+use crate::methods::definition::{Definition, method};
 use crate::methods::inputs::Number;
 use crate::reference::planar::{Attachment, Linkage, Position};
 use crate::reference::{Ball, Undecided};
 use rug::Rational;
 
-/// A planar linkage of pins: angles, centres of mass, both derivatives at the position whose largest difference from
-/// `near` over the angles of all moving bodies is least, if that is at most 0.1 rad; angles are real numbers, not reduced by
-/// whole turns.
+/// A planar linkage of pins: angles, centres of mass, both derivatives at the position whose
+/// largest difference from `near` over the angles of all moving bodies is least, if that is at most
+/// 0.1 rad; angles are real numbers, not reduced by whole turns.
 ///
 /// A candidate is a `Fn(PlanarLinkageInput) -> ` nine values for every moving body, as
 /// `mechaudit describe planar-linkage` lays them out.
 #[derive(Clone, Copy, Debug)]
 pub struct PlanarLinkage;
+
+method! {
+    PlanarLinkage "planar-linkage": Fn(PlanarLinkageInput<'_>), |f, i| f(i)
+}
 
 const POSITION: &str = "the last Newton correction leaves a residual of a few rounding errors in each loop: the \
     effect of perturbing each coordinate and the drive by a few units";
@@ -27,12 +31,6 @@ const FIRST: &str =
 const SECOND: &str = "the same system with a right side of squared rates";
 const OF_POINT: &str =
     "the angle's, and the point's own sum of products, each rounded with the direction";
-
-/// Why the reference holds.
-pub(super) const PROOF: &str = "Krawczyk (1969); no nearer position by a one-to-one map on the cube around the \
-    angles given; Taylor arithmetic in balls";
-/// Where the equations come from.
-pub(super) const SOURCE: &str = "closed loops of rigid bodies, differentiated; Assur groups: Artobolevskii, Theory of Mechanisms and Machines";
 
 fn values(
     linkage: &Linkage,
@@ -95,22 +93,11 @@ impl Definition for PlanarLinkage {
     }
 
     fn admits(i: Self::Input<'_, f64>) -> bool {
-        let numbers = i.to_vec();
-        let placed = |x: &Vec<Rational>| Some(PlanarLinkage::unpack(x)?.placed(BITS).is_ok());
-        exact(&numbers).as_ref().and_then(placed) == Some(true)
+        i.is_placed()
     }
 
     fn solve(i: Self::Input<'_, f64>) -> Result<Vec<f64>, &'static str> {
-        let mechanism = i.solver()?;
-        let state = i.state(&mechanism)?;
-        let mut all = Vec::new();
-        for k in 0..i.near.len() {
-            let turn = mechanism.body_angle(&state, k + 1);
-            all.extend([turn.angle.rad(), turn.first, turn.second]);
-            let c = mechanism.point(&state, &i.centre(k));
-            all.extend([c.r, c.first, c.second].concat());
-        }
-        Ok(all)
+        i.motion()
     }
 
     fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
@@ -119,8 +106,7 @@ impl Definition for PlanarLinkage {
     }
 
     fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
-        let angles = Self::unpack(&exact(numbers)?)?.angles()?;
-        Flow::new(&Self::unpack(numbers)?, &angles).map(|f| f.of_motion())
+        conditions::of_motion(numbers)
     }
 
     /// By implicit differentiation at the reference's angles.

@@ -1,13 +1,11 @@
 //! Identities that the solver's values of planar linkages have to satisfy.
 
+use super::conditions;
 use super::drawn::Linkage;
 use super::input::{PlanarForcesInput, PlanarLinkageInput};
-use super::kinematics::PlanarLinkage;
-use super::reactions::PlanarReactions;
-use super::reduction::PlanarReduction;
 use crate::audit::Law;
 use crate::methods::common::{held, largest};
-use crate::methods::definition::Definition;
+use crate::methods::inputs::Fields;
 use crate::solvers::planar::{Drive, GROUND, Mechanism};
 
 const U: f64 = f64::EPSILON / 2.0;
@@ -18,12 +16,12 @@ pub(super) fn of_linkages() -> Vec<Law> {
             name: "mirror",
             statement: "mirrored at the x-axis, angles and ordinates change their sign and nothing else, within \
                         16 u of size and condition",
-            residual: |x| mirror(PlanarLinkage::solve, x),
+            residual: |x| mirror(|i| i.motion(), x),
         },
         Law {
             name: "scale",
             statement: "lengths times 2 leave angles and their derivatives bit for bit the same",
-            residual: |x| scale(PlanarLinkage::solve, x),
+            residual: |x| scale(|i| i.motion(), x),
         },
         Law {
             name: "exchange",
@@ -48,12 +46,12 @@ pub(super) fn of_reactions() -> Vec<Law> {
             name: "virtual-work",
             statement: "in a translation of all bodies the pins on the ground do the work of weight and inertia, \
                         within 16 u of sizes and conditions",
-            residual: |x| virtual_work(PlanarReactions::solve, x),
+            residual: |x| virtual_work(|i| i.forces(), x),
         },
         Law {
             name: "masses",
             statement: "masses and inertias times 2 double the forces bit for bit",
-            residual: |x| masses(PlanarReactions::solve, x),
+            residual: |x| masses(|i| i.forces(), x),
         },
     ]
 }
@@ -76,23 +74,24 @@ type Solve = fn(PlanarLinkageInput) -> Result<Vec<f64>, &'static str>;
 type SolveForces = fn(PlanarForcesInput) -> Result<Vec<f64>, &'static str>;
 
 fn mirror(solve: Solve, x: &[f64]) -> Option<f64> {
-    let i = PlanarLinkage::unpack(x)?;
+    let i = PlanarLinkageInput::unpack(x)?;
     let here = solve(i).ok()?;
     let other = Linkage::of(&i).mirrored();
     let Ok(mut there) = solve(other.input()) else {
         return held(false);
     };
-    // θ and its derivatives over φ: the first is even. Of x, y and their derivatives each derivative changes the sign.
+    // θ and its derivatives over φ: the first is even. Of x, y and their derivatives each
+    // derivative changes the sign.
     let signs = [-1.0, 1.0, -1.0, 1.0, -1.0, -1.0, 1.0, 1.0, -1.0];
     for (value, sign) in there.iter_mut().zip(signs.iter().cycle()) {
         *value *= sign;
     }
-    let conditions = PlanarLinkage::conditions(x)?;
+    let conditions = conditions::of_motion(x)?;
     Some(within(16.0, &here, &there, &conditions))
 }
 
 fn scale(solve: Solve, x: &[f64]) -> Option<f64> {
-    let i = PlanarLinkage::unpack(x)?;
+    let i = PlanarLinkageInput::unpack(x)?;
     let here = solve(i).ok()?;
     let other = Linkage::of(&i).scaled(2.0);
     let there = solve(other.input()).ok();
@@ -105,12 +104,12 @@ fn turns(values: &[f64]) -> impl Iterator<Item = &[f64]> {
 }
 
 fn exchange(x: &[f64]) -> Option<f64> {
-    let i = PlanarLinkage::unpack(x)?;
-    let here = PlanarLinkage::solve(i).ok()?;
+    let i = PlanarLinkageInput::unpack(x)?;
+    let here = i.motion().ok()?;
     let last = i.near.len();
     let of_last = 9 * (last - 1);
     let [angle, rate, second] = [0, 1, 2].map(|n| here[of_last + n]);
-    let conditions = PlanarLinkage::conditions(x)?;
+    let conditions = conditions::of_motion(x)?;
     // A last body that hardly moves, or whose rate is not known well, drives nothing.
     let vague = conditions[of_last + 1] / rate.abs();
     let known = angle.abs() + conditions[of_last];
@@ -122,7 +121,8 @@ fn exchange(x: &[f64]) -> Option<f64> {
         body: last,
         from: GROUND,
     };
-    // The other drive may leave a group that is not solved, or a mechanism in which it moves only a part.
+    // The other drive may leave a group that is not solved, or a mechanism in which it moves only a
+    // part.
     let mechanism = Mechanism::new(description).ok()?;
     // Beside a dead position of that body two positions may be next to what was given.
     let near: Vec<f64> = (0..last).map(|k| here[9 * k]).collect();
@@ -145,7 +145,7 @@ fn exchange(x: &[f64]) -> Option<f64> {
 }
 
 fn power_balance(x: &[f64]) -> Option<f64> {
-    let i = PlanarReduction::unpack(x)?;
+    let i = PlanarForcesInput::unpack(x)?;
     let mechanism = i.linkage.solver().ok()?;
     let loads = i.loads(&mechanism).ok()?;
     let state = i.linkage.state(&mechanism).ok()?;
@@ -155,18 +155,18 @@ fn power_balance(x: &[f64]) -> Option<f64> {
         .reactions(&mechanism, &state, i.speed, i.acceleration)
         .ok()?
         .drive;
-    let conditions = PlanarReduction::conditions(x)?;
+    let conditions = conditions::of_reduction(x)?;
     Some(within(16.0, &[due], &[got], &conditions[4..]))
 }
 
-/// What the pins on the ground exert, and what weight and inertia ask for.
+/// Returns what the pins on the ground exert, and what weight and inertia ask for.
 fn virtual_work(solve: SolveForces, x: &[f64]) -> Option<f64> {
-    let i = PlanarReactions::unpack(x)?;
+    let i = PlanarForcesInput::unpack(x)?;
     let forces = solve(i).ok()?;
-    let rows = PlanarLinkage::solve(i.linkage).ok()?;
-    let sizes = PlanarReactions::conditions(x)?;
+    let rows = i.linkage.motion().ok()?;
+    let sizes = conditions::of_reactions(x)?;
     let moving = i.linkage.to_vec();
-    let of_motion = PlanarLinkage::conditions(&moving)?;
+    let of_motion = conditions::of_motion(&moving)?;
     let worst = [0, 1].map(|axis| {
         let (mut sum, mut allowed) = (0.0, 0.0);
         for (k, (a, b)) in i.linkage.a.iter().zip(i.linkage.b).enumerate() {
@@ -189,7 +189,7 @@ fn virtual_work(solve: SolveForces, x: &[f64]) -> Option<f64> {
 }
 
 fn masses(solve: SolveForces, x: &[f64]) -> Option<f64> {
-    let i = PlanarReactions::unpack(x)?;
+    let i = PlanarForcesInput::unpack(x)?;
     let here = solve(i).ok()?;
     let twice = |v: &[f64]| -> Vec<f64> { v.iter().map(|x| 2.0 * x).collect() };
     let (m, j) = (twice(i.m), twice(i.j));

@@ -58,8 +58,8 @@ const ALL: [(&str, Pins); 4] = [
     ("double-butterfly", DOUBLE_BUTTERFLY),
 ];
 
-/// The frame of body k has the drawing's origin and is turned by k/4 rad there, so that no angle is zero; the
-/// centre of mass is the mean of a body's pins.
+/// The frame of body k has the drawing's origin and is turned by k/4 rad there, so that no angle is
+/// zero; the centre of mass is the mean of a body's pins.
 fn drawn(pins: Pins) -> Linkage {
     let bodies = pins.iter().flat_map(|p| p.0).max().unwrap_or(0);
     let angle = |body: usize| body as f64 / 4.0;

@@ -1,21 +1,24 @@
 //! Forces in the pins of a planar linkage in motion.
 
-use super::input::PlanarForcesInput;
-use super::kinematics::SOURCE;
-use super::reduction::{admits, flow};
-use super::{laws, points, regions};
+use super::input::{PlanarForcesInput, SOURCE};
+use super::{conditions, laws, points, regions};
 use crate::audit::{Domain, Law, Output, ReferenceAnswer, Rows, Uncertified};
 use crate::methods::common::conditioned;
-use crate::methods::definition::Definition;
+use crate::methods::definition::{Definition, method};
 use crate::methods::inputs::Number;
 use crate::reference::Ball;
 use rug::Rational;
 
 /// A planar linkage in motion: what every pin exerts on its body b, and the opposite on a.
 ///
-/// A candidate is a `Fn(PlanarForcesInput) -> ` two values for every pin, force components in the axes of the ground.
+/// A candidate is a `Fn(PlanarForcesInput) -> ` two values for every pin, force components in the
+/// axes of the ground.
 #[derive(Clone, Copy, Debug)]
 pub struct PlanarReactions;
+
+method! {
+    PlanarReactions "planar-reactions": Fn(PlanarForcesInput<'_>), |f, i| f(i)
+}
 
 const FORCE: &str = "one system of three equations a body, its matrix and right side with the errors of positions and \
     accelerations";
@@ -49,17 +52,11 @@ impl Definition for PlanarReactions {
     }
 
     fn admits(i: Self::Input<'_, f64>) -> bool {
-        admits(i)
+        i.is_placed()
     }
 
     fn solve(i: Self::Input<'_, f64>) -> Result<Vec<f64>, &'static str> {
-        let mechanism = i.linkage.solver()?;
-        let loads = i.loads(&mechanism)?;
-        let state = i.linkage.state(&mechanism)?;
-        let found = loads
-            .reactions(&mechanism, &state, i.speed, i.acceleration)
-            .map_err(|_| "singular")?;
-        Ok(found.joints.iter().flat_map(|j| j.force_n).collect())
+        i.forces()
     }
 
     fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
@@ -73,7 +70,7 @@ impl Definition for PlanarReactions {
     }
 
     fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
-        flow(numbers)?.0.of_reactions(&Self::unpack(numbers)?)
+        conditions::of_reactions(numbers)
     }
 
     fn laws() -> Vec<Law> {

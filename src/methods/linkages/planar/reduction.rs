@@ -1,12 +1,10 @@
 //! Masses and weights of a planar linkage reduced to its drive.
 
-use super::flow::Flow;
-use super::input::PlanarForcesInput;
-use super::kinematics::{PROOF, SOURCE};
-use super::{laws, points, regions};
+use super::input::{PROOF, PlanarForcesInput, SOURCE};
+use super::{conditions, laws, points, regions};
 use crate::audit::{Domain, Law, Output, ReferenceAnswer, Uncertified};
 use crate::methods::common::conditioned;
-use crate::methods::definition::{Definition, exact};
+use crate::methods::definition::{Definition, method};
 use crate::methods::inputs::Number;
 use crate::reference::Ball;
 use rug::Rational;
@@ -14,9 +12,14 @@ use rug::Rational;
 /// A planar linkage in motion: reduced inertia, reduced weight, drive torque.
 ///
 /// A candidate is a `Fn(PlanarForcesInput) -> [I_n, dI_n/dphi, M_o, dM_o/dphi, Q]` with
-/// `I_n = Σ m |S'|² + J θ'²`, `M_o = Σ m g·S'` and the drive torque `Q = I_n φ̈ + ½ I_n' φ̇² − M_o`.
+/// `I_n = Σ m |S'|² + J θ'²`, `M_o = Σ m g·S'` and the drive torque
+/// `Q = I_n φ̈ + ½ I_n' φ̇² − M_o`.
 #[derive(Clone, Copy, Debug)]
 pub struct PlanarReduction;
+
+method! {
+    PlanarReduction "planar-reduction": Fn(PlanarForcesInput<'_>), |f, i| f(i)
+}
 
 const REDUCED: &str = "all bodies summed from rates that carry the linkage's error";
 const TORQUE: &str = "three products of reduced quantities, each with its error";
@@ -44,7 +47,7 @@ impl Definition for PlanarReduction {
     }
 
     fn admits(i: Self::Input<'_, f64>) -> bool {
-        admits(i)
+        i.is_placed()
     }
 
     fn solve(i: Self::Input<'_, f64>) -> Result<Vec<f64>, &'static str> {
@@ -75,24 +78,10 @@ impl Definition for PlanarReduction {
     }
 
     fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
-        Some(flow(numbers)?.0.of_reduction(&Self::unpack(numbers)?))
+        conditions::of_reduction(numbers)
     }
 
     fn laws() -> Vec<Law> {
         laws::of_reduction()
     }
-}
-
-/// Whether the linkage belongs to the domain, and masses are not negative.
-pub(super) fn admits(i: PlanarForcesInput) -> bool {
-    let heavy = i.m.iter().chain(i.j).all(|x| *x >= 0.0);
-    heavy && super::PlanarLinkage::admits(i.linkage)
-}
-
-/// The linkage of an input at the reference's angles.
-pub(super) fn flow(numbers: &[f64]) -> Option<(Flow, Vec<f64>)> {
-    let exact = exact(numbers)?;
-    let angles = PlanarReduction::unpack(&exact)?.linkage.angles()?;
-    let flow = Flow::new(&PlanarReduction::unpack(numbers)?.linkage, &angles)?;
-    Some((flow, angles))
 }

@@ -61,7 +61,8 @@ fn what_is_no_linkage_is_outside() {
     let method = find("planar-linkage").unwrap();
     let good = &method.domain().check_points[0].input;
     assert!(method.admits(good));
-    // A body that there is not, a body on itself, a fraction of one, too few pins, angles that are far off.
+    // A body that there is not, a body on itself, a fraction of one, too few pins, angles that are
+    // far off.
     for (place, value) in [
         (3, 9.0),
         (4, 2.0),
@@ -101,7 +102,7 @@ fn what_is_no_linkage_is_outside() {
     );
 }
 
-/// What is zero changes nothing, and costs the solution of a system.
+/// Checks that what is zero changes nothing, and costs the solution of a system.
 #[test]
 fn coordinates_of_zero_are_no_data() {
     let method = find("planar-linkage").unwrap();
@@ -165,7 +166,7 @@ fn pins_join_two_bodies_each_that_there_are() {
     }
 }
 
-/// What the solver's homotopy is for.
+/// Checks what the solver's homotopy is for.
 #[test]
 fn nine_bodies_are_the_most() {
     let pins = |count: usize| vec![[0.0, 1.0]; count];
@@ -173,8 +174,8 @@ fn nine_bodies_are_the_most() {
     assert_eq!(joined(11.0, 16.0, &pins(16)), None);
 }
 
-/// A crank of length 1 on the x-axis, a coupler of length 3 at the angle t to it, an upright rocker of length 2: the
-/// rocker turns by −tan t/2 of the crank.
+/// A crank of length 1 on the x-axis, a coupler of length 3 at the angle t to it, an upright rocker
+/// of length 2: the rocker turns by −tan t/2 of the crank.
 fn rocker_at(t: f64) -> Vec<f64> {
     let joint = [1.0 + 3.0 * t.cos(), 3.0 * t.sin()];
     four_bar([1.0, 0.0], joint, [joint[0], joint[1] - 2.0])
@@ -282,8 +283,8 @@ fn pendulum(m: f64, j: f64) -> Vec<f64> {
     all.to_vec()
 }
 
-/// With S = ½ + r, r = z e^{iφ}: I = m |z|² + J, M_o = m g·ir, M_o' = −m g·r, Q = I φ̈ − M_o; the pin exerts m (r̈ − g) on
-/// the crank.
+/// With S = ½ + r, r = z e^{iφ}: I = m |z|² + J, M_o = m g·ir, M_o' = −m g·r, Q = I φ̈ − M_o; the
+/// pin exerts m (r̈ − g) on the crank.
 #[test]
 fn a_pendulum_moves_as_its_closed_form_says() {
     let (m, j) = (1.5, 0.25);

@@ -3,7 +3,7 @@
 //! They are found with the reference, so that a case stays what it is when the solver changes.
 
 use crate::audit::Draw;
-use crate::methods::special::relatives::{C, exponential};
+use crate::methods::special::complex::{C, exponential};
 use crate::reference::faddeeva::{w_ball, w_f64, zero as certified};
 use crate::reference::{Ball, ComplexBall};
 use std::f64::consts::{FRAC_2_SQRT_PI, PI};
@@ -61,8 +61,8 @@ impl Line {
         }
     }
 
-    /// From `t` to where the component would be zero if f, of that value and derivative at `t`, went on as an
-    /// exponential function.
+    /// From `t` to where the component would be zero if f, of that value and derivative at `t`,
+    /// went on as an exponential function.
     fn step(self, t: f64, f: impl Fn(C) -> Option<[C; 2]>) -> Option<f64> {
         let (z, turned) = match self.along {
             Along::Re => (C::new(t, self.z.im), C::new(1.0, 0.0)),
@@ -78,9 +78,10 @@ impl Line {
         (!step.is_nan()).then_some(step)
     }
 
-    /// A point beside the one where the component is zero. `f` gives value and derivative, the derivative to a few
-    /// digits; `rough` the same without a proof and at a fraction of the time: it says where to begin, and that is
-    /// all of it where the point is to lie farther off. Nothing where eight steps do not get there, or get to an axis.
+    /// A point beside the one where the component is zero. `f` gives value and derivative, the
+    /// derivative to a few digits; `rough` the same without a proof and at a fraction of the time:
+    /// it says where to begin, and that is all of it where the point is to lie farther off. Nothing
+    /// where eight steps do not get there, or get to an axis.
     pub fn beside(
         self,
         beside: Beside,
@@ -95,8 +96,8 @@ impl Line {
         Some(beside.of(zero))
     }
 
-    /// Where the component is zero, from `t` near it. A step whose square over `most` is less than a place of `f64` is
-    /// the last.
+    /// Where the component is zero, from `t` near it. A step whose square over `most` is less than
+    /// a place of `f64` is the last.
     fn zero_from(self, t: f64, f: impl Fn(C) -> Option<[C; 2]>) -> Option<f64> {
         let place = f64::EPSILON / 16.0 * self.most;
         self.off_axis(self.steps(t, f, |step, t| step * step <= place * t.abs())?)
@@ -134,8 +135,8 @@ fn w_and_slope(z: C) -> Option<[C; 2]> {
     Some(with_slope(z, C::new(w.re.to_f64(), w.im.to_f64())))
 }
 
-/// [`w_and_slope`] with proved components: beside the real axis Re W is far below the norm. More bits would cost a
-/// second evaluation.
+/// [`w_and_slope`] with proved components: beside the real axis Re W is far below the norm. More
+/// bits would cost a second evaluation.
 fn parts_and_slope(z: C) -> Option<[C; 2]> {
     let w = w_f64(z.re, z.im, FEW_BITS).ok()?;
     Some(with_slope(z, C::new(w.re.to_f64(), w.im.to_f64())))
@@ -145,8 +146,9 @@ fn with_slope(z: C, w: C) -> [C; 2] {
     [w, C::new(0.0, FRAC_2_SQRT_PI) - 2.0 * z * w]
 }
 
-/// W to some twelve digits of its norm, alike on every machine, or not finite: the midpoint rule in steps of 1/2 for
-/// `w(z) = (iz/π) ∫ e^{−t²}/(z² − t²) dt` with the residue where the pole is near (Chiarella & Reichel 1968).
+/// W to some twelve digits of its norm, alike on every machine, or not finite: the midpoint rule in
+/// steps of 1/2 for `w(z) = (iz/π) ∫ e^{−t²}/(z² − t²) dt` with the residue where the pole is near
+/// (Chiarella & Reichel 1968).
 pub(in crate::methods::special) fn w_roughly(z: C) -> C {
     const STEP: f64 = 0.5;
     if z.im < 0.0 {
@@ -167,8 +169,8 @@ pub(in crate::methods::special) fn w_roughly(z: C) -> C {
     }
 }
 
-/// How a number is moved: by up to three of its last places, so that the `f64` next to a crossing is among them, or
-/// relative to itself.
+/// How a number is moved: by up to three of its last places, so that the `f64` next to a crossing
+/// is among them, or relative to itself.
 #[derive(Clone, Copy)]
 pub(in crate::methods::special) enum Beside {
     /// Three places down and so many up.
@@ -197,7 +199,7 @@ impl Beside {
         }
     }
 
-    /// Whether it is moved by less than what [`w_roughly`] may be off.
+    /// Returns whether it is moved by less than what [`w_roughly`] may be off.
     fn is_close(self) -> bool {
         match self {
             Beside::Places(_) => true,
@@ -206,8 +208,8 @@ impl Beside {
     }
 }
 
-/// A point of the lower half-plane next to a curve on which the component is zero; where none is found, the point
-/// that it was looked for from.
+/// A point of the lower half-plane next to a curve on which the component is zero; where none is
+/// found, the point that it was looked for from.
 pub(in crate::methods::special) fn beside_curve(d: &mut Draw, part: Part) -> Vec<f64> {
     let far = d.chance(0.25);
     let b = match far {
@@ -258,8 +260,9 @@ fn flat_zero(x: f64) -> f64 {
     zero.map_or(guess, |y| -y)
 }
 
-/// [`flat_zero`] to a few places for x ≥ 6.5, where Re W is `e^{−x²} + y Im W′(x)` to 2⁻⁵³, by the asymptotic series
-/// `−Im W′(x) = (2/√π) Σ (2n − 1)!!/(2x²)ⁿ`, n ≥ 1 (DLMF 7.12.1), whose terms fall down to `e^{−x²}`.
+/// [`flat_zero`] to a few places for x ≥ 6.5, where Re W is `e^{−x²} + y Im W′(x)` to 2⁻⁵³, by the
+/// asymptotic series `−Im W′(x) = (2/√π) Σ (2n − 1)!!/(2x²)ⁿ`, n ≥ 1 (DLMF 7.12.1), whose terms
+/// fall down to `e^{−x²}`.
 fn flat_zero_far_out(x: f64) -> f64 {
     let square = x * x;
     let gaussian = libm::exp(-square) * (1.0 - x.mul_add(x, -square));

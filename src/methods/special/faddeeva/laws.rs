@@ -2,9 +2,7 @@
 
 use crate::audit::Law;
 use crate::methods::common::held;
-use crate::methods::special::relatives::laws::{
-    U, batch_agrees, equation, gaussian, point, same_pair,
-};
+use crate::methods::special::identities::{U, batch_agrees, equation, gaussian, point, same_pair};
 use crate::solvers::faddeeva::{faddeeva, faddeeva_batch};
 use num_complex::Complex;
 use std::f64::consts::FRAC_2_SQRT_PI;

@@ -5,33 +5,19 @@ mod laws;
 pub(super) mod regions;
 
 use super::branches::nearest;
-use super::relatives::{NORM, PROOF, number};
+use super::complex::{ComplexInput, NORM, PROOF, asked, expected_part, number};
 use crate::audit::{
     BranchAt, Budget, Domain, Expected, Law, Limit, NormBudget, Output, Proof, ProvedBound,
     ProvedError, ReferenceAnswer, Uncertified,
 };
 use crate::methods::common::output;
-use crate::methods::definition::Definition;
-use crate::methods::inputs::{Number, inputs};
+use crate::methods::definition::{Definition, method};
+use crate::methods::inputs::Number;
+use crate::reference::Undecided;
 use crate::reference::faddeeva::{Scaled, w, w_scaled};
-use crate::reference::{Ball, Mag, Undecided};
 use crate::solvers::faddeeva::{PROVED_NORM, SEAMS, branch, faddeeva};
 use num_complex::Complex;
-use rug::{Float, Rational};
-
-inputs! {
-    /// A complex argument.
-    pub struct ComplexInput {
-        re: number "Re z", "1";
-        im: number "Im z", "1";
-    }
-}
-
-impl From<ComplexInput<'_>> for Complex<f64> {
-    fn from(z: ComplexInput<'_>) -> Complex<f64> {
-        Complex::new(z.re, z.im)
-    }
-}
+use rug::Rational;
 
 /// The Faddeeva function: input `Re z, Im z`, output `Re W, Im W`.
 ///
@@ -39,31 +25,8 @@ impl From<ComplexInput<'_>> for Complex<f64> {
 #[derive(Clone, Copy, Debug)]
 pub struct Faddeeva;
 
-/// The reference is asked for so many bits less than the working precision: each component comes
-/// out with the accuracy asked for, and 80 bits settle every budget here.
-const SPARED: u32 = 48;
-
-/// The bits the reference is asked for at a working precision.
-pub(super) fn asked(bits: u32) -> u32 {
-    bits.saturating_sub(SPARED).max(64)
-}
-
-/// Converts a component. A value that no ball holds is beyond every `f64` or below all of them.
-pub(super) fn expected_part(part: &Scaled) -> Expected {
-    let direct = part.to_ball();
-    if direct.is_finite() {
-        return Expected::Number(direct);
-    }
-    if !part.ball.is_finite() || part.ball.contains_zero() {
-        return Expected::Number(part.ball.widened(Mag::INFINITY));
-    }
-    // The factor is within 2^±(2^29), the exponent beyond that of a ball.
-    match part.exponent < 0 {
-        true => Expected::Number(Ball::new(Float::new(64), Mag::power_of_two(-5000))),
-        false => Expected::Infinity {
-            negative: part.ball.is_negative(),
-        },
-    }
+method! {
+    Faddeeva "faddeeva": Fn(Complex<f64>), |f, z| f(z.into())
 }
 
 fn expected_parts(re: &Rational, im: &Rational, bits: u32) -> Result<Vec<Expected>, Undecided> {
@@ -193,7 +156,7 @@ mod tests {
             (400, 352),
         ];
         for (bits, due) in all {
-            assert_eq!(asked(bits), due, "{bits}");
+            assert_eq!(asked(bits), expected_part, "{bits}");
         }
     }
 
@@ -206,7 +169,7 @@ mod tests {
     fn what_no_ball_holds() {
         // Re W(10^200) = e^{-10^400} is not zero, Im W = 10^-200/√π.
         let d = reference(1e200, 0.0);
-        assert!(d[0].number().unwrap().magnitude() < Mag::power_of_two(-1100));
+        assert!(d[0].number().unwrap().magnitude() < crate::reference::Mag::power_of_two(-1100));
         assert_eq!(d[1].to_decimal(5).unwrap(), "5.6419e-201");
         // W(−10^200 i) = 2e^{10^400}.
         let d = reference(0.0, -1e200);
@@ -233,7 +196,8 @@ mod tests {
         assert_eq!(shown(f64::NAN, 1.0), ["nan", "nan"]);
     }
 
-    /// At infinity w is i/(√π z): the real part has the sign of Im z, the imaginary part that of Re z.
+    /// At infinity w is i/(√π z): the real part has the sign of Im z, the imaginary part that of Re
+    /// z.
     #[test]
     fn signs_of_zero_at_infinity_and_on_the_axis() {
         let (inf, plus, minus) = (f64::INFINITY, Some(false), Some(true));
@@ -252,7 +216,7 @@ mod tests {
             ((inf, -inf), [None, None]),
             ((f64::NAN, inf), [plus, None]),
         ] {
-            assert_eq!(signs_of_zero(x, y), due, "{x} {y}");
+            assert_eq!(signs_of_zero(x, y), expected_part, "{x} {y}");
         }
     }
 

@@ -93,8 +93,8 @@ pub(in crate::methods::special) fn named_points(
         .collect()
 }
 
-/// A part so small that every product with it may be subnormal, and the other from where exponentials
-/// leave the range of `f64`.
+/// A part so small that every product with it may be subnormal, and the other from where
+/// exponentials leave the range of `f64`.
 pub(in crate::methods::special) fn tiny_part(d: &mut Draw) -> (f64, f64) {
     let tiny = d.log_uniform(5e-324, 1e-250);
     let other = match d.chance(0.7) {
@@ -104,7 +104,7 @@ pub(in crate::methods::special) fn tiny_part(d: &mut Draw) -> (f64, f64) {
     (tiny, other)
 }
 
-/// What [`tiny_part`] draws.
+/// States what [`tiny_part`] draws.
 pub(in crate::methods::special) const TINY_PART: &str =
     "one part 5e-324..1e-250, the other 25..1.7e308, where exponentials overflow or underflow";
 
@@ -119,6 +119,44 @@ pub(in crate::methods::special) fn listed(seams: &[f64]) -> String {
         }
     };
     seams.iter().map(one).collect::<Vec<_>>().join(", ")
+}
+
+/// The largest radius of the circles that [`seam`] draws.
+const FARTHEST_CIRCLE: f64 = 2000.0;
+
+/// The radii that [`seam`] draws.
+fn radii() -> impl Iterator<Item = f64> {
+    let radii = SEAMS.circles.iter().map(|c| c.sqrt());
+    radii.filter(|r| *r < FARTHEST_CIRCLE)
+}
+
+/// Draws a coordinate at which the function changes its formula: one of these lines, limits of its
+/// own included, the radius of a circle, or the side of a cell.
+pub(in crate::methods::special) fn seam(lines: &[f64], d: &mut Draw) -> f64 {
+    match d.integer(0, 3) {
+        0 => d.one_of(&radii().collect::<Vec<f64>>()),
+        1 => d.one_of(SEAMS.pitches) / 2.0 * d.one_of(&[1.0, 3.0]),
+        _ => d.one_of(lines),
+    }
+}
+
+/// The coordinates that [`seam`] draws, as text.
+pub(in crate::methods::special) fn listed_seams(lines: &[f64]) -> String {
+    let radii: Vec<f64> = radii().collect();
+    let sides: Vec<f64> = SEAMS.pitches.iter().map(|p| p / 2.0).collect();
+    format!(
+        "{}, a radius {}, or once or three times {}",
+        listed(lines),
+        listed(&radii),
+        listed(&sides)
+    )
+}
+
+/// Every coordinate that [`seam`] draws.
+#[cfg(test)]
+pub(in crate::methods::special) fn seams(lines: &[f64]) -> Vec<f64> {
+    let sides = SEAMS.pitches.iter().flat_map(|p| [p / 2.0, 1.5 * p]);
+    lines.iter().copied().chain(radii()).chain(sides).collect()
 }
 
 /// Within 1e-17 to 0.1 of the k-th zero or its mirror image.

@@ -1,14 +1,18 @@
 //! Dawson's function.
 
-use super::laws::{batch_agrees, equation, odd_law, on_the_axis, point, real_argument_law};
+use super::laws::{odd_law, on_the_axis, real_argument_law};
 use super::regions::zero_of_erfi;
-use super::{
-    C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, exponential, odd_limit, on_axis, on_the_real_line,
+use super::relative::{
+    Exact, NORM_OF_PRODUCTS, Relative, Zeros, odd_limit, on_axis, on_the_real_line,
 };
 use crate::audit::{Expected, Law, ProvedBound};
+use crate::methods::definition::method;
+use crate::methods::special::complex::{C, exponential};
+use crate::methods::special::identities::{batch_agrees, equation, point};
 use crate::reference::Ball;
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{dawson, dawson_batch, dawson_real};
+use num_complex::Complex;
 use rug::Rational;
 use std::f64::consts::PI;
 
@@ -17,6 +21,10 @@ use std::f64::consts::PI;
 /// A candidate is a `Fn(Complex<f64>) -> Complex<f64>`.
 #[derive(Clone, Copy, Debug)]
 pub struct Dawson;
+
+method! {
+    Dawson "dawson": Fn(Complex<f64>), |f, z| f(z.into())
+}
 
 impl Relative for Dawson {
     const SUMMARY: &'static str =
@@ -89,8 +97,8 @@ impl Relative for Dawson {
     }
 }
 
-/// Whether `F′(x) = 1 − 2xF(x) < 0`, if that is certain. The maximum of F is irrational, so 256 bits
-/// decide every `f64`; 64 do but where x is next to it.
+/// Returns whether `F′(x) = 1 − 2xF(x) < 0`, if that is certain. The maximum of F is irrational, so
+/// 256 bits decide every `f64`; 64 do but where x is next to it.
 fn slope_is_negative(x: f64) -> Option<bool> {
     let Some(re) = Rational::from_f64(x) else {
         return x.is_infinite().then_some(true);

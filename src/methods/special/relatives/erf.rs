@@ -1,14 +1,17 @@
 //! The error function.
 
-use super::laws::{gaussian, odd_law, on_the_axis, point, real_argument_law, within};
+use super::laws::{odd_law, on_the_axis, real_argument_law};
 use super::regions::zero_of_erf;
-use super::{
-    C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, erf_from_w, exponential, odd_limit, odd_signs,
-    on_the_real_line,
+use super::relative::{
+    Exact, NORM_OF_PRODUCTS, Relative, Zeros, erf_from_w, odd_limit, odd_signs, on_the_real_line,
 };
 use crate::audit::{Expected, Law, ProvedBound};
+use crate::methods::definition::method;
+use crate::methods::special::complex::{C, exponential};
+use crate::methods::special::identities::{gaussian, point, within};
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{erf, erf_real, erfc, faddeeva as w};
+use num_complex::Complex;
 use std::f64::consts::FRAC_2_SQRT_PI;
 
 /// Input `Re z, Im z`, output `Re erf z, Im erf z`.
@@ -16,6 +19,10 @@ use std::f64::consts::FRAC_2_SQRT_PI;
 /// A candidate is a `Fn(Complex<f64>) -> Complex<f64>`.
 #[derive(Clone, Copy, Debug)]
 pub struct Erf;
+
+method! {
+    Erf "erf": Fn(Complex<f64>), |f, z| f(z.into())
+}
 
 impl Relative for Erf {
     const SUMMARY: &'static str = "error function erf(z) in the whole plane";
@@ -91,7 +98,8 @@ fn by_w(input: &[f64]) -> Option<f64> {
     if !(e.norm() < 1e290 && g.norm() < 1e290) {
         return None;
     }
-    // 4 u of erf, 4 u of W, 6 u of the product's roundings and of the exponential's, 2 u of the sum.
+    // 4 u of erf, 4 u of W, 6 u of the product's roundings and of the exponential's, 2 u of the
+    // sum.
     within((e - 1.0) + g * w, 16.0, 1.0 + e.norm())
 }
 

@@ -1,17 +1,18 @@
 //! The complementary error function.
 
-use super::laws::{
-    conjugation_law, gaussian, on_the_axis, plain, point, real_argument_law, within,
-};
+use super::laws::{conjugation_law, on_the_axis, plain, real_argument_law};
 use super::regions::zero_of_erfc;
-use super::{
-    C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, exponential, negated, odd_limit, on_axis,
-    on_the_real_line,
+use super::relative::{
+    Exact, NORM_OF_PRODUCTS, Relative, Zeros, negated, odd_limit, on_axis, on_the_real_line,
 };
 use crate::audit::{Expected, Law, ProvedBound};
+use crate::methods::definition::method;
+use crate::methods::special::complex::{C, exponential};
+use crate::methods::special::identities::{gaussian, point, within};
 use crate::reference::Ball;
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{erfc, erfc_real, erfcx};
+use num_complex::Complex;
 use std::f64::consts::FRAC_2_SQRT_PI;
 
 /// Input `Re z, Im z`, output `Re erfc z, Im erfc z`.
@@ -19,6 +20,10 @@ use std::f64::consts::FRAC_2_SQRT_PI;
 /// A candidate is a `Fn(Complex<f64>) -> Complex<f64>`.
 #[derive(Clone, Copy, Debug)]
 pub struct Erfc;
+
+method! {
+    Erfc "erfc": Fn(Complex<f64>), |f, z| f(z.into())
+}
 
 impl Relative for Erfc {
     const SUMMARY: &'static str =

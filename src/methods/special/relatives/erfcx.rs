@@ -1,14 +1,15 @@
 //! The scaled complementary error function.
 
-use super::laws::{
-    batch_agrees, conjugation_law, gaussian, on_the_axis, point, real_argument_law, within,
-};
+use super::laws::{conjugation_law, on_the_axis, real_argument_law};
 use super::regions::zero_of_erfc;
-use super::{C, Exact, NORM, Relative, Zeros, on_the_real_line};
+use super::relative::{Exact, Relative, Zeros, on_the_real_line};
 use crate::audit::{BranchAt, Expected, Law, ProvedBound};
 use crate::methods::common::held;
+use crate::methods::definition::method;
 use crate::methods::special::branches::nearest;
+use crate::methods::special::complex::{C, NORM};
 use crate::methods::special::faddeeva::{expected_not_finite, signs_of_zero};
+use crate::methods::special::identities::{batch_agrees, gaussian, point, within};
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{SEAMS, branch, erfcx, erfcx_batch, erfcx_real, faddeeva as w};
 use num_complex::Complex;
@@ -19,6 +20,10 @@ use std::f64::consts::FRAC_2_SQRT_PI;
 /// A candidate is a `Fn(Complex<f64>) -> Complex<f64>`.
 #[derive(Clone, Copy, Debug)]
 pub struct Erfcx;
+
+method! {
+    Erfcx "erfcx": Fn(Complex<f64>), |f, z| f(z.into())
+}
 
 impl Relative for Erfcx {
     const SUMMARY: &'static str =

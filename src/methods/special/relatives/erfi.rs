@@ -1,17 +1,18 @@
 //! The imaginary error function.
 
-use super::laws::{
-    gaussian, odd_law, on_the_axis, plain, point, real_argument_law, same_pair, within,
-};
+use super::laws::{odd_law, on_the_axis, plain, real_argument_law};
 use super::regions::zero_of_erfi;
-use super::{
-    C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, erf_from_w, exponential, negated, odd_limit,
-    odd_signs,
+use super::relative::{
+    Exact, NORM_OF_PRODUCTS, Relative, Zeros, erf_from_w, negated, odd_limit, odd_signs,
 };
 use crate::audit::{Expected, Law};
 use crate::methods::common::held;
+use crate::methods::definition::method;
+use crate::methods::special::complex::{C, exponential};
+use crate::methods::special::identities::{gaussian, point, same_pair, within};
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{dawson, erf, erfi, erfi_real};
+use num_complex::Complex;
 use std::f64::consts::FRAC_2_SQRT_PI;
 
 /// Input `Re z, Im z`, output `Re erfi z, Im erfi z`.
@@ -19,6 +20,10 @@ use std::f64::consts::FRAC_2_SQRT_PI;
 /// A candidate is a `Fn(Complex<f64>) -> Complex<f64>`.
 #[derive(Clone, Copy, Debug)]
 pub struct Erfi;
+
+method! {
+    Erfi "erfi": Fn(Complex<f64>), |f, z| f(z.into())
+}
 
 impl Relative for Erfi {
     const SUMMARY: &'static str =

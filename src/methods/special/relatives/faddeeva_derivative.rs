@@ -1,13 +1,16 @@
 //! The derivative of the Faddeeva function.
 
-use super::laws::{point, same_pair, within};
-use super::{C, Exact, NORM, Relative, Zeros, infinity, number, on_axis};
+use super::relative::{Exact, Relative, Zeros, on_axis};
 use crate::audit::{Draw, Expected, Law, Region};
 use crate::methods::common::{held, region};
+use crate::methods::definition::method;
+use crate::methods::special::complex::{C, NORM, infinity, number};
 use crate::methods::special::faddeeva::curves::{BITS_OF_ZEROS, Beside, zero as zero_of_w};
+use crate::methods::special::identities::{point, same_pair, within};
 use crate::reference::ComplexBall;
 use crate::reference::faddeeva::{self, w_f64};
 use crate::solvers::faddeeva::{faddeeva as w, w_derivative};
+use num_complex::Complex;
 use rug::Rational;
 use std::f64::consts::{FRAC_2_SQRT_PI, PI};
 use std::sync::OnceLock;
@@ -17,6 +20,10 @@ use std::sync::OnceLock;
 /// A candidate is a `Fn(Complex<f64>) -> Complex<f64>`.
 #[derive(Clone, Copy, Debug)]
 pub struct FaddeevaDerivative;
+
+method! {
+    FaddeevaDerivative "faddeeva-derivative": Fn(Complex<f64>), |f, z| f(z.into())
+}
 
 impl Relative for FaddeevaDerivative {
     const SUMMARY: &'static str =
@@ -115,8 +122,9 @@ fn equation(input: &[f64]) -> Option<f64> {
     within(rest, 7.0, slope.norm() + product.norm() + 1.0)
 }
 
-/// A point just below the real axis, next to the curve `2x e^{-x²} = |y| Im W″(x)` on which `Re W′ = 0`, with `Im W″`
-/// by its asymptotic series (DLMF 7.12.1, twice differentiated), whose terms fall down to `e^{-x²}`.
+/// A point just below the real axis, next to the curve `2x e^{-x²} = |y| Im W″(x)` on which
+/// `Re W′ = 0`, with `Im W″` by its asymptotic series (DLMF 7.12.1, twice differentiated), whose
+/// terms fall down to `e^{-x²}`.
 fn beside_flat_curve(d: &mut Draw) -> Vec<f64> {
     let x = d.uniform(6.0, 27.3);
     let square = x * x;
@@ -172,7 +180,8 @@ mod tests {
         assert_eq!(symmetry(|z| C::i() * z, &input), Some(f64::INFINITY));
     }
 
-    /// Of the points beside the flat curve half are so close that all but a few digits of Re W' cancel.
+    /// Of the points beside the flat curve half are so close that all but a few digits of Re W'
+    /// cancel.
     #[test]
     fn points_beside_the_flat_curve() {
         let mut close = 0;
@@ -188,8 +197,8 @@ mod tests {
         assert!((60..140).contains(&close), "{close}");
     }
 
-    /// At infinity W' is −(i/√π) z^{−2}: −2xy has the sign of the real part's opposite, and the imaginary part that of
-    /// y² − x².
+    /// At infinity W' is −(i/√π) z^{−2}: −2xy has the sign of the real part's opposite, and the
+    /// imaginary part that of y² − x².
     #[test]
     fn signs_of_zero_at_infinity_and_on_the_axis() {
         let (inf, plus, minus) = (f64::INFINITY, Some(false), Some(true));
@@ -206,7 +215,7 @@ mod tests {
             ((inf, inf), [minus, None]),
         ] {
             let signs = FaddeevaDerivative::signs_of_zero(x, y);
-            assert_eq!(signs, due, "{x} {y}");
+            assert_eq!(signs, expected_part, "{x} {y}");
         }
     }
 

@@ -1,11 +1,12 @@
 //! Where the relatives of the Faddeeva function are audited.
 //!
-//! Their values turn into each other by quarter turns of the plane, so every region lies around both
-//! axes.
+//! Their values turn into each other by quarter turns of the plane, so every region lies around
+//! both axes.
 
-use super::{C, Relative};
+use super::relative::Relative;
 use crate::audit::{CheckPoint, Draw, Region};
 use crate::methods::common::region;
+use crate::methods::special::complex::C;
 use crate::methods::special::faddeeva::curves::{
     Along, BITS_OF_ZEROS, Beside, FEW_BITS, Line, Part, w_roughly, zero as zero_of_w,
 };
@@ -65,8 +66,8 @@ fn value_and_slope<F: Relative>(z: C) -> Option<[C; 2]> {
     Some([value, F::slope(z, value)])
 }
 
-/// A point next to a curve on which the component is zero, if a line parallel to an axis meets one near its
-/// beginning; the beginning otherwise.
+/// A point next to a curve on which the component is zero, if a line parallel to an axis meets one
+/// near its beginning; the beginning otherwise.
 fn beside_curve<F: Relative>(d: &mut Draw, part: Part) -> Vec<f64> {
     let along = if d.chance(0.5) { Along::Re } else { Along::Im };
     let (x, y) = (d.uniform(0.0, 7.0), d.uniform(0.0, 7.0));

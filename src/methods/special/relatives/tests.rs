@@ -1,6 +1,10 @@
 //! Limits, signs of zero, definitions from W, what is proved.
 
+use super::relative::*;
 use super::*;
+use crate::audit::{Due, ProvedError};
+use crate::methods::special::complex::{C, infinity, number};
+use crate::reference::Ball;
 use crate::solvers::faddeeva::faddeeva as w;
 
 fn agrees<R: Relative>() {
@@ -240,8 +244,8 @@ fn functions_of_a_real_argument_have_proved_bounds() {
     }
 }
 
-/// The phase of e^{−z²} is known to 1e-30 for |z| up to 1e8: on the diagonal, where its size is 1, laws with it apply
-/// up to there.
+/// The phase of e^{−z²} is known to 1e-30 for |z| up to 1e8: on the diagonal, where its size is 1,
+/// laws with it apply up to there.
 #[test]
 fn laws_with_an_exponential_end_at_a_hundred_million() {
     for (method, name) in [

@@ -2,14 +2,13 @@
 
 pub(super) mod regions;
 
-use super::faddeeva::{asked, expected_part};
-use super::relatives::laws::{U, same};
-use super::relatives::{PROOF, number};
+use super::complex::{PROOF, asked, expected_part, number};
+use super::identities::{U, same};
 use crate::audit::{
     Budget, Domain, Expected, Law, Limit, Output, Proof, ReferenceAnswer, Uncertified,
 };
 use crate::methods::common::{held, output};
-use crate::methods::definition::Definition;
+use crate::methods::definition::{Definition, method};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::faddeeva::{Scaled, voigt_scaled};
 use crate::solvers::faddeeva::{faddeeva as w, voigt, voigt_batch};
@@ -33,6 +32,10 @@ inputs! {
 /// A candidate is a `Fn(x, sigma, gamma) -> f64`.
 #[derive(Clone, Copy, Debug)]
 pub struct Voigt;
+
+method! {
+    Voigt "voigt": Fn(f64, f64, f64), |f, i| f(i.x, i.sigma, i.gamma)
+}
 
 impl Definition for Voigt {
     type Input<'a, T: Number> = VoigtInput<'a, T>;

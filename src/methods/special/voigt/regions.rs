@@ -2,7 +2,9 @@
 
 use crate::audit::{CheckPoint, Draw, Region};
 use crate::methods::common::{point, region};
-use crate::methods::special::faddeeva::regions::beside;
+use crate::methods::special::faddeeva::regions::{beside, listed_seams, seam};
+use crate::solvers::faddeeva::{LIMITS_OF_VOIGT, SEAMS};
+use std::sync::LazyLock;
 
 /// Half the widths, normalised: `σ`, and x and γ in units of `σ√2`.
 fn in_widths(p: f64, q: f64, d: &mut Draw) -> Vec<f64> {
@@ -16,6 +18,19 @@ pub(in crate::methods::special) fn any_bits(negative: f64, d: &mut Draw) -> f64 
     let x = d.any_bits();
     if d.chance(negative) { x } else { x.abs() }
 }
+
+/// The lines of W on which x may lie, and the function's own limits, in units of `σ√2`.
+static UPRIGHT: LazyLock<Vec<f64>> = LazyLock::new(|| [SEAMS.re, &LIMITS_OF_VOIGT].concat());
+/// The same of γ.
+static LEVEL: LazyLock<Vec<f64>> = LazyLock::new(|| [SEAMS.im, &LIMITS_OF_VOIGT].concat());
+
+static ON_SEAMS: LazyLock<String> = LazyLock::new(|| {
+    format!(
+        "x is {}, or gamma is {} times sigma sqrt 2, exactly or nearly",
+        listed_seams(&UPRIGHT),
+        listed_seams(&LEVEL)
+    )
+});
 
 /// The regions.
 pub(super) fn all() -> Vec<Region> {
@@ -79,19 +94,15 @@ pub(super) fn all() -> Vec<Region> {
             "|x| = 7..1e12 sigma, gamma = 1e-300..1e12 sigma",
             |d| in_widths(d.log_uniform(5.0, 1e12), d.log_uniform(1e-300, 1e12), d),
         ),
-        region(
-            "seams",
-            "x or gamma is 7, 10, 1/8, 1/4, 2^27 or 2^-400 times sigma sqrt 2, exactly or nearly",
-            |d| {
-                let edges = [7.0, 10.0, 0.125, 0.25, 134_217_728.0, 2f64.powi(-400)];
-                let edge = beside(d.one_of(&edges), d);
-                let other = d.uniform_or_log(0.5, [0.0, 30.0], [1e-20, 1e9]);
-                match d.chance(0.5) {
-                    true => in_widths(edge, other, d),
-                    false => in_widths(other, edge, d),
-                }
-            },
-        ),
+        region("seams", &ON_SEAMS, |d| {
+            let of_x = d.chance(0.5);
+            let edge = beside(seam(if of_x { &UPRIGHT } else { &LEVEL }, d), d);
+            let other = d.uniform_or_log(0.5, [0.0, 30.0], [1e-20, 1e9]);
+            match of_x {
+                true => in_widths(edge, other, d),
+                false => in_widths(other, edge, d),
+            }
+        }),
         region(
             "underflow",
             "|x| = 37..39.5 sigma, where the normal part underflows, gamma = 0 or 1e-323..1e-290",
@@ -167,6 +178,7 @@ pub(super) fn check_points() -> Vec<CheckPoint> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::methods::special::faddeeva::regions::seams;
     use std::f64::consts::SQRT_2;
 
     /// x or γ on a seam is found there in units of σ√2.
@@ -174,15 +186,15 @@ mod tests {
     fn every_seam_is_drawn() {
         let all = all();
         let region = all.iter().find(|r| r.name == "seams").unwrap();
-        let drawn: Vec<Vec<f64>> = (0..2000)
+        let drawn: Vec<Vec<f64>> = (0..16_000)
             .map(|k| (region.sample)(&mut Draw::new(1, "voigt", "seams", k)))
             .collect();
-        for due in [7.0, 10.0, 0.125, 0.25, 134_217_728.0, 2f64.powi(-400)] {
-            for place in [0, 2] {
+        for (place, lines) in [(0, &UPRIGHT), (2, &LEVEL)] {
+            for expected in seams(lines) {
                 let near =
-                    |x: &&Vec<f64>| (x[place].abs() / x[1] / SQRT_2 / due - 1.0).abs() < 1e-6;
+                    |x: &&Vec<f64>| (x[place].abs() / x[1] / SQRT_2 / expected - 1.0).abs() < 1e-6;
                 let count = drawn.iter().filter(near).count();
-                assert!(count > 40, "{due} at {place}: {count}");
+                assert!(count > 40, "{expected} at {place}: {count}");
             }
         }
     }

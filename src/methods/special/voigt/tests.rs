@@ -1,4 +1,4 @@
-//! What is due at the ends of the widths; laws judge planted densities.
+//! Describes what is due at the ends of the widths; laws judge planted densities.
 
 use super::*;
 use std::cell::Cell;

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::audit::Draw;
+use crate::methods::special::faddeeva::regions::seams;
 
 const HOLDS: Option<f64> = Some(0.0);
 const BROKEN: Option<f64> = Some(f64::INFINITY);
@@ -122,25 +123,13 @@ fn what_is_due_at_the_ends_of_the_widths() {
 fn every_seam_is_drawn() {
     let all = regions();
     let region = all.iter().find(|r| r.name == "seams").unwrap();
-    let drawn: Vec<f64> = (0..2000)
+    let drawn: Vec<f64> = (0..8000)
         .map(|k| (region.sample)(&mut Draw::new(1, "voigt-hwhm", "seams", k)))
         .map(|x| x[1] / x[0] / SQRT_2)
         .collect();
-    let powers = [2f64.powi(-60), 256.0];
-    // Lines beside the real axis and the circle of 48 of W.
-    let lines = [
-        0.0625,
-        0.125,
-        0.1875,
-        0.25,
-        0.375,
-        1.0,
-        4.8125,
-        48f64.sqrt(),
-    ];
-    for due in powers.into_iter().chain(lines) {
-        let near = |p: &&f64| (**p / due - 1.0).abs() < 1e-6;
+    for expected in seams(&LINES) {
+        let near = |p: &&f64| (**p / expected - 1.0).abs() < 1e-6;
         let count = drawn.iter().filter(near).count();
-        assert!(count > 30, "{due}: {count}");
+        assert!(count > 30, "{expected}: {count}");
     }
 }

@@ -56,7 +56,8 @@ fn the_transposed_system_is_solved() {
     }
 }
 
-/// On one segment from 0 to 1 without second derivatives at the ends the spline is the chord 2 + 4x.
+/// On one segment from 0 to 1 without second derivatives at the ends the spline is the chord 2 +
+/// 4x.
 #[test]
 fn conditions_of_a_chord() {
     // x0, h, m0, mn, q0, q1, y0, y1
@@ -66,8 +67,8 @@ fn conditions_of_a_chord() {
     let slope = 2.0 + 6.0 + 4.0;
     let due_here = [0.75 * 2.0 + 0.25 * 6.0 + 1.0 + 1.0, slope, 0.0, 0.0];
     let due_there = [6.0 + 4.0 + 4.0, slope, 0.0, 0.0];
-    // The integral from 1/4 to 1 has the weights (1 − ¼)²/2 and (1 − 1/16)/2; S(¼) = 3, S(1) = 6, and the integral of
-    // −x S' is −15/8.
+    // The integral from 1/4 to 1 has the weights (1 − ¼)²/2 and (1 − 1/16)/2; S(¼) = 3, S(1) = 6,
+    // and the integral of −x S' is −15/8.
     let area = 2.0 * 9.0 / 32.0 + 6.0 * 15.0 / 32.0 + 0.25 * 3.0 + 6.0 + 15.0 / 8.0;
     let due = [&due_here[..], &[area], &due_there, &[area]].concat();
     let close = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-12;

@@ -1,7 +1,7 @@
 //! The quadrant `1 ≤ |z|`, `|z|² ≤ 126` below the axis.
 //!
-//! Around a zero `w′ = −2zw + 2i/√π` gives `|w| ≤ 1.13|δ| e^{2R|δ|}` and `|w − (2i/√π)δ| ≤ 1.13 R|δ|² e^{2R|δ|}`, so that `|w| ≥ 0.9|δ|`
-//! where `8R|δ| ≤ 1`.
+//! Around a zero `w′ = −2zw + 2i/√π` gives `|w| ≤ 1.13|δ| e^{2R|δ|}` and
+//! `|w − (2i/√π)δ| ≤ 1.13 R|δ|² e^{2R|δ|}`, so that `|w| ≥ 0.9|δ|` where `8R|δ| ≤ 1`.
 
 use super::super::reflection::{decay, exponential, least_of_w};
 use crate::ProofError;
@@ -18,7 +18,7 @@ const _: () = assert!(8.0 * (REACH + 2.0 * NEAR) * NEAR <= 1.0);
 const ZEROS: u32 = 22;
 const DEPTH: u32 = 40;
 
-/// Whether a component of a zero is 2⁻¹⁰⁰ or more off every `f64`.
+/// Returns whether a component of a zero is 2⁻¹⁰⁰ or more off every `f64`.
 fn is_off(z: &ComplexBall) -> bool {
     [&z.re, &z.im].into_iter().any(|x| {
         let nearest = x.mid().to_f64();
@@ -26,7 +26,7 @@ fn is_off(z: &ComplexBall) -> bool {
     })
 }
 
-/// Whether the rectangle is within `1/(8R)` of one of the zeros.
+/// Returns whether the rectangle is within `1/(8R)` of one of the zeros.
 fn is_beside(at: &Rectangle, zeros: &[(f64, f64)]) -> bool {
     zeros.iter().any(|&(x, y)| {
         let far = |[lo, hi]: [f64; 2], c: f64| up(hi - c).abs().max(up(c - lo).abs());
@@ -34,7 +34,8 @@ fn is_beside(at: &Rectangle, zeros: &[(f64, f64)]) -> bool {
     })
 }
 
-/// Whether `2|e^{−z²}|` is larger than `|w(−z)| ≤ 1` all over the rectangle, with room to spare.
+/// Returns whether `2|e^{−z²}|` is larger than `|w(−z)| ≤ 1` all over the rectangle, with room to
+/// spare.
 fn is_large(at: &Rectangle) -> bool {
     let d = decay(at);
     exponential([d.lo, d.hi])[0] > 3.0
@@ -91,5 +92,4 @@ fn places(zeros: &[ComplexBall]) -> Result<Vec<(f64, f64)>, ProofError> {
 }
 
 #[cfg(test)]
-#[path = "../tests/boxes.rs"]
 mod tests;

@@ -1,6 +1,7 @@
-//! Points at which both terms of w are equal: the equation `ζ = G(ζ) − 2πim` and its real part along a line.
+//! Points at which both terms of w are equal: the equation `ζ = G(ζ) − 2πim` and its real part
+//! along a line.
 
-use super::middle;
+use super::smooth::middle;
 use crate::ProofError;
 use crate::interval::{product_up, quotient_up, sqrt_up, up};
 use mechaudit_reference::{Ball, ComplexBall, Mag};
@@ -9,7 +10,8 @@ use rug::{Float, Rational};
 /// A residual below this part of ζ ends an iteration, at 192 bits and at more.
 const RESIDUAL: [i64; 2] = [-135, -175];
 
-/// Above `1/(1 − L)`, L what the map contracts by: of a zero `|G′| < 1/21`, of a line `1/D` and less than half.
+/// Above `1/(1 − L)`, L what the map contracts by: of a zero `|G′| < 1/21`, of a line `1/D` and
+/// less than half.
 const OF_ZERO: f64 = 1.05;
 const OF_LINE: f64 = 2.0;
 
@@ -58,8 +60,8 @@ fn g(zeta: &ComplexBall, bits: u32) -> (ComplexBall, Ball) {
     (ComplexBall::new(re, im), norm)
 }
 
-/// How far a solution is at most from a point that a map moves by `off`, if that is small enough: `factor` is
-/// `1/(1 − L)` of the map, or more.
+/// How far a solution is at most from a point that a map moves by `off`, if that is small enough:
+/// `factor` is `1/(1 − L)` of the map, or more.
 fn within(off: &ComplexBall, enough: Mag, factor: f64) -> Option<Mag> {
     let off = off.magnitude();
     let radius = off.mul(Mag::from_f64(factor));
@@ -129,5 +131,4 @@ pub(super) fn line(k: i32, j: u64, bits: u32) -> Result<Ball, ProofError> {
 }
 
 #[cfg(test)]
-#[path = "../tests/curve.rs"]
 mod tests;

@@ -1,30 +1,35 @@
-//! How close a zero of w comes to an `f64`: `|w(z)| > 2⁻¹⁴⁰ M` at every `f64` point below the axis with `|z| ≥ 1`,
-//! M as in [`super::again`]. For numbers of 106 bits this is decided by enumeration.
+//! How close a zero of w comes to an `f64`: `|w(z)| > 2⁻¹⁴⁰ M` at every `f64` point below the axis
+//! with `|z| ≥ 1`, M as in [`super::again`]. For numbers of 106 bits this is decided by
+//! enumeration.
 //!
-//! Let `z = a − ib`, `ζ = z² = D − iP`, `F = 2e^{−z²}/w(−z)`, so that `|w| = W|F − 1|`. For `r² ≥ 126`, `0.55 ≤ rW ≤ 0.58`; where F is
-//! not within 2⁻¹³⁰ of one, `|w| ≥ 2⁻¹³² M`. Otherwise `D = ln(2/W)` up to 2⁻¹²⁹, so that `3.6 < D`, and, with `w(−z) = −i A(ζ)/(√π z)`,
-//! for a whole m
+//! Let `z = a − ib`, `ζ = z² = D − iP`, `F = 2e^{−z²}/w(−z)`, so that `|w| = W|F − 1|`. For
+//! `r² ≥ 126`, `0.55 ≤ rW ≤ 0.58`; where F is not within 2⁻¹³⁰ of one, `|w| ≥ 2⁻¹³² M`. Otherwise
+//! `D = ln(2/W)` up to 2⁻¹²⁹, so that `3.6 < D`, and, with `w(−z) = −i A(ζ)/(√π z)`, for a whole m
 //!
 //! ```text
 //! ζ = G(ζ) − 2πim + ε,   G = ln(2√π) + iπ/2 + ½ Ln ζ − Ln A,   |ε| < 2⁻¹²⁹
 //! ```
 //!
-//! `A = 1 + 1/(2ζ) + …` is the asymptotic series, with the remainder `√(e(N + 3/2)) T_N/T_0` of the closed quadrant. From
-//! w′ follows `dG/dζ = 1 − 1/A`, at most `1.4/|ζ|` for `|ζ| ≥ 50`.
+//! `A = 1 + 1/(2ζ) + …` is the asymptotic series, with the remainder `√(e(N + 3/2)) T_N/T_0` of the
+//! closed quadrant. From w′ follows `dG/dζ = 1 − 1/A`, at most `1.4/|ζ|` for `|ζ| ≥ 50`.
 //!
-//! * **`r² ≤ 126`** ([`boxes`]): squares with a lower bound of |w|, and around the zeros in it, where w is nearly `(2i/√π)(z − z_k)`, the
-//!   distance of the zero from the `f64` next to it.
-//! * **`b < 2¹³`**: every m from 20 on. On `Im ζ < −50` the map `ζ ↦ G − 2πim` is a contraction of that half-plane into itself,
-//!   by 0.03, for each complex m with `Re m ≥ 15`: what solves the equation is within `(|ρ| + |ε|)/0.97` of a point of residual ρ, and is
-//!   an analytic function of m, `|z|² ≤ 8m₀ + 13` for `|m − m₀| ≤ m₀/4`. b in units of its last place may not be whole.
-//! * **`b ≥ 2¹³`**: every pair of a binade `2^k ≤ b < 2^{k+1}` and `j = (a − b)/δ`, `δ = 2^{k−52}`, of which a and b are
-//!   multiples. With the whole number `S = (a + b)/δ` it is `D = jSδ²`, `P = δ²(S² − j²)/2`, and the real part of the equation,
-//!   `D = Re G(D − iP)`, determines S: as functions of D, `Re G = Ln D + const` up to terms of the order `1/(PD)`, a contraction
-//!   by less than 0.2 where `D ≥ 10`. For complex j within a quarter of `j₀`, and `|D − D₀| ≤ 1`, it maps that disc into itself (`Ln(D/D₀)`
-//!   is at most 0.11, `Ln(j/j₀)` 0.29), so that S is an analytic function of j, below 2⁵⁶. S may not be whole. From `k = 28` on
-//!   `a − b` would be less than one unit.
+//! * **`r² ≤ 126`** ([`boxes`]): squares with a lower bound of |w|, and around the zeros in it,
+//!   where w is nearly `(2i/√π)(z − z_k)`, the distance of the zero from the `f64` next to it.
+//! * **`b < 2¹³`**: every m from 20 on. On `Im ζ < −50` the map `ζ ↦ G − 2πim` is a contraction of
+//!   that half-plane into itself, by 0.03, for each complex m with `Re m ≥ 15`: what solves the
+//!   equation is within `(|ρ| + |ε|)/0.97` of a point of residual ρ, and is an analytic function of
+//!   m, `|z|² ≤ 8m₀ + 13` for `|m − m₀| ≤ m₀/4`. b in units of its last place may not be whole.
+//! * **`b ≥ 2¹³`**: every pair of a binade `2^k ≤ b < 2^{k+1}` and `j = (a − b)/δ`, `δ = 2^{k−52}`,
+//!   of which a and b are multiples. With the whole number `S = (a + b)/δ` it is `D = jSδ²`,
+//!   `P = δ²(S² − j²)/2`, and the real part of the equation, `D = Re G(D − iP)`, determines S: as
+//!   functions of D, `Re G = Ln D + const` up to terms of the order `1/(PD)`, a contraction by less
+//!   than 0.2 where `D ≥ 10`. For complex j within a quarter of `j₀`, and `|D − D₀| ≤ 1`, it maps
+//!   that disc into itself (`Ln(D/D₀)` is at most 0.11, `Ln(j/j₀)` 0.29), so that S is an analytic
+//!   function of j, below 2⁵⁶. S may not be whole. From `k = 28` on `a − b` would be less than one
+//!   unit.
 //!
-//! Both are tests whether a smooth function of a whole number comes close to a whole number ([`smooth`]).
+//! Both are tests whether a smooth function of a whole number comes close to a whole number
+//! ([`smooth`]).
 
 mod boxes;
 mod curve;
@@ -33,7 +38,6 @@ mod smooth;
 use crate::ProofError;
 use crate::certificate::Watch;
 use crate::interval::{down, up};
-use mechaudit_reference::Ball;
 use smooth::Smooth;
 use std::f64::consts::{SQRT_2, TAU};
 
@@ -43,7 +47,7 @@ pub(super) const APART: i32 = -140;
 const FIRST: u64 = 20;
 const LINES: i32 = 13;
 
-/// What was enumerated.
+/// Describes what was enumerated.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Apart {
     /// Squares next to the origin.
@@ -144,11 +148,5 @@ fn on_lines(value: smooth::Value<'_>) -> Smooth<'_> {
     }
 }
 
-/// The middle of a ball as an `f64`.
-fn middle(x: &Ball) -> f64 {
-    x.mid().to_f64()
-}
-
 #[cfg(test)]
-#[path = "../tests/apart.rs"]
 mod tests;

@@ -1,12 +1,12 @@
-//! Whether an analytic function of a whole number comes close to a whole number.
+//! Decides whether an analytic function of a whole number comes close to a whole number.
 //!
-//! In blocks it is replaced by the polynomial through some values, which is stepped by differences, modulo one in 128 bits.
-//! With N equidistant values at distance h it is wrong by at most `(h^N (N − 1)!/4) |f^{(N)}|/N!`, and by Cauchy's estimate
-//! `|f^{(N)}|/N!` is at most `max |f|/ρ^N`, on the disc of radius ρ, a quarter of the first number. An error of the values grows by less
-//! than 2^N, that of the differences, 2⁻¹²⁸, by less than 2⁷⁴. Where the polynomial is within 2⁻³⁰ of a whole number the function
-//! itself is computed.
+//! In blocks it is replaced by the polynomial through some values, which is stepped by differences,
+//! modulo one in 128 bits. With N equidistant values at distance h it is wrong by at most
+//! `(h^N (N − 1)!/4) |f^{(N)}|/N!`, and by Cauchy's estimate `|f^{(N)}|/N!` is at most
+//! `max |f|/ρ^N`, on the disc of radius ρ, a quarter of the first number. An error of the values
+//! grows by less than 2^N, that of the differences, 2⁻¹²⁸, by less than 2⁷⁴. Where the polynomial
+//! is within 2⁻³⁰ of a whole number the function itself is computed.
 
-use super::middle;
 use crate::ProofError;
 use crate::bounds::power_up;
 use crate::certificate::Watch;
@@ -26,13 +26,13 @@ pub(super) struct Smooth<'a> {
     pub shift: &'a (dyn Fn(f64) -> i32 + Sync),
     /// A bound of the value on the disc of a quarter of the number about it.
     pub most: &'a (dyn Fn(u64) -> f64 + Sync),
-    /// Whether short blocks with many values serve for all numbers.
+    /// Tells whether short blocks with many values serve for all numbers.
     pub few: bool,
 }
 
 const BITS: u32 = 192;
 const MORE_BITS: u32 = 400;
-/// What is computed exactly is kept with these.
+/// Bits of numbers that are computed exactly.
 const EXACT: u32 = 400;
 /// Closer to a whole number the value itself is asked.
 const CLOSE: f64 = 1.0 / 1_073_741_824.0;
@@ -54,7 +54,8 @@ struct Block {
 }
 
 impl Smooth<'_> {
-    /// How many numbers there are from `first` to `last`, none with a value next to a whole number; `None` if it was stopped.
+    /// How many numbers there are from `first` to `last`, none with a value next to a whole number;
+    /// `None` if it was stopped.
     ///
     /// # Errors
     /// Where one may be.
@@ -170,7 +171,12 @@ impl Smooth<'_> {
     }
 }
 
-/// Whether a number modulo one, in units of 2⁻¹²⁸, is within [`CLOSE`] of a whole one.
+/// Returns the middle of a ball as an `f64`.
+pub(super) fn middle(x: &Ball) -> f64 {
+    x.mid().to_f64()
+}
+
+/// Returns whether a number modulo one, in units of 2⁻¹²⁸, is within [`CLOSE`] of a whole one.
 fn is_close(x: u128) -> bool {
     const REACH: u128 = 1 << 98;
     x.wrapping_add(REACH) < 2 * REACH
@@ -187,7 +193,8 @@ fn differences(mut table: Vec<Float>) -> Vec<Float> {
     table
 }
 
-/// Of the polynomial with values at distance h, the differences at distance one, modulo one in units of 2⁻¹²⁸.
+/// Of the polynomial with values at distance h, the differences at distance one, modulo one in
+/// units of 2⁻¹²⁸.
 fn unit_differences(table: Vec<Float>, h: u64) -> Vec<u128> {
     let d = differences(table);
     let values = (0..d.len()).map(|t| {
@@ -215,5 +222,4 @@ fn unit_differences(table: Vec<Float>, h: u64) -> Vec<u128> {
 }
 
 #[cfg(test)]
-#[path = "../tests/smooth.rs"]
 mod tests;

@@ -178,9 +178,9 @@ impl Linkage {
         })
     }
 
-    /// Whether two enclosed configurations lie on one branch over the crank angles between them:
-    /// Krawczyk's test on a box that holds both, with the crank pin anywhere on its arc, proves one
-    /// and only one configuration in the box for every crank angle on the way.
+    /// Returns whether two enclosed configurations lie on one branch over the crank angles between
+    /// them: Krawczyk's test on a box that holds both, with the crank pin anywhere on its arc,
+    /// proves one and only one configuration in the box for every crank angle on the way.
     pub(super) fn joined(
         &self,
         arc: &ComplexBall,

@@ -132,7 +132,8 @@ impl Linkage {
     }
 }
 
-/// Whether an angle, which differs from a principal value by at most a turn, lies in `(lo, hi)` modulo a turn.
+/// Returns whether an angle, which differs from a principal value by at most a turn, lies in
+/// `(lo, hi)` modulo a turn.
 fn within(phi: &Ball, lo: &Float, hi: &Float) -> bool {
     let bits = phi.prec();
     let turn = Ball::pi(bits).shift(1);
@@ -144,5 +145,4 @@ fn within(phi: &Ball, lo: &Float, hi: &Float) -> bool {
 }
 
 #[cfg(test)]
-#[path = "modes_tests.rs"]
 mod tests;

@@ -64,7 +64,7 @@ pub struct Body {
     pub mass: Rational,
     /// Moment of inertia.
     pub inertia: Rational,
-    /// Whether the inertia is about the fixed pivot (else about the centre of mass).
+    /// Tells whether the inertia is about the fixed pivot (else about the centre of mass).
     pub about_pivot: bool,
     /// Distance of the centre of mass from the link's origin.
     pub radius: Rational,

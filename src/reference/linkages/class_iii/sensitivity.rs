@@ -39,7 +39,7 @@ struct Direction {
     pin: [ComplexBall; 3],
 }
 
-/// What changes along a direction: derivatives 0, 1, … of each.
+/// Describes what changes along a direction: derivatives 0, 1, … of each.
 struct Tangent {
     c: Vec<ComplexBall>,
     /// Links 2 to 5.
@@ -178,7 +178,7 @@ impl<'a> Base<'a> {
         found
     }
 
-    /// What φ2 … φ5 (order 0) or their derivatives change by.
+    /// Returns what φ2 … φ5 (order 0) or their derivatives change by.
     fn angles(&self, d: &Direction, t: &Tangent, order: usize) -> [Ball; 4] {
         std::array::from_fn(|i| {
             let p = &self.links[i];
@@ -211,7 +211,8 @@ struct Part {
 }
 
 impl Part {
-    /// What I_n, dI_n/dφ1, Σ m y' and Σ m y'' change by with the motion of the centre of mass.
+    /// Returns what I_n, dI_n/dφ1, Σ m y' and Σ m y'' change by with the motion of the centre of
+    /// mass.
     fn moved(&self, first: &ComplexBall, second: &ComplexBall) -> [Ball; 4] {
         let m = &self.mass;
         let zero = || Ball::integer(m.prec(), 0);
@@ -234,14 +235,14 @@ impl Part {
         ]
     }
 
-    /// What the mass gives to the four.
+    /// Returns what the mass gives to the four.
     fn of_mass(&self) -> [Ball; 4] {
         let [i, di, y, dy] = self.moved(&self.first, &self.second);
         // Both are quadratic in the motion.
         [i.shift(-1), di.shift(-1), y, dy]
     }
 
-    /// What the inertia gives to I_n and dI_n/dφ1.
+    /// Returns what the inertia gives to I_n and dI_n/dφ1.
     fn of_inertia(&self) -> [Ball; 2] {
         self.turned(&self.rate, &self.acceleration)
             .map(|twice| twice.shift(-1))
@@ -380,5 +381,4 @@ impl Linkage {
 }
 
 #[cfg(test)]
-#[path = "sensitivity_tests.rs"]
 mod tests;

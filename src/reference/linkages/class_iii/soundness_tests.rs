@@ -77,7 +77,8 @@ fn a_double_root_is_refused() {
             assert!(linkage.enclose(&ComplexBall::unit(phi), &at).is_none());
         }
     }
-    // The two on either side of the fold are no one branch over the arc, though both exist at its end.
+    // The two on either side of the fold are no one branch over the arc, though both exist at its
+    // end.
     let arc = ComplexBall::unit(&wide.with_prec(64));
     let [a, b] = [&met[0].configuration, &met[1].configuration];
     assert!(!linkage.joined(&arc, a, b));
@@ -102,8 +103,8 @@ fn two_modes_are_not_joined() {
     }
 }
 
-/// What an enclosure for an uncertain crank angle holds: every position in it, and not much more.
-/// A radius a tenth as large would miss some.
+/// Checks what an enclosure for an uncertain crank angle holds: every position in it, and not much
+/// more. A radius a tenth as large would miss some.
 #[test]
 fn radii_are_needed_and_enough() {
     let bits = 160;
@@ -143,8 +144,8 @@ fn radii_are_needed_and_enough() {
     assert!(most > 0.1, "{most}: the radius is ten times what is needed");
 }
 
-/// The reduced quantities of an uncertain crank angle hold those of every angle in it; the derivative of the
-/// inertia uses a good part of its radius.
+/// The reduced quantities of an uncertain crank angle hold those of every angle in it; the
+/// derivative of the inertia uses a good part of its radius.
 #[test]
 fn reduced_quantities_of_an_uncertain_angle() {
     use super::motion::{Body, Masses};
@@ -194,7 +195,8 @@ fn reduced_quantities_of_an_uncertain_angle() {
     assert!(most.iter().all(|m| *m > 1.0 / 500.0), "{most:?}");
 }
 
-/// The box of the proof holds both ends with all that is uncertain of them, and every crank angle between them.
+/// The box of the proof holds both ends with all that is uncertain of them, and every crank angle
+/// between them.
 #[test]
 fn the_way_between_two_positions_is_all_of_it() {
     let bits = 128;
@@ -221,7 +223,8 @@ fn the_way_between_two_positions_is_all_of_it() {
     assert!(ended.count() >= 2);
 }
 
-/// The norm of `I − Y J` counts every entry: where `Y` leaves out one part of `J⁻¹`, the entry there is 5.
+/// The norm of `I − Y J` counts every entry: where `Y` leaves out one part of `J⁻¹`, the entry
+/// there is 5.
 #[test]
 fn the_contraction_counts_every_entry() {
     let linkage = Linkage::new(&zinchenko(), 128);
@@ -274,8 +277,8 @@ fn a_zero_hit_exactly_is_enclosed() {
     }
 }
 
-/// Joint C is at its highest, and an uncertain crank lowers it in second order. The step of Newton's method
-/// does not see that; the term `(I − Y F'(X)) (X − z)` does.
+/// Joint C is at its highest, and an uncertain crank lowers it in second order. The step of
+/// Newton's method does not see that; the term `(I − Y F'(X)) (X − z)` does.
 #[test]
 fn the_radius_holds_the_second_order() {
     let (linkage, at) = upright(160);

@@ -46,7 +46,8 @@ fn half_width(lo: &Float, mid: &Float, hi: &Float) -> Mag {
     (&hi - &mid).magnitude().max((&mid - &lo).magnitude())
 }
 
-/// Whether T changes sign between two values of it; nothing where one cannot be told from zero.
+/// Returns whether T changes sign between two values of it; nothing where one cannot be told from
+/// zero.
 fn changes_sign(a: &Ball, b: &Ball) -> Option<bool> {
     let told = |x: &Ball| x.is_positive() || x.is_negative();
     (told(a) && told(b)).then(|| a.is_positive() != b.is_positive())
@@ -98,7 +99,7 @@ impl Trigonometric {
         (t, d)
     }
 
-    /// Whether T certainly has no zero within `gap` of an angle.
+    /// Returns whether T certainly has no zero within `gap` of an angle.
     fn keeps_its_sign(&self, theta: &Float, gap: &Ball) -> bool {
         self.value(theta).0.mignitude() > self.curvature.mul(gap.magnitude())
     }

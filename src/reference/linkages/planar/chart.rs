@@ -1,12 +1,13 @@
 //! A compact set of angles that holds every position up to whole turns.
 //!
-//! A whole turn of a body changes no loop, but gears and the drive, `M x = c` with rational M, hold for angles as real
-//! numbers: a crank at 4 rad is none at 4 − 2π, and a gear of ratio 1/2 comes back after two turns of the other. Whole
-//! turns `2πv` lead from solutions to solutions if `M v = 0` for the integers v.
+//! A whole turn of a body changes no loop, but gears and the drive, `M x = c` with rational M, hold
+//! for angles as real numbers: a crank at 4 rad is none at 4 − 2π, and a gear of ratio 1/2 comes
+//! back after two turns of the other. Whole turns `2πv` lead from solutions to solutions if
+//! `M v = 0` for the integers v.
 //!
-//! Gauss and Jordan's elimination solves for some of the angles, `x_p = c' − A x_f`. With q the common denominator of
-//! column k of A, q turns of `x_k` and `−A_k q` of the others are such turns, one for each free angle. So every solution
-//! has an image with all free `|x_k| ≤ q_k π`.
+//! Gauss and Jordan's elimination solves for some of the angles, `x_p = c' − A x_f`. With q the
+//! common denominator of column k of A, q turns of `x_k` and `−A_k q` of the others are such turns,
+//! one for each free angle. So every solution has an image with all free `|x_k| ≤ q_k π`.
 
 use super::system::System;
 use crate::Ball;

@@ -1,15 +1,18 @@
 //! Motion from rest under conservative forces, enclosed.
 //!
-//! With one degree of freedom, `½ I(b) b'² = W(b)` for the work `W = Q (b − b0) − V(b) + V(b0)` of a constant force on
-//! the drive, springs and weights, so that the time is an integral, `t = ∫ √(I/2W) db`, and needs no stepping in time.
+//! With one degree of freedom, `½ I(b) b'² = W(b)` for the work `W = Q (b − b0) − V(b) + V(b0)` of
+//! a constant force on the drive, springs and weights, so that the time is an integral,
+//! `t = ∫ √(I/2W) db`, and needs no stepping in time.
 //!
-//! 1. Panels: Gauss and Legendre's rule on `c ± h`, whose error is bounded by a bound M of the integrand on an ellipse
-//!    with ρ = 4. A contraction on a wider disc of complex drives proves one position, analytic in the drive, for each;
-//!    Taylor coefficients about c and Cauchy's estimate for the rest bound I and W on the ellipse away from zero, which
-//!    makes the root analytic and bounds it. They also prove that the mechanism does not stop on the way.
-//! 2. The start from rest: with `b = b0 + x²` the integrand is `2 √(I x²/2W)`, analytic at x = 0 where `W/(b − b0)` is
-//!    not zero.
-//! 3. Neighbouring panels lie on one branch: the enclosed position at their common end lies in both polydiscs.
+//! 1. Panels: Gauss and Legendre's rule on `c ± h`, whose error is bounded by a bound M of the
+//!    integrand on an ellipse with ρ = 4. A contraction on a wider disc of complex drives proves
+//!    one position, analytic in the drive, for each; Taylor coefficients about c and Cauchy's
+//!    estimate for the rest bound I and W on the ellipse away from zero, which makes the root
+//!    analytic and bounds it. They also prove that the mechanism does not stop on the way.
+//! 2. The start from rest: with `b = b0 + x²` the integrand is `2 √(I x²/2W)`, analytic at x = 0
+//!    where `W/(b − b0)` is not zero.
+//! 3. Neighbouring panels lie on one branch: the enclosed position at their common end lies in both
+//!    polydiscs.
 //! 4. t → b by an interval Newton step, `b ∈ c − (t(c) − t)/t'(B)`.
 
 use super::enclosure::{Linkage, Position};
@@ -56,7 +59,8 @@ pub struct Course {
 const RHO: u32 = 4;
 /// Attempts at a panel before the motion is given up: its length shrinks by 2^−20 and more.
 const ATTEMPTS: usize = 50;
-/// Panels taken before the motion is given up: a drive that goes to infinity within a finite time reaches no later one.
+/// Panels taken before the motion is given up: a drive that goes to infinity within a finite time
+/// reaches no later one.
 const MOST_PANELS: usize = 10_000;
 
 pub(super) struct Path<'a> {
@@ -68,12 +72,13 @@ pub(super) struct Path<'a> {
 }
 
 impl Linkage {
-    /// The motion from rest at `start`, drive increasing, at the given times in seconds, ascending and positive.
+    /// The motion from rest at `start`, drive increasing, at the given times in seconds, ascending
+    /// and positive.
     ///
     /// # Errors
-    /// [`Undecided`] if a proof fails: the force at the start is not certainly positive, the mechanism may stop, a
-    /// change point or dead position is near the path, the precision is too low, the times do not ascend or are not
-    /// reached within ten thousand panels.
+    /// [`Undecided`] if a proof fails: the force at the start is not certainly positive, the
+    /// mechanism may stop, a change point or dead position is near the path, the precision is too
+    /// low, the times do not ascend or are not reached within ten thousand panels.
     pub fn from_rest(
         &self,
         start: &Ball,
@@ -123,8 +128,8 @@ impl Path<'_> {
         })
     }
 
-    /// The integral over an interval of half-length `half` of a function of the distance from its middle, which on the
-    /// ellipse about it is at most `most`.
+    /// The integral over an interval of half-length `half` of a function of the distance from its
+    /// middle, which on the ellipse about it is at most `most`.
     fn quadrature(
         &self,
         half: &Ball,
@@ -138,7 +143,8 @@ impl Path<'_> {
         Ok(half * sum.widened(self.rule.error(most, RHO)))
     }
 
-    /// `∫ √(I/2W) db` from the panel's left end to `to`, which lies in the panel or next to its ends.
+    /// `∫ √(I/2W) db` from the panel's left end to `to`, which lies in the panel or next to its
+    /// ends.
     pub(super) fn integral(&self, panel: &Panel, to: &Ball) -> Result<Ball, Undecided> {
         let half = (to - &panel.from).shift(-1);
         let middle = &panel.from + &half;
@@ -300,8 +306,9 @@ mod tests {
         [first, next.expect("a panel")]
     }
 
-    /// With two nodes a quadrature is off by far more than roundings, and its bound is that of the rule: for
-    /// `2 √(I x²/2W)` over half the root of the width, for `√(I/2W)` over the half-length.
+    /// With two nodes a quadrature is off by far more than roundings, and its bound is that of the
+    /// rule: for `2 √(I x²/2W)` over half the root of the width, for `√(I/2W)` over the
+    /// half-length.
     #[test]
     fn times_of_panels_hold_the_error_of_the_rule() {
         let (linkage, forces) = oscillator();
@@ -330,7 +337,8 @@ mod tests {
         }
     }
 
-    /// The end of an integral with a radius lies in the panel as a whole: `17/8 (h + w/2) + w/2` is at most 69/32 h.
+    /// The end of an integral with a radius lies in the panel as a whole: `17/8 (h + w/2) + w/2` is
+    /// at most 69/32 h.
     #[test]
     fn the_end_of_an_integral_is_in_the_panel_with_its_radius() {
         let (linkage, forces) = oscillator();
@@ -359,8 +367,9 @@ mod tests {
         assert!(refused.reason.contains("not reached"), "{refused:?}");
     }
 
-    /// A mass of 2 under the force 3 has `t'(b) = 1/√(3b)`. In balls that is at least `t'(b) (1 − D/(b − D))` over
-    /// `b ± D`, so that a step of a time within R, with D twice `R/t'(b)`, stays inside for D up to b/3.
+    /// A mass of 2 under the force 3 has `t'(b) = 1/√(3b)`. In balls that is at least
+    /// `t'(b) (1 − D/(b − D))` over `b ± D`, so that a step of a time within R, with D twice
+    /// `R/t'(b)`, stays inside for D up to b/3.
     #[test]
     fn a_newton_step_stays_inside_up_to_a_third() {
         let mut mass = Body::massless("mass");

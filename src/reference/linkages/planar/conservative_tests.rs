@@ -49,7 +49,8 @@ fn times_that_do_not_ascend_are_refused() {
     }
 }
 
-/// From b0 = 1/8 the oscillator's force is 2, its mass 2: `b = 3/8 − cos 2t/4`, and `W/(b − b0) = 3 − 4 (b + b0)`.
+/// From b0 = 1/8 the oscillator's force is 2, its mass 2: `b = 3/8 − cos 2t/4`, and
+/// `W/(b − b0) = 3 − 4 (b + b0)`.
 #[test]
 fn an_oscillator_from_elsewhere() {
     let (linkage, forces) = oscillator();
@@ -106,8 +107,8 @@ fn a_wheel_has_its_inertia() {
     }
 }
 
-/// In free motion no force on the drive is missing: the acceleration is that of Lagrange's equations, with an inertia
-/// that depends on the position.
+/// In free motion no force on the drive is missing: the acceleration is that of Lagrange's
+/// equations, with an inertia that depends on the position.
 #[test]
 fn a_four_bar_moves_freely() {
     let linkage = cranked(&four_bar());

@@ -13,8 +13,8 @@ use rug::Rational;
 pub struct Determined {
     /// Its derivative by the drive.
     pub rate: Rational,
-    /// What is added to that many times the drive, as multiples of angles; a displacement's number
-    /// of metres counts as radians.
+    /// Holds what is added to that many times the drive, as multiples of angles; a displacement's
+    /// number of metres counts as radians.
     pub constants: Vec<(Rational, ExactAngle)>,
 }
 

@@ -1,13 +1,15 @@
 //! Positions continued over a disc of complex drives.
 //!
-//! For a centre z, an approximate inverse Y of the Jacobian and radii r, `N(x) = x − Y F(x; b)` takes the polydisc
-//! X, `|x_i − z_i| ≤ r_i`, into its interior for every b of the disc D if
-//! `|Y F(z; D)|_i + Σ_k |I − Y F'(X)|_ik r_k < r_i`. The sum alone makes N a contraction in the norm `max |x_i|/r_i`,
-//! with a factor κ < 1, so that F has exactly one zero in X for every b in D; the iterates from z are analytic in b and
-//! converge uniformly, so the zero is analytic in b, and real where b is.
+//! For a centre z, an approximate inverse Y of the Jacobian and radii r, `N(x) = x − Y F(x; b)`
+//! takes the polydisc X, `|x_i − z_i| ≤ r_i`, into its interior for every b of the disc D if
+//! `|Y F(z; D)|_i + Σ_k |I − Y F'(X)|_ik r_k < r_i`. The sum alone makes N a contraction in the
+//! norm `max |x_i|/r_i`, with a factor κ < 1, so that F has exactly one zero in X for every b in D;
+//! the iterates from z are analytic in b and converge uniformly, so the zero is analytic in b, and
+//! real where b is.
 //!
-//! What follows from the same κ: the zero lies within `‖Y F(x; b)‖/(1 − κ)` of any x of X; and from `F' x' = e` with
-//! `E = I − Y F'`, hence `x' = Y e + E x'`, that `‖x'‖ ≤ ‖Y e‖/(1 − κ)` and `|x' − Y e|_i ≤ Σ_k |E|_ik r_k ‖x'‖`.
+//! Describes what follows from the same κ: the zero lies within `‖Y F(x; b)‖/(1 − κ)` of any x of
+//! X; and from `F' x' = e` with `E = I − Y F'`, hence `x' = Y e + E x'`, that
+//! `‖x'‖ ≤ ‖Y e‖/(1 − κ)` and `|x' − Y e|_i ≤ Σ_k |E|_ik r_k ‖x'‖`.
 
 use super::enclosure::{Linkage, Position, apply, defect, exact, largest, reach};
 use super::scalar::Round;
@@ -108,7 +110,8 @@ impl Linkage {
         Some(rates.map(|(x, s)| Round(x.widened(s.mul(size)))).collect())
     }
 
-    /// The position of the disc at a real drive in it, from a guess; none if it is not enclosed within the polydisc.
+    /// The position of the disc at a real drive in it, from a guess; none if it is not enclosed
+    /// within the polydisc.
     pub(super) fn within(&self, disc: &Disc, drive: &Ball, guess: &[Float]) -> Option<Position> {
         if !disc.drive.contains_ball(drive) {
             return None;
@@ -156,8 +159,8 @@ impl Disc {
         Some(Position { x: x.collect() })
     }
 
-    /// Whether a position at a real drive of the disc is the disc's: its enclosure lies in the polydisc, where there is
-    /// but one.
+    /// Returns whether a position at a real drive of the disc is the disc's: its enclosure lies in
+    /// the polydisc, where there is but one.
     pub(super) fn owns(&self, drive: &Ball, position: &Position) -> bool {
         let inside =
             |((x, z), r): ((&Ball, &Float), &Mag)| Ball::new(z.clone(), *r).contains_ball(x);
@@ -185,7 +188,8 @@ mod tests {
     use crate::pinned::{Answers, Draw, pin};
     use rug::Rational;
 
-    /// What is not a point of the polydisc, be it by less than a bound has bits, has no bound by its residual.
+    /// Checks that what is not a point of the polydisc, be it by less than a bound has bits, has no
+    /// bound by its residual.
     #[test]
     fn only_points_of_the_polydisc_are_bounded() {
         let linkage = cranked(&four_bar());

@@ -1,13 +1,15 @@
 //! Krawczyk's operator on the loop equations.
 //!
-//! For an approximate zero z, an approximate inverse Y of the Jacobian and a box X of half-widths r around z,
-//! `K(X) = z − Y F(z) + (I − Y F'(X)) (X − z)`. If `K(X)` lies in the interior of X, F has exactly one zero in X, and
-//! it lies in `K(X)` (Krawczyk, *Computing* 4 (1969) 187–201; Neumaier, *Interval Methods for Systems of Equations*,
-//! 1990, Thm 5.1.8). With a ball for the drive this holds for every drive in the ball. Y is an `f64` matrix taken as
-//! exact; a bad one can only make the test fail.
+//! For an approximate zero z, an approximate inverse Y of the Jacobian and a box X of half-widths r
+//! around z, `K(X) = z − Y F(z) + (I − Y F'(X)) (X − z)`. If `K(X)` lies in the interior of X, F
+//! has exactly one zero in X, and it lies in `K(X)` (Krawczyk, *Computing* 4 (1969) 187–201;
+//! Neumaier, *Interval Methods for Systems of Equations*, 1990, Thm 5.1.8). With a ball for the
+//! drive this holds for every drive in the ball. Y is an `f64` matrix taken as exact; a bad one can
+//! only make the test fail.
 
-use super::mechanism::{Drive, Mechanism, MechanismError};
+use super::mechanism::Mechanism;
 use super::mid_rad::MidRad;
+use super::parts::{Drive, MechanismError};
 use super::scalar::Scalar;
 use super::system::System;
 use crate::{Ball, BallLu, Mag, Undecided};
@@ -37,7 +39,7 @@ impl Position {
         self.x.iter().map(|b| b.mid().clone()).collect()
     }
 
-    /// Whether all of `other` lies in it.
+    /// Returns whether all of `other` lies in it.
     pub fn holds(&self, other: &Position) -> bool {
         let pairs = self.x.iter().zip(&other.x);
         pairs.into_iter().all(|(a, b)| a.contains_ball(b))
@@ -138,7 +140,7 @@ impl Linkage {
         &self.mechanism
     }
 
-    /// What the drive's form gives at a position.
+    /// Returns what the drive's form gives at a position.
     pub fn driven(&self, position: &Position) -> Ball {
         self.fine.driven(&position.x)
     }
@@ -147,10 +149,12 @@ impl Linkage {
         Undecided::new(self.bits(), reason)
     }
 
-    /// The position with the drive at `drive`, enclosed around the zero that Newton's method finds from `guess`.
+    /// The position with the drive at `drive`, enclosed around the zero that Newton's method finds
+    /// from `guess`.
     ///
     /// # Errors
-    /// [`Undecided`] when Krawczyk's test fails: no position near, a change point or dead position near, too few bits.
+    /// [`Undecided`] when Krawczyk's test fails: no position near, a change point or dead position
+    /// near, too few bits.
     pub fn position(&self, drive: &Ball, guess: &[Float]) -> Result<Position, Undecided> {
         self.enclose(drive, guess)
             .ok_or_else(|| self.undecided("Krawczyk's test of a position fails"))

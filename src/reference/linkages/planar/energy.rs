@@ -2,7 +2,8 @@
 
 use super::enclosure::{Linkage, Position};
 use super::loops::difference;
-use super::mechanism::{Attachment, Body, Mechanism, Point};
+use super::mechanism::Mechanism;
+use super::parts::{Attachment, Body, Point};
 use super::scalar::Scalar;
 use super::series::{Series, product};
 use super::system::{BallForm, Pose};
@@ -185,12 +186,13 @@ impl Load {
 }
 
 impl Linkage {
-    /// Taylor coefficients of the reduced inertia `Σ m |dS/db|² + J (dψ/db)²`, one order less than the series has.
+    /// Taylor coefficients of the reduced inertia `Σ m |dS/db|² + J (dψ/db)²`, one order less than
+    /// the series has.
     pub fn reduced_inertia(&self, series: &Series) -> Vec<Ball> {
         Load::new(&self.mechanism, &Forces::default(), self.bits()).inertia_series(series)
     }
 
-    /// What forces do for a unit of the drive, `Q − dV/db`, and its derivative.
+    /// Returns what forces do for a unit of the drive, `Q − dV/db`, and its derivative.
     ///
     /// # Panics
     /// If the series has fewer than two orders.

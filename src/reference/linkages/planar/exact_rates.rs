@@ -7,7 +7,7 @@
 
 use super::enclosure::Linkage;
 use super::loops::Form;
-use super::mechanism::Attachment;
+use super::parts::Attachment;
 use super::special::Special;
 use super::surd::{Field, Surd, Vector};
 use crate::Ball;

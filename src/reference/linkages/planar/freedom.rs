@@ -1,21 +1,26 @@
 //! Degrees of freedom at a drawn position, by ranks of exact matrices.
 //!
-//! A count of bodies and joints holds for dimensions in general; a parallelogram with a third crank moves although it
-//! is over-constrained by count. At one position it is the rank that tells. With the velocity `v_k + ω_k × p` of body k's
-//! point at p, a pin at p has two equations in six velocities; p being a fraction, the matrix is exact.
+//! A count of bodies and joints holds for dimensions in general; a parallelogram with a third crank
+//! moves although it is over-constrained by count. At one position it is the rank that tells. With
+//! the velocity `v_k + ω_k × p` of body k's point at p, a pin at p has two equations in six
+//! velocities; p being a fraction, the matrix is exact.
 //!
-//! Of `n` velocities and `m` equations of rank r, `n − r` is the number of infinitesimal degrees of freedom, `m − r` that of
-//! redundant equations. Vectors that the matrix takes to zero are velocities of all bodies; those that its transpose takes
-//! to zero are forces in the pins that hold one another, and bodies with such forces are those held too often.
+//! Of `n` velocities and `m` equations of rank r, `n − r` is the number of infinitesimal degrees of
+//! freedom, `m − r` that of redundant equations. Vectors that the matrix takes to zero are
+//! velocities of all bodies; those that its transpose takes to zero are forces in the pins that
+//! hold one another, and bodies with such forces are those held too often.
 //!
-//! * `r = n`: nothing moves, the equations being one to one near a position where their derivative is.
-//! * `r = m`: the positions near are a manifold of dimension `n − r`, by the theorem on implicit functions. This is so too
-//!   at every position that [`Linkage::position`](super::Linkage::position) encloses.
-//! * Else `n − r` is an upper bound alone: a velocity need not be that of a motion. It is if turning every body k by
-//!   `ω_k θ` keeps the pins for all θ: origins move by sums of `z e^{iωθ}`, and a loop closes for all θ exactly if its
-//!   terms of every frequency ω add up to zero. So parallelograms and their chains are proved to move. Else it is open.
+//! * `r = n`: nothing moves, the equations being one to one near a position where their derivative
+//!   is.
+//! * `r = m`: the positions near are a manifold of dimension `n − r`, by the theorem on implicit
+//!   functions. This is so too at every position that
+//!   [`Linkage::position`](super::Linkage::position) encloses.
+//! * Else `n − r` is an upper bound alone: a velocity need not be that of a motion. It is if
+//!   turning every body k by `ω_k θ` keeps the pins for all θ: origins move by sums of `z e^{iωθ}`,
+//!   and a loop closes for all θ exactly if its terms of every frequency ω add up to zero. So
+//!   parallelograms and their chains are proved to move. Else it is open.
 
-use super::mechanism::{Frame, MechanismError, Point};
+use super::parts::{Frame, MechanismError, Point};
 use rug::Rational;
 
 /// A pin of a drawing.
@@ -54,7 +59,7 @@ pub struct Drawing {
     pins: Vec<DrawnPin>,
 }
 
-/// What is proved of the motions near a drawn position.
+/// Describes what is proved of the motions near a drawn position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mobility {
     /// No body can move.
@@ -89,7 +94,7 @@ pub struct Freedom {
     pub movable: Vec<usize>,
     /// The bodies with pins whose forces can hold one another, ascending: held too often.
     pub strained: Vec<usize>,
-    /// What follows for motions.
+    /// Holds what follows for motions.
     pub mobility: Mobility,
 }
 
@@ -109,8 +114,8 @@ impl Drawing {
     /// So many moving bodies with their pins.
     ///
     /// # Errors
-    /// [`MechanismError::Missing`] if a pin names a body that does not exist, [`MechanismError::Itself`] if it joins a body
-    /// to itself.
+    /// [`MechanismError::Missing`] if a pin names a body that does not exist,
+    /// [`MechanismError::Itself`] if it joins a body to itself.
     pub fn new(bodies: usize, pins: Vec<DrawnPin>) -> Result<Drawing, MechanismError> {
         for (joint, pin) in pins.iter().enumerate() {
             let exists = |f: &Frame| f.body().is_none_or(|k| k < bodies);
@@ -166,10 +171,11 @@ impl Drawing {
         }
     }
 
-    /// Whether turning every body k by `ω_k θ` keeps the pins for every θ, with the angular velocities of that motion,
-    /// and moves something.
+    /// Returns whether turning every body k by `ω_k θ` keeps the pins for every θ, with the angular
+    /// velocities of that motion, and moves something.
     ///
-    /// Body k's points at p go to `T_k(θ) + e^{iω_kθ} p`; from body a to b at a pin, `T_b = T_a + (e^{iω_aθ} − e^{iω_bθ}) p`.
+    /// Body k's points at p go to `T_k(θ) + e^{iω_kθ} p`; from body a to b at a pin,
+    /// `T_b = T_a + (e^{iω_aθ} − e^{iω_bθ}) p`.
     fn turns(&self, motion: &[Rational]) -> bool {
         let zero = Rational::new();
         let omega = |frame: Frame| frame.body().map_or(&zero, |k| &motion[3 * k + 2]);
@@ -318,7 +324,8 @@ mod tests {
         assert!(both.is(&sum(&parts)));
     }
 
-    /// A motion without a turn is none of those that turning proves, be it of bodies on the ground or of none.
+    /// A motion without a turn is none of those that turning proves, be it of bodies on the ground
+    /// or of none.
     #[test]
     fn a_shift_does_not_turn() {
         let [x, o] = [1, 0].map(Rational::from);

@@ -135,8 +135,8 @@ fn bad_pins_are_refused() {
     assert_eq!(e, MechanismError::Itself { joint: 0 });
 }
 
-/// Coupler ABC on cranks AD, BE, CF, off the origin, the coupler listed first: none of the first three pins is on the
-/// ground.
+/// Coupler ABC on cranks AD, BE, CF, off the origin, the coupler listed first: none of the first
+/// three pins is on the ground.
 #[test]
 fn the_order_of_bodies_and_the_origin_do_not_matter() {
     let at = |p| match p {
@@ -161,7 +161,8 @@ fn the_order_of_bodies_and_the_origin_do_not_matter() {
     assert_eq!(f.mobility, Mobility::Undecided { most: 1 });
 }
 
-/// A bar that turns about the origin has no velocity there. Beside it a triangle with a second bar, held too often.
+/// A bar that turns about the origin has no velocity there. Beside it a triangle with a second bar,
+/// held too often.
 #[test]
 fn a_bar_about_the_origin_turns() {
     let at = |p| match p {
@@ -209,8 +210,8 @@ fn a_body_without_pins_is_free() {
     assert_eq!(f.mobility, Mobility::Regular { freedoms: 3 });
 }
 
-/// Three bars from end to end on a line, on no other body, hold one another along it; the chains listed before and
-/// after them are not strained.
+/// Three bars from end to end on a line, on no other body, hold one another along it; the chains
+/// listed before and after them are not strained.
 #[test]
 fn bars_on_a_line_are_strained_and_their_neighbours_are_not() {
     let bodies = ["AF", "AB", "B", "CD", "DE", "CE", "FG", "G"];

@@ -1,12 +1,13 @@
 //! Forces in the pins and the drive torque by the laws of Newton and Euler for every body.
 //!
-//! With the force f of a pin on its second body, and its opposite on the first, every body's forces add up to
-//! `m (S'' − g)` and their moments about its centre of mass S to `J ψ''`, the drive's torque among them: 3n linear
-//! equations for 2p forces and the torque. Nothing of the loops' multipliers is used, whose drive force is a check.
+//! With the force f of a pin on its second body, and its opposite on the first, every body's forces
+//! add up to `m (S'' − g)` and their moments about its centre of mass S to `J ψ''`, the drive's
+//! torque among them: 3n linear equations for 2p forces and the torque. Nothing of the loops'
+//! multipliers is used, whose drive force is a check.
 
 use super::enclosure::Linkage;
 use super::energy::Forces;
-use super::mechanism::{Attachment, Frame, Joint};
+use super::parts::{Attachment, Frame, Joint};
 use super::reactions::Rates;
 use super::series::Series;
 use super::system::BallForm;
@@ -15,14 +16,17 @@ use crate::{Ball, BallLu, Undecided};
 /// Forces of a position in motion.
 #[derive(Clone, Debug)]
 pub struct JointForces {
-    /// For every pin in the order of the joints the force on its second end, in the axes of the ground.
+    /// For every pin in the order of the joints the force on its second end, in the axes of the
+    /// ground.
     pub pins: Vec<[Ball; 2]>,
-    /// The force on the drive's form that the motion needs besides what acts: a torque where it is an angle.
+    /// The force on the drive's form that the motion needs besides what acts: a torque where it is
+    /// an angle.
     pub drive: Ball,
 }
 
 impl Linkage {
-    /// A point with its first and second derivatives by the drive: `[[x, y], [x', y'], [x'', y'']]`.
+    /// A point with its first and second derivatives by the drive:
+    /// `[[x, y], [x', y'], [x'', y'']]`.
     ///
     /// # Panics
     /// If the series has fewer than two orders.
@@ -32,11 +36,12 @@ impl Linkage {
         [p, v, a.map(|x| x.shift(1))]
     }
 
-    /// Forces in the pins under gravity and inertia, for the rates of a position with its series of two orders or more.
+    /// Forces in the pins under gravity and inertia, for the rates of a position with its series of
+    /// two orders or more.
     ///
     /// # Errors
-    /// [`Undecided`] where the forces are not determined, and for mechanisms with joints other than pins or with
-    /// springs.
+    /// [`Undecided`] where the forces are not determined, and for mechanisms with joints other than
+    /// pins or with springs.
     pub fn joint_forces(
         &self,
         series: &Series,

@@ -1,10 +1,11 @@
 //! Loop equations: every point as a form in the bodies' directions.
 //!
 //! With `u_k = (cos ψ_k, sin ψ_k)` as a complex number and exact complex z, a point is
-//! `P = Σ z u_k` over the joints on the way from the ground to its body, a term of a slide having its displacement as a
-//! further factor. A joint that closes a loop says that two such forms are equal.
+//! `P = Σ z u_k` over the joints on the way from the ground to its body, a term of a slide having
+//! its displacement as a further factor. A joint that closes a loop says that two such forms are
+//! equal.
 
-use super::mechanism::{Attachment, Body, Frame, Joint, MechanismError, Place};
+use super::parts::{Attachment, Body, Frame, Joint, MechanismError, Place};
 use crate::class_iii::ExactAngle;
 use rug::Rational;
 
@@ -36,7 +37,7 @@ pub(super) struct Loops {
     pub coordinates: usize,
     /// Where each body's origin is.
     pub origins: Vec<Form>,
-    /// What has to be zero, two equations each.
+    /// Holds what has to be zero, two equations each.
     pub closures: Vec<Form>,
     /// One equation each.
     pub relations: Vec<Relation>,
@@ -87,7 +88,7 @@ fn attached(mut origin: Form, at: &Attachment) -> Form {
     origin
 }
 
-/// What a joint says of two points: `a + travel = b`.
+/// Describes what a joint says of two points: `a + travel = b`.
 struct Link<'a> {
     a: &'a Attachment,
     b: &'a Attachment,
@@ -242,3 +243,6 @@ fn relation(joint: &Joint, joints: &[Joint], slides: &[Option<usize>]) -> Option
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,8 +1,9 @@
 //! Real numbers as `f64` midpoint and radius, for bounds that need no digits.
 //!
-//! A sum or product rounded to nearest is off by at most u = 2⁻⁵³ of its size or by half the smallest subnormal, and so is
-//! each of the operations by which a radius is computed, of which there are fewer than eight: a factor of 1 + 16 u and the
-//! smallest normal number take them in. What is not finite is unbounded.
+//! A sum or product rounded to nearest is off by at most u = 2⁻⁵³ of its size or by half the
+//! smallest subnormal, and so is each of the operations by which a radius is computed, of which
+//! there are fewer than eight: a factor of 1 + 16 u and the smallest normal number take them in.
+//! What is not finite is unbounded.
 
 use super::scalar::Scalar;
 use crate::{Ball, Mag};
@@ -28,7 +29,7 @@ impl MidRad {
         MidRad { mid, rad: 0.0 }
     }
 
-    /// What a ball holds.
+    /// Returns what a ball holds.
     pub(super) fn of(b: &Ball) -> MidRad {
         let mid = b.mid().to_f64();
         if *b.mid() == mid && b.rad().is_zero() {
@@ -85,7 +86,8 @@ impl Scalar for MidRad {
     fn by_f64(&self, k: f64) -> MidRad {
         self.times(&MidRad::exact(k))
     }
-    /// By MPFR, whose results are rounded correctly; both functions are 1-Lipschitz and bounded by one.
+    /// By MPFR, whose results are rounded correctly; both functions are 1-Lipschitz and bounded by
+    /// one.
     fn cos_sin(&self) -> (MidRad, MidRad) {
         let (mut sine, mut cosine) = (Float::with_val(53, self.mid), Float::new(53));
         sine.sin_cos_mut(&mut cosine);

@@ -1,19 +1,20 @@
 //! Planar mechanisms of one degree of freedom in balls.
 //!
-//! A [`Mechanism`] is bodies, pins, slides, pins in slots, gears and racks in exact data. Its coordinates are the
-//! angles ψ of the bodies' axes and the displacements of slides; with `u_k = e^{iψ_k}` every point is a sum of terms
-//! `z u_k` and `z s u_k`, so that the loops are closed by equations of that kind. A [`Linkage`] adds a [`Drive`], which
-//! is one more linear equation, and a precision.
+//! A [`Mechanism`] is bodies, pins, slides, pins in slots, gears and racks in exact data. Its
+//! coordinates are the angles ψ of the bodies' axes and the displacements of slides; with
+//! `u_k = e^{iψ_k}` every point is a sum of terms `z u_k` and `z s u_k`, so that the loops are
+//! closed by equations of that kind. A [`Linkage`] adds a [`Drive`], which is one more linear
+//! equation, and a precision.
 //!
 //! [`Linkage::position`] encloses by Krawczyk's operator, which proves existence and uniqueness;
-//! [`Linkage::modes`] finds all positions and proves that none is missing, [`Linkage::nearest`] the one
-//! next to approximate coordinates; [`Linkage::series`], [`Linkage::reduced_inertia`] and
+//! [`Linkage::modes`] finds all positions and proves that none is missing, [`Linkage::nearest`] the
+//! one next to approximate coordinates; [`Linkage::series`], [`Linkage::reduced_inertia`] and
 //! [`Linkage::multipliers`] give derivatives of any order, inertia and reactions;
-//! [`Linkage::from_rest`] the motion under conservative forces. [`Linkage::special`] decides singular
-//! positions and zeros by exact algebra where directions are simple numbers, [`Linkage::family`]
-//! motions like those of parallelograms. A [`Drawing`] may have any number of degrees of freedom,
-//! which exact ranks tell. At other change points and dead positions of the drive the answer is
-//! [`Undecided`](crate::Undecided).
+//! [`Linkage::from_rest`] the motion under conservative forces. [`Linkage::special`] decides
+//! singular positions and zeros by exact algebra where directions are simple numbers,
+//! [`Linkage::family`] motions like those of parallelograms. A [`Drawing`] may have any number of
+//! degrees of freedom, which exact ranks tell. At other change points and dead positions of the
+//! drive the answer is [`Undecided`](crate::Undecided).
 //!
 //! ```
 //! use mechaudit_reference::Ball;
@@ -54,20 +55,15 @@ mod freedom;
 mod freedom_tests;
 mod joint_forces;
 mod loops;
-#[cfg(test)]
-mod loops_tests;
 mod mechanism;
 mod mid_rad;
 mod modes;
 #[cfg(test)]
 mod modes_tests;
 mod nearest;
-#[cfg(test)]
-mod nearest_tests;
 mod panel;
+mod parts;
 mod reactions;
-#[cfg(test)]
-mod reactions_tests;
 mod real;
 mod scalar;
 mod series;
@@ -87,9 +83,8 @@ pub use energy::{Forces, Spring};
 pub use exact_rates::ExactRates;
 pub use freedom::{Drawing, DrawnPin, Freedom, Mobility};
 pub use joint_forces::JointForces;
-pub use mechanism::{
-    Attachment, Body, Drive, Frame, Joint, Mechanism, MechanismError, Place, Point,
-};
+pub use mechanism::Mechanism;
+pub use parts::{Attachment, Body, Drive, Frame, Joint, MechanismError, Place, Point};
 pub use reactions::Rates;
 pub use real::Real;
 pub use series::Series;

@@ -1,9 +1,10 @@
 //! All assembly modes at a value of the drive, with the proof that none is missing.
 //!
-//! Branch and prune over a compact chart of the bodies' angles ([`chart`](super::chart)). A box goes when an equation cannot be zero
-//! on it or when `K(X)` does not meet it, every zero of X being one of `K(X)`; it is settled when `K(X)` lies in the
-//! interior of X, which proves one zero; else it is cut to `K(X)` or halved. Boxes overlap a little, so that zeros on
-//! common faces lie inside some box; what is found twice, by whole turns too, is told by the box in which a zero is
+//! Branch and prune over a compact chart of the bodies' angles ([`chart`](super::chart)). A box
+//! goes when an equation cannot be zero on it or when `K(X)` does not meet it, every zero of X
+//! being one of `K(X)`; it is settled when `K(X)` lies in the interior of X, which proves one zero;
+//! else it is cut to `K(X)` or halved. Boxes overlap a little, so that zeros on common faces lie
+//! inside some box; what is found twice, by whole turns too, is told by the box in which a zero is
 //! alone.
 
 use super::chart::Equation;
@@ -23,7 +24,7 @@ pub(super) struct Found {
     pub alone: Vec<Ball>,
 }
 
-/// What is made of a box.
+/// Describes what is made of a box.
 enum Look {
     Empty,
     Single(Vec<Ball>),
@@ -38,12 +39,13 @@ pub(super) fn intersection(a: &Ball, b: &Ball) -> Option<Ball> {
 }
 
 impl Linkage {
-    /// Every position at that value of the drive, proved to be all, in no particular order; angles of bodies up to whole
-    /// turns that keep gears and drive (a crank at 4 rad is none at 4 − 2π).
+    /// Every position at that value of the drive, proved to be all, in no particular order; angles
+    /// of bodies up to whole turns that keep gears and drive (a crank at 4 rad is none at 4 − 2π).
     ///
     /// # Errors
-    /// [`Undecided`] with the number of boxes that are left where modes meet or nearly so, where the search takes too
-    /// long, and for mechanisms with slides or slots, whose displacements lie in no compact chart.
+    /// [`Undecided`] with the number of boxes that are left where modes meet or nearly so, where
+    /// the search takes too long, and for mechanisms with slides or slots, whose displacements lie
+    /// in no compact chart.
     pub fn modes(&self, drive: &Ball) -> Result<Vec<Position>, Undecided> {
         self.modes_within(drive, MOST_BOXES)
     }
@@ -101,7 +103,7 @@ impl Linkage {
         gears.chain([drive]).collect()
     }
 
-    /// Whether whole turns of the bodies change no gear and no drive.
+    /// Returns whether whole turns of the bodies change no gear and no drive.
     pub(super) fn keeps(&self, turns: &[i64]) -> bool {
         let relations = self.mechanism.loops.relations.iter().map(|r| &r.terms);
         relations.chain([&self.drive.0]).all(|terms| {
@@ -285,7 +287,8 @@ mod tests {
         assert_eq!(reason(enough - 1).unwrap_err(), found);
     }
 
-    /// A mode that was found elsewhere, and whose ball shares points with this one's without holding it.
+    /// A mode that was found elsewhere, and whose ball shares points with this one's without
+    /// holding it.
     #[test]
     fn modes_that_may_be_one_are_not_counted_as_two() {
         let linkage = Linkage::new(&four_bar(), &Drive::coordinate(0), 64).unwrap();

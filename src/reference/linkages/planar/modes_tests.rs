@@ -56,15 +56,16 @@ fn a_crank_turned_further_has_the_same() {
     }
 }
 
-/// The coupler driven relative to the crank: both turn together, and the triangle of crank, coupler and the line
-/// between their far ends has that line on the rocker's circle twice.
+/// The coupler driven relative to the crank: both turn together, and the triangle of crank, coupler
+/// and the line between their far ends has that line on the rocker's circle twice.
 #[test]
 fn a_drive_between_two_bodies_has_all_its_modes() {
     let mechanism = four_bar();
     let linkage = Linkage::new(&mechanism, &Drive::relative(0, 1), BITS).unwrap();
     for phi in ["1.9", "-2.2", "4.1", "-8"] {
         let modes = linkage.modes(&ball(phi)).unwrap();
-        // Lengths 2 and 7/2 at this angle reach d; the frame 4 and the rocker 3 close the triangle (d, 3, 4) or not.
+        // Lengths 2 and 7/2 at this angle reach d; the frame 4 and the rocker 3 close the triangle
+        // (d, 3, 4) or not.
         let angle = q(phi).to_f64();
         let d = (4.0 + 12.25 + 14.0 * angle.cos()).sqrt();
         let due = if d > 1.0 && d < 7.0 { 2 } else { 0 };
@@ -80,7 +81,8 @@ fn a_drive_between_two_bodies_has_all_its_modes() {
     }
 }
 
-/// A five-bar whose cranks are geared: the second crank's angle follows from the first one's, turns and all.
+/// A five-bar whose cranks are geared: the second crank's angle follows from the first one's, turns
+/// and all.
 #[test]
 fn gears_count_the_turns() {
     let b = Attachment::body;
@@ -115,12 +117,14 @@ fn gears_count_the_turns() {
     let keeps = |drive, turns: [i64; 4]| geared("2", drive).keeps(&turns);
     assert!(keeps(0, [0, 1, 0, -3]) && !keeps(0, [1, 0, 2, 0]) && !keeps(0, [0, 0, 1, 0]));
     assert!(keeps(1, [1, 0, 2, 5]) && !keeps(1, [1, 0, 1, 0]) && !keeps(1, [1, 1, 2, 0]));
-    // Driven at the second crank with the ratio 2, half as many turns of the first: one crank angle and two modes.
+    // Driven at the second crank with the ratio 2, half as many turns of the first: one crank angle
+    // and two modes.
     for (ratio, psi) in [("2", "5"), ("0.5", "4")] {
         let modes = geared(ratio, 2).modes(&ball(psi)).unwrap();
         assert_eq!(modes.len(), 2, "{ratio} {psi}");
     }
-    // Driven at a link: what is found with the crank's angle from −π to π, and over two turns where the ratio is 1/2.
+    // Driven at a link: what is found with the crank's angle from −π to π, and over two turns where
+    // the ratio is 1/2.
     for (ratio, turns) in [("1", 1), ("0.5", 2), ("2", 1)] {
         let linkage = geared(ratio, 1);
         let modes = linkage.modes(&ball("0.4")).unwrap();
@@ -128,7 +132,8 @@ fn gears_count_the_turns() {
         let cranked = geared(ratio, 0);
         let steps = 120 * turns;
         let mut before: Option<Vec<f64>> = None;
-        // Changes of sign of the link's angle − 0.4 along the two branches, which are told by the order of its sine.
+        // Changes of sign of the link's angle − 0.4 along the two branches, which are told by the
+        // order of its sine.
         for k in 0..=steps {
             let phi = f64::from(turns)
                 * std::f64::consts::PI
@@ -249,7 +254,8 @@ fn none_where_it_cannot_be_joined_and_undecided_where_modes_meet() {
     assert_eq!(with("2").modes(&ball("0.5")).unwrap().len(), 2);
 }
 
-/// What is recorded lies in the box in which it is alone, and is told from what is known by that box.
+/// Checks that what is recorded lies in the box in which it is alone, and is told from what is
+/// known by that box.
 #[test]
 fn a_mode_is_told_by_the_box_in_which_it_is_alone() {
     let linkage = cranked(&four_bar());
@@ -373,8 +379,8 @@ fn boxes_intersect_in_what_both_hold() {
     }
 }
 
-/// A free angle as many half turns to either side as a common denominator says, to the last bit, and one that is solved
-/// for as far as its equation says.
+/// A free angle as many half turns to either side as a common denominator says, to the last bit,
+/// and one that is solved for as far as its equation says.
 #[test]
 fn charts_are_as_wide_as_their_turns() {
     let system = cranked(&four_bar()).coarse;

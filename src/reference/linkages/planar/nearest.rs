@@ -1,24 +1,26 @@
 //! The position nearest to approximate coordinates, with the proof that none is nearer.
 //!
-//! Let d be the largest difference of a position's coordinates from the approximate ones g, and X the cube of half-width
-//! d around g. By the mean value theorem, row by row, `F(x) − F(x') = A (x − x')` for x, x' in X with a matrix A of the
-//! interval matrix `F'(X)`. If `‖I − Y F'(X)‖ < 1`, every such A is regular: F is one to one on X, and every other
-//! position is farther than d from g.
+//! Let d be the largest difference of a position's coordinates from the approximate ones g, and X
+//! the cube of half-width d around g. By the mean value theorem, row by row,
+//! `F(x) − F(x') = A (x − x')` for x, x' in X with a matrix A of the interval matrix `F'(X)`. If
+//! `‖I − Y F'(X)‖ < 1`, every such A is regular: F is one to one on X, and every other position is
+//! farther than d from g.
 
 use super::enclosure::{Linkage, Position, exact, reach as sum_of};
 use crate::{Ball, Mag, Undecided};
 use rug::Float;
 
 impl Linkage {
-    /// The position at that value of the drive whose largest difference from `guess` over all coordinates (the angles of
-    /// all moving bodies, where there are no slides or slots) is least, if that is at most `reach`; none if it is proved
-    /// that none is within `reach`.
+    /// The position at that value of the drive whose largest difference from `guess` over all
+    /// coordinates (the angles of all moving bodies, where there are no slides or slots) is least,
+    /// if that is at most `reach`; none if it is proved that none is within `reach`.
     ///
-    /// Angles are real numbers, not reduced by whole turns: a position and its whole turns are several.
+    /// Angles are real numbers, not reduced by whole turns: a position and its whole turns are
+    /// several.
     ///
     /// # Errors
-    /// [`Undecided`] where positions nearly meet, where the guess is so far off that another position could be nearer,
-    /// and where neither can be proved.
+    /// [`Undecided`] where positions nearly meet, where the guess is so far off that another
+    /// position could be nearer, and where neither can be proved.
     pub fn nearest(
         &self,
         drive: &Ball,
@@ -47,7 +49,7 @@ impl Linkage {
         }
     }
 
-    /// Whether F is one to one on the cube around g.
+    /// Returns whether F is one to one on the cube around g.
     fn single_within(&self, g: &[Float], half: Mag) -> bool {
         let Some(y) = self.coarse.approximate_inverse(g) else {
             return false;
@@ -57,7 +59,7 @@ impl Linkage {
         e.iter().all(|row| sum_of(row, &one) < Mag::from_f64(1.0))
     }
 
-    /// Whether an equation cannot be zero on the cube around g.
+    /// Returns whether an equation cannot be zero on the cube around g.
     fn none_within(&self, drive: &Ball, g: &[Float], half: f64) -> bool {
         let system = &self.coarse;
         let wide = exact(g, 64).into_iter();
@@ -66,3 +68,6 @@ impl Linkage {
         over.iter().any(|f| !f.contains_zero())
     }
 }
+
+#[cfg(test)]
+mod tests;

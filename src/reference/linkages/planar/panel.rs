@@ -1,4 +1,5 @@
-//! A part of the path of a conservative motion: the branch, analytic in the drive, and bounds on I and W.
+//! A part of the path of a conservative motion: the branch, analytic in the drive, and bounds on I
+//! and W.
 
 use super::disc::{Disc, guess};
 use super::enclosure::{Linkage, Position};
@@ -67,8 +68,8 @@ pub(super) fn exact(x: &Float) -> Ball {
     Ball::new(x.clone(), Mag::ZERO)
 }
 
-/// A bound on `|Σ_{n≥from} a_n s^{n−down}|` for `|s| ≤ reach`: coefficients as far as they are known, then Cauchy's
-/// `|a_n| ≤ M/R^n` for a function that M bounds on the disc of radius R.
+/// A bound on `|Σ_{n≥from} a_n s^{n−down}|` for `|s| ≤ reach`: coefficients as far as they are
+/// known, then Cauchy's `|a_n| ≤ M/R^n` for a function that M bounds on the disc of radius R.
 pub(super) fn tail(
     series: &[Ball],
     most: Mag,
@@ -295,7 +296,8 @@ mod tests {
         assert!(found <= due && found > 0.995 * due, "{found} {due}");
     }
 
-    /// `W/(b − b0) = 2 − 4 (b − b0)` and `√(I/2W)` as `√((b − b0)/W)` over the first panel's ellipse.
+    /// `W/(b − b0) = 2 − 4 (b − b0)` and `√(I/2W)` as `√((b − b0)/W)` over the first panel's
+    /// ellipse.
     #[test]
     fn the_first_panel_of_an_oscillator() {
         let (linkage, forces) = oscillator();
@@ -319,7 +321,8 @@ mod tests {
         assert!(loaded.first(&width).is_none());
     }
 
-    /// A panel from 3/16 to 7/32: W at its middle less what slope and curvature take over the reach.
+    /// A panel from 3/16 to 7/32: W at its middle less what slope and curvature take over the
+    /// reach.
     #[test]
     fn a_later_panel_of_an_oscillator() {
         let (linkage, forces) = oscillator();

@@ -1,9 +1,9 @@
 //! Multipliers of the equations in motion: joint reactions and the force on the drive.
 //!
 //! With F the equations, drive last, and a motion x(t) that satisfies them,
-//! `Σ m S''·∂S/∂x + J ψ'' = Q − F'ᵀ λ`, Q being springs, weights and the given force on the drive. A loop's two
-//! multipliers are the components of the force between the two points that it joins; the drive's is the force that
-//! the motion needs less, and zero in free motion.
+//! `Σ m S''·∂S/∂x + J ψ'' = Q − F'ᵀ λ`, Q being springs, weights and the given force on the drive.
+//! A loop's two multipliers are the components of the force between the two points that it joins;
+//! the drive's is the force that the motion needs less, and zero in free motion.
 
 use super::enclosure::{Linkage, Position};
 use super::energy::{Forces, Load};
@@ -55,8 +55,8 @@ impl Linkage {
         Ok(self.series(position, 2)?.in_time(speed, acceleration))
     }
 
-    /// The multipliers λ: two for each loop in the order of the joints that close them, one for each slide's, gear's or
-    /// rack's relation, the drive's last.
+    /// The multipliers λ: two for each loop in the order of the joints that close them, one for
+    /// each slide's, gear's or rack's relation, the drive's last.
     ///
     /// # Errors
     /// [`Undecided`] where the Jacobian may be singular.
@@ -109,3 +109,6 @@ impl Linkage {
         Ok(matrix.solve(&right))
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -21,7 +21,7 @@ pub struct Real {
     terms: Vec<(Rational, Irrational)>,
 }
 
-/// What is not written as a fraction.
+/// Describes what is not written as a fraction.
 #[derive(Clone, Debug, PartialEq)]
 enum Irrational {
     /// The root of a whole number without small square factors.
@@ -188,7 +188,7 @@ impl Real {
         Some([x.times(&reciprocal), y.times(&reciprocal)])
     }
 
-    /// Whether it is zero as written; what is zero by an identity of roots is not told.
+    /// Returns whether it is zero as written; what is zero by an identity of roots is not told.
     pub fn is_zero(&self) -> bool {
         self.rational.is_zero() && self.terms.is_empty()
     }

@@ -3,9 +3,10 @@
 use crate::{Ball, Mag};
 use rug::{Float, float};
 
-/// Balls for the mechanism as it is, `MidRad` where a bound needs no digits, complex discs for its continuation over a
-/// disc of drive coordinates. All enclose: an operation's result holds the exact result for all numbers that the operands
-/// hold. Plain `f64` do not, and serve to find what is proved by the others.
+/// Balls for the mechanism as it is, `MidRad` where a bound needs no digits, complex discs for its
+/// continuation over a disc of drive coordinates. All enclose: an operation's result holds the
+/// exact result for all numbers that the operands hold. Plain `f64` do not, and serve to find what
+/// is proved by the others.
 pub(super) trait Scalar: Clone {
     /// A real number.
     fn real(b: &Ball) -> Self;
@@ -23,8 +24,8 @@ pub(super) trait Scalar: Clone {
     }
     /// Cosine and sine.
     fn cos_sin(&self) -> (Self, Self);
-    /// `1/√q` by the branch that is positive on the positive real line; unbounded unless that is analytic on all that
-    /// the operand holds.
+    /// `1/√q` by the branch that is positive on the positive real line; unbounded unless that is
+    /// analytic on all that the operand holds.
     fn over_root(&self) -> Self;
     /// An upper bound on the absolute value.
     fn size(&self) -> Mag;
@@ -88,9 +89,9 @@ impl Scalar for f64 {
 
 /// All complex numbers within a radius of a real midpoint.
 ///
-/// The radii of a ball's sums, products, quotients and roots bound complex numbers as well: they are built from absolute
-/// values alone, and for `r ≤ m` the root of `|x − m| ≤ r` has no negative real part. Cosine and sine grow off the real
-/// line and have a bound of their own.
+/// The radii of a ball's sums, products, quotients and roots bound complex numbers as well: they
+/// are built from absolute values alone, and for `r ≤ m` the root of `|x − m| ≤ r` has no negative
+/// real part. Cosine and sine grow off the real line and have a bound of their own.
 #[derive(Clone, Debug)]
 pub(super) struct Round(pub Ball);
 
@@ -110,7 +111,8 @@ impl Scalar for Round {
     fn by(&self, k: &Ball) -> Round {
         Round(&self.0 * k)
     }
-    /// `|cos(m + δ) − cos m| ≤ |sin m| sinh r + |cos m| (cosh r − 1)` for `|δ| ≤ r`, and likewise the sine.
+    /// `|cos(m + δ) − cos m| ≤ |sin m| sinh r + |cos m| (cosh r − 1)` for `|δ| ≤ r`, and likewise
+    /// the sine.
     fn cos_sin(&self) -> (Round, Round) {
         let (s, c) = Ball::new(self.0.mid().clone(), Mag::ZERO).sin_cos();
         let r = self.0.rad();
@@ -142,7 +144,8 @@ impl Scalar for Round {
 mod tests {
     use super::*;
 
-    /// Points on the circle, by addition theorems in 200 bits, against the disc's cosine, sine and inverse root.
+    /// Points on the circle, by addition theorems in 200 bits, against the disc's cosine, sine and
+    /// inverse root.
     #[test]
     fn functions_of_a_disc() {
         let r = 0.4;
@@ -207,7 +210,8 @@ mod tests {
         }
     }
 
-    /// About zero a sine goes as far as `sinh r` and a cosine as `cosh r − 1`; elsewhere no less than either part.
+    /// About zero a sine goes as far as `sinh r` and a cosine as `cosh r − 1`; elsewhere no less
+    /// than either part.
     #[test]
     fn cosines_of_discs_are_as_wide_as_they_have_to_be() {
         let mut state = 1u64;

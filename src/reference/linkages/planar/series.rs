@@ -1,8 +1,8 @@
 //! Taylor coefficients of the coordinates by the drive, of any order.
 //!
 //! With `x(b) = Σ x_n (b − b0)^n` the directions follow from `c' = −s ψ'`, `s' = c ψ'`:
-//! `n c_n = −Σ_{k=1}^{n} k ψ_k s_{n−k}`. The coefficient of order n of the equations is `F'(x_0) x_n` plus what the lower
-//! orders give, so that one factored Jacobian serves all orders.
+//! `n c_n = −Σ_{k=1}^{n} k ψ_k s_{n−k}`. The coefficient of order n of the equations is
+//! `F'(x_0) x_n` plus what the lower orders give, so that one factored Jacobian serves all orders.
 
 use super::enclosure::{Linkage, Position};
 use super::system::{BallForm, System};

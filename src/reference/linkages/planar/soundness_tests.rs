@@ -95,7 +95,8 @@ fn a_change_point_is_undecided() {
     );
 }
 
-/// What an enclosure for an uncertain drive holds: every position in it. A radius a tenth as large would miss some.
+/// Checks what an enclosure for an uncertain drive holds: every position in it. A radius a tenth as
+/// large would miss some.
 #[test]
 fn radii_are_needed_and_enough() {
     let linkage = cranked(&four_bar());
@@ -120,7 +121,8 @@ fn radii_are_needed_and_enough() {
     assert!(most > 0.1, "{most}");
 }
 
-/// A disc of drives holds the positions and rates at the real drives in it; no disc reaches beyond a dead position.
+/// A disc of drives holds the positions and rates at the real drives in it; no disc reaches beyond
+/// a dead position.
 #[test]
 fn discs_hold_what_lies_in_them_and_end_at_dead_positions() {
     let linkage = cranked(&four_bar());
@@ -148,7 +150,8 @@ fn discs_hold_what_lies_in_them_and_end_at_dead_positions() {
         }
         assert!(used > 0.02, "{used}");
     }
-    // The lengths 7/2 and 3 meet the crank's pin until |2 e^{iφ} − 4| = 6 at φ = π; with a frame of 5 they do not.
+    // The lengths 7/2 and 3 meet the crank's pin until |2 e^{iφ} − 4| = 6 at φ = π; with a frame of
+    // 5 they do not.
     let mut joints = linkage.mechanism().joints().to_vec();
     joints[2] = Joint::Pin {
         a: Attachment::ground([q("5"), q("0")]),
@@ -164,7 +167,8 @@ fn discs_hold_what_lies_in_them_and_end_at_dead_positions() {
         let disc = linkage.disc(&ball("2"), &near, Mag::from_f64(radius));
         assert!(disc.is_none());
     }
-    // Next to it positions move away faster than the rates say: a disc that is proved holds them all the same.
+    // Next to it positions move away faster than the rates say: a disc that is proved holds them
+    // all the same.
     let close = ["2.1", "2.2", "2.26"].iter().fold(near, |at, phi| {
         linkage
             .position(&ball(phi), &at.midpoints())
@@ -234,7 +238,8 @@ fn another_branch_is_not_the_disc_s() {
     assert!(linkage.within(&disc, &drive, &beyond.midpoints()).is_none());
 }
 
-/// The bound by the disc's contraction holds the position for every drive of a ball, and is of its size.
+/// The bound by the disc's contraction holds the position for every drive of a ball, and is of its
+/// size.
 #[test]
 fn the_contraction_s_bound_is_needed() {
     let linkage = cranked(&four_bar());
@@ -317,7 +322,8 @@ fn the_bound_of_the_integrand_holds() {
     assert!(share > 0.3, "{share}");
 }
 
-/// What Taylor coefficients leave out: I and V at the real ends of the reach, from three coefficients and Cauchy's bound.
+/// Checks what Taylor coefficients leave out: I and V at the real ends of the reach, from three
+/// coefficients and Cauchy's bound.
 #[test]
 fn the_tail_is_bounded() {
     // Σ s^n for |s| ≤ 1/2, bounded by 10 on the disc of radius 9/10.
@@ -371,8 +377,8 @@ fn an_integral_stays_in_its_panel() {
     assert!(path.integral(&panel, &end("1.1")).is_err());
 }
 
-/// The drive at a time that is known within a radius: the Newton step over `b ± 2δ` has to stay inside. Next to the
-/// start, where the speed grows like a root, it does not for a wide one.
+/// The drive at a time that is known within a radius: the Newton step over `b ± 2δ` has to stay
+/// inside. Next to the start, where the speed grows like a root, it does not for a wide one.
 #[test]
 fn the_drive_at_a_time_is_a_newton_step_that_stays_inside() {
     let (linkage, forces) = (cranked(&four_bar()), forces());

@@ -14,7 +14,7 @@
 
 use super::enclosure::{Linkage, Position};
 use super::loops::{Form, Relation, Term};
-use super::mechanism::Attachment;
+use super::parts::Attachment;
 use super::real::Real;
 use super::surd::{Field, Surd, Vector, roots_near};
 use super::system::{BallForm, BallRelation, System};
@@ -198,7 +198,7 @@ impl<'a> Trial<'a> {
         trial
     }
 
-    /// Whether the drive's equation holds.
+    /// Returns whether the drive's equation holds.
     fn driven(&mut self, exact: Option<&ExactDrive>) -> bool {
         let bodies = self.directions.len();
         let terms = &self.linkage.drive.0;
@@ -226,7 +226,7 @@ impl<'a> Trial<'a> {
         }
     }
 
-    /// Whether an equation between angles holds.
+    /// Returns whether an equation between angles holds.
     fn relates(&self, relation: &Relation) -> bool {
         let denominators = relation.terms.iter().map(|(_, k)| k.denom());
         let lcm = denominators.fold(Integer::from(1), |l, d| l.lcm(d));
@@ -245,9 +245,9 @@ impl<'a> Trial<'a> {
         self.agrees(&relation.terms, &[c, s], lcm, &constant, 0)
     }
 
-    /// Whether `Σ k x = constant`, whose multiple has that direction times a power of the drive's:
-    /// `Π u^(multiple k)` is the same, so that the multiples agree up to whole turns, and the sides
-    /// differ by less than a turn of the multiple.
+    /// Returns whether `Σ k x = constant`, whose multiple has that direction times a power of the
+    /// drive's: `Π u^(multiple k)` is the same, so that the multiples agree up to whole turns, and
+    /// the sides differ by less than a turn of the multiple.
     fn agrees(
         &self,
         terms: &[(usize, Rational)],
@@ -275,8 +275,8 @@ impl<'a> Trial<'a> {
         same && off.magnitude() < Mag::from_f64(1.0 / f64::from(multiple))
     }
 
-    /// Whether a loop closes, with the displacements that it needs for that; `None` if it has
-    /// unknown directions.
+    /// Returns whether a loop closes, with the displacements that it needs for that; `None` if it
+    /// has unknown directions.
     fn closes(&mut self, form: &Form) -> Option<bool> {
         let field = &self.field;
         let mut rest = [Surd::default(), Surd::default()];
@@ -516,7 +516,7 @@ impl Special {
         BallForm::new(&form, bits).value(&pose, &Ball::integer(bits, 0))
     }
 
-    /// Whether directions are factors of the drive's.
+    /// Returns whether directions are factors of the drive's.
     pub(super) fn turns(&self) -> bool {
         self.turns.contains(&true)
     }
@@ -554,5 +554,4 @@ impl Special {
 }
 
 #[cfg(test)]
-#[path = "special_tests.rs"]
 mod tests;

@@ -1,7 +1,8 @@
 //! Loop equations at a working precision: residuals, the Jacobian, points.
 
 use super::loops::{Form, Relation};
-use super::mechanism::{Drive, Mechanism};
+use super::mechanism::Mechanism;
+use super::parts::Drive;
 use super::scalar::Scalar;
 use crate::Ball;
 
@@ -168,7 +169,7 @@ impl System {
         T::real(&Ball::integer(self.bits, 0))
     }
 
-    /// What the drive's form gives.
+    /// Returns what the drive's form gives.
     pub(super) fn driven<T: Scalar>(&self, x: &[T]) -> T {
         combination(&self.drive, x, &self.zero())
     }

@@ -37,7 +37,8 @@ fn origin() -> Point {
     at("0", "0")
 }
 
-/// Crank, coupler, rocker with the lengths 2, 7/2, 3 and the frame 4 along x; the coupler carries a mass off its axis.
+/// Crank, coupler, rocker with the lengths 2, 7/2, 3 and the frame 4 along x; the coupler carries a
+/// mass off its axis.
 pub(super) fn four_bar() -> Mechanism {
     let b = Attachment::body;
     let mut bodies = ["crank", "coupler", "rocker"].map(Body::massless);
@@ -116,8 +117,9 @@ fn a_slider_crank_by_its_quadratic() {
     meets(&back.x[0], &ball("0.7"));
 }
 
-/// A crank of length 1 about (0, 2) whose pin runs in a slot through the origin of a rocker: `ψ = arg(2i + e^{iφ})`. Gears
-/// turn another body by −3/2 of the rocker's angle, and a rack moves by 2 ψ.
+/// A crank of length 1 about (0, 2) whose pin runs in a slot through the origin of a rocker:
+/// `ψ = arg(2i + e^{iφ})`. Gears turn another body by −3/2 of the rocker's angle, and a rack moves
+/// by 2 ψ.
 #[test]
 fn a_slot_a_gear_and_a_rack() {
     let b = Attachment::body;
@@ -294,7 +296,8 @@ fn an_oscillator_by_its_cosine() {
     );
 }
 
-/// A pendulum of length 1/2 let go at 90°: a quarter of its period is `K(sin 45°)/ω`, by the arithmetic-geometric mean.
+/// A pendulum of length 1/2 let go at 90°: a quarter of its period is `K(sin 45°)/ω`, by the
+/// arithmetic-geometric mean.
 #[test]
 fn a_pendulum_by_its_elliptic_integral() {
     let mut bob = Body::massless("bob");
@@ -377,8 +380,8 @@ fn what_is_no_mechanism_is_told_as_such() {
     }
 }
 
-/// Newton and Euler's equations against the multipliers of the loops: the drive's torque and the force in the pin that
-/// closes the loop.
+/// Newton and Euler's equations against the multipliers of the loops: the drive's torque and the
+/// force in the pin that closes the loop.
 #[test]
 fn forces_in_pins_are_those_of_the_multipliers() {
     let linkage = cranked(&four_bar());

@@ -45,17 +45,17 @@
 //! |Re(R_N − e^{−z²})| ≤ θ (D_N + 2|z|² e^{−Re z²})
 //! ```
 //!
-//! (`|z (e^{−z²})'| = 2|z|² e^{−Re z²}`, and Re z² = |z|² cos 2θ falls along the arc). So beside the
-//! real axis `Re w = Re e^{−z²} + Re S_N` with an error proportional to θ ≤ (π/2) sin θ: Re w beside
-//! the axis, and e^{−x²} on it, keep their relative accuracy.
+//! (`|z (e^{−z²})'| = 2|z|² e^{−Re z²}`, and Re z² = |z|² cos 2θ falls along the arc). So beside
+//! the real axis `Re w = Re e^{−z²} + Re S_N` with an error proportional to θ ≤ (π/2) sin θ: Re w
+//! beside the axis, and e^{−x²} on it, keep their relative accuracy.
 //!
 //! # Lower half-plane
 //! `w(z) = 2e^{−z²} − w(−z)` (DLMF 7.4.3) and `w(−conj z) = conj w(z)` (w is real on the
 //! imaginary axis; Schwarz): `w(x − ih) = 2e^{−z²} − conj w(x + ih)`.
 //!
 //! # Evaluation
-//! With `u = 1/z = a + ib`, `v = C u²`, C a power of two with |v| ≤ 1, `Σ (1/2)_m C^{−m} v^m = P + i q S`,
-//! q = 2abC ([`super::fixed`], term ratio (2m+1)/(2C)):
+//! With `u = 1/z = a + ib`, `v = C u²`, C a power of two with |v| ≤ 1,
+//! `Σ (1/2)_m C^{−m} v^m = P + i q S`, q = 2abC ([`super::fixed`], term ratio (2m+1)/(2C)):
 //! `u (P + iqS) = a (P − 2b²C S) + i b (P + 2a²C S)`.
 use super::argument::Argument;
 use super::fixed;
@@ -91,7 +91,7 @@ pub(super) fn remainder(n: u64, log_r: f64) -> Remainder {
 /// Below |z|² = 8 no number of terms suffices for two bits.
 const LEAST: f64 = 3.0;
 
-/// What `log2 |z|²` may be off by.
+/// States what `log2 |z|²` may be off by.
 const SLACK: f64 = 1e-8;
 
 /// Precision of an exponent that is rounded to an integer.

@@ -8,8 +8,8 @@ fn about(x: f64, y: f64, rx: f64, ry: f64) -> ComplexBall {
     ComplexBall::new(ball(x, rx), ball(y, ry))
 }
 
-/// Balls with the case of the bound: near the axis from below (small or not), in the closed half-plane next to the
-/// origin, away from it, and far out.
+/// Balls with the case of the bound: near the axis from below (small or not), in the closed
+/// half-plane next to the origin, away from it, and far out.
 fn balls() -> Vec<ComplexBall> {
     vec![
         about(0.5, -0.25, 0.125, 0.125),
@@ -36,8 +36,8 @@ fn size_at_mid(z: &ComplexBall) -> Mag {
     w_ball(&middle(z), 64).magnitude()
 }
 
-/// No |w′| of the ball is beyond the bound, and none of the bounds is more than six times as large; across the
-/// axis, where `−2zw` cancels most of `2i/√π`, ten |z|² times.
+/// No |w′| of the ball is beyond the bound, and none of the bounds is more than six times as large;
+/// across the axis, where `−2zw` cancels most of `2i/√π`, ten |z|² times.
 #[test]
 fn slopes_hold_and_are_near() {
     for z in balls() {
@@ -97,7 +97,8 @@ fn slopes_are_those_of_the_formulas() {
     assert!((lower(0.2501) / flat - 1.0).abs() < 1e-9);
 }
 
-/// Wider than the midpoint's value by the radius times the slope; the whole plane for what is not finite.
+/// Wider than the midpoint's value by the radius times the slope; the whole plane for what is not
+/// finite.
 #[test]
 fn balls_are_widened_by_the_slope() {
     for z in balls() {
@@ -123,7 +124,8 @@ fn balls_are_widened_by_the_slope() {
     assert!(coarse.re.overlaps(&fine.re) && coarse.im.overlaps(&fine.im));
 }
 
-/// To the last bit no bound is below its formula `2/√π + 4h e^{h²}`, with an h of more bits than a bound has.
+/// To the last bit no bound is below its formula `2/√π + 4h e^{h²}`, with an h of more bits than a
+/// bound has.
 #[test]
 fn slopes_are_rounded_up() {
     let root = Ball::pi(300).sqrt();
@@ -139,7 +141,8 @@ fn slopes_are_rounded_up() {
     }
 }
 
-/// Far below the axis w is large, at few bits its radius is too, and the slope is that of the largest |w|.
+/// Far below the axis w is large, at few bits its radius is too, and the slope is that of the
+/// largest |w|.
 #[test]
 fn slopes_take_the_whole_ball_at_the_midpoint() {
     for x in [0.5, -3.0, 0.0] {
@@ -215,7 +218,8 @@ fn coefficients_of_few_bits() {
     }
 }
 
-/// The coefficient of order 300 at 2^20 i loses more than 10 000 bits: the order counts for the cap.
+/// The coefficient of order 300 at 2^20 i loses more than 10 000 bits: the order counts for the
+/// cap.
 #[test]
 fn coefficients_of_high_order() {
     let (x, y) = (Rational::new(), Rational::from(1 << 20));
@@ -238,7 +242,8 @@ fn coefficients_of_high_order() {
     }
 }
 
-/// Where |w| is beyond every exponent neither coefficients nor derivatives are balls; the first has them scaled.
+/// Where |w| is beyond every exponent neither coefficients nor derivatives are balls; the first has
+/// them scaled.
 #[test]
 fn what_no_exponent_holds_has_no_coefficients() {
     let (x, y) = (Rational::from(1), Rational::from(-1_000_000));

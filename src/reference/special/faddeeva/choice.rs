@@ -1,12 +1,13 @@
 //! The choice of the series for an argument, after reduction by symmetry.
 
 use super::argument::{Argument, Real};
+use super::fast;
+use super::general::{general, mirrored};
 use super::pair::Member;
 use super::scaled::Scaled;
-use super::{asymptotic, fast, kummer};
 
-/// One evaluation for `z.x ≥ 0`, quick where that may do. `None` where |z|² is beyond 10^8 and the asymptotic
-/// series does not reach the precision.
+/// One evaluation for `z.x ≥ 0`, quick where that may do. `None` where |z|² is beyond 10^8 and the
+/// asymptotic series does not reach the precision.
 pub(super) fn at(z: &Argument, member: Member, prec: u32) -> Option<[Scaled; 2]> {
     if prec <= fast::MOST_BITS
         && let Some(value) = fast::parts(&z.x, &z.y, member, prec)
@@ -16,24 +17,9 @@ pub(super) fn at(z: &Argument, member: Member, prec: u32) -> Option<[Scaled; 2]>
     general(z, member, prec)
 }
 
-/// [`at`], never quick.
-pub(super) fn general(z: &Argument, member: Member, prec: u32) -> Option<[Scaled; 2]> {
-    if let Some(parts) = asymptotic::parts(z, member, prec) {
-        return Some(parts);
-    }
-    if !(z.norm_f64() < 1e8) {
-        return None;
-    }
-    let value = kummer::parts(z, member, prec);
-    Some([value.re, value.im].map(Scaled::from))
-}
-
-/// One evaluation of w anywhere; `w(−conj z) = conj w(z)`.
+/// One evaluation of w anywhere.
 pub(super) fn once(x: Real, y: Real, prec: u32) -> Option<[Scaled; 2]> {
-    let mirrored = x.is_negative();
-    let z = Argument::new(if mirrored { x.negated() } else { x }, y);
-    let [re, im] = at(&z, Member::W, prec)?;
-    Some(if mirrored { [re, -im] } else { [re, im] })
+    mirrored(x, y, |z| at(z, Member::W, prec))
 }
 
 /// One evaluation of `w − e^{−z²}` anywhere, from the first quadrant: Dawson's function is odd and

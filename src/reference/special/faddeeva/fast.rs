@@ -2,8 +2,8 @@
 //! below 9.74, and the asymptotic series beyond.
 //!
 //! Whoever asks for more bits than come out, or for a component that loses too many, gets the
-//! general evaluation: this file only ever answers with proven balls or not at all. [`parts`] also has
-//! `D = w − e^{−z²}` in the first quadrant.
+//! general evaluation: this file only ever answers with proven balls or not at all. [`parts`] also
+//! has `D = w − e^{−z²}` in the first quadrant.
 //!
 //! # Cells
 //! The centres are the points of the closed first quadrant with coordinates that are multiples of
@@ -12,7 +12,8 @@
 //! `w(z) = (2/√π) ∫_0^∞ e^{−t² + 2izt} dt`,
 //!
 //! ```text
-//! |w^{(n)}(z)/n!| ≤ (2/√π) 2^n/n! ∫ t^n e^{−t²} dt = 2^n Γ((n+1)/2)/(√π n!) = 1/Γ(n/2 + 1),  Im z ≥ 0
+//! |w^{(n)}(z)/n!| ≤ (2/√π) 2^n/n! ∫ t^n e^{−t²} dt = 2^n Γ((n+1)/2)/(√π n!)
+//!               = 1/Γ(n/2 + 1),  Im z ≥ 0
 //! ```
 //!
 //! and the same for `D = w − e^{−z²} = (2i/√π) F` on the real axis, since
@@ -21,8 +22,8 @@
 //! 2^-122 with an error of at most one unit.
 //!
 //! * Centre off the axes: complex Horner scheme for w.
-//! * On the imaginary axis: `w(z) = erfcx(y − ix)`, whose coefficients are real, by the recurrence of
-//!   [`super::fixed`]; Im w comes out as −x times a number.
+//! * On the imaginary axis: `w(z) = erfcx(y − ix)`, whose coefficients are real, by the recurrence
+//!   of [`super::fixed`]; Im w comes out as −x times a number.
 //! * On the real axis: the same for D, whose real part comes out as −y times a number, and
 //!   `w = D + e^{−z²}` with the exponential by MPFR.
 //! * At the origin: D as z times a series in z², so that both components keep their relative
@@ -31,14 +32,16 @@
 //! Below the axis `w(x − iy) = 2e^{−z²} − conj w(x + iy)`.
 //!
 //! # Rounding, in units of 2^-122
-//! A product is wrong by at most 3 units (`mul`), a coordinate of δ by one (truncated), a coefficient
-//! by one. Sums and partial sums are below 2 in modulus, S below 3 (from the bound above).
+//! A product is wrong by at most 3 units (`mul`), a coordinate of δ by one (truncated), a
+//! coefficient by one. Sums and partial sums are below 2 in modulus, S below 3 (from the bound
+//! above).
 //!
 //! * Complex Horner: the modulus of the error obeys `E' ≤ 2^-1.5 E + √2 (6 + 4 + 1)`, so `E ≤ 25`.
 //! * Real coefficients, δ = s + iv, |s|, |v| ≤ 1/4, v² wrong by 4:
 //!   `E' ≤ E/4 + F/16 + 6 + 2 + 12 + 1`, `F' ≤ E + F/4 + 3 + 3`, so `E ≤ 33`, `F ≤ 52`.
 //! * In z²: |p| ≤ 1/16, q² ≤ 1/64, p wrong by 8 and q² by 16: `E' ≤ E/16 + F/64 + 6 + 16 + 48 + 1`,
-//!   `F' ≤ E + F/16 + 3 + 24`, so `E ≤ 80`, `F ≤ 115`; the final `P ± 2a²S` adds `F/8 + 2 (3 + 12)`.
+//!   `F' ≤ E + F/16 + 3 + 24`, so `E ≤ 80`, `F ≤ 115`; the final `P ± 2a²S` adds
+//!   `F/8 + 2 (3 + 12)`.
 //! * Tails: below 4 units in P; in S at most `Σ_{n≥40} n 2^{−1.5(n−1)}/Γ(n/2+1)`, below 240 units.
 //!
 //! Everything is below 2^9 units.
@@ -56,32 +59,20 @@ use super::pair::Member;
 use crate::{Ball, ComplexBall};
 use cells::{Cell, SIDE, cell};
 use coordinate::Coordinate;
-use far::far;
+use far::{Wanted, far};
 use fixed_point::{complex_series, mul, real_series};
 use gaussian::gaussian;
 use part::Part;
 
 /// Bits that can be hoped for.
 pub(super) const MOST_BITS: u32 = 104;
-/// Precision of the floats here.
-const PREC: u32 = 160;
 /// Beyond the cells, 1/100 less than where the nearest centre is none of theirs.
 const LIMIT: f64 = SIDE as f64 / 2.0 - 0.26;
 const _: () = assert!(2.0 * LIMIT < SIDE as f64 - 0.5);
 
-/// What is asked for, at a ± ih.
-#[derive(Clone, Copy, PartialEq)]
-enum Wanted {
-    /// w above the axis.
-    Upper,
-    /// w below it.
-    Lower,
-    /// D above it.
-    Dawson,
-}
-
-/// An enclosure of w(x + iy), or of D with y not negative, x being taken without its sign: of a relative radius
-/// of about 2^-bits if no component is much smaller than what it is the difference of.
+/// An enclosure of w(x + iy), or of D with y not negative, x being taken without its sign: of a
+/// relative radius of about 2^-bits if no component is much smaller than what it is the difference
+/// of.
 pub(super) fn parts(x: &Real, y: &Real, member: Member, bits: u32) -> Option<ComplexBall> {
     let (a, h) = (Coordinate::new(x)?, Coordinate::new(y)?);
     let wanted = match (member, y.is_negative()) {

@@ -15,30 +15,30 @@
 //! # Order of the work
 //! Rectangular splitting (Smith, *Math. Comp.* 52, 1989, 131): the powers up to `v^m`, m about √n,
 //! are tabulated; then from the last term down `S_k = v^{k mod m} + (a_k/b_k) S_{k+1}`, with one
-//! multiplication by `v^m` whenever k+1 is a multiple of m. Almost all steps cost only products
-//! and quotients by one machine word. As many terms as fit are brought to one denominator `Π b_k` of
-//! a word, so that one quotient serves them all.
+//! multiplication by `v^m` whenever k+1 is a multiple of m. Almost all steps cost only products and
+//! quotients by one machine word. As many terms as fit are brought to one denominator `Π b_k` of a
+//! word, so that one quotient serves them all.
 //!
 //! # Error
-//! Every rounding (a shift to the left integer, or a quotient truncated) is an error of at most
-//! one unit in r or in s. Let `(E, F)` bound the errors of the two parts and D the modulus of the
-//! complex error `δr + i q δs`. Inputs carry errors `e_p`, `e_q` of p and q². Writing the recurrences
-//! out, with `|r_j| ≤ 1`, `|s_j| ≤ min(j, 1/|q|)` (a geometric sum, `q s_j = Im v^j`):
+//! Every rounding (a shift to the left integer, or a quotient truncated) is an error of at most one
+//! unit in r or in s. Let `(E, F)` bound the errors of the two parts and D the modulus of the
+//! complex error `δr + i q δs`. Inputs carry errors `e_p`, `e_q` of p and q². Writing the
+//! recurrences out, with `|r_j| ≤ 1`, `|s_j| ≤ min(j, 1/|q|)` (a geometric sum, `q s_j = Im v^j`):
 //!
 //! ```text
 //! power:     E' = |p| E + q² F + e_p + e_q |s_j| + 1          F' = E + |p| F + e_p |s_j| + 1
 //!            D' = |v| D + (e_p + e_q |s_j| + 1) + |q| (e_p |s_j| + 1)
 //! term:      E' = ρ E + E_j + 1     F' = ρ F + F_j + 1        D' = ρ D + D_j + 1 + |q|,  ρ = a/b
-//! times v^m: E' = E + |q² s_m| F + E_m |R| + G_m |S| + 1      F' = F + |s_m| E + F_m |R| + E_m |S| + 1
+//! times v^m: E' = E + |q² s_m| F + E_m |R| + G_m |S| + 1   F' = F + |s_m| E + F_m |R| + E_m |S| + 1
 //!            D' = D + (E_m |R| + G_m |S| + 1) + |q| (F_m |R| + E_m |S| + 1)
 //! ```
 //!
 //! (R, S the two parts of the partial sum, G_m the error of q² s_m.) E may be replaced by D and F
 //! by D/|q| at any time. The first form is good for small q, the second for large q. The bounds are
-//! evaluated in `f64` (rescaled where they would overflow): all operands are non-negative, fewer than 2^40 operations are made, each
-//! with a relative error of 2^-53, and the stored numbers differ from the exact ones by a relative
-//! 10^-5 at most (checked: all errors stay below 10^-5 · 2^bits), so the final factor 1.001 covers
-//! both.
+//! evaluated in `f64` (rescaled where they would overflow): all operands are non-negative, fewer
+//! than 2^40 operations are made, each with a relative error of 2^-53, and the stored numbers
+//! differ from the exact ones by a relative 10^-5 at most (checked: all errors stay below 10^-5 ·
+//! 2^bits), so the final factor 1.001 covers both.
 
 mod errors;
 
@@ -77,7 +77,8 @@ fn pow2(k: i64) -> f64 {
 }
 
 /// The real part of the sum and its imaginary part divided by q. `p` and `q2` enclose p and q²,
-/// `|p + iq| ≤ 1`: where it certainly is not, the radii are infinite. The truncation after n terms is not included.
+/// `|p + iq| ≤ 1`: where it certainly is not, the radii are infinite. The truncation after n terms
+/// is not included.
 pub(super) fn sum(
     p: &Ball,
     q2: &Ball,
@@ -287,15 +288,16 @@ mod tests {
             let wide = Ball::exact(64, 0.5).widened(Mag::from_f64(part).shift(-17));
             for n in [1, 2, 20] {
                 let (re, im) = sum(&wide, &zero, 60, n, |_| (1, 2));
-                // Of more terms the second power is stored as well, whose error is half as much again.
+                // Of more terms the second power is stored as well, whose error is half as much
+                // again.
                 let due = finite && n < 3;
                 assert_eq!([re.is_finite(), im.is_finite()], [due, due], "{part} {n}");
             }
         }
     }
 
-    /// Sums at the ends of uncertain p and q², uncertain by far more than the rounding: all are held, and the
-    /// farthest takes a fifth of the radius of either part in some of the cases.
+    /// Sums at the ends of uncertain p and q², uncertain by far more than the rounding: all are
+    /// held, and the farthest takes a fifth of the radius of either part in some of the cases.
     #[test]
     fn uncertain_arguments_are_carried_on() {
         let (bits, wide) = (160, (-40f64).exp2());

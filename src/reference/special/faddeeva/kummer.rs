@@ -3,8 +3,9 @@
 //! # Formula
 //! `w(z) = e^{−z²} + (2i/√π) F(z)` (DLMF 7.5.1) with Dawson's function
 //! `F(z) = z ₁F₁(1; 3/2; −z²) = z Σ_k (−2z²)^k/(2k+1)!!` (DLMF 7.6.2 at iz, with
-//! `F(z) = (√π/(2i)) e^{−z²} erf(iz)`). Put
-//! `v' = −2z² = C v` with a number C = c/2^s not much larger than |v'|, so that `|v| ≤ 1`, and `Σ = P + i q S` with `q = Im v = −4xy/C` ([`super::fixed`]). Then
+//! `F(z) = (√π/(2i)) e^{−z²} erf(iz)`). Put `v' = −2z² = C v` with a number C = c/2^s not much
+//! larger than |v'|, so that `|v| ≤ 1`, and `Σ = P + i q S` with `q = Im v = −4xy/C`
+//! ([`super::fixed`]). Then
 //!
 //! ```text
 //! Re w = Re e^{−z²} − (2/√π) y (P − (4x²/C) S)
@@ -15,13 +16,14 @@
 //! size), and its relative accuracy does not suffer.
 //!
 //! # Truncation
-//! The term of index k is at most `C^k/(2k+1)!!` in P (|v| ≤ 1), and at most k times that in S, because
-//! `|Im v^k / q| ≤ k |v|^{k−1} ≤ k`. With `T_k = k C^k/(2k+1)!!` and
-//! `T_{k+1}/T_k = C (k+1)/(k (2k+3)) ≤ 1/2` for all k ≥ n both tails are at most `2 T_n`. Where that ratio is more than
-//! one half at n, `C > n (2n+3)/(2n+2) > n` and `T_n > 5/12`: that is so of n = 1, and `n^{n+1}/(2n+1)!!` grows from 8/15
-//! on. So `2 T_n ≤ 1/2` says that it is not, there and, as it falls, from there on. `T_n` is
-//! bounded through `(2n+1)!! = 2^{n+1} Γ(n+3/2)/√π` and `ln Γ(s) ≥ (s − 1/2) ln s − s + ln(2π)/2`
-//! (DLMF 5.11.1 with its first omitted term positive, s > 0).
+//! The term of index k is at most `C^k/(2k+1)!!` in P (|v| ≤ 1), and at most k times that in S,
+//! because `|Im v^k / q| ≤ k |v|^{k−1} ≤ k`. With `T_k = k C^k/(2k+1)!!` and
+//! `T_{k+1}/T_k = C (k+1)/(k (2k+3)) ≤ 1/2` for all k ≥ n both tails are at most `2 T_n`. Where
+//! that ratio is more than one half at n, `C > n (2n+3)/(2n+2) > n` and `T_n > 5/12`: that is so of
+//! n = 1, and `n^{n+1}/(2n+1)!!` grows from 8/15 on. So `2 T_n ≤ 1/2` says that it is not, there
+//! and, as it falls, from there on. `T_n` is bounded through `(2n+1)!! = 2^{n+1} Γ(n+3/2)/√π` and
+//! `ln Γ(s) ≥ (s − 1/2) ln s − s + ln(2π)/2` (DLMF 5.11.1 with its first omitted term positive, s >
+//! 0).
 //!
 //! # Working precision
 //! Both P and the exponential reach `e^{|z|²}` while w is of the order 1/|z| in the upper
@@ -42,7 +44,8 @@ fn tail_log2(c: f64, n: f64) -> f64 {
     ln * std::f64::consts::LOG2_E + 1.0
 }
 
-/// The smallest convenient n ≥ 1 with `2 T_n ≤ 2^-bits`, bits > 0: term ratios are below one half there.
+/// The smallest convenient n ≥ 1 with `2 T_n ≤ 2^-bits`, bits > 0: term ratios are below one half
+/// there.
 fn terms(c: f64, bits: f64) -> u64 {
     let enough = |n: u64| tail_log2(c, n as f64) + 1.0 <= -bits;
     let mut high = 8;
@@ -61,8 +64,8 @@ fn terms(c: f64, bits: f64) -> u64 {
     high
 }
 
-/// `(c, s)` with `size ≤ c/2^s`, few digits, at most a quarter too large above 1 and a factor of two
-/// below (or 2^-32).
+/// `(c, s)` with `size ≤ c/2^s`, few digits, at most a quarter too large above 1 and a factor of
+/// two below (or 2^-32).
 fn scale(size: f64) -> (u64, u32) {
     let size = size * (1.0 + 1e-12);
     if size >= 16.0 {
@@ -148,8 +151,8 @@ mod tests {
         }
     }
 
-    /// From the number of terms on, each is at most half of the one before and all add up to less than asked for;
-    /// a tenth fewer do not suffice.
+    /// From the number of terms on, each is at most half of the one before and all add up to less
+    /// than asked for; a tenth fewer do not suffice.
     #[test]
     fn terms_suffice_and_are_needed() {
         for c in [1e-9, 0.25, 1.0, 7.5, 40.0, 1000.0] {
@@ -189,8 +192,8 @@ mod tests {
         }
     }
 
-    /// Any number of bits encloses what the trapezoidal rule gives, with the bits asked for: where `|v|` is all but 1
-    /// and nothing is lost on truncation, beside the axes and off them.
+    /// Any number of bits encloses what the trapezoidal rule gives, with the bits asked for: where
+    /// `|v|` is all but 1 and nothing is lost on truncation, beside the axes and off them.
     #[test]
     fn values_are_those_of_the_trapezoidal_rule() {
         let at = |x: f64, y: f64| Argument::new(Real::Double(x), Real::Double(y));

@@ -14,9 +14,9 @@
 //! [`trapezoidal`] is a witness by an independent formula.
 //!
 //! # Errors
-//! [`Undecided`] when the precision reaches its cap, `4 (bits + length of the input) + 4096` bits: a
-//! component then is zero or indistinguishable from zero; or when the value leaves MPFR's exponents
-//! (about 2^±(2^29) here), in which case [`w_scaled`] still has it.
+//! [`Undecided`] when the precision reaches its cap, `4 (bits + length of the input) + 4096` bits:
+//! a component then is zero or indistinguishable from zero; or when the value leaves MPFR's
+//! exponents (about 2^±(2^29) here), in which case [`w_scaled`] still has it.
 
 mod argument;
 mod asymptotic;
@@ -25,8 +25,10 @@ mod derivatives;
 mod fast;
 mod fixed;
 mod gaussian;
+mod general;
 mod kummer;
 mod pair;
+mod recurrence;
 mod related;
 mod scaled;
 pub mod trapezoidal;
@@ -114,10 +116,11 @@ pub fn w_scaled(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], 
 /// With the midpoint m and all points within ρ of it, `|w(z) − w(m)| ≤ ρ sup |w'|`. From
 /// `w(z) = (2/√π) ∫_0^∞ e^{−t²+2izt} dt` (complete the square in DLMF 7.2.2; all z) follows
 /// `w'(z) = (4i/√π) ∫_0^∞ t e^{−t² + 2izt} dt`, hence `|w'| ≤ 2/√π` for Im z ≥ 0, and
-/// `|w'| ≤ 2/√π + 4h e^{h²}` for Im z ≥ −h, because `∫_0^∞ 2t e^{−t²+2ht} dt = 1 + √π h e^{h²} erfc(−h)`.
-/// For |z| ≥ 1 and Im z ≥ 0 also `|w'| ≤ (1/√π + 3.07/|z|²)/|z|²`: one term of the asymptotic
-/// series and `D_1` (`asymptotic.rs`: `|z R_1'| ≤ √e(√2.5 + 5) Γ(3/2)/(π|z|³) ≤ 3.07/|z|³`). And for
-/// small ρ anywhere: w' = −2zw + 2i/√π gives, with Z = sup |z| and Grönwall's lemma along a radius,
+/// `|w'| ≤ 2/√π + 4h e^{h²}` for Im z ≥ −h, because
+/// `∫_0^∞ 2t e^{−t²+2ht} dt = 1 + √π h e^{h²} erfc(−h)`. For |z| ≥ 1 and Im z ≥ 0 also
+/// `|w'| ≤ (1/√π + 3.07/|z|²)/|z|²`: one term of the asymptotic series and `D_1` (`asymptotic.rs`:
+/// `|z R_1'| ≤ √e(√2.5 + 5) Γ(3/2)/(π|z|³) ≤ 3.07/|z|³`). And for small ρ anywhere: w' = −2zw +
+/// 2i/√π gives, with Z = sup |z| and Grönwall's lemma along a radius,
 /// `|w| ≤ e^{2Zρ} (|w(m)| + 2ρ/√π)`, and with it a bound on |w'|.
 pub fn w_ball(z: &ComplexBall, prec: u32) -> ComplexBall {
     let whole = || {
@@ -172,7 +175,5 @@ pub(crate) fn slope(z: &ComplexBall, rho: Mag, size: Mag) -> Mag {
 mod ball_tests;
 #[cfg(test)]
 mod related_tests;
-#[cfg(test)]
-mod scaled_tests;
 #[cfg(test)]
 mod tests;

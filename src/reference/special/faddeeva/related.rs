@@ -3,8 +3,8 @@
 //! All components are certified to the relative accuracy asked for, like those of w.
 //!
 //! * `erfcx(z) = w(iz)` (DLMF 7.2.3).
-//! * `erfc(z) = e^{−z²} w(iz)` for Re z ≥ 0; to the left `erfc(z) = 2 − erfc(−z)` (DLMF 7.4.2), where
-//!   Im erfc is e^{−x²} times smaller than Re erfc and must not come out of a product.
+//! * `erfc(z) = e^{−z²} w(iz)` for Re z ≥ 0; to the left `erfc(z) = 2 − erfc(−z)` (DLMF 7.4.2),
+//!   where Im erfc is e^{−x²} times smaller than Re erfc and must not come out of a product.
 //! * `erf(z) = 1 − erfc(z)` for Re z ≥ 1; else `erf(z) = −e^{−z²} D(iz)` with
 //!   `D(z) = w(z) − e^{−z²}`, which keeps the relative accuracy next to z = 0 and of Re erf beside
 //!   the imaginary axis. For Re z ≤ −1 erf is odd.

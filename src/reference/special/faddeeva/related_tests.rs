@@ -1,4 +1,5 @@
-//! erf and its relatives next to their zeros, on the axes and far out; the Gaussian; Voigt profiles.
+//! erf and its relatives next to their zeros, on the axes and far out; the Gaussian; Voigt
+//! profiles.
 
 use super::argument::Real;
 use super::gaussian::{Gaussian, exp_scaled};
@@ -17,7 +18,8 @@ fn one() -> [Scaled; 2] {
     ]
 }
 
-/// `m 2^k` is e^t: the logarithm of m is `t − k ln 2`. No power of two is split off what an `f64` or so holds.
+/// `m 2^k` is e^t: the logarithm of m is `t − k ln 2`. No power of two is split off what an `f64`
+/// or so holds.
 #[test]
 fn exponentials_of_any_size() {
     let ln2 = Ball::integer(400, 2).ln();
@@ -44,7 +46,8 @@ fn exponentials_of_any_size() {
     }
 }
 
-/// The argument of the Gaussian has as many bits more as its size asks for: nothing is lost of the product.
+/// The argument of the Gaussian has as many bits more as its size asks for: nothing is lost of the
+/// product.
 #[test]
 fn products_with_gaussians_keep_their_bits() {
     for (x, y) in [
@@ -179,7 +182,8 @@ fn voigt_profiles_by_w() {
     }
 }
 
-/// Any number of bits is reached, of large and of small values: no bit of the quotient by σ√(2π) is left out.
+/// Any number of bits is reached, of large and of small values: no bit of the quotient by σ√(2π) is
+/// left out.
 #[test]
 fn voigt_profiles_have_the_bits_asked_for() {
     for bits in (0..4).chain(70..105) {

@@ -29,8 +29,8 @@ impl From<Ball> for Scaled {
 }
 
 impl Scaled {
-    /// The number with `digits` significant decimal digits, as [`Ball::to_decimal`] gives them, with
-    /// a decimal exponent of any size; `None` when the radius does not allow that many.
+    /// The number with `digits` significant decimal digits, as [`Ball::to_decimal`] gives them,
+    /// with a decimal exponent of any size; `None` when the radius does not allow that many.
     ///
     /// ```
     /// use mechaudit_reference::faddeeva;
@@ -121,3 +121,6 @@ pub(super) fn aligned(a: &Scaled, b: &Scaled) -> (Ball, Ball, Integer) {
     let relative = |s: &Scaled| Scaled::shifted(&s.ball, &Integer::from(&s.exponent - top));
     (relative(a), relative(b), top.clone())
 }
+
+#[cfg(test)]
+mod tests;

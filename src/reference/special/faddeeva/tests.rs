@@ -76,9 +76,9 @@ proptest! {
     fn fixed_point_holds(
         x in coordinate(), y in coordinate(), bits in 30u32..104, k in 0u32..9, small in -300.0..0.0f64,
     ) {
-        // Anywhere; next to the axes; at the borders of the cells; further out, beside the real axis
-        // on both sides, however near, too; next to the diagonals, where e^(-z^2) is neither large nor
-        // small; far below the axis, where it is large beyond what doubles hold.
+        // Anywhere; next to the axes; at the borders of the cells; further out, beside the real
+        // axis on both sides, however near, too; next to the diagonals, where e^(-z^2) is neither
+        // large nor small; far below the axis, where it is large beyond what doubles hold.
         let (x, y) = match k {
             0 => (x, y),
             1 => (x * 1.1, y * 1e-5),
@@ -106,7 +106,7 @@ proptest! {
         for (y, member) in [(dy.clone(), Member::W), (Real::Double(y.abs()), Member::Dawson)] {
             let z = Argument::new(Real::Double(x.abs()), y);
             if let Some(fast) = fast::parts(&z.x, &z.y, member, bits) {
-                let slow = ziv::decide("", 160, 3000, |prec| choice::general(&z, member, prec));
+                let slow = ziv::decide("", 160, 3000, |prec| general::general(&z, member, prec));
                 let slow = balls(slow.unwrap(), 160).unwrap();
                 prop_assert!(fast.overlaps(&slow), "{fast:?} {slow:?}");
                 let good = |a: &Ball, b: &Ball| a.rad() <= b.magnitude().shift(-i64::from(bits));
@@ -205,7 +205,8 @@ proptest! {
     }
 }
 
-/// y a power of two, and y + x and y - x rounded by different amounts: t = y² - x² is 2^-160 t off, and e^t 2^-132.
+/// y a power of two, and y + x and y - x rounded by different amounts: t = y² - x² is 2^-160 t off,
+/// and e^t 2^-132.
 #[test]
 fn a_large_exponential_is_left_to_the_general_evaluation() {
     let y = 2f64.powi(14);
@@ -503,7 +504,8 @@ fn values_and_derivatives_bit_by_bit() {
     );
 }
 
-/// Coefficients that take several precisions: far out each is the difference of two that are larger by |z|².
+/// Coefficients that take several precisions: far out each is the difference of two that are larger
+/// by |z|².
 #[test]
 fn coefficients_far_out_bit_by_bit() {
     let lines = [20, 90].map(|bits| {

@@ -10,8 +10,8 @@
 //! ```
 //!
 //! Above the real line `cot πs = −i (1 + 2q/(1−q))` with `q = e^{2πis}`, below it
-//! `cot πs = i (1 + 2p/(1−p))` with `p = e^{−2πis}`. The ones give two halves of the integral, moved
-//! back to the real line; the residue of f at z is `−(i/π) e^{−z²}`. Collecting everything,
+//! `cot πs = i (1 + 2p/(1−p))` with `p = e^{−2πis}`. The ones give two halves of the integral,
+//! moved back to the real line; the residue of f at z is `−(i/π) e^{−z²}`. Collecting everything,
 //!
 //! ```text
 //! w(z) = T + [Im z < a] 2 e^{−z²}/(1 − e^{−2πi(z/h − σ)}) − ε
@@ -19,22 +19,23 @@
 //! ```
 //!
 //! for any a ≠ Im z and b > 0 (the two lines may have different heights). By continuity this holds
-//! for Im z = 0 as well if no node is z. The method is Goodwin's with the pole correction of Chiarella
-//! and Reichel (*Math. Comp.* 22, 1968, 137) and Matta and Reichel (25, 1971, 339).
+//! for Im z = 0 as well if no node is z. The method is Goodwin's with the pole correction of
+//! Chiarella and Reichel (*Math. Comp.* 22, 1968, 137) and Matta and Reichel (25, 1971, 339).
 //!
 //! # Error
-//! Put A = π/h ≥ 2. On Im t = ±c: `|e^{−t²}| = e^{c² − u²}`, `|q|` or `|p|` is `e^{−2cA}`, and the integral
-//! of `e^{−u²}` is √π. Take b = A (then |z − t| ≥ A). If Im z < 3A/4 take a = A, else a = A/2: in both
-//! cases |z − t| ≥ A/4, and `c² − 2cA ≤ −3A²/4`, `e^{−2cA} ≤ e^{−A²} < 0.02`:
+//! Put A = π/h ≥ 2. On Im t = ±c: `|e^{−t²}| = e^{c² − u²}`, `|q|` or `|p|` is `e^{−2cA}`, and the
+//! integral of `e^{−u²}` is √π. Take b = A (then |z − t| ≥ A). If Im z < 3A/4 take a = A, else a =
+//! A/2: in both cases |z − t| ≥ A/4, and `c² − 2cA ≤ −3A²/4`, `e^{−2cA} ≤ e^{−A²} < 0.02`:
 //!
 //! ```text
 //! |ε| ≤ (1/√π) (1/A + 4/A) e^{−3A²/4}/0.98 ≤ 1.5 e^{−3A²/4}
 //! ```
 //!
-//! σ ∈ {0, 1/2} is chosen so that Re z is at least h/4 away from every node. Leaving out the nodes with
+//! σ ∈ {0, 1/2} is chosen so that Re z is at least h/4 away from every node. Leaving out the nodes
+//! with
 //! |t_k| ≥ S then costs at most
-//! `(h/π) (4/h) Σ e^{−t_k²} ≤ (8/π) e^{−S²} (1 + 1/(2hS))`, the sum being bounded by its first term and an
-//! integral, `∫_S^∞ e^{−t²} dt ≤ e^{−S²}/(2S)`, on either side.
+//! `(h/π) (4/h) Σ e^{−t_k²} ≤ (8/π) e^{−S²} (1 + 1/(2hS))`, the sum being bounded by its first term
+//! and an integral, `∫_S^∞ e^{−t²} dt ≤ e^{−S²}/(2S)`, on either side.
 
 use crate::{Ball, ComplexBall, Mag};
 use rug::{Float, Rational};
@@ -180,7 +181,8 @@ mod tests {
         }
     }
 
-    /// Few bits, so that the rule's own error shows: beside its nodes, on either side of the border and of the real line.
+    /// Few bits, so that the rule's own error shows: beside its nodes, on either side of the border
+    /// and of the real line.
     #[test]
     fn few_bits_hold_what_many_find() {
         let a = (4.0 / 3.0 * 12.0 * LN_2).sqrt();

@@ -1,8 +1,8 @@
 //! w, decided: by the fast evaluation where it serves, else by Ziv's loop.
 
 use super::argument::{Argument, Real, length};
-use super::choice::general;
 use super::fast;
+use super::general::general;
 use super::pair::Member;
 use super::scaled::Scaled;
 use super::ziv::{balls, decide};

@@ -7,21 +7,21 @@
 //! ```
 //!
 //! # One solution
-//! Re w(x + iy) is, but for a factor, the convolution V = G ∗ L of the normal density G and of Cauchy's L.
-//! For y > 0 and x > 0
+//! Re w(x + iy) is, but for a factor, the convolution V = G ∗ L of the normal density G and of
+//! Cauchy's L. For y > 0 and x > 0
 //!
 //! ```text
 //! V′(x) = ∫ G′(s) L(x − s) ds = ∫_0^∞ G′(s) (L(x − s) − L(x + s)) ds < 0
 //! ```
 //!
-//! because G′ is odd and negative for s > 0, and L is even and falls with |x − s| < |x + s|. So f falls
-//! strictly from f(0) = Re w(iy) > 0 to −Re w(iy), and has one zero.
+//! because G′ is odd and negative for s > 0, and L is even and falls with |x − s| < |x + s|. So f
+//! falls strictly from f(0) = Re w(iy) > 0 to −Re w(iy), and has one zero.
 //!
 //! # Certificate
-//! Newton's method on midpoints proposes t; nothing about it is trusted. Where `f(a) > 0` and `f(b) < 0` are
-//! certain for floats `0 < a < b`, the zero lies between them. The derivative `Re w′ = 2(y Im w − x Re w)` of
-//! the steps loses `2 log₂ y` digits; where these are more than half of all, that of Lorentz's profile, wrong by
-//! about y^-2, replaces it.
+//! Newton's method on midpoints proposes t; nothing about it is trusted. Where `f(a) > 0` and
+//! `f(b) < 0` are certain for floats `0 < a < b`, the zero lies between them. The derivative
+//! `Re w′ = 2(y Im w − x Re w)` of the steps loses `2 log₂ y` digits; where these are more than
+//! half of all, that of Lorentz's profile, wrong by about y^-2, replaces it.
 
 use super::argument::{Argument, Real};
 use super::choice::at;
@@ -67,7 +67,7 @@ impl Equation {
         Some((w[0].shift(1) - &self.peak, w))
     }
 
-    /// Whether the steps are those for Lorentz's profile.
+    /// Returns whether the steps are those for Lorentz's profile.
     fn is_far(&self) -> bool {
         let most = self.prec / 4;
         self.near
@@ -116,8 +116,8 @@ impl Equation {
         None
     }
 
-    /// `[t(1 − 2^-bits), t(1 + 2^-bits)]` if the positive zero certainly lies there; bits > 0. Where both ends are rounded
-    /// to one number f is not of both signs there.
+    /// `[t(1 − 2^-bits), t(1 + 2^-bits)]` if the positive zero certainly lies there; bits > 0.
+    /// Where both ends are rounded to one number f is not of both signs there.
     fn certified(&self, t: &Float, bits: u32) -> Option<Ball> {
         let part = Float::with_val(self.prec, t >> bits);
         let a = Float::with_val(self.prec, t - &part);
@@ -140,7 +140,8 @@ impl Equation {
 /// ```
 ///
 /// # Errors
-/// [`Undecided`]: σ or γ is negative, or no certificate at `4 (bits + length of the input) + 4096` bits.
+/// [`Undecided`]: σ or γ is negative, or no certificate at `4 (bits + length of the input) + 4096`
+/// bits.
 pub fn voigt_hwhm(sigma: &Rational, gamma: &Rational, bits: u32) -> Result<Ball, Undecided> {
     if *sigma < 0 || *gamma < 0 {
         return Err(Undecided::new(
@@ -261,7 +262,8 @@ mod tests {
         assert!(voigt_hwhm(&exact(1.0), &exact(-1.0), 100).is_err());
     }
 
-    /// Few bits and many, of every size of γ/σ: what comes out is within the width that more bits give.
+    /// Few bits and many, of every size of γ/σ: what comes out is within the width that more bits
+    /// give.
     #[test]
     fn as_many_bits_as_asked_for() {
         for gamma in [0.0, 1e-30, 0.01, 1.0, 900.0, 7e5, 1.1e6, 2.2e6, 3e9, 1e40] {

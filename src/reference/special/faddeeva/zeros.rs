@@ -1,4 +1,5 @@
-//! Zeros of w, all in the lower half-plane, in pairs z and −conj z, and of erf, in fours ±z, ±conj z.
+//! Zeros of w, all in the lower half-plane, in pairs z and −conj z, and of erf, in fours ±z, ±conj
+//! z.
 //!
 //! # Start
 //! With `λ = √((k − 1/8)π)` and `μ = ln(2λ√(2π))` the k-th zero of erfc in the second quadrant is
@@ -8,10 +9,10 @@
 //!
 //! # Certificate
 //! Newton's method at rising precision, then the Newton–Kantorovich theorem (Ortega & Rheinboldt
-//! 12.6.2) at the last iterate z_0: with `β ≥ 1/|w'(z_0)|`, `η ≥ β|w(z_0)|` and M a Lipschitz constant
-//! of w' on the disc of radius 2η, `βηM ≤ 1/2` implies a zero within 2η, the only one there. From
-//! `w'' = (4z² − 2) w − 4iz/√π` and, on the disc, `|w| ≤ e^{2Zr} (|w(z_0)| + 2r/√π)`, r = 2η,
-//! Z = |z_0| + r (Grönwall for w' = −2zw + 2i/√π):
+//! 12.6.2) at the last iterate z_0: with `β ≥ 1/|w'(z_0)|`, `η ≥ β|w(z_0)|` and M a Lipschitz
+//! constant of w' on the disc of radius 2η, `βηM ≤ 1/2` implies a zero within 2η, the only one
+//! there. From `w'' = (4z² − 2) w − 4iz/√π` and, on the disc, `|w| ≤ e^{2Zr} (|w(z_0)| + 2r/√π)`, r
+//! = 2η, Z = |z_0| + r (Grönwall for w' = −2zw + 2i/√π):
 //!
 //! ```text
 //! M = (4Z² + 2) e^{2Zr} (|w(z_0)| + 2r/√π) + 4Z/√π
@@ -29,8 +30,8 @@ use crate::{Ball, ComplexBall, Mag, Undecided};
 use rug::Float;
 use std::f64::consts::{FRAC_2_SQRT_PI, PI};
 
-/// What is proved about a function at an exact point: its value, its derivative, and Z and r from
-/// which a Lipschitz constant of the derivative follows.
+/// Describes what is proved about a function at an exact point: its value, its derivative, and Z
+/// and r from which a Lipschitz constant of the derivative follows.
 struct Function {
     /// Value and derivative at a point, at a working precision.
     at: fn(&ComplexBall, u32) -> Option<[ComplexBall; 2]>,
@@ -73,8 +74,8 @@ fn exact(z: &ComplexBall, prec: u32) -> ComplexBall {
     ComplexBall::new(part(&z.re), part(&z.im))
 }
 
-/// A bound on the distance of a zero from the exact point z with that value and derivative, if there
-/// certainly is one.
+/// A bound on the distance of a zero from the exact point z with that value and derivative, if
+/// there certainly is one.
 fn certificate(f: &Function, z: &ComplexBall, [value, slope]: &[ComplexBall; 2]) -> Option<Mag> {
     let below = slope.mignitude();
     let size = value.magnitude();
@@ -113,8 +114,8 @@ pub fn zero(k: u32, bits: u32) -> Result<ComplexBall, Undecided> {
     numbered(k, ("w", &W), (lambda + part, part - lambda), bits)
 }
 
-/// The k-th zero of erf (k = 1, 2, …) in the first quadrant, counted and proved as for [`zero`]. Its
-/// mirror images `−z` and `±conj z` are zeros as well; the only other one is 0.
+/// The k-th zero of erf (k = 1, 2, …) in the first quadrant, counted and proved as for [`zero`].
+/// Its mirror images `−z` and `±conj z` are zeros as well; the only other one is 0.
 ///
 /// # Errors
 /// As [`zero`].
@@ -138,7 +139,7 @@ fn numbered(
         .map_err(|(at, why)| Undecided::new(at, format!("zero {k} of {name}: {why}")))
 }
 
-/// Whether either component of what is within r of z has so many bits.
+/// Returns whether either component of what is within r of z has so many bits.
 fn accurate(z: &ComplexBall, r: Mag, bits: u32) -> bool {
     let least = z.re.mignitude().min(z.im.mignitude());
     r <= least.shift(-i64::from(bits))
@@ -224,8 +225,8 @@ mod tests {
         }
     }
 
-    /// Seven steps that do not end, and then one at each precision: twice as many bits, up to 64 more than are asked for,
-    /// 32 more each time, and at last four times as many and 4096.
+    /// Seven steps that do not end, and then one at each precision: twice as many bits, up to 64
+    /// more than are asked for, 32 more each time, and at last four times as many and 4096.
     #[test]
     fn what_has_no_certificate_ends() {
         use std::cell::RefCell;
@@ -334,7 +335,8 @@ mod tests {
         assert!(zero_of_erf(40, 1000).is_ok() && zero_of_erf(100_000, 60).is_ok());
     }
 
-    /// What each argument of a Lipschitz constant is, and where the theorem's conditions end: β η M ≤ ½, 2 Z r ≤ 1.
+    /// Checks what each argument of a Lipschitz constant is, and where the theorem's conditions
+    /// end: β η M ≤ ½, 2 Z r ≤ 1.
     #[test]
     fn certificates_end_where_the_theorem_does() {
         type Bound = fn([Mag; 2], Mag, Mag, Mag) -> Mag;

@@ -23,7 +23,7 @@ pub(super) fn cap(bits: u32, length: u32) -> u32 {
         .saturating_add(4096)
 }
 
-/// What is found first at a working precision that grows by a part of itself up to the cap.
+/// Returns what is found first at a working precision that grows by a part of itself up to the cap.
 pub(crate) fn first<T>(
     mut prec: u32,
     part: u32,
@@ -104,7 +104,7 @@ mod tests {
         Scaled::from(part)
     }
 
-    /// What a loop asks for, and the precision at which it is undecided.
+    /// Returns what a loop asks for, and the precision at which it is undecided.
     fn asked(bits: u32, once: impl Fn(u32) -> Option<[Scaled; 2]>) -> (Vec<u32>, Option<u32>) {
         let asked = RefCell::new(Vec::new());
         let end = decide("planted", bits, 10, |prec| {
@@ -133,7 +133,8 @@ mod tests {
         assert_eq!(asked(100, |_| Some([zero(), zero()])), (vec![112], None));
     }
 
-    /// Doubled where nothing is known, of either part or at all, up to four times bits and length and 4096.
+    /// Doubled where nothing is known, of either part or at all, up to four times bits and length
+    /// and 4096.
     #[test]
     fn the_precision_has_a_cap() {
         let due = vec![112, 224, 448, 896, 1792, 3584, 4536];

@@ -47,7 +47,8 @@ pub fn in_squares(x: Dd, y: &Rational) -> f64 {
     ((d / Rational::from(y.abs_ref())) << 106u32).to_f64()
 }
 
-/// Whether the parts are those of the number in the ball: each the nearest `f64` to what is left.
+/// Returns whether the parts are those of the number in the ball: each the nearest `f64` to what is
+/// left.
 pub fn are_parts(ball: &Ball, parts: &[f64]) -> bool {
     let mut rest = ball.clone();
     parts.iter().all(|&part| {

@@ -30,7 +30,7 @@ pub enum Phase {
     LowDwell,
 }
 
-/// What a follower does in one turn of the shaft. Angles are fractions of a turn, so that
+/// Describes what a follower does in one turn of the shaft. Angles are fractions of a turn, so that
 /// multiples of them can be reduced exactly.
 ///
 /// ```

@@ -8,7 +8,7 @@ pub enum CamLawError {
     /// A number that is not finite.
     #[error("{name} = {value} is not finite")]
     NotFinite {
-        /// What it is.
+        /// Holds what it is.
         name: &'static str,
         /// The number.
         value: f64,

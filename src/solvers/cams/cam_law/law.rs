@@ -38,8 +38,8 @@ pub struct MotionLaw {
     halves: [Stretch; 2],
 }
 
-/// How a half of the symmetric law is stretched: its share of the stroke, and the powers 1, −1 and −2 of twice that,
-/// which scale displacement, acceleration and jerk.
+/// How a half of the symmetric law is stretched: its share of the stroke, and the powers 1, −1 and
+/// −2 of twice that, which scale displacement, acceleration and jerk.
 #[derive(Clone, Copy, Debug)]
 struct Stretch {
     share: Dd,
@@ -174,8 +174,8 @@ impl MotionLaw {
     /// `C_a/(2λ)` accelerating and `C_a/(2 − 2λ)` decelerating.
     ///
     /// # Errors
-    /// A share outside [10⁻³, 1 − 10⁻³], where derivatives overflow sooner or later and harmonics lose their digits; a
-    /// polynomial or a table, which have no halves.
+    /// A share outside [10⁻³, 1 − 10⁻³], where derivatives overflow sooner or later and harmonics
+    /// lose their digits; a polynomial or a table, which have no halves.
     pub fn with_acceleration_fraction(mut self, fraction: f64) -> Result<MotionLaw, CamLawError> {
         if let Shape::Polynomial(_) | Shape::Tabulated(_) = self.shape {
             return Err(CamLawError::NoHalves);
@@ -206,7 +206,7 @@ impl MotionLaw {
         }
     }
 
-    /// What the accelerating half still has to go to the middle of the stroke: `1/2 − s`.
+    /// Returns what the accelerating half still has to go to the middle of the stroke: `1/2 − s`.
     fn until_middle(&self, left: f64) -> f64 {
         match &self.shape {
             Shape::Scca(law) => law.until_middle(0.5 * left),
@@ -249,7 +249,8 @@ impl MotionLaw {
             };
         };
         let near = times(m.displacement, half.displacement);
-        // In a half that is longer than the other one, from where they meet: the rounding of `near` would be too large.
+        // In a half that is longer than the other one, from where they meet: the rounding of `near`
+        // would be too large.
         let (near, far) = match near > 0.5 {
             true => {
                 let far = other.share.hi + times(self.until_middle(left), half.displacement);

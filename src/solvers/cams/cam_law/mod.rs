@@ -21,9 +21,9 @@
 //! # Accuracy
 //! Near both ends the distance from the end keeps its relative accuracy, `s` by
 //! [`MotionLaw::motion`], `1 − s` by [`MotionLaw::remaining`]. Worst found over 3000 random cases
-//! in each of six regions, the reference's radius included: `16 · 2⁻⁵³ (|f| + |x f'|)` for the displacement,
-//! where an asymmetric law has just begun to decelerate, 3.8 for the others; `mechaudit audit cam-law` repeats
-//! the search.
+//! in each of six regions, the reference's radius included: `16 · 2⁻⁵³ (|f| + |x f'|)` for the
+//! displacement, where an asymmetric law has just begun to decelerate, 3.8 for the others;
+//! `mechaudit audit cam-law` repeats the search.
 //!
 //! # Sources
 //! SCCA family: R. L. Norton, *Cam Design and Manufacturing Handbook*, ch. 3; the names "К" and

@@ -1,4 +1,4 @@
-//! What a law gives, and what laws are compared by.
+//! Describes what a law gives, and what laws are compared by.
 
 use crate::double_double::Dd;
 

@@ -55,8 +55,8 @@ impl Part {
     }
 }
 
-/// A place in a half of the stroke: how far it is from the stroke's end and how long the half is, exactly, and
-/// where it is in the symmetric law: `0 ≤ y ≤ 1/2`, rounded, and `left = 1 − 2y`.
+/// A place in a half of the stroke: how far it is from the stroke's end and how long the half is,
+/// exactly, and where it is in the symmetric law: `0 ≤ y ≤ 1/2`, rounded, and `left = 1 − 2y`.
 pub(super) struct Place {
     pub distance: Dd,
     pub share: Dd,
@@ -65,8 +65,8 @@ pub(super) struct Place {
 }
 
 impl Place {
-    /// The sign of `2y − part`, of the numbers as they are: a jerk that vanishes on one side of a joint and is
-    /// rounded on the other would be wrong by more than its condition.
+    /// The sign of `2y − part`, of the numbers as they are: a jerk that vanishes on one side of a
+    /// joint and is rounded on the other would be wrong by more than its condition.
     fn beyond(&self, part: Dd) -> f64 {
         let rough = 2.0 * self.y - part.hi;
         if rough.abs() > 1e-14 {
@@ -290,7 +290,8 @@ mod tests {
         }
     }
 
-    /// The half is shorter than 1/2 by an ulp, so that the place lies beyond the sine by less than y can say.
+    /// The half is shorter than 1/2 by an ulp, so that the place lies beyond the sine by less than
+    /// y can say.
     #[test]
     fn a_joint_of_an_asymmetric_law() {
         let law = crate::cam_law::MotionLaw::scca(0.625, 0.25, 0.125).expect("a law");

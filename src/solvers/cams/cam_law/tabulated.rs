@@ -15,8 +15,8 @@ pub(crate) struct Tabulated {
 /// From this displacement on what is left is computed first.
 const NEAR_END: f64 = 0.875;
 
-/// The part of an end segment in which `s`, or what is left, comes from the slope given at that end:
-/// there the ordinates' share cancels that of the bend.
+/// The part of an end segment in which `s`, or what is left, comes from the slope given at that
+/// end: there the ordinates' share cancels that of the bend.
 const BESIDE: f64 = 0.25;
 
 /// The condition for `1 − s`.

@@ -141,7 +141,7 @@ fn digits_near_the_middle() {
     }
 }
 
-/// What remains of a stroke that is nearly over before its middle: `(1 − x)(1 − 2x)`.
+/// Checks what remains of a stroke that is nearly over before its middle: `(1 − x)(1 − 2x)`.
 #[test]
 fn digits_of_what_remains() {
     let law = MotionLaw::polynomial(&[0.0, 3.0, -2.0]).unwrap();
@@ -338,9 +338,9 @@ fn beside_the_ends_of_a_table() {
     );
 }
 
-/// Where the longer half of the stroke begins, the displacement (or what remains of it) is a sum from where the
-/// halves meet: `s` of a law with the share λ at `λ + 2(1 − λ) r` is λ more than that of the symmetric law at `1/2 + r`
-/// less a half, times `2(1 − λ)`.
+/// Where the longer half of the stroke begins, the displacement (or what remains of it) is a sum
+/// from where the halves meet: `s` of a law with the share λ at `λ + 2(1 − λ) r` is λ more than
+/// that of the symmetric law at `1/2 + r` less a half, times `2(1 − λ)`.
 #[test]
 fn beside_where_a_short_half_meets_a_long_one() {
     let laws = [

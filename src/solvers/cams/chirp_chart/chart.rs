@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 /// The chart of one response.
 #[derive(Clone, Debug)]
 pub struct Chart {
-    /// What `xi` is made of.
+    /// Holds what `xi` is made of.
     pub period: Period,
     /// The largest acceleration, moment and power without elasticity, in the units of the points.
     pub rigid: [f64; 3],
@@ -187,7 +187,8 @@ fn point(
 ///
 /// ```
 /// use mechaudit_solvers::chirp_chart::beat_zones;
-/// let curve: Vec<(f64, f64)> = (0..200).map(|i| f64::from(i) * 0.1).map(|x| (x, x.sin())).collect();
+/// let x = (0..200).map(|i| f64::from(i) * 0.1);
+/// let curve: Vec<(f64, f64)> = x.map(|x| (x, x.sin())).collect();
 /// let zones = beat_zones(&curve);
 /// assert_eq!(zones.len(), 3);
 /// assert!((zones[1].spacing - std::f64::consts::TAU).abs() < 1e-3);

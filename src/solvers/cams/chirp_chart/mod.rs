@@ -8,8 +8,8 @@
 //! with the displacement `f` of a [`CamCycle`](super::cam_law::CamCycle). Its harmonics force
 //! [`ChirpResponse`](super::chirp_oscillator::ChirpResponse), which gives `y` and `y′`; the
 //! acceleration is `w² (f − y) − 2n y′` with `f` itself, so that of the harmonics left out only the
-//! filtered response is missing. At shaft speeds below `1.5 w/N` the `N` harmonics do not reach beyond
-//! the resonance, and the acceleration is theirs alone.
+//! filtered response is missing. At shaft speeds below `1.5 w/N` the `N` harmonics do not reach
+//! beyond the resonance, and the acceleration is theirs alone.
 //!
 //! # The frequency criterion
 //! Gembara & Senyk's `ξ = w/Ω` (1) takes for the period of the forcing the time of the **rise**
@@ -19,7 +19,8 @@
 //!
 //! # What is charted
 //! * `Σ|A_k|` (19) with the correct amplitudes, an upper bound on the displacement from its mean
-//!   once the start has died away, and likewise `w² Σ|D_k − A_k|`, one on `y″ + 2n y′`; both are sums over the harmonics in use;
+//!   once the start has died away, and likewise `w² Σ|D_k − A_k|`, one on `y″ + 2n y′`; both are
+//!   sums over the harmonics in use;
 //! * the true peaks in the turn about that time;
 //! * the dynamic coefficients (2): peaks over those of the same motion without elasticity.
 //!   `K_dc` for accelerations, `K_dM` for the moments `y″ df/dθ` of inertia on the camshaft, `K_dN`

@@ -2,8 +2,9 @@
 
 /// Samples in the shortest period.
 const SAMPLES: f64 = 8.0;
-/// What a parabola through a sample and its neighbours, π/4 of phase apart, may be off by between them, as a part of the
-/// largest value M: `|f‴| ≤ M` by phase (Bernstein), so it is at most `(π/4)³/(9√3)`.
+/// States what a parabola through a sample and its neighbours, π/4 of phase apart, may be off by
+/// between them, as a part of the largest value M: `|f‴| ≤ M` by phase (Bernstein), so it is at
+/// most `(π/4)³/(9√3)`.
 const OFF: f64 = 0.0311;
 /// The largest peaks among the samples are looked at, this many at most.
 const MOST: usize = 64;
@@ -14,7 +15,8 @@ const STEPS: usize = 60;
 /// The smaller part of a golden section.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
 
-/// Place and value of the largest `|f|` given its values at equally spaced `places`, eight in the shortest period.
+/// Place and value of the largest `|f|` given its values at equally spaced `places`, eight in the
+/// shortest period.
 pub(super) fn largest(places: &[f64], values: &[f64], f: impl Fn(f64) -> f64) -> (f64, f64) {
     let size = |i: usize| values[i].abs();
     let top = (0..values.len()).max_by(|&a, &b| size(a).total_cmp(&size(b)));
@@ -62,9 +64,10 @@ pub(super) fn largest(places: &[f64], values: &[f64], f: impl Fn(f64) -> f64) ->
     best
 }
 
-/// The peak of a function with one peak between the outer two of three points, of which the one between them is the
-/// highest; by parabolas through the last three points, and by golden section where they lead nowhere (R. P. Brent,
-/// *Algorithms for Minimization without Derivatives*, 1973, chapter 5).
+/// The peak of a function with one peak between the outer two of three points, of which the one
+/// between them is the highest; by parabolas through the last three points, and by golden section
+/// where they lead nowhere (R. P. Brent, *Algorithms for Minimization without Derivatives*, 1973,
+/// chapter 5).
 fn peak([first, middle, last]: [(f64, f64); 3], f: impl Fn(f64) -> f64) -> (f64, f64) {
     let (mut a, mut b) = (first.0, last.0);
     let least = NEAR * (b - a);
@@ -150,7 +153,8 @@ mod tests {
         }
     }
 
-    /// Nothing that was looked at is larger than what is found, whatever the function; a smooth peak takes few looks.
+    /// Nothing that was looked at is larger than what is found, whatever the function; a smooth
+    /// peak takes few looks.
     #[test]
     fn the_largest_of_all_that_was_looked_at() {
         let seen = RefCell::new(Vec::new());

@@ -19,7 +19,7 @@ const LEAST_SAMPLES: f64 = 200.0;
 /// Most of them: 2500 periods in a turn.
 const MOST_SAMPLES: f64 = 2e4;
 
-/// What the period of the forcing is, of which the frequency criterion is made.
+/// Describes what the period of the forcing is, of which the frequency criterion is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Period {
     /// The time of the rise, as in Gembara & Senyk (1).
@@ -316,8 +316,8 @@ impl CamResponse {
         self.peaks_of(t, true)
     }
 
-    /// [`CamResponse::peaks`] of displacement and acceleration alone, in about half the time; moment
-    /// and power are NaN.
+    /// [`CamResponse::peaks`] of displacement and acceleration alone, in about half the time;
+    /// moment and power are NaN.
     pub fn motion_peaks(&self, t: f64) -> TurnPeaks {
         self.peaks_of(t, false)
     }
@@ -389,5 +389,4 @@ fn places(times: [f64; 2], fastest: f64) -> Vec<f64> {
 }
 
 #[cfg(test)]
-#[path = "response_tests.rs"]
 mod tests;

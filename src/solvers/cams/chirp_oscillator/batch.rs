@@ -2,8 +2,8 @@
 //! harmonics.
 //!
 //! Past its first few radians every harmonic leaves a free vibration with a fixed initial state
-//! `(a, b)`, which a passage through resonance changes once. So each time needs the sum of the states
-//! and one evaluation of the impulse response, whatever the number of harmonics.
+//! `(a, b)`, which a passage through resonance changes once. So each time needs the sum of the
+//! states and one evaluation of the impulse response, whatever the number of harmonics.
 
 use super::free::Free;
 use super::group::{CHUNK, Groups, add, four};
@@ -21,7 +21,7 @@ use num_complex::Complex;
 
 type C = Complex<f64>;
 
-/// What is gathered for each time.
+/// Describes what is gathered for each time.
 struct Sums {
     /// Forced parts.
     y: [f64; CHUNK],
@@ -318,5 +318,4 @@ impl Task for Forced<'_> {
 }
 
 #[cfg(test)]
-#[path = "batch_tests.rs"]
 mod tests;

@@ -20,8 +20,8 @@ use num_complex::Complex;
 
 type C = Complex<f64>;
 
-/// The three integrals `∫ kernel(s) (1, −iω, −ω² − iκ) e^{−i(θ(t−s) − θ(t))} ds`: with the first one's
-/// components as accurate as the kernel's, however small the phase is.
+/// The three integrals `∫ kernel(s) (1, −iω, −ω² − iκ) e^{−i(θ(t−s) − θ(t))} ds`: with the first
+/// one's components as accurate as the kernel's, however small the phase is.
 fn integrals(sweep: &Sweep, t: f64, rule: &[[f64; 2]], kernel: impl Fn(f64) -> C) -> [C; 3] {
     let (omega, kappa) = (sweep.omega(t).value(), sweep.kappa.hi);
     let half = 0.5 * t;

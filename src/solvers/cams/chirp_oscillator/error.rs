@@ -1,4 +1,4 @@
-//! What is refused.
+//! Describes what is refused.
 
 /// Why an oscillator, an excitation or a time is refused.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -21,9 +21,9 @@ pub(super) struct Groups<'a> {
     pub roots: &'a Roots,
     /// The state of the free vibration that it leaves.
     start: [f64; 2],
-    /// What the passage of either resonance adds to it.
+    /// Holds what the passage of either resonance adds to it.
     passed: [[f64; 2]; 2],
-    /// Whether the passages are constants.
+    /// Tells whether the passages are constants.
     pub folded: bool,
     /// The passages are behind from here on; a little early where both roots pass as one.
     edge: [f64; 2],
@@ -38,16 +38,16 @@ pub(super) struct Group<R: Real> {
     pub p: [Z<R>; 2],
     /// `|p|²`
     pub sizes: [R; 2],
-    /// Whether either resonance is behind.
+    /// Tells whether either resonance is behind.
     pub passed: [R::Mask; 2],
     /// The nearer `|z|²`.
     pub distances: [f64; 4],
     /// Terms of the series.
     pub terms: usize,
-    /// Whether the values of the series for both roots are told apart.
+    /// Tells whether the values of the series for both roots are told apart.
     pub apart: bool,
-    /// Whether at all four times the closed form serves, both resonances are far, and the state left
-    /// behind is a constant.
+    /// Tells whether at all four times the closed form serves, both resonances are far, and the
+    /// state left behind is a constant.
     pub clear: bool,
 }
 
@@ -156,7 +156,7 @@ impl<'a> Groups<'a> {
         state
     }
 
-    /// Whether a resonance is behind, from `Im p`.
+    /// Returns whether a resonance is behind, from `Im p`.
     #[inline(always)]
     pub fn has_passed(&self, x: f64, r: usize) -> bool {
         x > self.edge[r]
@@ -182,5 +182,4 @@ pub(super) fn add<L: Lanes>(lanes: L, sums: &mut [f64; CHUNK], start: usize, x: 
 }
 
 #[cfg(test)]
-#[path = "group_tests.rs"]
 mod tests;

@@ -25,12 +25,12 @@ pub(super) struct Prepared {
     pub sweep: Sweep,
     /// `w² D`
     pub scale: f64,
-    /// Whether k was negated to have `κ ≥ 0`: amplitudes are conjugated then.
+    /// Tells whether k was negated to have `κ ≥ 0`: amplitudes are conjugated then.
     pub mirrored: bool,
     /// `−ψ(0), −ψ′(0)` of the particular solution, per `w²`, and the same without `e^{−iδ}`.
     pub start: [C; 2],
     pub start_amplitudes: [C; 2],
-    /// What passages add to that, where they are constants.
+    /// Holds what passages add to that, where they are constants.
     pub left: Option<[[C; 2]; 2]>,
     /// `|p|²` at `t = 0` for both roots.
     pub norms: [f64; 2],
@@ -69,7 +69,7 @@ impl Prepared {
         }
     }
 
-    /// Whether the closed form serves at time t, where `|p|²` has these values.
+    /// Decides whether the closed form serves at time t, where `|p|²` has these values.
     #[inline(always)]
     pub fn is_closed(&self, norms: [f64; 2], t: f64) -> bool {
         let limit = SHORT * SHORT;
@@ -106,9 +106,9 @@ impl Prepared {
         self.motion::<false>(roots, free, carrier, t).0
     }
 
-    /// `ψ, ψ′, ψ″` and `A = ψ e^{iθ}`. A is not ψ turned back: one of its components may be small beside
-    /// the other, in the first moments, far below the resonance and far above it. Each keeps its own
-    /// accuracy in a sum of terms that are all relative to the carrier.
+    /// `ψ, ψ′, ψ″` and `A = ψ e^{iθ}`. A is not ψ turned back: one of its components may be small
+    /// beside the other, in the first moments, far below the resonance and far above it. Each keeps
+    /// its own accuracy in a sum of terms that are all relative to the carrier.
     pub fn psi_and_amplitude(&self, roots: &Roots, free: &Free, carrier: C, t: f64) -> ([C; 3], C) {
         self.motion::<true>(roots, free, carrier, t)
     }
@@ -212,5 +212,4 @@ impl Prepared {
 }
 
 #[cfg(test)]
-#[path = "harmonic_tests.rs"]
 mod tests;

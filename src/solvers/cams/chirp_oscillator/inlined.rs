@@ -1,5 +1,5 @@
-//! Small arrays by index. `array::map` is compiled as a function of its own, without the instructions
-//! of the code that calls it.
+//! Small arrays by index. `array::map` is compiled as a function of its own, without the
+//! instructions of the code that calls it.
 
 /// `[f(0), f(1)]`
 #[inline(always)]

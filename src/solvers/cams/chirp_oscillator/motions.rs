@@ -10,7 +10,7 @@ use super::types::Motion;
 use crate::lanes::{Lanes, Task, with_best};
 use crate::real::Real;
 
-/// What is gathered for each time.
+/// Describes what is gathered for each time.
 struct Sums {
     /// Forced parts of y, y′, y″.
     motion: [[f64; CHUNK]; 3],

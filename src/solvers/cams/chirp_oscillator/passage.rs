@@ -1,8 +1,8 @@
 //! The free vibration that the passage through a resonance leaves behind.
 //!
-//! Where [`Sweep::beyond`](super::sweep::Sweep::beyond) changes, the particular solution changes its
-//! branch by `C (w(z) + w(−z)) = 2C e^{−z²}`, which has to be made up for: with `X = ω + Im λ` and
-//! `η = −Re λ`
+//! Where [`Sweep::beyond`](super::sweep::Sweep::beyond) changes, the particular solution changes
+//! its branch by `C (w(z) + w(−z)) = 2C e^{−z²}`, which has to be made up for: with `X = ω + Im λ`
+//! and `η = −Re λ`
 //!
 //! ```text
 //! P = √(π/κ) (1 − i) e^{−ηX_t/κ} e^{i[t Im λ − δ + (X_0² − η²)/(2κ)]},
@@ -140,5 +140,4 @@ pub(super) fn left_behind(sweep: &Sweep, roots: &Roots) -> Option<[[C; 2]; 2]> {
 const FOLDED: f64 = 300.0;
 
 #[cfg(test)]
-#[path = "passage_tests.rs"]
 mod tests;

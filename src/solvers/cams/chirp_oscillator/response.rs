@@ -173,14 +173,15 @@ impl ChirpResponse {
         })
     }
 
-    /// The displacement under the static term alone, for ever: `a₀`, or `a₀/w²` if it is an acceleration.
+    /// The displacement under the static term alone, for ever: `a₀`, or `a₀/w²` if it is an
+    /// acceleration.
     pub fn mean(&self) -> f64 {
         let w = self.roots.w;
         self.constant.as_ref().map_or(0.0, |c| c.scale / (w * w))
     }
 
-    /// `Σ|A_k|` at time `t`: the bound of Gembara & Senyk (19) on what the harmonics add from rest. It
-    /// leaves out the static term and the free vibration from the initial state.
+    /// `Σ|A_k|` at time `t`: the bound of Gembara & Senyk (19) on what the harmonics add from rest.
+    /// It leaves out the static term and the free vibration from the initial state.
     ///
     /// # Errors
     /// A time that is negative or not finite.
@@ -191,9 +192,9 @@ impl ChirpResponse {
     }
 
     /// The envelope of the motion: `|y(t) − mean| ≤ envelope(t)`, the sum of
-    /// [`sum_of_amplitudes`](ChirpResponse::sum_of_amplitudes) and of a bound on the free vibration from
-    /// the initial state, taken about the [`mean`](ChirpResponse::mean); raised by 2⁻⁴⁶ of what is
-    /// added up, for the roundings of both sides.
+    /// [`sum_of_amplitudes`](ChirpResponse::sum_of_amplitudes) and of a bound on the free vibration
+    /// from the initial state, taken about the [`mean`](ChirpResponse::mean); raised by 2⁻⁴⁶ of
+    /// what is added up, for the roundings of both sides.
     ///
     /// # Errors
     /// A time that is negative or not finite.

@@ -26,14 +26,14 @@ const GONE: f64 = 10.0;
 /// Terms of the asymptotic series: the smallest one is met here for `|z|² = 49`.
 const TERMS: usize = 44;
 
-/// Whether a sum has lost digits against one of its terms.
+/// Returns whether a sum has lost digits against one of its terms.
 #[inline(always)]
 pub(super) fn cancels(sum: Complex<f64>, term: Complex<f64>) -> bool {
     sum.norm_sqr() < CANCELLED * CANCELLED * term.norm_sqr()
 }
 
-/// `ψ, ψ′, ψ″` at time t from rest, and `ψ e^{iθ}`; `None` where the terms cancel for another reason: strong
-/// damping, phases from 2³⁰ on, a resonance passed on the way.
+/// `ψ, ψ′, ψ″` at time t from rest, and `ψ e^{iθ}`; `None` where the terms cancel for another
+/// reason: strong damping, phases from 2³⁰ on, a resonance passed on the way.
 #[cold]
 #[inline(never)]
 pub(super) fn motion(
@@ -150,5 +150,4 @@ fn far(sweep: &Sweep, roots: &Roots, omega: Dd) -> [Cd; 2] {
 }
 
 #[cfg(test)]
-#[path = "return_to_rest_tests.rs"]
 mod tests;

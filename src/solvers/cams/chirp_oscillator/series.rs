@@ -1,5 +1,5 @@
-//! The asymptotic series far from the resonances, `|z|² ≥ 49` for both roots (see [`super::sweep`]),
-//! for one time or several side by side.
+//! The asymptotic series far from the resonances, `|z|² ≥ 49` for both roots (see
+//! [`super::sweep`]), for one time or several side by side.
 
 use super::inlined::two;
 use super::roots::Roots;
@@ -73,8 +73,8 @@ impl<R: Real> Z<R> {
         )
     }
 
-    /// `p₊ p₋ = w² − ω² − 2inω`, the imaginary part as accurate where it is small: its two products may
-    /// cancel. The same bits whichever factor comes first.
+    /// `p₊ p₋ = w² − ω² − 2inω`, the imaginary part as accurate where it is small: its two products
+    /// may cancel. The same bits whichever factor comes first.
     #[inline(always)]
     fn times_conjugate(self, o: Z<R>, n: f64, omega: R) -> Z<R> {
         let re = self.0 * o.0 - self.1 * o.1;

@@ -7,8 +7,8 @@
 //! F = −C w(−z)     beyond,                     z = (1 − i)(ω − iλ)/(2√κ),
 //! ```
 //!
-//! so that w is only needed in the upper half-plane. `φ = e^{−iθ}F` solves `φ′ = λφ + e^{−iθ}`, hence
-//! `κ dF/dω = R = 1 + pF = −i(√π/2) w′(±z)`, and
+//! so that w is only needed in the upper half-plane. `φ = e^{−iθ}F` solves `φ′ = λφ + e^{−iθ}`,
+//! hence `κ dF/dω = R = 1 + pF = −i(√π/2) w′(±z)`, and
 //!
 //! ```text
 //! φ′ = e^{−iθ} V,   V = −iωF + R,         φ″ = e^{−iθ} (−iωV + λR).
@@ -25,7 +25,8 @@
 //! `h_j = Σ a^i b^{j−i}`, which satisfy `h_j = (a + b) h_{j−1} − q h_{j−2}`,
 //!
 //! ```text
-//! F[λ₊, λ₋] = q Σ g_m h_{2m},  R[·] = q Σ_{m≥1} g_m h_{2m−1},  (λR)[·] = q Σ_{m≥1} g_m (h_{2m−2} − iω h_{2m−1}).
+//! F[λ₊, λ₋] = q Σ g_m h_{2m},  R[·] = q Σ_{m≥1} g_m h_{2m−1},
+//! (λR)[·] = q Σ_{m≥1} g_m (h_{2m−2} − iω h_{2m−1}).
 //! ```
 
 use super::inlined::two;
@@ -76,7 +77,7 @@ pub(super) struct Sweep {
     pub kappa: Dd,
     pub root_kappa: Dd,
     pub delta: f64,
-    /// Whether the roots are so close together that their resonances are passed as one.
+    /// Tells whether the roots are so close together that their resonances are passed as one.
     pub joint: bool,
 }
 
@@ -111,7 +112,8 @@ impl Sweep {
         self.turned(t).add_f(self.delta)
     }
 
-    /// Whether all phases up to `t` are so small that they are reduced without Payne & Hanek.
+    /// Returns whether all phases up to `t` are so small that they are reduced without Payne &
+    /// Hanek.
     pub fn phases_are_small(&self, t: f64) -> bool {
         (self.nu.hi.abs() + self.kappa.hi * t) * t + self.delta.abs() < LARGE_PHASE
     }
@@ -131,7 +133,7 @@ impl Sweep {
         }
     }
 
-    /// Whether root number i has its resonance behind it at ω.
+    /// Returns whether root number i has its resonance behind it at ω.
     #[inline(always)]
     pub fn beyond(&self, roots: &Roots, i: usize, omega: Dd) -> bool {
         match self.joint {
@@ -140,7 +142,7 @@ impl Sweep {
         }
     }
 
-    /// Whether the values of `F` for both roots are told apart in `f64`.
+    /// Decides whether the values of `F` for both roots are told apart in `f64`.
     #[inline(always)]
     pub fn apart(&self, roots: &Roots, p: [C; 2]) -> bool {
         let [a, b] = two(
@@ -150,8 +152,8 @@ impl Sweep {
         roots.gap.norm_sqr() >= APART * APART * a.min(b)
     }
 
-    /// Whether the values of `F` for both roots by their series are told apart, from the nearer
-    /// `|p|²`: where the roots are farther apart than that.
+    /// Returns whether the values of `F` for both roots by their series are told apart, from the
+    /// nearer `|p|²`: where the roots are farther apart than that.
     #[inline(always)]
     pub fn apart_far<R: Real>(&self, roots: &Roots, nearer: R) -> R::Mask {
         nearer.below(nearer.like(roots.gap.norm_sqr()))
@@ -220,5 +222,4 @@ impl Sweep {
 const HALF_SQRT_PI: f64 = 0.886_226_925_452_758;
 
 #[cfg(test)]
-#[path = "sweep_tests.rs"]
 mod tests;

@@ -186,8 +186,8 @@ fn envelopes_and_amplitudes() {
     }
 }
 
-/// From any state, about any mean, with any damping: the bound holds, and below critical damping it is
-/// touched.
+/// From any state, about any mean, with any damping: the bound holds, and below critical damping it
+/// is touched.
 #[test]
 fn the_envelope_bounds_the_motion() {
     // Evenly spread: multiples of the golden ratio.

@@ -63,11 +63,11 @@ pub struct Harmonic {
     pub phase: f64,
 }
 
-/// What the amplitudes of the excitation are.
+/// Describes what the amplitudes of the excitation are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Forcing {
-    /// Displacements of the driven end of the spring: the right-hand side is `w² (a₀ + Σ D_k cos θ_k)`
-    /// (Gembara & Senyk (7)).
+    /// Displacements of the driven end of the spring: the right-hand side is
+    /// `w² (a₀ + Σ D_k cos θ_k)` (Gembara & Senyk (7)).
     #[default]
     Displacement,
     /// Accelerations: the right-hand side is `a₀ + Σ D_k cos θ_k`.
@@ -79,7 +79,7 @@ pub enum Forcing {
 pub struct Excitation {
     /// The shaft.
     pub chirp: Chirp,
-    /// What the amplitudes are.
+    /// Holds what the amplitudes are.
     pub forcing: Forcing,
     /// The constant `a₀`, in the unit of the amplitudes.
     pub static_term: f64,

@@ -19,13 +19,14 @@
 //! angles given, for every `n` up to 10⁶.
 //!
 //! # Accuracy
-//! Errors of `a_n` and `b_n`, in `2⁻⁵³` of the largest of the case's eight pairs, worst found over 4000 random cases in each of
-//! eight regions (all laws, strokes of 0.001 to 0.45 turns, harmonics up to 9·10⁵; seed 9): 90, where the budget is 128
-//! for a condition of one; `mechaudit audit cam-fourier-series` repeats the search. A law with two even halves has a
-//! transform without imaginary part.
-//! Each coefficient is a difference of two strokes' shares: near the zeros of `F`, and where the shares cancel, the
-//! error is that of the shares; but not in a lift so short that `n` of them are an eighth of a turn, whose shares
-//! differ from `e^{−inθ}` by little and are summed by what they differ.
+//! Errors of `a_n` and `b_n`, in `2⁻⁵³` of the largest of the case's eight pairs, worst found over
+//! 4000 random cases in each of eight regions (all laws, strokes of 0.001 to 0.45 turns, harmonics
+//! up to 9·10⁵; seed 9): 90, where the budget is 128 for a condition of one;
+//! `mechaudit audit cam-fourier-series` repeats the search. A law with two even halves has a
+//! transform without imaginary part. Each coefficient is a difference of two strokes' shares: near
+//! the zeros of `F`, and where the shares cancel, the error is that of the shares; but not in a
+//! lift so short that `n` of them are an eighth of a turn, whose shares differ from `e^{−inθ}` by
+//! little and are summed by what they differ.
 //!
 //! # Sources
 //! Gembara & Senyk, eqs (4)–(6); the period there is the shaft's turn.
@@ -143,9 +144,9 @@ impl Part {
         self.wave(n) * self.transform.at(Turns::multiple(n, self.turns))
     }
 
-    /// The difference of the shares of two strokes with a dwell between them, where all of it is so short
-    /// that they cancel: `e^{−inθ_r} [1 − e^{−iΔ} + (F_r − 1) − e^{−iΔ} (F_f − 1)]`, Δ the angle from centre to
-    /// centre.
+    /// The difference of the shares of two strokes with a dwell between them, where all of it is so
+    /// short that they cancel: `e^{−inθ_r} [1 − e^{−iΔ} + (F_r − 1) − e^{−iΔ} (F_f − 1)]`, Δ the
+    /// angle from centre to centre.
     fn short_difference(&self, fall: &Part, dwell: f64, n: f64) -> Option<Complex64> {
         let [up, down] = [self, fall].map(|p| Turns::multiple(n, p.turns));
         let after = up.minus(up.times(self.transform.centre));

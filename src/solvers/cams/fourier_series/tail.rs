@@ -135,5 +135,4 @@ fn between_knots(knots: &[Knot], order: usize) -> f64 {
 }
 
 #[cfg(test)]
-#[path = "tail_tests.rs"]
 mod tests;

@@ -137,8 +137,8 @@ fn tails_are_bounded() {
     );
 }
 
-/// `s'' = ±4` varies by 16 on the whole line, so that two strokes of half a turn each with a lift of
-/// 2 lose at most `(2/π) 2 (16/π²)/((2 − k) N^(2−k))`.
+/// `s'' = ±4` varies by 16 on the whole line, so that two strokes of half a turn each with a lift
+/// of 2 lose at most `(2/π) 2 (16/π²)/((2 − k) N^(2−k))`.
 fn parabolas() -> FourierSeries {
     FourierSeries::new(&cycle(&MotionLaw::constant_acceleration(), 0.5, 0.0, 0.5))
 }
@@ -212,8 +212,8 @@ fn refusals() {
     assert!(says(s.harmonics_for(1e-3, 2)).contains("no finite sum"));
 }
 
-/// The strokes of a short lift cancel: an even pulse about zero has `a_n = 2a_0` but for the square of its
-/// length.
+/// The strokes of a short lift cancel: an even pulse about zero has `a_n = 2a_0` but for the square
+/// of its length.
 #[test]
 fn lifts_shorter_than_a_harmonic() {
     for name in ["3-4-5", "modified-sine"] {

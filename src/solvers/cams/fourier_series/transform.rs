@@ -7,9 +7,9 @@
 //! about the centre `x_c`, the place of the largest velocity of a law with two halves and the
 //! middle of the stroke of any other. `F(0) = 1`.
 //!
-//! For `q < 2π`, and for laws with a short half up to where the jumps are small, it is integrated numerically, piece by
-//! piece: `s' ≥ 0` and nothing cancels.
-//! Beyond, parts are integrated until only the jumps of derivatives are left,
+//! For `q < 2π`, and for laws with a short half up to where the jumps are small, it is integrated
+//! numerically, piece by piece: `s' ≥ 0` and nothing cancels. Beyond, parts are integrated until
+//! only the jumps of derivatives are left,
 //!
 //! ```text
 //! F = Σ_knots e^{−iq(x_k − x_c)} Σ_j (jump of s^(j) at x_k) / (iq)^j,
@@ -19,7 +19,8 @@
 //! An SCCA law has infinitely many jumps at the ends of its sines, whose sum is
 //!
 //! ```text
-//! F = −(C_a/q²) { [e^{iλq} C̄(2λ t_b) − C(2λ t_d)]/(2λ) + [e^{−iμq} C(2μ t_b) − C̄(2μ t_d)]/(2μ) },
+//! F = −(C_a/q²) { [e^{iλq} C̄(2λ t_b) − C(2λ t_d)]/(2λ)
+//!               + [e^{−iμq} C(2μ t_b) − C̄(2μ t_d)]/(2μ) },
 //! C(t) = π ∫_0^{1/2} cos(πy) e^{2πity} dy = (e^{πit} − 2it)/(1 − 4t²),
 //! t_b = qb/2π, t_d = qd/2π, μ = 1 − λ.
 //! ```
@@ -85,7 +86,8 @@ fn scca(law: &Scca, fraction: f64, t: Turns) -> Complex64 {
     let half = |share: Dd| {
         let stretched = t.times_pair(share.scale(2.0));
         let (sine, cosine) = (c(stretched.times(law.b)), c(stretched.times(law.d)));
-        // Between them: where the half is short against the wave, or whole waves, nothing cancels but this.
+        // Between them: where the half is short against the wave, or whole waves, nothing cancels
+        // but this.
         let step = t.times_pair(share).cis_less_one() * sine.conj();
         (step + (sine.conj() - cosine)) / (2.0 * share.hi)
     };
@@ -149,8 +151,8 @@ fn stretched(start: &[f64], middle: &[f64], fraction: f64) -> Vec<Knot> {
     knots
 }
 
-/// `(2 − 2λ)^−j − (2λ)^−j`, with `e = 2λ − 1` the quotient of `(1 + e)^j − (1 − e)^j` and `(1 − e²)^j`:
-/// `2e Σ_i binomial(j, 2i + 1) e^{2i}` above, so that nothing cancels beside λ = 1/2.
+/// `(2 − 2λ)^−j − (2λ)^−j`, with `e = 2λ − 1` the quotient of `(1 + e)^j − (1 − e)^j` and
+/// `(1 − e²)^j`: `2e Σ_i binomial(j, 2i + 1) e^{2i}` above, so that nothing cancels beside λ = 1/2.
 fn difference(j: i32, fraction: f64) -> f64 {
     let e = 2.0 * fraction - 1.0;
     // Of the odd powers, from the first one on.
@@ -209,8 +211,8 @@ fn where_jumps_serve(knots: &[Knot], order: usize) -> f64 {
     }
 }
 
-/// From which number of turns the terms of the jumps, all of one sign, are at most one together, so that their sum is
-/// rounded no more than an integral of one is.
+/// From which number of turns the terms of the jumps, all of one sign, are at most one together, so
+/// that their sum is rounded no more than an integral of one is.
 fn where_jumps_are_small(knots: &[Knot]) -> f64 {
     let mut turns = 1.0;
     let sum = |q: f64| -> f64 {
@@ -350,5 +352,4 @@ impl Transform {
 }
 
 #[cfg(test)]
-#[path = "transform_tests.rs"]
 mod tests;

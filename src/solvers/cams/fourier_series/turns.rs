@@ -55,8 +55,8 @@ impl Turns {
         two_sum(hi - hi.round(), lo)
     }
 
-    /// `e^{2πit} − 1`: both parts within a few u of themselves for t within a quarter of whole turns, within a few u
-    /// elsewhere.
+    /// `e^{2πit} − 1`: both parts within a few u of themselves for t within a quarter of whole
+    /// turns, within a few u elsewhere.
     pub(super) fn cis_less_one(self) -> Complex64 {
         let (s, c) = (PI * self.fraction().value()).sin_cos();
         Complex64::new(-2.0 * s * s, 2.0 * s * c)

@@ -11,7 +11,7 @@ pub(super) struct Limits {
     pub angles: (f64, f64),
     /// Crank speeds, likewise.
     pub speeds: (f64, f64),
-    /// Whether to pause where the acceleration changes its sign.
+    /// Tells whether to pause where the acceleration changes its sign.
     pub extrema: bool,
 }
 
@@ -103,5 +103,4 @@ pub(super) fn crossing(
 }
 
 #[cfg(test)]
-#[path = "crossing_tests.rs"]
 mod tests;

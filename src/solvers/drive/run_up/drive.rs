@@ -1,6 +1,8 @@
-//! What acts on the crank besides the linkage: motor, reducer, rotor, flywheel and resistance.
+//! Describes what acts on the crank besides the linkage: motor, reducer, rotor, flywheel and
+//! resistance.
 
-use super::motor::{Motor, MotorError, OutsideTable, finite, not_negative};
+use super::motor::{Motor, OutsideTable};
+use super::motor_error::{MotorError, finite, not_negative};
 use crate::units::{Inertia, Torque};
 
 /// Resistance to the crank's motion: `−(c_0 sign ψ + c_1 ψ + c_2 |ψ| ψ)`.

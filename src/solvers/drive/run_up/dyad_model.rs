@@ -293,8 +293,8 @@ pub(crate) mod tests {
         }
     }
 
-    /// Places and their derivatives by the angle of the crank: `first` is the derivative of `r`, and
-    /// `second` that of `first`.
+    /// Places and their derivatives by the angle of the crank: `first` is the derivative of `r`,
+    /// and `second` that of `first`.
     #[test]
     fn points_on_links() {
         // The link turns as 0.4 + 1.5 x − x².

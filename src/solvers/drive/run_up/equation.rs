@@ -70,8 +70,8 @@ impl<'a> Equation<'a> {
         self.drive
     }
 
-    /// The forces at the beginning of a run while the crank turns in the direction `sign` (±1, the side that a constant
-    /// resistance takes).
+    /// The forces at the beginning of a run while the crank turns in the direction `sign` (±1, the
+    /// side that a constant resistance takes).
     ///
     /// # Errors
     /// [`EquationError`].

@@ -2,7 +2,7 @@
 
 use super::equation::Equation;
 use super::integrate::{Counts, Settings};
-use super::motor::MotorError;
+use super::motor_error::MotorError;
 use super::steady::{Cycle, CycleError, steady_cycle};
 use crate::units::Inertia;
 
@@ -13,7 +13,7 @@ pub struct Flywheel {
     pub inertia: f64,
     /// The cycle with it.
     pub cycle: Cycle,
-    /// What the search cost.
+    /// Holds what the search cost.
     pub counts: Counts,
 }
 
@@ -154,5 +154,4 @@ fn search(
 }
 
 #[cfg(test)]
-#[path = "flywheel_tests.rs"]
 mod tests;

@@ -15,7 +15,7 @@ pub struct Settings {
     pub tolerance: f64,
     /// The method.
     pub method: Method,
-    /// Whether an explicit method gives way to Radau's where the equation is stiff
+    /// Tells whether an explicit method gives way to Radau's where the equation is stiff
     /// ([`Motion::stiff_from`](super::Motion::stiff_from)).
     pub switch_when_stiff: bool,
     /// Steps at most, rejected ones included. A run that needs more ends with an error. The
@@ -72,7 +72,7 @@ impl Settings {
     }
 }
 
-/// What a run cost.
+/// Describes what a run cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
     /// Steps that make up the motion.
@@ -142,9 +142,9 @@ impl ODE<f64, State> for Rhs<'_> {
 
 /// Counts the steps in which a disturbance of the speed decays by more than e⁻².
 ///
-/// An explicit method at these tolerances resolves a decay by shorter steps, and after so many of them in
-/// a row nothing of it is left: what keeps the steps short then is the method's stability (Hairer & Wanner,
-/// *Solving Ordinary Differential Equations II*, IV.2).
+/// An explicit method at these tolerances resolves a decay by shorter steps, and after so many of
+/// them in a row nothing of it is left: what keeps the steps short then is the method's stability
+/// (Hairer & Wanner, *Solving Ordinary Differential Equations II*, IV.2).
 #[derive(Clone, Copy, Debug, Default)]
 struct Stiffness {
     /// Such steps less the others, not below zero.
@@ -159,7 +159,8 @@ impl Stiffness {
     const DECAY: f64 = 2.0;
     const ENOUGH: u32 = 300;
 
-    /// Looks at a step from `t` with so much decay, `−∫ ∂(dψ/dt)/∂ψ dt`; whether the equation is stiff.
+    /// Looks at a step from `t` with so much decay, `−∫ ∂(dψ/dt)/∂ψ dt`; whether the equation is
+    /// stiff.
     fn look(&mut self, decay: f64, t: f64) -> bool {
         if decay > Stiffness::DECAY {
             if self.steps == 0 {
@@ -191,7 +192,7 @@ pub(super) struct Integrator<'a> {
     pub t: f64,
     pub y: State,
     h: f64,
-    /// Whether the acceleration is zero here but for rounding.
+    /// Tells whether the acceleration is zero here but for rounding.
     at_extremum: bool,
     pub counts: Counts,
     /// The stretches that make up the motion, where they are asked for.
@@ -286,7 +287,7 @@ impl<'a> Integrator<'a> {
         }
     }
 
-    /// Whether a step was computed without a refusal.
+    /// Returns whether a step was computed without a refusal.
     fn sound(&self, y: &State) -> bool {
         self.rhs.refused.borrow().is_none() && y.iter().all(|v| v.is_finite())
     }
@@ -436,8 +437,8 @@ impl<'a> Integrator<'a> {
             .filter(|_| self.settings.method != Method::Radau5)
     }
 
-    /// Whether the dense output is not good enough for samples: of DOP853, and of Radau's method where it
-    /// took over from a better one.
+    /// Returns whether the dense output is not good enough for samples: of DOP853, and of Radau's
+    /// method where it took over from a better one.
     pub fn ends_steps_at_samples(&self) -> bool {
         self.method.ends_steps_at_samples() || self.method != self.settings.method
     }
@@ -459,7 +460,8 @@ impl<'a> Integrator<'a> {
             Pause::Speed(psi) => (psi - self.y[PSI]) / d[PSI],
             Pause::End | Pause::Extremum => 0.0,
         };
-        // Next to a turning point the crank would turn within the shift, and the standstill be missed.
+        // Next to a turning point the crank would turn within the shift, and the standstill be
+        // missed.
         let turns = matches!(pause, Pause::Angle(_)) && (shift * d[PSI]).abs() >= d[PHI].abs();
         // Where what changes stands still, the quotient is infinite or not a number.
         if shift.abs() <= self.h && !turns {
@@ -479,5 +481,4 @@ impl<'a> Integrator<'a> {
 }
 
 #[cfg(test)]
-#[path = "integrate_tests.rs"]
 mod tests;

@@ -5,8 +5,8 @@
 //! ```
 //!
 //! with the crank angle φ, its speed ψ, the reduced inertia I_n and moment of weights M_o of any
-//! [`ReducedModel`], a [`Drive`] (motor, reducer, rotor, flywheel, resistance), and the coefficients
-//! exact or by splines ([`Splined`], [`Hybrid`]). Source: Zinchenko 2008, (1) and (2).
+//! [`ReducedModel`], a [`Drive`] (motor, reducer, rotor, flywheel, resistance), and the
+//! coefficients exact or by splines ([`Splined`], [`Hybrid`]). Source: Zinchenko 2008, (1) and (2).
 //!
 //! | what | where |
 //! |---|---|
@@ -25,11 +25,11 @@
 //! `russell_ode` (needs BLAS), `ode_solvers` (explicit only, no events, an older nalgebra, and an
 //! open report of wrong nodes in its DOP853).
 //!
-//! What had to be found out about its version 0.7.0: the dense output of DOP853 is wrong in its
-//! upper half, so that method's steps end at the samples; Verner's 8(7) has an error estimate that
-//! does not fall below 1e-12 of the state; Radau5 adjusts a scalar tolerance once for each component
-//! and keeps its linear system after a rejected step, so tolerances are given for each component and
-//! the method is begun afresh after two rejections in a row.
+//! Its version 0.7.0 was found to have these limits: the dense output of DOP853 is wrong
+//! in its upper half, so that method's steps end at the samples; Verner's 8(7) has an error
+//! estimate that does not fall below 1e-12 of the state; Radau5 adjusts a scalar tolerance once for
+//! each component and keeps its linear system after a rejected step, so tolerances are given for
+//! each component and the method is begun afresh after two rejections in a row.
 //!
 //! # Accuracy
 //! The sand screen of Zinchenko (2008) from rest under ω_c = 10 rad/s, M_n = 200 N·m, k = 2.2,
@@ -39,12 +39,13 @@
 //! stiff near its dead positions, Radau5 is the cheapest down to an error of about 1e-10 rad/s.
 //!
 //! # Stops
-//! A step that crosses a spline's knot, a dead position, a kink of the motor's curve, a target speed
-//! or standstill is located on the dense output and then **taken again** up to there, so the state
-//! at such a stop has the accuracy of the step and not that of the interpolation.
+//! A step that crosses a spline's knot, a dead position, a kink of the motor's curve, a target
+//! speed or standstill is located on the dense output and then **taken again** up to there, so the
+//! state at such a stop has the accuracy of the step and not that of the interpolation.
 //!
-//! From standstill the crank goes on in the direction of the torque there, as a pendulum does, unless the constant
-//! resistance holds it. Then the run ends, or waits for a motor whose torque is a table over time ([`TimedTorque`]).
+//! From standstill the crank goes on in the direction of the torque there, as a pendulum does,
+//! unless the constant resistance holds it. Then the run ends, or waits for a motor whose torque is
+//! a table over time ([`TimedTorque`]).
 
 mod coefficients;
 mod drive;
@@ -52,6 +53,7 @@ mod dyad_model;
 mod equation;
 mod model;
 mod motor;
+mod motor_error;
 mod planar_model;
 mod timed;
 
@@ -86,7 +88,8 @@ pub use model::{
     ClassIiiModel, Coefficients, ConstantInertia, InertiaRange, ModelError, ReducedModel,
     inertia_range,
 };
-pub use motor::{Kloss, Motor, MotorError, OutsideTable, TableReading, TorqueTable};
+pub use motor::{Kloss, Motor, OutsideTable, TableReading, TorqueTable};
+pub use motor_error::MotorError;
 pub use planar_model::{PlanarModel, PlanarModelError};
 pub use timed::TimedTorque;
 

@@ -1,4 +1,4 @@
-//! What the equation of motion needs of a linkage.
+//! Describes what the equation of motion needs of a linkage.
 
 use crate::class_iii::{ClassIii, ContinuationError, State};
 use crate::dyad::DyadError;
@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 pub struct Coefficients {
     /// I_n in kg·m².
     pub inertia: f64,
-    /// What stands for dI_n/dφ in the equation, kg·m²/rad.
+    /// Holds what stands for dI_n/dφ in the equation, kg·m²/rad.
     pub inertia_derivative: f64,
     /// M_o in N·m, positive when the weights drive the crank forward.
     pub moment: f64,

@@ -1,9 +1,9 @@
-//! What is asked of a run, and what comes of it.
+//! Describes what is asked of a run, and what comes of it.
 
 use super::equation::EquationError;
 use super::integrate::{Counts, Settings, SettingsError};
 
-/// What is asked of a run.
+/// Describes what is asked of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     /// Crank angle at the start, rad.
@@ -97,12 +97,13 @@ pub struct Sample {
     pub balance: f64,
 }
 
-/// What happened.
+/// Describes what happened.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum EventKind {
     /// The driven links turned back.
     DeadPosition,
-    /// So many turns since the start. A crank that swings back through an angle that it has just passed has not made one.
+    /// So many turns since the start. A crank that swings back through an angle that it has just
+    /// passed has not made one.
     Turn(i64),
     /// The target speed was reached.
     Target,
@@ -119,7 +120,7 @@ pub struct Event {
     pub phi: f64,
     /// Crank speed, rad/s.
     pub psi: f64,
-    /// What.
+    /// Holds what happened.
     pub kind: EventKind,
 }
 
@@ -143,9 +144,9 @@ pub enum Outcome {
     TimeUp,
     /// The target speed was reached.
     Target,
-    /// The crank came to rest and stays there, or did not start: what drives it does not overcome what holds it, or it
-    /// would turn at a speed that the motor's table does not cover. At the start a motor that weights overcome counts as
-    /// held; later the crank turns back.
+    /// The crank came to rest and stays there, or did not start: what drives it does not overcome
+    /// what holds it, or it would turn at a speed that the motor's table does not cover. At the
+    /// start a motor that weights overcome counts as held; later the crank turns back.
     Stalled {
         /// Sum of the torques at rest there, the constant resistance left out, N·m.
         torque: f64,
@@ -173,17 +174,18 @@ pub struct Motion {
     pub end: Sample,
     /// Moments between, if asked for; the first and the last are among them.
     pub samples: Vec<Sample>,
-    /// What happened, in order.
+    /// Holds what happened, in order.
     pub events: Vec<Event>,
     /// The whole turns.
     pub turns: Vec<Turn>,
     /// How it ended.
     pub outcome: Outcome,
-    /// What it cost.
+    /// Holds what it cost.
     pub counts: Counts,
-    /// The time in s from which on the equation is stiff, if it is: stability alone keeps the steps of
-    /// the explicit method short there. With
-    /// [`Settings::switch_when_stiff`](super::Settings::switch_when_stiff) Radau's method took over.
+    /// The time in s from which on the equation is stiff, if it is: stability alone keeps the steps
+    /// of the explicit method short there. With
+    /// [`Settings::switch_when_stiff`](super::Settings::switch_when_stiff) Radau's method took
+    /// over.
     pub stiff_from: Option<f64>,
 }
 

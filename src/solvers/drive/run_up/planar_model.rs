@@ -6,8 +6,8 @@ use std::cell::RefCell;
 
 /// A planar mechanism with its masses and loads.
 ///
-/// It is followed from the drive's value of the last call to that of the next, so it cannot change its
-/// branch unseen; the value has one user at a time.
+/// It is followed from the drive's value of the last call to that of the next, so it cannot change
+/// its branch unseen; the value has one user at a time.
 #[derive(Debug)]
 pub struct PlanarModel {
     mechanism: Mechanism,

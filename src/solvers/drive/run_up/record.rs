@@ -1,4 +1,4 @@
-//! What a run did, for doing it again in other arithmetic.
+//! Describes what a run did, for doing it again in other arithmetic.
 
 use super::stepper::Method;
 use differential_equations::tableau::ButcherTableau;

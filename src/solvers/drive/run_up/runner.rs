@@ -86,7 +86,8 @@ fn sample(
     })
 }
 
-/// The direction in which a crank at rest goes, that of the torque; `Err` with the torque where it stays.
+/// The direction in which a crank at rest goes, that of the torque; `Err` with the torque where it
+/// stays.
 fn from_rest(equation: &Equation, t: f64, phi: f64) -> Result<Result<f64, f64>, EquationError> {
     // No resistance at rest but its constant part, which is compared below.
     let f = equation.forces_at(t, phi, 0.0, 0.0)?;
@@ -110,7 +111,8 @@ fn direction(equation: &Equation, plan: &Plan) -> Result<Result<f64, f64>, Equat
         return Ok(Ok(plan.psi.signum()));
     }
     let torque = f.motor + f.linkage.moment;
-    // Weights that turn the crank against its motor: it does not start. One that changes with time may yet do so.
+    // Weights that turn the crank against its motor: it does not start. One that changes with time
+    // may yet do so.
     let wrong_way = f.motor * torque < 0.0 && equation.drive().motor().timed().is_none();
     match wrong_way {
         true => Ok(Err(torque)),
@@ -134,9 +136,12 @@ fn release(equation: &Equation, t: f64, phi: f64) -> Result<Option<f64>, Equatio
 /// Runs the machine.
 ///
 /// ```
-/// use mechaudit_solvers::run_up::{ConstantInertia, Drive, Equation, Kloss, Motor, Outcome, Plan, run};
+/// use mechaudit_solvers::run_up::{
+///     ConstantInertia, Drive, Equation, Kloss, Motor, Outcome, Plan, run,
+/// };
 /// use mechaudit_solvers::units::{AngularVelocity, Torque};
-/// let motor = Kloss::rated(AngularVelocity::from_rad_per_s(157.0), Torque::from_n_m(10.0), 2.2, 0.05)?;
+/// let speed = AngularVelocity::from_rad_per_s(157.0);
+/// let motor = Kloss::rated(speed, Torque::from_n_m(10.0), 2.2, 0.05)?;
 /// let drive = Drive::direct(Motor::Kloss(motor));
 /// let rotor = ConstantInertia(0.9);
 /// let plan = Plan { target: Some(150.0), ..Plan::new(0.0, 60.0) };
@@ -336,7 +341,8 @@ impl<'a> Run<'a> {
         later.next().map_or(end, |t| t.min(end))
     }
 
-    /// Turns the crank in the direction of the torque, once there is enough of it; the outcome where it stays at rest.
+    /// Turns the crank in the direction of the torque, once there is enough of it; the outcome
+    /// where it stays at rest.
     fn go_on_from_rest(&mut self) -> Result<Option<Outcome>, RunError> {
         let (t, phi) = (self.integrator.t, self.integrator.y[PHI]);
         let refused = |e| RunError::Equation { t, source: e };
@@ -508,5 +514,4 @@ impl<'a> Run<'a> {
 }
 
 #[cfg(test)]
-#[path = "runner_tests.rs"]
 mod tests;

@@ -33,7 +33,7 @@ pub struct Cycle {
     pub most: (f64, f64),
     /// δ = (ψ_max − ψ_min)/ψ_mean.
     pub fluctuation: f64,
-    /// What is left of a disturbance after one turn.
+    /// Holds what is left of a disturbance after one turn.
     pub multiplier: f64,
     /// Work of motor, weights and resistance in a turn, J.
     pub work: [f64; 3],
@@ -43,7 +43,7 @@ pub struct Cycle {
     pub mismatch: f64,
     /// Newton steps.
     pub iterations: u32,
-    /// What all turns together cost.
+    /// Holds what all turns together cost.
     pub counts: Counts,
 }
 
@@ -232,8 +232,8 @@ fn newton(psi: f64, change: f64, slope: f64) -> Option<f64> {
     (newton * psi > 0.0 && slope < 0.9).then_some(near)
 }
 
-/// Whether a speed `psi` that changes by `change` in a turn, after `last` in the one before,
-/// repeats to what the tolerance lets be told.
+/// Returns whether a speed `psi` that changes by `change` in a turn, after `last` in the one
+/// before, repeats to what the tolerance lets be told.
 fn settled(change: f64, last: f64, tolerance: f64, psi: f64) -> bool {
     let small = change.abs() <= 4.0 * tolerance * psi.abs();
     // Rounding and the tolerance set the floor below which it no longer shrinks.
@@ -270,5 +270,4 @@ fn finish(
 }
 
 #[cfg(test)]
-#[path = "steady_tests.rs"]
 mod tests;

@@ -46,15 +46,15 @@ impl Method {
         }
     }
 
-    /// Whether the dense output is not good enough for samples. In version 0.7.0 of the library
-    /// that of DOP853 is evaluated with `s` and `1 − s` interchanged in its upper half: where the
-    /// ends of the steps are right to 1e-13, it is off by up to 1e-7.
+    /// Returns whether the dense output is not good enough for samples. In version 0.7.0 of the
+    /// library that of DOP853 is evaluated with `s` and `1 − s` interchanged in its upper half:
+    /// where the ends of the steps are right to 1e-13, it is off by up to 1e-7.
     pub(super) fn ends_steps_at_samples(self) -> bool {
         self == Method::Dop853
     }
 }
 
-/// What became of a step.
+/// Describes what became of a step.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Tried {
     Accepted,
@@ -78,7 +78,8 @@ pub(super) trait Stepper {
     fn between(&mut self, t: f64) -> State;
 }
 
-/// The method, ready at `(t, y)`; `h` is the first step. The tolerances of the components are relative and absolute ones.
+/// The method, ready at `(t, y)`; `h` is the first step. The tolerances of the components are
+/// relative and absolute ones.
 pub(super) fn begin(
     method: Method,
     tolerances: &State,

@@ -1,4 +1,5 @@
-//! Runs through standstill: swings with known periods, friction that ends them, motors whose torque changes with time.
+//! Runs through standstill: swings with known periods, friction that ends them, motors whose torque
+//! changes with time.
 
 use super::*;
 use crate::units::{Inertia, Torque};
@@ -41,8 +42,8 @@ fn rests(motion: &Motion) -> Vec<(f64, f64)> {
     rests.map(|e| (e.t, e.phi)).collect()
 }
 
-/// A pendulum with `φ'' = −w² sin φ` let go at φ_0 has the period `2π/(w M(1, cos ½φ_0))`, M the arithmetic-geometric mean
-/// of Gauss, and passes the bottom at `2 w sin ½φ_0`.
+/// A pendulum with `φ'' = −w² sin φ` let go at φ_0 has the period `2π/(w M(1, cos ½φ_0))`, M the
+/// arithmetic-geometric mean of Gauss, and passes the bottom at `2 w sin ½φ_0`.
 #[test]
 fn a_pendulum_swings_with_its_period() {
     let mean = |mut a: f64, mut b: f64| -> f64 {
@@ -87,8 +88,8 @@ fn a_pendulum_swings_with_its_period() {
     }
 }
 
-/// A spring of k N·m/rad against dry friction c: each half swing of `π/√k` is 2 c/k shorter, until the spring no longer
-/// overcomes it.
+/// A spring of k N·m/rad against dry friction c: each half swing of `π/√k` is 2 c/k shorter, until
+/// the spring no longer overcomes it.
 #[test]
 fn dry_friction_ends_a_swing() {
     let model = Weighted(|phi: f64| -4.0 * phi);
@@ -107,8 +108,9 @@ fn dry_friction_ends_a_swing() {
     assert!(motion.end.balance.abs() < 1e-10);
 }
 
-/// Thrown against a constant moment: `φ = 5 t − ½ t²` turns back at 12.5 rad, short of two turns. The angle of the start is
-/// passed at one turn, at that turn again, which is no turn, at none and at minus one.
+/// Thrown against a constant moment: `φ = 5 t − ½ t²` turns back at 12.5 rad, short of two turns.
+/// The angle of the start is passed at one turn, at that turn again, which is no turn, at none and
+/// at minus one.
 #[test]
 fn an_angle_passed_again_is_no_turn() {
     let model = Weighted(|_| -1.0);
@@ -143,7 +145,8 @@ fn an_angle_passed_again_is_no_turn() {
     assert_eq!(motion.outcome, Outcome::TimeUp);
 }
 
-/// Weights that a motor does not hold turn the crank back; a table of speeds from standstill on does not say how.
+/// Weights that a motor does not hold turn the crank back; a table of speeds from standstill on
+/// does not say how.
 #[test]
 fn a_motor_that_is_overcome_is_turned_back() {
     let model = Weighted(|_| -5.0);
@@ -163,8 +166,8 @@ fn timed(points: &[(f64, f64)], constant: f64) -> Drive {
     drive(Motor::Timed(TimedTorque::new(points).unwrap()), constant)
 }
 
-/// `M = 3 t` up to 2 s: `ψ = 1.5 t²` to there, and 6 rad/s² on; against friction of 1.5 N·m from 0.5 s on. While the crank
-/// waits, friction takes all of the torque.
+/// `M = 3 t` up to 2 s: `ψ = 1.5 t²` to there, and 6 rad/s² on; against friction of 1.5 N·m from
+/// 0.5 s on. While the crank waits, friction takes all of the torque.
 #[test]
 fn a_soft_start_goes_on_once_the_torque_is_enough() {
     let model = Weighted(|_| 0.0);
@@ -221,7 +224,8 @@ fn a_crank_at_rest_waits_for_its_motor() {
         &plan(0.0, 0.0, 7.0),
     )
     .unwrap();
-    // Let go at 0.25 s; 4 t − 1 up to 1 s, 7 − 4 t to 2 s, then −1: at rest where the speed is used up.
+    // Let go at 0.25 s; 4 t − 1 up to 1 s, 7 − 4 t to 2 s, then −1: at rest where the speed is used
+    // up.
     let speed = 2.0 * 0.75 * 0.75 + (7.0 - 2.0 * 3.0);
     let found = rests(&motion);
     assert_eq!(found.len(), 1);

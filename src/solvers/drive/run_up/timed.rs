@@ -1,21 +1,23 @@
 //! Torque of a motor as a table over time, as of a soft start.
 
-use super::motor::{MotorError, finite};
+use super::motor_error::{MotorError, finite};
 
-/// A torque that is given at moments, joined by straight lines, whatever the speed. After the last moment it stays.
+/// A torque that is given at moments, joined by straight lines, whatever the speed. After the last
+/// moment it stays.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TimedTorque {
     times: Vec<f64>,
     torques: Vec<f64>,
 }
 
-/// Beyond a limit by less than this part of the largest torque it counts as not beyond: a crank at rest that would be
-/// let go earlier could not be told from one that is held.
+/// Beyond a limit by less than this part of the largest torque it counts as not beyond: a crank at
+/// rest that would be let go earlier could not be told from one that is held.
 #[cfg(feature = "run-up")]
 const BEYOND: f64 = 1e-9;
 
 impl TimedTorque {
-    /// Through the points (time in s, torque in N·m at the motor's shaft). The first time is 0, and times increase.
+    /// Through the points (time in s, torque in N·m at the motor's shaft). The first time is 0, and
+    /// times increase.
     ///
     /// ```
     /// use mechaudit_solvers::run_up::TimedTorque;
@@ -25,7 +27,8 @@ impl TimedTorque {
     /// ```
     ///
     /// # Errors
-    /// [`MotorError`]: no points, a number that is not finite, a first time other than 0, times that do not increase.
+    /// [`MotorError`]: no points, a number that is not finite, a first time other than 0, times
+    /// that do not increase.
     pub fn new(points: &[(f64, f64)]) -> Result<TimedTorque, MotorError> {
         let (times, torques): (Vec<f64>, Vec<f64>) = points.iter().copied().unzip();
         for (t, m) in points {

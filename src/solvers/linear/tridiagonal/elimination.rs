@@ -1,4 +1,4 @@
-//! What open and cyclic sweeps share.
+//! Describes what open and cyclic sweeps share.
 
 use super::error::{TridiagonalError, check_finite, check_length, check_solution};
 use super::stability::{Stability, stability};
@@ -34,7 +34,7 @@ impl<S: Shape> Elimination<S> {
         self.pivot.len()
     }
 
-    /// Whether the matrix is diagonally dominant by rows or by columns.
+    /// Returns whether the matrix is diagonally dominant by rows or by columns.
     pub fn is_dominant(&self) -> bool {
         self.dominant
     }
@@ -64,8 +64,8 @@ impl<S: Shape> Elimination<S> {
     /// Solves for several right-hand sides that lie one after the other, `n` entries each.
     ///
     /// # Errors
-    /// As [`Elimination::solve`]; the length has to be a multiple of `n`. An overflow names the place
-    /// in the whole slice.
+    /// As [`Elimination::solve`]; the length has to be a multiple of `n`. An overflow names the
+    /// place in the whole slice.
     pub fn solve_many_in_place(&self, d: &mut [f64]) -> Result<(), TridiagonalError> {
         let n = self.n();
         check_length("right-hand sides", d, d.len().div_ceil(n) * n)?;

@@ -99,7 +99,7 @@ pub(super) fn check_matrix(
     check_finite("upper", upper)
 }
 
-/// What can be divided by: normal, so that its reciprocal neither overflows nor loses bits.
+/// Returns what can be divided by: normal, so that its reciprocal neither overflows nor loses bits.
 pub(crate) fn check_pivot(row: usize, value: f64) -> Result<(), TridiagonalError> {
     if value.is_normal() {
         Ok(())

@@ -6,7 +6,7 @@ pub struct Stability {
     /// The largest of `(|L||U|)_ii / Σ_j |A_ij|`: the factor by which elimination enlarged the
     /// rows. At most 3 for a tridiagonal matrix that is dominant by rows.
     pub growth: f64,
-    /// Whether the matrix is diagonally dominant by rows or by columns.
+    /// Tells whether the matrix is diagonally dominant by rows or by columns.
     pub dominant: bool,
     /// Estimate of `1 / (‖A‖₁ ‖A⁻¹‖₁)`; small also for rows of different scale, which do no harm.
     pub rcond: f64,
@@ -22,7 +22,7 @@ impl Stability {
         2.0 * f64::EPSILON * self.growth * self.skeel
     }
 
-    /// Whether at least half of the digits can be expected to be right:
+    /// Returns whether at least half of the digits can be expected to be right:
     /// [`relative_error`](Stability::relative_error) below 2⁻²⁶.
     pub fn is_reliable(&self) -> bool {
         // Written so that NaN is not reliable.
@@ -123,5 +123,4 @@ pub(crate) fn stability(
 }
 
 #[cfg(test)]
-#[path = "stability_tests.rs"]
 mod tests;

@@ -1,4 +1,4 @@
-//! What the sweep keeps of a matrix, number by number.
+//! Describes what the sweep keeps of a matrix, number by number.
 
 use super::*;
 

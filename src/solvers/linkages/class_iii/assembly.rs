@@ -35,8 +35,8 @@ pub struct AssemblyModes {
     /// The solutions, wrapped into (−π, π] and sorted by φ4; none if the linkage cannot be
     /// assembled here, up to six.
     pub modes: Vec<Positions>,
-    /// Whether a pair of solutions is so close to merging that rounding may have added or removed
-    /// it.
+    /// Tells whether a pair of solutions is so close to merging that rounding may have added or
+    /// removed it.
     pub near_fold: bool,
 }
 
@@ -78,7 +78,7 @@ struct Line {
 }
 
 impl Line {
-    /// What rounding may do to its distance from 0, `c / (2 |n|)`, up to a factor.
+    /// Returns what rounding may do to its distance from 0, `c / (2 |n|)`, up to a factor.
     fn doubt(self) -> f64 {
         self.terms / self.normal.norm()
     }
@@ -94,9 +94,9 @@ impl Line {
 }
 
 impl Value {
-    /// Whether the two lines meet at an angle. The noise of T is that of |u|²; where the lines touch
-    /// the circle about O3, the direction of u has its square root. A start may be off by
-    /// FARTHEST_START.
+    /// Returns whether the two lines meet at an angle. The noise of T is that of |u|²; where the
+    /// lines touch the circle about O3, the direction of u has its square root. A start may be off
+    /// by FARTHEST_START.
     fn determines_u(&self) -> bool {
         self.noise <= (FARTHEST_START * self.right).powi(2)
     }
@@ -268,9 +268,9 @@ impl<'a> Resultant<'a> {
     }
 }
 
-/// The zero of a function between two arguments where it has opposite signs, by Chandrupatla's method: inverse quadratic
-/// interpolation where it can be trusted, bisection elsewhere; it never leaves the bracket. T. R. Chandrupatla, Advances
-/// in Engineering Software 28 (1997) 145-149.
+/// The zero of a function between two arguments where it has opposite signs, by Chandrupatla's
+/// method: inverse quadratic interpolation where it can be trusted, bisection elsewhere; it never
+/// leaves the bracket. T. R. Chandrupatla, Advances in Engineering Software 28 (1997) 145-149.
 fn zero_between(f: impl Fn(f64) -> f64, [lo, hi]: [f64; 2], f_lo: f64) -> f64 {
     // The newest end of the bracket, the other one, and the end that was given up last.
     let (mut a, mut b) = ((hi, f(hi)), (lo, f_lo));
@@ -333,7 +333,8 @@ fn starts(n: usize) -> Vec<Complex64> {
         .collect()
 }
 
-/// Moves `z` to the roots of a polynomial (lowest coefficient first) and returns the rounds it took.
+/// Moves `z` to the roots of a polynomial (lowest coefficient first) and returns the rounds it
+/// took.
 fn aberth(poly: &[Complex64], z: &mut [Complex64]) -> usize {
     let n = z.len();
     let horner = |z: Complex64| {
@@ -535,13 +536,10 @@ mod tests {
 }
 
 #[cfg(test)]
-#[path = "assembly_tests.rs"]
-mod parts;
+mod parts_tests;
 
 #[cfg(test)]
-#[path = "translation_tests.rs"]
-mod translations;
+mod translation_tests;
 
 #[cfg(test)]
-#[path = "zeros_tests.rs"]
-mod zeros;
+mod zero_tests;

@@ -26,7 +26,7 @@ pub struct Fold {
     pub phi4: f64,
     /// The branches that meet.
     pub branches: Vec<usize>,
-    /// Whether they begin here (in the direction of travel) rather than end.
+    /// Tells whether they begin here (in the direction of travel) rather than end.
     pub begins: bool,
 }
 
@@ -207,5 +207,4 @@ mod tests {
 }
 
 #[cfg(test)]
-#[path = "fold_tests.rs"]
 mod fold_tests;

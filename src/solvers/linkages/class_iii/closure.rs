@@ -1,11 +1,13 @@
 //! Loops that close to double-double, and linear systems refined with them.
 //!
-//! Angles in `f64` and their sines leave the loops open by a rounding of every length, and the two projections of a
-//! loop by another few. Where the links' directions nearly agree, derivatives would show all of that several times. So
-//! a link's vector is `l e(φ) = l v (1 + η + iδ)` here, with `v` the rounded sine and cosine, `η = (1 − |v|²)/2` what
-//! `v` is short of a unit vector, and `δ` the turn that closes the loops: `J δ` is minus their residual, computed in
-//! double-double. What is left of the residual is of the order of `δ²`. Derivatives are solved for in `f64` and refined
-//! once with residuals in double-double (Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., 12.1).
+//! Angles in `f64` and their sines leave the loops open by a rounding of every length, and the two
+//! projections of a loop by another few. Where the links' directions nearly agree, derivatives
+//! would show all of that several times. So a link's vector is `l e(φ) = l v (1 + η + iδ)` here,
+//! with `v` the rounded sine and cosine, `η = (1 − |v|²)/2` what `v` is short of a unit vector, and
+//! `δ` the turn that closes the loops: `J δ` is minus their residual, computed in double-double.
+//! What is left of the residual is of the order of `δ²`. Derivatives are solved for in `f64` and
+//! refined once with residuals in double-double (Higham, *Accuracy and Stability of Numerical
+//! Algorithms*, 2nd ed., 12.1).
 
 use super::geometry::Lengths;
 use super::loops::{Frame, Jacobian};
@@ -16,7 +18,8 @@ use num_complex::Complex64;
 /// A vector in the plane.
 type Vector = [Dd; 2];
 
-/// Turns in radians above which an angle does not close the loops but for rounding, and is left as it is.
+/// Turns in radians above which an angle does not close the loops but for rounding, and is left as
+/// it is.
 const OPEN: f64 = 1e-6;
 
 /// The links' vectors: those of both loops, which close.
@@ -106,7 +109,7 @@ impl Links {
         }
     }
 
-    /// What the loops are open by.
+    /// Returns what the loops are open by.
     #[inline(always)]
     fn gap(&self, l: &Lengths) -> [Complex64; 2] {
         let one = Dd::from(1.0);
@@ -239,5 +242,4 @@ impl Task for Accelerations<'_> {
 }
 
 #[cfg(test)]
-#[path = "closure_tests.rs"]
 mod tests;

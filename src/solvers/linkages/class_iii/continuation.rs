@@ -59,7 +59,8 @@ pub enum ContinuationError {
 /// Below this step, in radians, a branch counts as ended.
 const SMALLEST_STEP: f64 = 1e-9;
 
-/// Crank angles beyond this, in radians, are refused: a step of [`SMALLEST_STEP`] has to remain one.
+/// Crank angles beyond this, in radians, are refused: a step of [`SMALLEST_STEP`] has to remain
+/// one.
 const LARGEST_ANGLE: f64 = 1e6;
 
 /// Steps of one call; the paper's linkage takes about a hundred a turn.
@@ -344,5 +345,4 @@ mod tests {
 }
 
 #[cfg(test)]
-#[path = "step_tests.rs"]
-mod steps;
+mod step_tests;

@@ -13,8 +13,8 @@ use crate::units::Angle;
 pub struct DeadPosition {
     /// The linkage there.
     pub state: State,
-    /// Whether A lies between O1 and B (crank and link 2 stretched out) or the crank is folded
-    /// back over link 2.
+    /// Tells whether A lies between O1 and B (crank and link 2 stretched out) or the crank is
+    /// folded back over link 2.
     pub stretched: bool,
 }
 
@@ -109,5 +109,4 @@ mod tests {
 }
 
 #[cfg(test)]
-#[path = "dead_tests.rs"]
-mod built;
+mod built_tests;

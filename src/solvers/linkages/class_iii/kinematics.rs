@@ -77,7 +77,8 @@ pub struct Velocities {
     l: super::geometry::Lengths,
 }
 
-/// At this position the determinant of the velocity equations is zero, or beyond the range of `f64`.
+/// At this position the determinant of the velocity equations is zero, or beyond the range of
+/// `f64`.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error(
     "the position at the crank angle {phi1} rad is singular: its velocity equations have no solution"

@@ -116,8 +116,8 @@ impl Lengths {
     }
 }
 
-/// Whether Newton's method is done after corrections of `last` and `size`: below 2⁻⁵⁰, or below
-/// 1e-12 and no longer halved.
+/// Returns whether Newton's method is done after corrections of `last` and `size`: below 2⁻⁵⁰, or
+/// below 1e-12 and no longer halved.
 fn settled(size: f64, last: f64) -> bool {
     size <= f64::EPSILON * 4.0 || (size <= 1e-12 && size >= last * 0.5)
 }
@@ -157,5 +157,4 @@ impl ClassIii {
 }
 
 #[cfg(test)]
-#[path = "newton_tests.rs"]
 mod newton_tests;

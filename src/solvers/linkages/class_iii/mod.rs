@@ -126,5 +126,4 @@ pub(crate) mod tests {
 }
 
 #[cfg(test)]
-#[path = "statics_tests.rs"]
-mod statics;
+mod statics_tests;

@@ -74,8 +74,8 @@ fn determinants() {
     }
 }
 
-/// What the certificate of the continuation rests on: `β` bounds the inverse for residuals of
-/// length one, and the Lipschitz constant the change of the derivatives.
+/// Checks what the certificate of the continuation rests on: `β` bounds the inverse for residuals
+/// of length one, and the Lipschitz constant the change of the derivatives.
 #[test]
 fn conditions_bound_the_inverse() {
     for (linkage, s) in states() {

@@ -174,7 +174,8 @@ impl FourBar {
     }
 }
 
-/// The angle between `p` and `q` opposite the side `b + c`, where the triangle is known to exist; `sum` is that of all four.
+/// The angle between `p` and `q` opposite the side `b + c`, where the triangle is known to exist;
+/// `sum` is that of all four.
 fn angle_opposite([p, q]: [f64; 2], [b, c]: [f64; 2], sum: f64) -> f64 {
     let x = sum4([b, c, -p, q]);
     let y = sum4([b, c, p, -q]);
@@ -191,8 +192,8 @@ fn sum4([a, b, c, d]: [f64; 4]) -> f64 {
     (sum3([sum, c, d]) + low).max(0.0)
 }
 
-/// Angle at the crank pivot and exterior angle at the rocker pivot, third side `m = a + b`: from the factors `m − c + d`,
-/// `m + c − d`, `c + d − m` of the triangle, and the sum of all four.
+/// Angle at the crank pivot and exterior angle at the rocker pivot, third side `m = a + b`: from
+/// the factors `m − c + d`, `m + c − d`, `c + d − m` of the triangle, and the sum of all four.
 fn triangle([a, b]: [f64; 2], [c, d]: [f64; 2], sum: f64) -> Option<(f64, f64)> {
     let sides = [[a, b, -c, d], [a, b, c, -d], [c, d, -a, -b]];
     if sides.iter().any(|f| sign_of_sum(f) < 0.0) {
@@ -210,7 +211,7 @@ fn triangle([a, b]: [f64; 2], [c, d]: [f64; 2], sum: f64) -> Option<(f64, f64)> 
 mod tests {
     use super::*;
 
-    /// What the first pair loses in rounding is kept when the rest cancels it.
+    /// Checks that what the first pair loses in rounding is kept when the rest cancels it.
     #[test]
     fn sums_of_four_that_cancel() {
         let small = 2f64.powi(-60);

@@ -106,7 +106,8 @@ impl SliderCrank {
         [self.crank, self.rod, self.offset].map(|l| scale(l.m(), -self.exponent))
     }
 
-    /// Whether the crank turns fully without a singular position, `b > a + |e|`; decided exactly.
+    /// Returns whether the crank turns fully without a singular position, `b > a + |e|`; decided
+    /// exactly.
     pub fn turns_fully(&self) -> bool {
         let [a, b, e] = self.scaled();
         sign_of_sum(&[b, -a, -e.abs()]) > 0.0

@@ -9,8 +9,8 @@ use super::pose::Pose;
 use num_complex::Complex64;
 use std::cell::Cell;
 
-/// How far unknowns and drive may move within one step, so that the bounds hold: radians or units of
-/// length.
+/// How far unknowns and drive may move within one step, so that the bounds hold: radians or units
+/// of length.
 pub(super) const SLACK: f64 = 0.25;
 
 /// Bounds of the first derivatives, beside those of the second.
@@ -47,7 +47,7 @@ impl Path {
     }
 }
 
-/// Whether a body turns with an unknown, and how fast with the drive.
+/// Returns whether a body turns with an unknown, and how fast with the drive.
 fn turns(chain: &Chain, body: usize) -> [f64; 2] {
     let t = &chain.turns[body];
     [f64::from(u8::from(t.unknown.is_some())), t.drive.abs()]
@@ -98,7 +98,8 @@ fn pinned(chain: &Chain, travelled: &impl Fn(Travel) -> f64, ends: [Spot; 2]) ->
     sum.second
 }
 
-/// The bounds that are the same at every position, for each closure: of pins with nothing but pins on the way.
+/// The bounds that are the same at every position, for each closure: of pins with nothing but pins
+/// on the way.
 pub(super) fn constant(chain: &Chain) -> Vec<Option<Bound>> {
     let of = |closure: &Closure| match *closure {
         Closure::Pin { a, b } => {
@@ -151,3 +152,6 @@ pub(super) fn bounds(chain: &Chain, pose: &Pose, out: &mut Vec<Bound>) {
         out.extend((0..closure.rows()).map(|_| bound));
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -23,7 +23,7 @@ pub struct BranchEnd {
     pub drive: f64,
     /// The branches.
     pub branches: Vec<usize>,
-    /// Whether they begin here (in the direction of travel) rather than end.
+    /// Tells whether they begin here (in the direction of travel) rather than end.
     pub begins: bool,
 }
 
@@ -36,7 +36,8 @@ pub struct BranchMap {
     pub branches: usize,
     /// Their ends and beginnings between the first and the last value.
     pub ends: Vec<BranchEnd>,
-    /// Whether at every value all positions were found, and none is singular or nearly so: those may have been left out.
+    /// Tells whether at every value all positions were found, and none is singular or nearly so:
+    /// those may have been left out.
     pub complete: bool,
     /// Positions found by continuation that the search for all modes did not give, or the other way
     /// round: should be zero away from singular positions.
@@ -49,8 +50,8 @@ const SAME: f64 = 1e-6;
 impl Mechanism {
     /// Traces all branches over values of the drive, in order.
     ///
-    /// Branches are joined only by [`Mechanism::follow`], which proves each step; a position that no
-    /// branch reaches begins a new one.
+    /// Branches are joined only by [`Mechanism::follow`], which proves each step; a position that
+    /// no branch reaches begins a new one.
     pub fn trace_branches(&self, drives: &[f64]) -> BranchMap {
         let mut map = BranchMap {
             complete: true,
@@ -145,12 +146,12 @@ impl Mechanism {
     }
 }
 
-/// Whether two singular positions are one: angles are known by the square root of rounding alone.
+/// Returns whether two singular positions are one: angles are known by the square root of rounding
+/// alone.
 fn is_same(a: &Singularity, b: &Singularity) -> bool {
     let near = |(x, y): (&f64, &f64)| super::plane::wrapped(x - y).abs() < 1e-3;
     (a.drive - b.drive).abs() < 1e-7 && a.angles.iter().zip(&b.angles).all(near)
 }
 
 #[cfg(test)]
-#[path = "branch_tests.rs"]
 mod tests;

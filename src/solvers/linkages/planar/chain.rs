@@ -166,7 +166,8 @@ pub(super) struct Chain {
     pub entries: Vec<Entry>,
     /// For each body the joint of its entry, and for pins the place of the body's own point in it.
     pub hung: Vec<(usize, usize)>,
-    /// The number of forces, one for each point but a pin's first, of the joints before each, and of all.
+    /// The number of forces, one for each point but a pin's first, of the joints before each, and
+    /// of all.
     pub forces: Vec<usize>,
     /// For each body the tie that gives its angle, by number.
     pub tied: Vec<Option<usize>>,
@@ -190,7 +191,7 @@ pub(super) struct Chain {
     pub lengths: Vec<bool>,
     /// Metres of one unit of length.
     pub metres: f64,
-    /// Whether the drive is a displacement.
+    /// Tells whether the drive is a displacement.
     pub linear: bool,
 }
 
@@ -218,7 +219,7 @@ impl Chain {
         self.entries.len()
     }
 
-    /// Whether a body is known before another's group.
+    /// Returns whether a body is known before another's group.
     pub(super) fn precedes(&self, body: usize, other: usize) -> bool {
         self.group[body] < self.group[other]
     }

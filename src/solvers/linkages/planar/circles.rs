@@ -8,9 +8,9 @@ use num_complex::Complex64;
 pub(super) struct Meeting {
     /// None, one or two points.
     pub points: Vec<Complex64>,
-    /// Whether rounding may have decided on their number.
+    /// Tells whether rounding may have decided on their number.
     pub near: bool,
-    /// Whether they are one circle.
+    /// Tells whether they are one circle.
     pub same: bool,
 }
 
@@ -174,8 +174,8 @@ mod tests {
         assert!((cross.points[0] - z(4.0, -1.0)).norm() < 4e-15, "{cross:?}");
     }
 
-    /// A line and a circle of centre iβ that touch but for `s` in the circle's constant: whether they may touch is said
-    /// within the rounding of the terms.
+    /// A line and a circle of centre iβ that touch but for `s` in the circle's constant: whether
+    /// they may touch is said within the rounding of the terms.
     #[test]
     fn touching_within_rounding_is_told() {
         // a, β, the line's length of b, its x.
@@ -276,7 +276,8 @@ mod tests {
         for (by, same) in [(1.8e-13, true), (2.2e-13, false)] {
             assert_eq!(meet(&[through(0.0), through(by)]).same, same, "{by}");
         }
-        // The same far circle in another scale, and ones whose radius differs by about 1e-12 of the squared distance.
+        // The same far circle in another scale, and ones whose radius differs by about 1e-12 of the
+        // squared distance.
         let far = circle(z(30.0, -40.0), 2.0);
         let scaled = |m: &Bilinear| -> Bilinear {
             let row = |r: &Vec<Complex64>| r.iter().map(|x| x * 0.7).collect();

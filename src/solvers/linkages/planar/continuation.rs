@@ -1,7 +1,8 @@
 //! Continuation along a branch that cannot jump to another one unseen.
 //!
-//! Let F(u, φ) be the closures with the Jacobian J in the unknowns, A = J⁻¹ at the solution u₀, φ₀ and
-//! u' = −A F_φ. With the bounds k, m, w of [`super::bounds`] on the rows' second derivatives let
+//! Let F(u, φ) be the closures with the Jacobian J in the unknowns, A = J⁻¹ at the solution u₀, φ₀
+//! and u' = −A F_φ. With the bounds k, m, w of [`super::bounds`] on the rows' second derivatives
+//! let
 //!
 //! ```text
 //! κ = ‖|A| k‖,  μ = ‖|A| m‖,  ω = ‖|A| w‖,  ν = ‖u'‖      (maximum norms)
@@ -14,10 +15,10 @@
 //! ‖A F(c(s), φ₀ + s)‖  ≤ ½ S² (κ ν² + 2 μ ν + ω).
 //! ```
 //!
-//! Where the first is at most ½ and the second at most r/2, `u − A F(u, φ₀ + s)` maps that ball into
-//! itself and contracts: for **every** value of the drive on the way there is exactly one solution in
-//! the ball, and they join continuously. A step of that length stays on the branch; longer ones are
-//! divided. Near a singular position the steps shrink to nothing.
+//! Where the first is at most ½ and the second at most r/2, `u − A F(u, φ₀ + s)` maps that ball
+//! into itself and contracts: for **every** value of the drive on the way there is exactly one
+//! solution in the ball, and they join continuously. A step of that length stays on the branch;
+//! longer ones are divided. Near a singular position the steps shrink to nothing.
 
 use super::bounds::{SLACK, bounds};
 use super::chain::{Bound, Chain};
@@ -28,8 +29,8 @@ use super::state::State;
 
 /// Below this step, in radians or units of length, a branch counts as ended.
 const SMALLEST_STEP: f64 = 1e-9;
-/// The drive beyond this, in radians or units of length, is refused: a step of [`SMALLEST_STEP`] has to
-/// remain one.
+/// The drive beyond this, in radians or units of length, is refused: a step of [`SMALLEST_STEP`]
+/// has to remain one.
 const LARGEST_DRIVE: f64 = 1e6;
 /// Steps of one call.
 const MOST_STEPS: u32 = 2_000_000;
@@ -46,7 +47,8 @@ struct Step {
 }
 
 impl Step {
-    /// The longest one by κ, μ, ω and ν; of no length where they are not finite or it is below [`SMALLEST_STEP`].
+    /// The longest one by κ, μ, ω and ν; of no length where they are not finite or it is below
+    /// [`SMALLEST_STEP`].
     fn proved([kappa, mu, omega]: [f64; 3], nu: f64) -> Step {
         let radius = (0.25 / kappa).min(0.5 * SLACK);
         let contracts = 0.25 / (kappa * nu + mu);
@@ -65,15 +67,16 @@ impl Step {
         }
     }
 
-    /// The part that a correction by the anchor's factors leaves of itself, at unknowns `off` from its own and the drive `s`
-    /// from its: in the ball `|J⁻¹|` is at most twice that of the anchor.
+    /// The part that a correction by the anchor's factors leaves of itself, at unknowns `off` from
+    /// its own and the drive `s` from its: in the ball `|J⁻¹|` is at most twice that of the anchor.
     fn left(&self, off: f64, s: f64) -> f64 {
         4.0 * (self.kappa * off + self.mu * s.abs())
     }
 }
 
-/// The state from which a step is proved. For all values of the drive within its length the branch is the one solution
-/// in the ball around the tangent's end, so that further states may be found in it without another proof.
+/// The state from which a step is proved. For all values of the drive within its length the branch
+/// is the one solution in the ball around the tangent's end, so that further states may be found in
+/// it without another proof.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Anchor {
     step: Step,
@@ -93,7 +96,8 @@ impl Anchor {
         self.last.clone_from(&state.pose.u);
     }
 
-    /// Whether a step is proved here, the state was found from here and the drive is within the step.
+    /// Returns whether a step is proved here, the state was found from here and the drive is within
+    /// the step.
     fn holds(&self, state: &State, drive: f64) -> bool {
         let length = self.step.length;
         length > 0.0 && (drive - self.drive).abs() <= length && self.last == state.pose.u
@@ -140,8 +144,8 @@ fn apart(a: &[f64], b: &[f64]) -> f64 {
 }
 
 impl Mechanism {
-    /// Follows the branch of a state to another value of the drive, in radians or metres. Angles are
-    /// carried on beyond whole turns.
+    /// Follows the branch of a state to another value of the drive, in radians or metres. Angles
+    /// are carried on beyond whole turns.
     ///
     /// # Errors
     /// [`PositionError::Ends`] where the mechanism becomes singular on the way; then
@@ -245,8 +249,8 @@ impl Mechanism {
         let [kappa, mu, omega] = [0, 1, 2].map(largest);
         let nu = state.rates[0].iter().fold(0.0f64, |m, x| m.max(x.abs()));
         let mut step = Step::proved([kappa, mu, omega], nu);
-        // The state itself is known to the rounding of its residual only, which next to a change point is as much as
-        // the branches are apart.
+        // The state itself is known to the rounding of its residual only, which next to a change
+        // point is as much as the branches are apart.
         let extent = state.pose.p.iter().fold(1.0, |m: f64, p| m.max(p.norm()));
         if !(largest(3) * f64::EPSILON * extent <= 0.25 * step.radius) {
             step.length = 0.0;
@@ -254,7 +258,8 @@ impl Mechanism {
         step
     }
 
-    /// The state at another value of the drive, within the anchor's radius of its tangent's end, into `next`.
+    /// The state at another value of the drive, within the anchor's radius of its tangent's end,
+    /// into `next`.
     fn correct(
         &self,
         from: &State,
@@ -335,5 +340,4 @@ impl Mechanism {
 }
 
 #[cfg(test)]
-#[path = "continuation_tests.rs"]
 mod tests;

@@ -46,11 +46,12 @@ impl IndexMut<(usize, usize)> for Matrix {
     }
 }
 
-/// A block lower triangular matrix with `P A = L U` of each block on its diagonal; the rest of a block's rows is kept as
-/// it is.
+/// A block lower triangular matrix with `P A = L U` of each block on its diagonal; the rest of a
+/// block's rows is kept as it is.
 ///
-/// A block's part of a solution depends on its own rows and those before it alone, so that large numbers in later groups
-/// of a mechanism leave no rounding errors in earlier ones, which elimination with pivots from all rows would.
+/// A block's part of a solution depends on its own rows and those before it alone, so that large
+/// numbers in later groups of a mechanism leave no rounding errors in earlier ones, which
+/// elimination with pivots from all rows would.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Factors {
     n: usize,
@@ -70,13 +71,14 @@ pub(super) struct Factors {
 const UNEVEN: f64 = 16.0;
 
 impl Factors {
-    /// Factors the first rows of a matrix, a square from `first_column` on, as one block; `false` if a pivot is zero or
-    /// not finite.
+    /// Factors the first rows of a matrix, a square from `first_column` on, as one block; `false`
+    /// if a pivot is zero or not finite.
     pub(super) fn of(&mut self, a: &Matrix, rows: usize, first_column: usize) -> bool {
         self.of_blocks(a, first_column, std::iter::once(0..rows))
     }
 
-    /// [`Factors::of`] of a block lower triangular matrix: what stands to the right of a block is not looked at.
+    /// [`Factors::of`] of a block lower triangular matrix: what stands to the right of a block is
+    /// not looked at.
     pub(super) fn of_blocks(
         &mut self,
         a: &Matrix,
@@ -246,9 +248,10 @@ impl Factors {
         }
     }
 
-    /// Solves `A x = b` for the matrix that was factored. Where its pivots are uneven the solution is corrected once by
-    /// its residual, which makes it that of a system with every entry of A and b off by a few units alone, whatever the
-    /// scales of the rows (Skeel, *Math. Comp.* 35 (1980)). `room` is used for it.
+    /// Solves `A x = b` for the matrix that was factored. Where its pivots are uneven the solution
+    /// is corrected once by its residual, which makes it that of a system with every entry of A and
+    /// b off by a few units alone, whatever the scales of the rows (Skeel, *Math. Comp.* 35
+    /// (1980)). `room` is used for it.
     pub(super) fn solve_closely(
         &self,
         a: &Matrix,
@@ -335,5 +338,4 @@ impl Factors {
 }
 
 #[cfg(test)]
-#[path = "dense_tests.rs"]
 mod tests;

@@ -1,4 +1,5 @@
-//! Every body in equilibrium under what the joints are said to exert, whatever the joints and the tree they make.
+//! Every body in equilibrium under what the joints are said to exert, whatever the joints and the
+//! tree they make.
 
 use super::pose::Pose;
 use super::tests::*;
@@ -228,7 +229,8 @@ pub(super) fn common_pin() -> Mechanism {
     Mechanism::new(m).unwrap()
 }
 
-/// A four-bar whose rocker turns a wheel on the coupler by gears, and the wheel moves a rack on a guide of the coupler.
+/// A four-bar whose rocker turns a wheel on the coupler by gears, and the wheel moves a rack on a
+/// guide of the coupler.
 pub(super) fn gears_and_rack() -> Mechanism {
     let (mut m, b) = cranked(&["crank", "coupler", "rocker", "wheel", "rack"]);
     m.pin("A", &[(b[0], [0.3, 0.0]), (b[1], [0.0, 0.0])]);
@@ -264,7 +266,8 @@ pub(super) fn elbow() -> Mechanism {
     Mechanism::new(m).unwrap()
 }
 
-/// A block on a lever that turns, moved along it by the drive or by a link, and its pin in the slot of another lever.
+/// A block on a lever that turns, moved along it by the drive or by a link, and its pin in the slot
+/// of another lever.
 pub(super) fn slotted_block(driven: bool) -> Mechanism {
     let (mut m, b) = cranked(&["lever", "block", "link", "slotted lever"]);
     let joint = m.joint(
@@ -305,7 +308,8 @@ pub(super) fn two_blocks() -> Mechanism {
     Mechanism::new(m).unwrap()
 }
 
-/// A quick return driven by its block's angle: the block's slide gives its angle, the drive a closure.
+/// A quick return driven by its block's angle: the block's slide gives its angle, the drive a
+/// closure.
 pub(super) fn turned_block() -> Mechanism {
     let mut m = Description::new();
     let b = ["crank", "block", "lever"].map(|n| m.body(n));
@@ -323,7 +327,8 @@ pub(super) fn turned_block() -> Mechanism {
     Mechanism::new(m).unwrap()
 }
 
-/// A quick return whose drive is the crank's angle from its block, which turns with the lever: the drive is a closure.
+/// A quick return whose drive is the crank's angle from its block, which turns with the lever: the
+/// drive is a closure.
 pub(super) fn turned_from_block() -> Mechanism {
     let mut m = Description::new();
     let b = ["crank", "lever", "block"].map(|n| m.body(n));
@@ -341,7 +346,8 @@ pub(super) fn turned_from_block() -> Mechanism {
     Mechanism::new(m).unwrap()
 }
 
-/// A block that slides along two levers, which turn with it: one slide gives its angle, the other holds the second lever.
+/// A block that slides along two levers, which turn with it: one slide gives its angle, the other
+/// holds the second lever.
 pub(super) fn two_levers() -> Mechanism {
     let (mut m, b) = cranked(&["lever", "block", "second lever"]);
     m.joint(

@@ -156,7 +156,8 @@ pub enum NearestError {
         /// The reach in radians.
         reach: f64,
     },
-    /// Positions nearly merge or are equally far, modes may be missing, or there are gears or racks.
+    /// Positions nearly merge or are equally far, modes may be missing, or there are gears or
+    /// racks.
     #[error(
         "which position is nearest cannot be told: positions nearly merge or are equally far, or \
          not all of them are found"

@@ -86,8 +86,8 @@ fn wheels_on_a_moving_carrier() {
     }
 }
 
-/// A rack on a guide of the ground or of a driven arm: `s = radius (θ_wheel − θ_guide) + phase`, from the wheel to the
-/// rack and from the rack to the wheel.
+/// A rack on a guide of the ground or of a driven arm: `s = radius (θ_wheel − θ_guide) + phase`,
+/// from the wheel to the rack and from the rack to the wheel.
 #[test]
 fn racks_and_pinions() {
     let (radius, phase) = (0.4, 0.15);
@@ -146,7 +146,8 @@ fn racks_and_pinions() {
     }
 }
 
-/// A coupler geared to a rocker, and a slot between them: the gear is among the unknowns, and nothing is said.
+/// A coupler geared to a rocker, and a slot between them: the gear is among the unknowns, and
+/// nothing is said.
 #[test]
 fn gears_among_unknowns_are_not_solved() {
     let mut d = Description::new();
@@ -164,7 +165,8 @@ fn gears_among_unknowns_are_not_solved() {
     assert!(modes.states.is_empty() && !modes.complete);
 }
 
-/// A wheel on a crank that meshes with a rack, and a coupler between both: the rack is among the unknowns.
+/// A wheel on a crank that meshes with a rack, and a coupler between both: the rack is among the
+/// unknowns.
 #[test]
 fn racks_among_unknowns_are_not_solved() {
     let mut d = Description::new();
@@ -185,7 +187,8 @@ fn racks_among_unknowns_are_not_solved() {
     assert!(modes.states.is_empty() && !modes.complete);
 }
 
-/// A row of platforms, a leg at each and two at the ends: beyond six complex unknowns nothing is said.
+/// A row of platforms, a leg at each and two at the ends: beyond six complex unknowns nothing is
+/// said.
 #[test]
 fn groups_beyond_the_homotopy_are_not_solved() {
     let mut d = Description::new();

@@ -8,8 +8,8 @@
 //! (1987)). Paths are followed in random affine patches of both projective spaces, so none of them
 //! runs to infinity; their ends there are recognised by x₀ = 0 or y₀ = 0.
 //!
-//! The equations are Hermitian, so the solutions come in pairs (x, y), (ȳ, x̄), or are real: y = x̄. A
-//! solution whose partner is missing tells that a path has jumped.
+//! The equations are Hermitian, so the solutions come in pairs (x, y), (ȳ, x̄), or are real: y =
+//! x̄. A solution whose partner is missing tells that a path has jumped.
 
 use super::isotropic::Bilinear;
 use num_complex::Complex64;
@@ -137,8 +137,8 @@ fn norm(v: &[Complex64]) -> f64 {
     v.iter().map(Complex64::norm_sqr).sum::<f64>().sqrt()
 }
 
-/// Whether Newton's method has settled after corrections of `last` and `size`: once one is within the goal, and not where
-/// they no longer halve; `None` where another is needed.
+/// Returns whether Newton's method has settled after corrections of `last` and `size`: once one is
+/// within the goal, and not where they no longer halve; `None` where another is needed.
 fn judged(size: f64, last: f64, goal: f64) -> Option<bool> {
     match size <= goal {
         true => Some(true),
@@ -147,7 +147,8 @@ fn judged(size: f64, last: f64, goal: f64) -> Option<bool> {
     }
 }
 
-/// How long the steps along a path are: doubled after some that were good, halved after one that was not.
+/// How long the steps along a path are: doubled after some that were good, halved after one that
+/// was not.
 struct Pace {
     step: f64,
     longest: f64,
@@ -194,7 +195,8 @@ struct Arrival {
     earlier: f64,
 }
 
-/// Whether Newton's method ended where the prediction was: good to four digits, lest it find another path.
+/// Returns whether Newton's method ended where the prediction was: good to four digits, lest it
+/// find another path.
 fn is_close(found: &[Complex64], predicted: &[Complex64]) -> bool {
     let moved: Vec<Complex64> = found.iter().zip(predicted).map(|(a, b)| a - b).collect();
     norm(&moved) <= 1e-4 * norm(found)
@@ -415,8 +417,8 @@ impl Homotopy {
 
 impl Arrival {
     fn fate(&self) -> Fate {
-        // A regular end is known to rounding. Others are as near as the last step, and what goes to infinity comes nearer
-        // to it with a root of 1 − t.
+        // A regular end is known to rounding. Others are as near as the last step, and what goes to
+        // infinity comes nearer to it with a root of 1 − t.
         let approaches = !self.regular && self.share < 1e-2 && self.share < 0.5 * self.earlier;
         match () {
             () if !(self.regular || self.t > 1.0 - 1e-6) => Fate::Lost,
@@ -522,5 +524,4 @@ fn subsets(n: usize, k: usize) -> impl Iterator<Item = Vec<bool>> {
 }
 
 #[cfg(test)]
-#[path = "homotopy_tests.rs"]
 mod tests;

@@ -1,17 +1,17 @@
 //! One group as polynomial equations.
 //!
 //! With the pose of a body written as the complex numbers p (origin) and z = e^{iθ}, a pin is
-//! linear in them: `p_a + c z_a = p_b + d z_b`; so is the tie of two angles. Eliminating these leaves
-//! n complex unknowns x. What remains are `z z̄ = 1` for each free angle and `Im(conj(u z_a) D) = 0` for
-//! each point on a line, all bilinear in `(1, x)` and `(1, x̄)`:
+//! linear in them: `p_a + c z_a = p_b + d z_b`; so is the tie of two angles. Eliminating these
+//! leaves n complex unknowns x. What remains are `z z̄ = 1` for each free angle and
+//! `Im(conj(u z_a) D) = 0` for each point on a line, all bilinear in `(1, x)` and `(1, x̄)`:
 //!
 //! ```text
 //! (1, x)ᵀ M_k (1, x̄) = 0,   k = 1 … 2n,   M_k Hermitian.
 //! ```
 //!
 //! These are the isotropic coordinates of Wampler (*Solving the kinematics of planar mechanisms by
-//! Dixon determinant and a complex-plane formulation*, J. Mech. Des. 123 (2001)). With x̄ replaced by
-//! an independent y there are at most C(2n, n) isolated solutions, by Bézout's theorem for two
+//! Dixon determinant and a complex-plane formulation*, J. Mech. Des. 123 (2001)). With x̄ replaced
+//! by an independent y there are at most C(2n, n) isolated solutions, by Bézout's theorem for two
 //! groups of variables: 2 for every dyad, 6 for a triad.
 
 use super::chain::{Block, Chain, Closure, Entry, Rail, Spot, Travel};
@@ -50,7 +50,7 @@ pub(super) enum NoForms {
 const ZERO: Complex64 = Complex64::new(0.0, 0.0);
 const ONE: Complex64 = Complex64::new(1.0, 0.0);
 
-/// What is gathered about a group.
+/// Describes what is gathered about a group.
 struct Gathering<'a> {
     chain: &'a Chain,
     block: &'a Block,
@@ -208,7 +208,7 @@ impl Gathering<'_> {
         }
     }
 
-    /// Whether a body is known before this group.
+    /// Returns whether a body is known before this group.
     fn before(&self, body: usize) -> bool {
         self.chain.precedes(body, self.block.bodies[0])
     }

@@ -117,8 +117,8 @@ fn mirror_and_scale() {
     }
 }
 
-/// Driven at its follower by the angle found, a linkage has the crank's angle among its modes, and the
-/// rates are inverse.
+/// Driven at its follower by the angle found, a linkage has the crank's angle among its modes, and
+/// the rates are inverse.
 #[test]
 fn drive_and_follower_exchanged() {
     let mut random = Random(12);

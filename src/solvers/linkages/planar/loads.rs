@@ -1,14 +1,15 @@
 //! Masses, springs, dampers, forces and torques, and their reduction to the drive.
 //!
-//! With primes for derivatives with respect to the drive φ, the kinetic energy `½ I_n φ̇²` and the power
-//! `(M_o − D φ̇) φ̇` of everything applied give
+//! With primes for derivatives with respect to the drive φ, the kinetic energy `½ I_n φ̇²` and the
+//! power `(M_o − D φ̇) φ̇` of everything applied give
 //!
 //! ```text
 //! I_n = Σ m |r'|² + J θ'²            dI_n/dφ = 2 Σ m r'·r'' + J θ' θ''
 //! M_o = Σ F·r' + Σ T θ' − Σ c (L − l) L'            D = Σ b L'²
 //! ```
 //!
-//! and the equation of motion `I_n φ̈ + ½ I_n' φ̇² = Q + M_o − D φ̇` under a drive torque (or force) Q.
+//! and the equation of motion `I_n φ̈ + ½ I_n' φ̇² = Q + M_o − D φ̇` under a drive torque (or
+//! force) Q.
 
 use super::mechanism::Mechanism;
 use super::model::{GROUND, Point};
@@ -33,12 +34,12 @@ pub struct BodyMass {
 pub enum Course {
     /// The same everywhere.
     Constant(f64),
-    /// Pairs of drive (radians or metres) and value, ascending, joined by straight lines: over an angle
-    /// periodic with a whole turn, over a displacement constant beyond the ends.
+    /// Pairs of drive (radians or metres) and value, ascending, joined by straight lines: over an
+    /// angle periodic with a whole turn, over a displacement constant beyond the ends.
     Table(Vec<[f64; 2]>),
 }
 
-/// What acts on a mechanism besides weight and drive. In SI units.
+/// Describes what acts on a mechanism besides weight and drive. In SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Load {
     /// A force in newtons at a point.
@@ -146,8 +147,8 @@ pub struct Loads {
     pub(super) gravity: [f64; 2],
 }
 
-/// What the drive feels: the reduced quantities at one position, in SI units for each radian (or metre) of
-/// the drive.
+/// Describes what the drive feels: the reduced quantities at one position, in SI units for each
+/// radian (or metre) of the drive.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ReducedLoads {
     /// I_n in kg·m² (kg for a displacement).
@@ -329,20 +330,20 @@ impl Loads {
         })
     }
 
-    /// Whether anything acts with the speed.
+    /// Returns whether anything acts with the speed.
     pub fn has_dampers(&self) -> bool {
         let damper = |l: &Load| matches!(l, Load::Damper { .. } | Load::TorsionDamper { .. });
         self.loads.iter().any(damper)
     }
 
-    /// Whether there are torsion springs.
+    /// Returns whether there are torsion springs.
     pub fn has_torsion_springs(&self) -> bool {
         let spring = |l: &Load| matches!(l, Load::TorsionSpring { .. });
         self.loads.iter().any(spring)
     }
 
-    /// Adds to the free angle of each torsion spring, in radians, by its body and the one that takes the reaction:
-    /// a branch's own count of whole turns.
+    /// Adds to the free angle of each torsion spring, in radians, by its body and the one that
+    /// takes the reaction: a branch's own count of whole turns.
     pub fn shift_torsion_springs(&mut self, by: impl Fn(usize, usize) -> f64) {
         for load in &mut self.loads {
             if let Load::TorsionSpring {

@@ -22,9 +22,9 @@ pub struct Mechanism {
 impl Mechanism {
     /// Checks a description, counts its degrees of freedom and takes it apart into Assur groups.
     ///
-    /// The count is that of the structure: it holds for dimensions in general. Special ones, such as
-    /// those of a parallelogram with a third crank, may move although the count says that they do
-    /// not; they are refused as over-constrained.
+    /// The count is that of the structure: it holds for dimensions in general. Special ones, such
+    /// as those of a parallelogram with a third crank, may move although the count says that they
+    /// do not; they are refused as over-constrained.
     ///
     /// ```
     /// use mechaudit_solvers::planar::{Description, Drive, GROUND, GroupKind, Mechanism};
@@ -75,7 +75,7 @@ impl Mechanism {
         })
     }
 
-    /// What it was made from.
+    /// Returns what it was made from.
     pub fn description(&self) -> &Description {
         &self.description
     }
@@ -85,7 +85,7 @@ impl Mechanism {
         &self.structure
     }
 
-    /// Whether the drive is a displacement, in metres, rather than an angle, in radians.
+    /// Returns whether the drive is a displacement, in metres, rather than an angle, in radians.
     pub fn drive_is_displacement(&self) -> bool {
         self.chain.linear
     }

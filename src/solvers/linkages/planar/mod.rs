@@ -1,11 +1,11 @@
 //! Planar mechanisms of any structure with one degree of freedom.
 //!
-//! A [`Description`] lists bodies, joints (pins of two or more bodies, slides, pins in slots, gears and
-//! racks) and the drive. [`Mechanism::new`] counts its degrees of freedom by structure, tells which
-//! bodies are locked, over-constrained or loose, and takes it apart into Assur groups.
+//! A [`Description`] lists bodies, joints (pins of two or more bodies, slides, pins in slots, gears
+//! and racks) and the drive. [`Mechanism::new`] counts its degrees of freedom by structure, tells
+//! which bodies are locked, over-constrained or loose, and takes it apart into Assur groups.
 //! [`Mechanism::assembly_modes`] finds every position at one value of the drive,
-//! [`Mechanism::nearest`] the one next to approximate angles,
-//! [`Mechanism::follow`] carries a position along its branch by steps that are proved not to change it,
+//! [`Mechanism::nearest`] the one next to approximate angles, [`Mechanism::follow`] carries a
+//! position along its branch by steps that are proved not to change it,
 //! [`Mechanism::trace_branches`] does so for all of them and tells where they merge or cross. A
 //! [`State`] holds positions and rates.
 //!
@@ -53,8 +53,6 @@ pub use singular::{SingularKind, Singularity};
 pub use state::{Displacement, State, curvature};
 pub use structure::{Group, GroupKind, Structure};
 
-#[cfg(test)]
-mod bounds_tests;
 #[cfg(test)]
 mod equilibrium_tests;
 #[cfg(test)]

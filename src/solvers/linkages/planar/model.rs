@@ -35,7 +35,7 @@ pub struct Guide {
     pub direction: Angle,
 }
 
-/// What holds bodies together.
+/// Describes what holds bodies together.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Joint {
     /// A revolute joint; all these points are one. Bodies are named once each.
@@ -98,7 +98,7 @@ impl Joint {
     }
 }
 
-/// What moves the mechanism: the coordinate that everything is a function of.
+/// Describes what moves the mechanism: the coordinate that everything is a function of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Drive {
     /// The angle of a body, less that of another.

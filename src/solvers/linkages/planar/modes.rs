@@ -17,12 +17,12 @@ pub struct Modes {
     pub drive: f64,
     /// The positions, ordered by their unknowns. Singular ones, which have no rates, are left out.
     pub states: Vec<State>,
-    /// Whether the method finds every isolated position: a closed form or a resultant for dyads and
-    /// triads, for other groups a homotopy none of whose paths was lost; and whether all windings were tried: whole turns
-    /// of an angle behind which gears or racks are somewhere else.
+    /// Tells whether the method finds every isolated position: a closed form or a resultant for
+    /// dyads and triads, for other groups a homotopy none of whose paths was lost; and whether all
+    /// windings were tried: whole turns of an angle behind which gears or racks are somewhere else.
     pub complete: bool,
-    /// Whether positions are so close to merging that rounding may have added or removed them, or one
-    /// of them is singular.
+    /// Tells whether positions are so close to merging that rounding may have added or removed
+    /// them, or one of them is singular.
     pub near_singular: bool,
 }
 
@@ -35,7 +35,7 @@ struct Found {
 }
 
 impl Found {
-    /// What the ends of the homotopy's paths say beside the solutions.
+    /// Returns what the ends of the homotopy's paths say beside the solutions.
     fn take(&mut self, ends: &homotopy::Ends) {
         self.incomplete |= ends.lost > 0;
         self.near |= ends.merged > 0;
@@ -46,7 +46,8 @@ impl Found {
 const FARTHEST: f64 = 1e-2;
 /// Solutions nearer than this are one.
 const SAME: f64 = 1e-9;
-/// Solutions nearer than this may have been told apart, or not, by rounding: it moves them by its root where they merge.
+/// Solutions nearer than this may have been told apart, or not, by rounding: it moves them by its
+/// root where they merge.
 const MERGING: f64 = 1e-6;
 /// Positions kept at most; beyond them the result is not complete.
 const MOST_POSITIONS: usize = 10_000;
@@ -59,10 +60,10 @@ impl Mechanism {
     /// among their unknowns, and larger ones, are not solved: then the result is empty and not
     /// complete.
     ///
-    /// Where a gear or rack follows an angle that pins give up to whole turns, each turn that moves something is a mode of
-    /// its own: a wheel with twice the teeth has two positions. With gears these are as many as the least common
-    /// denominator of the ratios; with a rack they are finitely many where pins join it to its guide, else endless, and the
-    /// result is not complete.
+    /// Where a gear or rack follows an angle that pins give up to whole turns, each turn that moves
+    /// something is a mode of its own: a wheel with twice the teeth has two positions. With gears
+    /// these are as many as the least common denominator of the ratios; with a rack they are
+    /// finitely many where pins join it to its guide, else endless, and the result is not complete.
     pub fn assembly_modes(&self, drive: f64) -> Modes {
         let chain = &self.chain;
         let mut modes = Modes {
@@ -209,5 +210,4 @@ impl Mechanism {
 }
 
 #[cfg(test)]
-#[path = "modes_tests.rs"]
 mod tests;

@@ -1,22 +1,25 @@
 //! The position nearest to approximate angles.
 //!
-//! In a linkage of pins every closure is a sum of arms `z e^{iθ}`, each θ an unknown plus a constant. Two positions p and
-//! x differ by `M (x − p) = 0`, where column k of M is that of the Jacobian at (p + x)/2 times `sinc((x_k − p_k)/2)`: a
-//! chord is a tangent at the middle, shortened. Let g be the given angles, p a position found by Newton's method from
-//! them, d its largest difference from them, c = (g + p)/2, A an approximate inverse of J(c), and iJ the Jacobian with the
-//! two rows of each pin turned by a right angle. If x lies within d of g, `|(p + x)/2 − c| ≤ d/2` and `|x − p| ≤ 2d`, so
-//! that each column of M is one of J(c) turned by at most d/2 and shortened by at most d²/6:
+//! In a linkage of pins every closure is a sum of arms `z e^{iθ}`, each θ an unknown plus a
+//! constant. Two positions p and x differ by `M (x − p) = 0`, where column k of M is that of the
+//! Jacobian at (p + x)/2 times `sinc((x_k − p_k)/2)`: a chord is a tangent at the middle,
+//! shortened. Let g be the given angles, p a position found by Newton's method from them, d its
+//! largest difference from them, c = (g + p)/2, A an approximate inverse of J(c), and iJ the
+//! Jacobian with the two rows of each pin turned by a right angle. If x lies within d of g,
+//! `|(p + x)/2 − c| ≤ d/2` and `|x − p| ≤ 2d`, so that each column of M is one of J(c) turned by at
+//! most d/2 and shortened by at most d²/6:
 //!
 //! ```text
 //! ‖I − A M‖ ≤ ‖I − A J(c)‖ + ½ d ‖A iJ(c)‖ + (1/6 + 1/8) d²        (maximum norm)
 //! ```
 //!
-//! Where this is less than one, M is regular and x = p: no other position is as near as p. That the exact position is
-//! where Newton's method ended to within 4η, η the bound on its last correction, follows by the same estimate around p
-//! (Newton and Kantorovich). It is computed in `f64`, with allowances for rounding.
+//! Where this is less than one, M is regular and x = p: no other position is as near as p. That the
+//! exact position is where Newton's method ended to within 4η, η the bound on its last correction,
+//! follows by the same estimate around p (Newton and Kantorovich). It is computed in `f64`, with
+//! allowances for rounding.
 //!
-//! A pin whose gap at g is more than its arms can close within `reach` proves that there is no position.
-//! Where neither can be told all assembly modes are compared.
+//! A pin whose gap at g is more than its arms can close within `reach` proves that there is no
+//! position. Where neither can be told all assembly modes are compared.
 
 use super::chain::{Chain, Closure, Entry};
 use super::dense::{Factors, Matrix};
@@ -30,10 +33,11 @@ use std::f64::consts::TAU;
 
 /// Largest norm taken for less than one.
 const REGULAR: f64 = 0.95;
-/// Of two positions whose distances differ by less than this part of a radian it is not said which is nearer.
+/// Of two positions whose distances differ by less than this part of a radian it is not said which
+/// is nearer.
 const TIE: f64 = 1e-9;
 
-/// What the estimates use of a Jacobian J with an approximate inverse A.
+/// Describes what the estimates use of a Jacobian J with an approximate inverse A.
 struct Estimate {
     /// `‖I − A J‖`.
     defect: f64,
@@ -43,7 +47,7 @@ struct Estimate {
     correction: f64,
 }
 
-/// What is told of the nearest position.
+/// Describes what is told of the nearest position.
 pub(super) enum Way {
     /// This is it.
     Found(Box<State>),
@@ -54,13 +58,14 @@ pub(super) enum Way {
 }
 
 impl Mechanism {
-    /// The position at that value of the drive, in radians or metres, whose largest difference from `near` over the
-    /// angles of all moving bodies is least, if that is at most `reach`. `near` has an angle for each body but the
-    /// ground. Angles are real numbers, not reduced by whole turns; those of the position are next to `near`, but where the
-    /// drive gives them.
+    /// The position at that value of the drive, in radians or metres, whose largest difference from
+    /// `near` over the angles of all moving bodies is least, if that is at most `reach`. `near` has
+    /// an angle for each body but the ground. Angles are real numbers, not reduced by whole turns;
+    /// those of the position are next to `near`, but where the drive gives them.
     ///
-    /// In linkages of pins Newton's method from `near` finds it where an estimate shows that no other is as near (see the
-    /// source of this module); elsewhere, and where that cannot be told, it is one of [`Mechanism::assembly_modes`].
+    /// In linkages of pins Newton's method from `near` finds it where an estimate shows that no
+    /// other is as near (see the source of this module); elsewhere, and where that cannot be told,
+    /// it is one of [`Mechanism::assembly_modes`].
     ///
     /// ```
     /// use mechaudit_solvers::planar::{Description, Drive, GROUND, Mechanism, NearestError};
@@ -108,7 +113,8 @@ impl Mechanism {
         }
     }
 
-    /// What Newton's method from `near` tells of the nearest position: of linkages of pins alone, for which the estimates are.
+    /// Returns what Newton's method from `near` tells of the nearest position: of linkages of pins
+    /// alone, for which the estimates are.
     pub(super) fn nearest_by_newton(&self, drive: f64, near: &[f64], reach: f64) -> Way {
         let chain = &self.chain;
         if !chain.is_of_pins() {
@@ -168,7 +174,8 @@ impl Mechanism {
 }
 
 impl Estimate {
-    /// `j` holds the closures of pins, two rows each, at a pose whose points are computed to within `rounding` a row.
+    /// `j` holds the closures of pins, two rows each, at a pose whose points are computed to within
+    /// `rounding` a row.
     fn new(j: &Matrix, factors: &Factors, residual: &[f64], rounding: f64) -> Estimate {
         let n = residual.len();
         let mut inverse = vec![0.0; n * n];
@@ -200,22 +207,22 @@ impl Estimate {
         all
     }
 
-    /// A bound on `‖I − A M‖` for matrices M whose columns are those of J turned by at most `turn` and shortened by at
-    /// most `short` of their length.
+    /// A bound on `‖I − A M‖` for matrices M whose columns are those of J turned by at most `turn`
+    /// and shortened by at most `short` of their length.
     fn norm(&self, turn: f64, short: f64) -> f64 {
         self.defect + turn * self.bend + 0.5 * turn * turn + short
     }
 }
 
 impl Chain {
-    /// Whether all joints are pins.
+    /// Returns whether all joints are pins.
     fn is_of_pins(&self) -> bool {
         let hung = |e: &Entry| matches!(e, Entry::Ground | Entry::Pin { .. });
         let closed = |c: &Closure| matches!(c, Closure::Pin { .. });
         self.entries.iter().all(hung) && self.closures.iter().all(closed)
     }
 
-    /// Whether whole turns of any unknown angle lead from positions to positions.
+    /// Returns whether whole turns of any unknown angle lead from positions to positions.
     fn turns_freely(&self) -> bool {
         let geared = |c: &Closure| matches!(c, Closure::Gears { .. } | Closure::Rack { .. });
         !self.closures.iter().any(geared)
@@ -244,14 +251,15 @@ impl Chain {
         }
     }
 
-    /// What rounding may do to a row of residual or Jacobian.
+    /// Returns what rounding may do to a row of residual or Jacobian.
     fn rounding(&self, pose: &Pose) -> f64 {
         // Coordinates of joints are less than two units of length.
         let extent = pose.p.iter().fold(0.0, |m: f64, p| m.max(p.norm() + 3.0));
         16.0 * f64::EPSILON * self.body_count() as f64 * extent
     }
 
-    /// A bound on the distance, in the maximum norm, of a state of pins from an exact position; none if it cannot be told.
+    /// A bound on the distance, in the maximum norm, of a state of pins from an exact position;
+    /// none if it cannot be told.
     fn error_of(&self, state: &State, work: &mut Work) -> Option<f64> {
         let (pose, j) = (&state.pose, &state.jacobian);
         pose.residual(self, &self.closures, &mut work.residual);
@@ -263,8 +271,8 @@ impl Chain {
         (norm <= 0.5).then_some(radius)
     }
 
-    /// What a state so far from the angles given, and at most `error` from an exact position, tells; nothing where another
-    /// may be as near.
+    /// Returns what a state so far from the angles given, and at most `error` from an exact
+    /// position, tells; nothing where another may be as near.
     fn told(
         &self,
         given: &Pose,
@@ -281,7 +289,7 @@ impl Chain {
         })
     }
 
-    /// Whether no position but that of `found` has all unknowns within `d` of those given.
+    /// Returns whether no position but that of `found` has all unknowns within `d` of those given.
     fn is_alone(&self, given: &Pose, found: &Pose, d: f64, work: &mut Work) -> bool {
         let middle = given.u.iter().zip(&found.u).map(|(a, b)| 0.5 * (a + b));
         let pose = Pose::new(self, given.drive, middle.collect());
@@ -295,8 +303,8 @@ impl Chain {
         at.norm(0.5 * d, d * d / 6.0) < REGULAR
     }
 
-    /// Whether no position has all angles within `reach` of those given: a body that the drive turns is farther off, or a
-    /// pin's gap is more than its arms can close.
+    /// Returns whether no position has all angles within `reach` of those given: a body that the
+    /// drive turns is farther off, or a pin's gap is more than its arms can close.
     fn is_open(&self, given: &Pose, near: &[f64], reach: f64, work: &mut Work) -> bool {
         let rounding = self.rounding(given);
         let driven = (1..self.body_count()).filter(|&b| self.turns[b].unknown.is_none());
@@ -316,8 +324,6 @@ impl Chain {
 }
 
 #[cfg(test)]
-#[path = "nearest_estimate_tests.rs"]
 mod estimate_tests;
 #[cfg(test)]
-#[path = "nearest_tests.rs"]
 mod tests;

@@ -45,10 +45,10 @@ const MOST: usize = 30;
 const FARTHEST: f64 = 10.0;
 /// Beside a fold the corrections stay near the square root of the rounding error.
 const BESIDE_FOLD: f64 = 1e-6;
-/// What a last correction may leave: half a unit of an angle's rounding error.
+/// States what a last correction may leave: half a unit of an angle's rounding error.
 const NOTHING: f64 = 0.25 * f64::EPSILON;
 
-/// What follows a correction.
+/// Describes what follows a correction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum After {
     Done,
@@ -59,7 +59,8 @@ enum After {
     },
 }
 
-/// What follows a correction of `size` after one of `last`; `fresh` if the Jacobian was its own.
+/// Returns what follows a correction of `size` after one of `last`; `fresh` if the Jacobian was its
+/// own.
 fn after(size: f64, last: f64, fresh: bool) -> After {
     // Below 2⁻⁵⁰, or below 1e-12 and no longer halved.
     if size <= f64::EPSILON * 4.0 || (size <= 1e-12 && size >= last * 0.5) {
@@ -68,17 +69,18 @@ fn after(size: f64, last: f64, fresh: bool) -> After {
     if !(size <= FARTHEST) {
         return After::Lost;
     }
-    // After a small correction the factors are good for more, as long as each of them gains two digits.
+    // After a small correction the factors are good for more, as long as each of them gains two
+    // digits.
     let good = size <= 1e-5 && (fresh || size <= 1e-2 * last);
     After::Another { fresh: !good }
 }
 
-/// Whether nothing is left of a correction that leaves a share of itself.
+/// Returns whether nothing is left of a correction that leaves a share of itself.
 fn done_by_share(share: f64, size: f64) -> bool {
     share * size <= NOTHING
 }
 
-/// Whether nothing is left of one by a Jacobian of its own.
+/// Returns whether nothing is left of one by a Jacobian of its own.
 fn done_by_curvature(curvature: f64, size: f64) -> bool {
     curvature * (size * size) <= NOTHING
 }
@@ -119,8 +121,8 @@ impl Chain {
         last < BESIDE_FOLD
     }
 
-    /// Moves unknowns by a step, and returns its size: a displacement is as good as its own. A step that is no number has
-    /// none.
+    /// Moves unknowns by a step, and returns its size: a displacement is as good as its own. A step
+    /// that is no number has none.
     fn moved(&self, pose: &mut Pose, unknowns: std::ops::Range<usize>, step: &[f64]) -> f64 {
         let mut size = 0.0f64;
         for (k, d) in unknowns.zip(step) {
@@ -137,8 +139,9 @@ impl Chain {
         size
     }
 
-    /// [`Chain::newton`] on all equations where much is known: corrections by the factors of a state close by leave at
-    /// most `near.1` of themselves, one of d by a Jacobian of its own at most `curvature` d².
+    /// [`Chain::newton`] on all equations where much is known: corrections by the factors of a
+    /// state close by leave at most `near.1` of themselves, one of d by a Jacobian of its own at
+    /// most `curvature` d².
     pub(super) fn newton_within(
         &self,
         pose: &mut Pose,
@@ -175,8 +178,8 @@ impl Chain {
 }
 
 impl Pose {
-    /// One more correction of Newton's method, by which directions turn as computed, where an angle beyond a radian is
-    /// rounded by more than a direction is: rates are theirs.
+    /// One more correction of Newton's method, by which directions turn as computed, where an angle
+    /// beyond a radian is rounded by more than a direction is: rates are theirs.
     pub(super) fn settle(&mut self, chain: &Chain, factors: &Factors, work: &mut Work) {
         self.residual(chain, &chain.closures, &mut work.residual);
         let (residual, step) = (&work.residual, &mut work.step);
@@ -189,5 +192,4 @@ impl Pose {
 }
 
 #[cfg(test)]
-#[path = "newton_tests.rs"]
 mod tests;

@@ -1,10 +1,10 @@
 //! The pebble game of bodies in the plane.
 //!
-//! A body has three pebbles, a pin that joins three or more bodies is a vertex of its own with two. A
-//! constraint is independent of those before it exactly if four pebbles can be gathered at its ends;
-//! it is then covered by one of them (Lee & Streinu, *Pebble game algorithms and sparse graphs*,
-//! Discrete Math. 308 (2008), with l = 3). For bodies and pins in generic position the count is
-//! exact (Tay 1984, Whiteley 1988; pins of many bodies: Jackson & Jordán 2008).
+//! A body has three pebbles, a pin that joins three or more bodies is a vertex of its own with two.
+//! A constraint is independent of those before it exactly if four pebbles can be gathered at its
+//! ends; it is then covered by one of them (Lee & Streinu, *Pebble game algorithms and sparse
+//! graphs*, Discrete Math. 308 (2008), with l = 3). For bodies and pins in generic position the
+//! count is exact (Tay 1984, Whiteley 1988; pins of many bodies: Jackson & Jordán 2008).
 
 /// Pebbles that a constraint's ends must hold for it to be independent.
 const NEEDED: usize = 4;
@@ -205,7 +205,8 @@ mod tests {
         assert_eq!(six.hold(0), [3, 4, 5]);
     }
 
-    /// With any body held all others that move are told, those joined to it among them, and with none free no one.
+    /// With any body held all others that move are told, those joined to it among them, and with
+    /// none free no one.
     #[test]
     fn any_body_may_be_held() {
         for n in 4..7 {
@@ -221,7 +222,8 @@ mod tests {
         }
     }
 
-    /// The constraints that each vertex pays for and its pebbles are always as many as it was given.
+    /// The constraints that each vertex pays for and its pebbles are always as many as it was
+    /// given.
     #[test]
     fn no_pebble_is_lost() {
         for (given, pairs) in [

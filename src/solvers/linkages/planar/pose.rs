@@ -71,8 +71,8 @@ impl Pose {
         }
     }
 
-    /// [`Pose::place`] after the unknowns have moved by a step: where it is small, directions turn by it, the square being
-    /// below rounding.
+    /// [`Pose::place`] after the unknowns have moved by a step: where it is small, directions turn
+    /// by it, the square being below rounding.
     pub(super) fn turn_little(&mut self, chain: &Chain, step: &[f64]) {
         if step.iter().any(|d| !(d.abs() <= LITTLE)) {
             return self.place(chain, &chain.order);
@@ -173,8 +173,8 @@ impl Pose {
     }
 
     /// Calls `add` with the columns that a point depends on and its derivatives; the drive's column
-    /// is [`Chain::unknowns`]. Arms are differences in the bodies' own frames: those of the places would
-    /// lose the digits of links shorter than their distance from the origin.
+    /// is [`Chain::unknowns`]. Arms are differences in the bodies' own frames: those of the places
+    /// would lose the digits of links shorter than their distance from the origin.
     fn walk(&self, chain: &Chain, mut spot: Spot, add: &mut impl FnMut(usize, Complex64)) {
         loop {
             let body = spot.body;
@@ -310,5 +310,4 @@ impl Pose {
 }
 
 #[cfg(test)]
-#[path = "pose_tests.rs"]
 mod tests;

@@ -1,16 +1,18 @@
 //! Forces in the joints and the drive torque, by the laws of Newton and Euler for every body.
 //!
 //! For a given speed and acceleration of the drive each body's forces and torques have to add up to
-//! `m a` and `J θ̈` (about its centre of mass). Joints are free of friction. Let Q be what loads and inertia do to each
-//! unknown of the tree of bodies: for an angle the moments about its bodies' hinges, for a displacement the force along
-//! the rail. The forces λ in the closures, which do no work together with Q, are
+//! `m a` and `J θ̈` (about its centre of mass). Joints are free of friction. Let Q be what loads
+//! and inertia do to each unknown of the tree of bodies: for an angle the moments about its bodies'
+//! hinges, for a displacement the force along the rail. The forces λ in the closures, which do no
+//! work together with Q, are
 //!
 //! ```text
 //! Jᵀ λ = −Q,      J the closures' Jacobian;
 //! ```
 //!
-//! with them in place each hinge bears what hangs on it, from the last body to the first, and the drive exerts
-//! `−Q_φ − λ·F_φ`. Reduced quantities are not used: the drive torque that they give is a check.
+//! with them in place each hinge bears what hangs on it, from the last body to the first, and the
+//! drive exerts `−Q_φ − λ·F_φ`. Reduced quantities are not used: the drive torque that they give is
+//! a check.
 
 use super::chain::{Chain, Closure, Entry, Rail, Spot, spot};
 use super::loads::{Load, Loads, stretch};
@@ -21,7 +23,7 @@ use super::pose::Pose;
 use super::state::State;
 use num_complex::Complex64;
 
-/// What a joint exerts on one of its bodies.
+/// Describes what a joint exerts on one of its bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointForce {
     /// The joint's number.
@@ -41,7 +43,8 @@ pub struct JointForce {
 pub struct Reactions {
     /// Joint by joint.
     pub joints: Vec<JointForce>,
-    /// The drive's torque on the driven body in N·m, or its force on the slider along the guide in N.
+    /// The drive's torque on the driven body in N·m, or its force on the slider along the guide in
+    /// N.
     pub drive: f64,
 }
 
@@ -62,14 +65,15 @@ pub enum ReactionError {
     Singular,
 }
 
-/// What acts on a body: a force, and a moment about its hinge, in the chain's unit of length.
+/// Describes what acts on a body: a force, and a moment about its hinge, in the chain's unit of
+/// length.
 #[derive(Clone, Copy, Debug, Default)]
 struct Wrench {
     force: Complex64,
     moment: f64,
 }
 
-/// What acts on the bodies of a mechanism at a pose.
+/// Describes what acts on the bodies of a mechanism at a pose.
 struct Wrenches<'a> {
     chain: &'a Chain,
     pose: &'a Pose,
@@ -153,7 +157,8 @@ impl Wrenches<'_> {
 }
 
 impl Loads {
-    /// Forces in the joints and of the drive for a speed (rad/s or m/s) and acceleration of the drive.
+    /// Forces in the joints and of the drive for a speed (rad/s or m/s) and acceleration of the
+    /// drive.
     ///
     /// # Errors
     /// [`ReactionError`].
@@ -256,7 +261,8 @@ fn gathered(mechanism: &Mechanism, all: &mut Wrenches, sizes: &[f64]) -> Vec<Joi
         found.force_n[0] += force.re;
         found.force_n[1] += force.im;
     };
-    // What a pin exerts on the body of one of its points, and the opposite on the one that carries the others.
+    // What a pin exerts on the body of one of its points, and the opposite on the one that carries
+    // the others.
     let mut pin = |(joint, point): (usize, usize), on: usize, force: Complex64| {
         let own = &mut found[chain.forces[joint]..chain.forces[joint + 1]];
         if let Some(k) = point.checked_sub(1) {

@@ -1,10 +1,10 @@
 //! Where a branch ends: folds, and points where branches cross.
 //!
 //! A singular position solves `F(u, φ) = 0, J v = 0, v·v₀ = 1` (Moore & Spence, *The calculation of
-//! turning points of nonlinear equations*, SIAM J. Numer. Anal. 17 (1980)). With the left null vector
-//! w of J it is a fold, where two modes merge and end, if `w·F_φ ≠ 0`; otherwise branches meet there,
-//! the system is singular itself, and the smallest singular value of J, which passes through zero along
-//! the branch, is followed to its zero instead.
+//! turning points of nonlinear equations*, SIAM J. Numer. Anal. 17 (1980)). With the left null
+//! vector w of J it is a fold, where two modes merge and end, if `w·F_φ ≠ 0`; otherwise branches
+//! meet there, the system is singular itself, and the smallest singular value of J, which passes
+//! through zero along the branch, is followed to its zero instead.
 
 use super::chain::Chain;
 use super::dense::{Factors, Matrix};
@@ -18,13 +18,13 @@ use super::state::State;
 pub struct Singularity {
     /// The drive in radians or metres.
     pub drive: f64,
-    /// What happens there.
+    /// Holds what happens there.
     pub kind: SingularKind,
     /// Angles of all moving bodies there in radians.
     pub angles: Vec<f64>,
 }
 
-/// What happens at a singular position.
+/// Describes what happens at a singular position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SingularKind {
     /// Two modes merge and end.
@@ -33,25 +33,26 @@ pub enum SingularKind {
     ChangePoint,
 }
 
-/// Below this share of `‖F_φ‖`, `w·F_φ` counts as zero. A branch is followed to within about 1e-7 of a
-/// change point.
+/// Below this share of `‖F_φ‖`, `w·F_φ` counts as zero. A branch is followed to within about 1e-7
+/// of a change point.
 const NOTHING: f64 = 1e-5;
 
 /// The most corrections of the search for a fold, and the size from which one leads somewhere else.
 const ROUNDS: usize = 40;
 const FARTHEST: f64 = 0.5;
 
-/// Whether a correction is the last one: rounding, or small and no longer halved.
+/// Returns whether a correction is the last one: rounding, or small and no longer halved.
 fn is_last(moved: f64, before: f64) -> bool {
     moved < 1e-14 || (moved < 1e-9 && moved > 0.5 * before)
 }
 
-/// Whether a fold is the one ahead: the last correction but one was small, and the drive is not far off.
+/// Returns whether a fold is the one ahead: the last correction but one was small, and the drive is
+/// not far off.
 fn is_near(before: f64, off: f64) -> bool {
     before < 1e-4 && off.abs() < 1e-2
 }
 
-/// Whether `w·F_φ` is not zero.
+/// Returns whether `w·F_φ` is not zero.
 fn is_fold(w: &[f64], column: &[f64]) -> bool {
     let along: f64 = w.iter().zip(column).map(|(w, f)| w * f).sum();
     let largest = column.iter().fold(0.0f64, |m, f| m.max(f.abs()));
@@ -59,8 +60,8 @@ fn is_fold(w: &[f64], column: &[f64]) -> bool {
 }
 
 impl Mechanism {
-    /// The singular position that a branch ran into, refined from the last state before it; `None` if
-    /// there is none near.
+    /// The singular position that a branch ran into, refined from the last state before it; `None`
+    /// if there is none near.
     pub fn singularity(&self, last: &State) -> Option<Singularity> {
         let n = self.chain.unknowns;
         let (v, w) = null_vectors(&last.factors, n);
@@ -204,8 +205,8 @@ impl Search {
     }
 }
 
-/// Unit vectors near the right and left null spaces, by inverse iteration; of no numbers where the inverse is beyond their
-/// range, which is no fold and leads to no change point.
+/// Unit vectors near the right and left null spaces, by inverse iteration; of no numbers where the
+/// inverse is beyond their range, which is no fold and leads to no change point.
 fn null_vectors(factors: &Factors, n: usize) -> (Vec<f64>, Vec<f64>) {
     let unit = |v: &mut Vec<f64>| {
         let norm = v.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -228,5 +229,4 @@ fn null_vectors(factors: &Factors, n: usize) -> (Vec<f64>, Vec<f64>) {
 }
 
 #[cfg(test)]
-#[path = "singular_tests.rs"]
 mod tests;

@@ -13,8 +13,8 @@ use crate::dyad::LinkMotion;
 use crate::units::Angle;
 use num_complex::Complex64;
 
-/// A mechanism at one value of its drive: positions and rates. Rates are derivatives with respect to
-/// the drive: for each radian, or for each metre where the drive is a displacement.
+/// A mechanism at one value of its drive: positions and rates. Rates are derivatives with respect
+/// to the drive: for each radian, or for each metre where the drive is a displacement.
 #[derive(Clone, Debug)]
 pub struct State {
     pub(super) pose: Pose,
@@ -202,13 +202,12 @@ impl Mechanism {
     }
 }
 
-/// Signed curvature of a point's path in 1/m, positive where it bends to the left of the direction of
-/// travel: `(x'y'' − y'x'') / |r'|³`. NaN where the point stands still.
+/// Signed curvature of a point's path in 1/m, positive where it bends to the left of the direction
+/// of travel: `(x'y'' − y'x'') / |r'|³`. NaN where the point stands still.
 pub fn curvature(motion: &PointMotion) -> f64 {
     let [a, b] = [motion.first, motion.second];
     (a[0] * b[1] - a[1] * b[0]) / a[0].hypot(a[1]).powi(3)
 }
 
 #[cfg(test)]
-#[path = "state_tests.rs"]
 mod tests;

@@ -1,9 +1,9 @@
 //! Degrees of freedom, redundant joints and Assur groups, by counting.
 //!
-//! With the drive held and the ground's pebbles gathered, every body pays for three constraints. The
-//! strongly connected components of the graph "pays for a constraint with" are the smallest sets of
-//! bodies that can be solved by themselves once those before them are known: the Assur groups
-//! (Servatius, Shai & Whiteley, *Combinatorial characterization of the Assur graphs from
+//! With the drive held and the ground's pebbles gathered, every body pays for three constraints.
+//! The strongly connected components of the graph "pays for a constraint with" are the smallest
+//! sets of bodies that can be solved by themselves once those before them are known: the Assur
+//! groups (Servatius, Shai & Whiteley, *Combinatorial characterization of the Assur graphs from
 //! engineering*, Eur. J. Combin. 31 (2010), Theorem 3.3).
 
 use super::check::DRIVE;
@@ -16,7 +16,7 @@ use super::pebbles::{Pebbles, components};
 pub struct Group {
     /// The bodies, in ascending order.
     pub bodies: Vec<usize>,
-    /// What it is.
+    /// Holds what it is.
     pub kind: GroupKind,
     /// Joints with bodies of groups before it or with the ground; the drive is none.
     pub order: usize,
@@ -25,7 +25,8 @@ pub struct Group {
 /// The kind of a group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GroupKind {
-    /// The driven body, solved by the drive alone against the ground (Artobolevsky's class I) or a body known before.
+    /// The driven body, solved by the drive alone against the ground (Artobolevsky's class I) or a
+    /// body known before.
     Driver,
     /// One body held by three constraints without the drive, such as a gear wheel or a lever with a
     /// slot.
@@ -39,7 +40,7 @@ pub enum GroupKind {
     },
 }
 
-/// What counting tells of a mechanism.
+/// Describes what counting tells of a mechanism.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Structure {
     /// The groups in the order in which they can be solved.
@@ -157,7 +158,8 @@ fn joined(description: &Description, joint: &Joint) -> Vec<usize> {
 /// Joints with bodies of later groups belong to those.
 fn group(description: &Description, bodies: Vec<usize>, known: &[usize]) -> Group {
     let inside = |b: &usize| bodies.contains(b);
-    // Contours run from bodies to joints and back: a pin of many bodies joins any two of them, once.
+    // Contours run from bodies to joints and back: a pin of many bodies joins any two of them,
+    // once.
     let (mut order, mut inner, mut joints) = (0, Vec::new(), bodies.len());
     let mut pairs = vec![0usize; bodies.len()];
     for joint in &description.joints {
@@ -305,7 +307,8 @@ mod tests {
                 ]),
                 assur(&[2, 3, 4, 5, 6, 7], 3, 4),
             ),
-            // A triangle of bodies, a link on one of its pins: a contour of three, whatever their numbers.
+            // A triangle of bodies, a link on one of its pins: a contour of three, whatever their
+            // numbers.
             (
                 5,
                 with(&[&[2, 3, 4], &[3, 1], &[4, 5], &[5, 2], &[5, 0]]),
@@ -316,7 +319,8 @@ mod tests {
         }
     }
 
-    /// What a later group hangs on adds nothing to the class of the group that bears it.
+    /// Checks that what a later group hangs on adds nothing to the class of the group that bears
+    /// it.
     #[test]
     fn later_groups_do_not_count() {
         let pins: &[&[usize]] = &[

@@ -135,8 +135,8 @@ pub(super) fn double_butterfly() -> Mechanism {
     drawn(&["ACD", "CE", "EFG", "BFJ", "DHI", "GH", "IJ"], &["AB"], at)
 }
 
-/// Bodies as the drawing has them: each name is a set of its points, ground points in `fixed`; the first
-/// body is driven.
+/// Bodies as the drawing has them: each name is a set of its points, ground points in `fixed`; the
+/// first body is driven.
 pub(super) fn drawn(bodies: &[&str], fixed: &[&str], at: impl Fn(char) -> [f64; 2]) -> Mechanism {
     let mut m = Description::new();
     let mut on: Vec<(usize, &str)> = fixed.iter().map(|f| (GROUND, *f)).collect();

@@ -133,8 +133,9 @@ mod tests {
     use super::super::model::{Description, GROUND};
     use super::super::tests::{Random, class_iii, double_butterfly, four_bar, slider_crank, turn};
 
-    /// A triad whose bodies have their pins anywhere in their frames, the bodies in this order: links to the crank and to
-    /// two points of the ground, and the ternary body; `flipped` lists the points of each pin the other way round.
+    /// A triad whose bodies have their pins anywhere in their frames, the bodies in this order:
+    /// links to the crank and to two points of the ground, and the ternary body; `flipped` lists
+    /// the points of each pin the other way round.
     fn triad(random: &mut Random, order: [usize; 4], flipped: bool) -> Mechanism {
         let mut d = Description::new();
         let crank = d.body("crank");

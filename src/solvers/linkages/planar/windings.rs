@@ -1,14 +1,15 @@
 //! Whole turns of an angle that gears and racks tell apart.
 //!
-//! Pins, slides and slots give an angle up to whole turns, while gears and racks take it as a real number. Let θ be an
-//! angle that joints of the first kind give, and let every body behind it turn by gears: a whole turn of θ turns each of
-//! them by a fraction of a turn, and after q turns, q being the least common denominator of these fractions, all of them
-//! are where they were. So 0, 1, …, q − 1 turns of θ give all positions, and none twice.
+//! Pins, slides and slots give an angle up to whole turns, while gears and racks take it as a real
+//! number. Let θ be an angle that joints of the first kind give, and let every body behind it turn
+//! by gears: a whole turn of θ turns each of them by a fraction of a turn, and after q turns, q
+//! being the least common denominator of these fractions, all of them are where they were. So 0, 1,
+//! …, q − 1 turns of θ give all positions, and none twice.
 //!
-//! A rack moves by the same length with each turn and does not come back. Where pins alone join its slider to the body of
-//! its guide, the slider is no farther from the guide's origin than the sum of the largest distances between two points
-//! of a body, over all bodies: that leaves finitely many turns. Elsewhere they are endless, and the positions found are
-//! not said to be all.
+//! A rack moves by the same length with each turn and does not come back. Where pins alone join its
+//! slider to the body of its guide, the slider is no farther from the guide's origin than the sum
+//! of the largest distances between two points of a body, over all bodies: that leaves finitely
+//! many turns. Elsewhere they are endless, and the positions found are not said to be all.
 //!
 //! The drive is a real number that counts its own turns.
 
@@ -18,9 +19,11 @@ use super::plane::dot;
 use super::pose::Pose;
 use std::f64::consts::TAU;
 
-/// Turns of one angle, and turns for one rack, at most; a mechanism with more counts as having endlessly many.
+/// Turns of one angle, and turns for one rack, at most; a mechanism with more counts as having
+/// endlessly many.
 const MOST_TURNS: i128 = 1000;
-/// Numerators and denominators beyond this count as irrational: ever more fractions would round to one number.
+/// Numerators and denominators beyond this count as irrational: ever more fractions would round to
+/// one number.
 const LARGEST: i128 = 1_000_000;
 
 /// A fraction in lowest terms, the denominator positive.
@@ -95,7 +98,7 @@ impl Fraction {
     }
 }
 
-/// What a turn of one unknown angle does to bodies of later groups.
+/// Describes what a turn of one unknown angle does to bodies of later groups.
 #[derive(Clone, Debug)]
 struct Effects {
     /// Unknown angles with the part of a turn that each makes, the turned one first.
@@ -129,7 +132,7 @@ struct Racked {
 pub(super) struct Windings {
     free: Vec<Vec<Free>>,
     racked: Vec<Vec<Racked>>,
-    /// Whether some turns are endless, so that not all are tried.
+    /// Tells whether some turns are endless, so that not all are tried.
     pub endless: bool,
 }
 
@@ -206,13 +209,14 @@ impl Windings {
         Some(())
     }
 
-    /// Whether one position may come from several combinations of turns.
+    /// Returns whether one position may come from several combinations of turns.
     pub(super) fn overlap(&self) -> bool {
         let count = |all: &[Vec<Free>]| all.iter().map(Vec::len).sum::<usize>();
         count(&self.free) > 1
     }
 
-    /// The positions of the groups before this one, with the turns for which its racks are within reach.
+    /// The positions of the groups before this one, with the turns for which its racks are within
+    /// reach.
     pub(super) fn before(&self, chain: &Chain, group: usize, poses: Vec<Pose>) -> Vec<Pose> {
         self.racked[group].iter().fold(poses, |poses, racked| {
             let of = |pose: Pose| racked.turned(chain, pose);
@@ -321,7 +325,7 @@ fn given(chain: &Chain, group: usize) -> Vec<usize> {
     wheels.filter_map(|b| chain.turns[b].unknown).collect()
 }
 
-/// What a turn of an unknown angle of a group does; nothing where a ratio is no fraction.
+/// Returns what a turn of an unknown angle of a group does; nothing where a ratio is no fraction.
 fn effects(chain: &Chain, group: usize, unknown: usize) -> Option<Effects> {
     let mut all = Effects {
         angles: vec![(unknown, Fraction::ONE)],
@@ -376,7 +380,8 @@ fn effects(chain: &Chain, group: usize, unknown: usize) -> Option<Effects> {
     Some(all)
 }
 
-/// How far a rack's slider is from its guide's origin at most, where pins join it to the guide's body.
+/// How far a rack's slider is from its guide's origin at most, where pins join it to the guide's
+/// body.
 fn reach(description: &Description, chain: &Chain, closure: usize) -> Option<f64> {
     let Closure::Rack { rail, point, .. } = chain.closures[closure] else {
         return None;
@@ -418,5 +423,4 @@ fn held(joint: &super::model::Named<Joint>) -> Vec<Point> {
 }
 
 #[cfg(test)]
-#[path = "windings_tests.rs"]
 mod tests;

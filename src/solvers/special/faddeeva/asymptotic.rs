@@ -88,12 +88,12 @@ pub(super) fn series_rounded<R: Real, const N: usize>(a: R, b: R) -> (R, R) {
     (gu.fma(p, p), gv.fma(q, q))
 }
 
-/// The same with two terms for `|z| ≥ 1024`: what is left out is below `7a₃ 2⁻⁶⁰`, a tenth of `2⁻⁵³`, of a
-/// component.
+/// The same with two terms for `|z| ≥ 1024`: what is left out is below `7a₃ 2⁻⁶⁰`, a tenth of
+/// `2⁻⁵³`, of a component.
 ///
-/// With `c = cos 2θ`, θ the argument of z, the real part of `i z̄ q^n/b` is `sin (2n + 1)θ/sin θ` over
-/// powers of |z|, for `n = 1, 2` that is `1 + 2c` and `4c² + 2c − 1`; the imaginary part likewise with
-/// cosines, `2c − 1` and `4c² − 2c − 1`.
+/// With `c = cos 2θ`, θ the argument of z, the real part of `i z̄ q^n/b` is `sin (2n + 1)θ/sin θ`
+/// over powers of |z|, for `n = 1, 2` that is `1 + 2c` and `4c² + 2c − 1`; the imaginary part
+/// likewise with cosines, `2c − 1` and `4c² − 2c − 1`.
 #[inline(always)]
 pub(super) fn two_terms<R: Real>(a: R, b: R) -> (R, R) {
     let like = |c: f64| a.like(c);
@@ -109,8 +109,8 @@ pub(super) fn two_terms<R: Real>(a: R, b: R) -> (R, R) {
     (gu.fma(p, p), gv.fma(q, q))
 }
 
-/// The first term alone, which is enough for `|z| ≥ 10^100`, at a point scaled so that its larger coordinate is
-/// within [1, 2).
+/// The first term alone, which is enough for `|z| ≥ 10^100`, at a point scaled so that its larger
+/// coordinate is within [1, 2).
 #[inline(always)]
 pub(super) fn one_term<R: Real>(a: R, b: R) -> (R, R) {
     let (f, error) = reciprocal(a.at_least(b), a.at_most(b));
@@ -164,8 +164,8 @@ fn by_fours<R: Real>(c: &[f64; 10], x: R) -> R {
 /// Smaller numbers do not count in r², and their squares would be subnormal, which is slow.
 const LEAST: f64 = 1e-140;
 
-/// `gu`, `gv` and `f = 1/(√π r²)` as in [`factors`], from a², b² and the larger and the smaller of a
-/// and b. `f` is one number; its relative error is part of `gu` and `gv`.
+/// `gu`, `gv` and `f = 1/(√π r²)` as in [`factors`], from a², b² and the larger and the smaller of
+/// a and b. `f` is one number; its relative error is part of `gu` and `gv`.
 #[inline(always)]
 fn factors_rounded<R: Real, const N: usize>((xx, yy): (R, R), (large, small): (R, R)) -> [R; 3] {
     let (f, error) = reciprocal(large, small);
@@ -218,8 +218,8 @@ fn corrections<R: Real, const N: usize>(xx: R, yy: R, t: R) -> [R; 2] {
     ]
 }
 
-/// w at `a + i b` without `e^{−z²}`, `4096 ≤ max(a, b)`, both below 10^100, to about 2⁻⁷⁷: the terms
-/// 1, 1/(2z²), 3/(4z⁴) and 15/(8z⁶) of the series; the next one is below 2⁻⁹³ of the first.
+/// w at `a + i b` without `e^{−z²}`, `4096 ≤ max(a, b)`, both below 10^100, to about 2⁻⁷⁷: the
+/// terms 1, 1/(2z²), 3/(4z⁴) and 15/(8z⁶) of the series; the next one is below 2⁻⁹³ of the first.
 #[inline(always)]
 pub(super) fn four_terms(a: f64, b: f64) -> (Dd, Dd) {
     let r2 = two_prod(a, a) + two_prod(b, b);
@@ -246,5 +246,4 @@ pub(super) fn large<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd, f64) {
 }
 
 #[cfg(test)]
-#[path = "tests/asymptotic.rs"]
 mod tests;

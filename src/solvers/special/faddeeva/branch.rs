@@ -1,5 +1,5 @@
-//! The choice of a formula: one ladder of limits of |z|², by which single points, batches and the functions built
-//! on w go, and which [`SEAMS`](super::SEAMS) publishes.
+//! The choice of a formula: one ladder of limits of |z|², by which single points, batches and the
+//! functions built on w go, and which [`SEAMS`](super::SEAMS) publishes.
 
 use crate::hex::hex;
 use crate::real::Real;
@@ -74,7 +74,8 @@ pub(super) const SERIES_4: Branch = Branch::Asymptotic { terms: 4 };
 pub(super) const SERIES_2: Branch = Branch::Asymptotic { terms: 2 };
 
 impl Branch {
-    /// A number for each formula for w that has no other condition than its place; batches sort by it.
+    /// A number for each formula for w that has no other condition than its place; batches sort by
+    /// it.
     #[inline(always)]
     pub(super) const fn number(self) -> usize {
         match self {
@@ -124,11 +125,11 @@ const fn ring(from: f64, [above, below, pairs]: [Branch; 3], strip: Option<Branc
     }
 }
 
-/// The ladder. Every limit but the last is one of 1, 5/4, 3/2, 7/4 times a power of two, so that the exponent
-/// and the first two bits of the fraction tell which side of it a number is on.
+/// The ladder. Every limit but the last is one of 1, 5/4, 3/2, 7/4 times a power of two, so that
+/// the exponent and the first two bits of the fraction tell which side of it a number is on.
 ///
-/// What the asymptotic series leaves out is below 2⁻⁵⁹ of w wherever pairs are summed. From 768 on
-/// `e^{−z²}` in the strip is below every `f64`; from the last limit on z is scaled first.
+/// The asymptotic series leaves out less than 2⁻⁵⁹ of w wherever pairs are summed. From
+/// 768 on `e^{−z²}` in the strip is below every `f64`; from the last limit on z is scaled first.
 #[rustfmt::skip]
 pub(super) const RINGS: [Ring; 13] = [
     //   |z|²            above         below         pairs         strip
@@ -147,19 +148,21 @@ pub(super) const RINGS: [Ring; 13] = [
     ring(1e200,         [Branch::Huge, Branch::Huge, Branch::Huge], None),
 ];
 
-/// The rings where the asymptotic series begins, where two terms of it begin to suffice, and where z is scaled.
+/// The rings where the asymptotic series begins, where two terms of it begin to suffice, and where
+/// z is scaled.
 const FAR: usize = 5;
 const TWO_TERMS: usize = 11;
 const SCALED: usize = 12;
 
-/// |z|² below which nine terms of the Maclaurin series suffice, and from which two of the asymptotic series do.
+/// |z|² below which nine terms of the Maclaurin series suffice, and from which two of the
+/// asymptotic series do.
 pub(super) const NEAREST: f64 = RINGS[1].from;
 pub(super) const FARTHEST: f64 = RINGS[TWO_TERMS].from;
 /// |z|² from which z is scaled first.
 pub(super) const HUGE: f64 = RINGS[SCALED].from;
 
-/// Within these limits of the larger of |Re z| and |Im z|, |z|² is within [`NEAREST`], [`FARTHEST`] and [`HUGE`],
-/// however it is rounded.
+/// Within these limits of the larger of |Re z| and |Im z|, |z|² is within [`NEAREST`], [`FARTHEST`]
+/// and [`HUGE`], however it is rounded.
 pub(super) const SURELY_NEAREST: f64 = 0.0055;
 pub(super) const SURELY_FARTHEST: f64 = 1024f64.next_up();
 pub(super) const SURELY_BELOW_HUGE: f64 = 7e99;
@@ -169,8 +172,8 @@ const _: () = {
     assert!(2.0 * SURELY_BELOW_HUGE * SURELY_BELOW_HUGE < 0.999 * HUGE);
 };
 
-/// Half the distance of the centres of the fine cells, and half the width of the strips beside the axes; 1/8 belongs
-/// to the strip, where a cell's centre would be on the axis.
+/// Half the distance of the centres of the fine cells, and half the width of the strips beside the
+/// axes; 1/8 belongs to the strip, where a cell's centre would be on the axis.
 pub(super) const STRIP: f64 = 0.125_f64.next_up();
 /// Where the fine cells end: the larger of |Re z|, |Im z|.
 pub(super) const FINE: f64 = 3.75;
@@ -182,8 +185,8 @@ pub(super) const TINY: f64 = 1e-290;
 /// A column of the ladder.
 type Column = [Branch; RINGS.len()];
 
-/// The columns. That of the strip, which has formulas of its own only in the middle, repeats the first and the last
-/// of them.
+/// The columns. That of the strip, which has formulas of its own only in the middle, repeats the
+/// first and the last of them.
 const COLUMNS: [Column; 4] = {
     let mut columns = [[REAL_AXIS; RINGS.len()]; 4];
     let mut k = 0;
@@ -226,9 +229,9 @@ const fn has_strip(r2: f64) -> bool {
     (r2 >= STRIP_FROM) & (r2 < STRIP_TO)
 }
 
-/// The entry of a column for |z|²; what is not a number has the last one. From the first change where the asymptotic
-/// series begins or after it in either direction, and past limits at which the column does not change: compiled, a
-/// few comparisons are left, the most frequent first.
+/// The entry of a column for |z|²; what is not a number has the last one. From the first change
+/// where the asymptotic series begins or after it in either direction, and past limits at which the
+/// column does not change: compiled, a few comparisons are left, the most frequent first.
 #[inline(always)]
 const fn look_up(column: &Column, r2: f64) -> Branch {
     let mut k = FAR;
@@ -248,8 +251,8 @@ const fn look_up(column: &Column, r2: f64) -> Branch {
     column[k]
 }
 
-/// The formula for w at a point, by |z|², whether it lies in the lower half-plane, in the strip beside the
-/// real axis, and next to it.
+/// The formula for w at a point, by |z|², whether it lies in the lower half-plane, in the strip
+/// beside the real axis, and next to it.
 #[inline(always)]
 pub(super) const fn formula(r2: f64, low: bool, beside_real: bool, next_to_real: bool) -> Branch {
     if beside_real && has_strip(r2) {
@@ -269,8 +272,8 @@ pub(super) fn formula_at(a: f64, y: f64) -> Branch {
     formula(r2, y < 0.0, b < STRIP, b < NEAR)
 }
 
-/// The formula for w as pairs of `f64` at `a + i b` in the first quadrant: beside either axis w is expanded about
-/// centres on it.
+/// The formula for w as pairs of `f64` at `a + i b` in the first quadrant: beside either axis w is
+/// expanded about centres on it.
 #[inline(always)]
 pub(super) fn formula_of_pairs(a: f64, b: f64) -> Branch {
     let r2 = modulus_squared(a, b);
@@ -289,14 +292,15 @@ pub(super) fn series_of_pairs(a: f64, b: f64) -> Branch {
     look_up(PAIRS, modulus_squared(a, b))
 }
 
-/// Whether the functions built on pairs are computed from their limits at `x + i y`: where z is huge, or not a number.
+/// Returns whether the functions built on pairs are computed from their limits at `x + i y`: where
+/// z is huge, or not a number.
 #[inline(always)]
 pub(super) fn is_huge(x: f64, y: f64) -> bool {
     !(modulus_squared(x, y) < HUGE)
 }
 
-/// Added to the distance from the real axis, where it does not count in |z|²: squares that underflow
-/// take as long as half of a formula.
+/// Added to the distance from the real axis, where it does not count in |z|²: squares that
+/// underflow take as long as half of a formula.
 const RAISE: f64 = 1e-150;
 
 /// |z|², by which the formula is chosen.

@@ -221,7 +221,7 @@ fn limits(x: f64, y: f64) -> (f64, f64) {
     ((s * half).add_f(u).value(), (c * half).add_f(v).value())
 }
 
-/// Whether F falls at x. The maximum is no `f64`.
+/// Returns whether F falls at x. The maximum is no `f64`.
 #[inline(always)]
 fn beyond_maximum(x: f64) -> bool {
     x > MAXIMUM[0] || (x == MAXIMUM[0] && MAXIMUM[1] < 0.0)
@@ -275,9 +275,10 @@ impl Task for DawsonReal {
 ///
 /// # Accuracy
 /// Worst found against the certified reference, 10⁵ points in each of eleven regions
-/// (`tests/faddeeva_related.rs`): norm 0.8 ε (ε = 2⁻⁵²), components 4 units in their last place; beside
-/// the axes and beside the zero 0.924… of F′, where Im F changes sign, too. Next to its zeros and to
-/// the zero curves of its components as [`erf`](super::erf()); `mechaudit audit dawson` judges it.
+/// (`tests/faddeeva_related.rs`): norm 0.8 ε (ε = 2⁻⁵²), components 4 units in their last place;
+/// beside the axes and beside the zero 0.924… of F′, where Im F changes sign, too. Next to its
+/// zeros and to the zero curves of its components as [`erf`](super::erf());
+/// `mechaudit audit dawson` judges it.
 ///
 /// # Special values
 /// | z | F(z) |
@@ -286,7 +287,7 @@ impl Task for DawsonReal {
 /// | `x ± 0i` | Im is ±0 for \|x\| < 0.924… , ∓0 beyond: the sign of F′ |
 /// | `±∞ + iy`, y finite | `±0 ∓ 0i` |
 /// | `0 ± i∞` | `0 ± i∞` |
-/// | `x ± i∞`, x ≠ 0 | `NaN + NaN i`: \|F\| grows like `e^{y²}` while its direction turns by 2xy, so that no component has a limit, nor the sign of one |
+/// | `x ± i∞`, x ≠ 0 | `NaN + NaN i`: F turns by 2xy while \|F\| grows like `e^{y²}` |
 /// | a component NaN | `NaN + NaN i`; Im is ±0 on the real axis, Re is ±0 on the imaginary axis |
 /// | above the range | the infinity of the right sign for each component above it |
 ///
@@ -304,8 +305,8 @@ pub fn dawson(z: Complex<f64>) -> Complex<f64> {
 
 /// [`dawson`] of a real argument.
 ///
-/// Proved for every finite argument: within 7/8 of a unit in the last place (`mechaudit prove dawson`). ±0 at ±∞, NaN for
-/// NaN.
+/// Proved for every finite argument: within 7/8 of a unit in the last place
+/// (`mechaudit prove dawson`). ±0 at ±∞, NaN for NaN.
 ///
 /// ```
 /// use mechaudit_solvers::faddeeva::dawson_real;

@@ -30,8 +30,9 @@ fn cancelled(sum: Dd, term: Dd) -> bool {
     sum.hi.abs() < 0.4 * term.hi.abs()
 }
 
-/// Sizes below which a component is computed again in 256 bits: double-double is within 2⁻⁹⁸ for |z| < 4096, beyond
-/// within `2⁻⁵¹/|z|⁴`, and next to the diagonal within `2⁻⁴⁹/|z|⁶` of the imaginary part.
+/// Sizes below which a component is computed again in 256 bits: double-double is within 2⁻⁹⁸ for
+/// |z| < 4096, beyond within `2⁻⁵¹/|z|⁴`, and next to the diagonal within `2⁻⁴⁹/|z|⁶` of the
+/// imaginary part.
 const NEAR: f64 = hex("0x1p-44");
 const FAR_BELOW: f64 = hex("0x1p-22");
 const FAR_ABOVE: f64 = hex("0x1p-19");
@@ -57,7 +58,8 @@ impl Task for Exact {
         } else {
             series_derivative::<3>(a, b)
         };
-        // What is lost of the upper half-plane's terms, by its size, and the terms of the other one.
+        // What is lost of the upper half-plane's terms, by its size, and the terms of the other
+        // one.
         let r2 = a.mul_add(a, b * b);
         let upper = match (near, lower) {
             (true, _) => NEAR,
@@ -99,8 +101,8 @@ fn vanishing(Exact { a, b, lower, down }: Exact) -> (f64, f64) {
 pub(super) const UNDERFLOW: f64 = 28.0;
 const LINEAR: f64 = hex("0x1p-900");
 
-/// w′ at `a ± i b` where the terms of Re w′ may be subnormal: they are added 2³⁰⁰ times as large, and the sum is
-/// rounded once. Below the axis they have opposite signs.
+/// w′ at `a ± i b` where the terms of Re w′ may be subnormal: they are added 2³⁰⁰ times as large,
+/// and the sum is rounded once. Below the axis they have opposite signs.
 #[cold]
 #[inline(never)]
 fn underflowing(a: f64, b: f64, lower: bool) -> (f64, f64) {
@@ -219,9 +221,9 @@ impl Task for Derivative {
 ///
 /// # Accuracy
 /// Worst found against the certified reference, 10⁵ points in each of eleven regions
-/// (`tests/faddeeva_related.rs`): norm 0.7 ε (ε = 2⁻⁵²), components 4 units in their last place. Next to
-/// zeros, and to curves on which a component is zero, sums in 256 bits: 1.2 units the worst of 5000
-/// points in each region of the audit. `mechaudit audit faddeeva-derivative` judges it.
+/// (`tests/faddeeva_related.rs`): norm 0.7 ε (ε = 2⁻⁵²), components 4 units in their last place.
+/// Next to zeros, and to curves on which a component is zero, sums in 256 bits: 1.2 units the worst
+/// of 5000 points in each region of the audit. `mechaudit audit faddeeva-derivative` judges it.
 ///
 /// # Special values
 /// | z | w′(z) |

@@ -23,14 +23,12 @@ use super::quadrant::{
     circle, dawson_in_strip, gaussian, gaussian_exact, lifted, pair_times_power, product, size,
     times_power, w, w_exact,
 };
+use super::real_line::COMPLEMENT;
 use crate::double_double::Dd;
 use crate::hex::hex;
 use crate::lanes::{Lanes, Task, with_best};
 use crate::real::{ROUND, scaled, with_sign_of};
 use num_complex::Complex;
-
-/// Re z from which erfc is not computed as 1 − erf.
-pub(super) const COMPLEMENT: f64 = 0.25;
 
 /// xy below which, x being small, Re erf is linear in it.
 const LINEAR: f64 = hex("0x1p-32");
@@ -116,8 +114,8 @@ impl Task for Exact {
         let (offset, sign) = which.of_erfc();
         let linear = x < STRIP && x * y < LINEAR;
         let re = if linear {
-            // Re erf = (2/√π) x e^{y²} (1 − x²(2y² + 1)/3 + …), and c = e^{y²} (1 − x²(2y² + 1) + …);
-            // e^{−z²}w is far larger.
+            // Re erf = (2/√π) x e^{y²} (1 − x²(2y² + 1)/3 + …), and c = e^{y²} (1 − x²(2y² + 1) +
+            // …); e^{−z²}w is far larger.
             let linear = (c * TWO_OVER_SQRT_PI).mul_f(x);
             let second = 2.0 / 3.0 * (x * x) * (2.0 * y).mul_add(y, 1.0);
             let linear = linear.add_f(linear.hi * second);
@@ -248,8 +246,8 @@ fn limits(which: Which, x: f64, y: f64) -> (f64, f64) {
     (offset + sign * re, sign * im)
 }
 
-/// Any point of the first quadrant, NaN included. On an axis erf is real or imaginary, and there its
-/// slope is positive, so that the zero has the sign of the other part.
+/// Any point of the first quadrant, NaN included. On an axis erf is real or imaginary, and there
+/// its slope is positive, so that the zero has the sign of the other part.
 #[inline(always)]
 fn anywhere<L: Lanes>(lanes: L, which: Which, x: f64, y: f64) -> (f64, f64) {
     let (re, im) = if is_huge(x, y) {
@@ -303,9 +301,9 @@ impl Task for Erfc {
 /// # Accuracy
 /// Worst found against the certified reference, 10⁵ points in each of eleven regions
 /// (`tests/faddeeva_related.rs`): norm 0.8 ε (ε = 2⁻⁵²), components 4 units in their last place;
-/// `mechaudit audit erf` judges it. Both components keep their relative accuracy next to zero, beside
-/// the axes, next to zeros and next to the curves on which they are zero, there by sums in 256 bits:
-/// 0.9 units the worst of 5000 points in each region of the audit.
+/// `mechaudit audit erf` judges it. Both components keep their relative accuracy next to zero,
+/// beside the axes, next to zeros and next to the curves on which they are zero, there by sums in
+/// 256 bits: 0.9 units the worst of 5000 points in each region of the audit.
 ///
 /// # Special values
 /// | z | erf z |
@@ -332,18 +330,18 @@ pub fn erf(z: Complex<f64>) -> Complex<f64> {
     Complex::new(re, im)
 }
 
-/// The complementary error function `erfc z = 1 − erf z = e^{−z²} w(iz)` (DLMF 7.2.2, 7.2.3), on the
-/// whole plane.
+/// The complementary error function `erfc z = 1 − erf z = e^{−z²} w(iz)` (DLMF 7.2.2, 7.2.3), on
+/// the whole plane.
 ///
 /// # Accuracy
 /// Worst found against the certified reference, 10⁵ points in each of eleven regions
-/// (`tests/faddeeva_related.rs`): norm 1.1 ε (ε = 2⁻⁵²; at gradual underflow in units of it), components
-/// 3.7 units in their last place; `mechaudit audit erfc` judges it. Next to zeros and zero curves as
-/// [`erf`].
+/// (`tests/faddeeva_related.rs`): norm 1.1 ε (ε = 2⁻⁵²; at gradual underflow in units of it),
+/// components 3.7 units in their last place; `mechaudit audit erfc` judges it. Next to zeros and
+/// zero curves as [`erf`].
 ///
 /// # Special values
-/// `1 − erf z`, with the table of [`erf`]: Im is ∓0 at `x ± 0i`, `+0 ∓ 0i` at `+∞ ± iy`, `2 ∓ 0i` at `−∞ ± iy`, `1 ∓ i∞` at
-/// `0 ± i∞`, NaN as there.
+/// `1 − erf z`, with the table of [`erf`]: Im is ∓0 at `x ± 0i`, `+0 ∓ 0i` at `+∞ ± iy`, `2 ∓ 0i`
+/// at `−∞ ± iy`, `1 ∓ i∞` at `0 ± i∞`, NaN as there.
 ///
 /// ```
 /// use mechaudit_solvers::faddeeva::erfc;
@@ -357,8 +355,8 @@ pub fn erfc(z: Complex<f64>) -> Complex<f64> {
     Complex::new(re, im)
 }
 
-/// The imaginary error function `erfi z = −i erf(iz) = (2/√π) e^{z²} F(z)` (DLMF 7.5.1), on the whole
-/// plane.
+/// The imaginary error function `erfi z = −i erf(iz) = (2/√π) e^{z²} F(z)` (DLMF 7.5.1), on the
+/// whole plane.
 ///
 /// # Accuracy
 /// That of [`erf`]; `mechaudit audit erfi` judges it. Special values: those of [`erf`] at `iz`.

@@ -126,8 +126,8 @@ impl Task for ErfcxReal {
 
 /// [`erf`](super::erf()) of a real argument.
 ///
-/// Proved for every finite argument: within 7/8 of a unit in the last place (`mechaudit prove erf`). `erf(±∞) = ±1`, NaN
-/// for NaN.
+/// Proved for every finite argument: within 7/8 of a unit in the last place
+/// (`mechaudit prove erf`). `erf(±∞) = ±1`, NaN for NaN.
 ///
 /// ```
 /// use mechaudit_solvers::faddeeva::erf_real;
@@ -139,8 +139,9 @@ pub fn erf_real(x: f64) -> f64 {
 
 /// [`erfc`](super::erfc()) of a real argument.
 ///
-/// Proved for every finite argument: within 7/8 of a unit in the last place (`mechaudit prove erfc`), gradual underflow
-/// from 26.5 to 27.2 included. `erfc(∞) = 0`, `erfc(−∞) = 2`, NaN for NaN.
+/// Proved for every finite argument: within 7/8 of a unit in the last place
+/// (`mechaudit prove erfc`), gradual underflow from 26.5 to 27.2 included. `erfc(∞) = 0`,
+/// `erfc(−∞) = 2`, NaN for NaN.
 ///
 /// ```
 /// use mechaudit_solvers::faddeeva::erfc_real;
@@ -165,8 +166,9 @@ pub fn erfi_real(x: f64) -> f64 {
 
 /// [`erfcx`](super::erfcx()) of a real argument.
 ///
-/// Proved for every finite argument: within 7/8 of a unit in the last place (`mechaudit prove erfcx`), or +∞ where the
-/// value is above the range, below −26.62873571375149. `erfcx(∞) = 0`, NaN for NaN.
+/// Proved for every finite argument: within 7/8 of a unit in the last place
+/// (`mechaudit prove erfcx`), or +∞ where the value is above the range, below −26.62873571375149.
+/// `erfcx(∞) = 0`, NaN for NaN.
 ///
 /// ```
 /// use mechaudit_solvers::faddeeva::erfcx_real;

@@ -95,9 +95,8 @@ impl Task for Tiny {
 ///
 /// # Accuracy
 /// That of [`faddeeva`](super::faddeeva()). Worst found against the certified reference, 10⁵ points
-/// in each of eleven regions (`tests/faddeeva_related.rs`): norm 1.7 ε (ε = 2⁻⁵²), components 2.8 units in
-/// their last place.
-/// `mechaudit audit erfcx` judges it.
+/// in each of eleven regions (`tests/faddeeva_related.rs`): norm 1.7 ε (ε = 2⁻⁵²), components 2.8
+/// units in their last place. `mechaudit audit erfcx` judges it.
 ///
 /// # Special values
 /// Those of w at `iz`; `+∞` at `−∞ + 0i`, NaN at `−∞ + iy`, y ≠ 0. Above the range of `f64` each

@@ -1,4 +1,5 @@
-//! W in double-double at arguments in double-double, for solvers that take differences of its values.
+//! W in double-double at arguments in double-double, for solvers that take differences of its
+//! values.
 
 use super::constants::TWO_OVER_SQRT_PI;
 use super::quadrant::{gaussian_exact, pair_times_power, w_exact};

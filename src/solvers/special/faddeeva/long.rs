@@ -1,7 +1,7 @@
 //! Binary floating-point numbers of 256 bits, for the few points where two `f64` have too few.
 //!
-//! Results are cut off, not rounded: each operation is within 2⁻²⁵⁴ of the exact result, a sum within 2⁻²⁵⁵
-//! of its larger term.
+//! Results are cut off, not rounded: each operation is within 2⁻²⁵⁴ of the exact result, a sum
+//! within 2⁻²⁵⁵ of its larger term.
 
 use crate::real::{ROUND, scaled};
 use std::array::from_fn;
@@ -224,5 +224,4 @@ impl Mul for Long {
 }
 
 #[cfg(test)]
-#[path = "tests/long.rs"]
 mod tests;

@@ -64,7 +64,8 @@ const HALVINGS: i64 = 8;
 /// Terms: `(0.9/2⁸)²⁴/24!` is below 2⁻²⁷⁴.
 const TERMS: u64 = 24;
 
-/// `e^{x + iφ}`; relative error of each component about 2⁻²⁴⁰ for `|x| < 2¹⁰` and where φ has few quarters.
+/// `e^{x + iφ}`; relative error of each component about 2⁻²⁴⁰ for `|x| < 2¹⁰` and where φ has few
+/// quarters.
 pub(super) fn exp(x: Long, phi: Angle) -> Complex {
     let k = (x.value() * std::f64::consts::LOG2_E).round_ties_even();
     let r = (
@@ -117,5 +118,4 @@ pub(super) fn gaussian(a: f64, y: f64) -> Complex {
 }
 
 #[cfg(test)]
-#[path = "tests/long_functions.rs"]
 mod tests;

@@ -10,8 +10,9 @@ pub(super) fn erfc(x: f64, y: f64) -> Complex {
     times(gaussian(x, y), (u, -v))
 }
 
-/// `Re erf(x + i y)` beside the imaginary axis, `xy < 2⁻³²`: the three first terms of the series in x,
-/// `(2/√π) x e^{y²} (1 − x² (2y² + 1)/3 + x⁴ (4y⁴ + 12y² + 3)/30)`; the next one is below `(xy)⁶/100`.
+/// `Re erf(x + i y)` beside the imaginary axis, `xy < 2⁻³²`: the three first terms of the series in
+/// x, `(2/√π) x e^{y²} (1 − x² (2y² + 1)/3 + x⁴ (4y⁴ + 12y² + 3)/30)`; the next one is below
+/// `(xy)⁶/100`.
 pub(super) fn re_erf(x: f64, y: f64) -> Long {
     let (x, y) = (Long::from(x), Long::from(y));
     let (xx, yy) = (x.square(), y.square());
@@ -48,5 +49,4 @@ pub(super) fn derivative(a: f64, y: f64) -> Complex {
 }
 
 #[cfg(test)]
-#[path = "tests/long_relatives.rs"]
 mod tests;

@@ -1,13 +1,15 @@
-//! W(z) in 256 bits, for points so close to a curve on which a component is zero, or to a zero, that
-//! double-double has too few digits.
+//! W(z) in 256 bits, for points so close to a curve on which a component is zero, or to a zero,
+//! that double-double has too few digits.
 //!
-//! For `|z| < 4096` the rule of [`trapezoidal`](super::trapezoidal) with the step `h = 1/4`: its remainder is
-//! below `2e^{−(4π)²} < 2⁻²²⁶`, and below that times `Im z` in the real part, which the real axis makes odd in
-//! Im z. Nodes end at 13, where `e^{−t²} < 2⁻²⁴³`. Beyond, the asymptotic series (DLMF 7.12.1) with twelve terms;
-//! the next one is below `25!!/2¹³ · 2⁻³¹² < 2⁻²⁸²` of the first.
+//! For `|z| < 4096` the rule of [`trapezoidal`](super::trapezoidal) with the step `h = 1/4`: its
+//! remainder is below `2e^{−(4π)²} < 2⁻²²⁶`, and below that times `Im z` in the real part, which
+//! the real axis makes odd in Im z. Nodes end at 13, where `e^{−t²} < 2⁻²⁴³`. Beyond, the
+//! asymptotic series (DLMF 7.12.1) with twelve terms; the next one is below
+//! `25!!/2¹³ · 2⁻³¹² < 2⁻²⁸²` of the first.
 //!
-//! How close a component may come to zero: of the two terms, whose phase `2ab` is a multiple of the last places
-//! of a and b, 106 bits can vanish, and a few more by chance among all exponents. What is left has 80 bits.
+//! How close a component may come to zero: of the two terms, whose phase `2ab` is a multiple of the
+//! last places of a and b, 106 bits can vanish, and a few more by chance among all exponents. What
+//! is left has 80 bits.
 
 use super::long::Long;
 use super::long_functions::{Angle, Complex, HALF_PI, exp, gaussian, plus, reciprocal, times};
@@ -83,8 +85,8 @@ fn trapezoidal(a: f64, y: f64) -> Complex {
     plus(sum(halfway, a, y), (re.scale(1), im.scale(1)))
 }
 
-/// `1/z` and `Σ c_n/z²ⁿ` at `z = a + i b`, with `c₀ = 1`, `c_n = (n + offset) c_{n−1}`: by the offset −½ the
-/// asymptotic series of w (DLMF 7.12.1), by ½ that of its derivative.
+/// `1/z` and `Σ c_n/z²ⁿ` at `z = a + i b`, with `c₀ = 1`, `c_n = (n + offset) c_{n−1}`: by the
+/// offset −½ the asymptotic series of w (DLMF 7.12.1), by ½ that of its derivative.
 pub(super) fn series(a: f64, b: f64, offset: f64) -> (Complex, Complex) {
     let one = (Long::ONE, Long::ZERO);
     let inverse = reciprocal((Long::from(a), Long::from(b)));
@@ -98,7 +100,8 @@ pub(super) fn series(a: f64, b: f64, offset: f64) -> (Complex, Complex) {
     (inverse, sum)
 }
 
-/// w at `a + i y`, `0 ≤ a`, `|z| < 2³³²`, `y² − a²` below 2¹⁰ for `y < 0`: each component to 2⁻²⁰⁰ of its terms.
+/// w at `a + i y`, `0 ≤ a`, `|z| < 2³³²`, `y² − a²` below 2¹⁰ for `y < 0`: each component to 2⁻²⁰⁰
+/// of its terms.
 pub(super) fn w(a: f64, y: f64) -> Complex {
     if a.max(y.abs()) < 4096.0 {
         return trapezoidal(a, y);
@@ -114,8 +117,8 @@ pub(super) fn w(a: f64, y: f64) -> Complex {
     (c.scale(1) - u, s.scale(1) + v)
 }
 
-/// The part of its terms below which a component is computed again with these numbers: double-double is within 2⁻⁹²
-/// of the larger term, from `|z| = 4096` on 2⁻⁷⁷.
+/// The part of its terms below which a component is computed again with these numbers:
+/// double-double is within 2⁻⁹² of the larger term, from `|z| = 4096` on 2⁻⁷⁷.
 #[inline(always)]
 pub(super) fn vanishing_part(a: f64, b: f64) -> f64 {
     const NEAR: f64 = hex("0x1p-36");
@@ -123,8 +126,8 @@ pub(super) fn vanishing_part(a: f64, b: f64) -> f64 {
     if a.max(b) < 4096.0 { NEAR } else { FAR }
 }
 
-/// The part of its modulus that the imaginary part of `e^{−z²}` may have: small beside the axes, where its phase has
-/// all its digits.
+/// The part of its modulus that the imaginary part of `e^{−z²}` may have: small beside the axes,
+/// where its phase has all its digits.
 #[inline(always)]
 pub(super) fn turned(a: f64, b: f64) -> f64 {
     (2.0 * a * b).min(1.0)
@@ -139,5 +142,4 @@ pub(super) fn lower(a: f64, b: f64) -> (f64, f64) {
 }
 
 #[cfg(test)]
-#[path = "tests/long_w.rs"]
 mod tests;

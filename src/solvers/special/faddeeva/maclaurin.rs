@@ -5,8 +5,8 @@
 //! ```
 //!
 //! In `v = −iz` this is `1 + k₁v + k₂v² + …` with real coefficients, and with `v² = pv − t` it is
-//! `1 + b₁v − t b₂` (Knuth, *TAOCP* 2, 4.6.4), `b_n = k_n + p b_{n+1} − t b_{n+2}`: the imaginary part of v
-//! is a factor, and both components of w keep their relative accuracy beside the axes.
+//! `1 + b₁v − t b₂` (Knuth, *TAOCP* 2, 4.6.4), `b_n = k_n + p b_{n+1} − t b_{n+2}`: the imaginary
+//! part of v is a factor, and both components of w keep their relative accuracy beside the axes.
 
 use crate::double_double::{fast_two_sum, two_prod};
 use crate::real::Real;
@@ -26,7 +26,7 @@ const K: [f64; 8] = [
     1.0 / 24.0,
 ];
 
-/// What is left of `−2/√π` after the first coefficient.
+/// States what is left of `−2/√π` after the first coefficient.
 const FIRST_LO: f64 = -2.0 * super::constants::INV_SQRT_PI.lo;
 
 /// `1/m!`, the coefficient of `v^2m`, for m = 1 … 10.
@@ -56,7 +56,8 @@ const ODD: [f64; 9] = {
     table
 };
 
-/// `(Re w, Im w)` at `x + i y` for `|z| < 2⁻⁷`; what is left out is below `0.2 |z|⁸` of a component.
+/// `(Re w, Im w)` at `x + i y` for `|z| < 2⁻⁷`; what is left out is below `0.2 |z|⁸` of a
+/// component.
 #[inline(always)]
 pub(super) fn nine_terms<R: Real>(x: R, y: R) -> (R, R) {
     let k = |n: usize| x.like(K[n - 1]);
@@ -74,8 +75,8 @@ pub(super) fn nine_terms<R: Real>(x: R, y: R) -> (R, R) {
 
 /// `(Re w, Im w)` at `x + i y` for `|z| < 1/4`; what is left out is below `2⁻⁵⁸` of a component.
 ///
-/// Even and odd powers apart, `w = 1 + c₀v + q (E + vO)` with E and O polynomials in `q = v²`, `q² = sq − t`:
-/// half the chain of dependent operations.
+/// Even and odd powers apart, `w = 1 + c₀v + q (E + vO)` with E and O polynomials in `q = v²`,
+/// `q² = sq − t`: half the chain of dependent operations.
 #[inline(always)]
 pub(super) fn twenty_one_terms<R: Real>(x: R, y: R) -> (R, R) {
     let like = |c: f64| x.like(c);
@@ -108,8 +109,8 @@ fn times_argument<R: Real, const N: usize>(s: R, minus: R, c: &[f64; N]) -> (R, 
 }
 
 /// `w(iy) = erfcx y` for `|y| < 2⁻⁷`, rounded once at the end. What is rounded before is below
-/// `2⁻⁵² y²`, less than the `2⁻⁵³ y` by which the function falls from one number to the next, so that
-/// it never grows with y.
+/// `2⁻⁵² y²`, less than the `2⁻⁵³ y` by which the function falls from one number to the next, so
+/// that it never grows with y.
 #[inline(always)]
 pub(super) fn on_imaginary_axis<R: Real>(y: R) -> R {
     let like = |c: f64| y.like(c);
@@ -124,5 +125,4 @@ pub(super) fn on_imaginary_axis<R: Real>(y: R) -> R {
 }
 
 #[cfg(test)]
-#[path = "tests/maclaurin.rs"]
 mod tests;

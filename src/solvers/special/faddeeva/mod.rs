@@ -1,40 +1,46 @@
 //! The Faddeeva function `w(z) = e^{−z²} erfc(−iz)` (DLMF 7.2.3) in `f64`, on the whole plane.
 //!
 //! # Accuracy
-//! Each component within a few units in its own last place wherever it is representable: beside
-//! the axes, on the diagonals, in the lower half-plane and next to the zeros of w and of its
-//! components. Worst found against the certified reference at 4.9 · 10⁷ points of 13 regions, the seams between
-//! formulas among them (`reference/campaigns`): 1.69 · 2⁻⁵² of the norm (0.99 away from the lower half-plane); of a component, 3.21 units
-//! in the last place, in the lower half-plane; 1.8 in `small`, `mid` and `far`, 2.3 beside the real axis, 2.5 on the
-//! diagonals, 2.9 next to zeros. `mechaudit audit faddeeva` judges it; `benches/peers` measures it beside other codes.
+//! Each component within a few units in its own last place wherever it is representable: beside the
+//! axes, on the diagonals, in the lower half-plane and next to the zeros of w and of its
+//! components. Worst found against the certified reference at 4.9 · 10⁷ points of 13 regions, the
+//! seams between formulas among them (`reference/campaigns`): 1.69 · 2⁻⁵² of the norm (0.99 away
+//! from the lower half-plane); of a component, 3.21 units in the last place, in the lower
+//! half-plane; 1.8 in `small`, `mid` and `far`, 2.3 beside the real axis, 2.5 on the diagonals, 2.9
+//! next to zeros. `mechaudit audit faddeeva` judges it; `benches/peers` measures it beside other
+//! codes.
 //!
-//! Proved by machine for every finite z with Im z ≥ 0: 1.25 · 2⁻⁵² of the norm and 4 units in the last place of each
-//! component, but for what underflows (`mechaudit prove faddeeva`); for Im z < 0, where w does not overflow, 2.5 · 2⁻⁵² of the
-//! norm (`--part lower`), where points are computed again by an analysis by hand.
+//! Proved by machine for every finite z with Im z ≥ 0: 1.25 · 2⁻⁵² of the norm and 4 units in the
+//! last place of each component, but for what underflows (`mechaudit prove faddeeva`); for Im z <
+//! 0, where w does not overflow, 2.5 · 2⁻⁵² of the norm (`--part lower`), where points are computed
+//! again by an analysis by hand.
 //!
 //! # Method
-//! In the closed first quadrant, by `|z|` and the distance from the axes ([`Branch`]; [`SEAMS`] has the limits):
+//! In the closed first quadrant, by `|z|` and the distance from the axes ([`Branch`]; [`SEAMS`] has
+//! the limits):
 //!
 //! - inside the first two circles: Maclaurin series with 9 and 21 terms;
-//! - up to the circle where the asymptotic series begins: Taylor series of 18 terms about tabulated centres,
-//!   closer together where `|z|` is small, the two leading coefficients in double-double; beside the axes the
-//!   centres lie on them (on the real axis closest together), so that the small component keeps its relative
-//!   accuracy; on the imaginary axis with the real coefficients of erfcx;
-//! - beyond: asymptotic series (DLMF 7.12.1) with 26, 14, 6, 4 or 2 terms, and `e^{−z²}` added beside the
-//!   real axis; next to it two real polynomials serve instead.
+//! - up to the circle where the asymptotic series begins: Taylor series of 18 terms about tabulated
+//!   centres, closer together where `|z|` is small, the two leading coefficients in double-double;
+//!   beside the axes the centres lie on them (on the real axis closest together), so that the small
+//!   component keeps its relative accuracy; on the imaginary axis with the real coefficients of
+//!   erfcx;
+//! - beyond: asymptotic series (DLMF 7.12.1) with 26, 14, 6, 4 or 2 terms, and `e^{−z²}` added
+//!   beside the real axis; next to it two real polynomials serve instead.
 //!
 //! Batches are sorted by formula, 256 points at a time, by the leading bits of `|z|²` and a few
-//! comparisons; in batches of 1024 points and more, those that fewer than eight of the 256 share a formula with
-//! wait until there are more.
+//! comparisons; in batches of 1024 points and more, those that fewer than eight of the 256 share a
+//! formula with wait until there are more.
 //!
 //! In the lower half-plane `w(z) = 2e^{−z²} − w(−z)` (DLMF 7.4.3) with `z²` in double-double and
-//! exponent and phase reduced accordingly (Payne–Hanek for huge phases), and with the formulas above
-//! carried on to pairs of `f64`; single ones suffice in cells and with 26 terms beyond the first hyperbola of
-//! [`SEAMS`], because one of the terms dominates there. Where a component is smaller than a twenty-fifth of its
-//! terms, or both are small, w is computed again in double-double by the trapezoidal rule with the residue at its pole, and where a component is below 2⁻³⁶ of them once more
-//! in 256 bits (|z| < 4096; beyond, by the asymptotic series, below 2⁻²²). So is a component whose phase is within
-//! 2⁻⁶⁰ of a multiple of π/2. Next to the first twelve zeros w comes from Taylor series about the zero, which is
-//! stored to 160 bits.
+//! exponent and phase reduced accordingly (Payne–Hanek for huge phases), and with the formulas
+//! above carried on to pairs of `f64`; single ones suffice in cells and with 26 terms beyond the
+//! first hyperbola of [`SEAMS`], because one of the terms dominates there. Where a component is
+//! smaller than a twenty-fifth of its terms, or both are small, w is computed again in
+//! double-double by the trapezoidal rule with the residue at its pole, and where a component is
+//! below 2⁻³⁶ of them once more in 256 bits (|z| < 4096; beyond, by the asymptotic series, below
+//! 2⁻²²). So is a component whose phase is within 2⁻⁶⁰ of a multiple of π/2. Next to the first
+//! twelve zeros w comes from Taylor series about the zero, which is stored to 160 bits.
 //!
 //! # Special values
 //! | z | w(z) |
@@ -96,7 +102,7 @@ mod voigt_hwhm;
 mod zeros;
 
 pub use branch::Branch;
-pub use seams::{SEAMS, SEAMS_OF_RELATIVES, Seams};
+pub use seams::{LIMITS_OF_VOIGT, LIMITS_OF_VOIGT_HWHM, SEAMS, SEAMS_OF_RELATIVES, Seams};
 
 pub use dawson::{dawson, dawson_batch, dawson_real};
 pub use derivative::w_derivative;
@@ -114,12 +120,13 @@ use many::all;
 use num_complex::Complex;
 use points::{Apart, Interleaved};
 
-/// The bound of `|faddeeva(z) − w(z)| / |w(z)|` in units of 2⁻⁵² that `mechaudit prove faddeeva` proves for every
-/// `z` with `Im z ≥ 0`.
+/// The bound of `|faddeeva(z) − w(z)| / |w(z)|` in units of 2⁻⁵² that `mechaudit prove faddeeva`
+/// proves for every `z` with `Im z ≥ 0`.
 pub const PROVED_NORM: f64 = 1.25;
 
-/// The bound of the error of [`erf_real`], [`erfc_real`], [`erfcx_real`] and [`dawson_real`], in units in the last
-/// place of the value, that `mechaudit prove erf` (`erfc`, …) proves for every argument.
+/// The bound of the error of [`erf_real`], [`erfc_real`], [`erfcx_real`] and [`dawson_real`], in
+/// units in the last place of the value, that `mechaudit prove erf` (`erfc`, …) proves for every
+/// argument.
 pub const PROVED_REAL_ULPS: f64 = 0.875;
 
 /// The Faddeeva function `w(z) = e^{−z²} erfc(−iz)`.

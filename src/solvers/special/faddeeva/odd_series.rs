@@ -73,7 +73,8 @@ fn triple(a: Dd, b: Dd) -> Dd {
     sum(Dd::new(p.hi, (-3.0f64).mul_add(a.lo, p.lo)), b)
 }
 
-/// `s = 2(x² − y²)` and `t = (x² + y²)²` of the recurrence, rounded, with what they are rounded from.
+/// `s = 2(x² − y²)` and `t = (x² + y²)²` of the recurrence, rounded, with what they are rounded
+/// from.
 #[derive(Clone, Copy)]
 struct Powers {
     s: f64,
@@ -83,8 +84,8 @@ struct Powers {
 }
 
 impl Powers {
-    /// `x (1 + c₁h + c₂(hs − t) + …)`: the real part with `h = x² − 3y²`, the imaginary one with y for x and
-    /// `h = 3x² − y²`.
+    /// `x (1 + c₁h + c₂(hs − t) + …)`: the real part with `h = x² − 3y²`, the imaginary one with y
+    /// for x and `h = 3x² − y²`.
     #[inline(always)]
     fn part<const N: usize>(
         self,
@@ -106,8 +107,9 @@ impl Powers {
     }
 }
 
-/// Real and imaginary part of `f(x + i y)`. Where `Im f` is small beside `y` it is what three terms leave of one
-/// another: they are taken in double-double, the rest of the series in double precision.
+/// Real and imaginary part of `f(x + i y)`. Where `Im f` is small beside `y` it is what three terms
+/// leave of one another: they are taken in double-double, the rest of the series in double
+/// precision.
 #[inline(always)]
 pub(super) fn odd<const N: usize>((c, low): (&[f64; N], [f64; 2]), x: f64, y: f64) -> (Dd, Dd) {
     let (xx, yy) = (two_prod(x, x), two_prod(y, y));

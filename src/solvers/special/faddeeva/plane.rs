@@ -31,17 +31,18 @@ use crate::real::{ROUND, Real, scaled, with_sign_of};
 const BESIDE: f64 = 2.5e-19;
 /// The binary exponent added to both terms there.
 const LIFT: f64 = 200.0;
-/// The parts of their terms below which components are computed again in double-double: in the strip beside the
-/// real axis by rows, and by the series.
+/// The parts of their terms below which components are computed again in double-double: in the
+/// strip beside the real axis by rows, and by the series.
 const CANCELLED_BESIDE: f64 = 0.15;
 const CANCELLED_ROUNDED: f64 = 0.6;
 /// Im z below which `|e^{−z²}|` may be beyond e^1000.
 const DEEP: f64 = -31.0;
 
-/// Binary exponents of `e^{−z²}` from which both components overflow, however close the phase is to a multiple of π/2.
+/// Binary exponents of `e^{−z²}` from which both components overflow, however close the phase is to
+/// a multiple of π/2.
 const OVERFLOWS: f64 = 1200.0;
 
-/// Whether the terms of the real part of w cancel beside the real axis: `e^{−x²}` and
+/// Returns whether the terms of the real part of w cancel beside the real axis: `e^{−x²}` and
 /// `y D′(x)`, which is about `y Im w/x`.
 #[inline(always)]
 pub(super) fn cancels_beside_real_axis<R: Real>(a: R, y: R, re: R, im: R) -> R::Mask {
@@ -85,8 +86,8 @@ fn with_exponential<R: Real>((u, v): (R, R), y: R, t: Dd<R>) -> (R, R, R::Mask) 
     if y.all(negligible) {
         return (part, v, v.below(like(0.0)));
     }
-    // |y| u is at most BESIDE here and u at least 7e-4, so that the phase 2ay is below 2e-14 and its
-    // cosine 1. Both terms raised, because operations with subnormal numbers are slow.
+    // |y| u is at most BESIDE here and u at least 7e-4, so that the phase 2ay is below 2e-14 and
+    // its cosine 1. Both terms raised, because operations with subnormal numbers are slow.
     let (e, n) = exp_rounded(t);
     let t = e * (n + like(LIFT)).power_of_two();
     let y = y * like(ROUND + LIFT).power_of_two();
@@ -278,8 +279,9 @@ fn below<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64, f64) {
 }
 
 /// The half-planes as functions of their own, so that the points that need few instructions do not
-/// make room for the registers of the others. Like [`W`] they have the bits of the point, because these tell
-/// which formula it needs: a branch taken wrongly costs the more, the later that is known.
+/// make room for the registers of the others. Like [`W`] they have the bits of the point, because
+/// these tell which formula it needs: a branch taken wrongly costs the more, the later that is
+/// known.
 struct Upper(u64, u64);
 struct Lower(u64, u64);
 

@@ -1,5 +1,5 @@
-//! The formulas for w in the closed first quadrant, for any type of number: what the proof of their error bound
-//! runs.
+//! The formulas for w in the closed first quadrant, for any type of number: what the proof of their
+//! error bound runs.
 //!
 //! Each function here hands its arguments on to the code that `f64`s and vectors run.
 
@@ -15,8 +15,8 @@ pub mod real_line;
 pub use crate::lanes::Vectors;
 pub use crate::real::{ROUND, Real};
 
-/// A row of complex coefficients: `Re c₀` (hi, lo), `Im c₀`, `Re c₁`, `Im c₁`, then four blocks of four real and
-/// four imaginary parts of `c₂ … c₁₇`.
+/// A row of complex coefficients: `Re c₀` (hi, lo), `Im c₀`, `Re c₁`, `Im c₁`, then four blocks of
+/// four real and four imaginary parts of `c₂ … c₁₇`.
 pub type Row = [f64; 40];
 /// A row of real coefficients: `c₀` (hi, lo), `c₁` (hi, lo), `c₂ … c₁₇`.
 pub type AxisRow = [f64; 20];
@@ -116,8 +116,8 @@ pub fn real_line_polynomials() -> &'static [[f64; 10]; 2] {
     &super::tables::REAL_LINE
 }
 
-/// `1/n!` from `n = 2` on in the polynomial of [`in_strip`] and [`on_real_line`] for `e^s`, and the two parts of ln 2
-/// that reduce its argument.
+/// `1/n!` from `n = 2` on in the polynomial of [`in_strip`] and [`on_real_line`] for `e^s`, and the
+/// two parts of ln 2 that reduce its argument.
 pub fn exponential() -> (&'static [f64; 12], [f64; 2]) {
     crate::exponential::of_rounded()
 }

@@ -22,7 +22,7 @@ use crate::real::ROUND;
 /// A sum smaller than this part of its terms is computed again in double-double.
 const CANCELLED: f64 = 1.0 / 6.0;
 
-/// Whether a sum has lost digits against one of its two terms.
+/// Returns whether a sum has lost digits against one of its two terms.
 #[inline(always)]
 pub(super) fn lost(sum: Dd, term: Dd) -> bool {
     sum.hi.abs() < CANCELLED * term.hi.abs()
@@ -43,8 +43,8 @@ pub(super) fn product((a, b): (Dd, Dd), (c, d): (Dd, Dd)) -> (Dd, Dd, bool) {
 }
 
 /// A coordinate so small that a function is linear in it, raised by 2³⁰⁰ so that its products keep
-/// all digits, and the exponent to subtract again. Where the other one is large, by 2⁶⁰, so that the
-/// phase stays small: everything that grows with it has overflowed there.
+/// all digits, and the exponent to subtract again. Where the other one is large, by 2⁶⁰, so that
+/// the phase stays small: everything that grows with it has overflowed there.
 #[inline(always)]
 pub(super) fn lifted(x: f64, other: f64) -> (f64, f64) {
     const SMALL: f64 = hex("0x1p-400");
@@ -259,7 +259,8 @@ pub(super) fn derivative<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd, bool) {
         }
         _ => {
             let (u, v) = far_derivative(a, b);
-            // Next to the diagonal all terms but the first are rounded; from 4096 on only those of third order.
+            // Next to the diagonal all terms but the first are rounded; from 4096 on only those of
+            // third order.
             let part = if a.max(b) < 4096.0 {
                 1.0 / 32.0
             } else {
@@ -308,8 +309,8 @@ pub(super) fn dawson_in_strip<L: Lanes>(lanes: L, t: f64, b: f64) -> (Dd, Dd) {
     (re, im.mul_f(b))
 }
 
-/// w at `a + i b`, `a, b ≥ 0`, `|z| < 10¹⁰⁰`, in double-double; to about 2⁻¹⁰⁰ of the larger component, from
-/// 4096 on to 2⁻⁷⁷.
+/// w at `a + i b`, `a, b ≥ 0`, `|z| < 10¹⁰⁰`, in double-double; to about 2⁻¹⁰⁰ of the larger
+/// component, from 4096 on to 2⁻⁷⁷.
 #[inline(always)]
 pub(super) fn w_exact<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
     if a.max(b) < 4096.0 {

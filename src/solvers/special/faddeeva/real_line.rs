@@ -1,13 +1,14 @@
-//! Formulas of erf, erfc, erfcx and Dawson's function of a real argument, for any type of number, as sums of two that
-//! are not rounded to one yet.
+//! Formulas of erf, erfc, erfcx and Dawson's function of a real argument, for any type of number,
+//! as sums of two that are not rounded to one yet.
 
 use super::constants::{HALF_SQRT_PI, INV_SQRT_PI, TWO_OVER_SQRT_PI};
-pub(super) use super::erf::COMPLEMENT;
 use super::odd_series::{DAWSON, ERF, odd_real};
 use crate::double_double::Dd;
 use crate::exponential::{exp, exponent, pair_times_power};
 use crate::real::{ROUND, Real};
 
+/// Re z from which erfc is not computed as 1 − erf.
+pub(super) const COMPLEMENT: f64 = 0.25;
 /// |x| below which erf x and Dawson's function are Maclaurin series.
 pub(super) const SERIES: f64 = 0.5;
 /// |x| from which |erf x| rounds to 1.
@@ -36,7 +37,8 @@ pub(super) fn erfc_near<R: Real>(x: R) -> Dd<R> {
     (-erf_near(x)).add_f(x.like(1.0))
 }
 
-/// erfc x for [`COMPLEMENT`] `≤ x <` [`FAR`], from erfcx x, as a mantissa and `ROUND` plus the exponent.
+/// erfc x for [`COMPLEMENT`] `≤ x <` [`FAR`], from erfcx x, as a mantissa and `ROUND` plus the
+/// exponent.
 #[inline(always)]
 pub(super) fn erfc_right<R: Real>(x: R, w: Dd<R>) -> (Dd<R>, R) {
     let (e, n) = exp(exponent(x, x.like(0.0)));
@@ -50,13 +52,15 @@ pub(super) fn erfc_left<R: Real>(x: R, w: Dd<R>) -> Dd<R> {
     (-pair_times_power(t, n)).add_f(x.like(2.0))
 }
 
-/// Whether erfcx −x is `2e^{x²}` to the last place, from `ROUND` plus the exponent of `e^{x²}`.
+/// Returns whether erfcx −x is `2e^{x²}` to the last place, from `ROUND` plus the exponent of
+/// `e^{x²}`.
 #[inline(always)]
 pub(super) fn alone(n: f64) -> bool {
     n > ROUND + ALONE
 }
 
-/// erfcx −x = `2e^{x²}` − erfcx x, from mantissa and `ROUND` plus the exponent of `e^{x²}` and erfcx x.
+/// erfcx −x = `2e^{x²}` − erfcx x, from mantissa and `ROUND` plus the exponent of `e^{x²}` and
+/// erfcx x.
 #[inline(always)]
 pub(super) fn erfcx_left<R: Real>((e, n): (Dd<R>, R), w: Dd<R>) -> Dd<R> {
     pair_times_power(e, n + n.like(1.0)) - w

@@ -1,4 +1,5 @@
-//! The lower half-plane: `w(z) = 2e^{−z²} − w(−z)` (DLMF 7.4.3), both terms at `a − i b` from a and b.
+//! The lower half-plane: `w(z) = 2e^{−z²} − w(−z)` (DLMF 7.4.3), both terms at `a − i b` from a and
+//! b.
 
 use crate::double_double::{Dd, two_sum};
 use crate::exponential::{
@@ -9,19 +10,21 @@ use crate::real::{ROUND, Real};
 
 /// A component smaller than this part of its terms is computed again in double-double.
 pub(super) const CANCELLED: f64 = 0.04;
-/// And both components where neither is larger than this part of the larger one of w(−z): around zeros.
+/// And both components where neither is larger than this part of the larger one of w(−z): around
+/// zeros.
 pub(super) const BOTH_CANCELLED: f64 = 0.18;
 /// The same where `e^{−z²}` dominates and the terms are rounded.
 const CANCELLED_ROUNDED: f64 = 2.0;
-/// The part of its modulus below which a component of `e^{−z²}` has to be computed again: the rest of a phase that is
-/// as close to a multiple of π/2 has too few digits. Beside the imaginary axis there is no such multiple, and
-/// Im W is proportional to Re z.
+/// The part of its modulus below which a component of `e^{−z²}` has to be computed again: the rest
+/// of a phase that is as close to a multiple of π/2 has too few digits. Beside the imaginary axis
+/// there is no such multiple, and Im W is proportional to Re z.
 const CLOSE: f64 = hex("0x1p-60");
 /// Powers of two from which `2e^{−z²}` stands alone.
 pub(super) const ALONE: f64 = 200.0;
 
-/// One term dominates in a cell, or where 26 terms of the asymptotic series are used, if `|Re z²|` is above
-/// this: `|2e^{−z²}|` is above 2000, or below a fifth of each component of w(−z), so that none vanishes.
+/// One term dominates in a cell, or where 26 terms of the asymptotic series are used, if `|Re z²|`
+/// is above this: `|2e^{−z²}|` is above 2000, or below a fifth of each component of w(−z), so that
+/// none vanishes.
 pub(super) const DOMINANT: f64 = 7.0;
 /// `Re z²` above which `2e^{−z²}` is below 2⁻⁵⁴ of each component of w(−z) there.
 pub(super) const NEGLIGIBLE: f64 = 47.0;
@@ -69,9 +72,9 @@ pub(super) fn close<R: Real>(a: R, b: R) -> R {
     (a * b).at_most(a.like(CLOSE))
 }
 
-/// `(Re w, Im w)` at `a − i b` from those at `a + i b` and `e^{−z²} = (c + i s) 2^k`, `n = ROUND + k`,
-/// `k` below [`ALONE`]; `true` where the terms of a component, or of both, cancel, or a component of `e^{−z²}` is below
-/// the part `close` of its modulus.
+/// `(Re w, Im w)` at `a − i b` from those at `a + i b` and `e^{−z²} = (c + i s) 2^k`,
+/// `n = ROUND + k`, `k` below [`ALONE`]; `true` where the terms of a component, or of both, cancel,
+/// or a component of `e^{−z²}` is below the part `close` of its modulus.
 #[inline(always)]
 pub(super) fn reflect<R: Real>(
     (u, v): (Dd<R>, Dd<R>),
@@ -93,7 +96,7 @@ pub(super) fn reflect<R: Real>(
     (re, im, n.or(lost, both))
 }
 
-/// Whether `2e^{−z²}` is below 2⁻⁶⁶ of both components of w(−z).
+/// Returns whether `2e^{−z²}` is below 2⁻⁶⁶ of both components of w(−z).
 #[inline(always)]
 pub(super) fn negligible<R: Real>(a: R, b: R, u: R, v: R) -> R::Mask {
     let e = exponent(a, b).hi.at_least(a.like(-708.0));
@@ -103,5 +106,4 @@ pub(super) fn negligible<R: Real>(a: R, b: R, u: R, v: R) -> R::Mask {
 }
 
 #[cfg(test)]
-#[path = "tests/reflection.rs"]
 mod tests;

@@ -7,17 +7,18 @@ use super::zeros::candidate;
 use crate::real::{ROUND, Real};
 use std::f64::consts::FRAC_1_PI;
 
-/// The distance between the centres of fine cells, and on the imaginary axis and in the lower half-disc; of
-/// coarse cells; on the real axis.
+/// The distance between the centres of fine cells, and on the imaginary axis and in the lower
+/// half-disc; of coarse cells; on the real axis.
 pub(super) const FINE_PITCH: f64 = 0.25;
 pub(super) const COARSE_PITCH: f64 = 0.5;
 pub(super) const REAL_AXIS_PITCH: f64 = 0.0625;
-/// What the distance from the real axis is raised to beside it: no part of w is changed by that
-/// there, and products with smaller numbers would be subnormal.
+/// States what the distance from the real axis is raised to beside it: no part of w is changed by
+/// that there, and products with smaller numbers would be subnormal.
 const LEAST: f64 = 1e-80;
 
-/// Half the side of the square around a zero in which its expansion is used, times the real part of the zero: farther off
-/// the second term of the expansion, `|z_k||δ|` of the first, would make its roundings those of w.
+/// Half the side of the square around a zero in which its expansion is used, times the real part of
+/// the zero: farther off the second term of the expansion, `|z_k||δ|` of the first, would make its
+/// roundings those of w.
 pub(super) const REACH: f64 = 0.124;
 
 /// Entry `n` of a table that has it: the last one otherwise, which costs less than a bounds check

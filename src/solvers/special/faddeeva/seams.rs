@@ -3,11 +3,13 @@
 use super::branch::{FINE, NEAR, RINGS, STRIP, TINY};
 use super::dawson::{BESIDE_MAXIMUM, ROUNDING_SHOWS};
 use super::derivative::UNDERFLOW;
-use super::erf::COMPLEMENT;
 use super::odd_series;
+use super::real_line::COMPLEMENT;
 use super::reflection::{DOMINANT, NEGLIGIBLE};
 use super::relatives_tables::MAXIMUM_OF_DAWSON;
 use super::rows::{COARSE_PITCH, FINE_PITCH, REAL_AXIS_PITCH};
+use super::voigt::{LINEAR, LORENTZ};
+use super::voigt_hwhm::{NORMAL, SERIES};
 
 /// Where one formula ends and another begins: what a test of the function has to come close to.
 #[derive(Clone, Copy, Debug)]
@@ -63,8 +65,8 @@ const CIRCLES: [f64; RINGS.len() - 1] = {
     all
 };
 
-/// Those from where rows about the real axis begin, after the circle inside which the relatives have series of their
-/// own.
+/// Those from where rows about the real axis begin, after the circle inside which the relatives
+/// have series of their own.
 const CIRCLES_OF_RELATIVES: [f64; CIRCLES.len() - 2] = {
     let mut all = [odd_series::REACH; CIRCLES.len() - 2];
     let mut k = 1;
@@ -106,6 +108,23 @@ pub const SEAMS_OF_RELATIVES: Seams = Seams {
     pitches: SEAMS.pitches,
 };
 
+/// The limits of `|x|/(σ√2)` and `γ/(σ√2)` at which [`voigt`](super::voigt()) leaves w, whose
+/// [`SEAMS`] at `(x + iγ)/(σ√2)` are its others.
+///
+/// ```
+/// use mechaudit_solvers::faddeeva::LIMITS_OF_VOIGT;
+/// assert_eq!(LIMITS_OF_VOIGT, [0.5f64.powi(400), 2f64.powi(27)]);
+/// ```
+pub const LIMITS_OF_VOIGT: [f64; 2] = [LINEAR, LORENTZ];
+
+/// The limits of `γ/(σ√2)` between which [`voigt_hwhm`](super::voigt_hwhm()) evaluates w, whose
+/// [`SEAMS`] are its others.
+///
+/// ```
+/// use mechaudit_solvers::faddeeva::LIMITS_OF_VOIGT_HWHM;
+/// assert_eq!(LIMITS_OF_VOIGT_HWHM, [0.5f64.powi(60), 256.0]);
+/// ```
+pub const LIMITS_OF_VOIGT_HWHM: [f64; 2] = [NORMAL, SERIES];
+
 #[cfg(test)]
-#[path = "tests/seam_walk.rs"]
 mod tests;

@@ -10,7 +10,8 @@ fn to_one(a: f64) -> f64 {
     ROUND - ((a.to_bits() >> 52) as f64 - 1023.0)
 }
 
-/// `w(i b) = 1/(√π b)` for `b ≥ 10^100`: a quotient of pairs, whose roundings keep it from growing with b.
+/// `w(i b) = 1/(√π b)` for `b ≥ 10^100`: a quotient of pairs, whose roundings keep it from growing
+/// with b.
 #[cold]
 #[inline(never)]
 pub(super) fn on_imaginary_axis(b: f64) -> f64 {
@@ -59,12 +60,11 @@ pub(super) fn huge(a: f64, y: f64) -> (f64, f64) {
     if b > a {
         return (f64::INFINITY.copysign(c), f64::INFINITY.copysign(s));
     }
-    // The phase 2a² is an integer below 2¹⁰⁷ times 2^e, 561 ≤ e ≤ 1943: by the continued fractions of
-    // 2^e · 2/π it is nowhere within 3.8e-35 of a multiple of π/2, and w(−z), below 1e-100, does not
-    // count.
+    // The phase 2a² is an integer below 2¹⁰⁷ times 2^e, 561 ≤ e ≤ 1943: by the continued fractions
+    // of 2^e · 2/π it is nowhere within 3.8e-35 of a multiple of π/2, and w(−z), below 1e-100, does
+    // not count.
     (2.0 * c, 2.0 * s)
 }
 
 #[cfg(test)]
-#[path = "tests/special.rs"]
 mod tests;

@@ -102,8 +102,8 @@ fn complex_sum<R: Real>(
     (re, im)
 }
 
-/// `c₀ + c₁δ + δ²q`, rounded, from the same numbers: the smallest terms first, so that of the roundings but the last
-/// none is of the whole.
+/// `c₀ + c₁δ + δ²q`, rounded, from the same numbers: the smallest terms first, so that of the
+/// roundings but the last none is of the whole.
 #[inline(always)]
 fn complex_sum_rounded<R: Real>(c: [R; 8], delta: (R, R), d2: (R, R), q: (R, R)) -> (R, R) {
     let (dx, dy) = delta;

@@ -7,14 +7,15 @@
 //!
 //! with `|R| ≲ 2 e^{−(π/h)²}` below the line `Im z = π/h` (Chiarella & Reichel, Math. Comp. 22
 //! (1968); Trefethen & Weideman, SIAM Review 56 (2014), section 5). Here `h = 23/64`:
-//! `e^{−(π/h)²} = 2^{−110}`, and the nodes left out weigh less than `2^{−107}`. σ is 0 or ½, whichever puts
-//! the poles farther from z. The nodes' squares are exact in `f64`.
+//! `e^{−(π/h)²} = 2^{−110}`, and the nodes left out weigh less than `2^{−107}`. σ is 0 or ½,
+//! whichever puts the poles farther from z. The nodes' squares are exact in `f64`.
 //!
 //! With `r² = |z|²` and pairs `±t` the sums need no complex arithmetic and no subtraction of like
 //! numbers:
 //!
 //! ```text
-//! Re = y Σ a (r² + τ)/M,   Im = x Σ a (r² − τ)/M,   M = (r² − τ)² + 4τy²,   τ = t², a = (2h/π) e^{−τ}
+//! Re = y Σ a (r² + τ)/M,   Im = x Σ a (r² − τ)/M,
+//! M = (r² − τ)² + 4τy²,   τ = t²,   a = (2h/π) e^{−τ}
 //! ```
 
 use super::tables::{TRAPEZOIDAL_NODES, TRAPEZOIDAL_WEIGHTS};
@@ -77,7 +78,8 @@ fn chosen(sine: Dd, cosine: Dd) -> (usize, Dd, Dd) {
 }
 
 /// The value at `a − i b`, `a, b ≥ 0`, `|z| < 2²⁴`, away from overflow; relative error of each
-/// component about 2⁻⁹² of the larger of the two terms it is the sum of. After it `|2e^{−z²}|`, about.
+/// component about 2⁻⁹² of the larger of the two terms it is the sum of. After it `|2e^{−z²}|`,
+/// about.
 #[inline(always)]
 pub(super) fn lower<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd, f64) {
     // The phase 2πa/h and G = e^{−2πb/h}.
@@ -109,8 +111,9 @@ pub(super) fn lower<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd, f64) {
     (re, im + by(s, k + 1.0), scaled(1.0, k + 1.0))
 }
 
-/// The value at `a + i b`, `a, b ≥ 0`, `|z| < 2²⁴`; relative error of each component about 2⁻¹⁰⁰ of the
-/// larger of the two terms it is the sum of. A function of its own: each relative has a use for it.
+/// The value at `a + i b`, `a, b ≥ 0`, `|z| < 2²⁴`; relative error of each component about 2⁻¹⁰⁰ of
+/// the larger of the two terms it is the sum of. A function of its own: each relative has a use for
+/// it.
 pub(super) struct Upper {
     pub a: f64,
     pub b: f64,
@@ -151,5 +154,4 @@ impl Task for Upper {
 }
 
 #[cfg(test)]
-#[path = "tests/trapezoidal.rs"]
 mod tests;

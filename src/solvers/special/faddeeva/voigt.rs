@@ -9,9 +9,9 @@ use crate::lanes::{Lanes, Task, with_best};
 use crate::real::ROUND;
 
 /// Distance from the centre in units of `σ√2` from which the profile is Lorentz's.
-const LORENTZ: f64 = hex("0x1p27");
+pub(super) const LORENTZ: f64 = hex("0x1p27");
 /// `γ/(σ√2)` below which the profile is linear in it.
-const LINEAR: f64 = hex("0x1p-400");
+pub(super) const LINEAR: f64 = hex("0x1p-400");
 
 /// `x = m 2^e`, `1 ≤ m < 2`, for finite `x > 0`; zero is `0 · 2⁰`.
 #[inline(always)]
@@ -107,12 +107,12 @@ impl Task for Voigt {
     }
 }
 
-/// The Voigt profile, `Re w((x + iγ)/(σ√2))/(σ√(2π))` (DLMF 7.19.1 in other units): the density at x
-/// of the sum of a normal variable of standard deviation σ and a Cauchy variable of half-width γ.
+/// The Voigt profile, `Re w((x + iγ)/(σ√2))/(σ√(2π))` (DLMF 7.19.1 in other units): the density at
+/// x of the sum of a normal variable of standard deviation σ and a Cauchy variable of half-width γ.
 ///
 /// x, σ and γ share a unit, the value has its inverse. The quotients are kept to 100 bits, so that
-/// the wings of a narrow line, where `e^{−x²/(2σ²)}` magnifies their rounding, are as accurate as the
-/// rest.
+/// the wings of a narrow line, where `e^{−x²/(2σ²)}` magnifies their rounding, are as accurate as
+/// the rest.
 ///
 /// # Accuracy
 /// Worst found against the certified reference, 10⁵ points in each of five regions, σ and γ from

@@ -1,14 +1,15 @@
 //! Half the width of the Voigt profile at half its maximum.
 //!
-//! With `y = γ/(σ√2)` it is `σ√2 t`, where t > 0 solves `Re w(t + iy) = erfcx(y)/2`. The start is within
-//! 0.02 % (Olivero & Longbothum, J. Quant. Spectrosc. Radiat. Transfer 17 (1977) 233):
+//! With `y = γ/(σ√2)` it is `σ√2 t`, where t > 0 solves `Re w(t + iy) = erfcx(y)/2`. The start is
+//! within 0.02 % (Olivero & Longbothum, J. Quant. Spectrosc. Radiat. Transfer 17 (1977) 233):
 //!
 //! ```text
 //! t ≈ ½ (1.06868 y + √(0.86743 y² + 4 ln 2))
 //! ```
 //!
-//! Halley's step in single numbers leaves some 10⁻¹¹, Newton's with the residual as an unevaluated sum the
-//! last rounding. Both derivatives follow from w: `w′ = −2zw + 2i/√π`, `w″ = −2(zw′ + w)` (DLMF 7.10.2, 7.10.3).
+//! Halley's step in single numbers leaves some 10⁻¹¹, Newton's with the residual as an unevaluated
+//! sum the last rounding. Both derivatives follow from w: `w′ = −2zw + 2i/√π`, `w″ = −2(zw′ + w)`
+//! (DLMF 7.10.2, 7.10.3).
 //!
 //! For large y the condition is solved by a series in `r = σ/γ`, from the heat equation
 //! `V = Σ (σ²/2)^k L^{(2k)}/k!` for Lorentz's profile L:
@@ -27,9 +28,9 @@ use crate::real::ROUND;
 use std::f64::consts::LN_2;
 
 /// `γ/(σ√2)` below which γ does not matter: the width is `σ√(2 ln 2) + 0.53 γ + …`.
-const NORMAL: f64 = hex("0x1p-60");
+pub(super) const NORMAL: f64 = hex("0x1p-60");
 /// `γ/(σ√2)` from which three terms of the series suffice: the next one is below 2⁻⁶⁰.
-const SERIES: f64 = hex("0x1p8");
+pub(super) const SERIES: f64 = hex("0x1p8");
 
 struct Width {
     sigma: f64,
@@ -102,12 +103,13 @@ impl Task for Width {
 /// [`voigt`](super::voigt())`(x, σ, γ) = voigt(0, σ, γ)/2`.
 ///
 /// σ is the standard deviation of the normal part, γ half the width of the Cauchy part at half its
-/// height; they and the value share a unit. There is one such x, because the profile, a convolution of
-/// two even densities that fall from their centres, falls from its centre.
+/// height; they and the value share a unit. There is one such x, because the profile, a convolution
+/// of two even densities that fall from their centres, falls from its centre.
 ///
 /// # Accuracy
-/// Worst found against the certified reference, 10⁵ ratios γ/σ in each of four ranges from 10⁻¹⁹ to 10²⁰
-/// (`tests/library/voigt_hwhm.rs`): 0.57 units in the last place; `mechaudit audit voigt-hwhm` judges it.
+/// Worst found against the certified reference, 10⁵ ratios γ/σ in each of four ranges from 10⁻¹⁹ to
+/// 10²⁰ (`tests/library/voigt_hwhm.rs`): 0.57 units in the last place; `mechaudit audit voigt-hwhm`
+/// judges it.
 ///
 /// # Special values
 /// | arguments | value |

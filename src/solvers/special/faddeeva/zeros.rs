@@ -24,9 +24,10 @@ use std::f64::consts::{FRAC_1_PI, TAU};
 #[repr(align(16))]
 pub(super) struct ZeroRow(pub [f64; 46]);
 
-/// Whether the point `a − i b` may lie in the square of a zero. There `p = 2ab` is near `2π(k − 0.1325)`, and
-/// `a² − b²` near the straight line through the values at the zeros; squares become squares, turned and `2|z|`
-/// times as large, inside circles with `|z|²/32` for the square of the radius.
+/// Returns whether the point `a − i b` may lie in the square of a zero. There `p = 2ab` is near
+/// `2π(k − 0.1325)`, and `a² − b²` near the straight line through the values at the zeros; squares
+/// become squares, turned and `2|z|` times as large, inside circles with `|z|²/32` for the square
+/// of the radius.
 #[inline(always)]
 pub(super) fn candidate<R: Real>(a: R, b: R) -> R::Mask {
     let like = |c: f64| a.like(c);
@@ -38,8 +39,8 @@ pub(super) fn candidate<R: Real>(a: R, b: R) -> R::Mask {
     off.fma(off, e * e).below(p.fma(like(0.04), like(0.36)))
 }
 
-/// `w(a − i b)` next to the zero of row `c`; `None` if a component cannot be had to a few units in the last
-/// place this way.
+/// `w(a − i b)` next to the zero of row `c`; `None` if a component cannot be had to a few units in
+/// the last place this way.
 #[inline(always)]
 pub(super) fn near_zero<L: Lanes>(lanes: L, c: &[f64; 46], a: f64, b: f64) -> Option<(f64, f64)> {
     let (dx, dy) = offset(c, a, -b);
@@ -128,5 +129,4 @@ pub(super) fn near_zeros<S: Wide>(
 }
 
 #[cfg(test)]
-#[path = "tests/zeros.rs"]
 mod tests;

@@ -1,11 +1,10 @@
 //! Values at many points.
 
 use super::error::EvaluationError as Error;
-use super::evaluate::Jet;
 use super::grid::Grid;
 use super::lookup::{GROUP, Lookup, Work, with_best};
 use super::spline::Spline;
-use crate::splines::piecewise::Piecewise;
+use crate::splines::piecewise::{Jet, Piecewise};
 
 /// Points examined at a time, so that they stay in the first-level cache.
 const BLOCK: usize = 1024;
@@ -264,3 +263,6 @@ fn check_room(x: &[f64], out: &[f64]) -> Result<(), Error> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,6 +1,6 @@
 //! The conditions at the ends.
 
-/// What is asked of a spline at one end.
+/// Describes what is asked of a spline at one end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum End {
     /// The second derivative there, eq. (17); 0 is the natural end.
@@ -50,7 +50,7 @@ impl Boundary {
     }
 }
 
-/// What the condition at an end makes known beside it.
+/// Describes what the condition at an end makes known beside it.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Known {
     Nothing,

@@ -81,7 +81,8 @@ pub enum EvaluationError {
         /// The point.
         x: f64,
     },
-    /// The point is outside the knots and [`Extrapolation::Error`](super::Extrapolation::Error) is in force.
+    /// The point is outside the knots and [`Extrapolation::Error`](super::Extrapolation::Error) is
+    /// in force.
     #[error("x[{index}] = {x} is outside [{first}, {last}]")]
     Outside {
         /// Place in the batch, 0 for a single point.

@@ -4,21 +4,8 @@ use super::boundary::Known;
 use super::error::EvaluationError as Error;
 use super::grid::{Grid, Interval, blend, fractions};
 use super::spline::{Extrapolation, Spline};
-use crate::splines::piecewise::{Piecewise, Place, Sum};
+use crate::splines::piecewise::{Jet, Piecewise, Place, Sum};
 use std::marker::PhantomData;
-
-/// Value and derivatives at a point.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Jet {
-    /// `S`.
-    pub value: f64,
-    /// `S'`.
-    pub first: f64,
-    /// `S''`.
-    pub second: f64,
-    /// `S'''`, of the segment to the right at a knot.
-    pub third: f64,
-}
 
 /// The part of an end segment in which `S` and `S'` come from the slope given there. The far
 /// ordinate's weight in `S` is about `3k²` there, in (12) it is `k` and most of it cancels; in `S'`
@@ -49,7 +36,7 @@ impl<G: Grid> Cell<G> {
         blend(at, (self.y0, self.y1), (self.p, self.q))
     }
 
-    /// Whether the right end is greater than `x`.
+    /// Returns whether the right end is greater than `x`.
     #[inline(always)]
     pub(super) fn is_left_of_end(&self, x: f64) -> bool {
         G::offsets(&self.at, x).1 > 0.0
@@ -159,7 +146,7 @@ impl<G: Grid> Spline<G> {
         self.jet_on(self.grid.locate(x), x).value
     }
 
-    /// Whether (12) gives `S` at these points.
+    /// Returns whether (12) gives `S` at these points.
     #[inline(always)]
     pub(super) fn is_plain(&self, least: f64, greatest: f64) -> bool {
         least >= self.plain.0 && greatest <= self.plain.1

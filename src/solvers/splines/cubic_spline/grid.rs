@@ -33,7 +33,7 @@ pub trait Grid: sealed::Sealed + Sync {
     /// Segment `i`.
     #[doc(hidden)]
     fn interval(&self, i: usize) -> Interval;
-    /// Whether [`Grid::group`] does anything.
+    /// Tells whether [`Grid::group`] does anything.
     #[doc(hidden)]
     const GROUPS: bool;
     /// Knot `i`, rounded.

@@ -87,8 +87,9 @@ fn integrals_of_many_short_segments() {
     assert_eq!(s.integral(far, far + 4.0 * length), Ok(4.0 * length));
 }
 
-/// Four knots, the inner two nearly one: the cubic through them has a second derivative of few digits
-/// if the two rows of the system, opposite to each other but for the short step, are eliminated.
+/// Four knots, the inner two nearly one: the cubic through them has a second derivative of few
+/// digits if the two rows of the system, opposite to each other but for the short step, are
+/// eliminated.
 #[test]
 fn one_cubic_over_a_short_middle_step() {
     for short in [2f64.powi(-8), 2f64.powi(-20), 2f64.powi(-24)] {

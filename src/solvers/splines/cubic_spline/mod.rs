@@ -11,9 +11,10 @@
 //! ```
 //!
 //! The `m_i` make `S'` continuous: `m_{i−1} + 4 m_i + m_{i+1} = (6/h²)(y_{i−1} − 2 y_i + y_{i+1})`
-//! (16) for equal steps, `h_{i−1} m_{i−1} + 2 (h_{i−1} + h_i) m_i + h_i m_{i+1} = 6 (δ_i − δ_{i−1})`
-//! with `δ_i = (y_{i+1} − y_i)/h_i` otherwise. Two more equations come from the [`Boundary`].
-//! Beside an end with a given slope s, where (11) would subtract ordinates that hardly matter there,
+//! (16) for equal steps,
+//! `h_{i−1} m_{i−1} + 2 (h_{i−1} + h_i) m_i + h_i m_{i+1} = 6 (δ_i − δ_{i−1})` with
+//! `δ_i = (y_{i+1} − y_i)/h_i` otherwise. Two more equations come from the [`Boundary`]. Beside an
+//! end with a given slope s, where (11) would subtract ordinates that hardly matter there,
 //! `S' = s − w h (S'' + m_n)/2` and its like at the other end: exactly s at the end itself.
 //!
 //! [`CubicSpline`] takes arbitrary increasing knots, [`UniformCubicSpline`] the knots `x_0 + i h`
@@ -23,8 +24,9 @@
 //!
 //! # Accuracy
 //! Worst found over 200 random cases in each of four or five regions for each kind of ends and the
-//! worst inputs of earlier hunts, as a multiple of `u (|f| + Σ_j |x_j ∂f/∂x_j|)` with `u = 2⁻⁵³`: 4.2
-//! for `S'`, 4.0 for `S`, 3.4 for everything else. `mechaudit audit cubic-spline-…` repeats the search.
+//! worst inputs of earlier hunts, as a multiple of `u (|f| + Σ_j |x_j ∂f/∂x_j|)` with `u = 2⁻⁵³`:
+//! 4.2 for `S'`, 4.0 for `S`, 3.4 for everything else. `mechaudit audit cubic-spline-…` repeats the
+//! search.
 //!
 //! # Source
 //! Zinchenko 2008, eqs (8)–(17), numbers above. The form of (11) and (12) here is algebraically
@@ -41,9 +43,9 @@ mod lookup;
 mod spline;
 mod uniform;
 
+pub use super::piecewise::Jet;
 pub use boundary::{Boundary, End};
 pub use error::{CubicSplineError, EvaluationError};
-pub use evaluate::Jet;
 pub use grid::{Grid, Knots, UniformKnots};
 pub use spline::{CubicSpline, Extrapolation, Spline, UniformCubicSpline};
 pub(super) use {
@@ -51,8 +53,6 @@ pub(super) use {
     grid::{LARGEST, fractions},
 };
 
-#[cfg(test)]
-mod batch_tests;
 #[cfg(test)]
 mod limit_tests;
 #[cfg(test)]

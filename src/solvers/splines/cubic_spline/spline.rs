@@ -3,7 +3,7 @@
 use super::boundary::Known;
 use super::grid::{Grid, Knots, UniformKnots};
 
-/// What a spline is outside its knots.
+/// Describes what a spline is outside its knots.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Extrapolation {
     /// [`EvaluationError::Outside`](super::EvaluationError::Outside).
@@ -73,7 +73,7 @@ impl<G: Grid> Spline<G> {
         self.bend.iter().map(|b| b * f).collect()
     }
 
-    /// What happens outside the knots.
+    /// Returns what happens outside the knots.
     pub fn extrapolation(&self) -> Extrapolation {
         self.extrapolation
     }

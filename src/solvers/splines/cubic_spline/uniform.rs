@@ -1,9 +1,10 @@
 //! Second derivatives on equally spaced knots, without divisions in the inner loop.
 //!
-//! In the scale `M_i = m_i h²/6` the system is `M_{i−1} + 4 M_i + M_{i+1} = y_{i−1} − 2 y_i + y_{i+1}`
-//! and the sweep `λ_i = −1/(4 + λ_{i−1})`, `η_i = λ_i (η_{i−1} − d_i)`, `M_i = λ_i M_{i+1} + η_i`.
-//! The `λ_i` converge to `√3 − 2`; the iteration shrinks errors fourteenfold each step, so after at
-//! most 20 steps they repeat bit for bit and the tail uses one constant.
+//! In the scale `M_i = m_i h²/6` the system is
+//! `M_{i−1} + 4 M_i + M_{i+1} = y_{i−1} − 2 y_i + y_{i+1}` and the sweep `λ_i = −1/(4 + λ_{i−1})`,
+//! `η_i = λ_i (η_{i−1} − d_i)`, `M_i = λ_i M_{i+1} + η_i`. The `λ_i` converge to `√3 − 2`; the
+//! iteration shrinks errors fourteenfold each step, so after at most 20 steps they repeat bit for
+//! bit and the tail uses one constant.
 //!
 //! The sweep runs from both ends at once and meets in the middle: two independent chains of
 //! operations, where one would leave the processor waiting for its own results.

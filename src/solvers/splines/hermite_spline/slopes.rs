@@ -15,8 +15,8 @@ pub enum Slopes {
 
 /// A slope at a knot, and how much it exceeds the chord's slope on either side.
 ///
-/// The excesses at both ends of a segment may nearly cancel in `S'''`, so they have twice the working
-/// precision where that can happen for well-conditioned data.
+/// The excesses at both ends of a segment may nearly cancel in `S'''`, so they have twice the
+/// working precision where that can happen for well-conditioned data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Slope {
     pub slope: f64,
@@ -69,7 +69,7 @@ impl Chords {
     }
 }
 
-/// Whether three points lie on a line, from the differences of their coordinates.
+/// Decides whether three points lie on a line, from the differences of their coordinates.
 fn are_collinear(run: [Dd; 2], rise: [Dd; 2]) -> bool {
     let mut terms = Vec::with_capacity(16);
     // Powers of two keep the products within range; with equal slopes the two ratios are equal.
@@ -201,8 +201,8 @@ fn weighted(c: &Chords, weight: impl Fn(Dd, Dd) -> Dd) -> Vec<Slope> {
     (0..=c.exact.len())
         .map(|i| {
             let (left, right, jump) = (delta[i + 1], delta[i + 2], jump[i + 1]);
-            // A power of two keeps the products within range. They commute, so that excesses that are
-            // opposite by definition, as Akima's in the middle of four points, cancel exactly.
+            // A power of two keeps the products within range. They commute, so that excesses that
+            // are opposite by definition, as Akima's in the middle of four points, cancel exactly.
             let unit = power_of_two_near(weights[i].hi.max(weights[i + 2].hi));
             let (before, after) = (weights[i].scale(unit), weights[i + 2].scale(unit));
             let both = before + after;

@@ -115,8 +115,8 @@ impl HermiteSpline {
     /// `S` at points in any order.
     ///
     /// # Errors
-    /// Lengths that differ; as [`HermiteSpline::value`] for the first point that fails. `out` is then
-    /// partly written.
+    /// Lengths that differ; as [`HermiteSpline::value`] for the first point that fails. `out` is
+    /// then partly written.
     pub fn values(&self, x: &[f64], out: &mut [f64]) -> Result<(), EvaluationError> {
         if x.len() != out.len() {
             return Err(EvaluationError::Length {
@@ -176,8 +176,8 @@ impl HermiteSpline {
         fractions(Knots::offsets(&at, x), at.per_h)
     }
 
-    /// `S` on segment `i`: the ordinate of the nearer knot and what the cubic adds to it, so that `S`
-    /// keeps its relative accuracy near a knot with ordinate 0, even if its slope is 0 as well.
+    /// `S` on segment `i`: the ordinate of the nearer knot and what the cubic adds to it, so that
+    /// `S` keeps its relative accuracy near a knot with ordinate 0, even if its slope is 0 as well.
     fn value_at(&self, i: usize, (k, w): (f64, f64)) -> f64 {
         let h = self.knots.interval(i).h;
         let (left, right, delta) = (self.slopes[i], self.slopes[i + 1], self.delta[i]);
@@ -206,9 +206,9 @@ impl HermiteSpline {
         (w * w) * (1.0 + 2.0 * k) * self.y[i] + (k * k) * (1.0 + 2.0 * w) * self.y[i + 1]
     }
 
-    /// How much a segment's slope at its left end exceeds the one at its right end. Akima's slopes are
-    /// equal by definition where the jumps on both sides of a middle segment are opposite; a difference
-    /// of rounded slopes would not vanish there.
+    /// How much a segment's slope at its left end exceeds the one at its right end. Akima's slopes
+    /// are equal by definition where the jumps on both sides of a middle segment are opposite; a
+    /// difference of rounded slopes would not vanish there.
     fn slope_loss(&self, i: usize) -> f64 {
         (self.slopes[i].over_right - self.slopes[i + 1].over_left).value()
     }
@@ -222,10 +222,10 @@ impl HermiteSpline {
     /// The integral over `length` between two points of segment `i`, without a difference of
     /// antiderivatives.
     ///
-    /// With the mean slope `s` of the two ends and their half difference `d`, the part of `S` that the
-    /// slopes make is `h k w ((w − k) s + d)`, and the first term integrates to a product. Simpson's
-    /// rule, which is exact for cubics, does the rest; or all of it, where the slopes as they are make
-    /// the smaller terms, as they do near a knot with slope 0.
+    /// With the mean slope `s` of the two ends and their half difference `d`, the part of `S` that
+    /// the slopes make is `h k w ((w − k) s + d)`, and the first term integrates to a product.
+    /// Simpson's rule, which is exact for cubics, does the rest; or all of it, where the slopes as
+    /// they are make the smaller terms, as they do near a knot with slope 0.
     fn within(&self, i: usize, a: (f64, f64), b: (f64, f64), length: f64) -> f64 {
         let h = self.knots.interval(i).h;
         let (left, right) = (self.slopes[i], self.slopes[i + 1]);

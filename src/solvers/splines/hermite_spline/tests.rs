@@ -102,7 +102,8 @@ fn three_points_give_the_parabola_of_akima() {
     assert_eq!(s.integral(-1.0, 2.0), Ok(4.5));
 }
 
-/// Between the inner two of four points on one side of a curve Akima's cubic is a parabola, exactly.
+/// Between the inner two of four points on one side of a curve Akima's cubic is a parabola,
+/// exactly.
 #[test]
 fn opposite_excesses_cancel_exactly() {
     let x = [
@@ -121,8 +122,9 @@ fn opposite_excesses_cancel_exactly() {
     assert_eq!(s.jet(1.0).map(|j| j.third), Ok(0.0));
 }
 
-/// Opposite jumps on both sides of the middle segment: its slopes, about −33, are equal by definition
-/// and leave nothing of themselves in its integral, over the segment or what lies between its knots.
+/// Opposite jumps on both sides of the middle segment: its slopes, about −33, are equal by
+/// definition and leave nothing of themselves in its integral, over the segment or what lies
+/// between its knots.
 #[test]
 fn equal_slopes_leave_the_integral_alone() {
     let x = [
@@ -150,8 +152,9 @@ fn equal_slopes_leave_the_integral_alone() {
     assert!((all - ends - due).abs() < 1e-12 * due);
 }
 
-/// A PCHIP whose slopes are 0 and, by the limit at the end, three chords is `y_i + k³ (y_{i+1} − y_i)`
-/// on its last segment: what is linear and quadratic there vanishes exactly.
+/// A PCHIP whose slopes are 0 and, by the limit at the end, three chords is
+/// `y_i + k³ (y_{i+1} − y_i)` on its last segment: what is linear and quadratic there vanishes
+/// exactly.
 #[test]
 fn a_limited_slope_beside_a_level_one_leaves_a_cube() {
     let (h, rise) = (640.3, -3.1);

@@ -70,7 +70,8 @@ fn crank() -> Flow {
     Flow::new(&linkage.input(), &[0.5, 0.25, 1.5]).unwrap()
 }
 
-/// With its body and in it at once: `O + e^{iθ} z` and its derivatives by the drive, by differences.
+/// With its body and in it at once: `O + e^{iθ} z` and its derivatives by the drive, by
+/// differences.
 #[test]
 fn a_point_changes_with_its_body_and_in_it() {
     let flow = crank();

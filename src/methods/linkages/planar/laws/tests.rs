@@ -40,14 +40,14 @@ fn nothing_off_is_no_share_of_nothing() {
 fn a_solver_that_is_not_mirrored_breaks_the_law() {
     let x = check_point("planar-linkage");
     let law = |solve: Solve| mirror(solve, &x);
-    assert!(law(PlanarLinkage::solve).is_some_and(|r| r <= 1.0));
+    assert!(law(|i| i.motion()).is_some_and(|r| r <= 1.0));
     let refuses: Solve = |i| match i.phi < 0.0 {
         true => Err("structure"),
-        false => PlanarLinkage::solve(i),
+        false => i.motion(),
     };
     assert_eq!(law(refuses), BROKEN);
     let moved: Solve = |i| {
-        let mut all = PlanarLinkage::solve(i)?;
+        let mut all = i.motion()?;
         let last = all.len() - 1;
         all[last] += if i.phi < 0.0 { 1e-9 } else { 0.0 };
         Ok(all)
@@ -56,14 +56,15 @@ fn a_solver_that_is_not_mirrored_breaks_the_law() {
     assert_eq!(law(|_| Err("structure")), None);
 }
 
-/// Planted solvers tell the two linkages apart by the crank's place on the coupler, 1 m from its pivot at first.
+/// Planted solvers tell the two linkages apart by the crank's place on the coupler, 1 m from its
+/// pivot at first.
 #[test]
 fn a_solver_that_turns_with_the_scale_breaks_the_law() {
     let x = check_point("planar-linkage");
     let law = |solve: Solve| scale(solve, &x);
-    assert_eq!(law(PlanarLinkage::solve), HOLDS);
+    assert_eq!(law(|i| i.motion()), HOLDS);
     fn changed(i: PlanarLinkageInput, place: usize) -> Result<Vec<f64>, &'static str> {
-        let mut all = PlanarLinkage::solve(i)?;
+        let mut all = i.motion()?;
         all[place] += f64::from(u8::from(i.xa[1].hypot(i.ya[1]) > 1.5));
         Ok(all)
     }
@@ -79,7 +80,7 @@ fn a_solver_that_turns_with_the_scale_breaks_the_law() {
     }
     let refuses: Solve = |i| match i.xa[1].hypot(i.ya[1]) > 1.5 {
         true => Err("structure"),
-        false => PlanarLinkage::solve(i),
+        false => i.motion(),
     };
     assert_eq!(law(refuses), BROKEN);
     assert_eq!(law(|_| Err("structure")), None);
@@ -89,7 +90,7 @@ fn a_solver_that_turns_with_the_scale_breaks_the_law() {
 fn a_force_that_does_not_double_with_the_masses_breaks_the_law() {
     let x = check_point("planar-reactions");
     let law = |solve: SolveForces| masses(solve, &x);
-    assert_eq!(law(PlanarReactions::solve), HOLDS);
+    assert_eq!(law(|i| i.forces()), HOLDS);
     assert_eq!(law(|i| Ok(vec![i.m[0] + i.m[1], i.j[2]])), HOLDS);
     assert_eq!(law(|i| Ok(vec![i.m[0], 1.0])), BROKEN);
     assert_eq!(law(|i| Ok(vec![i.j[0] * i.j[0], i.m[0]])), BROKEN);
@@ -97,7 +98,8 @@ fn a_force_that_does_not_double_with_the_masses_breaks_the_law() {
     assert_eq!(law(|_| Err("masses")), None);
 }
 
-/// Without masses nothing is asked for: pins of a four-bar, the first and the last of which are on the ground.
+/// Without masses nothing is asked for: pins of a four-bar, the first and the last of which are on
+/// the ground.
 #[test]
 fn a_force_on_the_ground_that_nothing_asks_for_breaks_the_law() {
     let mut x = check_point("planar-reactions");
@@ -105,9 +107,10 @@ fn a_force_on_the_ground_that_nothing_asks_for_breaks_the_law() {
     let heavy = x.clone();
     x[masses..].fill(0.0);
     let law = |solve: SolveForces, x: &[f64]| virtual_work(solve, x);
-    assert!(law(PlanarReactions::solve, &heavy).is_some_and(|r| r <= 1.0));
+    assert!(law(|i| i.forces(), &heavy).is_some_and(|r| r <= 1.0));
     assert_eq!(law(|_| Ok(vec![0.0; 8]), &x), Some(0.0));
-    // Pins between moving bodies, and a couple of forces on the ground: pin 0 is on its body b, pin 3 likewise.
+    // Pins between moving bodies, and a couple of forces on the ground: pin 0 is on its body b, pin
+    // 3 likewise.
     assert_eq!(
         law(|_| Ok(vec![0.0, 0.0, 5.0, 6.0, 7.0, 8.0, 0.0, 0.0]), &x),
         Some(0.0)

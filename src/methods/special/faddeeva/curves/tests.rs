@@ -10,8 +10,8 @@ fn component(x: f64, y: f64, part: Part) -> f64 {
     }
 }
 
-/// Of 100 lines parallel to the real axis at least 90 meet a curve, and a component changes its sign within two
-/// places of where they do.
+/// Of 100 lines parallel to the real axis at least 90 meet a curve, and a component changes its
+/// sign within two places of where they do.
 #[test]
 fn zeros_on_lines_are_those_of_f64() {
     for part in [Part::Re, Part::Im] {
@@ -83,7 +83,8 @@ fn twelve_digits() {
         let w = w_f64(x, y, 60).unwrap();
         let w = C::new(w.re.to_f64(), w.im.to_f64());
         let rough = w_roughly(C::new(x, y));
-        // Next to a node two large terms cancel; |z|^2 places of the exponential's argument are lost.
+        // Next to a node two large terms cancel; |z|^2 places of the exponential's argument are
+        // lost.
         assert!((rough - w).norm() < 1e-11 * w.norm(), "{x} {y}");
     }
 }
@@ -95,7 +96,8 @@ const ALONG_RE: Line = Line {
     most: 1.0,
 };
 
-/// e^{iz} has the argument Re z and goes on as itself: its real part is zero at π/2, its imaginary part at 0.
+/// e^{iz} has the argument Re z and goes on as itself: its real part is zero at π/2, its imaginary
+/// part at 0.
 #[test]
 fn an_exponential_is_solved_by_one_step() {
     let wave = |z: C| {

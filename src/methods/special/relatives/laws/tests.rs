@@ -1,6 +1,7 @@
 //! Laws judge planted functions.
 
 use super::*;
+use crate::methods::special::identities::{U, batch_agrees, equation, gaussian, within};
 use crate::solvers::faddeeva::dawson;
 use std::cell::Cell;
 use std::collections::BTreeSet;

@@ -87,7 +87,8 @@ fn real(mid: f64, rad: f64) -> ComplexBall {
     ComplexBall::new(ball(mid, rad), Ball::integer(64, 0))
 }
 
-/// Both conditions count the width of T and of T', each against what it is compared with: half-width 1/4.
+/// Both conditions count the width of T and of T', each against what it is compared with:
+/// half-width 1/4.
 #[test]
 fn how_many_zeros_an_interval_can_hold() {
     // T, T', each with a radius; the bound on |T''|.

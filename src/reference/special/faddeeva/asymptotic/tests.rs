@@ -8,7 +8,8 @@ use proptest::prelude::*;
 use rug::Rational;
 use std::f64::consts::PI;
 
-/// `T_N` and what the head of the file makes of it, with a bit for the roundings and the step from `ln Γ` to its bound.
+/// `T_N` and what the head of the file makes of it, with a bit for the roundings and the step from
+/// `ln Γ` to its bound.
 #[test]
 fn remainders_are_those_of_the_head() {
     use rug::Float;
@@ -121,8 +122,8 @@ fn radii_are_the_bounds() {
     assert!(beside > 20 && above > 40, "{beside} {above}");
 }
 
-/// Beside the real axis, on both sides of it, and about the diagonals, at precisions where e^{−z²} counts: what
-/// is found holds the value and has the bits asked for.
+/// Beside the real axis, on both sides of it, and about the diagonals, at precisions where e^{−z²}
+/// counts: what is found holds the value and has the bits asked for.
 #[test]
 fn values_hold_where_the_gaussian_counts() {
     let mut members = [0; 2];

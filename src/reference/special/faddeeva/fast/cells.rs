@@ -1,7 +1,7 @@
 //! The Taylor coefficients at the centres of the cells, made on first use.
 
 use super::fixed_point::SCALE;
-use crate::faddeeva::derivatives::taylor;
+use crate::faddeeva::{general::once, recurrence::taylor};
 use crate::{Ball, Mag};
 use rug::Rational;
 use std::sync::OnceLock;
@@ -21,7 +21,8 @@ pub enum Cell {
 
 static CELLS: [OnceLock<Option<Cell>>; SIDE * SIDE] = [const { OnceLock::new() }; SIDE * SIDE];
 
-/// In units, to the nearest: wrong by one at most. Nothing for a radius of more than 2^-18 of a unit.
+/// In units, to the nearest: wrong by one at most. Nothing for a radius of more than 2^-18 of a
+/// unit.
 fn units(b: &Ball) -> Option<i128> {
     let scaled = b.mid().clone() << SCALE;
     let small = b.rad() <= Mag::power_of_two(-140);
@@ -36,7 +37,7 @@ pub fn cell(i: usize, j: usize) -> Option<&'static Cell> {
 
 fn make(i: usize, j: usize) -> Option<Cell> {
     let half = |k: usize| Rational::from((k as i64, 2));
-    let c = taylor(&half(i), &half(j), TERMS - 1, 150).ok()?;
+    let c = taylor(once, &half(i), &half(j), TERMS - 1, 150).ok()?;
     if i > 0 && j > 0 {
         let both = c.iter().map(|c| Some([units(&c.re)?, units(&c.im)?]));
         return Some(Cell::Complex(both.collect::<Option<_>>()?));
@@ -84,7 +85,7 @@ mod tests {
             (19, 19),
         ] {
             let half = |k: usize| Rational::from((k as i64, 2));
-            let due = taylor(&half(i), &half(j), 39, 400).unwrap();
+            let due = taylor(once, &half(i), &half(j), 39, 400).unwrap();
             let near = |found: i128, due: &Ball| {
                 let off = Float::with_val(400, due.mid() << SCALE) - found;
                 assert!(off.clone().abs() < 0.51, "{i} {j}: {off}");

@@ -1,13 +1,12 @@
 //! Coordinates as the fast evaluation takes them.
 
-use super::PREC;
-use super::fixed_point::{SCALE, fixed};
+use super::fixed_point::{PREC, SCALE, fixed};
 use crate::faddeeva::argument::Real;
 use rug::Float;
 use std::ops::Range;
 
-/// Binary exponents of what is not a double: no product of a few of such numbers leaves MPFR's range, and their
-/// doubles are finite.
+/// Binary exponents of what is not a double: no product of a few of such numbers leaves MPFR's
+/// range, and their doubles are finite.
 const EXPONENTS: Range<i32> = -(1 << 27)..1024;
 
 /// The modulus of a coordinate: a float with a relative error below 2^-158, and the nearest double.

@@ -1,13 +1,24 @@
 //! Beyond the cells.
 
 use super::coordinate::Coordinate;
+use super::fixed_point::PREC;
 use super::gaussian::{above_power, ball, bound, gaussian, negligible};
 use super::series::{Powers, UNIT};
-use super::{PREC, Wanted};
 use crate::faddeeva::asymptotic::{remainder, terms};
 use crate::{Ball, ComplexBall, Mag};
 use rug::Float;
 use std::sync::OnceLock;
+
+/// The function that is asked for, at a ± ih.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Wanted {
+    /// w above the axis.
+    Upper,
+    /// w below it.
+    Lower,
+    /// D above it.
+    Dawson,
+}
 
 /// √π with a relative error below 2^-160.
 static ROOT_PI: OnceLock<Float> = OnceLock::new();
@@ -22,8 +33,8 @@ fn part(factor: Float, n: i128, wide: Mag) -> Ball {
     Ball::new(mid, error)
 }
 
-/// The angle to an axis at whose other end z has this part, divided by |z|²: at most π/2 times its sine,
-/// `(π/2) |z| x/|z|²`.
+/// The angle to an axis at whose other end z has this part, divided by |z|²: at most π/2 times its
+/// sine, `(π/2) |z| x/|z|²`.
 #[inline]
 fn arc(part: &Float, log_r: f64) -> Mag {
     Mag::above(part).mul(above_power(0.5 * log_r + 0.66))
@@ -35,10 +46,12 @@ fn turning(remainder: f64, gauss: Mag, log_r: f64) -> Mag {
     above_power(remainder).add(gauss.mul(above_power(log_r + 1.01)))
 }
 
-/// The asymptotic series with its plain remainder bound or, beside the real axis, with that of the real part
-/// where that is less, on both sides of it ([`super::super::asymptotic`] has the derivation).
+/// The asymptotic series with its plain remainder bound or, beside the real axis, with that of the
+/// real part where that is less, on both sides of it ([`super::super::asymptotic`] has the
+/// derivation).
 ///
-/// That one holds for |Im z| ≤ |Re z|, and is less at small angles only: `θ D_N ≥ B_N` from 0.24 on.
+/// That one holds for |Im z| ≤ |Re z|, and is less at small angles only: `θ D_N ≥ B_N` from 0.24
+/// on.
 pub fn far(x: &Coordinate, y: &Coordinate, wanted: Wanted, bits: u32) -> Option<ComplexBall> {
     let square = |x: &Float| Float::with_val(PREC, x.square_ref());
     let norm = square(&x.value) + square(&y.value);
@@ -101,7 +114,8 @@ mod tests {
         Float::with_val(300, x)
     }
 
-    /// The factor times what n is wrong by, and 2^-150; a bound of 53 bits on a longer factor lies above it.
+    /// The factor times what n is wrong by, and 2^-150; a bound of 53 bits on a longer factor lies
+    /// above it.
     #[test]
     fn parts_are_wrong_by_their_factor() {
         let long: Float = f(1.5) + (f(1.0) >> 100);

@@ -1,5 +1,7 @@
 //! Numbers in units of 2^-122, and Taylor series of them.
 
+/// Precision of the floats here.
+pub const PREC: u32 = 160;
 /// Fixed point: units of 2^-SCALE.
 pub const SCALE: u32 = 122;
 const ONE: f64 = (1u128 << SCALE) as f64;

@@ -1,17 +1,18 @@
 //! The exponential that stands beside the series.
 
-use super::PREC;
 use super::coordinate::Coordinate;
+use super::fixed_point::PREC;
 use crate::{Ball, Mag};
 use rug::Float;
 
-/// `e^{−(x+iy)²} = c − i s`, each with a relative error below 2^-140 and an absolute one of the third
-/// result; nothing where t = y² − x² is beyond 2^15, or a coordinate that is not exact beyond 40.
+/// `e^{−(x+iy)²} = c − i s`, each with a relative error below 2^-140 and an absolute one of the
+/// third result; nothing where t = y² − x² is beyond 2^15, or a coordinate that is not exact beyond
+/// 40.
 ///
-/// Exact coordinates: y − x, y + x and their product are rounded once each, so the error of t is below
-/// 2^-158 |t| ≤ 2^-143, and the angle 2xy is exact (106 bits). Others are known to 2^-158: the error of
-/// y − x is below 2^-151, that of t below 2^-143. The angle has a relative error below 2^-156, and so sin
-/// and cos the absolute error 2xy 2^-156, which is doubled.
+/// Exact coordinates: y − x, y + x and their product are rounded once each, so the error of t is
+/// below 2^-158 |t| ≤ 2^-143, and the angle 2xy is exact (106 bits). Others are known to 2^-158:
+/// the error of y − x is below 2^-151, that of t below 2^-143. The angle has a relative error below
+/// 2^-156, and so sin and cos the absolute error 2xy 2^-156, which is doubled.
 #[inline]
 pub fn gaussian(x: &Coordinate, y: &Coordinate) -> Option<(Float, Float, Mag)> {
     let (a, b) = (&x.value, &y.value);
@@ -45,7 +46,8 @@ pub fn bound(x: &Coordinate, y: &Coordinate) -> Mag {
     above_power(-1.442 * ((x - y) * (x + y)).max(0.0))
 }
 
-/// Whether so little is less than 2^-8 of what may be missing from a number of so many bits.
+/// Returns whether so little is less than 2^-8 of what may be missing from a number of so many
+/// bits.
 #[inline]
 pub fn negligible(bound: Mag, beside: &Ball, bits: u32) -> bool {
     bound <= beside.mignitude().shift(-i64::from(bits) - 8)

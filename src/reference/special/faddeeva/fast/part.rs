@@ -1,18 +1,17 @@
 //! One component with what is proved about it.
 
-use super::PREC;
-use super::fixed_point::SCALE;
+use super::fixed_point::{PREC, SCALE};
 use crate::{Ball, Mag};
 use rug::Float;
 
-/// What is proved about the sums: an error of 2^9 units.
+/// States what is proved about the sums: an error of 2^9 units.
 const SUM_ERROR: i64 = 9 - SCALE as i64;
 
 /// A number with an error bound.
 pub struct Part {
     mid: Float,
     error: Mag,
-    /// What it may have been cancelled from.
+    /// Holds what it may have been cancelled from.
     cancelled: Mag,
 }
 
@@ -37,7 +36,8 @@ impl Part {
         }
     }
 
-    /// `self + k g`, |k| ≤ 2, where g has a relative error of 2^-140 and the absolute error `slack`.
+    /// `self + k g`, |k| ≤ 2, where g has a relative error of 2^-140 and the absolute error
+    /// `slack`.
     #[inline]
     pub fn plus(self, g: &Float, k: i32, slack: Mag) -> Part {
         let term = Float::with_val(PREC, g * k);

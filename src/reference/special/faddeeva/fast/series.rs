@@ -7,12 +7,12 @@
 //! E' = ρ (|p| E + q² F + 6 + 3|P| + 20|S|) + 1      F' = ρ (E + |p| F + 3 + 3|S|) + 1
 //! ```
 //!
-//! (Ca² and Cb² are wrong by one unit, hence p by 3 and `q² = 4 Ca² Cb²` by 4 (3 + 2)), evaluated in `f64`. Wanted are
-//! `P + 2Ca² S` and `P − 2Cb² S`; Ca² and Cb² are at most one, taken with an error of three units, and a product
-//! brings three more: `E + 2 (F + 3|S| + 3)`, enlarged by 1 % and one unit.
+//! (Ca² and Cb² are wrong by one unit, hence p by 3 and `q² = 4 Ca² Cb²` by 4 (3 + 2)), evaluated
+//! in `f64`. Wanted are `P + 2Ca² S` and `P − 2Cb² S`; Ca² and Cb² are at most one, taken with an
+//! error of three units, and a product brings three more: `E + 2 (F + 3|S| + 3)`, enlarged by 1 %
+//! and one unit.
 
-use super::PREC;
-use super::fixed_point::{SCALE, mul};
+use super::fixed_point::{PREC, SCALE, mul};
 use rug::Float;
 
 /// Units of 2^-UNIT.
@@ -83,7 +83,8 @@ pub struct Sums {
 }
 
 impl Powers {
-    /// C is the greatest power of two that is not above |z|², up to 2^40; `log_r` is `log2 |z|²` or a little less.
+    /// C is the greatest power of two that is not above |z|², up to 2^40; `log_r` is `log2 |z|²` or
+    /// a little less.
     #[inline]
     pub fn new(a: &Float, b: &Float, log_r: f64) -> Option<Powers> {
         let log_c = (log_r.floor() as u32).min(40);
@@ -101,7 +102,8 @@ impl Powers {
         })
     }
 
-    /// With one term more, the k-th; nothing where a part is beyond 30, of which products might overflow.
+    /// With one term more, the k-th; nothing where a part is beyond 30, of which products might
+    /// overflow.
     #[inline]
     fn next(&self, now: State, k: u64) -> Option<State> {
         let factor = 2 * i128::from(k) + 1;

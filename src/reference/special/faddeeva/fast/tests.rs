@@ -5,7 +5,7 @@ use super::fixed_point::SCALE;
 use super::*;
 use crate::Mag;
 use crate::faddeeva::argument::Argument;
-use crate::faddeeva::{choice, ziv};
+use crate::faddeeva::{general, ziv};
 use rug::{Float, Rational};
 
 /// Where a recurrence of error bounds ends.
@@ -22,7 +22,8 @@ fn coefficient(n: usize) -> f64 {
         .fold(first, |c, k| c * 2.0 / k as f64)
 }
 
-/// Sizes of sums and slopes, the recurrences of errors, and the tails, all in units of 2^-122 and below 2^9.
+/// Sizes of sums and slopes, the recurrences of errors, and the tails, all in units of 2^-122 and
+/// below 2^9.
 #[test]
 fn bounds_are_those_of_the_head() {
     let r = 2f64.powf(-1.5);
@@ -90,7 +91,7 @@ fn real(x: f64) -> Real {
 /// By the general evaluation.
 fn truth(x: &Real, y: &Real, member: Member) -> ComplexBall {
     let z = Argument::new(x.clone(), y.clone());
-    let value = ziv::decide("", 300, 3000, |prec| choice::general(&z, member, prec));
+    let value = ziv::decide("", 300, 3000, |prec| general::general(&z, member, prec));
     ziv::balls(value.unwrap(), 300).unwrap()
 }
 
@@ -200,7 +201,8 @@ fn is(found: Mag, due: f64, of: f64) {
     );
 }
 
-/// Beside the real axis W has the exponential in its radius once above the axis and twice below, and D once.
+/// Beside the real axis W has the exponential in its radius once above the axis and twice below,
+/// and D once.
 #[test]
 fn an_exponential_left_out_is_in_the_radius() {
     let (x, y) = (real(10.0), 2f64.powi(-20));
@@ -217,7 +219,8 @@ fn an_exponential_left_out_is_in_the_radius() {
     assert!(above.re.mid() == dawson.re.mid() && above.im.mid() == dawson.im.mid());
 }
 
-/// Where it is more than what may be missing of the real part, it is added: `c` above, `2c − c` and `2s` below.
+/// Where it is more than what may be missing of the real part, it is added: `c` above, `2c − c` and
+/// `2s` below.
 #[test]
 fn an_exponential_that_counts_is_added() {
     let (x, y) = (9.75, 2f64.powi(-18));
@@ -241,7 +244,8 @@ fn an_exponential_that_counts_is_added() {
     );
 }
 
-/// Floats whose squares or quotients leave MPFR's range, and coordinates whose doubles are infinite.
+/// Floats whose squares or quotients leave MPFR's range, and coordinates whose doubles are
+/// infinite.
 #[test]
 fn exponents_beyond_the_range_are_declined() {
     let p = |k: i32| Real::Float(Float::with_val(64, 1) << k);

@@ -2,7 +2,8 @@
 
 use crate::Ball;
 
-/// Error bounds of one number: of its real part, of its imaginary part divided by q, of its modulus.
+/// Error bounds of one number: of its real part, of its imaginary part divided by q, of its
+/// modulus.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Errors {
     pub re: f64,
@@ -30,8 +31,8 @@ pub(super) struct Point {
 }
 
 impl Point {
-    /// Of p and q² with the errors of what is stored of them; `None` where `|v| ≤ 1` is not possible, or a size is
-    /// none.
+    /// Of p and q² with the errors of what is stored of them; `None` where `|v| ≤ 1` is not
+    /// possible, or a size is none.
     pub fn new(p: &Ball, q2: &Ball, [error_p, error_q2]: [f64; 2]) -> Option<Point> {
         let pm = p.magnitude().to_f64();
         let qq = q2.magnitude().to_f64();

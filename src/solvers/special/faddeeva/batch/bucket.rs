@@ -8,13 +8,13 @@ use super::super::reflection::{DOMINANT, NEGLIGIBLE, decay};
 use crate::pack::{Pack, Wide};
 use crate::real::Real;
 
-/// The number of the bucket of a formula in the lower half-plane, for those up to [`REAL_AXIS`], less its number in
-/// the upper one, [`Branch::number`].
+/// The number of the bucket of a formula in the lower half-plane, for those up to [`REAL_AXIS`],
+/// less its number in the upper one, [`Branch::number`].
 pub(in super::super) const LOWER: usize = Branch::Huge.number() + 1;
-/// What is added to it once more for a series beside which `e^{−z²}` should be negligible.
+/// States what is added to it once more for a series beside which `e^{−z²}` should be negligible.
 pub(in super::super) const SERIES_ALONE: usize = REAL_AXIS.number() + 1 - SERIES_26.number();
-/// The buckets of the lower half-plane where one term dominates: W(−z) in cells and given by 26 terms,
-/// `2e^{−z²}` in cells.
+/// The buckets of the lower half-plane where one term dominates: W(−z) in cells and given by 26
+/// terms, `2e^{−z²}` in cells.
 pub(in super::super) const IMAGE_IN_CELL: usize = SERIES_6.number() + LOWER + SERIES_ALONE + 1;
 pub(in super::super) const IMAGE_BY_SERIES: usize = IMAGE_IN_CELL + 1;
 pub(in super::super) const EXPONENTIAL_IN_CELL: usize = IMAGE_IN_CELL + 2;
@@ -26,8 +26,8 @@ const LOW: usize = 1 << 8;
 const BESIDE_REAL: usize = 1 << 9;
 /// W(−z) dominates.
 const IMAGE: usize = 1 << 10;
-/// With it: `e^{−z²}` should be negligible, and the point is not next to the real axis, where another formula
-/// knows that. Without it: `2e^{−z²}` dominates.
+/// With it: `e^{−z²}` should be negligible, and the point is not next to the real axis, where
+/// another formula knows that. Without it: `2e^{−z²}` dominates.
 const APART: usize = 1 << 11;
 /// Room for all of them.
 const PLACES: usize = 1 << 12;

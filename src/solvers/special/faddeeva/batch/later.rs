@@ -1,4 +1,5 @@
-//! Points of buckets that have too few of them for whole groups: kept until there are as many as in a chunk.
+//! Points of buckets that have too few of them for whole groups: kept until there are as many as in
+//! a chunk.
 
 use super::super::points::Points;
 use super::chunk::{CHUNK, Chunk, LATER};

@@ -117,8 +117,9 @@ fn own(moved: &mut Option<Moved>) -> &mut Moved {
     })
 }
 
-/// The values at the first `n` points of a chunk, whose buckets are known, but for those left for later, as many
-/// as there is room for. A function of its own, because it is long and there are several kinds of batches.
+/// The values at the first `n` points of a chunk, whose buckets are known, but for those left for
+/// later, as many as there is room for. A function of its own, because it is long and there are
+/// several kinds of batches.
 struct Compute<'a, S, L> {
     simd: S,
     lanes: L,
@@ -145,8 +146,8 @@ impl<S: Wide, L: Lanes> NullaryFnOnce for Compute<'_, S, L> {
     }
 }
 
-/// In development builds a part of [`Chunk::run`] is a function of its own: without optimisation all of them together
-/// need 3.5 MB of stack, more than a thread has.
+/// In development builds a part of [`Chunk::run`] is a function of its own: without optimisation
+/// all of them together need 3.5 MB of stack, more than a thread has.
 #[inline(always)]
 fn apart<S: Wide>(simd: S, part: impl FnOnce()) {
     if cfg!(debug_assertions) {

@@ -17,8 +17,8 @@ use crate::lanes::Lanes;
 use crate::pack::{Pack, Wide};
 use crate::real::{ROUND, Real};
 
-/// Why a point has to be computed again: it may be next to a zero; its terms cancel; it is one of those that
-/// only the scalar code takes care of.
+/// Why a point has to be computed again: it may be next to a zero; its terms cancel; it is one of
+/// those that only the scalar code takes care of.
 const NEAR_ZERO: f64 = 1.0;
 const LOST: f64 = 2.0;
 const FOR_SCALAR: f64 = 3.0;
@@ -76,8 +76,8 @@ impl Chunk<'_> {
         self.without_rows(simd, alone, ImageAlone);
     }
 
-    /// The buckets in which neither term dominates, or which does is not known beforehand. In the first two no
-    /// term is negligible, no phase large and no exponential beyond every f64.
+    /// The buckets in which neither term dominates, or which does is not known beforehand. In the
+    /// first two no term is negligible, no phase large and no exponential beyond every f64.
     #[inline(always)]
     pub(super) fn both_terms<S: Wide, L: Lanes>(&mut self, simd: S, lanes: L) {
         let bucket = CELL.number() + LOWER;
@@ -124,8 +124,8 @@ impl Chunk<'_> {
         self.again(lanes, (bucket, at), special);
     }
 
-    /// A bucket of the asymptotic series with N terms, far enough out for large phases and for either term
-    /// to be negligible.
+    /// A bucket of the asymptotic series with N terms, far enough out for large phases and for
+    /// either term to be negligible.
     #[inline(always)]
     fn far<S: Wide, L: Lanes, const N: usize>(&mut self, simd: S, lanes: L, bucket: usize) {
         let len = self.buffers.len(bucket);
@@ -177,7 +177,7 @@ impl Chunk<'_> {
         }
     }
 
-    /// Whether point `i` is next to a zero; it is noted.
+    /// Returns whether point `i` is next to a zero; it is noted.
     #[inline(always)]
     fn next_to_zero(&mut self, i: u8) -> bool {
         let [x, y] = self.at(i);

@@ -59,7 +59,8 @@ impl Chunk<'_> {
     }
 
     /// Sorts the first `n` points into the buckets: each bucket collects its own, so that no count
-    /// waits for the one before. Buckets with few points leave them for later, as long as there is room.
+    /// waits for the one before. Buckets with few points leave them for later, as long as there is
+    /// room.
     #[inline(always)]
     pub(super) fn sort<S: Wide>(&mut self, simd: S, n: usize, present: u32, room: usize) {
         let (mut present, mut room) = (present, room);

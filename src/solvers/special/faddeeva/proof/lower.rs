@@ -1,5 +1,5 @@
-//! What the lower half-plane is made of: the formulas that serve it alone, `e^{−z²}` in its parts, and the limits of
-//! the reflection.
+//! Describes what the lower half-plane is made of: the formulas that serve it alone, `e^{−z²}` in
+//! its parts, and the limits of the reflection.
 
 use super::super::asymptotic::series;
 use super::super::branch::formula_at;
@@ -202,7 +202,7 @@ pub const LIMITS: Limits = Limits {
     large_phase: exponentials::LARGE_PHASE,
 };
 
-/// What the values that are computed again are made of.
+/// Describes what the values that are computed again are made of.
 #[derive(Clone)]
 pub struct Again {
     /// The squares of the nodes of both trapezoidal rules.
@@ -221,7 +221,8 @@ pub struct Again {
     pub inverse_sqrt_pi: Pair<f64>,
     /// ln 2, π/2 and 1/√π in 256 bits: `0.m · 2^exponent`.
     pub long: [(i64, [u64; 4]); 3],
-    /// The part of its terms below which a component is computed in 256 bits: below |z| = 4096, and beyond.
+    /// The part of its terms below which a component is computed in 256 bits: below |z| = 4096, and
+    /// beyond.
     pub vanishing: [f64; 2],
 }
 

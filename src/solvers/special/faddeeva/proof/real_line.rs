@@ -1,6 +1,6 @@
 //! The formulas for erf, erfc, erfcx and Dawson's function of a real argument.
 //!
-//! What they give is two numbers whose sum the code rounds to one.
+//! They give two numbers whose sum the code rounds to one.
 
 use super::{AxisRow, Real, Vectors};
 use crate::double_double::Dd;
@@ -14,8 +14,8 @@ use crate::faddeeva::rows::{in_cell, on_real_axis, real_axis_row};
 use crate::faddeeva::taylor::{RealRow, real_row};
 use crate::faddeeva::{branch, real_line as formulas};
 
-/// |x| below which erf x and Dawson's function are Maclaurin series; below which erfc x is 1 − erf x; from which
-/// |erf x| is 1; from which erfc x is 0 or 2, and beyond which erfcx −x is infinite.
+/// |x| below which erf x and Dawson's function are Maclaurin series; below which erfc x is 1 − erf
+/// x; from which |erf x| is 1; from which erfc x is 0 or 2, and beyond which erfcx −x is infinite.
 pub const LIMITS: [f64; 4] = [
     formulas::SERIES,
     formulas::COMPLEMENT,
@@ -34,7 +34,7 @@ fn dd<R>([hi, lo]: Pair<R>) -> Dd<R> {
     Dd { hi, lo }
 }
 
-/// Whether erfcx and Dawson's function are their limits at x.
+/// Returns whether erfcx and Dawson's function are their limits at x.
 pub fn is_huge(x: f64) -> bool {
     branch::is_huge(0.0, x)
 }
@@ -65,7 +65,7 @@ pub fn exponential<R: Real>(x: R) -> (Pair<R>, R) {
     (of(e), n)
 }
 
-/// Whether erfcx −x is `2e^{x²}` alone.
+/// Returns whether erfcx −x is `2e^{x²}` alone.
 pub fn alone(n: f64) -> bool {
     formulas::alone(n)
 }
@@ -140,7 +140,8 @@ pub fn dawson_near<R: Real>(x: R) -> Pair<R> {
     of(formulas::dawson_near(x))
 }
 
-/// The coefficients of the series of `(√π/2) erf x` and of Dawson's function, and what the second of them lacks.
+/// The coefficients of the series of `(√π/2) erf x` and of Dawson's function, and what the second
+/// of them lacks.
 pub fn odd_series() -> [(&'static [f64], f64); 2] {
     let ((erf, p), (dawson, q)) = (odd_series::ERF, odd_series::DAWSON);
     [(erf, p[0]), (dawson, q[0])]
@@ -151,7 +152,8 @@ pub fn constants() -> [Pair<f64>; 3] {
     [TWO_OVER_SQRT_PI, HALF_SQRT_PI, INV_SQRT_PI].map(of)
 }
 
-/// `1/n!` from n = 3 on in the polynomial for `e^s`, and the two parts of ln 2 that reduce its argument.
+/// `1/n!` from n = 3 on in the polynomial for `e^s`, and the two parts of ln 2 that reduce its
+/// argument.
 pub fn exponential_constants() -> (&'static [f64; 11], [f64; 2]) {
     of_pairs()
 }

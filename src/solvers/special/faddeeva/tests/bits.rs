@@ -1,9 +1,9 @@
 //! The Faddeeva family gives the same bits everywhere: no function of the C library is called, and
 //! every path, fused or by vectors, rounds alike.
 //!
-//! `tests/solver_values/bits.csv` holds a digest of the results for each function and kind of point.
-//! A digest that changes says that a result changed, not that it became worse: that is for the
-//! certified values beside it and for the audit. Where a change is meant,
+//! `tests/solver_values/bits.csv` holds a digest of the results for each function and kind of
+//! point. A digest that changes says that a result changed, not that it became worse: that is for
+//! the certified values beside it and for the audit. Where a change is meant,
 //! `cargo test --no-default-features --lib bits_written -- --ignored` writes the file anew.
 
 use super::Random;
@@ -306,7 +306,7 @@ fn digest(values: impl Iterator<Item = f64>) -> u64 {
     })
 }
 
-/// What makes many values of many points.
+/// Describes what makes many values of many points.
 type Many = fn(&[C]) -> Vec<C>;
 
 fn real(f: fn(f64) -> f64, z: &[C]) -> Vec<C> {

@@ -57,8 +57,8 @@ fn batches_of_one_kind() {
     }
 }
 
-/// Points that few others of a chunk share the formula with wait for more of them, those of several chunks are
-/// computed together, and the last ones at the end.
+/// Points that few others of a chunk share the formula with wait for more of them, those of several
+/// chunks are computed together, and the last ones at the end.
 #[test]
 fn points_that_wait() {
     let mut random = Random(33);

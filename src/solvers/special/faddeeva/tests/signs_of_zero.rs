@@ -27,7 +27,8 @@ fn signed(x: f64, negative: bool) -> f64 {
     if negative { -x } else { x }
 }
 
-/// f is real and increasing (or decreasing) on the real axis: Im f has the sign of Im z (or the other).
+/// f is real and increasing (or decreasing) on the real axis: Im f has the sign of Im z (or the
+/// other).
 fn on_the_real_axis(name: &str, f: impl Fn(C) -> C, decreasing: impl Fn(f64) -> bool) {
     for x in moduli().chain([0.0]) {
         for (left, below) in [(false, false), (false, true), (true, false), (true, true)] {

@@ -1,4 +1,4 @@
-//! What is defined where w is not.
+//! Describes what is defined where w is not.
 
 use super::super::{faddeeva, faddeeva_batch};
 use num_complex::Complex;

@@ -1,0 +1,156 @@
+use super::*;
+use crate::pinned::{bit_by_bit, largest, units};
+use mechaudit_reference::faddeeva;
+use rug::Rational;
+
+/// `|w − S_N|` at points of the quadrant is below the bounds, and not far below where it is
+/// largest.
+#[test]
+fn remainders() {
+    for (x, y) in [(7.0, 0.0), (7.0, 0.5), (5.0, 5.0), (0.25, 7.0), (9.0, 1.0)] {
+        let z = (
+            Rational::from_f64(x).unwrap(),
+            Rational::from_f64(y).unwrap(),
+        );
+        let w = faddeeva::w(&z.0, &z.1, 200).unwrap();
+        let r = Rational::from(z.0.square_ref()) + Rational::from(z.1.square_ref());
+        // q = 1/z² and i/(√π z), exactly but for √π.
+        let (qr, qi) = (
+            (Rational::from(z.0.square_ref()) - Rational::from(z.1.square_ref()))
+                / Rational::from(r.square_ref()),
+            Rational::from(-2) * &z.0 * &z.1 / Rational::from(r.square_ref()),
+        );
+        for n in [10u32, 17, 27] {
+            let (mut re, mut im) = (Rational::new(), Rational::new());
+            for k in (0..n).rev() {
+                // 1 + (k + ½) q (…)
+                let f = Rational::from((2 * i64::from(k) + 1, 2));
+                let p = (Rational::from(&re * &qr) - Rational::from(&im * &qi)) * &f + 1u32;
+                im = (Rational::from(&re * &qi) + Rational::from(&im * &qr)) * f;
+                re = p;
+            }
+            // i z̄/(√π r)
+            let (a, b) = (&z.0 * &re, &z.1 * &re);
+            let (a, b) = (Rational::from(a), Rational::from(b));
+            let (c, d) = (Rational::from(&z.0 * &im), Rational::from(&z.1 * &im));
+            let root = Ball::pi(300).sqrt();
+            let part = |q: Rational| &Ball::rational(300, &(q / &r)) / &root;
+            let (u, v) = (part(b - c), part(a + d));
+            let off = (&w.re - &u).square() + (&w.im - &v).square();
+            let off = above(&off.sqrt());
+            let least = hypot(x, y);
+            let bound = remainder(n, least.next_down());
+            assert!(off <= bound, "{x} {y} {n}: {off:e} {bound:e}");
+        }
+    }
+}
+
+fn hypot(x: f64, y: f64) -> f64 {
+    crate::interval::hypot_down(x, y)
+}
+
+#[test]
+fn exponentials_are_above() {
+    for t in [-800.0, -79.3, -1.0, 0.0, 3.5] {
+        let exact = Float::with_val(200, Float::with_val(200, t).exp_ref());
+        let bound = exp_up(t);
+        assert!(bound >= exact && bound <= exact.to_f64() * (1.0 + 1e-15) + 1e-323);
+    }
+}
+
+/// `T_N = Γ(N + ½)/(π r^{2N+1})` and the bounds made of it, by their formulas, each rounded up by
+/// little.
+#[test]
+fn bounds_are_the_formulas() {
+    let near = |x: f64, due: f64| x >= due * (1.0 - 1e-15) && x <= due * (1.0 + 1e-12);
+    let exact = |n: u32, r: f64| {
+        let gamma = (0..n).fold(std::f64::consts::PI.sqrt(), |g, k| g * (f64::from(k) + 0.5));
+        gamma / (std::f64::consts::PI * r.powi(2 * n as i32 + 1))
+    };
+    let root_e = std::f64::consts::E.sqrt();
+    for (n, r) in [(0, 3.0), (1, 7.0), (3, 5.0), (9, 3.0), (27, 7.0)] {
+        let due = exact(n, r);
+        assert!(near(t(n, r), due), "{n} {r}");
+        let root = (f64::from(n) + 1.5).sqrt();
+        assert!(near(remainder_alone(n, r), root_e * root * due));
+        let n2 = 2.0 * f64::from(n);
+        if n > 0 {
+            let slope = root_e * ((n2 - 1.0) * root + n2 + 3.0) * due;
+            assert!(near(slope_alone(n, r), slope));
+        }
+        // The best of the bounds after some terms more.
+        let least = |f: &dyn Fn(u32) -> f64, g: &dyn Fn(u32) -> f64| {
+            let all = (0..=12).map(|m| (n..n + m).map(g).sum::<f64>() + f(n + m));
+            all.fold(f64::INFINITY, f64::min)
+        };
+        let sum = least(&|m| remainder_alone(m, r), &|k| exact(k, r));
+        assert!(near(remainder(n, r), sum), "{n} {r}");
+        if n > 0 {
+            let sum = least(&|m| slope_alone(m, r), &|k| {
+                (2.0 * f64::from(k) + 1.0) * exact(k, r)
+            });
+            assert!(near(remainder_slope(n, r), sum), "{n} {r}");
+        }
+    }
+    for (x, n) in [(0.5, 0), (0.5, 1), (0.3, 7), (1.7, 20)] {
+        assert!(near(power_up(x, n), f64::powi(x, n as i32)));
+    }
+    assert_eq!(power_up(0.0, 3), 0.0);
+    // Constants on their sides.
+    assert!(
+        HALF_PI >= std::f64::consts::FRAC_PI_2 && HALF_PI <= std::f64::consts::FRAC_PI_2.next_up()
+    );
+    for (bound, exact) in [
+        (SQRT_PI, Ball::pi(100).sqrt()),
+        (SQRT_E, Ball::exact(100, 0.5).exp()),
+    ] {
+        assert!(exact.upper() <= bound && exact.lower() > bound.next_down().next_down());
+    }
+    assert!(Ball::pi(100).lower() >= PI_BELOW);
+    assert!(above(&Ball::exact(60, -3.0)) >= 3.0 && above(&Ball::exact(60, -3.0)) < 3.0001);
+    let ball = Ball::exact(60, 1.0).widened(mechaudit_reference::Mag::from_f64(0.5));
+    assert!(above(&ball) >= 1.5 && above(&ball) < 1.5001);
+}
+
+/// Above what is due for all of many arguments: at some of them the value is next to above an f64.
+#[test]
+fn exponentials_are_rounded_up() {
+    for k in 0..40_000 {
+        let t = -20.0 + 0.001 * f64::from(k);
+        let due = Float::with_val(200, t).exp();
+        let found = exp_up(t);
+        assert!(found >= due && found < due * (1.0 + 1e-15), "{t}");
+    }
+}
+
+#[test]
+fn bounds_of_functions_bit_by_bit() {
+    let mut unit = units(10);
+    let exponents: Vec<f64> = (0..20_000).map(|_| 1500.0 * (unit() - 0.5)).collect();
+    let exponentials = exponents.iter().map(|t| exp_up(*t));
+    let exponentials = exponentials.filter(|x| x.is_finite());
+    let radii: Vec<f64> = (0..40).map(|_| 2.0 + 30.0 * unit()).collect();
+    let series = |f: fn(u32, f64) -> f64| {
+        let radii = &radii;
+        move |n: u32| radii.iter().map(move |r| f(n, *r))
+    };
+    let found = [
+        largest("exponential", exponentials),
+        largest("power", (0..30).map(|n| power_up(1.1, n))),
+        largest(
+            "remainder",
+            [2, 7, 15, 27].into_iter().flat_map(series(remainder)),
+        ),
+        largest(
+            "slope",
+            [2, 7, 15, 27].into_iter().flat_map(series(remainder_slope)),
+        ),
+    ];
+    let due = [
+        ("exponential", 0x01467eba8f55c1fb, 1.516629761185672e308),
+        ("power", 0x23762c63dcc89b9f, 15.863092971715032),
+        ("remainder", 0x042d6edd42837610, 99344366.55617438),
+        ("slope", 0x60c0b40be56b9a83, 6325959003.096),
+    ];
+    bit_by_bit(&found, &due);
+}

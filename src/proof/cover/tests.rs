@@ -1,0 +1,475 @@
+use super::*;
+use crate::pinned::{bit_by_bit, counted, of_binades, units};
+
+#[test]
+fn the_first_partition_covers_the_quadrant() {
+    assert_eq!(hole(&roots()), None);
+}
+
+#[test]
+fn a_hole_is_found() {
+    let all = roots();
+    for missing in [0, 1, 2, 3, 700, all.len() - 1] {
+        let some: Vec<Rectangle> = (0..all.len())
+            .filter(|i| *i != missing)
+            .map(|i| all[i])
+            .collect();
+        let found = hole(&some).expect("a hole");
+        let r = all[missing];
+        assert!(r.a[0] <= found[0] && found[0] <= r.a[1], "{missing}");
+        assert!(r.b[0] <= found[1] && found[1] <= r.b[1], "{missing}");
+    }
+    // One number is enough.
+    let mut all = roots();
+    all[5].b[1] = all[5].b[1].next_down();
+    assert!(hole(&all).is_some());
+}
+
+#[test]
+fn halves_cover_the_whole() {
+    let whole = Rectangle {
+        a: [1.0, 4.0],
+        b: [0.0, 0.5],
+    };
+    for across_re in [true, false] {
+        let [p, q] = whole.halves(across_re);
+        let (side, first, second) = match across_re {
+            true => (whole.a, p.a, q.a),
+            false => (whole.b, p.b, q.b),
+        };
+        assert_eq!((first[0], second[1]), (side[0], side[1]));
+        assert_eq!(first[1].next_up(), second[0]);
+    }
+}
+
+#[test]
+fn pieces_are_constant_and_adjacent() {
+    let found = pieces([0.0, 10.0], |x| x.floor() as i64);
+    assert_eq!(found.len(), 11);
+    for pair in found.windows(2) {
+        assert_eq!(pair[0].0[1].next_up(), pair[1].0[0]);
+    }
+}
+
+/// Every `f64` of the closed quadrant is in exactly one rectangle.
+#[test]
+fn the_first_partition_has_no_overlap() {
+    let numbers = |[lo, hi]: [f64; 2]| u128::from(hi.to_bits() - lo.to_bits()) + 1;
+    let all = roots();
+    assert!(all.iter().all(|r| r.a[0] <= r.a[1] && r.b[0] <= r.b[1]));
+    let sum: u128 = all.iter().map(|r| numbers(r.a) * numbers(r.b)).sum();
+    let finite = numbers([0.0, f64::MAX]);
+    assert_eq!(sum, finite * finite);
+    // Whole binades, so that what is scaled has one power of two.
+    for r in all.iter().filter(|r| r.a[0].max(r.b[0]) > 1e-300) {
+        assert!(r.scaled().is_some(), "{r:?}");
+    }
+}
+
+/// A strip of one number that is missing is found, wherever it is; without rectangles everything
+/// is.
+#[test]
+fn a_missing_number_is_found() {
+    assert_eq!(hole(&[]), Some([0.0, 0.0]));
+    let to = |a, b| Rectangle { a, b };
+    let (one, most) = (1.0f64, f64::MAX);
+    let below = one.next_down();
+    let quarters = [
+        to([0.0, below], [0.0, below]),
+        to([0.0, below], [one, most]),
+        to([one, most], [0.0, below]),
+        to([one, most], [one, most]),
+    ];
+    assert_eq!(hole(&quarters), None);
+    for i in 0..4 {
+        for side in 0..4 {
+            let mut some = quarters;
+            let r = &mut some[i];
+            let ends = match side / 2 {
+                0 => &mut r.a,
+                _ => &mut r.b,
+            };
+            let missing = ends[side % 2];
+            ends[side % 2] = match side % 2 {
+                0 => missing.next_up(),
+                _ => missing.next_down(),
+            };
+            let found = hole(&some).expect("a hole");
+            assert_eq!(found[side / 2], missing, "{i} {side} {found:?}");
+            let whole = quarters[i];
+            let inside = |[lo, hi]: [f64; 2], x: f64| lo <= x && x <= hi;
+            assert!(inside(whole.a, found[0]) && inside(whole.b, found[1]));
+        }
+    }
+    // One point alone.
+    let next = one.next_up();
+    let around = [
+        to([0.0, below], [0.0, most]),
+        to([next, most], [0.0, most]),
+        to([one, one], [0.0, below]),
+        to([one, one], [next, most]),
+    ];
+    assert_eq!(hole(&around), Some([one, one]));
+}
+
+/// Both halves together are the whole, and neither is empty; a line begins the second one.
+#[test]
+fn halves_meet_at_lines_and_in_the_middle() {
+    let numbers = |[lo, hi]: [f64; 2]| hi.to_bits() - lo.to_bits() + 1;
+    let (re, im) = (LINES[0], LINES[1]);
+    let of = |r: Rectangle, across_re: bool| {
+        let [p, q] = r.halves(across_re);
+        let [whole, first, second] = match across_re {
+            true => [r.a, p.a, q.a],
+            false => [r.b, p.b, q.b],
+        };
+        let other = |r: &Rectangle| if across_re { r.b } else { r.a };
+        assert_eq!([other(&p), other(&q)], [other(&r); 2]);
+        assert_eq!((first[0], second[1]), (whole[0], whole[1]));
+        assert_eq!(first[1].next_up(), second[0]);
+        (second[0], numbers(first), numbers(second))
+    };
+    for (i, lines) in [re, im].into_iter().enumerate() {
+        for &line in lines {
+            let across = [0.5 * line, line];
+            let other = [1e-3, 2e-3];
+            let r = match i {
+                0 => Rectangle {
+                    a: across,
+                    b: other,
+                },
+                _ => Rectangle {
+                    a: other,
+                    b: across,
+                },
+            };
+            // The last line inside, the end among it.
+            let last = lines.iter().rfind(|l| **l <= line).expect("itself");
+            assert_eq!(of(r, i == 0).0, *last);
+            // Where the rectangle begins at it, it is none to cut at.
+            let beyond = [line, line.next_up().next_up().next_up()];
+            let r = match i {
+                0 => Rectangle {
+                    a: beyond,
+                    b: other,
+                },
+                _ => Rectangle {
+                    a: other,
+                    b: beyond,
+                },
+            };
+            let (_, p, q) = of(r, i == 0);
+            assert_eq!((p, q), (2, 2));
+        }
+    }
+    // Elsewhere by the number of f64s.
+    for r in [
+        Rectangle {
+            a: [30.0, 31.0],
+            b: [40.0, 50.0],
+        },
+        Rectangle {
+            a: [1e-320, 1e-310],
+            b: [30.0, 30.5],
+        },
+    ] {
+        for across_re in [true, false] {
+            let (_, p, q) = of(r, across_re);
+            assert!(p == q || p == q + 1, "{r:?} {p} {q}");
+        }
+    }
+    // One number has no second half.
+    let point = Rectangle {
+        a: [30.0; 2],
+        b: [40.0, 41.0],
+    };
+    assert_eq!(point.halves(true), [point; 2]);
+    assert!(
+        !point.is_point()
+            && !Rectangle {
+                a: [30.0, 31.0],
+                b: [40.0; 2]
+            }
+            .is_point()
+    );
+    assert!(
+        Rectangle {
+            a: [30.0; 2],
+            b: [40.0; 2]
+        }
+        .is_point()
+    );
+}
+
+/// The longer side, or that with more numbers; the only one that can be cut.
+#[test]
+fn which_side_is_cut() {
+    let across = |a: [f64; 2], b: [f64; 2]| {
+        let r = Rectangle { a, b };
+        [r.across_re(true), r.across_re(false)]
+    };
+    assert_eq!(across([1.0, 2.0], [1.0, 1.5]), [true, true]);
+    assert_eq!(across([1.0, 1.5], [1.0, 2.0]), [false, false]);
+    assert_eq!(across([1.0, 2.0], [1.0, 2.0]), [true, true]);
+    // Longer, with fewer numbers.
+    assert_eq!(across([8.0, 10.0], [0.0, 1.0]), [true, false]);
+    assert_eq!(across([0.0, 1.0], [8.0, 10.0]), [false, true]);
+    assert_eq!(across([3.0, 3.0], [0.0, 1.0]), [false, false]);
+    assert_eq!(across([0.0, 1e-300], [3.0, 3.0]), [true, true]);
+}
+
+/// Where the formula changes for one coordinate alone there is a line: on a ring of the same |z|²
+/// it does not change between two of them.
+#[test]
+fn lines_where_the_code_has_some() {
+    let of = |a: f64, b: f64| {
+        let r = Rectangle {
+            a: [a, a + 0.01],
+            b: [b, b + 0.01],
+        };
+        r.lines().map(<[f64]>::len)
+    };
+    let all = [LINES[0].len(), LINES[1].len()];
+    let beside = [0, BESIDE_REAL_AXIS.len()];
+    assert_eq!([of(6.99, 0.0), of(0.0, 6.99), of(6.9, 6.9)], [all; 3]);
+    assert_eq!(
+        [of(7.0, 0.0), of(0.0, 7.0), of(27.99, 3.0), of(0.0, 27.99)],
+        [beside; 4]
+    );
+    assert_eq!([of(28.0, 0.0), of(0.0, 28.0), of(1e300, 0.0)], [[0, 0]; 3]);
+}
+
+/// A coordinate is small where it is below the other one and reaches over more than two binades.
+#[test]
+fn small_coordinates() {
+    let of = |a: [f64; 2], b: [f64; 2]| {
+        let r = Rectangle { a, b };
+        [r.small_re(), r.small_im()]
+    };
+    assert_eq!(of([0.0, 1.0], [1.0, 2.0]), [true, false]);
+    assert_eq!(of([1.0, 2.0], [0.0, 1.0]), [false, true]);
+    assert_eq!(of([0.0, 1.5], [1.0, 2.0]), [false; 2]);
+    assert_eq!(of([1.0, 2.0], [0.0, 1.5]), [false; 2]);
+    assert_eq!(of([0.5, 1.0], [1.0, 2.0]), [false; 2]);
+    assert_eq!(of([1.0, 2.0], [0.5, 1.0]), [false; 2]);
+    assert_eq!(
+        [of([0.25, 1.0], [1.0, 2.0]), of([1.0, 2.0], [0.25, 1.0])],
+        [[false; 2]; 2]
+    );
+    assert_eq!(of([0.249, 1.0], [1.0, 2.0]), [true, false]);
+    assert_eq!(of([1.0, 2.0], [0.249, 1.0]), [false, true]);
+}
+
+/// Every number divided by the power of two is inside, and the ends are next to the quotients.
+#[test]
+fn scaled_rectangles_hold_the_quotients() {
+    let exact = |x: f64| rug::Rational::from_f64(x).expect("finite");
+    for r in [
+        Rectangle {
+            a: [1e200, 1.2e200],
+            b: [1e190, 1e199],
+        },
+        Rectangle {
+            a: [1e190, 1e199],
+            b: [1e200, 1.2e200],
+        },
+        Rectangle {
+            a: [1.7e308, f64::MAX],
+            b: [0.0, 1e-320],
+        },
+        Rectangle {
+            a: [1e300, 1.1e300],
+            b: [3e-10, 7e-10],
+        },
+    ] {
+        let k = crate::form::exponent(r.a[1].max(r.b[1]));
+        let scaled = r.scaled().expect("one power of two");
+        for ([lo, hi], [p, q]) in [(scaled.a, r.a), (scaled.b, r.b)] {
+            let [p, q] = [p, q].map(|x| exact(x) >> k);
+            assert!(exact(lo) <= p && q <= exact(hi), "{r:?} {scaled:?}");
+            let few = |x: f64, due: &rug::Rational| {
+                exact(x.next_down().next_down().max(0.0)) <= *due
+                    && *due <= exact(x.next_up().next_up())
+            };
+            assert!(few(lo, &p) && few(hi, &q), "{r:?} {scaled:?}");
+            // What is exact stays as it is.
+            let kept =
+                |x: f64, due: &rug::Rational| exact(due.to_f64()) != *due || exact(x) == *due;
+            assert!(kept(lo, &p) && kept(hi, &q), "{r:?} {scaled:?}");
+        }
+        assert!((1.0..2.0).contains(&scaled.a[1].max(scaled.b[1])));
+    }
+    let wide = Rectangle {
+        a: [1e200, 4e200],
+        b: [0.0, 1.0],
+    };
+    assert!(wide.scaled().is_none());
+    let point = Rectangle {
+        a: [3e200; 2],
+        b: [7e190; 2],
+    };
+    let scaled = point.scaled().expect("one power of two");
+    assert_eq!((scaled.a[0], scaled.b[0]), (scaled.a[1], scaled.b[1]));
+}
+
+/// Pieces of a function with steps at any place, of one number and without a step.
+#[test]
+fn pieces_of_steps() {
+    for step in [1.0, 1.5, 2.0f64.next_down(), 2.0] {
+        let found = pieces([1.0, 2.0], |x| x >= step);
+        match step > 1.0 {
+            true => assert_eq!(
+                found,
+                [([1.0, step.next_down()], false), ([step, 2.0], true)]
+            ),
+            false => assert_eq!(found, [([1.0, 2.0], true)]),
+        }
+    }
+    assert_eq!(pieces([3.0, 3.0], |x| x as u8), [([3.0, 3.0], 3)]);
+    assert_eq!(pieces([1.0, 2.0], |_| 7), [([1.0, 2.0], 7)]);
+}
+
+/// The largest coordinate of both corners has one power of two, and ends that are rounded are
+/// rounded outwards.
+#[test]
+fn scaled_ends_are_rounded_outwards() {
+    let of = |a, b| Rectangle { a, b }.scaled();
+    assert!(of([1.0, 1.5], [0.5, 2.5]).is_none() && of([0.5, 2.5], [1.0, 1.5]).is_none());
+    assert!(of([1.0, 1.5], [0.5, 0.75]).is_some() && of([0.5, 0.75], [1.0, 1.5]).is_some());
+    let big = 2f64.powi(1010);
+    let odd = 2f64.next_down() * 2f64.powi(-30);
+    let found = of([big, big], [odd, odd]).expect("one power of two");
+    assert_eq!(found.a, [1.0, 1.0]);
+    let exact = rug::Rational::from_f64(odd).expect("finite") >> 1010u32;
+    let [lo, hi] = found.b.map(|x| rug::Rational::from_f64(x).expect("finite"));
+    assert!(lo < exact && exact < hi);
+    let least = f64::from_bits(1);
+    assert_eq!(
+        of([big, big], [least, least]).map(|r| r.b),
+        Some([0.0, least])
+    );
+}
+
+/// Numbers below the normal ones are scaled as the smallest of these.
+#[test]
+fn subnormal_rectangles_are_scaled_as_the_smallest_normal_number() {
+    let [small, large] = [1u64 << 20, 1 << 40].map(f64::from_bits);
+    let at = Rectangle {
+        a: [0.0, large],
+        b: [small, large],
+    };
+    let scaled = at.scaled().expect("one power");
+    let up = |x: f64| x * 2f64.powi(511) * 2f64.powi(511);
+    assert_eq!(scaled.a, [0.0, up(large)]);
+    assert_eq!(scaled.b, [up(small), up(large)]);
+}
+
+/// Halves of rectangles, the way they are cut, and which hole is found first.
+#[test]
+fn cuts_and_holes_bit_by_bit() {
+    let mut unit = units(12);
+    let mut all = roots();
+    let one = |x: f64| [x, x];
+    let next = |x: f64| [x, x.next_up()];
+    for (a, b) in [
+        (one(0.0), one(0.0)),
+        (one(1.0), one(1.0)),
+        (one(1.0), next(1.0)),
+        (next(1.0), one(1.0)),
+        (next(1.0), next(1.0)),
+        (next(2.0), next(1.0)),
+        (next(1.0), next(2.0)),
+        (next(1.0), [1.0, 2.0]),
+        ([1.0, 2.0], next(1.0)),
+        (one(3.0), [1.0, 2.0]),
+        ([1.0, 2.0], one(3.0)),
+        ([1.0, 2.0], [2.0, 3.0]),
+        ([1.0, 1.5], [1.0, 1.25]),
+        ([1.0, 1.5], [2.0, 2.5]),
+    ] {
+        all.push(Rectangle { a, b });
+    }
+    for i in 0..200 {
+        let [a, b] = [0; 2].map(|_| match i % 2 {
+            0 => 8.0 * unit(),
+            _ => of_binades(&mut unit, [-50, 20]),
+        });
+        let [p, q] = [0; 2].map(|_| of_binades(&mut unit, [-8, 1]));
+        all.push(Rectangle {
+            a: [a, a + p],
+            b: [b, b + q],
+        });
+    }
+    let cuts = all
+        .iter()
+        .map(|r| [true, false].map(|x| (r.across_re(x), r.halves(x))));
+    let scaled = all.iter().map(|r| (r.scaled(), r.small_re(), r.small_im()));
+    let mut holes = Vec::new();
+    let whole = roots();
+    for i in (0..whole.len()).step_by(2111).chain([whole.len() - 1]) {
+        let mut some = whole.clone();
+        some.remove(i);
+        holes.push(hole(&some));
+        some.truncate(some.len() * 2 / 3);
+        holes.push(hole(&some));
+    }
+    for n in 1..60 {
+        // Many holes: which of them is found depends on how the search goes.
+        let mut some = Vec::new();
+        for _ in 0..n % 20 {
+            let [a, b] = [0; 2].map(|_| 4.0 * unit());
+            let at = |x: f64, unit: &mut dyn FnMut() -> f64| [x, x + 3.0 * unit()];
+            some.push(Rectangle {
+                a: at(a, &mut unit),
+                b: at(b, &mut unit),
+            });
+        }
+        some.push(Rectangle {
+            a: [0.0, 1.0],
+            b: [0.0, 1.0],
+        });
+        holes.push(hole(&some));
+    }
+    let max = f64::MAX;
+    for some in [
+        vec![],
+        vec![([0.0, max], [0.0, 1.0]), ([0.0, max], [2.0, max])],
+        vec![([0.0, 1.0], [0.0, max]), ([2.0, max], [0.0, max])],
+        vec![([0.0, max.next_down()], [0.0, max])],
+        vec![([0.0, max], [0.0, max.next_down()])],
+        vec![
+            ([0.0, 3.0], [0.0, 3.0]),
+            ([1.0, max], [4.0, 5.0]),
+            ([4.0, 5.0], [1.0, 2.0]),
+            ([3.0, 7.0], [2.0, 6.0]),
+        ],
+        vec![([0.0, max], [0.0, max])],
+    ] {
+        let some: Vec<Rectangle> = some.into_iter().map(|(a, b)| Rectangle { a, b }).collect();
+        holes.push(hole(&some));
+    }
+    let found = [
+        counted("roots", &whole),
+        counted("cuts", cuts),
+        counted("scaled", scaled),
+        counted("holes", holes),
+    ];
+    let due = [
+        ("roots", 0x8fe9c43e940343a4, 14464.0),
+        ("cuts", 0x8eb8973f74a01200, 14678.0),
+        ("scaled", 0xf0307af99bd5c025, 14678.0),
+        ("holes", 0x5709c1842095e76f, 82.0),
+    ];
+    bit_by_bit(&found, &due);
+}
+
+#[test]
+fn rectangles_below_a_limit() {
+    let is = |limit, a: f64, b: f64| {
+        let (a, b) = ([1.0, a], [0.5, b]);
+        Rectangle { a, b }.is_below(limit)
+    };
+    assert!(is(None, 1e9, 1e9) && is(Some(4.0), 3.0, 3.5));
+    assert!(is(Some(4.0), 3.5, 3.0) && !is(Some(4.0), 4.0, 1.5));
+    assert!(!is(Some(4.0), 5.0, 2.0) && !is(Some(4.0), 2.0, 5.0));
+}

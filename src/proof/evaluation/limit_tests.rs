@@ -1,0 +1,541 @@
+//! Evaluations at the ends of the range, beside zero, of one operation, and one after another.
+
+use super::tests::{only, setting, ways, x_of};
+use super::*;
+use crate::form::power_of_two;
+use crate::pinned::{bit_by_bit, counted, digest};
+use mechaudit_solvers::faddeeva::proof::Real;
+
+fn x_of_power(k: i32) -> impl Fn() -> Tracked {
+    move || x_of(2f64.powi(k))
+}
+
+/// Operations are counted from one, each by itself.
+#[test]
+fn a_planted_rounding_is_of_one_operation() {
+    let run = |truncates| {
+        let rounding = Rounding {
+            fma_rounds_twice: false,
+            truncates,
+        };
+        let program = || {
+            let x = Tracked::input(0, [1.0, 1.001]);
+            let y = x * x_of(3.0);
+            [y, y * x].map(|t| t.result().error)
+        };
+        evaluate(setting(rounding), program).expect("a bound")[0]
+    };
+    let [sound, first, second] = [None, Some(1), Some(2)].map(run);
+    assert!(first[0] > 1.9 * sound[0] && first[1] > 1.4 * sound[1]);
+    assert!(second[0] == sound[0] && second[1] > 1.4 * sound[1]);
+    assert_eq!(run(Some(3)), sound);
+}
+
+/// Checks what a power of two does to numbers at both ends of the range.
+#[test]
+fn powers_of_two_at_the_ends_of_the_range() {
+    // Multiples of 2⁻⁵² in [1, 2): 2⁻¹⁰²² times as much still is a number; of those below 1 it need
+    // not be.
+    let least = x_of_power(-1022);
+    let of = |lo: f64, hi: f64| only(|| (Tracked::input(0, [lo, hi]) * least()).result());
+    for (lo, hi, tiny) in [(1.0, 1.9, 0.0), (0.5, 0.9, 1.0), (0.5, 2.0, 1.0)] {
+        let found = of(lo, hi);
+        assert_eq!((found.tiny, found.error), (tiny, 0.0), "{lo} {hi}");
+    }
+    // What overflows has no bound.
+    let over = |k| {
+        let x = || Tracked::input(0, [2f64.powi(1000), 2f64.powi(1001)]);
+        ways(|| (x() * x_of(2f64.powi(k))).result())
+    };
+    let finite = |k| over(k).is_ok_and(|w| w[0].exact.hi.is_finite() && w[0].error == 0.0);
+    assert!(finite(20) && !finite(23) && !finite(24) && !finite(60));
+    // Sums of subnormal numbers are exact, also those of products by powers of two; from 2⁻¹⁰²¹ on
+    // they need not be.
+    let sum = |scale: f64| {
+        only(|| {
+            let x = Tracked::input(0, [scale, 1.1 * scale]);
+            let y = Tracked::input(1, [1.0, 1.1].map(|x| x * 2f64.powi(-60)));
+            (x + y * x_of(2f64.powi(-1000))).result()
+        })
+    };
+    assert_eq!(
+        [
+            sum(2f64.powi(-1023)).error,
+            sum(1.5 * 2f64.powi(-1022)).error
+        ],
+        [0.0; 2]
+    );
+    assert!(sum(1.5 * 2f64.powi(-1021)).error > 0.0);
+}
+
+/// Checks that what a product by a power of two lost below the normal numbers is handed on with
+/// what it lost.
+#[test]
+fn digits_below_the_normal_numbers_are_lost_twice() {
+    let [p, lost] = only(|| {
+        let x = Tracked::input(0, [1.0, 1.1].map(|x| x * 2f64.powi(-60)));
+        let (p, lost) = x.two_prod(x_of(2f64.powi(-1000)));
+        [p, lost].map(Tracked::result)
+    });
+    assert!(p.tiny == 1.0 && lost.tiny >= 1.0 && lost.exact.is_zero());
+    // Their products do not share the error of a number that has all its digits.
+    let [full, short] = only(|| {
+        let x = Tracked::input(0, [1e-305, 1.1e-305]);
+        let y = x * x_of(2f64.powi(-20));
+        let c = Tracked::input(1, [1e200, 1.1e200]);
+        [x * c, y * c].map(Tracked::result)
+    });
+
+    assert!(
+        full.relative < 1.2e-16 && short.relative > 2e-13,
+        "{full:?} {short:?}"
+    );
+}
+
+/// Zeros and what is handled as a factor.
+#[test]
+fn zeros_and_small_factors() {
+    let setting = Setting {
+        sigma: Exact::coordinate(Interval::new(1e-9, 1e-3), 0),
+        ..setting(Rounding::default())
+    };
+    let run = |f: fn(Tracked, Tracked) -> Tracked| {
+        let program = || f(Tracked::sigma(), Tracked::input(1, [1.0, 1.1])).result();
+        evaluate(setting, program).expect("a bound")[0]
+    };
+    for f in [|s, x| s * x, |s, x| x * s] as [fn(Tracked, Tracked) -> Tracked; 2] {
+        let found = run(f);
+        assert!(found.small && found.error < 1.2e-16 * 1.1, "{found:?}");
+    }
+    let square = run(|s, _| s * s);
+    assert!(square.small && square.exact.hi <= 1.000001e-3 && square.exact.lo >= 0.0);
+    for f in [
+        |s, _| s * x_of(0.0),
+        |s, _| x_of(0.0) * s,
+        |_, x| x * x_of(0.0),
+        |_, x| x_of(0.0) * x,
+        |_, x| x.fma(x_of(0.0), x_of(0.0)),
+    ] as [fn(Tracked, Tracked) -> Tracked; 5]
+    {
+        let found = run(f);
+        assert!(found.exact.is_zero() && found.error == 0.0, "{found:?}");
+    }
+    for zero_first in [true, false] {
+        let lost = only(|| {
+            let (x, zero) = (Tracked::input(0, [1.0, 1.1]), x_of(0.0));
+            let (p, q) = if zero_first { (zero, x) } else { (x, zero) };
+            p.two_sum(q).1.result()
+        });
+        assert!(lost.exact.is_zero() && lost.error == 0.0);
+    }
+    // Zero added is nothing done: the sum is still the factor's.
+    for f in [
+        |s, x| s * x + x_of(0.0),
+        |s, x| x_of(0.0) + s * x,
+        |s, x| x_of(0.0).fma(x, s),
+        |s, x| x.fma(x_of(0.0), s),
+        |s, x| s.fma(x, x_of(0.0)),
+    ] as [fn(Tracked, Tracked) -> Tracked; 5]
+    {
+        assert!(run(f).small);
+    }
+}
+
+/// Nothing of an evaluation is left to the next one of the thread.
+#[test]
+fn evaluations_are_apart() {
+    let constants = [Constant {
+        stored: 0.75,
+        exact: Interval::point(0.7),
+        error: Interval::point(0.05),
+    }];
+    let with = Setting {
+        constants: &constants,
+        ..setting(Rounding::default())
+    };
+    let program = || x_of(1.0).like(0.75).result().error;
+    assert!(evaluate(with, program).expect("a bound")[0] > 0.0);
+    assert_eq!(ways(program), Ok(vec![0.0]));
+    // A failure in the middle of the ways.
+    let undecided = || Tracked::input(0, [1.0, 2.0]).below(x_of(1.5));
+    let fails = ways(|| {
+        let below = undecided();
+        if !below {
+            (x_of(1.0) / Tracked::input(1, [-1.0, 1.0])).result();
+        }
+        below
+    });
+    assert!(fails.is_err());
+    assert_eq!(ways(undecided), Ok(vec![true, false]));
+    // Products of what stands where the last evaluation had a multiple of another number.
+    let y = only(|| {
+        let x = Tracked::input(0, [1.0, 1.1]);
+        x * x_of(4.0)
+    });
+    let found = only(|| {
+        let x = Tracked::input(0, [1.0, 1.1]);
+        let mut last = x;
+        while last.0 < y.0 {
+            last = Tracked::input(1, [1.5, 1.6]);
+        }
+        let c = Tracked::input(0, [3.0, 3.1]);
+        [x * c, last * c][1].result()
+    });
+    assert!(
+        found.exact.lo >= 4.49 && found.exact.hi <= 4.97,
+        "{found:?}"
+    );
+}
+
+/// A fast sum of what may be out of order is the sum, and its second part is off.
+#[test]
+fn a_fast_sum_out_of_order_is_a_sum() {
+    let of = |b: [f64; 2]| {
+        only(|| {
+            let (x, y) = (Tracked::input(0, [1.0, 1.001]), Tracked::input(1, b));
+            let (s, e) = x.fast_two_sum(y);
+            [s.result(), s.exact_sum(e)]
+        })
+    };
+    let [sum, both] = of([0.5, 2.0]);
+    assert!(
+        sum.exact.lo <= 1.5 && sum.exact.hi >= 3.001 && sum.exact.hi < 3.01,
+        "{sum:?}"
+    );
+    assert!(both.error > 1e-17);
+    assert!(of([0.5, 0.9])[1].error < 1e-30);
+    let [sum, both] = only(|| {
+        let (s, e) = x_of(0.0).fast_two_sum(Tracked::input(1, [0.5, 2.0]));
+        [s.result(), s.exact_sum(e)]
+    });
+    assert!(sum.error == 0.0 && both.error == 0.0 && sum.exact.hi <= 2.0);
+}
+
+/// The error of a product is a multiple of the product of both grids: of a number, or rounded to
+/// one.
+#[test]
+fn errors_of_products_on_the_finest_grid() {
+    let lost = |k: i32| {
+        only(|| {
+            let x = Tracked::input(0, [1.0, 1.1]);
+            let scale = 2f64.powi(k);
+            let (_, lost) = x.two_prod(Tracked::input(1, [scale, 1.1 * scale]));
+            lost.result().tiny
+        })
+    };
+    assert_eq!([lost(-969), lost(-970)], [0.0; 2]);
+    assert!(lost(-971) >= 1.0);
+}
+
+/// The absolute value of what may have either sign begins at zero, and its errors are no part of
+/// it.
+#[test]
+fn magnitudes_of_both_signs() {
+    let found = only(|| {
+        let x = Tracked::input(0, [-2.0, 3.0]);
+        (x * Tracked::input(1, [1.0, 1.1])).magnitude().result()
+    });
+    assert!(found.exact.lo <= 0.0 && found.exact.hi >= 3.3 && found.exact.hi < 3.4);
+    assert_eq!(found.relative, f64::INFINITY);
+    let one = only(|| {
+        let x = Tracked::input(0, [1.0, 1.1]);
+        // Both signs by their errors alone.
+        ((x * x) - x.like(1.1)).magnitude().result()
+    });
+    assert_eq!(one.relative, f64::INFINITY);
+}
+
+/// Integers too large, and too many of them, by their limits.
+#[test]
+fn integers_have_limits() {
+    let of = |lo: f64, hi: f64| {
+        let x = || Tracked::input(0, [lo, hi]);
+        ways(|| x().fma(x_of(1.0), x_of(ROUND)).result()).map(|w| w.len())
+    };
+    assert_eq!(of(-3.0, 1e10), Err("an integer beyond 10⁹"));
+    assert_eq!(of(1.2e9, 1.2e9 + 1.0), Err("an integer beyond 10⁹"));
+    assert_eq!(of(0.0, 9e8), Err("too many integers"));
+    assert_eq!(of(0.0, 4200.0), Err("too many integers"));
+    assert_eq!(of(9e8, 9e8), Ok(1));
+    // A product whose error is below the range is not exact.
+    let product = exact_product(
+        1.0 + 2f64.powi(-52),
+        (1.0 + 2f64.powi(-51)) * 2f64.powi(-1000),
+    );
+    assert!(!product);
+}
+
+fn form_of(x: Tracked) -> Form {
+    here(|e| e.form(x).clone())
+}
+
+/// Numbers of every kind: zero and other constants, of few and many binades, small, with errors,
+/// next to both ends of the range.
+fn pool() -> Vec<Tracked> {
+    let mut all = [0.0, -0.0, 1.0, 3.0, 0.1, -0.5, 1e-290, 1e300]
+        .map(x_of)
+        .to_vec();
+    all.extend([f64::from_bits(1), f64::MIN_POSITIVE, 2f64.powi(1000)].map(x_of));
+    let boxes = [
+        [1.0, 1.1],
+        [0.5, 1.0],
+        [-1.0, 2.0],
+        [0.0, 1.0],
+        [-2.0, 0.0],
+        [1e-320, 1e-310],
+        [0.5e-300, 2e-300],
+        [1e300, 1e307],
+        [1.25, 1.25],
+    ];
+    all.extend(
+        boxes
+            .iter()
+            .enumerate()
+            .map(|(i, ends)| Tracked::input(i % 2, *ends)),
+    );
+    let (s, x) = (Tracked::sigma(), all[11]);
+    let (y, low) = (x * all[12], all[17] * all[17]);
+    all.extend([
+        s,
+        s * x,
+        y,
+        y * all[5],
+        low,
+        low * x_of(0.25),
+        x * x_of(8.0),
+    ]);
+    all
+}
+
+/// Every operation with every two numbers of the pool: all that is known of the results.
+#[test]
+fn operations_bit_by_bit() {
+    let constants = [Constant {
+        stored: 0.1,
+        exact: Interval::new(0.099, 0.1),
+        error: Interval::new(0.0, 0.001),
+    }];
+    let mut found = Vec::new();
+    for sigma in [[1e-9, 1e-3], [0.0, 1e-3], [1e-300, 1e-290]] {
+        let setting = Setting {
+            sigma: Exact::coordinate(Interval::new(sigma[0], sigma[1]), 0),
+            constants: &constants,
+            rounding: Rounding::default(),
+        };
+        let mut forms = Vec::new();
+        let ended = evaluate(setting, || {
+            let all = pool();
+            let zero = all[0];
+            for (i, x) in all.iter().enumerate() {
+                let one = [
+                    x.like(0.1),
+                    x.like(-0.1),
+                    -*x,
+                    x.magnitude(),
+                    x.raised(1e-300),
+                    x.raised(0.5),
+                ];
+                forms.extend(one.map(form_of));
+                for (j, y) in all.iter().enumerate() {
+                    let ((p, q), (s, t)) = (x.two_prod(*y), x.two_sum(*y));
+                    forms.extend([p, q, s, t, x.fma(*y, zero)].map(form_of));
+                    if (i + j) % 3 == 0 {
+                        let (s, t) = x.fast_two_sum(*y);
+                        forms.extend([s, t, x.fma(*y, all[(i * j) % all.len()])].map(form_of));
+                    }
+                }
+            }
+            forms.len()
+        });
+        let count = forms.len() as f64;
+        found.push(("forms", digest(forms), count));
+        let mut quotients = Vec::new();
+        let number = evaluate(setting, || pool().len()).expect("no division")[0];
+        for (i, j) in (0..number).flat_map(|i| (0..number).map(move |j| (i, j))) {
+            if (i + j) % 4 == 1 {
+                quotients.push(evaluate(setting, || {
+                    let all = pool();
+                    form_of(all[i] / all[j])
+                }));
+            }
+        }
+        found.push((
+            "quotients",
+            digest(&quotients),
+            quotients.iter().flatten().count() as f64,
+        ));
+        found.push(counted("end", [ended]));
+    }
+    let due = [
+        ("forms", 0xd6c01225de2f15d1, 4536.0),
+        ("quotients", 0x7bdeedf0e789d739, 134.0),
+        ("end", 0xdacece55bb22c1b7, 1.0),
+        ("forms", 0x9704ec41b223f42c, 4536.0),
+        ("quotients", 0xd2e4318646679a51, 120.0),
+        ("end", 0xdacece55bb22c1b7, 1.0),
+        ("forms", 0xecbb1c52968f558e, 4536.0),
+        ("quotients", 0x2b9fb7406fe50829, 134.0),
+        ("end", 0xdacece55bb22c1b7, 1.0),
+    ];
+    bit_by_bit(&found, &due);
+}
+
+/// Products by powers of two and those that share their error, at the ends of what they serve for.
+#[test]
+fn powers_of_two_bit_by_bit() {
+    let setting = Setting {
+        sigma: Exact::coordinate(Interval::new(1e-9, 1e-3), 0),
+        ..setting(Rounding::default())
+    };
+    let powers = [
+        -1074, -1022, -1021, -1000, -500, -30, -1, 0, 1, 30, 500, 1000, 1022, 1023,
+    ];
+    let scaled = evaluate(setting, || {
+        let mut out = Vec::new();
+        let fine = Tracked::input_on_grid(0, [1.0, 1.9], -60);
+        for x in pool().into_iter().chain([fine]) {
+            for k in powers {
+                for by in [power_of_two(k), -power_of_two(k)].map(x_of) {
+                    out.push(here(|e| e.scaled(x, by)));
+                }
+            }
+        }
+        out
+    });
+    let mut shared = Vec::new();
+    for size in [0.7e-250, 1e-250, 1.5e-250, 0.7e-9, 1.0] {
+        for wide in [1.001, 1e3] {
+            for k in [-60, -31, -30, -29, -28, -1, 1, 28, 29, 30, 31, 60] {
+                for sign in [1.0, -1.0] {
+                    shared.push(evaluate(setting, || {
+                        let x = Tracked::input(0, [1.0, 1.001]);
+                        let c = Tracked::input(1, [size, size * wide]);
+                        let (p, q) = x.two_prod(c);
+                        let multiple = x * x_of(sign * power_of_two(k));
+                        let (r, s) = multiple.two_prod(c);
+                        let (t, _) = c.two_prod(multiple * x_of(2.0));
+                        [p, q, r, s, t].map(form_of)
+                    }));
+                }
+            }
+        }
+    }
+    let grids = [-969, -970, -971, -1000].map(|k| {
+        evaluate(setting, || {
+            let x = Tracked::input(0, [1.0, 1.1]);
+            let (p, q) = x.two_prod(Tracked::input(1, [1.0, 1.1].map(|c| c * power_of_two(k))));
+            let subnormal =
+                Tracked::input(0, [power_of_two(k), power_of_two(k)]) * x_of(power_of_two(-53));
+            [p, q, subnormal].map(form_of)
+        })
+    });
+    let scaled = scaled.expect("no division");
+    let found = [
+        (
+            "scaled",
+            digest(&scaled),
+            scaled[0].iter().flatten().count() as f64,
+        ),
+        counted("shared", shared),
+        counted("grids", grids),
+    ];
+    let due = [
+        ("scaled", 0xa39f5c7ab9eb0f2a, 676.0),
+        ("shared", 0x1f3298a3513ad6ad, 240.0),
+        ("grids", 0x556e421e6346d2a6, 4.0),
+    ];
+    bit_by_bit(&found, &due);
+}
+
+/// Checks what is decided at equality, how far decisions are followed, and what stands for a number
+/// that has failed.
+#[test]
+fn decisions_bit_by_bit() {
+    let of = |lo: f64, hi: f64| {
+        let x = || Tracked::input(0, [lo, hi]);
+        let all = ways(|| form_of(x().fma(x_of(1.0), x_of(ROUND))).main.range.lo - ROUND);
+        all.map(|w| (w[0], w.len()))
+    };
+    let integers = [
+        of(0.4, 4095.4),
+        of(0.4, 4094.4),
+        of(0.4, 4096.4),
+        of(1e9f64.next_down(), 1e9f64.next_down()),
+        of(1e9, 1e9),
+        of(-2.5, 2.5),
+    ];
+    let chosen = [2, 4096, 4097, 4098].map(|n| ways(|| here(|e| e.choose(n))).map(|w| w.len()));
+    let products = [
+        0.0, 1e-291, 0.75e-290, 1e-290, 1.5e-290, 3e-290, 1e-100, 0.1,
+    ];
+    let products = products
+        .iter()
+        .flat_map(|x| [1.0, 0.5, 0.1].map(|y| exact_product(*x, y)));
+    let sums = [0.0, 1.0, 3.0, -1.0, 0.1, 1e-17, 1e300];
+    let sums = sums.iter().flat_map(|x| sums.map(|y| exact_sum(*x, y)));
+    let mut seen = Vec::new();
+    let failed = ways(|| {
+        let x = Tracked::input(0, [1.0, 2.0]);
+        let y = here(|e| e.fail("planted"));
+        seen.push((form_of(y), x.is_odd(), x_of(3.0).is_odd()));
+    });
+    let below = [
+        [1.0, 2.0],
+        [2.0, 3.0],
+        [2.5, 3.0],
+        [0.5, 1.0],
+        [1.0, 1.0],
+        [2.0, 2.0],
+    ];
+    let below = below.map(|y| ways(|| Tracked::input(0, [1.0, 2.0]).below(Tracked::input(1, y))));
+    let mixed = Setting {
+        sigma: Exact::coordinate(Interval::new(1e-9, 1e-3), 0),
+        ..setting(Rounding::default())
+    };
+    let alike = evaluate(mixed, || {
+        let all = [
+            Tracked::sigma(),
+            x_of(0.0),
+            Tracked::input(1, [1.0, 2.0]),
+            x_of(2.0),
+        ];
+        let pairs = all.iter().flat_map(|x| all.map(|y| (*x, y)));
+        let both =
+            |(x, y)| here(|e: &mut Evaluation| (e.alike(x, y), e.product(x, y), e.sum(x, y)));
+        pairs.map(both).collect::<Vec<_>>()
+    });
+    let twice = Setting {
+        rounding: Rounding {
+            fma_rounds_twice: true,
+            truncates: Some(2),
+        },
+        ..mixed
+    };
+    let twice = evaluate(twice, || {
+        let all = pool();
+        let three = all.iter().zip(&all[3..]).zip(&all[7..]);
+        let f = |((x, y), z): ((&Tracked, &Tracked), &Tracked)| [x.fma(*y, *z), x.two_prod(*y).1];
+        three.flat_map(f).map(form_of).collect::<Vec<_>>()
+    });
+    let found = [
+        counted("integers", integers),
+        counted("chosen", chosen),
+        counted("products", products),
+        counted("sums", sums),
+        counted("failed", [format!("{failed:?} {seen:?}")]),
+        counted("below", below),
+        counted("alike", alike.expect("no division").into_iter().flatten()),
+        counted("faults", twice.expect("no division").into_iter().flatten()),
+    ];
+    let due = [
+        ("integers", 0x3868790eca762a39, 6.0),
+        ("chosen", 0x87e3d6cb428b8f11, 4.0),
+        ("products", 0xda8d4bf1b02dff9b, 24.0),
+        ("sums", 0x6d82bd60f5c26b02, 49.0),
+        ("failed", 0x7b58501e07e8ae3e, 1.0),
+        ("below", 0x798935e53b8cb608, 6.0),
+        ("alike", 0x76a9c15100052c3d, 16.0),
+        ("faults", 0x2d187a7eb93dba2e, 40.0),
+    ];
+    bit_by_bit(&found, &due);
+}

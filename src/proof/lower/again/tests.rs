@@ -1,0 +1,240 @@
+use super::*;
+use crate::pinned::{bit_by_bit, counted, largest, units};
+use mechaudit_reference::faddeeva::w_f64;
+use rand::rngs::ChaCha8Rng;
+use rand::{Rng, SeedableRng};
+use rug::Float;
+
+fn proved(change: impl FnOnce(&mut code::Again)) -> [f64; 3] {
+    let mut c = code::again();
+    change(&mut c);
+    match Again::of(&c, code::constants().half_pi) {
+        Ok(found) => [found.near, found.far, found.long],
+        Err(_) => [f64::INFINITY; 3],
+    }
+}
+
+#[test]
+fn bounds_are_little_above_one_rounding() {
+    let found = proved(|_| ());
+    assert!(
+        found.into_iter().all(|k| (0.5..2.5).contains(&k)),
+        "{found:?}"
+    );
+}
+
+/// A weight off, a node moved, a factorial without its low part, 2π/23 or a word of ln 2 wrong, a
+/// limit moved.
+#[test]
+fn faults_show() {
+    let [near, far, long] = proved(|_| ());
+    let off = |x: f64| f64::from_bits(x.to_bits() + 1);
+    assert!(proved(|c| c.weights[1][1][3] = 0.0)[0] > 1.2 * near);
+    assert!(proved(|c| c.nodes[0][5] = off(c.nodes[0][5]))[0].is_infinite());
+    assert!(proved(|c| c.two_pi[1].1 = 0.0)[0].is_infinite());
+    assert!(proved(|c| c.long[0].1[3] ^= 1 << 20)[2].is_infinite());
+    assert!(proved(|c| c.vanishing[0] = 2f64.powi(-41))[0] > 1.2 * near);
+    assert!(proved(|c| c.vanishing[1] = 2f64.powi(-24))[1] > 1.2 * far);
+    assert!(long < 0.51);
+    static NONE: [[f64; 2]; 32] = [[0.0; 2]; 32];
+    assert!(proved(|c| c.inverse_factorial = &NONE)[0] > 1.2 * near);
+    let [p, q, _] = code::constants().half_pi;
+    let c = code::again();
+    assert!(Again::of(&c, [p, q, 0.0]).is_ok_and(|found| found.near > 1.2 * near));
+}
+
+/// Along the curve on which both terms have one size, and beside it, pairs are within E M of w.
+#[test]
+fn errors_of_pairs_are_below_their_bounds() {
+    let mut random = ChaCha8Rng::seed_from_u64(17);
+    let c = code::again();
+    let [near, far, _] = proved(|_| ());
+    let mut most = [0.0f64; 2];
+    for i in 0..6000 {
+        let mut unit = || (random.next_u64() >> 11) as f64 / 2f64.powi(53);
+        let b = 1.3 * 2f64.powf(24.0 * unit());
+        let d = (2.0 * 1.7725 * 1.4143 * b).ln() + 3.0 * (unit() - 0.5);
+        let a = b.hypot(d.max(0.1).sqrt());
+        let k = usize::from(a >= 4096.0);
+        let [re, im] = code::in_pairs(a, b);
+        let w = w_f64(a, -b, 140).expect("decided");
+        let part = |(hi, lo): (f64, f64), w: &Ball| {
+            (Float::with_val(400, hi) + Float::with_val(400, lo) - w.mid()).square()
+        };
+        let off = (part(re, &w.re) + part(im, &w.im)).sqrt();
+        let size = ((b - a) * (b + a)).exp().max(a / (a * a + b * b));
+        let off = (off / size).to_f64() / c.vanishing[k] * TWO_52;
+        let bound = [near, far][k] - 0.5;
+        assert!(off <= bound, "{i} {a} {b} {off} {bound}");
+        most[k] = most[k].max(off / bound);
+    }
+    assert!(most.into_iter().all(|m| m > 1e-4), "{most:?}");
+}
+
+/// Checks what the bounds are made of, in units of u², and the bounds; smaller ones would have to
+/// come from a better proof.
+#[test]
+fn bounds_are_those_that_were_proved() {
+    let c = code::again();
+    let half_pi = code::constants().half_pi;
+    let found = proved(|_| ());
+    let all = [
+        exponential(&c),
+        circle(&c, 0.0),
+        circle(&c, 50.0),
+        reduction(half_pi, 1.0),
+        reduction(half_pi, 4e7),
+        sums(&c).expect("constants"),
+        truncation() * 1e30,
+        found[0] - 0.5,
+        found[1] - 0.5,
+        found[2] - 0.5,
+    ];
+    let listed: Vec<String> = all.iter().map(|x| format!("{x:.12e}")).collect();
+    for (x, due) in all.iter().zip(PROVED) {
+        assert!((x - due).abs() <= 1e-9 * due, "{}", listed.join(", "));
+    }
+}
+
+const PROVED: [f64; 10] = [
+    2.091652935831e1,
+    3.250379580292e1,
+    1.054338883694e2,
+    6.306766015000e0,
+    6.306766015181e0,
+    1.014558263934e3,
+    1.865018681009e-2,
+    6.314195146710e-2,
+    1.695758289210e0,
+    3.907250000004e-3,
+];
+
+/// Constants of another number are refused, each by itself.
+#[test]
+fn wrong_constants_are_refused() {
+    let refused = |change: fn(&mut code::Again)| proved(change)[2].is_infinite();
+    assert!(!refused(|_| ()));
+    for change in [
+        (|c| c.two_pi[0].1 += 1e-30) as fn(&mut code::Again),
+        |c| c.two_pi[1].1 += 1e-31,
+        |c| c.inverse_sqrt_pi.1 += 1e-32,
+        |c| c.long[1].1[2] ^= 1,
+        |c| c.long[2].1[0] ^= 1,
+        |c| c.long[0].0 += 1,
+        |c| c.long_rule.0 = 51,
+        |c| c.long_rule.1 = 12.0,
+        |c| c.nodes[1][3] = c.nodes[1][3].next_up(),
+    ] {
+        assert!(refused(change));
+    }
+    // The last bit of 256 does not decide, the last but one does.
+    assert!(!refused(|c| c.long[0].1[3] ^= 1) && refused(|c| c.long[0].1[3] ^= 2));
+    assert!(are_pairs(&[0.0, 0.89]) && !are_pairs(&[0.0, 0.91]) && !are_pairs(&[f64::NAN]));
+}
+
+/// Phases by what the quarters lack, the more of them the more.
+#[test]
+fn phases_by_their_quarters() {
+    let [p, q, r] = code::constants().half_pi;
+    let [near, far, turn] = phases([p, q, r]);
+    // All but nothing: the roundings alone.
+    let rounded = REDUCED * (2.0 * ADD + ADD_F);
+    let close = |x: f64, due: f64| (x - due).abs() < 1e-6 * due;
+    let of_turn = std::f64::consts::PI * (DIV + MUL + 1.0);
+    assert!(close(near, rounded) && close(far, 64.0 * REDUCED) && close(turn, of_turn + rounded));
+    // Two parts of π/2 lack the third.
+    let lost = phases([p, q, 0.0]);
+    let unit = r.abs() / (U * U);
+    for ((lost, all), quarters) in lost
+        .iter()
+        .zip([rounded, rounded, of_turn + rounded])
+        .zip([4e7, 7e8, 3.0])
+    {
+        assert!(
+            close(*lost, all + quarters * unit),
+            "{lost} {all} {quarters}"
+        );
+    }
+}
+
+/// As many coefficients count as the code has terms, and ln 2 by the largest number of times that
+/// it is taken.
+#[test]
+fn constants_count_as_often_as_they_are_used() {
+    type Of = fn(&code::Again) -> f64;
+    let sound = code::again();
+    let with = |n: usize| {
+        let mut table = sound.inverse_factorial.to_vec();
+        table[n] = table[n].map(|x| 1e8 * x);
+        let mut c = code::again();
+        c.inverse_factorial = table.leak();
+        c
+    };
+    let turned: Of = |c| circle(c, 0.0);
+    for (of, used, others) in [
+        (exponential as Of, [1, 15, 16], [17, 18]),
+        (turned, [1, 26, 27], [28, 29]),
+    ] {
+        let base = of(&sound);
+        for n in used {
+            assert!(of(&with(n)) > base, "{n}");
+        }
+        for n in others {
+            assert_eq!(of(&with(n)), base, "{n}");
+        }
+    }
+    // e^x is squared three times: 2200 (1 + m)⁷/e^{−½ ln 2} parts of what ln 2 lacks.
+    let mut c = code::again();
+    let lost = c.ln_2[2].abs();
+    c.ln_2[2] = 0.0;
+    let more = (exponential(&c) - exponential(&sound)) / (2200.0 * lost / (U * U));
+    assert!((1.8..2.2).contains(&more), "{more}");
+}
+
+/// `e/(P − e)`, nothing where e is as large as P.
+#[test]
+fn norms_of_what_is_left() {
+    let due = 0.25 / 0.75 * TWO_52 + 0.5;
+    assert!((norm(0.25, 1.0) / due - 1.0).abs() < 1e-11);
+    assert_eq!(
+        [norm(1.0, 1.0), norm(2.0, 1.0), norm(f64::NAN, 1.0)],
+        [f64::INFINITY; 3]
+    );
+}
+
+#[test]
+fn parts_of_pairs_bit_by_bit() {
+    let c = code::again();
+    let half_pi = code::constants().half_pi;
+    let all: Vec<_> = (1..=16).map(|n| coefficient(&c, n)).collect();
+    let mut unit = units(6);
+    let series = (0..20).flat_map(|_| series(&all, unit(), 20.0 * unit()));
+    let series: Vec<f64> = series.collect();
+    let norms = [0.0, 1e-33, 1e-32, 0.4999e-3, 0.9e-3, 1e-3];
+    let norms: Vec<f64> = norms.map(|e| norm(e, 1e-3)).to_vec();
+    let pairs = [vec![], vec![0.9], vec![0.9f64.next_up()], vec![0.1, 1.0]];
+    let again = Again::of(&c, half_pi).expect("bounds");
+    let found = [
+        largest("series", series),
+        largest("norm", norms),
+        counted("pairs", pairs.map(|e| are_pairs(&e))),
+        largest("exponential", [exponential(&c)]),
+        largest("circle", [0.0, 10.0].map(|dr| circle(&c, dr))),
+        largest("phases", phases(half_pi)),
+        largest("sums", [sums(&c).expect("sound")]),
+        largest("truncation", [truncation()]),
+        largest("bounds", [again.near, again.far, again.long]),
+    ];
+    let due = [
+        ("series", 0xb97cf365dfb4f3d7, 59139073702.03032),
+        ("norm", 0x39bc97a42330173a, 4.05323966467399e16),
+        ("pairs", 0xff024aefbc004367, 4.0),
+        ("exponential", 0x3b58a858d56a93ff, 20.916529358310182),
+        ("circle", 0x401c9d9ec553dffc, 45.439848378963276),
+        ("phases", 0xa1f6e010bd1ad194, 60.059416317921404),
+        ("sums", 0xb6bb10f679cac674, 1014.5582639337931),
+        ("truncation", 0x86645b458cdfc3d1, 1.8650186810085807e-32),
+        ("bounds", 0x6db8fd9595c4e724, 2.195758289210036),
+    ];
+    bit_by_bit(&found, &due);
+}

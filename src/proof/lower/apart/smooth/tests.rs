@@ -1,0 +1,329 @@
+use super::*;
+use crate::ProofError;
+use crate::pinned::{bit_by_bit, counted, units};
+use rug::Rational;
+
+fn smooth(value: Value<'_>, few: bool) -> Smooth<'_> {
+    Smooth {
+        value,
+        shift: &|_| 0,
+        most: &|n| 2.0 * n as f64,
+        few,
+    }
+}
+
+fn exact(x: Rational, bits: u32) -> Result<Ball, ProofError> {
+    Ok(Ball::rational(bits, &x))
+}
+
+/// Every number is in one block, which reaches no farther than its polynomial is good for.
+#[test]
+fn blocks_follow_one_another() {
+    let nothing = |_: u64, _: u32| Err("".into());
+    for few in [true, false] {
+        let all = smooth(&nothing, few);
+        for (first, last) in [
+            (1, 1),
+            (1, 64),
+            (5, 70),
+            (1, (1 << 15) + 2000),
+            ((1 << 15) - 1, 1 << 15),
+            (1 << 15, (1 << 15) + 143),
+            (1 << 15, (1 << 15) + 144),
+            (1 << 20, (1 << 20) + 5000),
+            ((1 << 24) - 1, (1 << 24) + 100_000),
+            (1 << 30, (1 << 30) + 100_000),
+        ] {
+            let blocks = all.blocks(first, last);
+            let mut next = first;
+            for block in &blocks {
+                let (at, len, values, h) = (block.first, block.len, block.values, block.h);
+                assert_eq!(at, next, "{first} {last}");
+                assert!(len > 0);
+                next += len;
+                if values == 0 {
+                    assert!(at < 1 << 15 && len <= 64 && next <= 1 << 15);
+                    continue;
+                }
+                let many = few || at < 1 << 24;
+                assert_eq!(values, if many { 10 } else { 7 });
+                assert!(at >= 1 << 15 && h > 0 && len <= (values - 1) * h);
+                // The distance, in parts of a quarter of the number.
+                assert!(4.0 * h as f64 / at as f64 <= 1.0 / 4000.0, "{at} {h}");
+                assert!(next > last || len == (values - 1) * h);
+            }
+            assert_eq!(next, last + 1, "{first} {last}");
+        }
+        assert_eq!(
+            all.stays_off(7, 6, &Watch::default()),
+            Ok(Some(0)),
+            "none of them"
+        );
+    }
+}
+
+/// A polynomial of the degree that the values determine is stepped without an error but that of the
+/// last bits.
+#[test]
+fn differences_step_a_polynomial() {
+    for (values, h) in [(10, 7), (10, 113), (7, 1365), (1, 5), (2, 1)] {
+        let of = |t: u64| {
+            let (mut x, mut power) = (Rational::from((-5, 7)), Rational::from(1));
+            for i in 1..values {
+                power *= Rational::from((t, 1000));
+                x += Rational::from((3 * i as i64 - 11, 13)) * &power;
+            }
+            x
+        };
+        let table = (0..values).map(|i| Float::with_val(EXACT, of(i * h)));
+        let mut step = unit_differences(table.collect(), h);
+        assert_eq!(step.len() as u64, values);
+        for t in 0..=(values - 1) * h {
+            let due = (of(t) << 128u32).round();
+            let due = due.numer().clone().modulo(&(Integer::from(1) << 128));
+            let off = step[0].wrapping_sub(due.to_u128().expect("below 2^128"));
+            let off = off.min(off.wrapping_neg());
+            assert!(off < 1 << 74, "{values} {h} {t}: {off}");
+            for i in 1..step.len() {
+                step[i - 1] = step[i - 1].wrapping_add(step[i]);
+            }
+        }
+    }
+}
+
+/// One whole value among many, at every place of a block of each kind, and one that is off by a
+/// little.
+#[test]
+fn one_whole_value_is_found_anywhere() {
+    let watch = Watch::default();
+    for (few, first, count) in [
+        (true, 100, 64),
+        (true, 1 << 16, 279),
+        (true, 1 << 22, 1017),
+        (false, 1 << 25, 2046),
+    ] {
+        for at in [0, 1, 2, count / 2, count - 2, count - 1] {
+            // At most a quarter from 0, and 0 at that number alone, or off by 2⁻⁵⁰.
+            let line = |off: i64| {
+                move |n: u64, bits: u32| {
+                    let from = n as i64 - (first + at) as i64;
+                    let x = Rational::from((from, 1i64 << 14)) + Rational::from((off, 1i64 << 50));
+                    exact(x, bits)
+                }
+            };
+            let on = |off: i64| {
+                let value = line(off);
+                smooth(&value, few).stays_off(first, first + count - 1, &watch)
+            };
+            assert!(on(0).is_err(), "{first} {at}");
+            let value = line(0);
+            let doubled = Smooth {
+                shift: &|_| 1,
+                ..smooth(&value, few)
+            };
+            let found = doubled.stays_off(first, first + count - 1, &watch);
+            assert!(found.is_err(), "{first} {at} doubled");
+            for off in [-1, 1] {
+                assert_eq!(on(off), Ok(Some(count)), "{first} {at} {off}");
+            }
+        }
+    }
+}
+
+/// Checks what a value may be off by: a power of two moves it, a doubt of it counts, a bound that
+/// says too little refuses it.
+#[test]
+fn what_a_polynomial_is_wrong_by_is_bounded() {
+    let watch = Watch::default();
+    let third = |n: u64, bits: u32| exact(Rational::from((3 * n + 1, 3)), bits);
+    let first = 1 << 20;
+    let whole = |shift: i32, most: f64, few: bool| {
+        let all = Smooth {
+            value: &third,
+            shift: &|_| shift,
+            most: &|_| most,
+            few,
+        };
+        all.stays_off(first, first + 99, &watch)
+    };
+    let block = |most: f64, few: bool| whole(0, most, few);
+    assert_eq!(block(2.0 * first as f64, true), Ok(Some(100)));
+    // h = 56: (4h/n)^10 9!/4 of the bound has to stay below 2⁻³¹.
+    let ratio: f64 = 4.0 * 56.0 / first as f64;
+    let most = 2f64.powi(-31) / (ratio.powi(10) * 0.25 * 362_880.0);
+    assert_eq!(block(0.999 * most, true), Ok(Some(100)));
+    assert!(block(1.001 * most, true).is_err());
+    // A third of a power of two is off as well, and twice the bound.
+    assert_eq!(whole(1, 0.499 * most, true), Ok(Some(100)));
+    assert!(whole(1, 0.501 * most, true).is_err());
+    // A doubt of 2⁻⁴³ in each value: ten times 2¹¹ of it are more than 2⁻³¹.
+    let doubtful = |doubt: i64| {
+        move |n: u64, bits: u32| {
+            let x = exact(Rational::from((3 * n + 1, 3)), bits)?;
+            Ok(Ball::new(x.mid().clone(), Mag::power_of_two(doubt)))
+        }
+    };
+    let with = |doubt: i64| {
+        let value = doubtful(doubt);
+        smooth(&value, true).stays_off(first, first + 99, &watch)
+    };
+    assert_eq!(with(-46), Ok(Some(100)));
+    assert!(with(-45).is_err());
+    // At single numbers it is the distance from a whole one that counts.
+    let near = |doubt: i64| {
+        let value = doubtful(doubt);
+        smooth(&value, true).stays_off(100, 163, &watch)
+    };
+    assert_eq!(near(-2), Ok(Some(64)));
+    assert!(near(-1).is_err());
+    watch.stop.store(true, std::sync::atomic::Ordering::Relaxed);
+    assert_eq!(smooth(&third, true).stays_off(1, 10, &watch), Ok(None));
+}
+
+#[test]
+fn close_is_two_to_the_minus_thirty() {
+    assert_eq!(CLOSE, f64::exp2(98.0 - 128.0));
+    let reach = 1u128 << 98;
+    for (x, due) in [
+        (0, true),
+        (reach - 1, true),
+        (reach, false),
+        (reach.wrapping_neg(), true),
+        (reach.wrapping_neg() - 1, false),
+        (1 << 127, false),
+    ] {
+        assert_eq!(is_close(x), due, "{x:x}");
+    }
+}
+
+/// A value that is whole after the power of two alone, at single numbers and in blocks; the bound
+/// is asked beyond the last value.
+#[test]
+fn the_power_of_two_comes_first() {
+    let watch = Watch::default();
+    let half = |n: u64, bits: u32| exact(Rational::from((2 * n + 1, 2)), bits);
+    for first in [100, 1 << 20] {
+        let with = |shift: i32| {
+            let all = Smooth {
+                value: &half,
+                shift: &|_| shift,
+                most: &|n| 2.0 * n as f64,
+                few: true,
+            };
+            all.stays_off(first, first + 30, &watch)
+        };
+        assert_eq!(with(0), Ok(Some(31)), "{first}");
+        assert!(with(1).is_err(), "{first}");
+    }
+    let first = 1 << 20;
+    let h = (first >> 11) / 9;
+    let all = Smooth {
+        value: &half,
+        shift: &|_| 0,
+        most: &|n| match n == first + 10 * h {
+            true => 2.0 * n as f64,
+            false => f64::INFINITY,
+        },
+        few: true,
+    };
+    assert_eq!(all.stays_off(first, first + 30, &watch), Ok(Some(31)));
+}
+
+/// Checks that what the differences themselves are wrong by, 2⁻⁵⁴, is a part of what is allowed.
+#[test]
+fn errors_of_the_differences_count() {
+    let watch = Watch::default();
+    let third = |n: u64, bits: u32| exact(Rational::from((3 * n + 1, 3)), bits);
+    let first = 1 << 20;
+    let passes = |most: f64| {
+        let all = Smooth {
+            value: &third,
+            shift: &|_| 0,
+            most: &|_| most,
+            few: true,
+        };
+        all.stays_off(first, first + 99, &watch).is_ok()
+    };
+    let ratio = 4.0 * 56.0 / first as f64;
+    let share = ratio.powi(10) * 0.25 * 362_880.0;
+    let (mut below, mut above) = (0.5 * f64::exp2(-31.0) / share, f64::exp2(-30.0) / share);
+    for _ in 0..60 {
+        let middle = 0.5 * (below + above);
+        match passes(middle) {
+            true => below = middle,
+            false => above = middle,
+        }
+    }
+    let left = (f64::exp2(-31.0) - below * share) / f64::exp2(-54.0);
+    assert!((0.9..1.1).contains(&left), "{left}");
+}
+
+/// Blocks, steps, and how often the value itself is asked.
+#[test]
+fn blocks_and_steps_bit_by_bit() {
+    use std::sync::atomic::{AtomicUsize, Ordering};
+    let nothing = |_: u64, _: u32| Err("".into());
+    let runs = [
+        (1, 1),
+        (1, 200),
+        (1, (1 << 15) + 2000),
+        (1 << 16, (1 << 16) + 5000),
+        (1 << 22, (1 << 22) + 9000),
+        ((1 << 24) - 2, (1 << 24) + 30_000),
+        (1 << 24, (1 << 24) + 30_000),
+        (100_000_000, 100_090_000),
+        (1 << 30, (1 << 30) + 100_000),
+    ];
+    let blocks = [true, false].map(|few| {
+        let all = smooth(&nothing, few);
+        runs.map(|(first, last)| all.blocks(first, last))
+    });
+    let mut unit = units(3);
+    let table = |n: usize, unit: &mut dyn FnMut() -> f64| -> Vec<Float> {
+        let value = |_| Float::with_val(EXACT, unit() + 7.0);
+        (0..n).map(value).collect()
+    };
+    let steps = [(1, 1), (2, 5), (7, 1365), (10, 113)]
+        .map(|(n, h)| unit_differences(table(n, &mut unit), h));
+    let watch = Watch::default();
+    let third = |n: u64, bits: u32| exact(Rational::from((3 * n + 1, 3)), bits);
+    let asked = |few: bool, [first, last]: [u64; 2]| {
+        let (count, most) = (AtomicUsize::new(0), std::sync::atomic::AtomicU64::new(0));
+        let value = |n: u64, bits: u32| {
+            count.fetch_add(1, Ordering::Relaxed);
+            most.fetch_max(n, Ordering::Relaxed);
+            third(n, bits)
+        };
+        let found = smooth(&value, few).stays_off(first, last, &watch);
+        (found, count.into_inner(), most.into_inner())
+    };
+    let asked = [
+        [5, 5],
+        [6, 5],
+        [100, 163],
+        [1 << 16, (1 << 16) + 700],
+        [1 << 25, (1 << 25) + 9000],
+    ]
+    .map(|run| [true, false].map(|few| asked(few, run)));
+    // At exactly 2⁻⁶⁰ from a whole number.
+    let near = |off: i32| {
+        move |n: u64, bits: u32| exact(Rational::from(n) + (Rational::from(1) >> off), bits)
+    };
+    let closest = [59, 60, 61].map(|off| {
+        let value = near(off);
+        smooth(&value, true).stays_off(5, 6, &watch)
+    });
+    let found = [
+        counted("blocks", blocks.into_iter().flatten().flatten()),
+        counted("steps", steps),
+        counted("asked", asked),
+        counted("closest", closest),
+    ];
+    let due = [
+        ("blocks", 0x25ee7566f564000b, 2206.0),
+        ("steps", 0x7f77e41ade405f8a, 4.0),
+        ("asked", 0x032e571e05d88a5e, 5.0),
+        ("closest", 0xe2c33668ae5ee0da, 3.0),
+    ];
+    bit_by_bit(&found, &due);
+}

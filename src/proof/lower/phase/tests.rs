@@ -1,0 +1,293 @@
+use super::*;
+use crate::evaluation::here;
+use crate::pinned::{bit_by_bit, counted, largest};
+use rand::rngs::ChaCha8Rng;
+use rand::{Rng, SeedableRng};
+use rug::Float;
+use std::sync::LazyLock;
+
+static PHASE: LazyLock<Phase> =
+    LazyLock::new(|| Phase::of(&code::constants(), Rounding::default()).expect("a bound"));
+
+/// Phases `k H₀ + r` with a low part at points: the reduced pair, and sine and cosine of the short
+/// form, are within their errors.
+#[test]
+fn reduced_phases_are_within_their_errors() {
+    let mut random = ChaCha8Rng::seed_from_u64(23);
+    let mut unit = || (random.next_u64() >> 11) as f64 / 2f64.powi(53);
+    let h0 = code::constants().half_pi[0];
+    let half_pi = Ball::pi(300).shift(-1).mid().clone();
+    let float = |x: f64| Float::with_val(300, x);
+    let mut most = [0.0f64; 2];
+    for i in 0..4000 {
+        let short = i % 2 == 0;
+        let quarters = if short {
+            127.0
+        } else {
+            code::LIMITS.large_phase * 0.63
+        };
+        let k = (quarters * unit() * if i % 3 == 0 { 1.0 } else { 2f64.powi(-6) }).floor();
+        let theta = k.mul_add(h0, REDUCED * (2.0 * unit() - 1.0) * 0.999);
+        let low = theta.abs() * U * (2.0 * unit() - 1.0);
+        let due = float(theta) + low - float(k) * &half_pi;
+        if due.clone().abs() > REDUCED {
+            continue;
+        }
+        if short {
+            let (s, c) = code::sin_cos_short((theta, low), k);
+            let off = (float(s) - due.clone().sin()).square() + (float(c) - due.cos()).square();
+            let off = off.sqrt().to_f64();
+            assert!(off <= PHASE.short, "{k} {theta} {off:e}");
+            most[0] = most[0].max(off / PHASE.short);
+        } else {
+            let (hi, lo) = code::without_quarters((theta, low), k);
+            let off = (float(hi) + lo - due).abs().to_f64();
+            assert!(off <= PHASE.error, "{k} {theta} {off:e}");
+            most[1] = most[1].max(off / PHASE.error);
+        }
+    }
+    assert!(most[0] > 0.2, "{most:?}");
+}
+
+/// Checks that what three and two parts of π/2 lack is counted, as often as it is subtracted.
+#[test]
+fn parts_of_half_pi_are_counted() {
+    let c = code::constants();
+    let [h0, h1, h2] = c.half_pi;
+    let exact = Ball::pi(300).shift(-1).mid().clone();
+    for parts in [&[h0][..], &[h0, h1], &[h0, h1, h2]] {
+        let sum = parts.iter().fold(Float::with_val(300, 0), |s, x| s + *x);
+        let due = (exact.clone() - sum).abs().to_f64();
+        let left = left_of_half_pi(parts);
+        assert!(
+            left >= due * (1.0 - 1e-9) && left <= due * (1.0 + 1e-8),
+            "{parts:?}"
+        );
+    }
+    // The last number of quarters times what is missing, and the roundings.
+    let most = binades(code::LIMITS.large_phase * 0.64)
+        .last()
+        .expect("some")[1];
+    let left = most * left_of_half_pi(&[h0, h1, h2]);
+    assert!(
+        PHASE.error >= left && PHASE.error < 5e-22,
+        "{left:e} {:e}",
+        PHASE.error
+    );
+    assert!(PHASE.error >= power_of_two(-100));
+    let mut faulty = code::constants();
+    faulty.half_pi[2] = 0.0;
+    let found = Phase::of(&faulty, Rounding::default()).expect("a bound");
+    assert!(found.error > 0.99 * most * left_of_half_pi(&[h0, h1]));
+    faulty.half_pi = [h0, 0.0, 0.0];
+    let found = Phase::of(&faulty, Rounding::default()).expect("a bound");
+    assert!(found.short > 0.99 * 127.0 * left_of_half_pi(&[h0]));
+    // Without roundings: what is left of the sine and the cosine is their polynomials' and a few
+    // units.
+    assert!(
+        PHASE.short > 1.5 * U && PHASE.short < 6.0 * U,
+        "{}",
+        PHASE.short / U
+    );
+    assert_eq!(
+        PHASE.boxes,
+        48 * binades(SHORT).len() + binades(code::LIMITS.large_phase * 0.64).len()
+    );
+}
+
+#[test]
+fn a_first_part_off_the_grid_is_refused() {
+    let refused = |first: f64| {
+        let mut c = code::constants();
+        c.half_pi[0] = first;
+        Phase::of(&c, Rounding::default()).is_err()
+    };
+    assert!(refused(0.75f64.next_up()) && !refused(1.5));
+    // Above twice the largest reduced phase, or below nothing.
+    assert!(refused(1.5708007) && refused(-1.5));
+    // With 3·10⁻⁷ of room, which the other checks do not know of.
+    let why = |off: f64| {
+        let mut c = code::constants();
+        c.half_pi[0] = (2.0 * (REDUCED - off) * f64::exp2(40.0)).round() * f64::exp2(-40.0);
+        c.two_over_pi = &[1, 2];
+        Phase::of(&c, Rounding::default())
+            .err()
+            .expect("wrong digits")
+            .to_string()
+    };
+    let first = "the first part of";
+    assert!(why(2.5e-7).starts_with(first) && !why(3.5e-7).starts_with(first));
+}
+
+#[test]
+fn wrong_digits_are_refused() {
+    let words = code::constants().two_over_pi;
+    assert!(are_digits_of_two_over_pi(words).is_ok());
+    for i in 0..words.len() {
+        for bit in [0, 31, 63] {
+            let mut wrong = words.to_vec();
+            wrong[i] ^= 1 << bit;
+            assert!(are_digits_of_two_over_pi(&wrong).is_err(), "{i} {bit}");
+        }
+    }
+    static WRONG: [u64; 2] = [1, 2];
+    let mut c = code::constants();
+    c.two_over_pi = &WRONG;
+    assert!(Phase::of(&c, Rounding::default()).is_err());
+}
+
+/// Every number of quarters below the limit is in one binade.
+#[test]
+fn every_number_of_quarters_is_run() {
+    let all = binades(100.0);
+    assert_eq!(all[..4], [[0.0; 2], [1.0; 2], [2.0, 3.0], [4.0, 7.0]]);
+    assert!(all.windows(2).all(|p| p[0][1] + 1.0 == p[1][0]));
+    assert!(all.last().expect("some")[1] >= 100.0);
+    assert_eq!(binades(64.0).last(), Some(&[32.0, 63.0]));
+}
+
+/// The polynomials are off the sine and the cosine by no more than their bounds, at the end by
+/// nearly as much.
+#[test]
+fn polynomials_are_within_their_errors() {
+    let c = code::constants();
+    let float = |x: f64| Float::with_val(300, x);
+    let [accurate, rounded] = polynomials(&c);
+    // Σ c_j x^{first + 2j}
+    let sum = |x: &Float, c: &[f64], first: u32| {
+        let square = x.clone().square();
+        let mut power = (0..first).fold(float(1.0), |p, _| p * x);
+        let mut all = float(0.0);
+        for c in c {
+            all += power.clone() * *c;
+            power *= &square;
+        }
+        all
+    };
+    let mut most = [0.0f64; 3];
+    for i in 1..=20 {
+        let x: Float = float(REDUCED) * f64::from(i) / 20.0;
+        let third = (0..3).fold(float(1.0), |p, _| p * &x);
+        let sixth = third * (float(c.sixth[0]) + c.sixth[1]);
+        let minus: Vec<f64> = c.sin.iter().map(|x| -x).collect();
+        let cosine = float(1.0) - x.clone().square() / 2 + sum(&x, &c.cos, 4);
+        let off = [
+            x.clone() - sixth + sum(&x, &c.sin_from_fifth, 5) - x.clone().sin(),
+            x.clone() + sum(&x, &minus, 3) - x.clone().sin(),
+            cosine - x.cos(),
+        ];
+        for (most, off) in most.iter_mut().zip(off) {
+            *most = most.max(off.abs().to_f64());
+        }
+    }
+    let bounds = [accurate[0], rounded[0], rounded[1]];
+    assert_eq!(accurate[1], rounded[1]);
+    for (most, bound) in most.into_iter().zip(bounds) {
+        assert!(most <= bound && bound < 4.0 * most, "{most:e} {bound:e}");
+    }
+}
+
+/// The pieces meet, from one end of the reduced phases to the other.
+#[test]
+fn pieces_cover_the_reduced_phases() {
+    let all: Vec<[f64; 2]> = pieces().collect();
+    assert_eq!(all.len(), 48);
+    assert_eq!([all[0][0], all[47][1]], [-REDUCED, REDUCED]);
+    assert_eq!(reduced(), [-REDUCED, REDUCED]);
+    assert!(all.windows(2).all(|p| p[0][1] == p[1][0]));
+    assert!(
+        all.iter()
+            .all(|p| p[0] < p[1] && p[1] - p[0] < REDUCED / 20.0)
+    );
+}
+
+/// Quarters and the rest are coordinates of their own: taking the quarters away leaves the rest,
+/// and the other way round.
+#[test]
+fn quarters_and_rest_are_coordinates() {
+    let h0 = code::constants().half_pi[0];
+    for (k, r) in [
+        ([0.0; 2], [-0.5, 0.75]),
+        ([1.0; 2], [-REDUCED, REDUCED]),
+        ([64.0, 127.0], [-0.125, 0.25]),
+    ] {
+        let [theta, whole] = quarters_and_rest(h0, k, r);
+        let near = |a: f64, b: f64| assert!((a - b).abs() <= 1e-12, "{k:?} {a} {b}");
+        assert_eq!([whole.range.lo, whole.range.hi], k);
+        near(theta.range.lo, k[0] * h0 + r[0]);
+        near(theta.range.hi, k[1] * h0 + r[1]);
+        let rest = theta + whole * Exact::point(-h0);
+        near(rest.range.lo, r[0]);
+        near(rest.range.hi, r[1]);
+        let apart = rest + whole * Exact::point(-1.0);
+        near(apart.range.lo, r[0] - k[1]);
+        near(apart.range.hi, r[1] - k[0]);
+        let parts = [h0, 1e-17];
+        let left = left_of_quarters(k, &parts);
+        near(left / left_of_half_pi(&parts), k[1]);
+        // A low part as large as half a unit of the largest phase may be.
+        let ((_, low), number) = reducible(h0, k, r);
+        assert_eq!(here(|e| e.form(number).grain), 0, "an integer");
+        let most = (k[1] * h0 + r[1]).max(-r[0]) * U;
+        let error = low.result().error + low.result().exact.magnitude();
+        assert!(error >= most && error < 2.1 * most, "{error:e} {most:e}");
+    }
+    assert_eq!([0.0, 1.0, 2.0].map(grain), [-1074, -53, -53]);
+    // What a phase of a quarter or more is a multiple of: h0 and the rest from a quarter of it on.
+    assert_eq!((h0 * 2f64.powi(53)).fract(), 0.0);
+}
+
+/// Boxes of phases, what is proved over them, and what is said of stored numbers that are wrong.
+#[test]
+fn phases_bit_by_bit() {
+    let h0 = code::constants().half_pi[0];
+    let mut boxes = Vec::new();
+    for k in [[0.0; 2], [1.0; 2], [0.0, 3.0], [2.0, 3.0], [64.0, 127.0]] {
+        for r in [reduced(), [-0.25, 0.5], [0.125, 0.125]] {
+            boxes.push(format!("{:?}", quarters_and_rest(h0, k, r)));
+            let ((theta, low), whole) = reducible(h0, k, r);
+            let forms = [theta, low, whole].map(|x| here(|e| e.form(x).clone()));
+            boxes.push(format!("{forms:?}"));
+        }
+    }
+    let why = |first: f64| {
+        let mut c = code::constants();
+        c.half_pi[0] = first;
+        c.two_over_pi = &[1, 2];
+        Phase::of(&c, Rounding::default()).err()
+    };
+    let unit = power_of_two(-52);
+    let why = [
+        1.5,
+        1.5 + unit,
+        1.5 + 2.0 * unit,
+        1.5 + 0.5 * unit,
+        -1.5,
+        1.5625,
+        1.5708007,
+    ]
+    .map(why);
+    let lefts = [[0.0, 1.0], [3.0, 127.0]].map(|k| left_of_quarters(k, &[h0, 1e-17]));
+    let found = [
+        largest("errors", [PHASE.error, PHASE.short]),
+        ("boxes", crate::pinned::digest(boxes), PHASE.boxes as f64),
+        counted("binades", [2.0, 64.0, 100.0, 1e9].map(binades)),
+        counted("pieces", pieces()),
+        counted("refused", why),
+        largest(
+            "polynomials",
+            polynomials(&code::constants()).into_iter().flatten(),
+        ),
+        largest("left", lefts),
+    ];
+    let due = [
+        ("errors", 0x7b13d5b3c47e0cae, 2.27765505925543e-16),
+        ("boxes", 0x8789d2db00468530, 415.0),
+        ("binades", 0xa9b02129b2090ba7, 4.0),
+        ("pieces", 0xc62a8d29416cf6ae, 48.0),
+        ("refused", 0x00a49b8820a5ffe3, 7.0),
+        ("polynomials", 0x8ebd7d0bb5d124fd, 4.600421603104946e-18),
+        ("left", 0x4ff1b8b0b0a40829, 6.506507174585695e-15),
+    ];
+    bit_by_bit(&found, &due);
+}

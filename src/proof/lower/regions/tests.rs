@@ -1,0 +1,615 @@
+use super::*;
+use crate::at_points::pieces_hold_what_is_due;
+use crate::choice::follows;
+use crate::form::power_of_two;
+use crate::interval::sum_up;
+use crate::lower::phase::U;
+use crate::pinned::as_proved;
+use crate::pinned::{bit_by_bit, counted, of_binades, units};
+use mechaudit_reference::faddeeva::w_f64;
+use mechaudit_solvers::faddeeva::faddeeva;
+use num_complex::Complex;
+use rug::Float;
+use std::sync::LazyLock;
+
+/// The solver's code, with bounds of the exponential that `the_exponential_has_bounds` proves.
+pub(crate) static CODE: LazyLock<Code> = LazyLock::new(|| Code {
+    tables: Tables::of_the_solver().expect("decided"),
+    rows: Rows::of_the_solver().expect("decided"),
+    formula: code::formula,
+    exponential: Exponential {
+        pair: 0.28 * U,
+        rounded: 4.0 * U,
+        short: [8.0 * U, 4.0 * U],
+        leading: 4.0 * U,
+        boxes: 0,
+    },
+    limits: code::LIMITS,
+    rounding: Rounding::default(),
+});
+
+fn square(a: f64, b: f64, side: f64) -> Rectangle {
+    Rectangle {
+        a: [a, a + side],
+        b: [b, b + side],
+    }
+}
+
+/// `|computed − w|/|w|` in units of 2⁻⁵².
+fn error(a: f64, b: f64) -> f64 {
+    let got = faddeeva(Complex::new(a, -b));
+    let w = w_f64(a, -b, 100).expect("decided");
+    let part = |g: f64, w: &mechaudit_reference::Ball| (Float::with_val(200, g) - w.mid()).square();
+    let size = |w: &mechaudit_reference::Ball| Float::with_val(200, w.mid().square_ref());
+    let off = part(got.re, &w.re) + part(got.im, &w.im);
+    (off / (size(&w.re) + size(&w.im))).sqrt().to_f64() * 2f64.powi(52)
+}
+
+/// A square in each formula: which one it is, the errors at points below its bound, and the bound
+/// no larger than it was found to be.
+#[test]
+fn every_formula_has_its_bound() {
+    type Due = (f64, f64, f64, fn(Region) -> bool, f64);
+    let all: [Due; 13] = [
+        (
+            0.002,
+            0.002,
+            1e-3,
+            |r| r == Region::Maclaurin { terms: 9 },
+            1.5,
+        ),
+        (
+            0.1,
+            0.1,
+            1e-2,
+            |r| r == Region::Maclaurin { terms: 21 },
+            1.5,
+        ),
+        (0.6, 0.6, 1e-2, |r| matches!(r, Region::Disc { .. }), 1.5),
+        (
+            3.0,
+            0.01,
+            1e-3,
+            |r| matches!(r, Region::RealAxis { .. }),
+            1.5,
+        ),
+        (9.5, 1e-4, 1e-6, |r| r == Region::Strip, 1.5),
+        (12.0, 1e-12, 1e-14, |r| r == Region::RealLine, 1.5),
+        (3.0, 3.0, 1e-2, |r| matches!(r, Region::Cell { .. }), 2.5),
+        (3.0, 2.5, 1e-2, |r| matches!(r, Region::Cell { .. }), 2.5),
+        (
+            6.0,
+            5.9,
+            1e-2,
+            |r| r == Region::Asymptotic { terms: 26 },
+            2.5,
+        ),
+        (
+            10.0,
+            9.9,
+            1e-2,
+            |r| r == Region::Asymptotic { terms: 14 },
+            2.5,
+        ),
+        (
+            40.0,
+            39.5,
+            1e-2,
+            |r| r == Region::Asymptotic { terms: 6 },
+            2.5,
+        ),
+        (3.5, 1.0, 1e-2, |r| r == Region::Dominated, 0.0),
+        (1.0, 3.5, 1e-2, |r| r == Region::Dominated, 0.0),
+    ];
+    for (a, b, side, is, most) in all {
+        let at = square(a, b, side);
+        let found = regions(&CODE, &at).expect("few formulas");
+        assert!(
+            !found.is_empty() && found.iter().all(|(_, r)| is(*r)),
+            "{a} {b} {found:?}"
+        );
+        for (piece, region) in found {
+            let norm = bound(&CODE, region, &piece).expect("a bound");
+            assert!(norm <= most, "{region:?} {norm}");
+            if region == Region::Dominated {
+                continue;
+            }
+            for i in 0..6 {
+                let t = f64::from(i) / 6.0;
+                let x = piece.a[0] + (piece.a[1] - piece.a[0]) * t;
+                let y = piece.b[0] + (piece.b[1] - piece.b[0]) * (1.0 - t);
+                let off = error(x, y);
+                assert!(off <= norm, "{region:?} {x} {y} {off} {norm}");
+            }
+        }
+    }
+}
+
+/// Of the two terms one dominates from `|Re z²| = 7` on; next to the limit both formulas may be
+/// used, none where w overflows.
+#[test]
+fn which_terms_may_dominate() {
+    let limit = CODE.limits.dominant;
+    let of = |a: f64, b: f64, side: f64| {
+        let all = regions(&CODE, &square(a, b, side)).expect("few formulas");
+        let dominated = all.iter().any(|(_, r)| *r == Region::Dominated);
+        let cells = all
+            .iter()
+            .filter(|(_, r)| matches!(r, Region::Cell { .. }))
+            .count();
+        let series = all
+            .iter()
+            .any(|(_, r)| matches!(r, Region::Asymptotic { .. }));
+        (dominated, cells > 0, series)
+    };
+    let cell = |d: f64, side: f64| {
+        let b = 2.1;
+        of((b * b + d).sqrt(), b, side)
+    };
+    assert_eq!(cell(limit - 0.1, 1e-4), (false, true, false));
+    assert_eq!(cell(limit - 1e-5, 1e-3), (true, true, false));
+    assert_eq!(cell(limit + 0.1, 1e-4), (true, false, false));
+    let above = |d: f64, side: f64| of(2.1, (2.1f64 * 2.1 + d).sqrt(), side);
+    assert_eq!(above(limit - 0.1, 1e-4), (false, true, false));
+    assert_eq!(above(limit - 1e-5, 1e-3), (true, true, false));
+    assert_eq!(above(limit + 0.1, 1e-4), (true, false, false));
+    // The series of 26 terms: the exponential may be larger there.
+    let series = |d: f64, side: f64| of((36.0 + d).sqrt(), 6.0, side);
+    assert_eq!(series(limit - 0.1, 1e-4), (false, false, true));
+    assert_eq!(series(limit - 1e-5, 1e-3), (true, false, true));
+    assert_eq!(series(limit + 0.1, 1e-4), (true, false, false));
+    assert_eq!(of(6.0, 7.5, 1e-3), (false, false, true));
+    assert_eq!(of(3.0, 27.0, 1e-3), (false, false, false));
+    assert_eq!(of(12.0, 9.0, 1e-3), (false, false, true));
+}
+
+/// Formulas that follow one another along the rings have no third one between them.
+#[test]
+fn neighbours_along_the_rings() {
+    let series = |terms| Branch::Asymptotic { terms };
+    let rings = [
+        Branch::Maclaurin { terms: 9 },
+        Branch::Maclaurin { terms: 21 },
+        (CODE.formula)(0.6, 0.6),
+        (CODE.formula)(3.0, 3.0),
+        series(26),
+    ];
+    for (i, p) in rings.iter().enumerate() {
+        for (j, q) in rings.iter().enumerate() {
+            assert_eq!(follows([*p, *q], rank), j == i + 1, "{p:?} {q:?}");
+        }
+    }
+    let strip = (CODE.formula)(9.5, 1e-4);
+    let line = (CODE.formula)(12.0, 1e-12);
+    let axis = (CODE.formula)(3.0, 0.01);
+    // Away from the strip 14 terms follow 26; beside it the strip does.
+    assert!(follows([series(26), series(14)], rank) && follows([series(14), series(6)], rank));
+    assert!(
+        follows([series(26), strip], rank)
+            && follows([axis, strip], rank)
+            && follows([axis, line], rank)
+    );
+    assert!(follows([strip, series(14)], rank) && follows([line, series(14)], rank));
+    assert!(!follows([series(26), series(6)], rank) && !follows([axis, series(14)], rank));
+    assert!(follows([series(6), Branch::Huge], rank) && !follows([series(14), Branch::Huge], rank));
+    assert_eq!(rank(Branch::Asymptotic { terms: 3 }), None);
+    // Too many of them on one rectangle.
+    let wide = Rectangle {
+        a: [0.01, 9.0],
+        b: [0.01, 9.0],
+    };
+    assert!(regions(&CODE, &wide).is_err());
+    let few = by_centre(
+        &Rectangle {
+            a: [2.9, 3.3],
+            b: [3.0, 3.05],
+        },
+        |a, b| cell_at(a, b).0,
+    );
+    assert!(
+        few.len() > 1
+            && few
+                .iter()
+                .all(|(r, c)| (r.a[0] - c.0).abs() < 0.26 && (r.b[0] - c.1).abs() < 0.26)
+    );
+    assert!(few.iter().any(|(r, _)| r.a[0] == 2.9) && few.iter().any(|(r, _)| r.a[1] == 3.3));
+}
+
+/// Checks that what is used is at least `cancelled` of w(−z), or the part of the larger component.
+#[test]
+fn the_part_that_is_used() {
+    let with = |cancelled: f64, both_cancelled: f64| {
+        used(&code::Limits {
+            cancelled,
+            both_cancelled,
+            ..code::LIMITS
+        })
+    };
+    assert_eq!(with(0.5, 0.1), 0.5);
+    let both = with(0.1, 0.5);
+    assert!(both <= 0.5 * 0.5f64.sqrt() && both > 0.353);
+    assert!(sum_up(0.0, used(&code::LIMITS)) > 0.0);
+}
+
+/// Squares in every formula, wide ones and next to limits.
+const SOME: [(f64, f64, f64); 16] = [
+    (0.002, 0.002, 1e-3),
+    (0.0, 0.002, 1e-3),
+    (0.1, 0.1, 1e-2),
+    (0.6, 0.6, 1e-2),
+    (0.3, 0.9, 1e-2),
+    (3.0, 0.01, 1e-3),
+    (9.5, 1e-4, 1e-6),
+    (12.0, 1e-12, 1e-14),
+    (3.0, 3.0, 1e-2),
+    (3.0, 2.5, 1e-2),
+    (2.0, 1.3, 1e-3),
+    (6.0, 5.9, 1e-2),
+    (6.0, 7.0, 1e-2),
+    (10.0, 9.9, 1e-2),
+    (12.0, 9.0, 1e-1),
+    (40.0, 39.5, 1e-2),
+];
+
+/// The bounds proved there, in units of 2⁻⁵²; smaller ones would be a better theorem, which has to
+/// come from a better proof.
+#[test]
+fn bounds_are_those_that_were_proved() {
+    let mut found = Vec::new();
+    for (a, b, side) in SOME {
+        for (piece, region) in regions(&CODE, &square(a, b, side)).expect("few formulas") {
+            found.push((
+                region.name(),
+                bound(&CODE, region, &piece).unwrap_or(f64::INFINITY),
+            ));
+        }
+    }
+    as_proved(&found, &PROVED);
+}
+
+const PROVED: [(&str, f64); 16] = [
+    ("Maclaurin, 9 terms", 5.000929601e-1),
+    ("Maclaurin, 9 terms", 5.000862590e-1),
+    ("Maclaurin, 21 terms", 4.984724132e-1),
+    ("Taylor, lower half-disc", 6.429847394e-1),
+    ("Taylor, lower half-disc", 8.623741630e-1),
+    ("Taylor, real axis", 3.109214270e-1),
+    ("strip", 5.626530088e-1),
+    ("real line", 6.778081378e-1),
+    ("cell, both terms", 6.507212618e-1),
+    ("cell, both terms", 1.524560165e0),
+    ("cell, both terms", 1.181741959e0),
+    ("26 terms, both terms", 6.698587030e-1),
+    ("26 terms, both terms", 6.401000161e-1),
+    ("14 terms, both terms", 6.762341698e-1),
+    ("14 terms, both terms", 5.934774755e-1),
+    ("6 terms, both terms", 5.031198969e-1),
+];
+
+/// Returns what the code uses at `a − ib`, or may use where rounding decides.
+fn at_point(a: f64, b: f64) -> Vec<Region> {
+    // Of e^{−z²}: it is below e^{−d}.
+    let d = a * a - b * b;
+    let limit = CODE.limits.dominant;
+    let room = 1e-9;
+    match (CODE.formula)(a, b) {
+        Branch::Maclaurin { terms } => vec![Region::Maclaurin { terms }],
+        Branch::LowerCell { .. } => vec![Region::Disc {
+            centre: disc_at(a, b).0,
+        }],
+        Branch::RealAxis { .. } => vec![Region::RealAxis {
+            centre: real_axis_at(a).0,
+        }],
+        Branch::Strip { .. } => vec![Region::Strip],
+        Branch::RealLine { .. } => vec![Region::RealLine],
+        Branch::Cell { .. } => {
+            let cell = Region::Cell {
+                centre: cell_at(a, b).0,
+            };
+            let mut all = Vec::new();
+            if d.abs() > limit - room {
+                all.push(Region::Dominated);
+            }
+            if d.abs() < limit + room {
+                all.push(cell);
+            }
+            all
+        }
+        Branch::Asymptotic { terms } if terms == 26 && d > limit + room => vec![Region::Dominated],
+        // w overflows.
+        Branch::Asymptotic { .. } if d < -708.0 => vec![],
+        Branch::Asymptotic { terms } => vec![Region::Asymptotic { terms }],
+        Branch::Huge => vec![],
+        other => panic!("{other:?}"),
+    }
+}
+
+/// Wherever the code takes a formula, that is among the regions, on a piece with the point.
+#[test]
+fn the_formula_of_each_point_is_among_the_regions() {
+    let all = |at: &Rectangle| regions(&CODE, at);
+    pieces_hold_what_is_due(all, at_point, MANY, |at| Rectangle {
+        a: [0.0, at.a[1]],
+        ..at
+    });
+}
+
+/// `|w(z)|`, or `|w(−z)|` for what is reflected, is within what each formula gives on each way.
+#[test]
+fn values_are_enclosed() {
+    for (a, b, side) in [
+        (0.001, 0.002, 1e-4),
+        (0.1, 0.3, 1e-3),
+        (0.61, 0.68, 1e-3),
+        (0.68, 0.61, 1e-3),
+        (3.01, 2.26, 1e-3),
+        (3.0, 0.01, 1e-3),
+        (3.03, 0.01, 0.03),
+        (6.5, 6.4, 1e-3),
+        (9.5, 1e-4, 1e-5),
+        (12.0, 1e-12, 1e-13),
+        (12.0, 12.01, 1e-3),
+        (40.0, 40.01, 1e-3),
+    ] {
+        let at = square(a, b, side);
+        let all = regions(&CODE, &at).expect("few");
+        assert!(!all.is_empty());
+        for (piece, region) in all {
+            for (x, y) in [
+                (piece.a[0], piece.b[0]),
+                (piece.a[0], piece.b[1]),
+                (piece.a[1], piece.b[0]),
+                (piece.a[1], piece.b[1]),
+            ] {
+                let sign = if region.is_reflected() { 1.0 } else { -1.0 };
+                let w = w_f64(x, sign * y, 60).expect("decided");
+                let size = f64::hypot(w.re.mid().to_f64(), w.im.mid().to_f64());
+                let room = 1e-13 * size;
+                for v in values(&CODE, region, &piece).expect("a value") {
+                    let inside = v.least <= size + room && size - room <= v.most;
+                    assert!(inside, "{region:?} {piece:?} {size} {v:?}");
+                    assert!(v.most < 1.1 * v.least, "{region:?} {v:?}");
+                }
+            }
+        }
+    }
+}
+
+/// Nine terms on the imaginary axis have a way of their own, and a series leaves out what follows
+/// its last term.
+#[test]
+fn maclaurin_series_below_the_axis() {
+    let of = |terms, a: [f64; 2], b: [f64; 2]| {
+        let at = Rectangle { a, b };
+        values(&CODE, Region::Maclaurin { terms }, &at).expect("a value")
+    };
+    let few = [1e-3, 2e-3];
+    assert_eq!(of(9, [0.0, 1e-3], few).len(), 2);
+    assert_eq!(of(9, few, few).len(), 1);
+    // Where the real part of z may be zero, w may be real.
+    for v in of(9, [0.0, 0.0], few) {
+        let [lo, hi] = few.map(|y| w_f64(0.0, -y, 60).expect("decided").re.mid().to_f64());
+        assert!(v.least <= lo && v.most >= hi && v.most < 1.01 * hi, "{v:?}");
+    }
+    assert_eq!(of(21, [0.0, 1e-3], few).len(), 1);
+    for terms in [9, 21] {
+        let left = truncation::maclaurin(terms - 1, f64::hypot(0.1, 0.43)).norm;
+        let found = of(terms, [0.05, 0.1], [0.3, 0.43])[0].error;
+        assert!(left > 1e-18 && found >= left * (1.0 - 1e-12));
+        assert!(
+            found <= left * (1.0 + 1e-12) + 1e-15,
+            "{terms} {left:e} {found:e}"
+        );
+    }
+}
+
+/// At the limits, within what rounding of |Re z²| may decide, both formulas count; beyond one does.
+#[test]
+fn both_formulas_count_at_the_limits() {
+    let limit = CODE.limits.dominant;
+    let names = |d: f64, b: f64| -> Vec<bool> {
+        // a² − b² = d but for the rounding of a.
+        let a = (d + b * b).sqrt();
+        let at = square(a, b, 0.0);
+        let found = decay(&at);
+        assert!((found.lo - d).abs() < 1e-13 && (found.hi - d).abs() < 1e-13);
+        let all = regions(&CODE, &at).expect("few");
+        all.iter().map(|(_, r)| *r == Region::Dominated).collect()
+    };
+    // |z|² = 44 where b is the larger one.
+    for (b, sign) in [(1.0, 1.0), (f64::sqrt(0.5 * (44.0 + limit)), -1.0)] {
+        for off in [-0.8e-12, -0.3e-12, 0.3e-12, 0.8e-12] {
+            assert_eq!(names(sign * limit + off, b), [true, false], "{sign} {off}");
+        }
+        let [inside, beyond] = [-1.5e-12, 1.5e-12].map(|off| names(sign * (limit + off), b));
+        assert_eq!((inside, beyond), (vec![false], vec![true]), "{sign}");
+    }
+    // Of the series the image alone may dominate.
+    let b = f64::sqrt(0.5 * (60.0 - limit));
+    for off in [-0.8e-12, -0.3e-12, 0.3e-12, 0.8e-12] {
+        assert_eq!(names(limit + off, b), [true, false], "{off}");
+    }
+    let [inside, beyond] = [-1.5e-12, 1.5e-12].map(|off| names(limit + off, b));
+    assert_eq!((inside, beyond), (vec![false], vec![true]));
+}
+
+/// Rows are wrong by most at the farthest point of the rectangle.
+#[test]
+fn rows_are_wrong_by_most_at_the_farthest_point() {
+    let at = Rectangle {
+        a: [2.99, 3.01],
+        b: [1e-9, 0.12],
+    };
+    for (piece, region) in regions(&CODE, &at).expect("few") {
+        let Region::RealAxis { centre } = region else {
+            continue;
+        };
+        let row = CODE.rows.get(Kind::RealAxis, (centre, 0.0)).expect("a row");
+        let far = piece.a.map(|a| (a - centre).abs());
+        let due = row.within(f64::hypot(far[0].max(far[1]), piece.b[1]));
+        let near = row.within(far[0].max(far[1]));
+        let error = |code: &Code| values(code, region, &piece).expect("a value")[0].error;
+        assert!(error(&CODE) >= due && due > near, "{due:e} {near:e}");
+        // A last coefficient that is off counts by the power of that distance.
+        let mut faulty = CODE.clone();
+        let of = |row: &mut upper::Row| row.iter_mut().for_each(|c| *c += 1e-3);
+        faulty.rows.change(Kind::RealAxis, (centre, 0.0), of);
+        let row = faulty
+            .rows
+            .get(Kind::RealAxis, (centre, 0.0))
+            .expect("a row");
+        let due = row.within(f64::hypot(far[0].max(far[1]), piece.b[1]));
+        assert!(error(&faulty) >= due, "{due:e}");
+    }
+}
+
+/// Which formulas rectangles have, their bounds, and how they are halved.
+#[test]
+fn leaves_bit_by_bit() {
+    use crate::certificate::Watch;
+    use crate::lower::prove::{LOWER_HALF_PLANE, Target, lower_half_plane, roots};
+    use std::sync::atomic::Ordering;
+    let mut unit = units(7);
+    let squares: Vec<Rectangle> = (0..400)
+        .map(|i| {
+            let [a, b] = match i % 3 {
+                0 => [3.0 * unit(), 3.0 * unit()],
+                1 => [12.0 * unit(), 12.0 * unit()],
+                _ => [0; 2].map(|_| of_binades(&mut unit, [-40, 6])),
+            };
+            square(a, b, of_binades(&mut unit, [-12, -5]))
+        })
+        .collect();
+    // In each formula, and beside the first zeros.
+    let mut squares = squares;
+    for (a, b) in [
+        (0.002, 0.002),
+        (0.0, 0.002),
+        (0.1, 0.1),
+        (0.6, 0.6),
+        (3.0, 0.01),
+        (9.5, 1e-4),
+        (12.0, 1e-12),
+        (3.0, 2.5),
+        (6.0, 5.9),
+        (10.0, 9.9),
+        (40.0, 39.5),
+    ] {
+        squares.push(square(a, b, if b < 1e-3 { b } else { 0.0078125 * b }));
+    }
+    // The first is one where the bound by the size of w is the better one.
+    let mut beside = vec![Rectangle {
+        a: [1.0, 1.0625f64.next_down()],
+        b: [power_of_two(-28), 0.125],
+    }];
+    for (a, b) in [(1.99146684, 1.35481012), (2.69114902, 2.17704491)] {
+        for off in [0.01, 0.02, 0.04, 0.08, 0.12] {
+            beside.extend([square(a + off, b, 0.004), square(a - off, b - off, 0.002)]);
+        }
+    }
+    let beside: Vec<_> = beside
+        .iter()
+        .flat_map(|r| super::regions(&CODE, r))
+        .flatten()
+        .map(|(at, region)| bound(&CODE, region, &at))
+        .collect();
+    let last = squares[squares.len() - 11..]
+        .iter()
+        .flat_map(|r| super::regions(&CODE, r))
+        .flatten();
+    let each: Vec<_> = last.map(|(at, region)| bound(&CODE, region, &at)).collect();
+    // The limit of one term is met exactly.
+    let mut limited = CODE.clone();
+    let mut met = Vec::new();
+    let at = square(3.0, 2.0, 0.25);
+    let turned = Rectangle { a: at.b, b: at.a };
+    for at in [at, turned] {
+        for end in [decay(&at).lo.abs(), decay(&at).hi.abs()] {
+            for limit in [end - 1e-12, end + 1e-12] {
+                for bits in limit.to_bits() - 2..=limit.to_bits() + 2 {
+                    limited.limits.dominant = f64::from_bits(bits);
+                    for branch in [Branch::Cell { terms: 18 }, Branch::Asymptotic { terms: 26 }] {
+                        let mut out = Vec::new();
+                        with_rows(&limited, &at, branch, &mut out).expect("known");
+                        met.push(out);
+                    }
+                }
+            }
+        }
+    }
+    let regions: Vec<_> = squares.iter().map(|r| super::regions(&CODE, r)).collect();
+    let some = regions.iter().flatten().step_by(6).flatten();
+    let bounds: Vec<_> = some.map(|(at, region)| bound(&CODE, *region, at)).collect();
+    let known: Vec<f64> = bounds
+        .iter()
+        .flatten()
+        .copied()
+        .filter(|x| x.is_finite())
+        .collect();
+    let watch = Watch::default();
+    let shell = |r: &Rectangle| [r.a, r.b] == [[2.0, 4f64.next_down()]; 2];
+    let of = |norm: f64, single: f64, depth: u32| {
+        let target = Target {
+            norm,
+            single,
+            depth,
+        };
+        let found = lower_half_plane(&CODE, target, &watch, shell).expect("not stopped");
+        (found.leaves, found.open)
+    };
+    let proved = of(LOWER_HALF_PLANE.norm, LOWER_HALF_PLANE.single, 9);
+    let leaves = proved.0.len() as f64;
+    let halved = [
+        of(0.0, 0.0, 0),
+        of(0.0, 0.0, 3),
+        of(1e9, 1e9, 4),
+        of(2.5, 0.0, 5),
+    ];
+    let point = |r: &Rectangle| r.a[0] == 1.0 && r.b[0] == 1.0;
+    let shallow = Target {
+        depth: 2,
+        ..LOWER_HALF_PLANE
+    };
+    let other = lower_half_plane(&CODE, shallow, &watch, point).expect("not stopped");
+    // Some have a bound in one formula and none in another.
+    let none = Target {
+        norm: 0.0,
+        single: 0.0,
+        depth: 2,
+    };
+    let wide = |r: &Rectangle| (1.0..16.0).contains(&r.a[1].max(r.b[1]));
+    let open = lower_half_plane(&CODE, none, &watch, wide)
+        .expect("not stopped")
+        .open;
+    watch.stop.store(true, Ordering::Relaxed);
+    assert!(lower_half_plane(&CODE, shallow, &watch, point).is_none());
+    let found = [
+        counted("roots", roots()),
+        counted("regions", &regions),
+        (
+            "bounds",
+            crate::pinned::digest(&bounds),
+            known.iter().copied().fold(0.0, f64::max),
+        ),
+        ("proved", crate::pinned::digest([proved]), leaves),
+        counted("halved", halved),
+        counted("each", each),
+        counted("beside zeros", beside),
+        counted("limits", met),
+        counted("open", open),
+        counted("shallow", [(other.leaves, other.open)]),
+    ];
+    let due = [
+        ("roots", 0xe4ea81109e04cc54, 2395.0),
+        ("regions", 0x526b6a3181fa8adf, 411.0),
+        ("bounds", 0x8a88d10d9f0c9763, 1.7431284181047555),
+        ("proved", 0x732b485748bc0ef1, 123.0),
+        ("halved", 0x7b909329c920c4de, 4.0),
+        ("each", 0xfd0aadb342701759, 11.0),
+        ("beside zeros", 0xc18eabdb218a1a1e, 21.0),
+        ("limits", 0xbe46e649bd74ba13, 80.0),
+        ("open", 0x36596ded5ed3bb00, 88.0),
+        ("shallow", 0x7342c52a9dc6e96f, 1.0),
+    ];
+    bit_by_bit(&found, &due);
+}

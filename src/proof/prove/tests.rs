@@ -1,0 +1,551 @@
+//! The bounds against certified values at points, and with planted faults.
+
+use super::*;
+use crate::bound::Bound;
+use crate::cover::{Rectangle, hole, roots};
+use crate::formula::{Formula, bound};
+use crate::tracked::Rounding;
+use crate::truncation::exponential_error;
+use mechaudit_reference::faddeeva::w_f64;
+use mechaudit_solvers::faddeeva::proof as code;
+use mechaudit_solvers::faddeeva::{Branch, branch, faddeeva};
+use num_complex::Complex;
+use rand::rngs::ChaCha8Rng;
+use rand::{Rng, SeedableRng};
+use rug::Float;
+use std::sync::LazyLock;
+
+pub(super) static CODE: LazyLock<Code> = LazyLock::new(|| Code::of_the_solver().expect("decided"));
+
+const NORM_ALONE: Target = Target {
+    norm: 1.5,
+    component: f64::INFINITY,
+    depth: 40,
+};
+
+/// The proof on shells up to a radius, by the norm alone.
+fn within(code: &Code, lo: f64, hi: f64) -> Certificate {
+    let watch = Watch::default();
+    let wanted = |_: usize, r: &Rectangle| {
+        let most = r.a[1].max(r.b[1]);
+        lo <= most && most < hi
+    };
+    upper_half_plane(code, NORM_ALONE, &watch, wanted).expect("not stopped")
+}
+
+fn worst(code: &Code, formula: Formula, at: &Rectangle) -> f64 {
+    bound(&code.tables, formula, at, code.rounding).map_or(f64::INFINITY, |b| b.norm)
+}
+
+/// `|computed − w|/|w|` in units of 2⁻⁵².
+fn error(z: Complex<f64>) -> f64 {
+    let (w, got) = (w_f64(z.re, z.im, 100).expect("decided"), faddeeva(z));
+    let part = |g: f64, w: &mechaudit_reference::Ball| Float::with_val(200, g) - w.mid();
+    let off = part(got.re, &w.re).square() + part(got.im, &w.im).square();
+    let size = Float::with_val(200, w.re.mid().square_ref())
+        + Float::with_val(200, w.im.mid().square_ref());
+    (off / size).sqrt().to_f64() * 2f64.powi(52)
+}
+
+#[test]
+fn errors_at_points_are_below_their_bounds() {
+    let found = within(&CODE, 0.0, 4096.0);
+    assert!(found.open.is_empty(), "{:?}", found.open.first());
+    let mut random = ChaCha8Rng::seed_from_u64(5);
+    let mut close = 0.0f64;
+    for leaf in found.leaves.iter().step_by(7) {
+        for _ in 0..3 {
+            let mut between = |[lo, hi]: [f64; 2]| {
+                let (p, q) = (lo.to_bits(), hi.to_bits());
+                f64::from_bits(p + random.next_u64() % (q - p + 1))
+            };
+            let z = Complex::new(between(leaf.at.a), between(leaf.at.b));
+            // Where the leaf's is not the formula of the point, another leaf has it.
+            if Formula::of(branch(z), z.re == 0.0).is_some_and(|f| f != leaf.formula) {
+                continue;
+            }
+            let off = error(z);
+            assert!(off <= leaf.bound.norm, "{z} {off} {:?}", leaf);
+            close = close.max(off / leaf.bound.norm);
+        }
+    }
+    // Not idle bounds either.
+    assert!(close > 0.4, "{close}");
+}
+
+#[test]
+fn the_near_part_is_covered() {
+    let found = within(&CODE, 0.0, 4.1e3);
+    let mut all: Vec<Rectangle> = found.leaves.iter().map(|l| l.at).collect();
+    // Beyond, the first partition stands for the rest.
+    all.extend(roots().into_iter().filter(|r| r.a[1].max(r.b[1]) >= 4.1e3));
+    assert_eq!(hole(&all), None);
+    // Near a circle two formulas have the same rectangle: all that hold a point.
+    all.retain(|r| !(r.a[0] <= 1.1 && 1.1 <= r.a[1] && r.b[0] <= 2.1 && 2.1 <= r.b[1]));
+    assert!(hole(&all).is_some());
+}
+
+const CENTRE: (f64, f64) = (1.5, 1.5);
+const CELL: Formula = Formula::Cell { centre: CENTRE };
+
+fn cell() -> Rectangle {
+    Rectangle {
+        a: [1.53125, 1.546875],
+        b: [1.53125, 1.546875],
+    }
+}
+
+/// The code with entry `at` of a cell's row changed.
+fn with_entry(at: usize, change: impl Fn(f64) -> f64) -> Code {
+    let mut code = CODE.clone();
+    code.tables
+        .change_cell(CENTRE, |row| row[at] = change(row[at]));
+    code
+}
+
+#[test]
+fn a_coefficient_off_by_eight_units_shows() {
+    let sound = worst(&CODE, CELL, &cell());
+    let off = |x: f64| f64::from_bits(x.to_bits() + 8);
+    let faulty = worst(&with_entry(0, off), CELL, &cell());
+    assert!(sound < 1.0 && faulty > sound + 2.0, "{sound} {faulty}");
+}
+
+#[test]
+fn a_dropped_term_shows() {
+    // The tenth: 0 in place of c₉.
+    let drop = |at: usize| with_entry(at, |_| 0.0);
+    let at = Rectangle {
+        a: [1.6, 1.62],
+        b: [1.6, 1.62],
+    };
+    let (sound, faulty) = (worst(&CODE, CELL, &at), worst(&drop(8 + 8 + 3), CELL, &at));
+    assert!(sound < 1.0 && faulty > 5.0 * sound, "{sound} {faulty}");
+}
+
+#[test]
+fn a_moved_limit_shows() {
+    fn moved(a: f64, b: f64) -> Branch {
+        let z = branch(Complex::new(a, b));
+        match z {
+            Branch::Cell { .. } if a.mul_add(a, b * b) >= 20.0 => Branch::Asymptotic { terms: 26 },
+            _ => z,
+        }
+    }
+    let code = Code {
+        branch: moved,
+        ..CODE.clone()
+    };
+    let at = Rectangle {
+        a: [3.25, 3.3125],
+        b: [3.25, 3.3125],
+    };
+    let parts = crate::choice::parts(&code, &at).expect("one formula");
+    let (at, formula) = parts[0];
+    let faulty = worst(&code, formula, &at);
+    assert!(faulty > 10.0, "{formula:?} {faulty}");
+}
+
+#[test]
+fn products_rounded_before_the_sum_show() {
+    let twice = Rounding {
+        fma_rounds_twice: true,
+        truncates: None,
+    };
+    let code = Code {
+        rounding: twice,
+        ..CODE.clone()
+    };
+    let at = Rectangle {
+        a: [40.0, 40.25],
+        b: [20.0, 20.25],
+    };
+    let formula = Formula::Asymptotic { terms: 6 };
+    let (sound, faulty) = (worst(&CODE, formula, &at), worst(&code, formula, &at));
+    assert!(sound < 1.5 && faulty > 1.3 * sound, "{sound} {faulty}");
+    let (sound, faulty) = (worst(&CODE, CELL, &cell()), worst(&code, CELL, &cell()));
+    // Only the last but one product of the sum counts there.
+    assert!(faulty > 1.02 * sound, "{sound} {faulty}");
+}
+
+#[test]
+fn a_wrong_centre_shows() {
+    let mut code = CODE.clone();
+    let other = CODE.tables.cell((1.5, 1.75)).expect("a cell").0;
+    code.tables.change_cell(CENTRE, |row| *row = other);
+    assert!(worst(&code, CELL, &cell()) > 1e12);
+}
+
+#[test]
+fn one_operation_that_truncates_shows() {
+    let at = cell();
+    let sound = worst(&CODE, CELL, &at);
+    let last = (1..400).map(|k| {
+        let rounding = Rounding {
+            fma_rounds_twice: false,
+            truncates: Some(k),
+        };
+        worst(
+            &Code {
+                rounding,
+                ..CODE.clone()
+            },
+            CELL,
+            &at,
+        )
+    });
+    let most = last.fold(0.0, f64::max);
+    assert!(most > sound + 0.2, "{sound} {most}");
+}
+
+#[test]
+fn subnormal_and_scaled_values() {
+    for (z, formula) in [
+        (
+            Complex::new(1e-310, 3.0),
+            Formula::Cell { centre: (0.0, 3.0) },
+        ),
+        (Complex::new(1e305, 1e-320), Formula::Huge),
+    ] {
+        let at = Rectangle {
+            a: [z.re; 2],
+            b: [z.im; 2],
+        };
+        let Bound { norm, tiny, .. } =
+            bound(&CODE.tables, formula, &at, CODE.rounding).expect("a bound");
+        let (w, got) = (w_f64(z.re, z.im, 100).expect("decided"), faddeeva(z));
+        for (g, w) in [(got.re, &w.re), (got.im, &w.im)] {
+            let off = (Float::with_val(2000, g) - w.mid()).abs();
+            let size = Float::with_val(200, w.mid().abs_ref()) * 2f64.powi(-52);
+            let unit = Float::with_val(60, 1) >> 1075u32;
+            let all = size * (2.0 * norm) + unit * (tiny + 1.0);
+            assert!(off <= all, "{z} {formula:?}");
+        }
+    }
+}
+
+/// Next to the real axis, where `e^{−z²}` is added to a multiple of Im z.
+fn next_to_real_axis() -> [Rectangle; 3] {
+    let a = [12.0, 12.003];
+    // Alone, both, not added.
+    [[0.0, 1e-80], [1e-66, 2e-17], [1e-15, 1e-9]].map(|b| Rectangle { a, b })
+}
+
+fn worst_re(code: &Code, at: &Rectangle) -> f64 {
+    bound(&code.tables, Formula::RealLine, at, code.rounding).map_or(f64::INFINITY, |b| b.re)
+}
+
+#[test]
+fn the_real_part_beside_the_real_axis_is_within_its_bound() {
+    let mut random = ChaCha8Rng::seed_from_u64(7);
+    for at in next_to_real_axis() {
+        let most = worst_re(&CODE, &at);
+        assert!(most < 4.25, "{at:?} {most}");
+        for _ in 0..200 {
+            let mut between = |[lo, hi]: [f64; 2]| {
+                let (p, q) = (lo.to_bits(), hi.to_bits());
+                f64::from_bits(p + random.next_u64() % (q - p + 1))
+            };
+            let z = Complex::new(between(at.a), between(at.b));
+            let w = w_f64(z.re, z.im, 100).expect("decided").re;
+            let off = (Float::with_val(200, faddeeva(z).re) - w.mid()).abs();
+            let value = w.mid().to_f64();
+            let ulp = (value.next_up() - value).min(value - value.next_down());
+            assert!((off / ulp).to_f64() <= most, "{z} {most}");
+        }
+    }
+}
+
+#[test]
+fn an_operation_that_truncates_beside_the_real_axis_shows() {
+    for at in next_to_real_axis() {
+        let sound = worst_re(&CODE, &at);
+        let faulty = (1..120).map(|k| {
+            let rounding = Rounding {
+                fma_rounds_twice: false,
+                truncates: Some(k),
+            };
+            let code = Code {
+                rounding,
+                ..CODE.clone()
+            };
+            worst_re(&code, &at)
+        });
+        let most = faulty.fold(0.0, f64::max);
+        assert!(most > sound + 0.3, "{at:?} {sound} {most}");
+    }
+}
+
+#[test]
+fn a_wrong_exponential_shows() {
+    let (c, ln_2) = code::exponential();
+    let sound = exponential_error(c, ln_2, 1200.0);
+    let mut off = *c;
+    off[0] = f64::from_bits(off[0].to_bits() + 8);
+    // One term less, an entry off by eight units, the second part of ln 2 left out.
+    let faults = [
+        exponential_error(&c[..11], ln_2, 1200.0),
+        exponential_error(&off, ln_2, 1200.0),
+        exponential_error(c, [ln_2[0], 0.0], 1200.0),
+    ];
+    for faulty in faults {
+        assert!(faulty > 5.0 * sound, "{sound} {faulty}");
+    }
+    let mut faulty = CODE.clone();
+    faulty.tables.exponential = faults[0];
+    let at = next_to_real_axis()[1];
+    assert!(worst_re(&faulty, &at) > worst_re(&CODE, &at) + 0.3);
+}
+
+#[test]
+fn components_are_proved_where_all_formulas_beside_the_real_axis_meet() {
+    let watch = Watch::default();
+    let wanted = |_: usize, r: &Rectangle| (8.0..16.0).contains(&r.a[1].max(r.b[1]));
+    let found = upper_half_plane(&CODE, UPPER_HALF_PLANE, &watch, wanted).expect("not stopped");
+    assert!(found.open.is_empty(), "{:?}", found.open.first());
+    let summary = found.summary().expect("rectangles");
+    let most = summary.component.expect("each formula").bound;
+    assert!(most <= UPPER_HALF_PLANE.component && summary.norm.bound <= UPPER_HALF_PLANE.norm);
+    for f in summary.formulas {
+        eprintln!(
+            "{} {} {} {:?} {:?}",
+            f.name, f.boxes, f.norm.bound, f.re, f.im
+        );
+    }
+}
+
+/// Where the low part of c₁, which the formula leaves out, is worth a unit in the last place.
+#[test]
+fn the_imaginary_part_in_a_cell_is_within_its_bound() {
+    let at = Rectangle {
+        a: [0.125, 0.125],
+        b: [1.8125, 1.875f64.next_down()],
+    };
+    let cell = Formula::Cell {
+        centre: (0.0, 1.75),
+    };
+    let most = bound(&CODE.tables, cell, &at, CODE.rounding)
+        .expect("a cell")
+        .im;
+    // The worst found of 400 000.
+    let z = Complex::new(0.125, 1.8716325734632453);
+    let w = w_f64(z.re, z.im, 100).expect("decided").im;
+    let off = (Float::with_val(200, faddeeva(z).im) - w.mid()).abs();
+    let ulp = 2f64.powi(w.mid().get_exp().expect("not zero") - 53);
+    let off = (off / ulp).to_f64();
+    assert!((0.8..=most).contains(&off), "{off} {most}");
+}
+
+/// Rectangles in every formula, with small coordinates down to zero, next to lines and beside
+/// underflow.
+const SOME: [([f64; 2], [f64; 2]); 34] = [
+    ([0.001, 0.0011], [0.001, 0.002]),
+    ([1e-300, 0.001], [0.0, 0.001]),
+    ([0.1, 0.11], [0.1, 0.12]),
+    ([0.0, 0.0], [0.001, 0.0015]),
+    ([0.6, 0.61], [0.6, 0.61]),
+    ([0.0, 0.0], [0.6, 0.62]),
+    ([1.53125, 1.546875], [1.53125, 1.546875]),
+    ([1e-3, 0.1], [1.8125, 1.84]),
+    ([5e-324, 1e-310], [3.0, 3.01]),
+    ([0.0, 0.0], [3.0, 3.05]),
+    ([3.0, 3.01], [0.01, 0.02]),
+    ([3.0, 3.01], [0.0, 1e-20]),
+    ([2.2, 2.21], [0.0, 0.001]),
+    ([6.0, 6.01], [0.3, 0.31]),
+    ([6.5, 6.6], [6.5, 6.6]),
+    ([7.5, 7.6], [1.0, 1.1]),
+    ([0.01, 0.9], [7.5, 7.6]),
+    ([0.0, 0.0], [7.5, 7.6]),
+    ([9.5, 9.501], [1e-4, 1.01e-4]),
+    ([9.5, 9.501], [1e-5, 1e-4]),
+    ([12.0, 12.003], [1e-15, 1e-9]),
+    ([12.0, 12.003], [1e-66, 2e-17]),
+    ([12.0, 12.003], [0.0, 1e-80]),
+    ([12.0, 12.1], [3.0, 3.1]),
+    ([40.0, 40.5], [1e-3, 0.5]),
+    ([40.0, 40.5], [20.0, 20.5]),
+    ([0.0, 0.0], [40.0, 41.0]),
+    ([200.0, 205.0], [1.0, 190.0]),
+    ([200.0, 205.0], [1e-320, 1e-310]),
+    ([5000.0, 5100.0], [1e-9, 1.0]),
+    ([10.0, 5000.0], [5100.0, 5200.0]),
+    ([1e200, 1.1e200], [1e190, 1e199]),
+    ([1e305, 1.1e305], [0.0, 1e-320]),
+    ([0.0, 0.0], [1e300, 1.1e300]),
+];
+
+/// Checks what is proved there: norm, real and imaginary part, what underflows. Smaller numbers
+/// would be a better theorem, which has to come from a better proof.
+#[test]
+fn bounds_are_those_that_were_proved() {
+    let mut found = Vec::new();
+    for (a, b) in SOME {
+        let at = Rectangle { a, b };
+        let all = parts(&CODE, &at).expect("few formulas");
+        for (piece, formula) in all {
+            let b = bound(&CODE.tables, formula, &piece, CODE.rounding);
+            let b = b.map_or([f64::INFINITY; 4], |b| [b.norm, b.re, b.im, b.tiny]);
+            found.push((formula.name(), b));
+        }
+    }
+    check_all(&found, &PROVED);
+}
+
+fn check_all(found: &[(&str, [f64; 4])], due: &[(&str, [f64; 4])]) {
+    let listed: Vec<String> = found
+        .iter()
+        .map(|(name, b)| {
+            format!(
+                "    ({name:?}, [{:.9e}, {:.9e}, {:.9e}, {:.9e}]),",
+                b[0], b[1], b[2], b[3]
+            )
+            .replace("inf", "f64::INFINITY")
+        })
+        .collect();
+    let listed = listed.join("\n");
+    assert_eq!(found.len(), due.len(), "\n{listed}");
+    for (p, q) in found.iter().zip(due) {
+        let near = |x: f64, y: f64| x == y || y.is_finite() && (x - y).abs() <= 1e-6 * y.abs();
+        let all = p.1.iter().zip(q.1).all(|(x, y)| near(*x, y));
+        assert!(p.0 == q.0 && all, "{p:?} {q:?}\n{listed}");
+    }
+}
+
+const PROVED: [(&str, [f64; 4]); 36] = [
+    (
+        "Maclaurin, 9 terms",
+        [2.517003795e-1, 5.022643856e-1, 6.366097331e-1, 0.0],
+    ),
+    (
+        "Maclaurin, 9 terms",
+        [5.000038107e-1, 1.000005815e0, 1.122417933e0, 2.000000000e0],
+    ),
+    (
+        "Maclaurin, 9 terms",
+        [5.011305164e-1, 1.001128287e0, 1.132323100e0, 2.000000000e0],
+    ),
+    (
+        "Maclaurin, 21 terms",
+        [3.898056070e-1, 6.633178700e-1, 1.220271434e0, 0.0],
+    ),
+    (
+        "Maclaurin, imaginary axis",
+        [2.504613488e-1, 5.000759146e-1, 0.0, 0.0],
+    ),
+    (
+        "Taylor, cell",
+        [4.261903180e-1, 7.933308264e-1, 7.953937999e-1, 0.0],
+    ),
+    (
+        "Taylor, imaginary axis",
+        [4.720605442e-1, 5.276836666e-1, 0.0, 0.0],
+    ),
+    (
+        "Taylor, cell",
+        [3.714537129e-1, 5.252415709e-1, 5.344336576e-1, 0.0],
+    ),
+    (
+        "Taylor, cell",
+        [4.790269016e-1, 5.217100335e-1, 1.659632113e0, 0.0],
+    ),
+    (
+        "Taylor, cell",
+        [3.516246590e-1, 5.020024844e-1, 1.058476741e0, 7.017092551e0],
+    ),
+    (
+        "Taylor, imaginary axis",
+        [3.551925523e-1, 5.009691920e-1, 0.0, 0.0],
+    ),
+    (
+        "Taylor, real axis",
+        [3.136013080e-1, 3.119699617e0, 5.024872282e-1, 0.0],
+    ),
+    (
+        "Taylor, real axis",
+        [3.132037840e-1, 1.044449312e0, 5.020614423e-1, 0.0],
+    ),
+    (
+        "Taylor, real axis",
+        [4.286544614e-1, 1.102398864e0, 5.084735924e-1, 0.0],
+    ),
+    (
+        "Taylor, real axis",
+        [4.287467799e-1, 1.117328305e0, 5.085165449e-1, 0.0],
+    ),
+    (
+        "Taylor, cell",
+        [3.377843825e-1, 1.033867706e0, 5.098341421e-1, 0.0],
+    ),
+    (
+        "asymptotic, 26 terms",
+        [8.763849407e-1, 1.193562081e0, 1.192313151e0, 0.0],
+    ),
+    (
+        "asymptotic, 26 terms",
+        [1.001240999e0, 1.490006397e0, 1.168399560e0, 0.0],
+    ),
+    (
+        "asymptotic, 26 terms",
+        [1.131151477e0, 1.277130915e0, 2.896913355e0, 0.0],
+    ),
+    (
+        "asymptotic, imaginary axis",
+        [5.797753010e-1, 6.822563901e-1, 0.0, 0.0],
+    ),
+    ("strip", [5.634029252e-1, 1.640393996e0, 1.076625380e0, 0.0]),
+    ("strip", [5.634029259e-1, 1.890503812e0, 1.076625381e0, 0.0]),
+    (
+        "real line",
+        [6.802726794e-1, 2.067032792e0, 1.026806628e0, 0.0],
+    ),
+    (
+        "real line",
+        [6.791746804e-1, 2.150111790e0, 1.025149303e0, 0.0],
+    ),
+    (
+        "real line",
+        [6.791746804e-1, 2.052599240e0, 1.025149303e0, 0.0],
+    ),
+    (
+        "asymptotic, 14 terms",
+        [8.093996383e-1, 1.248634550e0, 1.128143166e0, 0.0],
+    ),
+    (
+        "asymptotic, 6 terms",
+        [6.412637076e-1, 2.229278272e0, 1.142269372e0, 0.0],
+    ),
+    (
+        "asymptotic, 6 terms",
+        [8.223443524e-1, 1.190811329e0, 1.159065007e0, 0.0],
+    ),
+    (
+        "asymptotic, imaginary axis",
+        [4.829614218e-1, 8.479402459e-1, 0.0, 0.0],
+    ),
+    (
+        "asymptotic, 4 terms",
+        [f64::INFINITY, f64::INFINITY, f64::INFINITY, f64::INFINITY],
+    ),
+    (
+        "asymptotic, 4 terms",
+        [9.022623587e-1, 2.495147306e0, 1.267326144e0, 5.001920623e0],
+    ),
+    (
+        "asymptotic, 2 terms",
+        [6.834458003e-1, 2.349981981e0, 1.236213069e0, 0.0],
+    ),
+    (
+        "asymptotic, 2 terms",
+        [f64::INFINITY, f64::INFINITY, f64::INFINITY, f64::INFINITY],
+    ),
+    (
+        "scaled",
+        [2.116007580e0, 5.548194030e0, 3.032992696e0, 6.000000000e0],
+    ),
+    (
+        "scaled",
+        [2.041686532e0, 4.355403734e0, 3.474152762e0, 6.000000000e0],
+    ),
+    ("scaled", [1.408233155e0, 1.828203288e0, 0.0, 6.000000000e0]),
+];

@@ -1,0 +1,713 @@
+//! The bounds against certified values at points, and with planted faults.
+
+use super::*;
+use crate::pinned::as_proved;
+use crate::real::tables::{MOST, exponential_coefficients, near_error};
+use crate::real::{Inner, choice};
+use crate::truncation::{RowErrors, exponential_error};
+use mechaudit_reference::faddeeva as certified;
+use mechaudit_reference::faddeeva::Scaled;
+use mechaudit_solvers::faddeeva::proof::real_line as code;
+use mechaudit_solvers::faddeeva::{dawson_real, erf_real, erfc_real, erfcx_real};
+use rand::rngs::ChaCha8Rng;
+use rand::{Rng, SeedableRng};
+use rug::{Float, Rational};
+
+fn solvers(function: Function) -> Code {
+    Code::of_the_solver(function).expect("decided")
+}
+
+fn proved(code: &Code, function: Function) -> Certificate {
+    real_line(code, function, function.ulps(), &Watch::default()).expect("not stopped")
+}
+
+fn computed(function: Function, x: f64) -> f64 {
+    match function {
+        Function::Erf => erf_real(x),
+        Function::Erfc => erfc_real(x),
+        Function::Erfcx => erfcx_real(x),
+        Function::Dawson => dawson_real(x),
+    }
+}
+
+/// The error at a point in units in the last place of the value; infinity where the value is above
+/// the range counts as none.
+fn error(function: Function, x: f64) -> f64 {
+    let exact = match function {
+        Function::Erf => certified::erf_scaled,
+        Function::Erfc => certified::erfc_scaled,
+        Function::Erfcx => certified::erfcx_scaled,
+        Function::Dawson => certified::dawson_scaled,
+    };
+    let x_exact = Rational::from_f64(x).expect("finite");
+    let [value, _]: [Scaled; 2] = exact(&x_exact, &Rational::new(), 120).expect("decided");
+    let value = value.to_ball().mid().clone();
+    let got = computed(function, x);
+    if !got.is_finite() {
+        // e^{x²} > 2¹⁰²⁴ from x² = 710 on.
+        return match got > 0.0 && (value > f64::MAX || x * x > 710.0) {
+            true => 0.0,
+            false => f64::INFINITY,
+        };
+    }
+    let e = value.get_exp().unwrap_or(-2000).max(-1021) - 53;
+    ((Float::with_val(200, got) - &value) >> e).abs().to_f64()
+}
+
+fn worst(code: &Code, function: Function, at: &Interval) -> f64 {
+    let formula = (code.choice)(function, at.negative, at.ends[0]);
+    bound(&code.tables, function, formula, at, code.rounding).map_or(f64::INFINITY, |b| b.1)
+}
+
+#[test]
+fn every_number_is_covered_and_points_are_within_their_bounds() {
+    let mut random = ChaCha8Rng::seed_from_u64(9);
+    for function in Function::ALL {
+        let found = proved(&solvers(function), function);
+        assert!(
+            found.open.is_empty(),
+            "{function:?} {:?}",
+            found.open.first()
+        );
+        let all = || found.leaves.iter().map(|l| l.at);
+        assert_eq!(hole(function, all()), None);
+        for missing in [0, 1, found.leaves.len() / 2, found.leaves.len() - 1] {
+            let some = all().enumerate().filter(|(i, _)| *i != missing);
+            let x = hole(function, some.map(|(_, at)| at)).expect("a hole");
+            let at = found.leaves[missing].at;
+            assert!(at.ends.contains(&x.abs()), "{function:?} {x} {at:?}");
+        }
+        let mut most = 0.0f64;
+        for leaf in found.leaves.iter().step_by(5) {
+            assert!(leaf.ulps <= function.ulps(), "{function:?} {leaf:?}");
+            let [p, q] = leaf.at.ends.map(f64::to_bits);
+            for k in 0..3 {
+                let x = match k {
+                    0 => leaf.at.ends[0],
+                    _ => f64::from_bits(p + random.next_u64() % (q - p + 1)),
+                };
+                let off = error(function, if leaf.at.negative { -x } else { x });
+                assert!(off <= leaf.ulps, "{function:?} {x:e} {off} {leaf:?}");
+                most = most.max(off);
+            }
+        }
+        // Not idle bounds either.
+        assert!(most > 0.5, "{function:?} {most}");
+    }
+}
+
+/// Where values, or what is added to them, are subnormal.
+#[test]
+fn points_beside_underflow_are_within_their_bounds() {
+    let mut random = ChaCha8Rng::seed_from_u64(10);
+    for (function, from, to) in [
+        (Function::Erf, 0.0, 1e-300),
+        (Function::Erf, 4e-308, 2e-307),
+        (Function::Dawson, 0.0, 1e-300),
+        (Function::Erfc, 26.5, 27.3),
+        (Function::Erfcx, 1e307, f64::MAX),
+        (Function::Dawson, 1e307, f64::MAX),
+    ] {
+        let (p, q) = (f64::to_bits(from), f64::to_bits(to));
+        for _ in 0..2000 {
+            let x = f64::from_bits(p + random.next_u64() % (q - p));
+            let off = error(function, x);
+            assert!(off <= function.ulps(), "{function:?} {x:e} {off}");
+        }
+    }
+}
+
+#[test]
+fn infinity_begins_where_the_value_is_above_the_range() {
+    let last = 26.628_735_713_751_49;
+    assert!(computed(Function::Erfcx, -last).is_finite());
+    assert_eq!(
+        computed(Function::Erfcx, -f64::next_up(last)),
+        f64::INFINITY
+    );
+    assert!(error(Function::Erfcx, -last) < 1.0);
+    assert_eq!(error(Function::Erfcx, -f64::next_up(last)), 0.0);
+}
+
+/// An interval of each formula of Taylor series and exponentials.
+const NEAR: [(Function, Interval); 5] = [
+    (Function::Erf, at(false, 1.0, 1.01)),
+    (Function::Erfc, at(false, 2.0, 2.01)),
+    (Function::Erfc, at(true, 0.5, 0.51)),
+    (Function::Erfcx, at(true, 0.5, 0.51)),
+    (Function::Dawson, at(false, 0.85, 0.86)),
+];
+
+const fn at(negative: bool, lo: f64, hi: f64) -> Interval {
+    Interval {
+        negative,
+        ends: [lo, hi],
+    }
+}
+
+/// The code with every row changed.
+fn with_rows(function: Function, change: impl Fn(&mut [f64; 20])) -> Code {
+    let mut code = solvers(function);
+    for (centre, (row, errors)) in &mut code.tables.rows {
+        let centre = f64::from_bits(*centre);
+        change(row);
+        *errors = match function {
+            Function::Dawson => RowErrors::of_dawson(row, centre),
+            _ => RowErrors::on_axis(row, centre),
+        }
+        .expect("decided");
+    }
+    code
+}
+
+fn off_by_eight(x: f64) -> f64 {
+    f64::from_bits(x.to_bits() + 8)
+}
+
+#[test]
+fn a_coefficient_off_by_eight_units_shows() {
+    for (function, at) in NEAR {
+        let sound = worst(&solvers(function), function, &at);
+        let faulty = with_rows(function, |row| row[0] = off_by_eight(row[0]));
+        assert!(sound <= 0.875, "{function:?} {sound}");
+        assert_eq!(worst(&faulty, function, &at), f64::INFINITY, "{function:?}");
+        // Where one unit of it is a sixteenth of one of the value.
+        let faulty = with_rows(function, |row| row[2] += row[2] * 2f64.powi(-51));
+        let at = match function {
+            Function::Dawson => Interval {
+                ends: [3.03, 3.031],
+                ..at
+            },
+            _ => Interval {
+                ends: [at.ends[0] + 0.1, at.ends[0] + 0.101],
+                ..at
+            },
+        };
+        let sound = worst(&solvers(function), function, &at);
+        let faulty = worst(&faulty, function, &at);
+        assert!(faulty > sound + 0.01, "{function:?} {sound} {faulty}");
+    }
+}
+
+#[test]
+fn a_dropped_term_shows() {
+    for (function, at) in NEAR {
+        let at = Interval {
+            ends: at.ends.map(|x| x + 0.03),
+            ..at
+        };
+        let faulty = with_rows(function, |row| row[8] = 0.0);
+        let (sound, faulty) = (
+            worst(&solvers(function), function, &at),
+            worst(&faulty, function, &at),
+        );
+        assert!(faulty > sound + 0.01, "{function:?} {sound} {faulty}");
+    }
+    // Of the Maclaurin series, and of the exponential.
+    for (function, (c, low)) in [Function::Erf, Function::Dawson]
+        .into_iter()
+        .zip(code::odd_series())
+    {
+        let sound = near_error(function, (c, low));
+        let mut off = c.to_vec();
+        off[2] = off_by_eight(off[2]);
+        assert!(near_error(function, (&c[..c.len() - 6], low)) > 3.0 * sound);
+        assert!(near_error(function, (&off, low)) > 3.0 * sound);
+        assert!(near_error(function, (c, 0.0)) > 2.0 * sound);
+    }
+    let (c, ln_2) = exponential_coefficients();
+    let sound = exponential_error(&c, ln_2, MOST);
+    for faulty in [
+        exponential_error(&c[..11], ln_2, MOST),
+        exponential_error(&c, [ln_2[0], 0.0], MOST),
+    ] {
+        assert!(faulty > 5.0 * sound);
+        let mut code = solvers(Function::Erfc);
+        code.tables.exponential = faulty;
+        let (function, at) = NEAR[1];
+        assert!(worst(&code, function, &at) > worst(&solvers(function), function, &at) + 0.1);
+    }
+}
+
+#[test]
+fn a_moved_limit_shows() {
+    fn moved(function: Function, negative: bool, x: f64) -> Formula {
+        match choice(function, negative, x) {
+            Formula::Near if x > 0.4 => choice(function, negative, 0.5),
+            Formula::Difference(_) if function == Function::Erf && x > 5.5 => Formula::Constant,
+            Formula::Value(_) if (7.0..9.0).contains(&x) => {
+                Formula::Value(Inner::Series { terms: 14 })
+            }
+            Formula::Difference(_) if function == Function::Erfcx && x > 5.0 => {
+                Formula::Exponential
+            }
+            formula => formula,
+        }
+    }
+    // Just beyond where each limit was.
+    for (function, at) in [
+        (Function::Erf, at(false, 0.41, 0.42)),
+        (Function::Dawson, at(false, 0.41, 0.42)),
+        (Function::Erf, at(false, 5.6, 5.61)),
+        (Function::Erfcx, at(false, 7.01, 7.02)),
+        (Function::Dawson, at(false, 7.01, 7.02)),
+        (Function::Erfcx, at(true, 5.1, 5.11)),
+    ] {
+        let sound = solvers(function);
+        let faulty = Code {
+            choice: moved,
+            ..sound.clone()
+        };
+        let [sound, faulty] = [sound, faulty].map(|code| worst(&code, function, &at));
+        assert!(
+            faulty > sound + 0.02,
+            "{function:?} {at:?} {sound} {faulty}"
+        );
+    }
+}
+
+#[test]
+fn products_rounded_before_the_sum_show() {
+    for (function, at) in NEAR {
+        let mut code = solvers(function);
+        let sound = worst(&code, function, &at);
+        code.rounding.fma_rounds_twice = true;
+        let faulty = worst(&code, function, &at);
+        assert!(faulty > sound + 0.1, "{function:?} {sound} {faulty}");
+    }
+}
+
+#[test]
+fn one_operation_that_truncates_shows() {
+    for (function, at) in NEAR {
+        let mut code = solvers(function);
+        let sound = worst(&code, function, &at);
+        let mut with = |k| {
+            code.rounding.truncates = Some(k);
+            worst(&code, function, &at)
+        };
+        assert!(with(Rounding::LAST) >= sound + 0.5);
+        let most = (1..200).map(with).fold(0.0, f64::max);
+        assert!(most > sound + 0.003, "{function:?} {sound} {most}");
+    }
+}
+
+/// Intervals in every formula, next to limits and to underflow.
+const SOME: [(Function, Interval); 30] = [
+    (Function::Erf, at(false, 0.0, 5e-324)),
+    (Function::Erf, at(false, 1e-310, 1.2e-310)),
+    (Function::Erf, at(false, 3e-308, 3.1e-308)),
+    (Function::Erf, at(false, 1e-280, 1.5e-280)),
+    (Function::Erf, at(false, 0.1, 0.11)),
+    (Function::Erf, at(false, 0.4, 0.41)),
+    (Function::Erf, at(false, 1.0, 1.01)),
+    (Function::Erf, at(false, 4.0, 4.05)),
+    (Function::Erf, at(false, 7.0, 1e10)),
+    (Function::Erfc, at(false, 0.01, 0.02)),
+    (Function::Erfc, at(true, 0.01, 0.02)),
+    (Function::Erfc, at(false, 2.0, 2.01)),
+    (Function::Erfc, at(false, 9.0, 9.01)),
+    (Function::Erfc, at(false, 26.6, 26.6001)),
+    (Function::Erfc, at(false, 30.0, 1e10)),
+    (Function::Erfc, at(true, 0.5, 0.51)),
+    (Function::Erfc, at(true, 30.0, 1e10)),
+    (Function::Erfcx, at(false, 0.3, 0.31)),
+    (Function::Erfcx, at(false, 8.0, 8.1)),
+    (Function::Erfcx, at(false, 50.0, 51.0)),
+    (Function::Erfcx, at(false, 1e200, 1.1e200)),
+    (Function::Erfcx, at(true, 0.5, 0.51)),
+    (Function::Erfcx, at(true, 12.0, 12.001)),
+    (Function::Erfcx, at(true, 26.7, 26.8)),
+    (Function::Dawson, at(false, 1e-310, 1e-300)),
+    (Function::Dawson, at(false, 0.1, 0.11)),
+    (Function::Dawson, at(false, 0.85, 0.86)),
+    (Function::Dawson, at(false, 9.5, 9.6)),
+    (Function::Dawson, at(false, 300.0, 310.0)),
+    (Function::Dawson, at(false, 1e200, 2e200)),
+];
+
+/// The bounds proved there; smaller ones would be a better theorem, which has to come from a better
+/// proof.
+#[test]
+fn bounds_are_those_that_were_proved() {
+    let codes = Function::ALL.map(|f| (f, solvers(f)));
+    let found: Vec<(&str, f64)> = SOME
+        .iter()
+        .map(|(function, at)| {
+            let code = &codes.iter().find(|(f, _)| f == function).expect("one").1;
+            let formula = (code.choice)(*function, at.negative, at.ends[0]);
+            assert_eq!(formula, (code.choice)(*function, at.negative, at.ends[1]));
+            let ulps = worst(code, *function, at);
+            (formula.name(*function, at.negative), ulps)
+        })
+        .collect();
+    as_proved(&found, &PROVED);
+}
+
+const PROVED: [(&str, f64); 30] = [
+    ("Maclaurin series", 6.261007896e-1),
+    ("Maclaurin series", 6.261007896e-1),
+    ("Maclaurin series", 6.261007896e-1),
+    ("Maclaurin series", 5.041500794e-1),
+    ("Maclaurin series", 5.045688113e-1),
+    ("Maclaurin series", 5.149714305e-1),
+    ("1 - erfc x", 5.772749875e-1),
+    ("1 - erfc x", 5.635547580e-1),
+    ("1", 3.811437921e-7),
+    ("1 - Maclaurin series", 5.156955300e-1),
+    ("1 - Maclaurin series", 5.153090903e-1),
+    ("exp(-x^2) erfcx x, Taylor", 6.167414550e-1),
+    ("exp(-x^2) erfcx x, asymptotic", 8.029305680e-1),
+    ("exp(-x^2) erfcx x, asymptotic", 7.904548568e-1),
+    ("0", 5.000000000e-1),
+    ("2 - erfc |x|", 5.775801278e-1),
+    ("2", 2.225073859e-308),
+    ("Taylor series", 5.192665903e-1),
+    ("asymptotic, 26 terms", 9.149401569e-1),
+    ("asymptotic, 6 terms", 8.636854401e-1),
+    ("1/(sqrt(pi) x), scaled", 5.766706375e-1),
+    ("2 exp(x^2) - erfcx |x|", 6.537447398e-1),
+    ("2 exp(x^2)", 5.733369756e-1),
+    ("2 exp(x^2)", f64::INFINITY),
+    ("Maclaurin series", 1.000000000e-15),
+    ("Maclaurin series", 5.047634051e-1),
+    ("Taylor series", 5.813151088e-1),
+    ("asymptotic, 26 terms", 7.432080410e-1),
+    ("asymptotic, 6 terms", 1.073381061e0),
+    ("1/(2x)", 5.000000000e-1),
+];
+
+fn refined(function: Function, target: f64, at: Interval) -> Certificate {
+    let code = solvers(function);
+    let refined = Refined {
+        code: &code,
+        function,
+        target,
+        formula: (code.choice)(function, at.negative, at.ends[0]),
+        watch: &Watch::default(),
+    };
+    let mut found = Certificate::default();
+    refined.refine(at, 0, &mut found).expect("not stopped");
+    found
+}
+
+/// The target is reached by halving; what is not reached comes out with its bound, what has none is
+/// open.
+#[test]
+fn intervals_are_halved_until_the_bound_is_good() {
+    let whole = at(false, 1.0, 1.1);
+    let found = refined(Function::Erf, 0.875, whole);
+    assert!(found.open.is_empty() && found.leaves.iter().all(|l| l.ulps <= 0.875));
+    let covers = |leaves: &[Leaf], whole: Interval| {
+        let mut next = whole.ends[0].to_bits();
+        for leaf in leaves {
+            assert_eq!(leaf.at.ends[0].to_bits(), next);
+            next = leaf.at.ends[1].to_bits() + 1;
+        }
+        assert_eq!(next, whole.ends[1].to_bits() + 1);
+    };
+    covers(&found.leaves, whole);
+    // A target below any bound ends at its depth.
+    let narrow = at(false, 1.0, 1.0f64.next_up());
+    let found = refined(Function::Erf, 0.1, narrow);
+    assert!(found.leaves.len() == 2 && found.leaves.iter().all(|l| l.ulps > 0.1));
+    covers(&found.leaves, narrow);
+    for (depth, leaves) in [(DEPTH - 1, 2), (DEPTH, 1)] {
+        let code = solvers(Function::Erf);
+        let refined = Refined {
+            code: &code,
+            function: Function::Erf,
+            target: 0.1,
+            formula: choice(Function::Erf, false, 1.0),
+            watch: &Watch::default(),
+        };
+        let mut found = Certificate::default();
+        refined
+            .refine(at(false, 1.0, 1.0 + 1e-10), depth, &mut found)
+            .expect("not stopped");
+        assert_eq!(found.leaves.len(), leaves);
+    }
+    // A formula that serves nowhere there leaves every number open.
+    let code = solvers(Function::Erf);
+    let wrong = Refined {
+        code: &code,
+        function: Function::Erf,
+        target: 0.875,
+        formula: Formula::Far,
+        watch: &Watch::default(),
+    };
+    let mut found = Certificate::default();
+    wrong
+        .refine(
+            at(false, 1.0, f64::from_bits(1f64.to_bits() + 7)),
+            0,
+            &mut found,
+        )
+        .expect("not stopped");
+    assert!(found.leaves.is_empty() && found.open.len() == 8);
+    let watch = Watch::default();
+    watch.stop.store(true, std::sync::atomic::Ordering::Relaxed);
+    assert!(real_line(&code, Function::Erf, 0.875, &watch).is_none());
+}
+
+/// Any bound at all is enough here: what the first intervals and a few cuts give.
+#[test]
+fn all_numbers_have_some_bound() {
+    let code = solvers(Function::Dawson);
+    let watch = Watch::default();
+    let found = real_line(&code, Function::Dawson, f64::INFINITY, &watch).expect("not stopped");
+    assert!(found.open.is_empty(), "{:?}", found.open.first());
+    assert!(found.leaves.len() >= roots(&code, Function::Dawson).len());
+    let all = found.leaves.iter().map(|l| l.at);
+    assert_eq!(hole(Function::Dawson, all), None);
+}
+
+/// Intervals to begin with: all numbers, one formula each.
+#[test]
+fn the_first_intervals_have_one_formula_each() {
+    for function in Function::ALL {
+        let code = solvers(function);
+        let all = roots(&code, function);
+        assert_eq!(hole(function, all.iter().map(|(at, _)| *at)), None);
+        let numbers = |at: &Interval| u128::from(at.ends[1].to_bits() - at.ends[0].to_bits()) + 1;
+        let sum: u128 = all.iter().map(|(at, _)| numbers(at)).sum();
+        let finite = u128::from(f64::MAX.to_bits()) + 1;
+        assert_eq!(sum, finite * function.signs().len() as u128);
+        for (at, formula) in &all {
+            for x in at.ends {
+                assert_eq!((code.choice)(function, at.negative, x), *formula);
+            }
+            let binades = (at.ends[1].to_bits() >> 52) - (at.ends[0].to_bits() >> 52);
+            assert!(at.ends[1] < SMALL || binades < 8, "{at:?}");
+        }
+    }
+    // Where x² is zero the number of the binade counts, where 2x/√π may be subnormal none.
+    let below = SMALL.next_down();
+    assert_eq!([1e-310, 2.3e-308].map(binades), [(true, 0); 2]);
+    assert_eq!(binades(below), (true, below.to_bits() >> 52));
+    for x in [SMALL, 1.0, f64::MAX] {
+        assert_eq!(binades(x), (false, x.to_bits() >> 55));
+    }
+    // In any order.
+    let parts = [at(false, 2.0, f64::MAX), at(false, 0.0, 2.0)];
+    assert_eq!(hole(Function::Erf, parts), None);
+    // One that is missing is found on its side.
+    for negative in [false, true] {
+        let some = [
+            at(false, 0.0, f64::MAX),
+            at(true, 0.0, 1.0),
+            at(true, 3.0, f64::MAX),
+        ];
+        let some = some.map(|at| Interval {
+            negative: at.negative == negative,
+            ..at
+        });
+        let x = hole(Function::Erfc, some).expect("a hole");
+        // All numbers of the other sign are there.
+        assert_eq!(x, if negative { -1.0 } else { 1.0 } * 1f64.next_up());
+    }
+    assert_eq!(
+        hole(Function::Erf, [at(false, 0.0, f64::MAX.next_down())]),
+        Some(f64::MAX)
+    );
+    assert_eq!(hole(Function::Erf, []), Some(0.0));
+    assert_eq!(
+        hole(Function::Erf, [at(false, f64::from_bits(1), f64::MAX)]),
+        Some(0.0)
+    );
+    let halves = at(true, 1.0, 2.0).halves();
+    assert!(halves.iter().all(|h| h.negative) && halves[0].ends[1].next_up() == halves[1].ends[0]);
+    assert_eq!((halves[0].ends[0], halves[1].ends[1]), (1.0, 2.0));
+    assert_eq!(at(true, 1.0, 2.0).signed(), [-2.0, -1.0]);
+    assert!(at(true, 1.0, 1.0).is_point() && !at(true, 1.0, 2.0).is_point());
+}
+
+/// The worst of each formula, each sign by itself, in the order of x.
+#[test]
+fn a_summary_has_the_worst_of_each_formula() {
+    let leaf = |negative, lo, hi, formula, ulps| Leaf {
+        at: at(negative, lo, hi),
+        formula,
+        ulps,
+    };
+    let row = Formula::Difference(Inner::Row { centre: 1.0 });
+    let found = Certificate {
+        leaves: vec![
+            leaf(false, 1.0, 2.0, row, 0.6),
+            leaf(false, 3.0, 4.0, row, 0.7),
+            leaf(false, 2.0, 3.0, row, 0.65),
+            leaf(false, 0.0, 1.0, Formula::Near, 0.9),
+            leaf(true, 0.0, 1.0, Formula::Near, 0.8),
+        ],
+        open: Vec::new(),
+    };
+    let summary = found.summary(Function::Erfc).expect("intervals");
+    assert_eq!(
+        (summary.ulps, summary.at, summary.intervals),
+        (0.9, at(false, 0.0, 1.0), 5)
+    );
+    let all: Vec<_> = summary
+        .formulas
+        .iter()
+        .map(|f| (f.ends, f.intervals, f.ulps, f.at))
+        .collect();
+    assert_eq!(
+        all,
+        [
+            ([-1.0, 0.0], 1, 0.8, at(true, 0.0, 1.0)),
+            ([0.0, 1.0], 1, 0.9, at(false, 0.0, 1.0)),
+            ([1.0, 4.0], 3, 0.7, at(false, 3.0, 4.0)),
+        ]
+    );
+    assert!(Certificate::default().summary(Function::Erf).is_none());
+}
+
+/// A formula's line in the summary holds all of its intervals, in whatever order they come, and the
+/// worst of them.
+#[test]
+fn a_summary_holds_every_interval() {
+    let leaf = |ends: [f64; 2], ulps: f64, formula: Formula| Leaf {
+        at: Interval {
+            negative: false,
+            ends,
+        },
+        formula,
+        ulps,
+    };
+    let row = Formula::Value(Inner::Row { centre: 2.5 });
+    assert_eq!(row.centre(), Some(2.5));
+    assert_eq!(Formula::Constant.centre(), None);
+    let found = Certificate {
+        leaves: vec![
+            leaf([8.0, 9.0], 0.5, Formula::Constant),
+            leaf([4.0, 5.0], 0.6, row),
+            leaf([1.0, 2.0], 0.75, row),
+            leaf([2.5, 3.0], 0.5, row),
+        ],
+        ..Certificate::default()
+    };
+    let summary = found.summary(Function::Erf).expect("intervals");
+    assert_eq!(
+        (summary.ulps, summary.at.ends, summary.intervals),
+        (0.75, [1.0, 2.0], 4)
+    );
+    let all: Vec<_> = summary
+        .formulas
+        .iter()
+        .map(|f| (f.ends, f.intervals, f.ulps))
+        .collect();
+    assert_eq!(all, [([1.0, 5.0], 3, 0.75), ([8.0, 9.0], 1, 0.5)]);
+}
+
+/// The intervals a proof begins with, and the leaves of one that is halved often.
+#[test]
+fn leaves_bit_by_bit() {
+    use crate::pinned::{bit_by_bit, counted, digest};
+    let mut found = Vec::new();
+    for function in Function::ALL {
+        let code = solvers(function);
+        let roots = roots(&code, function);
+        found.push(counted(function.name(), &roots));
+        let some = roots.iter().step_by(roots.len() / 7 + 1);
+        let mut whole = Certificate::default();
+        for &(at, formula) in some {
+            let watch = Watch::default();
+            let refined = |target: f64| Refined {
+                code: &code,
+                function,
+                target,
+                formula,
+                watch: &watch,
+            };
+            // Each is a few hundred numbers, so that halving comes to an end.
+            let ends = [
+                at.ends[0],
+                f64::from_bits((at.ends[0].to_bits() + 300).min(at.ends[1].to_bits())),
+            ];
+            let at = Interval { ends, ..at };
+            refined(0.51)
+                .refine(at, 0, &mut whole)
+                .expect("not stopped");
+            refined(0.0)
+                .refine(at, DEPTH - 4, &mut whole)
+                .expect("not stopped");
+        }
+        found.push(("leaves", digest([&whole]), whole.leaves.len() as f64));
+    }
+    // As many as may be for one interval to begin with, and more.
+    let code = solvers(Function::Erf);
+    let at = Interval {
+        negative: false,
+        ends: [1.0, f64::from_bits(1f64.to_bits() + 40)],
+    };
+    let formula = choice(Function::Erf, false, 1.0);
+    let counts = [
+        (MANY, 0),
+        (MANY + 1, 0),
+        (MANY - 1, 1),
+        (MANY, 1),
+        (0, MANY),
+        (2, MANY - 20),
+    ];
+    let counts = counts.map(|(leaves, open)| {
+        let leaf = Leaf {
+            at,
+            formula,
+            ulps: 0.5,
+        };
+        let why = "planted";
+        let mut found = Certificate {
+            leaves: vec![leaf; leaves],
+            open: vec![Open { at, why }; open],
+        };
+        let refined = Refined {
+            code: &code,
+            function: Function::Erf,
+            target: 0.0,
+            formula,
+            watch: &Watch::default(),
+        };
+        refined.refine(at, 0, &mut found).expect("not stopped");
+        (found.leaves.len(), found.open.len())
+    });
+    found.push(counted("many", counts));
+    let numbers = [
+        0.0,
+        f64::from_bits(1),
+        SMALL.next_down(),
+        SMALL,
+        1.0,
+        1.5,
+        300.0,
+        f64::MAX,
+    ];
+    let halves = [
+        [1.0, 1.0],
+        [1.0, 1f64.next_up()],
+        [1.0, 2.0],
+        [0.0, f64::MAX],
+    ];
+    let halves = halves.map(|ends| {
+        Interval {
+            negative: true,
+            ends,
+        }
+        .halves()
+    });
+    found.push(counted("binades", numbers.map(binades)));
+    found.push(counted("halves", halves));
+    let due = [
+        ("erf", 0xcafc26dad6ab7a74, 344.0),
+        ("leaves", 0xa9183dfed0f91492, 719.0),
+        ("erfc", 0x349aca174b27bd12, 702.0),
+        ("leaves", 0x8016c70d5274c179, 419.0),
+        ("erfcx", 0xa0842414b8d46432, 705.0),
+        ("leaves", 0xb6543d08ec1c2c31, 704.0),
+        ("dawson", 0x52cf745029b6544d, 454.0),
+        ("leaves", 0xd217e53d04ed5ece, 119.0),
+        ("many", 0x4d86ab98c48ea699, 6.0),
+        ("binades", 0x748c9d56f0a44b5f, 8.0),
+        ("halves", 0x622a5dfaf7dbe33f, 4.0),
+    ];
+    bit_by_bit(&found, &due);
+}

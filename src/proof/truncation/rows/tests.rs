@@ -1,0 +1,199 @@
+use super::*;
+use crate::pinned::{bit_by_bit, counted, largest};
+use crate::tables::{cell_at, imaginary_axis_at, real_axis_at};
+
+fn errors(parts: Vec<[f64; 2]>, centre: (f64, f64)) -> RowErrors {
+    RowErrors { centre, parts }
+}
+
+fn near(x: f64, due: f64) -> bool {
+    x >= due * (1.0 - 1e-14) && x <= due * (1.0 + 1e-12)
+}
+
+/// `Σ |e_n| Dⁿ`, of a component about a centre on an axis what its symmetry leaves, and the tail.
+#[test]
+fn errors_of_coefficients_add_up() {
+    let parts: Vec<[f64; 2]> = (0..41)
+        .map(|n| [1e-9 * f64::from(n + 1), 3e-9 / f64::from(n + 1)])
+        .collect();
+    for (dx, dy) in [(0.1, 0.05), (0.0, 0.12), (0.12, 0.0), (0.6, 0.79)] {
+        let d = f64::hypot(dx, dy);
+        let power = |n: usize| d.powi(n as i32);
+        let slope = |n: usize| if n == 0 { 0.0 } else { n as f64 * power(n - 1) };
+        let size = |e: &[f64; 2]| e[0].hypot(e[1]);
+        let sum = |f: &dyn Fn(usize, &[f64; 2]) -> f64| {
+            let all = parts.iter().enumerate().map(|(n, e)| f(n, e));
+            all.sum::<f64>() + 100.0 * MOST * (d / RADIUS).powi(40)
+        };
+        let norm = sum(&|n, e| size(e) * power(n));
+        let re = sum(&|n, e| e[0] * power(n) + dy * e[1] * slope(n));
+        let im = sum(&|n, e| size(e) * slope(n));
+        let within = |centre| errors(parts.clone(), centre).within(dx, dy);
+        let inside = within((1.0, 2.0));
+        assert!(near(inside.norm, norm) && inside.re == inside.norm && inside.im == inside.norm);
+        let real = within((1.0, 0.0));
+        assert!(
+            near(real.norm, norm) && near(real.re, re) && real.im == real.norm,
+            "{real:?} {re}"
+        );
+        let imaginary = within((0.0, 2.0));
+        assert!(
+            near(imaginary.norm, norm) && near(imaginary.im, im) && imaginary.re == imaginary.norm
+        );
+    }
+    let far = errors(parts, (1.0, 1.0)).within(0.8, 0.7);
+    assert!([far.norm, far.re, far.im].iter().all(|x| x.is_infinite()));
+    // Above what |w| may be on the circle, and the sum of the tail.
+    assert!(MOST >= 2.0 * 9f64.exp() && MOST < 2.001 * 9f64.exp());
+    for q in [0.1, 1.0 / 3.0] {
+        let tail: f64 = (41..400).map(|n| f64::from(n) * f64::powi(q, n - 1)).sum();
+        assert!(tail <= 100.0 * q.powi(40) && 41.0 / (1.0 - q).powi(2) <= 100.0);
+    }
+}
+
+/// Every entry of a row is compared with its coefficient: a change of one shows in the error of
+/// that one alone.
+#[test]
+fn each_entry_stands_for_its_coefficient() {
+    let centre = (1.5, 1.75);
+    let row = *cell_at(1.5, 1.75).1;
+    let sound = RowErrors::of(&row, centre).expect("decided");
+    assert_eq!((sound.parts.len(), sound.centre), (TERMS, centre));
+    for (n, e) in sound.parts.iter().enumerate().take(STORED) {
+        let least = if n < 2 { 1e-30 } else { 3e-17 };
+        assert!(e[0].max(e[1]) < least, "{n} {e:?}");
+    }
+    assert!(
+        sound.parts[STORED..]
+            .iter()
+            .all(|e| e[0] > 0.0 && e[1] > 0.0)
+    );
+    let by = 1e-3;
+    for n in 0..STORED {
+        for part in 0..2 {
+            let places = match n {
+                0 => vec![2 * part, 2 * part + 1],
+                1 => vec![4 + 2 * part, 5 + 2 * part],
+                _ => vec![8 + 8 * ((n - 2) / 4) + 4 * part + (n - 2) % 4],
+            };
+            for at in places {
+                let mut row = row;
+                row[at] += by;
+                let found = RowErrors::of(&row, centre).expect("decided");
+                for (m, (p, q)) in found.parts.iter().zip(&sound.parts).enumerate() {
+                    for i in 0..2 {
+                        let due = if (m, i) == (n, part) { by } else { 0.0 };
+                        assert!((p[i] - q[i] - due).abs() < 1e-12, "{n} {part} {at} {m}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Rows of one component: that of erfcx is iⁿ c_n, that of Dawson's function the imaginary part.
+#[test]
+fn rows_of_one_component() {
+    let (s, row) = imaginary_axis_at(1.3);
+    let sound = RowErrors::on_axis(row, s).expect("decided");
+    let real = (1..30)
+        .map(|k| {
+            mechaudit_solvers::faddeeva::proof::real_line::dawson_row(0.5 + 0.25 * f64::from(k))
+        })
+        .next()
+        .expect("one");
+    let t = 0.75 - real.1;
+    let dawson = RowErrors::of_dawson(&real.0, t).expect("decided");
+    for (found, row, centre) in [(&sound, *row, (0.0, s)), (&dawson, real.0, (t, 0.0))] {
+        assert_eq!(found.centre, centre);
+        for (n, e) in found.parts.iter().enumerate().take(STORED) {
+            assert!(
+                e[0] < if n < 2 { 1e-30 } else { 3e-16 } && e[1] == 0.0,
+                "{n} {e:?}"
+            );
+        }
+        assert!(
+            found.parts[STORED..]
+                .iter()
+                .all(|e| e[0] > 0.0 && e[1] == 0.0)
+        );
+        for n in 0..STORED {
+            let at = if n < 2 { 2 * n } else { n + 2 };
+            for at in if n < 2 { vec![at, at + 1] } else { vec![at] } {
+                let mut row = row;
+                row[at] += 1e-3;
+                let faulty = match centre.0 == 0.0 {
+                    true => RowErrors::on_axis(&row, s),
+                    false => RowErrors::of_dawson(&row, t),
+                };
+                let faulty = faulty.expect("decided");
+                assert!((faulty.parts[n][0] - 1e-3).abs() < 1e-9, "{n} {at}");
+            }
+        }
+    }
+}
+
+#[test]
+fn components_that_are_zero_by_symmetry() {
+    let centre = cell_at(0.0, 1.75).0;
+    assert_eq!(centre.0, 0.0);
+    let row = *cell_at(0.0, 1.75).1;
+    let sound = RowErrors::of(&row, centre).expect("decided");
+    assert!(sound.is_symmetric());
+    let axis = real_axis_at(4.0);
+    assert!(
+        !RowErrors::of(axis.1, (axis.0, 0.0))
+            .expect("decided")
+            .is_symmetric()
+    );
+    for (n, part) in [(0, 1), (1, 0), (4, 1), (7, 0)] {
+        let mut other = sound.clone();
+        other.parts[n][part] = 1e-300;
+        assert!(!other.is_symmetric(), "{n}");
+        let mut other = sound.clone();
+        other.parts[n][1 - part] = 1e-3;
+        assert!(other.is_symmetric());
+    }
+    let off = errors(vec![[1.0, 0.0]], (0.5, 1.0));
+    assert!(!off.is_symmetric());
+}
+
+#[test]
+fn errors_of_rows_bit_by_bit() {
+    let ((centre, cell), (x, real), (y, axis)) =
+        (cell_at(2.0, 2.3), real_axis_at(3.0), imaginary_axis_at(1.5));
+    let all = [
+        RowErrors::of(cell, centre),
+        RowErrors::of(real, (x, 0.0)),
+        RowErrors::on_axis(axis, y),
+        RowErrors::of_dawson(axis, x),
+    ];
+    let all = all.map(|e| e.expect("decided"));
+    let offsets = [
+        [0.0, 0.0],
+        [0.1, 0.05],
+        [0.0, 1.0],
+        [1.0, 0.0],
+        [1.0, 0.1],
+        [0.6, 0.8],
+        [0.3, 0.9],
+    ];
+    let within = all
+        .iter()
+        .flat_map(|e| offsets.map(|[dx, dy]| e.within(dx, dy)));
+    let within: Vec<Truncation> = within.collect();
+    let norms = within.iter().map(|t| t.norm).filter(|x| x.is_finite());
+    let found = [
+        counted("errors", &all),
+        largest("norms", norms),
+        counted("within", &within),
+        counted("stored", (0..STORED).map(|n| stored(cell, n))),
+    ];
+    let due = [
+        ("errors", 0xe20c1197478b9331, 4.0),
+        ("norms", 0x40f812599713ae31, 0.27574495302496443),
+        ("within", 0x657040e5186e201b, 28.0),
+        ("stored", 0x04a3ae5643574357, 18.0),
+    ];
+    bit_by_bit(&found, &due);
+}
