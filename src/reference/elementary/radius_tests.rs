@@ -184,7 +184,10 @@ fn functions_of_two_balls() {
             };
             for x in points(&x) {
                 for value in points(&y).into_iter().filter_map(|y| f(&x, &y, HIGH).ok()) {
-                    assert!(share(&found, &value) <= 1.0 + 1e-12, "{name} {a} ± {r}, {b} ± {s}");
+                    assert!(
+                        share(&found, &value) <= 1.0 + 1e-12,
+                        "{name} {a} ± {r}, {b} ± {s}"
+                    );
                 }
             }
         }
