@@ -28,6 +28,7 @@ use super::{GUARD, REACH, clipped, f64_down, inner, is_across, widened};
 use crate::{Ball, ComplexBall, Mag};
 use rug::float::{Constant, Round};
 use rug::{Float, Integer, Rational};
+use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::{Arc, Mutex};
 
 /// `T_1 … T_n`, the tangent numbers: `tan x = Σ T_k x^{2k−1}/(2k − 1)!`.
@@ -260,7 +261,7 @@ fn psi_above(z: &ComplexBall) -> Result<Mag, NoValue> {
         let size = inner(real::hypot(&z.re, &z.im, BITS))?;
         let log = real::log(&size, BITS)?.magnitude();
         let inverse = Mag::power_of_two(0).div(z.re.mignitude());
-        Ok(log.add(Mag::from_f64(1.5708)).add(inverse))
+        Ok(log.add(Mag::from_f64(FRAC_PI_2.next_up())).add(inverse))
     };
     if *z.re.mid() >= 0.5 && z.re.is_positive() {
         return right(z);
@@ -273,13 +274,14 @@ fn psi_above(z: &ComplexBall) -> Result<Mag, NoValue> {
         return Err(NoValue::Undecided("the operand is too wide"));
     }
     let s = real::sinpi(&z.re, BITS)?.mignitude();
-    let y = z.im.mignitude().mul_below(Mag::from_f64(3.14159));
+    // The double is below π.
+    let y = z.im.mignitude().mul_below(Mag::from_f64(PI));
     let sine = real::trigonometric::root_below(s.mul_below(s).add_below(y.mul_below(y)));
     if sine.is_zero() {
         return Err(NoValue::Undecided("a pole may be in the operand"));
     }
     let one = Mag::power_of_two(0);
-    let cot = one.add(one.div(sine)).mul(Mag::from_f64(3.1416));
+    let cot = one.add(one.div(sine)).mul(Mag::from_f64(PI.next_up()));
     Ok(right(&other)?.add(cot))
 }
 
