@@ -127,7 +127,7 @@ pub fn tgamma(x: &Ball, prec: u32) -> Evaluated {
     if m.is_sign_negative() && *m < -f64::from(OVERFLOW) {
         // |Γ(x)| = π/(|sin πx| Γ(1 − x)), Γ(1 − x) ≥ 2^(2^30); the ball lies between two integers.
         let size = Mag::power_of_two(-(1 << 30))
-            .mul(Mag::from_f64(1.5708))
+            .mul(Mag::from_f64(std::f64::consts::FRAC_PI_2.next_up()))
             .div(d);
         return Ok(Ball::new(Float::new(prec), size));
     }
@@ -231,8 +231,8 @@ pub fn lgamma(x: &Ball, prec: u32) -> Evaluated {
     })
 }
 
-/// ψ at a float that is no pole, at the distance `d` from the nearest.
-fn psi_at(x: &Float, d: Mag, prec: u32) -> Evaluated {
+/// ψ at a float that is no pole.
+fn psi_at(x: &Float, prec: u32) -> Evaluated {
     let e = x.get_exp().unwrap_or(0);
     let far = i64::from(e) > i64::from(prec) + i64::from(FAR);
     if x.is_sign_positive() && far {
@@ -246,7 +246,7 @@ fn psi_at(x: &Float, d: Mag, prec: u32) -> Evaluated {
         // ψ(x) = ψ(1 − x) − π cot πx
         let other = Float::with_val(x.prec() + 2, 1 - x);
         let p = prec + GUARD;
-        let lead = psi_at(&other, d, p)?;
+        let lead = psi_at(&other, p)?;
         let x = Ball::new(x.clone(), Mag::ZERO);
         let turn = super::div(&super::cospi(&x, p)?, &super::sinpi(&x, p)?, p)?;
         return super::sub(&lead, &super::mul(&turn, &Ball::pi(p), p)?, prec);
@@ -259,10 +259,10 @@ pub fn digamma(x: &Ball, prec: u32) -> Evaluated {
     let (d, curve) = away(x, "the digamma function at a pole")?;
     let m = x.mid();
     if x.rad().is_zero() {
-        return psi_at(m, d, prec);
+        return psi_at(m, prec);
     }
     if is_narrow(x.rad(), d) {
-        return super::error::widened(psi_at(m, d, prec)?, curve.mul(x.rad()));
+        return super::error::widened(psi_at(m, prec)?, curve.mul(x.rad()));
     }
     let [low, high] = ends(x, prec);
     let floor = |x: &Float| Float::with_val(x.prec(), x.floor_ref());
@@ -270,7 +270,7 @@ pub fn digamma(x: &Ball, prec: u32) -> Evaluated {
     if !apart || !high.is_finite() {
         return Err(WIDE);
     }
-    let low = psi_at(&low, d, prec + GUARD);
-    let high = psi_at(&high, d, prec + GUARD);
+    let low = psi_at(&low, prec + GUARD);
+    let high = psi_at(&high, prec + GUARD);
     super::arithmetic::between_values(low, high, prec)
 }

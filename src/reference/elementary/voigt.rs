@@ -4,7 +4,7 @@ use super::error::{of_scaled, widened};
 use super::exponential::expm1_above;
 use super::support::{BITS, NARROW, WIDE, exact, hull};
 use super::{Evaluated, NoValue, add, div, exp, mul, sqr, sqrt};
-use crate::{Ball, Mag, faddeeva};
+use crate::{Ball, ComplexBall, Mag, faddeeva};
 use rug::Float;
 
 /// Bits beyond those of the result.
@@ -92,34 +92,45 @@ pub fn voigt(x: &Ball, sigma: &Ball, gamma: &Ball, prec: u32) -> Evaluated {
     hull(prec, &Float::new(BITS), &top)
 }
 
-/// What V is off by over the balls, from the derivative of w at the midpoint.
+/// What V is off by over the balls, from derivatives of w at the midpoint.
+///
+/// For the middle σ z changes by `(d_x + i d_y)`, and V by the change of `Re w/(σ√(2π))`. A change of
+/// σ then changes V by `r_σ sup σ |∂²V/∂x²|`, and `∂²V/∂x² = Re w''/(2σ³√(2π))`, with
+/// `w'' = −2w − 2zw'` and `|w'''| ≤ 8/√π < 4.514` for Im z ≥ 0.
 fn by_slope(x: &Ball, sigma: &Ball, gamma: &Ball) -> Option<Mag> {
     let p = 2 * BITS;
     let at = |b: &Ball| Ball::new(b.mid().clone(), Mag::ZERO);
     let scale = |s: &Ball| mul(s, &sqrt(&exact(p, 2), p).ok()?, p).ok();
     let (middle, whole) = (scale(&at(sigma))?, scale(sigma)?);
-    let (re, im) = (
-        div(&at(x), &middle, p).ok()?,
-        div(&at(gamma), &middle, p).ok()?,
-    );
-    let w = faddeeva::w_float(re.mid(), im.mid(), p).ok()?;
-    // z over the balls, and how far its components are from those at which w is known.
-    let (re_all, im_all) = (div(x, &whole, p).ok()?, div(gamma, &whole, p).ok()?);
-    let from = |all: &Ball, mid: &Ball| (all - &at(mid)).magnitude();
-    let (dx, dy) = (from(&re_all, &re), from(&im_all, &im));
-    let (u, v) = (at(&re), at(&im));
-    let turned = (&u * &w.re) - (&v * &w.im);
-    let other = (&u * &w.im) + (&v * &w.re);
-    let lead = Ball::integer(p, 1) / &Ball::pi(p).sqrt();
-    // Re w' and Im w', halved.
-    let slope = turned
-        .magnitude()
-        .mul(dx)
-        .add((lead - &other).magnitude().mul(dy));
-    let rho = dx.mul(dx).add(dy.mul(dy));
-    let of_w = slope.shift(1).add(rho);
-    // V = Re w/(σ√(2π)): the change of w, and that of 1/σ.
-    let below = Mag::from_f64(0.39895).div(sigma.mignitude());
-    let turn = sigma.rad().div(Mag::below(sigma.mid()));
-    Some(below.mul(of_w.add(w.re.magnitude().mul(turn))))
+    let point = |x: &Ball, y: &Ball, s: &Ball| {
+        Some(ComplexBall::new(div(x, s, p).ok()?, div(y, s, p).ok()?))
+    };
+    let z = point(&at(x), &at(gamma), &middle)?;
+    let m = ComplexBall::new(at(&z.re), at(&z.im));
+    let w = faddeeva::w_float(m.re.mid(), m.im.mid(), p).ok()?;
+    let two = |z: ComplexBall| ComplexBall::new(z.re.shift(1), z.im.shift(1));
+    // w' = 2i/√π − 2zw
+    let product = two(&m * &w);
+    let lead = Ball::integer(p, 2) / &Ball::pi(p).sqrt();
+    let first = ComplexBall::new(-product.re, lead - &product.im);
+    let second = two(&w + &(&m * &first)).re.magnitude();
+    let off = |z: &ComplexBall| {
+        let of = |a: &Ball, b: &Ball| (a - b).magnitude();
+        [of(&z.re, &m.re), of(&z.im, &m.im)]
+    };
+    let [dx, dy] = off(&point(x, gamma, &middle)?);
+    let slope = first.re.magnitude().mul(dx);
+    let slope = slope.add(first.im.magnitude().mul(dy));
+    let of_w = slope.add(dx.mul(dx).add(dy.mul(dy)));
+    let least = sigma.mignitude();
+    // 1/√(2π) < 0.39895
+    let at_middle = Mag::from_f64(0.39895).div(least).mul(of_w);
+    if sigma.rad().is_zero() {
+        return Some(at_middle);
+    }
+    let [dx, dy] = off(&point(x, gamma, &whole)?);
+    let curve = second.add(dx.add(dy).mul(Mag::from_f64(4.514)));
+    let cube = least.mul_below(least).mul_below(least);
+    let turn = sigma.rad().mul(sigma.magnitude()).mul(curve).div(cube);
+    Some(at_middle.add(turn.mul(Mag::from_f64(0.1995))))
 }

@@ -6,6 +6,7 @@ use super::super::{ComplexEvaluated, NoValue};
 use super::{GUARD, bounded, clipped, turned, turned_back, widened};
 use crate::special::faddeeva::{Relative, slope};
 use crate::{Ball, ComplexBall, Mag};
+use std::f64::consts::FRAC_PI_4;
 
 /// A function at the midpoint of a box of radius ρ, with a relative radius of both components. An
 /// overflow of a component is one of the modulus, but need not be one all over the box.
@@ -119,8 +120,10 @@ pub fn dawson(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
     } else {
         Mag::INFINITY
     };
-    // π/4 < 0.7854: √π/2, and 2/√π of the Gaussian.
-    let bell = twice.mul(gaussian(z)).mul(Mag::from_f64(0.7854));
+    // π/4: √π/2, and the Gaussian comes with 2/√π.
+    let bell = twice
+        .mul(gaussian(z))
+        .mul(Mag::from_f64(FRAC_PI_4.next_up()));
     let far = bell.add(upper_slope(z).mul(Mag::from_f64(0.88623)));
     widened(&value, rho.mul(near.min(far)), prec)
 }

@@ -28,7 +28,8 @@ use super::{GUARD, REACH, clipped, f64_down, inner, is_across, widened};
 use crate::{Ball, ComplexBall, Mag};
 use rug::float::{Constant, Round};
 use rug::{Float, Integer, Rational};
-use std::sync::Mutex;
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::{Arc, Mutex};
 
 /// `T_1 … T_n`, the tangent numbers: `tan x = Σ T_k x^{2k−1}/(2k − 1)!`.
 fn tangent_numbers(n: usize) -> Vec<Integer> {
@@ -48,24 +49,40 @@ fn tangent_numbers(n: usize) -> Vec<Integer> {
 }
 
 /// `B_2k/(2k (2k − 1))` for k = 1 … n, with `B_2k = (−1)^{k−1} 2k T_k/(4^k (4^k − 1))`.
-fn coefficients(n: usize) -> Vec<Rational> {
-    static KNOWN: Mutex<Vec<Rational>> = Mutex::new(Vec::new());
+fn coefficients(n: usize) -> Arc<Vec<Rational>> {
+    static KNOWN: Mutex<Option<Arc<Vec<Rational>>>> = Mutex::new(None);
     let mut known = KNOWN.lock().unwrap_or_else(|broken| broken.into_inner());
-    if known.len() < n {
-        let numbers = tangent_numbers((n + n / 2).max(32));
-        *known = numbers
-            .into_iter()
-            .enumerate()
-            .map(|(i, t)| {
-                let k = i as u32 + 1;
-                let four = Integer::from(1) << (2 * k);
-                let below = Integer::from(&four - 1u32) * &four * (2 * k - 1);
-                let c = Rational::from((t, below));
-                if k.is_multiple_of(2) { -c } else { c }
-            })
-            .collect();
+    if let Some(all) = known.as_ref().filter(|all| all.len() >= n) {
+        return Arc::clone(all);
     }
-    known[..n].to_vec()
+    let numbers = tangent_numbers((n + n / 2).max(32));
+    let all = numbers.into_iter().enumerate().map(|(i, t)| {
+        let k = i as u32 + 1;
+        let four = Integer::from(1) << (2 * k);
+        let below = Integer::from(&four - 1u32) * &four * (2 * k - 1);
+        let c = Rational::from((t, below));
+        if k.is_multiple_of(2) { -c } else { c }
+    });
+    let all = Arc::new(all.collect());
+    *known = Some(Arc::clone(&all));
+    all
+}
+
+/// About as many terms of Stirling's series as make its remainder less than 2^-p, or the least; the
+/// ratio of the bounds on R_{n+1} and R_n is nearly `2n (2n − 1) c/(4π² |z|²)`, c the factor of the
+/// sector.
+fn terms(log_size: f64, sector: f64, p: u32) -> usize {
+    let mut log = -log_size;
+    let mut n = 1;
+    loop {
+        let k = 2.0 * n as f64;
+        let ratio = (k * (k - 1.0) * sector / 39.478).log2() - 2.0 * log_size;
+        if ratio >= 0.0 || log < -f64::from(p) {
+            return n + 1;
+        }
+        log += ratio;
+        n += 1;
+    }
 }
 
 /// Stirling's series at an exact z with Re z ≥ 1/2, in balls of `p` bits.
@@ -83,11 +100,11 @@ fn stirling(z: &ComplexBall, p: u32) -> ComplexEvaluated {
     let inverse = Mag::power_of_two(0).div(least);
     let square = inverse.mul(inverse);
     let due = Mag::power_of_two(-i64::from(p));
-    // Terms until the bound on the remainder is small; it falls up to about π|z| terms.
-    let most = (p as usize / 3).max(16);
+    let log_size = least.exponent().unwrap_or(0) as f64;
+    let most = terms(log_size, sector.to_f64().max(1.0), p);
     let all = coefficients(most + 1);
     let (mut power, mut turn, mut terms, mut rest) = (inverse, sector, 0, Mag::INFINITY);
-    for c in &all {
+    for c in all.iter() {
         let size = Mag::above(&Float::with_val_round(53, c, Round::AwayZero).0);
         // R_n with n = terms + 1.
         let bound = size.mul(power).mul(turn);
@@ -244,7 +261,7 @@ fn psi_above(z: &ComplexBall) -> Result<Mag, NoValue> {
         let size = inner(real::hypot(&z.re, &z.im, BITS))?;
         let log = real::log(&size, BITS)?.magnitude();
         let inverse = Mag::power_of_two(0).div(z.re.mignitude());
-        Ok(log.add(Mag::from_f64(1.5708)).add(inverse))
+        Ok(log.add(Mag::from_f64(FRAC_PI_2.next_up())).add(inverse))
     };
     if *z.re.mid() >= 0.5 && z.re.is_positive() {
         return right(z);
@@ -257,13 +274,14 @@ fn psi_above(z: &ComplexBall) -> Result<Mag, NoValue> {
         return Err(NoValue::Undecided("the operand is too wide"));
     }
     let s = real::sinpi(&z.re, BITS)?.mignitude();
-    let y = z.im.mignitude().mul_below(Mag::from_f64(3.14159));
+    // The double is below π.
+    let y = z.im.mignitude().mul_below(Mag::from_f64(PI));
     let sine = real::trigonometric::root_below(s.mul_below(s).add_below(y.mul_below(y)));
     if sine.is_zero() {
         return Err(NoValue::Undecided("a pole may be in the operand"));
     }
     let one = Mag::power_of_two(0);
-    let cot = one.add(one.div(sine)).mul(Mag::from_f64(3.1416));
+    let cot = one.add(one.div(sine)).mul(Mag::from_f64(PI.next_up()));
     Ok(right(&other)?.add(cot))
 }
 
