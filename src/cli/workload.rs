@@ -27,6 +27,18 @@ pub struct Selection<'a> {
     pub laws: bool,
 }
 
+impl<'a> Selection<'a> {
+    /// Selects cases for code other than the method's own solver: the method's laws are left out.
+    pub fn new(place: &'a WhereArgs, scope: &'a ScopeArgs) -> Selection<'a> {
+        Selection {
+            place,
+            scope,
+            input: None,
+            laws: false,
+        }
+    }
+}
+
 /// The methods of a run, each over the part of its domain that is judged.
 pub struct Workload<'a> {
     pub methods: Vec<Variant<'a>>,

@@ -1,6 +1,6 @@
 //! Every number that sets an amount of work: what cannot end is refused at once, with the limit.
 
-use crate::common::{command, file, refused, run, said, words};
+use crate::common::{cells, command, file, refused, run, said, words};
 use std::time::{Duration, Instant};
 
 /// A refusal, and nobody waits for it.
@@ -23,58 +23,31 @@ fn arguments_that_ask_for_too_much() {
         let due = "must be a whole number from 3 to 100000";
         refused_at_once(&format!("{run_up} {nodes}"), due);
     }
-    for (line, part) in [
-        (
-            "linkage examples/four-bar.toml --step-deg 1e-300",
-            "more than 10000000 crank angles",
-        ),
-        (
-            "linkage examples/jansen-leg.toml --step-deg 1e-9",
-            "more than 10000000 crank angles",
-        ),
-        (
-            "linkage examples/sand-screen.toml --digits 1e6",
-            "from 1 to 1000",
-        ),
-        ("eval erf --digits 1e6", "from 1 to 10000"),
-        ("eval erf --threads 1e6", "from 1 to 1024"),
-        (
-            "runup examples/four-bar-run-up.toml --tolerance 1e-300",
-            "between 1e-14 and 1e-2",
-        ),
-        (
-            "chirp examples/chirp-chart.toml --harmonics 1e9",
-            "from 1 to 100000",
-        ),
-        (
-            "prove erf --component 1e-9",
-            "must be at least 0.5: rounding the exact value",
-        ),
-        ("prove faddeeva --component 1e-9", "must be at least 0.5"),
-        ("prove faddeeva --norm 0.49", "must be at least 0.5"),
-        (
-            "prove faddeeva --within 1e-320",
-            "no rectangle lies below it",
-        ),
-        (
-            "prove faddeeva --part lower --within 1e-320",
-            "no rectangle lies below it",
-        ),
-        ("hunt erf --evals 1e15", "years; more than 30 days"),
-        ("audit erf --cases 1e15", "years; more than 30 days"),
-        ("audit --cases 1e15", "years; more than 30 days"),
-        (
-            "compare erf --exec true --cases 1e15",
-            "years; more than 30 days",
-        ),
-        ("points erf --count 1e15", "more than 30 days or 1e12 bytes"),
-        ("atlas --cases 1e15", "from 1 to 1000000"),
-        (
-            "campaign plan examples/campaign.toml --shards 1e9 --output none",
-            "from 1 to 1000000",
-        ),
-    ] {
-        refused_at_once(line, part);
+    let lines = "
+        linkage examples/four-bar.toml --step-deg 1e-300 | more than 10000000 crank angles
+        linkage examples/jansen-leg.toml --step-deg 1e-9 | more than 10000000 crank angles
+        linkage examples/sand-screen.toml --digits 1e6 | from 1 to 1000
+        eval erf --digits 1e6 | from 1 to 10000
+        eval erf --threads 1e6 | from 1 to 1024
+        runup examples/four-bar-run-up.toml --tolerance 1e-300 | between 1e-14 and 1e-2
+        chirp examples/chirp-chart.toml --harmonics 1e9 | from 1 to 100000
+        prove erf --component 1e-9 | must be at least 0.5: rounding the exact value
+        prove faddeeva --component 1e-9 | must be at least 0.5
+        prove faddeeva --norm 0.49 | must be at least 0.5
+        prove faddeeva --within 1e-320 | no rectangle lies below it
+        prove faddeeva --part lower --within 1e-320 | no rectangle lies below it
+        hunt erf --evals 1e15 | years; more than 30 days
+        audit erf --cases 1e15 | years; more than 30 days
+        audit --cases 1e15 | years; more than 30 days
+        compare erf --exec true --cases 1e15 | years; more than 30 days
+        points erf --count 1e15 | more than 30 days or 1e12 bytes
+        atlas --cases 1e15 | from 1 to 1000000
+        campaign plan examples/campaign.toml --shards 1e9 --output none | from 1 to 1000000
+        --cases 99999999999999 | years; more than 30 days
+        audit erf --cases 99999999999999 --exec cat | years; more than 30 days
+    ";
+    for [line, part] in cells(lines) {
+        refused_at_once(&line, &part);
     }
 }
 
@@ -86,57 +59,25 @@ fn files_that_ask_for_too_much() {
         assert!(text.contains(from), "{from}");
         file(&folder, "made.toml", &text.replace(from, to))
     };
-    for (command, example, from, to, part) in [
-        (
-            "runup",
-            "four-bar-run-up.toml",
-            "duration = \"2 s\"",
-            "duration = \"1e300 s\"",
-            "ten million samples",
-        ),
-        (
-            "runup",
-            "four-bar-run-up.toml",
-            "step = \"2 ms\"",
-            "step = \"1e-300 s\"",
-            "ten million samples",
-        ),
-        (
-            "runup",
-            "four-bar-run-up.toml",
-            "step = \"2 ms\"",
-            "coefficients = \"splines\"\nnodes = 100000000",
-            "1e8 nodes over a turn, at most 100000 are taken",
-        ),
-        (
-            "chirp",
-            "chirp-run-up.toml",
-            "duration = \"12 s\"",
-            "duration = \"1e300 s\"",
-            "at most 1e10 rows",
-        ),
-        (
-            "chirp",
-            "chirp-chart.toml",
-            "step = 0.1",
-            "step = 1e-300",
-            "at most 1e5 points",
-        ),
-        (
-            "chirp",
-            "chirp-chart.toml",
-            "step = 0.1",
-            "step = 0.0002",
-            "with 100000 harmonics take about",
-        ),
-    ] {
-        let path = change(example, from, to);
+    let files = r#"
+        runup | four-bar-run-up.toml | duration = "2 s" | duration = "1e300 s" | ten million samples
+        runup | four-bar-run-up.toml | step = "2 ms" | step = "1e-300 s" | ten million samples
+        runup | four-bar-run-up.toml | step = "2 ms" | coefficients = "splines"\nnodes = 100000000 | 1e8 nodes over a turn, at most 100000 are taken
+        chirp | chirp-run-up.toml | duration = "12 s" | duration = "1e300 s" | at most 1e10 rows
+        chirp | chirp-chart.toml | step = 0.1 | step = 1e-300 | at most 1e5 points
+        chirp | chirp-chart.toml | step = 0.1 | step = 0.0002 | with 100000 harmonics take about
+    "#;
+    for [command, example, from, to, part] in cells(files) {
+        let path = change(&example, &from, &to);
         let more: &[&str] = match part.contains("harmonics") {
             true => &["--harmonics", "1e5"],
             false => &[],
         };
         let begin = Instant::now();
-        refused(&run(&[&[command, path.as_str()], more].concat()), part);
+        refused(
+            &run(&[&[command.as_str(), path.as_str()], more].concat()),
+            &part,
+        );
         assert!(begin.elapsed() < Duration::from_secs(60), "{part}");
     }
     let plan = file(

@@ -302,10 +302,6 @@ fn usage() {
     assert!(good(&["--help"], "").contains("Examples:"));
     let refusal = |args: &[&str], part: &str| refused(&eval(args, b""), &[part], "");
     refusal(&[], "NAME");
-    refusal(
-        &["fadeeva"],
-        "there is no method \"fadeeva\" (did you mean \"faddeeva\"?); there are: tridiagonal, ",
-    );
     refusal(&[W, "--digits", "0"], "--digits");
     refusal(&[W, "--digits", "10001"], "--digits");
     refusal(&[W, "--threads", "0"], "--threads");

@@ -114,11 +114,10 @@ fn hold(name: &str, head: &str, chosen: impl Fn(&str) -> bool) {
         for block in blocks(&**method) {
             let line = line(&**method, &block);
             if !known.contains(&line[..]) {
-                let of = block.len();
                 let said = standing(&**method, &block);
-                eprintln!(
-                    "other bits: {line}; verdicts and shares of budgets of some of {of}: {said}"
-                );
+                eprintln!("other bits: {line}");
+                eprintln!("    verdicts and shares of budgets of some of these cases: {said}");
+                eprintln!("    `mechaudit audit {}` judges more", method.name());
             }
             writeln!(text, "{line}").expect("text");
         }

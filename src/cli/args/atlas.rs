@@ -26,7 +26,7 @@ Exit codes: 0, whatever became of the claims; 2, bad usage or input; 130, ended 
 /// Arguments of `atlas`.
 #[derive(ClapArgs, Debug)]
 pub struct AtlasArgs {
-    /// These algorithms only, and of the claims those about them
+    /// Only these algorithms and the claims about them
     #[arg(long, value_name = "NAME", num_args = 1..)]
     pub only: Vec<String>,
     /// Show the algorithms at this point beside the certified value, and nothing else; the
@@ -46,7 +46,7 @@ pub struct AtlasArgs {
     /// Key of the random stream [default: 1]
     #[arg(long, value_name = "SEED", value_parser = number::whole)]
     pub seed: Option<u64>,
-    /// Leave the speed out
+    /// Do not measure speed
     #[arg(long)]
     pub no_speed: bool,
     /// Form of the report

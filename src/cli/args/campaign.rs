@@ -30,15 +30,15 @@ pub struct CampaignArgs {
 /// The steps of a campaign.
 #[derive(Debug, Subcommand)]
 pub enum CampaignStep {
-    /// Cut a plan into shards: makes the campaign's folder
+    /// Cut a plan into shards and create the campaign's folder
     Plan(PlanArgs),
-    /// Do the shards that are missing
+    /// Run the missing shards
     Run(CampaignRunArgs),
-    /// Say what is done and what is not
+    /// Show which shards are done
     Status(StatusArgs),
     /// Add up all shards: JSON on standard output
     Merge(MergeArgs),
-    /// Write one HTML page of what is done until now
+    /// Write one HTML page of the results so far
     Report(CampaignReportArgs),
 }
 
@@ -89,7 +89,7 @@ pub struct MergeArgs {
     /// Add inputs worse than any recorded to METHOD.csv in this folder of hard cases, as hunts do
     #[arg(long, value_name = "DIR")]
     pub hard: Option<PathBuf>,
-    /// Write to this file, whole or not at all; - is standard output
+    /// Write atomically to FILE (`-` is standard output)
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }
@@ -99,7 +99,7 @@ pub struct MergeArgs {
 pub struct CampaignReportArgs {
     /// The campaign's folder
     pub folder: PathBuf,
-    /// Write to this file, whole or not at all; - is standard output
+    /// Write atomically to FILE (`-` is standard output)
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }

@@ -37,7 +37,7 @@ pub struct CompareArgs {
     pub place: WhereArgs,
     #[command(flatten)]
     pub scope: ScopeArgs,
-    /// Leave the speed out
+    /// Do not measure speed
     #[arg(long)]
     pub no_speed: bool,
     /// Show the changes since this report of `compare` or `audit` in JSON

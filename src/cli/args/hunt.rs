@@ -33,8 +33,8 @@ pub struct HuntArgs {
     /// Seed of the random stream
     #[arg(long, value_name = "SEED", default_value = "1", value_parser = number::whole)]
     pub seed: u64,
-    /// Climb from the hard cases in this folder, and add what is worse; those built in otherwise,
-    /// and nothing is added
+    /// Climb from the hard cases in this folder and add worse inputs; without it climb from the
+    /// built-in ones and add nothing
     #[arg(long, value_name = "DIR")]
     pub hard: Option<PathBuf>,
 }

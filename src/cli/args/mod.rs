@@ -67,8 +67,8 @@ Exit codes:
   0    all as expected
   1    an accuracy finding that is not a recorded one, or a digit left undecided
   2    bad usage or input
-  130  ended by Ctrl-C: the report holds what was judged until then and says so; a second Ctrl-C
-       ends the program at once, without a report";
+  130  ended by Ctrl-C: the report holds what was judged until then; a second
+       Ctrl-C ends the program at once, without a report";
 
 /// Audits the accuracy of mechanism solvers against certified references, and published tables
 /// against recomputed ones.

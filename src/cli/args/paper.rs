@@ -19,7 +19,7 @@ Examples:
 pub struct PaperArgs {
     /// The paper's key, see `mechaudit list`
     pub key: String,
-    /// Every formula with its proof, its refutation or its smallest repair
+    /// Show every formula with its proof, its refutation or its smallest repair
     #[arg(long)]
     pub ledger: bool,
     /// Compare the ledger with the file instead of writing it; exit code 1 if they differ

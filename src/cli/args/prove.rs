@@ -51,7 +51,7 @@ pub struct ProveArgs {
     /// The function
     #[arg(value_parser = ["faddeeva", "erf", "erfc", "erfcx", "dawson"])]
     pub function: String,
-    /// Where; faddeeva alone
+    /// Part of the plane; only for faddeeva
     #[arg(long, value_enum)]
     pub part: Option<Part>,
     /// Halve rectangles until the error of the norm is at most this, in units of 2^-52; faddeeva
@@ -62,7 +62,7 @@ pub struct ProveArgs {
     /// place; intervals until that of the value is [default: 4; of a real argument 0.875]
     #[arg(long, value_name = "C", value_parser = super::number::bound)]
     pub component: Option<f64>,
-    /// faddeeva alone: only where Re z and Im z are below this; without it every finite number
+    /// Only where Re z and Im z are below this, for faddeeva; without it every finite number
     #[arg(long, value_name = "R", value_parser = super::number::positive)]
     pub within: Option<f64>,
     /// Write the rectangles to this file

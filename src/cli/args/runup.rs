@@ -56,7 +56,7 @@ pub struct RunupArgs {
     /// Form of the rows
     #[arg(long, value_enum, default_value = "csv")]
     pub format: RowsFormat,
-    /// Where I_n, dI_n/dphi and M_o come from, instead of run.coefficients
+    /// Source of I_n, dI_n/dphi and M_o, instead of run.coefficients
     #[arg(long, value_name = "MODEL", value_parser = coefficients())]
     pub coefficients: Option<Coefficients>,
     /// Nodes of the splines, instead of run.nodes; not with exact coefficients

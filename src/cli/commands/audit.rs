@@ -33,11 +33,10 @@ use std::time::Instant;
 /// method and finding. With `verbose` all of it in full, below.
 pub fn everything(args: &RunArgs, verbose: bool) -> Result<Outcome, Failure> {
     let methods = methods::registry();
+    let (place, scope) = Default::default();
     let selection = Selection {
-        place: &Default::default(),
-        scope: &Default::default(),
-        input: None,
         laws: true,
+        ..Selection::new(&place, &scope)
     };
     let workload = Workload::of_all(&methods, selection, workload::settings(args)?)?;
     workload.check()?;
@@ -191,10 +190,9 @@ fn settings(args: &AuditArgs) -> Result<Settings, Failure> {
 /// Returns the part of the arguments that selects cases.
 fn selection(args: &AuditArgs) -> Selection<'_> {
     Selection {
-        place: &args.place,
-        scope: &args.scope,
         input: args.at.as_ref().map(|Numbers(input)| input.as_slice()),
         laws: args.program.exec.is_none(),
+        ..Selection::new(&args.place, &args.scope)
     }
 }
 

@@ -38,12 +38,7 @@ pub fn compare(args: &CompareArgs) -> Result<Outcome, Failure> {
         settings.points = POINTS;
     }
     let method = lookup::method(&args.method)?;
-    let selection = Selection {
-        place: &args.place,
-        scope: &args.scope,
-        input: None,
-        laws: false,
-    };
+    let selection = Selection::new(&args.place, &args.scope);
     let output = Output::open(args.output.as_deref())?;
     let before = args
         .baseline

@@ -23,12 +23,7 @@ pub fn points(args: &PointsArgs) -> Result<Outcome, Failure> {
         single: args.single,
         ..ScopeArgs::default()
     };
-    let selection = Selection {
-        place: &args.place,
-        scope: &scope,
-        input: None,
-        laws: false,
-    };
+    let selection = Selection::new(&args.place, &scope);
     let workload = Workload::of_one(&*method, selection, settings)?;
     let cases = Cases::new(&workload.methods[0], &workload.settings);
     if workload.one.is_none() {

@@ -4,7 +4,7 @@ use super::data::BITS;
 use super::entries::certified;
 use super::motion::{DIGITS, Motion, TIMES};
 use super::printed::{Printed, QUANTITIES, kind, unit};
-use crate::papers::ledger::{Ledger, Verdict};
+use crate::papers::ledger::{Ledger, Verdict, proved};
 use crate::papers::{Draft, Finding, FindingVerdict, Subject, figure, figures, known, shown};
 use crate::reference::{Ball, Mag};
 
@@ -23,19 +23,17 @@ pub(super) fn all(ledger: &Ledger, printed: &[Printed], motion: &Motion) -> Vec<
 }
 
 fn equations(ledger: &Ledger) -> Finding {
-    let proved = ledger.count(Verdict::Proved);
-    Draft::new("equations", Subject::Formula, "M, f, g, G")
-        .verdict(FindingVerdict::Confirmed)
-        .titled(format!("{proved} printed equations are proved"))
-        .text(
-            "The constraints are the loops of the bodies, G their Jacobian, M and f what \
-             Lagrange's equations give for the kinetic energy of the seven bodies and the spring. \
-             The ledger lists every one.",
-        )
-        .figures(figures! {
-            "entries of the ledger": "{}", ledger.entries.len() => "1";
-        })
-        .recorded_if(ledger.as_recorded())
+    proved(
+        ledger,
+        ["equations", "M, f, g, G"],
+        format!(
+            "{} printed equations are proved",
+            ledger.count(Verdict::Proved)
+        ),
+        "The constraints are the loops of the bodies, G their Jacobian, M and f what \
+         Lagrange's equations give for the kinetic energy of the seven bodies and the spring. \
+         The ledger lists every one.",
+    )
 }
 
 /// The one whose last digit at t = 0 is wrong.

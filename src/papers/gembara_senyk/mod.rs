@@ -12,8 +12,8 @@ mod ledger;
 
 pub use ledger::items;
 
-use super::ledger::{Ledger, Verdict};
-use super::{Citation, Draft, Finding, FindingVerdict, PaperReport, Progress, Subject, figures};
+use super::ledger::{Ledger, Verdict, proved};
+use super::{Citation, Finding, PaperReport, Progress};
 use crate::reference::Undecided;
 
 /// The name used on the command line.
@@ -48,18 +48,16 @@ pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
 }
 
 fn of_the_ledger(ledger: &Ledger) -> Vec<Finding> {
-    let proved = ledger.count(Verdict::Proved);
-    let proved = Draft::new("ledger-proved", Subject::Formula, "(1)-(19)")
-        .verdict(FindingVerdict::Confirmed)
-        .titled(format!("{proved} formulas and steps are proved as printed"))
-        .text(
-            "The difference of both sides has the normal form zero in the exact algebra. The \
-             ledger lists every entry with its requirements.",
-        )
-        .figures(figures! {
-            "entries of the ledger": "{}", ledger.entries.len() => "1";
-        })
-        .recorded_if(ledger.as_recorded());
+    let proved = proved(
+        ledger,
+        ["ledger-proved", "(1)-(19)"],
+        format!(
+            "{} formulas and steps are proved as printed",
+            ledger.count(Verdict::Proved)
+        ),
+        "The difference of both sides has the normal form zero in the exact algebra. The \
+         ledger lists every entry with its requirements.",
+    );
     let wrong = ledger.entries.iter().filter_map(super::ledger::finding);
     wrong.chain([proved]).collect()
 }

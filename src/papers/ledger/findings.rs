@@ -1,7 +1,7 @@
 //! An entry of a ledger as a finding of a paper's report.
 
-use super::{LedgerEntry, Verdict};
-use crate::papers::{Figure, Finding, FindingVerdict, Subject};
+use super::{Ledger, LedgerEntry, Verdict};
+use crate::papers::{Draft, Figure, Finding, FindingVerdict, Subject, figures};
 use crate::symbolic::Outcome;
 
 /// The contribution of an entry that is wrong, or of a claim about the model that was tested, to
@@ -70,4 +70,22 @@ pub fn finding(e: &LedgerEntry) -> Option<Finding> {
         figures,
         as_recorded: e.as_recorded,
     })
+}
+
+/// The finding that the formulas of a ledger are proved, but for those with findings of their own.
+pub(in crate::papers) fn proved(
+    ledger: &Ledger,
+    [id, place]: [&'static str; 2],
+    title: impl Into<String>,
+    text: &str,
+) -> Finding {
+    Draft::new(id, Subject::Formula, place)
+        .verdict(FindingVerdict::Confirmed)
+        .titled(title)
+        .text(text)
+        .figures(figures! {
+            "entries of the ledger": "{}", ledger.entries.len() => "1";
+            "proved": "{}", ledger.count(Verdict::Proved) => "1";
+        })
+        .recorded_if(ledger.as_recorded())
 }

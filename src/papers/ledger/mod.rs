@@ -18,6 +18,7 @@ mod requirement;
 
 pub use decide::decide;
 pub use findings::finding;
+pub(super) use findings::proved;
 pub use item::Item;
 pub use requirement::Requirement;
 

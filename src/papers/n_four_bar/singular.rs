@@ -13,9 +13,9 @@
 //! For N windows in a row this leaves circles: cranks l to r turn as one, all before them point
 //! right, all after them left. There are `(N + 1)(N + 2)/2` of them. Two circles meet only where
 //! all bars lie on one line: in the position with the first s cranks to the right and the others to
-//! the left, s = 0 to N + 1, where N + 1 circles meet; circle (l, r) goes through s = l and s = r +
-//! 1. So every position but these N + 2 has one degree of freedom, and these have N + 1 curves
-//! through them.
+//! the left, s = 0 to N + 1, where N + 1 circles meet; circle (l, r) goes through s = l and
+//! s = r + 1. So every position but these N + 2 has one degree of freedom, and these have N + 1
+//! curves through them.
 //!
 //! Where two neighbouring cranks lie on the ground, the window between them is on one line and
 //! loses a rank: a circle with more than one crank before its block, or after it, is singular all

@@ -1,7 +1,7 @@
 //! The verdicts.
 
 use super::drawing::{BITS, Drawn, FourBar, degrees, nearest_leaves, point, undecided};
-use crate::papers::ledger::{Ledger, Verdict};
+use crate::papers::ledger::{Ledger, proved};
 use crate::papers::{Draft, Finding, FindingVerdict, Subject, figure, figures};
 use crate::reference::{Ball, ComplexBall, Undecided};
 use rug::Rational;
@@ -46,14 +46,13 @@ fn in_degrees(angle: &Ball) -> Ball {
 }
 
 fn equations(ledger: &Ledger) -> Finding {
-    Draft::new("equations", Subject::Formula, "ledger")
-        .verdict(FindingVerdict::Confirmed)
-        .titled("What the verdicts rest on is proved")
-        .text("Positions by two circles, the side of the line between their centres, a slider next to a tangency.")
-        .figures(figures! {
-            "entries proved": "{}", ledger.count(Verdict::Proved) => "1";
-        })
-        .recorded_if(ledger.as_recorded())
+    proved(
+        ledger,
+        ["equations", "ledger"],
+        "What the verdicts rest on is proved",
+        "Positions by two circles, the side of the line between their centres, a slider next to a \
+         tangency.",
+    )
 }
 
 /// Dead angle of the crank from the frame.

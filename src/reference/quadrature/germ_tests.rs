@@ -1,3 +1,4 @@
+use super::super::growth::Side::{Lower, Upper};
 use super::*;
 
 const BITS: u32 = 300;
@@ -68,7 +69,7 @@ fn check((name, germ, value): &Case, end: &End, k: u32, due: [f64; 3]) {
 #[test]
 fn formulas_next_to_zero() {
     let end = End::Above(Ball::integer(64, 0));
-    let cases: [(Case, [f64; 3]); 24] = [
+    let cases: [(Case, [f64; 3]); 26] = [
         (
             ("x^2 - x", |x| x.mul(x)?.sub(x), |x| x.square() - x),
             [1.0, 0.0, 0.0],
@@ -194,6 +195,25 @@ fn formulas_next_to_zero() {
         (
             ("atan(x)/x", |x| x.atan()?.div(x), |x| x.atan2(&int(1)) / x),
             [0.0; 3],
+        ),
+        (
+            (
+                "x^0.1 sin x",
+                |x| x.pow(&Ball::exact(64, 0.1))?.mul(&x.sin()?),
+                |x| (x.ln() * Ball::exact(64, 0.1)).exp() * sin(x),
+            ),
+            [1.1, 0.0, 0.0],
+        ),
+        (
+            (
+                "x^0.1 - x^1.1",
+                |x| {
+                    let power = x.pow(&Ball::exact(64, 0.1))?;
+                    power.sub(&power.mul(x)?)
+                },
+                |x| (x.ln() * Ball::exact(64, 0.1)).exp() * (int(1) - x),
+            ),
+            [0.1, 0.0, 0.0],
         ),
         (
             (

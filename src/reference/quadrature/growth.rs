@@ -37,7 +37,7 @@ impl Side {
     }
 
     /// The sum, rounded up or down; what an addition rounds off is a double itself.
-    fn add(self, a: f64, b: f64) -> f64 {
+    pub(super) fn add(self, a: f64, b: f64) -> f64 {
         let sum = a + b;
         let back = sum - a;
         let rest = (a - (sum - back)) + (b - back);
@@ -236,7 +236,7 @@ impl Growth {
 
     /// A bound on the power with a positive exponent that lies between two numbers.
     pub(super) fn raised(&self, [low, high]: [f64; 2], side: Side) -> Option<Growth> {
-        if !(0.0 < low && low <= high && high.is_finite()) || !self.is_proper() {
+        if !(0.0 < low && low <= high && high.is_finite() && self.is_proper()) {
             return None;
         }
         let of = |x: f64, side: Side| {

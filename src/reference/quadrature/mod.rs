@@ -15,13 +15,14 @@
 //!   negligible; the rest widens the result. The panels next to the end are laid out in geometric progression.
 //! * An integral that does not reach its goal says where ([`Hindrance`]). Its ball holds the integral
 //!   nevertheless.
-#![allow(clippy::module_inception)]
 
 mod adaptive;
+mod bounds;
 mod germ;
 mod growth;
 mod improper;
 mod nodes;
+mod series;
 
 pub use germ::Germ;
 pub use growth::Growth;

@@ -25,7 +25,8 @@ use rug::{Float, Rational};
 use std::cmp::Ordering;
 use std::collections::VecDeque;
 
-/// Intervals are halved so often until they are returned as undecided.
+/// Binary places of the length below which an interval is undecided, or of its share of the whole
+/// where that is longer than 1.
 const HALVINGS: u32 = 160;
 
 /// Bits of precision that are tried first.
@@ -181,6 +182,7 @@ where
     fn refine(
         &mut self,
         piece: &Piece,
+        reach: Mag,
         first: u32,
         goal: u32,
     ) -> Result<Option<Ball>, RootError<E>> {
@@ -193,7 +195,9 @@ where
         }
         for _ in 0..ROUNDS {
             let x = Ball::between(bits, &lo, &hi);
-            if x.accuracy_bits() >= i64::from(goal) {
+            // Two bits more, which `Ball::accuracy_bits` may round off.
+            let shift = -i64::from(goal) - 2;
+            if x.rad() <= x.mignitude().max(reach.shift(shift)).shift(shift) {
                 return Ok(Some(x.with_prec(bits.min(goal + 32))));
             }
             let slope = self.slope(&x, bits)?;
@@ -328,6 +332,9 @@ where
         }
         return Ok(found);
     }
+    let width = Float::with_val(64, Rational::from(hi - lo)).get_exp();
+    let deepest = HALVINGS + width.map_or(0, |e| e.max(0).unsigned_abs());
+    let reach = over(FIRST, lo, hi).magnitude();
     let mut pieces = VecDeque::from([Piece {
         low,
         high,
@@ -347,14 +354,14 @@ where
             Verdict::None => {}
             Verdict::Low => found.roots.push(Ball::rational(goal + 2, &ends.0)),
             Verdict::High => found.roots.push(Ball::rational(goal + 2, &ends.1)),
-            Verdict::One => match function.refine(&piece, bits, goal)? {
+            Verdict::One => match function.refine(&piece, reach, bits, goal)? {
                 Some(root) => found.roots.push(root),
                 None => {
                     found.reason = "a simple root is known to fewer bits than were asked for";
                     found.open.push(ends);
                 }
             },
-            Verdict::Open if piece.depth >= HALVINGS => found.open.push(ends),
+            Verdict::Open if piece.depth >= deepest => found.open.push(ends),
             Verdict::Open => match function.split(&piece, bits)? {
                 None => found.open.push(ends),
                 Some(middle) => {
@@ -384,8 +391,8 @@ where
     Ok(found)
 }
 
-/// Returns all roots of f in `[lo, hi]`, in ascending order, each to a relative accuracy of
-/// `2^-goal`. That there are no others is proved, and that they are simple. At most `limit` pieces
+/// Returns all roots of f in `[lo, hi]`, in ascending order, each to `2^-goal` of its size, or of
+/// `2^-goal` of the end that is farther from zero where it is smaller than that. That there are no others is proved, and that they are simple. At most `limit` pieces
 /// of the interval are looked at. An end is a root where f is exactly zero there.
 ///
 /// f and df enclose the function and its derivative over a ball, at a number of bits; a ball
@@ -421,8 +428,8 @@ where
     })
 }
 
-/// Returns the root of f in `[lo, hi]` to a relative accuracy of `2^-goal`, proved to be the only
-/// one, and simple. An end is a root where f is exactly zero there.
+/// Returns the root of f in `[lo, hi]`, proved to be the only one, and simple. The accuracy is as in
+/// [`all_roots`]. An end is a root where f is exactly zero there.
 ///
 /// # Errors
 /// [`RootError`]: as [`all_roots`], and where no root or more than one is proved.

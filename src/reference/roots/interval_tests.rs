@@ -117,6 +117,24 @@ fn multiple_roots_are_undecided_at_their_place() {
     assert!(matches!(unique(&c, q(0, 1), q(1, 1)), Err(RootError::None)));
 }
 
+/// A root at zero of a function that is not exactly zero there, and ends far from the root.
+#[test]
+fn small_roots_and_large_intervals() {
+    // x + 1/3 − (1/9 + 2/9)
+    let f = |x: &Ball, bits: u32| {
+        let [third, ninth] = [q(1, 3), q(1, 9)].map(|q| Ball::rational(bits, &q));
+        Ok::<_, Infallible>(x + third - (&ninth + ninth.shift(1)))
+    };
+    let df = |_: &Ball, bits: u32| Ok(Ball::integer(bits, 1));
+    let root = unique_root(f, df, &q(-3, 1), &q(2, 1), 100).unwrap();
+    assert!(root.contains(&Rational::new()) && root.rad() < Mag::power_of_two(-198));
+    // (x − 1/3) (x − 2/3) in ±10³⁰⁰.
+    let far = Rational::from_f64(1e300).unwrap();
+    let roots = all(&with_roots(&[q(1, 3), q(2, 3)]), Rational::from(-&far), far).unwrap();
+    assert!(roots.len() == 2 && roots[0].contains(&q(1, 3)) && roots[1].contains(&q(2, 3)));
+    assert!(roots.iter().all(|x| x.rad() < Mag::from_f64(1e290)));
+}
+
 /// sin over 1000 radians, and a limit that is too small for it.
 #[test]
 fn all_roots_of_a_sine() {

@@ -278,22 +278,18 @@ fn ends(x: &Ball) -> [f64; 2] {
     [x.lower().to_f64().next_down(), x.upper().to_f64().next_up()]
 }
 
-/// Each component to `2^-goal` of itself, or of the largest one where it may be zero.
+/// Checks that each component is known to `2^-goal` of its size, or of `2^-goal` of the largest one
+/// where it is smaller than that; all are measured by 1 where none is known to differ from zero.
 fn is_known(x: &[Ball], goal: u32) -> bool {
+    // Two bits more, which `Ball::accuracy_bits` may round off.
+    let shift = -i64::from(goal) - 2;
     let largest = x.iter().fold(Mag::ZERO, |m, x| m.max(x.mignitude()));
-    let reach = if largest.is_zero() {
-        Mag::from_f64(1.0)
-    } else {
-        largest
+    let reach = match largest.is_zero() {
+        true => Mag::from_f64(1.0),
+        false => largest,
     };
-    x.iter().all(|x| {
-        let scale = if x.contains_zero() {
-            reach
-        } else {
-            x.mignitude()
-        };
-        x.rad() <= scale.shift(-i64::from(goal))
-    })
+    let is_known = |x: &Ball| x.rad() <= x.mignitude().max(reach.shift(shift)).shift(shift);
+    x.iter().all(is_known)
 }
 
 fn check<E>(name: &'static str, found: usize, due: usize) -> Result<(), SystemError<E>> {
@@ -310,9 +306,9 @@ fn finite<E>(row: usize, x: f64) -> Result<Float, SystemError<E>> {
     }
 }
 
-/// Encloses the solution that Newton's method finds from a start, each unknown to a relative
-/// accuracy of `2^-goal`, or to that share of the largest one where it may be zero. It is proved to
-/// exist, and to be the only one in a box around it.
+/// Encloses the solution that Newton's method finds from a start, each unknown to `2^-goal` of its
+/// size, or of `2^-goal` of the largest one where it is smaller than that. It is proved to exist,
+/// and to be the only one in a box around it.
 ///
 /// ```
 /// use mechaudit_reference::{Ball, roots::systems};
@@ -332,7 +328,7 @@ fn finite<E>(row: usize, x: f64) -> Result<Float, SystemError<E>> {
 /// }
 /// let x = systems::near(&mut Meeting, &[1.0, 0.5], 100).unwrap();
 /// let due = Ball::integer(300, 2).sqrt().recip();
-/// assert!(x.iter().all(|x| x.contains_ball(&due) && x.accuracy_bits() >= 99));
+/// assert!(x.iter().all(|x| x.contains_ball(&due) && x.accuracy_bits() >= 100));
 /// ```
 ///
 /// # Errors

@@ -153,6 +153,39 @@ fn the_same_motion_is_the_same_file() {
     assert_eq!(bytes(), bytes());
 }
 
+/// Programs for CAD ask for all sections, and for handles of which each is there once.
+#[test]
+fn a_file_has_its_sections_and_each_handle_once() {
+    let bytes = draw(&moving(), &Unit::of("m").unwrap()).unwrap();
+    let text = String::from_utf8(bytes).unwrap();
+    let lines: Vec<&str> = text.split("\r\n").collect();
+    let (pairs, rest) = lines.as_chunks::<2>();
+    assert_eq!(rest, [""]);
+    let values = |code: &str| -> Vec<&str> {
+        let own = pairs.iter().filter(|p| p[0].trim() == code);
+        own.map(|p| p[1]).collect()
+    };
+    let begun = pairs.windows(2).filter(|w| w[0][1] == "SECTION");
+    let sections: Vec<&str> = begun.map(|w| w[1][1]).collect();
+    assert_eq!(
+        sections,
+        ["HEADER", "TABLES", "BLOCKS", "ENTITIES", "OBJECTS"]
+    );
+    assert_eq!(pairs.last().unwrap(), &["  0", "EOF"]);
+    let number = |h: &&str| u32::from_str_radix(h, 16).unwrap();
+    let mut handles: Vec<u32> = values("5").iter().map(number).collect();
+    // The first one is the seed, beyond all that are taken.
+    let seed = handles.remove(0);
+    assert!(handles.iter().all(|h| *h < seed), "{seed} {handles:?}");
+    for owner in values("330").iter().map(number).filter(|h| *h != 0) {
+        assert!(handles.contains(&owner), "{owner:X}");
+    }
+    let all = handles.len();
+    handles.sort_unstable();
+    handles.dedup();
+    assert_eq!(handles.len(), all);
+}
+
 /// Six digits of the size at least, and no coordinate beyond 1e15.
 #[test]
 fn what_would_lose_its_digits_is_refused() {

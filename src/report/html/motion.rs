@@ -4,6 +4,7 @@
 use super::page::embedded;
 use super::prose::prose;
 use crate::motion::{Course, Motion, Point};
+use crate::report::svg::view::View;
 use maud::{Markup, html};
 use serde::Serialize;
 
@@ -12,41 +13,19 @@ const MARGIN: f64 = 60.0;
 /// Courses drawn from the start; others when they are asked for.
 const DRAWN: usize = 3;
 
-/// From metres, y up, to the drawing, y down.
-#[derive(Clone, Copy)]
-struct View {
-    scale: f64,
-    left: f64,
-    top: f64,
-    height: f64,
+fn view(motion: &Motion) -> View {
+    View::framed(motion.extent(), [WIDTH, MARGIN, 0.0])
 }
 
-impl View {
-    fn of(motion: &Motion) -> View {
-        let [x, y] = motion.extent();
-        let size = [x[1] - x[0], y[1] - y[0]];
-        let larger = size[0].max(size[1]);
-        // A mechanism without size has a place.
-        let scale = (WIDTH - 2.0 * MARGIN) / if larger > 0.0 { larger } else { 1.0 };
-        let slack = 0.5 * (WIDTH - 2.0 * MARGIN - size[0] * scale);
-        View {
-            scale,
-            left: MARGIN + slack - x[0] * scale,
-            top: MARGIN + y[1] * scale,
-            height: size[1] * scale + 2.0 * MARGIN,
-        }
-    }
+/// The place of a point in the drawing, to hundredths.
+fn place(view: &View, p: [f64; 2]) -> [f64; 2] {
+    let (x, y) = view.at(p);
+    [x, y].map(|v| (v * 100.0).round() / 100.0)
+}
 
-    /// To hundredths.
-    fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        let (x, y) = (self.left + x * self.scale, self.top - y * self.scale);
-        [x, y].map(|v| (v * 100.0).round() / 100.0)
-    }
-
-    fn at(&self, p: [f64; 2]) -> String {
-        let [x, y] = self.place(p);
-        format!("{x},{y}")
-    }
+fn text(view: &View, p: [f64; 2]) -> String {
+    let [x, y] = place(view, p);
+    format!("{x},{y}")
 }
 
 #[derive(Serialize)]
@@ -151,8 +130,8 @@ fn is_drive(motion: &Motion, course: &Course) -> bool {
 
 /// The data of the script.
 pub fn data(motion: &Motion) -> String {
-    let view = View::of(motion);
-    let flat = |p: &Point| p.path.iter().flat_map(|q| view.place(*q)).collect();
+    let view = view(motion);
+    let flat = |p: &Point| p.path.iter().flat_map(|q| place(&view, *q)).collect();
     let all = motion.courses.len() <= DRAWN;
     let drawn = drawn(motion);
     let courses = motion.courses.iter().zip(&drawn);
@@ -224,8 +203,8 @@ fn fixed(motion: &Motion) -> impl Iterator<Item = &Point> {
 
 /// At the first position.
 fn drawing(motion: &Motion) -> Markup {
-    let view = View::of(motion);
-    let first = |p: &usize| view.at(motion.points[*p].at(motion.start));
+    let view = view(motion);
+    let first = |p: &usize| text(&view, motion.points[*p].at(motion.start));
     let corners = |points: &[usize]| points.iter().map(first).collect::<Vec<_>>().join(" ");
     let indices = |points: &[usize]| {
         points
@@ -240,7 +219,7 @@ fn drawing(motion: &Motion) -> Markup {
     let place = |p: &Point| {
         format!(
             "translate({})",
-            view.at(p.at(motion.start)).replace(',', " ")
+            text(&view, p.at(motion.start)).replace(',', " ")
         )
     };
     html! {
@@ -250,7 +229,7 @@ fn drawing(motion: &Motion) -> Markup {
                 polyline.guide data-points=(indices(guide)) points=(corners(guide)) {} "\n"
             }
             @for (k, (_, p)) in joints.iter().enumerate() {
-                @let path: Vec<String> = p.path.iter().map(|q| view.at(*q)).collect();
+                @let path: Vec<String> = p.path.iter().map(|q| text(&view, *q)).collect();
                 @let class = format!("trace {}", colour(k));
                 @if motion.closed { polygon.(class) points=(path.join(" ")) {} }
                 @else { polyline.(class) points=(path.join(" ")) {} }

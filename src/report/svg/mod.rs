@@ -10,4 +10,4 @@ pub mod reduced;
 #[cfg(feature = "report")]
 pub mod run_up;
 pub(crate) mod style;
-mod view;
+pub(crate) mod view;

@@ -12,7 +12,7 @@ pub(super) const SOFT: &str = "#5b646d";
 pub(super) const PAPER: &str = "#ffffff";
 
 /// From metres, y up, to the drawing, y down.
-pub(super) struct View {
+pub struct View {
     pub scale: f64,
     left: f64,
     top: f64,
@@ -27,17 +27,21 @@ impl View {
                 [a.min(x), b.max(x)]
             })
         };
-        let ([x0, x1], [y0, y1]) = (range(0), range(1));
+        View::framed([range(0), range(1)], [WIDTH, MARGIN, HEAD])
+    }
+
+    /// A view of that extent: a page of that width with that margin, and a head above.
+    pub fn framed([[x0, x1], [y0, y1]]: [[f64; 2]; 2], [width, margin, head]: [f64; 3]) -> View {
         let size = (x1 - x0).max(y1 - y0);
         // A mechanism without size has a place.
         let size = if size > 0.0 { size } else { 1.0 };
-        let scale = (WIDTH - 2.0 * MARGIN) / size;
+        let scale = (width - 2.0 * margin) / size;
         let slack = 0.5 * (size - (x1 - x0)) * scale;
         View {
             scale,
-            left: MARGIN + slack - x0 * scale,
-            top: HEAD + MARGIN + y1 * scale,
-            height: HEAD + 2.0 * MARGIN + (y1 - y0) * scale,
+            left: margin + slack - x0 * scale,
+            top: head + margin + y1 * scale,
+            height: head + 2.0 * margin + (y1 - y0) * scale,
         }
     }
 

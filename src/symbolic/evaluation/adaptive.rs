@@ -1,6 +1,6 @@
 //! Certified values of graphs: the working precision is raised until they are accurate enough.
 
-use super::ball::{Balls, Value};
+use super::ball::{Balls, MAY_BE_EQUAL, Value};
 use super::{Evaluator, Stop};
 use crate::exact::proves_zero;
 use crate::graph::{Graph, Id};
@@ -63,6 +63,7 @@ impl Balls {
         Balls {
             prec,
             goal: prec,
+            exact: false,
             holomorphic: false,
         }
     }
@@ -91,6 +92,9 @@ pub struct Certified {
 /// The working precision that is tried first to name the nearest binary64.
 const FIRST: u32 = 80;
 
+/// Reason that exact rational numbers may settle.
+const MAY_BE_ZERO: &str = "the divisor may be zero";
+
 /// The highest working precision unless another is set.
 pub const LIMIT: u32 = 16_384;
 
@@ -116,6 +120,9 @@ impl Certified {
     pub fn values(&mut self, inputs: &[Rational], nodes: &[Id], goal: Goal) -> Vec<Answer> {
         let mut answers: Vec<Option<Answer>> = vec![None; nodes.len()];
         let mut asked = vec![false; nodes.len()];
+        if std::mem::take(&mut self.evaluator.interpretation.exact) {
+            self.constants = 0;
+        }
         let mut prec = match goal {
             Goal::Nearest => FIRST,
             Goal::Bits(bits) | Goal::Double(bits) => bits.saturating_add(16),
@@ -188,6 +195,31 @@ impl Certified {
             if open.is_empty() {
                 break;
             }
+            // More precision does not shorten a loop.
+            open.retain(|(k, node, reason)| {
+                let is_open = *reason != super::ROUNDS_REASON;
+                if !is_open {
+                    let place = self.evaluator.graph().text(*node);
+                    let bits = prec;
+                    answers[*k] = Some(Answer::Undecided(Undecided {
+                        reason,
+                        place,
+                        bits,
+                    }));
+                }
+                is_open
+            });
+            if open.is_empty() {
+                break;
+            }
+            // Rational numbers that are equal are seen to be so where they are exact.
+            let is_exact = self.evaluator.interpretation.exact;
+            let may_help = |o: &(usize, Id, &str)| [MAY_BE_EQUAL, MAY_BE_ZERO].contains(&o.2);
+            if prec >= 128.min(self.limit) && !is_exact && open.iter().any(may_help) {
+                self.evaluator.interpretation.exact = true;
+                self.constants = 0;
+                continue;
+            }
             // A value whose balls hold zero may be zero.
             for (k, _, _) in &open {
                 if prec >= 256.min(self.limit) && !std::mem::replace(&mut asked[*k], true) {
@@ -225,8 +257,12 @@ impl Certified {
         self.evaluator.reset(prec != self.constants);
         self.constants = prec;
         for (k, input) in inputs.iter().enumerate() {
-            self.evaluator
-                .set_input(k, Value::Real(Ball::rational(prec, input)));
+            let ball = Ball::rational(prec, input);
+            let value = match self.evaluator.interpretation.exact {
+                true => Value::Exact(Box::new((input.clone(), ball))),
+                false => Value::Real(ball),
+            };
+            self.evaluator.set_input(k, value);
         }
     }
 

@@ -8,6 +8,7 @@ use crate::{Constant, Func, Relation};
 use mechaudit_reference::elementary as real;
 use mechaudit_reference::elementary::{Evaluated, NoValue};
 use mechaudit_reference::{Ball, ComplexBall};
+use rug::Rational;
 use std::cmp::Ordering;
 
 /// A value in balls.
@@ -15,6 +16,8 @@ use std::cmp::Ordering;
 pub enum Value {
     /// A real number.
     Real(Ball),
+    /// A rational number, kept exactly beside its ball where comparisons ask for it.
+    Exact(Box<(Rational, Ball)>),
     /// A complex number.
     Complex(ComplexBall),
     /// A function of a real variable, continued to a rectangle of complex values of it, where it is
@@ -34,6 +37,7 @@ impl Value {
     pub fn real(&self) -> Option<&Ball> {
         match self {
             Value::Real(x) => Some(x),
+            Value::Exact(x) => Some(&x.1),
             Value::Complex(z) if z.im.is_zero() => Some(&z.re),
             _ => None,
         }
@@ -43,6 +47,7 @@ impl Value {
     pub fn to_complex(&self) -> Option<ComplexBall> {
         match self {
             Value::Real(x) => Some(ComplexBall::new(x.clone(), Ball::integer(x.prec(), 0))),
+            Value::Exact(x) => Value::Real(x.1.clone()).to_complex(),
             Value::Complex(z) | Value::Continued(z) => Some(z.clone()),
             Value::Huge { .. } => None,
         }
@@ -56,6 +61,8 @@ pub struct Balls {
     pub prec: u32,
     /// Bits of relative accuracy that integrals and roots are enclosed to.
     pub goal: u32,
+    /// Whether rational numbers are kept exactly, so that equal ones are seen to be equal.
+    pub exact: bool,
     /// Whether values have to be holomorphic functions of the variable that is continued.
     pub holomorphic: bool,
 }
@@ -71,7 +78,36 @@ pub(super) fn wrap(found: Evaluated) -> Result<Value, NoValue> {
 
 type Found = Result<Value, NoValue>;
 
+/// Bits of numerator and denominator up to which rational numbers are kept exactly.
+const LONGEST: u32 = 1 << 14;
+
 impl Balls {
+    /// A rational number with its ball.
+    fn rational(&self, q: Rational) -> Value {
+        let ball = Ball::rational(self.prec, &q);
+        let bits = q
+            .numer()
+            .significant_bits()
+            .max(q.denom().significant_bits());
+        match bits <= LONGEST {
+            true => Value::Exact(Box::new((q, ball))),
+            false => Value::Real(ball),
+        }
+    }
+
+    /// The result of an operation on rational numbers; none where one of them is not.
+    fn exactly(
+        &self,
+        a: &Value,
+        b: &Value,
+        of: fn(&Rational, &Rational) -> Option<Rational>,
+    ) -> Option<Value> {
+        match (a, b) {
+            (Value::Exact(x), Value::Exact(y)) => of(&x.0, &y.0).map(|q| self.rational(q)),
+            _ => None,
+        }
+    }
+
     /// The arithmetic of what is not real.
     fn pair(
         &self,
@@ -95,14 +131,18 @@ impl Interpretation for Balls {
     type V = Value;
 
     fn number(&mut self, graph: &Graph, place: u32) -> Found {
-        Ok(Value::Real(Ball::rational(
-            self.prec,
-            graph.rational(place),
-        )))
+        let q = graph.rational(place);
+        Ok(match self.exact {
+            true => self.rational(q.clone()),
+            false => Value::Real(Ball::rational(self.prec, q)),
+        })
     }
 
     fn integer(&mut self, n: i64) -> Value {
-        Value::Real(Ball::integer(self.prec, n))
+        match self.exact {
+            true => self.rational(n.into()),
+            false => Value::Real(Ball::integer(self.prec, n)),
+        }
     }
 
     fn constant(&mut self, c: Constant) -> Found {
@@ -139,6 +179,7 @@ impl Interpretation for Balls {
     fn neg(&mut self, a: &Value) -> Found {
         Ok(match a {
             Value::Real(x) => Value::Real(-x),
+            Value::Exact(x) => Value::Exact(Box::new((Rational::from(-&x.0), -&x.1))),
             Value::Complex(z) => Value::Complex(-z),
             Value::Continued(z) => Value::Continued(-z),
             Value::Huge { negative, exponent } => Value::Huge {
@@ -151,6 +192,12 @@ impl Interpretation for Balls {
     fn add(&mut self, a: &Value, b: &Value) -> Found {
         match (a, b) {
             (Value::Real(x), Value::Real(y)) => wrap(real::add(x, y, self.prec)),
+            (Value::Exact(_), _) | (_, Value::Exact(_)) => {
+                match self.exactly(a, b, |x, y| Some(Rational::from(x + y))) {
+                    Some(value) => Ok(value),
+                    None => self.add(&inexact(a), &inexact(b)),
+                }
+            }
             (Value::Huge { .. }, _) | (_, Value::Huge { .. }) => huge::add(a, b),
             _ => self.pair(a, b, |x, y, _| Ok(x + y)),
         }
@@ -159,6 +206,12 @@ impl Interpretation for Balls {
     fn sub(&mut self, a: &Value, b: &Value) -> Found {
         match (a, b) {
             (Value::Real(x), Value::Real(y)) => wrap(real::sub(x, y, self.prec)),
+            (Value::Exact(_), _) | (_, Value::Exact(_)) => {
+                match self.exactly(a, b, |x, y| Some(Rational::from(x - y))) {
+                    Some(value) => Ok(value),
+                    None => self.sub(&inexact(a), &inexact(b)),
+                }
+            }
             (Value::Huge { .. }, _) | (_, Value::Huge { .. }) => {
                 let minus = self.neg(b)?;
                 huge::add(a, &minus)
@@ -170,6 +223,12 @@ impl Interpretation for Balls {
     fn mul(&mut self, a: &Value, b: &Value) -> Found {
         match (a, b) {
             (Value::Real(x), Value::Real(y)) => wrap(real::mul(x, y, self.prec)),
+            (Value::Exact(_), _) | (_, Value::Exact(_)) => {
+                match self.exactly(a, b, |x, y| Some(Rational::from(x * y))) {
+                    Some(value) => Ok(value),
+                    None => self.mul(&inexact(a), &inexact(b)),
+                }
+            }
             (Value::Huge { .. }, _) | (_, Value::Huge { .. }) => huge::mul(a, b),
             // A real factor needs half of the products.
             (Value::Real(x), Value::Complex(z)) | (Value::Complex(z), Value::Real(x)) => {
@@ -185,6 +244,17 @@ impl Interpretation for Balls {
     fn div(&mut self, a: &Value, b: &Value) -> Found {
         match (a, b) {
             (Value::Real(x), Value::Real(y)) => wrap(real::div(x, y, self.prec)),
+            (Value::Exact(_), _) | (_, Value::Exact(_)) => {
+                let quotient =
+                    |x: &Rational, y: &Rational| (*y != 0).then(|| Rational::from(x / y));
+                match (self.exactly(a, b, quotient), b) {
+                    (Some(value), _) => Ok(value),
+                    (None, Value::Exact(y)) if y.0 == 0 => {
+                        Err(NoValue::Undefined("division by zero"))
+                    }
+                    (None, _) => self.div(&inexact(a), &inexact(b)),
+                }
+            }
             (Value::Huge { .. }, _) | (_, Value::Huge { .. }) => huge::div(a, b, self.prec),
             _ => self.pair(a, b, complex::div),
         }
@@ -194,6 +264,13 @@ impl Interpretation for Balls {
         match a {
             Value::Real(x) if k == 2 => wrap(real::sqr(x, self.prec)),
             Value::Real(x) => wrap(real::powi(x, k.into(), self.prec)),
+            Value::Exact(x) => match (x.0.cmp0(), k.unsigned_abs() <= 64) {
+                (Ordering::Equal, _) | (_, false) => self.power(&inexact(a), k),
+                (_, true) => {
+                    use rug::ops::Pow;
+                    Ok(self.rational(Rational::from((&x.0).pow(k))))
+                }
+            },
             Value::Huge { .. } => huge::power(a, k, self.prec),
             Value::Complex(z) => complex::power(z, k, self.prec).map(Value::Complex),
             Value::Continued(z) => complex::power(z, k, self.prec).map(Value::Continued),
@@ -202,6 +279,21 @@ impl Interpretation for Balls {
 
     fn call(&mut self, f: Func, x: &[&Value]) -> Found {
         let p = self.prec;
+        if x.iter().any(|x| matches!(x, Value::Exact(_))) {
+            if let (Func::Floor | Func::Ceil | Func::Trunc | Func::Abs, [Value::Exact(x)]) = (f, x)
+            {
+                let q = match f {
+                    Func::Floor => Rational::from(x.0.floor_ref()),
+                    Func::Ceil => Rational::from(x.0.ceil_ref()),
+                    Func::Trunc => Rational::from(x.0.trunc_ref()),
+                    _ => Rational::from(x.0.abs_ref()),
+                };
+                return Ok(self.rational(q));
+            }
+            let plain: Vec<Value> = x.iter().map(|x| inexact(x)).collect();
+            let plain: Vec<&Value> = plain.iter().collect();
+            return self.call(f, &plain);
+        }
         match x {
             [Value::Real(x)] => unary(f, x, p),
             [Value::Real(x), Value::Real(y)] => wrap(binary(f, x, y, p)),
@@ -220,6 +312,7 @@ impl Interpretation for Balls {
     fn flat(&mut self, f: Func, x: &Value) -> Found {
         let steps = match x {
             Value::Real(x) => x,
+            Value::Exact(x) => &x.1,
             Value::Continued(z) => &z.re,
             _ => return Err(huge::UNDECIDED),
         };
@@ -233,6 +326,7 @@ impl Interpretation for Balls {
 
     fn compare(&mut self, relation: Relation, a: &Value, b: &Value) -> Result<bool, NoValue> {
         let order = match (a, b) {
+            (Value::Exact(x), Value::Exact(y)) => Some(x.0.cmp(&y.0)),
             (Value::Huge { negative: x, .. }, Value::Huge { negative: y, .. }) if x == y => None,
             (Value::Huge { negative, .. }, _) => Some(match negative {
                 true => Ordering::Less,
@@ -245,6 +339,7 @@ impl Interpretation for Balls {
             _ => {
                 let part = |v: &Value| match v {
                     Value::Real(x) => Some(x.clone()),
+                    Value::Exact(x) => Some(x.1.clone()),
                     Value::Continued(z) => Some(z.re.clone()),
                     Value::Complex(z) if z.im.is_zero() => Some(z.re.clone()),
                     _ => None,
@@ -262,9 +357,7 @@ impl Interpretation for Balls {
             (Relation::GreaterEqual, Some(o)) => Ok(o != Ordering::Less),
             (Relation::Equal, Some(o)) => Ok(o == Ordering::Equal),
             (Relation::NotEqual, Some(o)) => Ok(o != Ordering::Equal),
-            (_, None) => Err(NoValue::Undecided(
-                "a comparison of numbers that may be equal",
-            )),
+            (_, None) => Err(NoValue::Undecided(MAY_BE_EQUAL)),
         }
     }
 
@@ -290,6 +383,17 @@ impl Interpretation for Balls {
             } => super::root::root(evaluator, binder, node, [from, to, body, slope]),
             _ => Err(stop(NoValue::Undecided("a sum to infinity"))),
         }
+    }
+}
+
+/// Reason that exact rational numbers may settle.
+pub(super) const MAY_BE_EQUAL: &str = "a comparison of numbers that may be equal";
+
+/// A value without its exact rational number.
+fn inexact(x: &Value) -> Value {
+    match x {
+        Value::Exact(x) => Value::Real(x.1.clone()),
+        x => x.clone(),
     }
 }
 

@@ -88,7 +88,10 @@ pub struct Evaluator<I: Interpretation> {
 const NOT_A_NUMBER: NoValue = NoValue::Undefined("a condition or a name without a value");
 
 /// Rounds of loops and terms of sums that one evaluation may take.
-pub const ROUNDS: u64 = 1_000_000;
+pub const ROUNDS: u64 = 100_000;
+
+/// Reason of a value that takes more of them.
+const ROUNDS_REASON: &str = "the limit on rounds of loops and terms of sums";
 
 impl<I: Interpretation> Evaluator<I> {
     /// Creates an evaluator without inputs.
@@ -298,7 +301,7 @@ impl<I: Interpretation> Evaluator<I> {
         match self.rounds {
             0 => Err(Stop {
                 node,
-                reason: NoValue::Undecided("the limit on rounds of loops and terms of sums"),
+                reason: NoValue::Undecided(ROUNDS_REASON),
             }),
             _ => Ok(()),
         }

@@ -118,3 +118,28 @@ fn floating_point_has_one_rounding_an_operation() {
         std::f64::consts::PI.sin()
     );
 }
+
+/// Numbers that are equal but have no exact balls are seen to be equal where they are rational.
+#[test]
+fn equal_rational_numbers_are_compared() {
+    for (text, x, due) in [
+        ("if(x*3 <= 1, 5, 7)", (1, 3), "5.0000000000000000000"),
+        (
+            "while(t < 1, t, 0, t + 0.1, n, 0, n + 1, n)",
+            (1, 1),
+            "10.000000000000000000",
+        ),
+        (
+            "1/(x*3 - 1)",
+            (1, 3),
+            "undefined: division by zero: 1/(x*3 - 1)",
+        ),
+        (
+            "while(x > 0, n, 0, n + 1, n)",
+            (1, 1),
+            "undecided: the limit on rounds of loops and terms of sums: the last n",
+        ),
+    ] {
+        assert_eq!(value(text, x, 20), due, "{text}");
+    }
+}

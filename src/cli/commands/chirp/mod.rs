@@ -65,13 +65,13 @@ pub fn chirp(args: &ChirpArgs) -> Result<Outcome, Failure> {
         false => Vec::new(),
     };
     if let Some(drawing) = spectrum {
-        drawing.text(&drawing::spectrum(&machine)?)?;
+        drawing.text(drawing::spectrum(&machine)?)?;
     }
     if let (Some(drawing), Some(run)) = (history, &machine.run) {
-        drawing.text(&drawing::history(&machine, run, &own))?;
+        drawing.text(drawing::history(&machine, run, &own))?;
     }
     if let Some(drawing) = chart {
-        drawing.text(&drawing::chart(&machine, &charts))?;
+        drawing.text(drawing::chart(&machine, &charts))?;
     }
     output.write(|out| {
         let Some(form) = form else {

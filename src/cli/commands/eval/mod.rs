@@ -466,13 +466,6 @@ mod tests {
         }
     }
 
-    #[test]
-    fn long_lines_are_shortened_in_messages() {
-        assert_eq!(shortened(b" 1,2\r\n"), "1,2");
-        let long = shortened("é".repeat(500).as_bytes());
-        assert_eq!(long.chars().count(), 81);
-    }
-
     /// Returns the output of a stream by one thread, and its outcome or the reason for its end.
     fn streamed(
         name: &str,
@@ -517,31 +510,6 @@ mod tests {
             why.starts_with("line 1 (") && why.ends_with("): longer than 1048576 bytes"),
             "{why}"
         );
-    }
-
-    /// Answers up to it are there; it is named by its number, comments and blank lines counted.
-    #[test]
-    fn a_line_that_is_wrong_is_named() {
-        for (line, why) in [
-            ("1", "1 number"),
-            ("1,2,3", "3 numbers"),
-            ("1,x", "is neither a decimal nor"),
-            ("1,", "is neither a decimal nor"),
-        ] {
-            let (out, end) = streamed("erf", None, format!("0,0\n# c\n\n{line}\n1,0\n").as_bytes());
-            let end = end.unwrap_err();
-            assert_eq!(out.lines().count(), 1, "{line}");
-            assert!(
-                end.starts_with(&format!("line 4 ({line:?}): ")) && end.contains(why),
-                "{end}"
-            );
-        }
-        let (out, end) = streamed("erf", None, b"# only\n \n");
-        assert_eq!((&*out, end), ("", Ok(Outcome::AsExpected)));
-        let (_, end) = streamed("erf", Some(5), b"inf,0\n");
-        assert!(end.unwrap_err().contains("must be finite"));
-        let (_, end) = streamed("four-bar", None, b"1,1,1,2.5,3,1\n");
-        assert!(end.unwrap_err().starts_with("line 1 ("));
     }
 
     /// Which knot or entry a refusal is about.

@@ -39,12 +39,8 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
         ));
     }
     let output = Output::open(args.output.as_deref())?;
-    let selection = Selection {
-        place: &WhereArgs::default(),
-        scope: &args.scope,
-        input: None,
-        laws: false,
-    };
+    let place = WhereArgs::default();
+    let selection = Selection::new(&place, &args.scope);
     let settings = Settings {
         points: match args.format {
             AuditFormat::Html => report::POINTS,

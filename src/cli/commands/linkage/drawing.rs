@@ -40,6 +40,6 @@ impl Drawings {
             .iter()
             .map(|s| (s.phi1.to_degrees(), masses.solver.reduce(s)))
             .collect();
-        drawing.text(&reduced::draw(name, &rows, whole))
+        drawing.text(reduced::draw(name, &rows, whole))
     }
 }

@@ -83,7 +83,7 @@ pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
         start.map(|duration| run(&equation, &enlarged(&machine.plan, duration)).map_err(in_file));
     let start = start.transpose()?.map(|m| m.samples);
     if let Some(drawing) = drawing {
-        drawing.text(&drawings::draw(
+        drawing.text(drawings::draw(
             &machine.name,
             &motion.samples,
             start.as_deref(),

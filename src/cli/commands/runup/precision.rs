@@ -42,7 +42,7 @@ pub fn table(
                 .map(|p| (p.error, p.evaluations))
                 .collect(),
         });
-        drawing.text(&work_precision(&machine.name, &works))?;
+        drawing.text(work_precision(&machine.name, &works))?;
     }
     let note = format!(
         "the column error_rad_per_s is the worst difference of the speed at {MOMENTS} moments of the run from verner98 at tolerance {FINEST:e}, which is not itself certified; the evaluations are those of the whole run"

@@ -5,7 +5,7 @@ mod prints;
 
 use super::data::squares;
 use super::motion::{BITS, DIGITS, Motion, QUANTITIES, TIMES};
-use crate::papers::ledger::{Ledger, Verdict};
+use crate::papers::ledger::{Ledger, proved};
 use crate::papers::{Draft, Finding, FindingVerdict, Subject, figure, figures, known, shown};
 use crate::reference::{Ball, Undecided};
 
@@ -29,19 +29,14 @@ pub(super) fn all(ledger: &Ledger, motion: &Motion) -> Result<Vec<Finding>, Unde
 }
 
 fn equations(ledger: &Ledger) -> Finding {
-    Draft::new("equations", Subject::Formula, "ledger")
-        .verdict(FindingVerdict::Confirmed)
-        .titled("For every N the parallelograms move as one pendulum, proved")
-        .text(
-            "With equal cranks and rods the reduced inertia is (4N + 1) m l²/3 at every angle, and \
-             φ'' = 3 (3N + 1) g sin φ/(2 (4N + 1) l) with φ from upright. The ledger has it, the loops of a window \
-             and what happens on one line, with N as a symbol.",
-        )
-        .figures(figures! {
-            "entries of the ledger": "{}", ledger.entries.len() => "1";
-            "proved": "{}", ledger.count(Verdict::Proved) => "1";
-        })
-        .recorded_if(ledger.as_recorded())
+    proved(
+        ledger,
+        ["equations", "ledger"],
+        "For every N the parallelograms move as one pendulum, proved",
+        "With equal cranks and rods the reduced inertia is (4N + 1) m l²/3 at every angle, and \
+         φ'' = 3 (3N + 1) g sin φ/(2 (4N + 1) l) with φ from upright. The ledger has it, the loops \
+         of a window and what happens on one line, with N as a symbol.",
+    )
 }
 
 fn turns_over(motion: &Motion) -> Finding {

@@ -46,7 +46,7 @@ fn reached(found: &Integral<Ball>, due: &Ball, digits: i64, name: &str) {
         .unwrap_or_else(|| panic!("{name}: {:?}", found.hindrance));
     assert_eq!(found.hindrance, None, "{name}: {value:?}");
     assert!(value.overlaps(due), "{name}: {value:?} {due:?}");
-    let bits = (digits as f64 * 3.3219) as i64;
+    let bits = (digits as f64 * std::f64::consts::LOG2_10) as i64;
     assert!(
         value.rad() <= Mag::power_of_two(-bits).mul(due.magnitude().max(Mag::from_f64(1.0))),
         "{name}"
@@ -397,7 +397,7 @@ fn what_hinders_is_named() {
         found.hindrance
     );
     // sin(1) − Ci(1).
-    let due = Ball::exact(64, 0.50406706190692837);
+    let due = Ball::exact(64, 0.504_067_061_906_928_4);
     let value = found.value.unwrap();
     assert!(
         value.overlaps(&due.widened(Mag::from_f64(1e-16))) && value.rad().to_f64() < 1e-2,

@@ -137,7 +137,7 @@ fn both_sides_of_a_segment_count() {
 fn a_narrow_step_is_not_overlooked() {
     // One on [1/3, 1/3 + 2^−40], and zero elsewhere.
     let low = rug::Rational::from((1, 3));
-    let high = rug::Rational::from(&low + rug::Rational::from((1, 1i64 << 40)));
+    let high = rug::Rational::from((1, 1i64 << 40)) + &low;
     let mut step = smooth(|z, holomorphic, bits| {
         let [a, b] = [&low, &high].map(|x| &z.re - Ball::rational(bits.max(200), x));
         let inside = a.is_positive() && b.is_negative();

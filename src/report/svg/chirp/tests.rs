@@ -33,13 +33,12 @@ fn a_chart_has_a_row_for_each_law() {
 #[test]
 fn harmonics_that_vanish_are_left_out() {
     let of = |harmonics: &[(f64, f64)]| {
-        let spectrum = spectrum(&Spectrum {
+        spectrum(&Spectrum {
             name: "a",
             law: "b",
             harmonics: harmonics.to_vec(),
             beyond: Vec::new(),
-        });
-        spectrum
+        })
     };
     let [first, tenth] = dots(&of(&[(1.0, 0.5), (2.0, 0.0), (10.0, 5e-4)]))[..] else {
         panic!("two harmonics are there");
