@@ -2,7 +2,7 @@
 
 use super::relative::*;
 use super::*;
-use crate::audit::{Due, ProvedError};
+use crate::audit::{Expected, ProvedError};
 use crate::methods::special::complex::{C, infinity, number};
 use crate::reference::Ball;
 use crate::solvers::faddeeva::faddeeva as w;

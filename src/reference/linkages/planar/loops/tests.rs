@@ -2,7 +2,9 @@
 
 use super::super::energy::Forces;
 use super::super::tests::{cranked, four_bar};
-use super::super::{Attachment, Body, Drive, Joint, Linkage, Mechanism, MechanismError, Point, Real};
+use super::super::{
+    Attachment, Body, Drive, Joint, Linkage, Mechanism, MechanismError, Point, Real,
+};
 use crate::class_iii::ExactAngle;
 use crate::class_iii::tests::q;
 use crate::dyad;
