@@ -151,7 +151,21 @@ fn narrow(condition: &Expr, inputs: &mut [StudyInput]) {
             let (below, above) = match relation {
                 Relation::Less | Relation::LessEqual => (a, b),
                 Relation::Greater | Relation::GreaterEqual => (b, a),
-                Relation::Equal | Relation::NotEqual => return,
+                Relation::Equal => {
+                    let value = match (a, b) {
+                        (Expr::Sym(name), b) => constant(b).map(|q| (name, q)),
+                        (a, Expr::Sym(name)) => constant(a).map(|q| (name, q)),
+                        _ => None,
+                    };
+                    if let Some((name, q)) = value {
+                        for input in inputs.iter_mut().filter(|i| i.name == *name) {
+                            input.from = Some(q.clone());
+                            input.to = Some(q.clone());
+                        }
+                    }
+                    return;
+                }
+                Relation::NotEqual => return,
             };
             if let (Some(low), Expr::Sym(name)) = (constant(below), above) {
                 for input in inputs.iter_mut().filter(|i| i.name == *name) {

@@ -375,6 +375,10 @@ fn expression(datum: &Datum, names: &mut Vec<String>) -> Result<Expr, Fault> {
                 }
             }
         }
+        "/" if rest.len() == 1 => {
+            let one = Expr::Num("1".into());
+            Expr::Div(Box::new(one), Box::new(expression(&rest[0], names)?))
+        }
         "/" => {
             count(2)?;
             let [a, b] = pair(all(names)?, at)?;

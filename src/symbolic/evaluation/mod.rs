@@ -88,7 +88,7 @@ pub struct Evaluator<I: Interpretation> {
 const NOT_A_NUMBER: NoValue = NoValue::Undefined("a condition or a name without a value");
 
 /// Rounds of loops and terms of sums that one evaluation may take.
-pub const ROUNDS: u64 = 100_000;
+pub const ROUNDS: u64 = 20_000;
 
 /// Reason of a value that takes more of them.
 const ROUNDS_REASON: &str = "the limit on rounds of loops and terms of sums";
