@@ -64,7 +64,7 @@ impl Compiled {
     /// # Errors
     /// A formula without meaning, an output that is a complex number or a condition.
     pub fn new(problem: Problem) -> Result<Compiled, StudyError> {
-        let mut graph = graph_of(&problem);
+        let mut graph = graph_of(&problem).of_real_functions();
         let definitions = &problem.definitions;
         let mut outputs = Vec::new();
         for output in &problem.outputs {

@@ -1,6 +1,6 @@
 //! Certified values of graphs: the working precision is raised until they are accurate enough.
 
-use super::ball::{Balls, MAY_BE_EQUAL, Value};
+use super::ball::{Balls, MAY_BE_EQUAL, Value, ball_of};
 use super::{Evaluator, Stop};
 use crate::exact::proves_zero;
 use crate::graph::{Graph, Id};
@@ -91,6 +91,10 @@ pub struct Certified {
 
 /// The working precision that is tried first to name the nearest binary64.
 const FIRST: u32 = 80;
+
+/// The working precision from which on the symbolic algebra is asked: it costs more than balls of
+/// fewer bits.
+const ASK_ALGEBRA: u32 = 2048;
 
 /// Reason that exact rational numbers may settle.
 const MAY_BE_ZERO: &str = "the divisor may be zero";
@@ -188,7 +192,7 @@ impl Certified {
                 };
                 open.push((k, *node, reason));
                 needed = needed.max(match lacking {
-                    u32::MAX => prec.saturating_mul(2),
+                    u32::MAX => prec.saturating_mul(3),
                     bits => prec.saturating_add(bits).saturating_add(16),
                 });
             }
@@ -214,15 +218,19 @@ impl Certified {
             }
             // Rational numbers that are equal are seen to be so where they are exact.
             let is_exact = self.evaluator.interpretation.exact;
-            let may_help = |o: &(usize, Id, &str)| [MAY_BE_EQUAL, MAY_BE_ZERO].contains(&o.2);
-            if prec >= 128.min(self.limit) && !is_exact && open.iter().any(may_help) {
+            let graph = self.evaluator.graph();
+            let may_help = |o: &(usize, Id, &str)| {
+                let is_compared = [MAY_BE_EQUAL, MAY_BE_ZERO].contains(&o.2);
+                graph.is_rational(nodes[o.0]) || (is_compared && prec >= 128)
+            };
+            if !is_exact && open.iter().any(may_help) {
                 self.evaluator.interpretation.exact = true;
                 self.constants = 0;
                 continue;
             }
             // A value whose balls hold zero may be zero.
             for (k, _, _) in &open {
-                if prec >= 256.min(self.limit) && !std::mem::replace(&mut asked[*k], true) {
+                if prec >= ASK_ALGEBRA.min(self.limit) && !std::mem::replace(&mut asked[*k], true) {
                     if self.is_zero(nodes[*k], inputs) {
                         answers[*k] = Some(Answer::Zero);
                     }
@@ -257,7 +265,7 @@ impl Certified {
         self.evaluator.reset(prec != self.constants);
         self.constants = prec;
         for (k, input) in inputs.iter().enumerate() {
-            let ball = Ball::rational(prec, input);
+            let ball = ball_of(prec, input);
             let value = match self.evaluator.interpretation.exact {
                 true => Value::Exact(Box::new((input.clone(), ball))),
                 false => Value::Real(ball),

@@ -7,8 +7,8 @@ use crate::graph::{Binding, Graph, Node};
 use crate::{Constant, Func, Relation};
 use mechaudit_reference::elementary as real;
 use mechaudit_reference::elementary::{Evaluated, NoValue};
-use mechaudit_reference::{Ball, ComplexBall};
-use rug::Rational;
+use mechaudit_reference::{Ball, ComplexBall, Mag};
+use rug::{Float, Rational};
 use std::cmp::Ordering;
 
 /// A value in balls.
@@ -134,7 +134,7 @@ impl Interpretation for Balls {
         let q = graph.rational(place);
         Ok(match self.exact {
             true => self.rational(q.clone()),
-            false => Value::Real(Ball::rational(self.prec, q)),
+            false => Value::Real(ball_of(self.prec, q)),
         })
     }
 
@@ -383,6 +383,20 @@ impl Interpretation for Balls {
             } => super::root::root(evaluator, binder, node, [from, to, body, slope]),
             _ => Err(stop(NoValue::Undecided("a sum to infinity"))),
         }
+    }
+}
+
+/// The ball of a rational number: exact and without a division for one that a double holds.
+pub(super) fn ball_of(prec: u32, q: &Rational) -> Ball {
+    /// Bits of numbers that are kept whole, however few are asked for.
+    const SHORT: u32 = 64;
+    let denominator = q.denom();
+    match denominator.is_power_of_two() && q.numer().significant_bits() <= SHORT {
+        true => {
+            let numerator = Float::with_val(SHORT, q.numer());
+            Ball::new(numerator >> (denominator.significant_bits() - 1), Mag::ZERO)
+        }
+        false => Ball::rational(prec, q),
     }
 }
 

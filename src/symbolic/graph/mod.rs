@@ -6,6 +6,7 @@
 
 mod build;
 mod derivative;
+mod identities;
 mod text;
 
 use crate::{Constant, Func, Relation};
@@ -138,6 +139,8 @@ struct Facts {
     varies: bool,
     /// Whether its value may have an imaginary part.
     is_complex: bool,
+    /// Whether its value may be irrational at rational inputs.
+    is_irrational: bool,
 }
 
 /// Expressions with shared subexpressions.
@@ -151,6 +154,8 @@ pub struct Graph {
     number_places: HashMap<Rational, u32>,
     binders: Vec<Binder>,
     derivatives: HashMap<(Id, Id), Option<Id>>,
+    /// Whether differences that cancel are replaced where an identity allows it.
+    is_real_function: bool,
 }
 
 impl Graph {
@@ -160,6 +165,14 @@ impl Graph {
             inputs: inputs.into_iter().collect(),
             ..Graph::default()
         }
+    }
+
+    /// Replaces differences that cancel by identities of real functions, in what is built from now on.
+    /// A graph whose nodes stand for floating-point operations must not do so.
+    #[must_use]
+    pub fn of_real_functions(mut self) -> Graph {
+        self.is_real_function = true;
+        self
     }
 
     /// The names of the inputs.
@@ -216,6 +229,11 @@ impl Graph {
     /// Returns true if the value may have an imaginary part.
     pub fn is_complex(&self, id: Id) -> bool {
         self.facts[id as usize].is_complex
+    }
+
+    /// Returns true if the value is rational at rational inputs.
+    pub fn is_rational(&self, id: Id) -> bool {
+        !self.facts[id as usize].is_irrational
     }
 
     /// Returns true if the value is true or false.
@@ -298,6 +316,10 @@ impl Graph {
 
     /// The place of a node, which is added if it is new.
     fn push(&mut self, node: Node) -> Id {
+        let node = match self.is_real_function {
+            true => self.without_cancellation(node),
+            false => node,
+        };
         if let Some(place) = self.places.get(&node) {
             return *place;
         }
@@ -306,10 +328,17 @@ impl Graph {
             let known = &self.facts[operand as usize];
             facts.varies |= known.varies;
             facts.is_complex |= known.is_complex;
+            facts.is_irrational |= known.is_irrational;
             let new = known.binders.iter().filter(|b| !facts.binders.contains(b));
             let new: Vec<BinderId> = new.copied().collect();
             facts.binders.extend(new);
         }
+        facts.is_irrational |= match node {
+            Node::Constant(_) | Node::ImaginaryUnit | Node::Bound(_) => true,
+            Node::Unary(Func::Abs | Func::Floor | Func::Ceil | Func::Trunc, _) => false,
+            Node::Unary(..) | Node::Binary(..) | Node::Ternary(..) => true,
+            _ => false,
+        };
         match node {
             Node::Input(_) => facts.varies = true,
             Node::ImaginaryUnit | Node::Unary(Func::W, _) => facts.is_complex = true,

@@ -1,0 +1,52 @@
+//! Identities of real functions that spare the precision that a difference would cancel.
+
+use super::{Graph, Id, Node};
+use crate::Func;
+
+impl Graph {
+    /// The same real function without some differences that cancel: `e^x − 1` is `expm1(x)`,
+    /// `log(1 + x)` is `log1p(x)`, and `1 − cos x` is `2 sin²(x/2)`.
+    ///
+    /// This is for definitions, which are meant over the reals; a formula in floating point would be
+    /// another one.
+    pub fn without_cancellation(&mut self, node: Node) -> Node {
+        let one = |graph: &Graph, id: Id| match graph.node(id) {
+            Node::Number(place) => *graph.rational(place) == 1,
+            _ => false,
+        };
+        let unary = |graph: &Graph, id: Id, f: Func| match graph.node(id) {
+            Node::Unary(g, x) if f == g => Some(x),
+            _ => None,
+        };
+        match node {
+            Node::Sub(a, b) if one(self, b) => match unary(self, a, Func::Exp) {
+                Some(x) => Node::Unary(Func::Expm1, x),
+                None => node,
+            },
+            Node::Sub(a, b) if one(self, a) => {
+                if let Some(x) = unary(self, b, Func::Exp) {
+                    let minus = self.push(Node::Unary(Func::Expm1, x));
+                    return Node::Neg(minus);
+                }
+                let Some(x) = unary(self, b, Func::Cos) else {
+                    return node;
+                };
+                let two = self.number(2);
+                let half = self.push(Node::Div(x, two));
+                let sine = self.push(Node::Unary(Func::Sin, half));
+                let square = self.push(Node::Power(sine, 2));
+                Node::Mul(two, square)
+            }
+            Node::Unary(Func::Log, a) if !self.is_complex(a) => match self.node(a) {
+                Node::Add(x, y) if one(self, x) => Node::Unary(Func::Log1p, y),
+                Node::Add(x, y) if one(self, y) => Node::Unary(Func::Log1p, x),
+                Node::Sub(x, y) if one(self, x) => {
+                    let minus = self.push(Node::Neg(y));
+                    Node::Unary(Func::Log1p, minus)
+                }
+                _ => node,
+            },
+            node => node,
+        }
+    }
+}
