@@ -34,7 +34,9 @@ pub(super) fn root(
         let evaluator = &evaluator;
         move |x: &Ball, bits: u32| -> Result<Ball, Stop> {
             let mut evaluator = evaluator.borrow_mut();
-            let outside = std::mem::replace(&mut evaluator.interpretation.prec, bits);
+            let outside = evaluator.interpretation.prec;
+            // Values that do not depend on the variable are kept: they have to be accurate as well.
+            evaluator.interpretation.prec = bits.max(outside);
             evaluator.set_variables(binder, [Value::Real(x.clone())]);
             let value = evaluator.value(id).map(|v| v.real().cloned());
             evaluator.interpretation.prec = outside;
