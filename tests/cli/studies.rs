@@ -186,7 +186,7 @@ fn every_core_of_a_file_is_audited() {
 fn zero_undefined_and_undecided_are_answers() {
     let folder = TempDir::new().unwrap();
     let text = "[inputs]\nx = { from = 0, to = 1 }\n[outputs]\n\
-                zero = \"sqrt(2)*sqrt(3) - sqrt(6)\"\nlog = \"log(x - 1)\"\ntwice = \"2*x\"\n";
+                zero = \"sqrt(2)*sqrt(3) - sqrt(6)\"\nnone = \"log(x - 1)\"\ntwice = \"2*x\"\n";
     let path = file(&folder, "study.toml", text);
     let d = run_on("0.5\n", &["eval", &path, "--digits", "10"]);
     assert_eq!(
