@@ -213,6 +213,17 @@ impl Study {
         }
     }
 
+    /// The same study with another limit on the working precision, in bits; 16384 is the first.
+    ///
+    /// # Errors
+    /// None of a study that was made before.
+    pub fn with_limit(mut self, bits: u32) -> Result<Study, StudyError> {
+        let mut compiled = Compiled::new(self.problem().clone())?;
+        compiled.set_limit(bits);
+        self.compiled = Arc::new(compiled);
+        Ok(self)
+    }
+
     /// The problem as it was read.
     pub fn problem(&self) -> &Problem {
         &self.compiled.problem

@@ -15,7 +15,7 @@ fn example(name: &str) -> String {
 }
 
 fn audit(study: &str, more: &[&str]) -> Done {
-    run(&[&["audit", study, "--cases", "8"], more].concat())
+    run(&[&["audit", study, "--cases", "4"], more].concat())
 }
 
 /// A study, whether its solver `naive` passes and whether `stable` does, and its candidate in Python.
@@ -139,13 +139,14 @@ fn a_study_is_described_and_its_points_are_drawn() {
     let kepler = example("kepler");
     let d = run(&["describe", &kepler]);
     assert_eq!(d.code, 0, "{}", d.err);
+    let text = d.out.split_whitespace().collect::<Vec<_>>().join(" ");
     for part in [
         "The name e is declared and hides the constant.",
         "8 u (1 + cond)",
         "a Newton step ends with a residual of a few roundings",
-        "input  length  unit",
+        "M rad",
     ] {
-        assert!(d.out.contains(part), "{part:?} is missing in\n{}", d.out);
+        assert!(text.contains(part), "{part:?} is missing in\n{}", d.out);
     }
     let d = run(&["points", &kepler, "--region", "domain", "--count", "3"]);
     let rows: Vec<&str> = d.out.lines().filter(|l| !l.starts_with('#')).collect();
@@ -207,22 +208,22 @@ fn bad() -> Vec<(&'static str, String, &'static str)> {
         (
             "name.toml",
             formula("sin(xx)"),
-            "line 4, column 16: the name xx is not declared (did you mean \"x\"?)",
+            "line 4, column 17: the name xx is not declared (did you mean \"x\"?)",
         ),
         (
             "function.toml",
             formula("sqr(x)"),
-            "line 4, column 12: the name sqr is not declared (did you mean \"sqrt\"?)",
+            "line 4, column 13: the name sqr is not declared (did you mean \"sqrt\"?)",
         ),
         (
             "arity.toml",
             formula("atan2(x)"),
-            "line 4, column 12: atan2 takes 2 arguments, not 1",
+            "line 4, column 13: atan2 takes 2 arguments, not 1",
         ),
         (
             "bracket.toml",
             formula("sin(x"),
-            "line 4, column 17: expected ')'",
+            "line 4, column 18: expected ')'",
         ),
         (
             "empty.toml",
