@@ -110,7 +110,7 @@ mod resolve;
 #[cfg(feature = "studies")]
 pub mod study;
 
-#[cfg(all(doctest, feature = "oracle", feature = "special"))]
+#[cfg(all(doctest, feature = "special", feature = "studies"))]
 #[doc = include_str!("../README.md")]
 struct Readme;
 

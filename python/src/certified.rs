@@ -14,7 +14,7 @@ use rug::{Float, Integer, Rational};
 use std::sync::OnceLock;
 
 /// A fraction: numerator and denominator.
-type Fraction = (String, String);
+pub type Fraction = (String, String);
 /// `m 2^e`: m in hexadecimal, e in decimal digits.
 type Power = (String, String);
 /// Decimal digits (the last wrong by at most 0.51 units, or `None`), midpoint and radius.
@@ -92,7 +92,7 @@ pub fn uncertified(error: Uncertified, row: usize) -> PyErr {
     }
 }
 
-/// Returns the method of that name.
+/// Returns the method of that name, or the study.
 pub fn evaluable_method(name: &str) -> PyResult<&'static dyn Evaluable> {
     // Made once, and there to the end of the process.
     static ALL: OnceLock<Vec<&'static dyn Evaluable>> = OnceLock::new();
@@ -100,8 +100,10 @@ pub fn evaluable_method(name: &str) -> PyResult<&'static dyn Evaluable> {
         let leaked = |m: Box<dyn Evaluable>| &*Box::leak(m);
         registry().into_iter().map(leaked).collect()
     });
-    let named = all.iter().copied().find(|m| m.name() == name);
-    named.ok_or_else(|| {
+    if let Some(named) = all.iter().copied().find(|m| m.name() == name) {
+        return Ok(named);
+    }
+    crate::study::find(name)?.ok_or_else(|| {
         let known: Vec<&str> = all.iter().map(|m| m.name()).collect();
         PyValueError::new_err(format!(
             "method: there is no {name:?}; there are: {}",

@@ -1,9 +1,10 @@
 //! Reports, cases and methods as plain Python data.
 
+use crate::certified::evaluable_method;
 use mechaudit::audit::{
     CaseReport, Layout, MethodReport, Proof, RegionReport, SolverAnswer, Spread,
 };
-use mechaudit::methods;
+use mechaudit::methods::{self, Evaluable};
 use mechaudit_cli::report::words::audit::of_case;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
@@ -147,31 +148,46 @@ fn case_facts<'py>(py: Python<'py>, r: &CaseReport, tail: &str) -> PyResult<Boun
 pub fn all_methods(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
     let all = PyList::empty(py);
     for m in methods::registry() {
-        let layout = Layout::new(&*m);
-        let domain = m.domain();
-        let d = PyDict::new(py);
-        d.set_item("name", m.name())?;
-        d.set_item("summary", m.summary())?;
-        d.set_item("source", m.source())?;
-        let inputs: Vec<_> = m.inputs().iter().map(|i| (i.name, i.unit)).collect();
-        d.set_item("inputs", inputs)?;
-        let outputs: Vec<_> = m.outputs().iter().map(|o| (o.name, o.unit)).collect();
-        d.set_item("outputs", outputs)?;
-        d.set_item(
-            "fixed",
-            (0..layout.parts()).all(|p| layout.is_single(p)) && m.rows().is_none(),
-        )?;
-        d.set_item("input", layout.input())?;
-        d.set_item("answer", layout.answer())?;
-        let regions: Vec<_> = domain
-            .regions
-            .iter()
-            .map(|r| (r.name, r.description))
-            .collect();
-        d.set_item("regions", regions)?;
-        let points: Vec<_> = domain.check_points.iter().map(|p| p.name).collect();
-        d.set_item("check_points", points)?;
-        all.append(d)?;
+        all.append(method_facts(py, &*m)?)?;
     }
     Ok(all)
+}
+
+/// The same of one method or study.
+#[pyfunction]
+pub fn method<'py>(py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyDict>> {
+    method_facts(py, evaluable_method(name)?)
+}
+
+fn method_facts<'py>(py: Python<'py>, m: &dyn Evaluable) -> PyResult<Bound<'py, PyDict>> {
+    let layout = Layout::new(m);
+    let domain = m.domain();
+    let d = PyDict::new(py);
+    d.set_item("name", m.name())?;
+    d.set_item("summary", m.summary())?;
+    d.set_item("source", m.source())?;
+    let inputs: Vec<_> = m.inputs().iter().map(|i| (i.name, i.unit)).collect();
+    d.set_item("inputs", inputs)?;
+    let outputs: Vec<_> = m.outputs().iter().map(|o| (o.name, o.unit)).collect();
+    d.set_item("outputs", outputs)?;
+    let budgets = m.outputs().into_iter();
+    let budgets: Vec<_> = budgets
+        .map(|o| (o.name, o.budget.limit.to_string(), o.budget.reason))
+        .collect();
+    d.set_item("budgets", budgets)?;
+    d.set_item(
+        "fixed",
+        (0..layout.parts()).all(|p| layout.is_single(p)) && m.rows().is_none(),
+    )?;
+    d.set_item("input", layout.input())?;
+    d.set_item("answer", layout.answer())?;
+    let regions: Vec<_> = domain
+        .regions
+        .iter()
+        .map(|r| (r.name, r.description))
+        .collect();
+    d.set_item("regions", regions)?;
+    let points: Vec<_> = domain.check_points.iter().map(|p| p.name).collect();
+    d.set_item("check_points", points)?;
+    Ok(d)
 }

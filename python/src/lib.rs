@@ -17,6 +17,8 @@ mod machine;
 mod pool;
 mod special;
 mod spline;
+#[cfg(feature = "oracle")]
+mod study;
 
 use pyo3::prelude::*;
 
@@ -45,6 +47,12 @@ mod _mechaudit {
             module.add_class::<machine::Cam>()?;
             module.add_function(wrap_pyfunction!(machine::run_up, module)?)?;
             module.add_function(wrap_pyfunction!(facts::all_methods, module)?)?;
+            module.add_function(wrap_pyfunction!(facts::method, module)?)?;
+            module.add_function(wrap_pyfunction!(study::open_study, module)?)?;
+            module.add_function(wrap_pyfunction!(study::open_formula, module)?)?;
+            module.add_function(wrap_pyfunction!(study::study_facts, module)?)?;
+            module.add_function(wrap_pyfunction!(study::study_digits, module)?)?;
+            module.add_function(wrap_pyfunction!(study::study_values, module)?)?;
             module.add_function(wrap_pyfunction!(certified::certify, module)?)?;
             module.add_function(wrap_pyfunction!(certified::zero, module)?)?;
             module.add_function(wrap_pyfunction!(certified::spline, module)?)?;

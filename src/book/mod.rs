@@ -7,15 +7,16 @@
 //! 4. [How the judge works](judging)
 //! 5. [A new method in one file](adding_a_method)
 //! 6. [Auditing your own code](your_own_code)
-//! 7. [Hunting, hard cases and recorded findings](hunting)
-//! 8. [Campaigns: very many cases, on one machine or many](campaigns)
-//! 9. [The atlas of published algorithms](atlas)
-//! 10. [Proofs of error bounds](proofs)
-//! 11. [Convergence and twins](convergence)
-//! 12. [Reading the reports](reports)
-//! 13. [Planar mechanisms](planar_mechanisms)
-//! 14. [Commands, exit codes and file formats](formats)
-//! 15. [The columns of all tables](columns)
+//! 7. [Your own problem](your_own_problem)
+//! 8. [Hunting, hard cases and recorded findings](hunting)
+//! 9. [Campaigns: very many cases, on one machine or many](campaigns)
+//! 10. [The atlas of published algorithms](atlas)
+//! 11. [Proofs of error bounds](proofs)
+//! 12. [Convergence and twins](convergence)
+//! 13. [Reading the reports](reports)
+//! 14. [Planar mechanisms](planar_mechanisms)
+//! 15. [Commands, exit codes and file formats](formats)
+//! 16. [The columns of all tables](columns)
 //!
 //! What the crate is for, how to install it and how fast it is stands in the
 //! [README](https://docs.rs/crate/mechaudit/latest/source/README.md).
@@ -50,3 +51,6 @@ pub mod theorems {}
 pub mod ulps {}
 #[doc = include_str!("your_own_code.md")]
 pub mod your_own_code {}
+#[cfg(feature = "studies")]
+#[doc = include_str!("your_own_problem.md")]
+pub mod your_own_problem {}

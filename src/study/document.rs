@@ -21,7 +21,7 @@ pub(super) enum Value {
     /// A number as it is written.
     Number(String),
     /// True or false.
-    Truth(bool),
+    Truth,
     /// A list.
     List(Vec<Item>),
     /// A table.
@@ -67,7 +67,7 @@ fn item(text: &str, value: &Spanned<DeValue<'_>>) -> Item {
             _ => n.as_str().to_string(),
         }),
         DeValue::Float(x) => Value::Number(x.as_str().to_string()),
-        DeValue::Boolean(b) => Value::Truth(*b),
+        DeValue::Boolean(_) => Value::Truth,
         DeValue::Datetime(d) => Value::Text(d.to_string()),
         DeValue::Array(items) => Value::List(items.iter().map(|x| item(text, x)).collect()),
         DeValue::Table(t) => self::table(text, t),

@@ -4,6 +4,7 @@
 `mechaudit.special`       the Faddeeva function and its relatives as NumPy ufuncs
 `mechaudit.certified`     the same functions with certified digits
 `mechaudit.audit`         the audit of a callable; `compare`, `judge`, `points`, `case`, `vectors`
+`mechaudit.Study`         a problem of your own in a file; `formula`, a problem in one line
 `mechaudit.CubicSpline`   cubic splines with scipy's interface; `PchipInterpolator`, `Akima1DInterpolator`
 `mechaudit.Linkage`       linkages of class III, four-bars and slider-cranks; `Cam`
 ========================  ====================================================================
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
     from ._machines import Cam, Linkage, Rows
     from ._methods import methods
     from ._spline import Akima1DInterpolator, CubicSpline, PchipInterpolator
+    from ._study import Study, formula
     from ._vectors import Vectors, vectors
 
 #: Where each name is defined: loaded when it is first asked for, so that importing costs little.
@@ -49,11 +51,13 @@ _ORACLE = {
     "Linkage": "_machines",
     "Report": "_report",
     "Rows": "_machines",
+    "Study": "_study",
     "Vectors": "_vectors",
     "audit": "_audit",
     "case": "_audit",
     "certified": "",
     "compare": "_compare",
+    "formula": "_study",
     "judge": "_audit",
     "methods": "_methods",
     "points": "_audit",
@@ -78,11 +82,13 @@ __all__ = [
     "Rows",
     "Solution",
     "Stability",
+    "Study",
     "Vectors",
     "audit",
     "case",
     "certified",
     "compare",
+    "formula",
     "judge",
     "methods",
     "points",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Callable, Iterable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -14,6 +14,9 @@ from ._checks import function, names, number, whole
 from ._methods import Description, block_answers, flat
 from ._report import Report, called
 from ._run import audited
+
+if TYPE_CHECKING:
+    from ._study import Study
 
 __all__ = ["Case", "audit", "case", "judge", "points"]
 
@@ -59,7 +62,7 @@ def scope_of(
 
 
 def audit(
-    method: str,
+    method: str | Study,
     f: Callable[..., Any] | str,
     *,
     seed: int = 1,
@@ -84,8 +87,8 @@ def audit(
 
     Parameters
     ----------
-    method : str
-        Its name, see `methods`.
+    method : str or Study
+        Its name, see `methods`; or a `Study`, or the path of its file.
     f : callable or "ours"
         Takes the method's inputs, each an array or a number; functions of a complex variable take
         and give complex numbers. It refuses an input by raising `ValueError`, `ArithmeticError` or
@@ -161,7 +164,7 @@ def audit(
     budgets = dict(zip(_BUDGETS, (ulps, conditioned, relative, absolute, normwise)))
     chosen = names("outputs", outputs)
     scope = scope_of(chosen, budgets, **where)
-    run = _mechaudit.Run(description.name, seed=seed, cases=cases, scope=scope)
+    run = _mechaudit.Run(description.key, seed=seed, cases=cases, scope=scope)
     called = None if own else function("f", f)
     return audited(description, run, called, chosen, vectorised, progress, name, single)
 
@@ -188,9 +191,9 @@ class Case:
         The arguments of a callable: a complex number, or a number or array for each input.
     """
 
-    def __init__(self, method: str, place: str) -> None:
+    def __init__(self, method: str | Study, place: str) -> None:
         self._description = Description(method)
-        self._run = _mechaudit.Run(self._description.name, place=shlex.split(place))
+        self._run = _mechaudit.Run(self._description.key, place=shlex.split(place))
         self._single = "--single" in shlex.split(place)
         numbers, lengths = self._run.input(0)
         self.method = self._description.name
@@ -214,7 +217,7 @@ class Case:
 
     def judge(self, f: Callable[..., Any]) -> Report:
         """The audit of a callable at this case alone."""
-        run = _mechaudit.Run(self._description.name, place=shlex.split(self.place))
+        run = _mechaudit.Run(self._description.key, place=shlex.split(self.place))
         return audited(self._description, run, function("f", f), None, False, False, None, self._single)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -224,13 +227,13 @@ class Case:
         return called(self.method, self.place)
 
 
-def case(method: str, place: str) -> Case:
+def case(method: str | Study, place: str) -> Case:
     """The case of a method that a report names.
 
     Parameters
     ----------
-    method : str
-        Its name.
+    method : str or Study
+        Its name, or a `Study`.
     place : str
         ``--region NAME --seed S --case N``, ``--check-point NAME``, ``--hard-case N``, ``--at X,Y``,
         or a ``--case N`` of a ``--box`` or of what is ``--near``.
@@ -255,10 +258,10 @@ def drawn(
     if chosen is None:
         chosen = [name for name, _ in description.facts["regions"]]
     scope = scope_of(regions=chosen)
-    return _mechaudit.Run(description.name, seed=checks.seed(seed), cases=n, scope=scope)
+    return _mechaudit.Run(description.key, seed=checks.seed(seed), cases=n, scope=scope)
 
 
-def points(method: str, n: int, *, seed: int = 1, regions: str | Iterable[str] | None = None) -> Any:
+def points(method: str | Study, n: int, *, seed: int = 1, regions: str | Iterable[str] | None = None) -> Any:
     """Inputs of a method: n in each region.
 
     Returns
@@ -289,13 +292,13 @@ def points(method: str, n: int, *, seed: int = 1, regions: str | Iterable[str] |
     return table
 
 
-def judge(method: str, points: Any, values: Any, **options: Any) -> Report:
+def judge(method: str | Study, points: Any, values: Any, **options: Any) -> Report:
     """Judge values that were computed elsewhere.
 
     Parameters
     ----------
-    method : str
-        Its name.
+    method : str or Study
+        Its name, or a `Study`.
     points : array_like
         Inputs: complex numbers for functions of a complex variable, else an array with a row for
         each point, or the structured array of `points`.
@@ -322,7 +325,7 @@ def judge(method: str, points: Any, values: Any, **options: Any) -> Report:
         raise TypeError(f"judge has no option {next(iter(options))!r}")
     rows = _rows(description, points)
     scope = scope_of(chosen, budgets, single=single)
-    run = _mechaudit.Run(description.name, scope=scope, given=rows)
+    run = _mechaudit.Run(description.key, scope=scope, given=rows)
     outputs = description.outputs if chosen is None else [o for o in description.outputs if o in chosen]
     given = values
     array = np.asarray(values)

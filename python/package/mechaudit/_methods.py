@@ -28,11 +28,11 @@ def methods() -> list[dict[str, Any]]:
 class Description:
     """How a method's callables are called."""
 
-    def __init__(self, method: str) -> None:
-        # Also by the name of an earlier release; an unknown one is refused with those there are.
-        name: str = _mechaudit.Run(method).finish(True)["method"]
-        facts = next(m for m in methods() if m["name"] == name)
-        self.name = name
+    def __init__(self, method: Any) -> None:
+        # A study is found by a key of its own: the file of its name may have changed.
+        self.key = method if isinstance(method, str) else getattr(method, "_key", method)
+        facts = _mechaudit.method(self.key)
+        self.name: str = facts["name"]
         self.facts = facts
         self.inputs = [i[0] for i in facts["inputs"]]
         self.outputs = [o[0] for o in facts["outputs"]]

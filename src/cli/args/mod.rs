@@ -245,7 +245,7 @@ mod tests {
     }
 
     /// Pages of the repository and headers, all that shows commands.
-    const PAGES: [&str; 21] = [
+    const PAGES: [&str; 22] = [
         include_str!("../../../README.md"),
         include_str!("../../../benches/README.md"),
         include_str!("../../../capi/README.md"),
@@ -267,6 +267,7 @@ mod tests {
         include_str!("../../book/theorems.md"),
         include_str!("../../book/ulps.md"),
         include_str!("../../book/your_own_code.md"),
+        include_str!("../../book/your_own_problem.md"),
     ];
 
     /// Returns the reason why a line is no command of this program; help and version are commands.

@@ -78,7 +78,7 @@ impl Integrand for Body<'_> {
 
 /// Nodes that the body depends on and that do not depend on the variable of its binder: the largest
 /// of them.
-fn leaves(graph: &Graph, body: Id, binder: u32) -> Vec<Id> {
+pub(super) fn leaves(graph: &Graph, body: Id, binder: u32) -> Vec<Id> {
     let mut open = vec![body];
     let mut seen = vec![false; body as usize + 1];
     let mut found = Vec::new();

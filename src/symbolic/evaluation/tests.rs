@@ -64,6 +64,8 @@ fn formulas_at_a_point() {
         ),
         ("D(sin(x)*exp(x), x)", (0, 1), "1.0000000000000000000"),
         ("root(y, 0, 2, y^2 - x)", (2, 1), "1.4142135623730950488"),
+        // The logarithm does not depend on y.
+        ("root(y, 1, 20, y + log(x))", (1, 20), "2.9957322735539909934"),
         (
             "D(root(y, 0, 2, y^2 - x), x)",
             (2, 1),
