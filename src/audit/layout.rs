@@ -135,12 +135,22 @@ fn with_unit(name: &str, unit: &str) -> String {
 impl Layout {
     /// That of a method.
     pub fn new(method: &(impl Method + ?Sized)) -> Layout {
-        let inputs = method.inputs();
+        let outputs = method.outputs();
+        let outputs = outputs.iter().map(|o| (o.name, o.unit)).collect();
+        Layout::of(method.inputs(), outputs, method.rows())
+    }
+
+    /// That of inputs and of outputs with their units.
+    pub fn of(
+        inputs: Vec<Input>,
+        outputs: Vec<(&'static str, &'static str)>,
+        rows: Option<Rows>,
+    ) -> Layout {
         Layout {
             parts: inputs.iter().map(Part::new).collect(),
             inputs,
-            outputs: method.outputs().iter().map(|o| (o.name, o.unit)).collect(),
-            rows: method.rows(),
+            outputs,
+            rows,
         }
     }
 

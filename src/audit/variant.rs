@@ -224,6 +224,12 @@ impl Method for Variant<'_> {
     fn source(&self) -> &'static str {
         self.method.source()
     }
+    fn stream(&self) -> &'static str {
+        self.method.stream()
+    }
+    fn remarks(&self) -> Vec<String> {
+        self.method.remarks()
+    }
     fn inputs(&self) -> Vec<Input> {
         self.method.inputs()
     }

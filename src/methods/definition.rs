@@ -142,10 +142,6 @@ pub trait Evaluable: Method {
     fn select_solver(&mut self, name: &str) -> Result<(), String> {
         Err(format!("{} has one solver, and none of the name {name:?}", self.name()))
     }
-    /// Remarks that a report shows with the method.
-    fn remarks(&self) -> &[String] {
-        &[]
-    }
 }
 
 /// The method that a definition makes.

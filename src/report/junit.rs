@@ -97,7 +97,7 @@ fn failure(report: &MethodReport, region: &RegionReport) -> TestCaseStatus {
     let texts = cases
         .iter()
         .take(FAILURES_SHOWN)
-        .map(|f| plain(&case::text(f, &report.reproduce_command(&f.case), 100)));
+        .map(|f| plain(&case::text(f, &report.layout, &report.reproduce_command(&f.case), 100)));
     status.set_description(texts.collect::<Vec<String>>().join("\n"));
     status
 }

@@ -31,7 +31,16 @@ impl Method for Study {
     }
 
     fn source(&self) -> &'static str {
-        self.source
+        intern(&self.problem().source)
+    }
+
+    /// The name without the path: a file that is moved keeps its cases.
+    fn stream(&self) -> &'static str {
+        intern(&self.problem().name)
+    }
+
+    fn remarks(&self) -> Vec<String> {
+        self.problem().notes.clone()
     }
 
     fn inputs(&self) -> Vec<Input> {
@@ -139,9 +148,5 @@ impl Evaluable for Study {
     fn select_solver(&mut self, name: &str) -> Result<(), String> {
         *self = self.clone().with_solver(name).map_err(|e| e.to_string())?;
         Ok(())
-    }
-
-    fn remarks(&self) -> &[String] {
-        &self.problem().notes
     }
 }

@@ -164,7 +164,7 @@ pub fn judge(method: &dyn Method, path: &Path, args: &JudgeArgs) -> Result<Outco
     report.reproduce = Reproduce {
         head: format!(
             "mechaudit judge {} --table {} ",
-            method.name(),
+            shell_words::quote(method.name()),
             shell_words::quote(&path.to_string_lossy())
         ),
         tail: String::new(),

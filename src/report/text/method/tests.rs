@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::audit::{
-    Budget, Case, ComponentJudgement, ErrorParts, Format, Judgement, LawReport, Limit, Octave,
+    Budget, Case, ComponentJudgement, ErrorParts, Format, Input, Judgement, LawReport, Layout, Limit, Octave,
     Origin, OutputBudget, Proof, Reproduce, Settings, SolverAnswer,
 };
 
@@ -93,6 +93,15 @@ pub fn fabricated() -> MethodReport {
         method: "a-method",
         summary: "A method that exists for this test.",
         source: "Nobody (1900), (1)",
+        remarks: vec!["The name e is an input, not the constant.".into()],
+        layout: Layout::of(
+            vec![
+                Input { name: "a", unit: "1" },
+                Input { name: "b", unit: "m" },
+            ],
+            vec![("phi2", "rad")],
+            None,
+        ),
         candidate: None,
         settings: Settings::default(),
         format: Format::Double,
