@@ -208,9 +208,8 @@ impl Hunter<'_> {
                 self.left = 0;
                 break;
             }
-            let judge = |input: &Vec<f64>, answer| {
-                judged(method, settings, outputs, input.clone(), answer)
-            };
+            let judge =
+                |input: &Vec<f64>, answer| judged(method, settings, outputs, input.clone(), answer);
             let answered = match self.answers {
                 Some(answers) => {
                     let answers = answers(part);

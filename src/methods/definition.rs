@@ -140,7 +140,10 @@ pub trait Evaluable: Method {
     /// # Errors
     /// A name that is not the name of a solver.
     fn select_solver(&mut self, name: &str) -> Result<(), String> {
-        Err(format!("{} has one solver, and none of the name {name:?}", self.name()))
+        Err(format!(
+            "{} has one solver, and none of the name {name:?}",
+            self.name()
+        ))
     }
 }
 

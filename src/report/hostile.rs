@@ -4,8 +4,8 @@ use super::baseline::{Change, Changes};
 use super::svg::{chirp, linkage, reduced, run_up};
 use super::{html, junit, text};
 use crate::audit::{
-    BranchAt, CandidateReport, Case, Comparison, ConvergenceReport, ErrorMap, LevelReport,
-    Input, Layout, MapOutput, MethodReport, Origin, Point, Uncertified, Verdict,
+    BranchAt, CandidateReport, Case, Comparison, ConvergenceReport, ErrorMap, Input, Layout,
+    LevelReport, MapOutput, MethodReport, Origin, Point, Uncertified, Verdict,
 };
 use crate::motion::{Course, Drive, Motion, Point as Joint};
 use crate::papers::ledger::{Formula, Ledger};

@@ -133,8 +133,18 @@ impl Evaluable for Study {
         None
     }
 
-    fn explanation(&self, _: &[f64]) -> Option<String> {
-        None
+    fn explanation(&self, numbers: &[f64]) -> Option<String> {
+        let exact: Option<Vec<Rational>> = numbers.iter().map(|x| Rational::from_f64(*x)).collect();
+        let outputs = self.problem().outputs.iter();
+        let answers = self.answers(&exact?, Goal::Double(72));
+        let reasons = outputs.zip(answers).filter_map(|(output, answer)| {
+            let Answer::Undefined { reason, place } = answer else {
+                return None;
+            };
+            Some(format!("{} is undefined: {reason}: {place}", output.name))
+        });
+        let reasons = reasons.collect::<Vec<_>>().join("; ");
+        Some(reasons).filter(|reasons| !reasons.is_empty())
     }
 
     fn digits(&self, numbers: &[Rational], digits: u32) -> Option<Vec<CertifiedValue>> {

@@ -3,14 +3,14 @@
 use crate::cli::args::HuntArgs;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::{hard_folder, output::write_to};
+use crate::cli::forecast;
 use crate::cli::lookup;
-use crate::cli::progress::Progress;
-use crate::cli::terminal::width;
 use crate::cli::process::batches::Batches;
 use crate::cli::process::candidate::Candidate;
 use crate::cli::process::interrupt;
+use crate::cli::progress::Progress;
+use crate::cli::terminal::width;
 use crate::cli::workload::{self, Selection, reproduce_command};
-use crate::cli::forecast;
 use mechaudit::audit::{
     Case, HardCase, Hunt, HuntSettings, Method, Origin, Variant, Worst, hunt_answers, hunt_until,
     rounded_up,
@@ -134,7 +134,9 @@ fn of_program(method: &dyn Method, program: &Batches, args: &HuntArgs) -> String
     if let Some(input) = &program.unanswered {
         let case = workload::given(method.name(), input.clone());
         let again = format!("{}{}", case.reproduce(), tail(args));
-        out.push_str(&format!("  the first input without an answer\n    again    {again}\n"));
+        out.push_str(&format!(
+            "  the first input without an answer\n    again    {again}\n"
+        ));
     }
     out
 }
@@ -185,7 +187,11 @@ fn inputs(
             out.push_str(&format!("  {label} {}\n", wrap(&text, 13, width())));
         }
         // In one line, for a shell.
-        out.push_str(&format!("    again    {}{}\n", case.reproduce(), tail(args)));
+        out.push_str(&format!(
+            "    again    {}{}\n",
+            case.reproduce(),
+            tail(args)
+        ));
     }
     out
 }
@@ -247,9 +253,9 @@ fn report(method: &dyn Method, found: &Hunt, new: &[HardCase], args: &HuntArgs) 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mechaudit::report::text::style::plain;
     use crate::cli::args::{Args, Command};
     use clap::Parser;
+    use mechaudit::report::text::style::plain;
 
     fn worst(share: f64) -> Worst {
         Worst {
@@ -303,7 +309,12 @@ mod tests {
             evaluations: 7,
             interrupted: false,
         };
-        let text = plain(&report(&*method, &found, &[], &arguments(&["--evals", "9"])));
+        let text = plain(&report(
+            &*method,
+            &found,
+            &[],
+            &arguments(&["--evals", "9"]),
+        ));
         let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
         let first = failure(1.0).reproduce();
         let due = format!("2 drawn inputs fail without a share of the budget, the first: {first}");
@@ -387,7 +398,12 @@ mod tests {
         let method = lookup::method("erf").unwrap();
         let (re, im) = (of("Re erf", 12.5, 1.0), of("Im erf", 0.5, 2.0));
         let found = whole(vec![re.clone(), im.clone()]);
-        let text = plain(&report(&*method, &found, &[recorded(&re)], &arguments(&["--evals", "9"])));
+        let text = plain(&report(
+            &*method,
+            &found,
+            &[recorded(&re)],
+            &arguments(&["--evals", "9"]),
+        ));
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(lines[..2], ["erf", "  7 evaluations"]);
         let [head, first, second] = [2, 3, 4].map(|k| lines[k]);
@@ -410,7 +426,12 @@ mod tests {
             interrupted: true,
             ..found
         };
-        let text = plain(&report(&*method, &stopped, &[], &arguments(&["--evals", "9"])));
+        let text = plain(&report(
+            &*method,
+            &stopped,
+            &[],
+            &arguments(&["--evals", "9"]),
+        ));
         assert!(
             text.contains("\n  interrupted after 7 of 9 evaluations\n"),
             "{text}"

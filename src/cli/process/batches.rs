@@ -45,7 +45,9 @@ impl Batches {
         if self.failure.is_some() || self.report.trouble.is_some() {
             return Vec::new();
         }
-        let left = self.deadline.map(|end| end.saturating_duration_since(Instant::now()));
+        let left = self
+            .deadline
+            .map(|end| end.saturating_duration_since(Instant::now()));
         let candidate = Candidate {
             run_timeout: left.unwrap_or(self.candidate.run_timeout),
             ..self.candidate.clone()

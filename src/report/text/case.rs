@@ -123,8 +123,8 @@ fn values(report: &CaseReport, got: &[f64]) -> String {
 mod tests {
     use super::*;
     use crate::audit::{Case, Origin, Settings, audit_case};
-    use crate::report::text::method::tests::fabricated;
     use crate::methods::find;
+    use crate::report::text::method::tests::fabricated;
     use crate::report::text::style::plain;
 
     fn of(name: &str) -> String {

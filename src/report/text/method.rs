@@ -52,7 +52,12 @@ pub fn method(report: &MethodReport, width: usize) -> String {
 
 /// The report of a single case.
 pub fn single(report: &MethodReport, only: &CaseReport, width: usize) -> String {
-    let mut out = case::text(only, &report.layout, &report.reproduce_command(&only.case), width);
+    let mut out = case::text(
+        only,
+        &report.layout,
+        &report.reproduce_command(&only.case),
+        width,
+    );
     let line = |label: &str, text: &str| format!("    {label:<10} {}\n", wrap(text, 15, width));
     out.push_str(&line("budget", &budgets(report)));
     if let Some(c) = &report.candidate {

@@ -119,7 +119,8 @@ impl Book {
         let number = self.number(&report.case);
         if self.cases[number].4.is_none() {
             self.cases[number].4 = Some(self.whole.len());
-            self.whole.push(Whole::of(report, &self.layout, self.most.1));
+            self.whole
+                .push(Whole::of(report, &self.layout, self.most.1));
         }
     }
 }

@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::audit::{
-    Budget, Case, ComponentJudgement, ErrorParts, Format, Input, Judgement, LawReport, Layout, Limit, Octave,
-    Origin, OutputBudget, Proof, Reproduce, Settings, SolverAnswer,
+    Budget, Case, ComponentJudgement, ErrorParts, Format, Input, Judgement, LawReport, Layout,
+    Limit, Octave, Origin, OutputBudget, Proof, Reproduce, Settings, SolverAnswer,
 };
 
 /// A report that exists for tests.
@@ -96,8 +96,14 @@ pub fn fabricated() -> MethodReport {
         remarks: vec!["The name e is an input, not the constant.".into()],
         layout: Layout::of(
             vec![
-                Input { name: "a", unit: "1" },
-                Input { name: "b", unit: "m" },
+                Input {
+                    name: "a",
+                    unit: "1",
+                },
+                Input {
+                    name: "b",
+                    unit: "m",
+                },
             ],
             vec![("phi2", "rad")],
             None,
