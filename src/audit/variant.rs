@@ -270,7 +270,7 @@ impl Method for Variant<'_> {
             domain.check_points.clear();
         }
         if self.ordinary {
-            let name = self.method.name();
+            let name = self.method.stream();
             domain.regions.retain(|r| r.is_ordinary(name));
             domain.check_points.retain(|p| is_ordinary(&p.input));
         }

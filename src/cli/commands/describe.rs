@@ -121,7 +121,7 @@ fn json(method: &dyn Method) -> Value {
         json!({
             "name": r.name,
             "description": r.description,
-            "ordinary": r.is_ordinary(method.name()),
+            "ordinary": r.is_ordinary(method.stream()),
         })
     });
     let laws = method.laws().into_iter();
@@ -233,7 +233,7 @@ fn text(method: &dyn Method, width: usize) -> String {
     }
     let domain = method.domain();
     let (ordinary, ends): (Vec<_>, Vec<_>) =
-        (domain.regions.iter()).partition(|r| r.is_ordinary(method.name()));
+        (domain.regions.iter()).partition(|r| r.is_ordinary(method.stream()));
     for (label, regions) in [("regions", ordinary), ("end of range", ends)] {
         for (i, r) in regions.iter().enumerate() {
             let text = format!("{}: {}", r.name, r.description);
