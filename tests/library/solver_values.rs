@@ -5,7 +5,7 @@
 
 use mechaudit::audit::{Case, Cases, Limit, Method, Origin, Settings, Verdict};
 use mechaudit::audit::{answer_of, judge_case};
-use mechaudit::methods::{find, registry};
+use mechaudit::methods::{Evaluable, find, registry};
 use std::collections::HashMap;
 use std::fs;
 use std::path::Path;
@@ -47,7 +47,7 @@ fn held(method: &dyn Method) -> Vec<Held> {
 }
 
 /// The methods with values: enclosing the motions of `run-up` takes minutes, `run_up_accuracy` compares some.
-fn methods() -> impl Iterator<Item = Box<dyn Method>> {
+fn methods() -> impl Iterator<Item = Box<dyn Evaluable>> {
     registry().into_iter().filter(|m| m.name() != "run-up")
 }
 
