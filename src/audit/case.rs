@@ -148,7 +148,7 @@ impl Case {
     pub fn reproduce(&self) -> String {
         match &self.origin {
             Origin::Line { number } => format!("line {number} of the inputs"),
-            _ => format!("mechaudit audit {} {}", self.method, self.place()),
+            _ => format!("mechaudit audit {} {}", quoted(self.method), self.place()),
         }
     }
 
@@ -189,7 +189,7 @@ impl Case {
 }
 
 /// A text as a word of a shell.
-fn quoted(path: &str) -> String {
+pub(super) fn quoted(path: &str) -> String {
     let plain = |c: char| c.is_alphanumeric() || "/._-+,:@%".contains(c);
     match !path.is_empty() && path.chars().all(plain) {
         true => path.into(),
@@ -200,6 +200,8 @@ fn quoted(path: &str) -> String {
 /// The cases of a run, check points and hard cases first; each is drawn when needed.
 pub struct Cases {
     method: &'static str,
+    /// See [`Method::stream`].
+    stream: &'static str,
     domain: Domain,
     /// See [`Draw::keyed`].
     keyed: Key,
@@ -215,10 +217,11 @@ pub struct Cases {
 impl Cases {
     /// Those of a method's whole domain.
     pub fn new(method: &dyn Method, settings: &Settings) -> Cases {
-        let (name, domain) = (method.name(), method.domain());
-        let streams = domain.regions.iter().map(|r| Draw::named(name, r.name));
+        let (stream, domain) = (method.stream(), method.domain());
+        let streams = domain.regions.iter().map(|r| Draw::named(stream, r.name));
         Cases {
-            method: name,
+            method: method.name(),
+            stream,
             keyed: Draw::keyed(settings.seed),
             streams: streams.collect(),
             domain,
@@ -297,10 +300,10 @@ impl Cases {
                     seed,
                     index,
                 };
-                ("near", near.sample(self.method, stream), origin)
+                ("near", near.sample(self.stream, stream), origin)
             }
             Sampling::Box(sides) => {
-                let (region, input) = sides.sample(self.method, &self.domain, stream);
+                let (region, input) = sides.sample(self.stream, &self.domain, stream);
                 let text = sides.text().into();
                 (region, input, Origin::Box { text, seed, index })
             }

@@ -1,5 +1,6 @@
 //! Hunting for the worst inputs: seeds from the domain, then a climb by small moves.
 
+use super::answer::SolverAnswer;
 use super::case::{Case, Cases, Origin};
 use super::domain::Draw;
 use super::judge::Verdict;
@@ -50,6 +51,10 @@ pub struct Hunt {
 const TOGETHER: usize = 256;
 /// Moves tried at once from one place.
 const MOVES: usize = 16;
+/// The same where answers come from elsewhere, for instance from a program that is started for each
+/// batch.
+const TOGETHER_ELSEWHERE: usize = 4096;
+const MOVES_ELSEWHERE: usize = 64;
 /// Climbs that the evaluations are divided among, or one for each output if there are more.
 const STARTS: usize = 12;
 /// So many times as many places to climb from: a climb that ends early leaves its evaluations.
@@ -83,8 +88,13 @@ struct Seed {
     region: &'static str,
 }
 
+/// Answers to inputs, one for each and in their order; fewer end the hunt.
+pub type Answers<'a> = dyn Fn(&[Vec<f64>]) -> Vec<SolverAnswer> + 'a;
+
 struct Hunter<'a> {
     method: &'a dyn Method,
+    /// In place of those of the method's own solver.
+    answers: Option<&'a Answers<'a>>,
     outputs: Vec<&'static str>,
     settings: Settings,
     left: u64,
@@ -107,9 +117,31 @@ pub fn hunt_until(
     progress: &(dyn Fn(u64) + Sync),
     stop: &AtomicBool,
 ) -> Hunt {
+    search(method, settings, None, progress, stop)
+}
+
+/// [`hunt_until`], judging answers from elsewhere in place of those of the method's own solver.
+pub fn hunt_answers(
+    method: &dyn Method,
+    settings: &HuntSettings,
+    answers: &Answers,
+    progress: &(dyn Fn(u64) + Sync),
+    stop: &AtomicBool,
+) -> Hunt {
+    search(method, settings, Some(answers), progress, stop)
+}
+
+fn search(
+    method: &dyn Method,
+    settings: &HuntSettings,
+    answers: Option<&Answers>,
+    progress: &(dyn Fn(u64) + Sync),
+    stop: &AtomicBool,
+) -> Hunt {
     let outputs: Vec<&'static str> = method.outputs().iter().map(|o| o.name).collect();
     let mut hunter = Hunter {
         method,
+        answers,
         worst: vec![None; outputs.len()],
         outputs,
         settings: Settings {
@@ -125,7 +157,7 @@ pub fn hunt_until(
     let starts = choose(&seeds, hunter.outputs.len());
     let share = hunter.left / STARTS.max(hunter.outputs.len()) as u64;
     for (k, (start, output)) in starts.iter().enumerate() {
-        let mut draw = Draw::new(settings.seed, method.name(), "climb", k as u64);
+        let mut draw = Draw::new(settings.seed, method.stream(), "climb", k as u64);
         hunter.climb(start, *output, share.max(1), &mut draw);
     }
     let mut worst: Vec<Worst> = hunter.worst.into_iter().flatten().collect();
@@ -167,18 +199,38 @@ impl Hunter<'_> {
         inputs.truncate(self.left.min(usize::MAX as u64) as usize);
         let (method, settings, outputs) = (self.method, &self.settings, self.outputs.len());
         let mut all = Vec::with_capacity(inputs.len());
-        for part in inputs.chunks(TOGETHER) {
+        let together = match self.answers {
+            Some(_) => TOGETHER_ELSEWHERE,
+            None => TOGETHER,
+        };
+        for part in inputs.chunks(together) {
             if self.stop.load(Ordering::Relaxed) {
                 self.left = 0;
                 break;
             }
-            let judged = part
-                .par_iter()
-                .map(|input| judged(method, settings, outputs, input.clone()));
-            all.par_extend(judged);
+            let judge =
+                |input: &Vec<f64>, answer| judged(method, settings, outputs, input.clone(), answer);
+            let answered = match self.answers {
+                Some(answers) => {
+                    let answers = answers(part);
+                    let answered = answers.len().min(part.len());
+                    let pairs = part.par_iter().zip(answers);
+                    all.par_extend(pairs.map(|(input, answer)| judge(input, answer)));
+                    answered
+                }
+                None => {
+                    let own = |input: &Vec<f64>| judge(input, answer_of(method, input));
+                    all.par_extend(part.par_iter().map(own));
+                    part.len()
+                }
+            };
             self.left -= part.len() as u64;
-            self.made += part.len() as u64;
+            self.made += answered as u64;
             (self.progress)(self.made);
+            if answered < part.len() {
+                self.left = 0;
+                break;
+            }
         }
         all
     }
@@ -253,11 +305,15 @@ impl Hunter<'_> {
         let end = self.left.saturating_sub(evaluations);
         let mut top = seed.found.clone();
         let mut without = 0;
+        let moves = match self.answers {
+            Some(_) => MOVES_ELSEWHERE,
+            None => MOVES,
+        };
         while self.left > end && without < PATIENCE {
-            let inputs: Vec<Vec<f64>> = (0..8 * MOVES)
+            let inputs: Vec<Vec<f64>> = (0..8 * moves)
                 .map(|_| moved(&top.input, draw))
                 .filter(|x| within_reach(&seed.found.input, x) && self.method.admits(x))
-                .take(MOVES.min((self.left - end) as usize))
+                .take(moves.min((self.left - end) as usize))
                 .collect();
             if inputs.is_empty() {
                 return;
@@ -287,14 +343,19 @@ fn with(case: &Case, input: Vec<f64>) -> Case {
     }
 }
 
-fn judged(method: &dyn Method, settings: &Settings, outputs: usize, input: Vec<f64>) -> Found {
+fn judged(
+    method: &dyn Method,
+    settings: &Settings,
+    outputs: usize,
+    input: Vec<f64>,
+    answer: SolverAnswer,
+) -> Found {
     let case = Case {
         method: method.name(),
         region: "hunt",
         input,
         origin: Origin::Given,
     };
-    let answer = answer_of(method, &case.input);
     let report = judge_case_briefly(method, case, answer, settings);
     let components = &report.judgement.components;
     let kinds = [Verdict::Pass, Verdict::Over];

@@ -135,20 +135,27 @@ fn with_unit(name: &str, unit: &str) -> String {
 impl Layout {
     /// That of a method.
     pub fn new(method: &(impl Method + ?Sized)) -> Layout {
-        Layout {
-            outputs: method.outputs().iter().map(|o| (o.name, o.unit)).collect(),
-            rows: method.rows(),
-            ..Layout::of_inputs(method.inputs())
-        }
+        let outputs = method.outputs();
+        let outputs = outputs.iter().map(|o| (o.name, o.unit)).collect();
+        Layout::of(method.inputs(), outputs, method.rows())
     }
 
     /// Returns the layout of these inputs, without that of an answer.
     pub fn of_inputs(inputs: Vec<Input>) -> Layout {
+        Layout::of(inputs, Vec::new(), None)
+    }
+
+    /// Returns the layout of inputs and of outputs with their units.
+    pub fn of(
+        inputs: Vec<Input>,
+        outputs: Vec<(&'static str, &'static str)>,
+        rows: Option<Rows>,
+    ) -> Layout {
         Layout {
             parts: inputs.iter().map(Part::new).collect(),
             inputs,
-            outputs: Vec::new(),
-            rows: None,
+            outputs,
+            rows,
         }
     }
 

@@ -111,6 +111,14 @@ pub trait Method: Sync {
     fn summary(&self) -> &'static str;
     /// Where the method comes from, with equation numbers.
     fn source(&self) -> &'static str;
+    /// Returns the name that random inputs are drawn by: the same wherever the method is kept.
+    fn stream(&self) -> &'static str {
+        self.name()
+    }
+    /// Returns remarks that every report shows with the method.
+    fn remarks(&self) -> Vec<String> {
+        Vec::new()
+    }
     /// The layout of the input vector.
     fn inputs(&self) -> Vec<Input>;
     /// The outputs with their budgets.

@@ -6,6 +6,7 @@ use super::case::{Case, briefly, briefly_if};
 use super::case_report::CaseReport;
 use super::judge::Verdict;
 use super::kind::Kinds;
+use super::layout::Layout;
 use super::maps::ErrorMap;
 use super::method::ProvedBound;
 use super::parts::ErrorParts;
@@ -169,6 +170,11 @@ pub struct MethodReport {
     pub summary: &'static str,
     /// Its source.
     pub source: &'static str,
+    /// Remarks on the method.
+    pub remarks: Vec<String>,
+    /// The layout of its inputs and answers: cases take the names of their numbers from it.
+    #[serde(skip)]
+    pub layout: Layout,
     /// The code audited, if it is not the method's own solver.
     pub candidate: Option<CandidateReport>,
     /// The settings.

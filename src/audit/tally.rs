@@ -1,6 +1,6 @@
 //! The findings, gathered case by case, on one machine or on many.
 
-use super::case::Case;
+use super::case::{Case, quoted};
 use super::case_report::CaseReport;
 use super::hard::HardCase;
 use super::judge::Verdict;
@@ -239,10 +239,12 @@ impl Tally {
             method: method.name(),
             summary: method.summary(),
             source: method.source(),
+            remarks: method.remarks(),
             candidate: None,
             settings: settings.clone(),
             format: method.format(),
             inputs: layout.singles(),
+            layout,
             budgets: outputs
                 .iter()
                 .map(|o| OutputBudget {
@@ -267,7 +269,7 @@ impl Tally {
             failures: judged(failures),
             points,
             reproduce: Reproduce {
-                head: format!("mechaudit audit {} ", method.name()),
+                head: format!("mechaudit audit {} ", quoted(method.name())),
                 tail: String::new(),
             },
         }

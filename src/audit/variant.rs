@@ -224,6 +224,12 @@ impl Method for Variant<'_> {
     fn source(&self) -> &'static str {
         self.method.source()
     }
+    fn stream(&self) -> &'static str {
+        self.method.stream()
+    }
+    fn remarks(&self) -> Vec<String> {
+        self.method.remarks()
+    }
     fn inputs(&self) -> Vec<Input> {
         self.method.inputs()
     }
@@ -264,7 +270,7 @@ impl Method for Variant<'_> {
             domain.check_points.clear();
         }
         if self.ordinary {
-            let name = self.method.name();
+            let name = self.method.stream();
             domain.regions.retain(|r| r.is_ordinary(name));
             domain.check_points.retain(|p| is_ordinary(&p.input));
         }

@@ -35,9 +35,14 @@ impl Identity {
             .map(|p| (p.method.as_str(), p.seed, p.kind == Kind::Candidate))
             .collect();
         for (name, seed, candidate) in methods {
-            let Some(method) = crate::methods::find(name) else {
+            let Ok(method) = crate::resolve(name) else {
                 continue;
             };
+            if crate::study::is_path(name)
+                && let Ok(text) = std::fs::read(crate::study::file_of(name))
+            {
+                references.update(Sha256::digest(&text));
+            }
             let settings = Settings {
                 seed,
                 cases_per_region: DRAWN,

@@ -219,6 +219,16 @@ pub(super) fn hex(bytes: &[u8]) -> String {
     bytes.iter().map(|b| format!("{b:02x}")).collect()
 }
 
+/// The method that a plan names; the file of a study by its whole path, so that shards find it
+/// wherever they are run.
+fn placed(method: &str) -> String {
+    match crate::study::is_path(method) {
+        true => std::path::absolute(method)
+            .map_or_else(|_| method.into(), |p| p.to_string_lossy().into_owned()),
+        false => method.into(),
+    }
+}
+
 impl FilePart {
     fn check(&self) -> Result<(), &'static str> {
         let limits = [self.ulps, self.relative, self.absolute];
@@ -312,7 +322,7 @@ impl FilePart {
             .find_map(|(name, x)| Some((name.to_string(), (*x)?)));
         Part {
             kind: self.kind,
-            method: method.into(),
+            method: placed(method),
             seed,
             regions: self.regions.clone(),
             sides: self.sides.clone(),
@@ -400,6 +410,13 @@ impl Part {
 
     fn check(&self) -> Result<(), String> {
         let method = crate::resolve(&self.method).map_err(|e| e.to_string())?;
+        if matches!(self.kind, Kind::Audit | Kind::Hunt) && !method.has_solver() {
+            let name = &self.method;
+            return Err(format!(
+                "{name} states no solver: give a program by kind = \"candidate\" and exec, or add \
+                 [solver.NAME] to the file"
+            ));
+        }
         if self.kind == Kind::Proof {
             if self.method != "faddeeva" {
                 let name = &self.method;

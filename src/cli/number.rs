@@ -1,6 +1,6 @@
 //! Numbers and lines of numbers as users write them.
 
-use mechaudit::reference::{Decimal, DecimalError, HexFloat, HexFloatError};
+use mechaudit::reference::{Decimal, DecimalError, HexFloat, HexFloatError, nearest_f64};
 use rug::Rational;
 
 /// The longest line of an input, an answer or a table.
@@ -8,12 +8,14 @@ pub const LONGEST: usize = 1 << 20;
 /// The largest number of fields on a line.
 pub const FIELDS: usize = 100_000;
 
-/// A decimal, a hexadecimal float, an infinity or NaN.
+/// A decimal, a hexadecimal float, a quotient of decimals, an infinity or NaN.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Number<'a> {
     /// Written as a decimal, and the nearest `f64`.
     Decimal(&'a str, f64),
     Hex(HexFloat),
+    /// A quotient of two decimals, `1/3`.
+    Quotient(Rational),
     NotFinite(f64),
 }
 
@@ -40,6 +42,13 @@ impl<'a> Number<'a> {
         if let Ok(nearest) = Decimal::nearest(text) {
             return Ok(Number::Decimal(text, nearest));
         }
+        if let Some((above, below)) = text.split_once('/') {
+            let decimal = |text: &str| Decimal::parse(text.trim()).map(|d| d.value);
+            return match (decimal(above), decimal(below)) {
+                (Ok(above), Ok(below)) if !below.is_zero() => Ok(Number::Quotient(above / below)),
+                _ => Err(NumberError::Neither { text: text.into() }),
+            };
+        }
         let words = ["inf", "infinity", "nan"];
         match text.parse() {
             Ok(x) if words.iter().any(|w| body.eq_ignore_ascii_case(w)) => Ok(Number::NotFinite(x)),
@@ -52,6 +61,7 @@ impl<'a> Number<'a> {
         match self {
             Number::Decimal(_, x) => *x,
             Number::Hex(x) => x.to_f64(),
+            Number::Quotient(x) => nearest_f64(x),
             Number::NotFinite(x) => *x,
         }
     }
@@ -61,6 +71,7 @@ impl<'a> Number<'a> {
         match self {
             Number::Decimal(text, _) => Ok(Decimal::parse(text)?.value),
             Number::Hex(x) => Ok(x.value()),
+            Number::Quotient(x) => Ok(x.clone()),
             Number::NotFinite(x) => Err(NumberError::NotFinite(*x)),
         }
     }

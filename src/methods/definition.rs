@@ -193,10 +193,6 @@ pub trait Evaluable: Method {
             self.name()
         ))
     }
-    /// Remarks that a report shows with the method.
-    fn remarks(&self) -> &[String] {
-        &[]
-    }
 }
 
 /// The method that a definition makes.

@@ -4,8 +4,8 @@ use super::baseline::{Change, Changes};
 use super::svg::{chirp, linkage, reduced, run_up};
 use super::{html, junit, text};
 use crate::audit::{
-    BranchAt, CandidateReport, Case, Comparison, ConvergenceReport, ErrorMap, LevelReport,
-    MapOutput, MethodReport, Origin, Point, Uncertified, Verdict,
+    BranchAt, CandidateReport, Case, Comparison, ConvergenceReport, ErrorMap, Input, Layout,
+    LevelReport, MapOutput, MethodReport, Origin, Point, Uncertified, Verdict,
 };
 use crate::motion::{Course, Drive, Motion, Point as Joint};
 use crate::papers::ledger::{Formula, Ledger};
@@ -88,6 +88,12 @@ fn method() -> MethodReport {
         trouble: Some(HOSTILE.into()),
     });
     report.inputs = vec![(HOSTILE, 0)];
+    report.remarks = vec![HOSTILE.into()];
+    let named = vec![Input {
+        name: HOSTILE,
+        unit: HOSTILE,
+    }];
+    report.layout = Layout::of(named, vec![(HOSTILE, HOSTILE)], None);
     report.budgets[0].name = HOSTILE;
     report.reproduce.head = HOSTILE.into();
     report.points = vec![Point {

@@ -4,7 +4,6 @@ pub use super::SCHEMA_VERSION;
 use super::baseline::Changes;
 use crate::audit::{CaseReport, Comparison, Layout, MethodReport, SolverAnswer, hex_float};
 use crate::campaign::{Deal, Identity, PartSum, Plan};
-use crate::methods;
 use serde_json::{Value, json};
 
 /// The report of an audit of one method or of several.
@@ -20,13 +19,11 @@ pub fn document(reports: &[MethodReport], interrupted: bool) -> Value {
 
 /// A case: the judgement with the answer, names and exact values of the inputs, and the command
 /// that judges it again.
-pub fn case(report: &CaseReport, again: &str) -> Value {
+pub fn case(report: &CaseReport, layout: &Layout, again: &str) -> Value {
     let mut value = serde_json::to_value(report).unwrap_or(Value::Null);
     let input = &report.case.input;
     let hex: Vec<String> = input.iter().map(|x| hex_float(*x)).collect();
-    let method = methods::find(report.case.method);
-    let names = method.map(|m| Layout::new(&*m).names(input));
-    let names = names.unwrap_or_default().into_iter();
+    let names = layout.names(input).into_iter();
     let got = match &report.answer {
         Some(SolverAnswer::Values(v)) => json!({
             "values": v,
@@ -52,7 +49,7 @@ pub fn method(report: &MethodReport) -> Value {
     let mut value = serde_json::to_value(report).unwrap_or(Value::Null);
     let cases = |all: &[CaseReport]| -> Value {
         let all = all.iter();
-        all.map(|f| case(f, &report.reproduce_command(&f.case)))
+        all.map(|f| case(f, &report.layout, &report.reproduce_command(&f.case)))
             .collect()
     };
     value["passed_all"] = json!(report.passed());
@@ -120,16 +117,17 @@ mod tests {
     #[test]
     fn a_case_has_its_exact_numbers_and_its_command() {
         let mut report = fabricated().failures.remove(0);
-        (report.case.method, report.case.input) = ("faddeeva", vec![0.5, -1.0]);
-        let value = case(&report, "again");
-        assert_eq!(value["input_names"], json!(["Re z", "Im z"]));
+        (report.case.method, report.case.input) = ("a/study.toml", vec![0.5, -1.0]);
+        let layout = fabricated().layout;
+        let value = case(&report, &layout, "again");
+        assert_eq!(value["input_names"], json!(["a", "b"]));
         assert_eq!(value["input_hexadecimal"], json!(["0x1p-1", "-0x1p+0"]));
         assert_eq!(value["reproduce"], "again");
         assert_eq!(value["share"], 1.75);
         let got = |answer| {
             let mut report = report.clone();
             report.answer = answer;
-            case(&report, "")["got"].clone()
+            case(&report, &layout, "")["got"].clone()
         };
         let values = json!({ "values": [0.75], "hexadecimal": ["0x1.8p-1"] });
         for (answer, due) in [

@@ -94,10 +94,14 @@ fn failure(report: &MethodReport, region: &RegionReport) -> TestCaseStatus {
     ];
     let parts: Vec<String> = parts.into_iter().filter(|p| !p.is_empty()).collect();
     let mut status = failed(parts.join("; "));
-    let texts = cases
-        .iter()
-        .take(FAILURES_SHOWN)
-        .map(|f| plain(&case::text(f, &report.reproduce_command(&f.case), 100)));
+    let texts = cases.iter().take(FAILURES_SHOWN).map(|f| {
+        plain(&case::text(
+            f,
+            &report.layout,
+            &report.reproduce_command(&f.case),
+            100,
+        ))
+    });
     status.set_description(texts.collect::<Vec<String>>().join("\n"));
     status
 }

@@ -31,7 +31,16 @@ impl Method for Study {
     }
 
     fn source(&self) -> &'static str {
-        self.source
+        intern(&self.problem().source)
+    }
+
+    /// The name without the path: a file that is moved keeps its cases.
+    fn stream(&self) -> &'static str {
+        intern(&self.problem().name)
+    }
+
+    fn remarks(&self) -> Vec<String> {
+        self.problem().notes.clone()
     }
 
     fn inputs(&self) -> Vec<Input> {
@@ -124,8 +133,18 @@ impl Evaluable for Study {
         None
     }
 
-    fn explanation(&self, _: &[f64]) -> Option<String> {
-        None
+    fn explanation(&self, numbers: &[f64]) -> Option<String> {
+        let exact: Option<Vec<Rational>> = numbers.iter().map(|x| Rational::from_f64(*x)).collect();
+        let outputs = self.problem().outputs.iter();
+        let answers = self.answers(&exact?, Goal::Double(72));
+        let reasons = outputs.zip(answers).filter_map(|(output, answer)| {
+            let Answer::Undefined { reason, place } = answer else {
+                return None;
+            };
+            Some(format!("{} is undefined: {reason}: {place}", output.name))
+        });
+        let reasons = reasons.collect::<Vec<_>>().join("; ");
+        Some(reasons).filter(|reasons| !reasons.is_empty())
     }
 
     fn digits(&self, numbers: &[Rational], digits: u32) -> Option<Vec<CertifiedValue>> {
@@ -139,9 +158,5 @@ impl Evaluable for Study {
     fn select_solver(&mut self, name: &str) -> Result<(), String> {
         *self = self.clone().with_solver(name).map_err(|e| e.to_string())?;
         Ok(())
-    }
-
-    fn remarks(&self) -> &[String] {
-        &self.problem().notes
     }
 }

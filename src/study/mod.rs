@@ -78,7 +78,6 @@ pub struct Study {
     /// The solver that is audited, by its place.
     chosen: usize,
     name: &'static str,
-    source: &'static str,
 }
 
 impl Study {
@@ -95,10 +94,6 @@ impl Study {
         let solvers = solvers.collect::<Result<_, _>>()?;
         let domain = sampling::domain(&problem, &sketch)?;
         let name = intern(&problem.name);
-        let source = match problem.notes.is_empty() {
-            true => problem.source.clone(),
-            false => format!("{}. {}", problem.source, problem.notes.join(" ")),
-        };
         Ok(Study {
             compiled: Arc::new(Compiled::new(problem)?),
             sketch,
@@ -106,7 +101,6 @@ impl Study {
             domain,
             chosen: 0,
             name,
-            source: intern(&source),
         })
     }
 
@@ -298,6 +292,11 @@ fn split(path: &str) -> (&str, Option<&str>) {
 
 fn is_fpcore(file: &str) -> bool {
     file.ends_with(".fpcore")
+}
+
+/// Returns the file of a study's path: `FILE.fpcore` of `FILE.fpcore#NAME`.
+pub fn file_of(path: &str) -> &str {
+    split(path).0
 }
 
 /// Returns true if a text names a file of a study rather than a built-in method.

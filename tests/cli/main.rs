@@ -38,4 +38,5 @@ mod runup;
 mod samples;
 mod shown;
 mod studies;
+mod study_commands;
 mod usage;

@@ -23,7 +23,7 @@ fn schema(file: &str) -> Value {
 }
 
 /// Where a document is not as the schema of that file says.
-fn against(file: &str, document: &Value) -> Vec<String> {
+pub fn against(file: &str, document: &Value) -> Vec<String> {
     let mut found = Vec::new();
     let root = schema(file);
     faults(&root, &root, document, "", &mut found);

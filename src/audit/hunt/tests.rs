@@ -43,6 +43,7 @@ fn hunter<'a>(
 ) -> Hunter<'a> {
     Hunter {
         method,
+        answers: None,
         worst: vec![None; method.outputs.len()],
         outputs: method.outputs.iter().map(|o| o.name).collect(),
         settings: Settings::default(),
@@ -273,7 +274,11 @@ fn shares_are_those_of_outputs() {
             ..Planted::default()
         },
     );
-    let one = |method: &Planted, n: usize| judged(method, &Settings::default(), 2, vec![1.5; n]);
+    let one = |method: &Planted, n: usize| {
+        let input = vec![1.5; n];
+        let answer = answer_of(method, &input);
+        judged(method, &Settings::default(), 2, input, answer)
+    };
     let f = one(&method, 4);
     assert!(is(f.share(0), 0.75) && is(f.share(1), 1.25) && !f.passed);
     let f = one(&method, 1);
@@ -408,4 +413,32 @@ fn seeds_come_from_all_regions() {
 #[test]
 fn without_outputs_or_seeds_there_is_nothing_to_climb_for() {
     assert!(choose(&[], 0).is_empty() && choose(&[], 2).is_empty());
+}
+
+/// Answers from elsewhere are judged in place of the method's own; a batch that is answered in part
+/// is the last one.
+#[test]
+fn answers_may_come_from_elsewhere() {
+    let method = Planted {
+        // One binade: an ulp is the same everywhere.
+        admits: Box::new(|x| (1.0..1.5).contains(&x[0])),
+        ..Planted::default()
+    };
+    let settings = HuntSettings {
+        evaluations: 300,
+        seed: 1,
+    };
+    let never = AtomicBool::new(false);
+    let hunted = |answers: &Answers| hunt_answers(&method, &settings, answers, &|_| {}, &never);
+    let off_by_three = |x: &[Vec<f64>]| {
+        let off = |x: &Vec<f64>| f64::from_bits(x[0].to_bits() + 3);
+        let answers = x.iter().map(|x| SolverAnswer::Values(vec![off(x)]));
+        answers.collect::<Vec<_>>()
+    };
+    let found = hunted(&off_by_three);
+    assert_eq!((found.evaluations, found.worst.len()), (300, 1));
+    assert!(is(found.worst[0].share, 0.75), "{:?}", found.worst);
+    let seven = |x: &[Vec<f64>]| off_by_three(&x[..7]);
+    let found = hunted(&seven);
+    assert_eq!((found.evaluations, found.interrupted), (7, false));
 }

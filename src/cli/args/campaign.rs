@@ -12,6 +12,8 @@ Examples:
   mechaudit campaign merge target/campaign > campaign.json
   mechaudit campaign report target/campaign --output campaign.html
 
+A method may be the file of a study, by a path from the working directory of `plan`; its text is part \
+of the campaign's identity, so that no shard is run after a change of it. \
 A shard is a function of the plan and its number, and a file. `run` does the shards that are missing, on \
 this machine, as often and in as many processes as it is called; what ends it loses the shard under way \
 and nothing else. The merged JSON is the same, byte for byte, however many shards, processes and machines \

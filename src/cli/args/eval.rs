@@ -9,16 +9,18 @@ Examples:
   echo 1.5,-0.25 | mechaudit eval faddeeva
   echo 0x1.8p+0,-0x1p-2 | mechaudit eval faddeeva --digits 50
   echo 0.1,0.3,0,0,0,1 | mechaudit eval slider-crank --digits 30 --outputs x,mu
+  echo 1/3 | mechaudit eval study.toml --digits 30
   mechaudit eval faddeeva --threads 4 < cases.csv > values.csv
 
 Input: one case a line, its numbers as `mechaudit describe NAME` lays them out, separated by commas; \
-each a decimal or a C99 hexadecimal float, without --digits also inf and nan. Blank lines and lines \
+each a decimal, a C99 hexadecimal float or a quotient of decimals, without --digits also inf and nan. Blank lines and lines \
 that begin with # are skipped.
 
 Output: one line for each case, in the same order. Without --digits the floating-point solver at \
 the nearest 64-bit numbers, as hexadecimal floats; with --digits the reference at exactly the \
 numbers given, each value correctly rounded or its last digit off by one at most, 0 where it is \
-proved to be zero, and undecided where its digits cannot be certified.
+proved to be zero, nan where it is undefined, and undecided where its digits cannot be certified. Standard \
+error tells why a value is nan or undecided, where the method says it.
 
 With MECHAUDIT_PROTOCOL=binary in its environment, as audit --binary sets it, and without --digits: \
 binary frames in place of lines, by one thread, see the book's chapter on formats; refusals are \

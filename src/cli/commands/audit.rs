@@ -251,7 +251,10 @@ fn judge_named(
     };
     workload.check()?;
     let candidate = candidate(args);
-    let tail = reproduce_command(candidate.as_ref(), selection(args));
+    let mut tail = reproduce_command(candidate.as_ref(), selection(args));
+    if let Some(name) = &args.solver {
+        tail += &format!(" --solver {}", shell_words::quote(name));
+    }
     if let [method] = workload.methods.as_slice()
         && let Some(mut report) = judged_alone(method, &workload, candidate.as_ref())?
     {

@@ -38,6 +38,9 @@ pub fn compare(args: &CompareArgs) -> Result<Outcome, Failure> {
         settings.points = POINTS;
     }
     let method = lookup::method(&args.method)?;
+    if args.with.is_some() {
+        lookup::has_solver(&*method)?;
+    }
     let selection = Selection::new(&args.place, &args.scope);
     let output = Output::open(args.output.as_deref())?;
     let before = args

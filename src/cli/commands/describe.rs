@@ -121,7 +121,7 @@ fn json(method: &dyn Method) -> Value {
         json!({
             "name": r.name,
             "description": r.description,
-            "ordinary": r.is_ordinary(method.name()),
+            "ordinary": r.is_ordinary(method.stream()),
         })
     });
     let laws = method.laws().into_iter();
@@ -142,6 +142,7 @@ fn json(method: &dyn Method) -> Value {
         "name": method.name(),
         "summary": method.summary(),
         "source": method.source(),
+        "remarks": method.remarks(),
         "inputs": inputs,
         "outputs": outputs.collect::<Vec<_>>(),
         "rows": method.rows(),
@@ -169,6 +170,9 @@ fn text(method: &dyn Method, width: usize) -> String {
     let mut out = format!("{}\n", paint(BOLD, method.name()));
     out.push_str(&paragraph(method.summary(), 2, width));
     out.push_str(&line("source", method.source()));
+    for (i, remark) in method.remarks().iter().enumerate() {
+        out.push_str(&line(if i == 0 { "remarks" } else { "" }, remark));
+    }
     if let Some(signature) = methods::signature(method.name()) {
         out.push_str(&line("in Rust", signature));
     }
@@ -229,7 +233,7 @@ fn text(method: &dyn Method, width: usize) -> String {
     }
     let domain = method.domain();
     let (ordinary, ends): (Vec<_>, Vec<_>) =
-        (domain.regions.iter()).partition(|r| r.is_ordinary(method.name()));
+        (domain.regions.iter()).partition(|r| r.is_ordinary(method.stream()));
     for (label, regions) in [("regions", ordinary), ("end of range", ends)] {
         for (i, r) in regions.iter().enumerate() {
             let text = format!("{}: {}", r.name, r.description);

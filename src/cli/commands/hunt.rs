@@ -3,21 +3,34 @@
 use crate::cli::args::HuntArgs;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::{hard_folder, output::write_to};
+use crate::cli::forecast;
 use crate::cli::lookup;
+use crate::cli::process::batches::Batches;
+use crate::cli::process::candidate::Candidate;
+use crate::cli::process::interrupt;
 use crate::cli::progress::Progress;
 use crate::cli::terminal::width;
-use crate::cli::{forecast, process::interrupt};
+use crate::cli::workload::{self, Selection, reproduce_command};
 use mechaudit::audit::{
-    Case, HardCase, Hunt, HuntSettings, Method, Origin, Variant, Worst, hunt_until, rounded_up,
+    Case, HardCase, Hunt, HuntSettings, Method, Origin, Variant, Worst, hunt_answers, hunt_until,
+    rounded_up,
 };
 use mechaudit::report::text::style::{BAD, BOLD, PLAIN, paint, wrap};
 use mechaudit::report::text::table::Table;
+use mechaudit::report::words;
 use mechaudit::report::words::numbers::percent;
+use std::cell::RefCell;
 
 /// Hunts and records.
 pub fn hunt(args: &HuntArgs) -> Result<Outcome, Failure> {
-    let method = lookup::method(&args.method)?;
-    lookup::has_solver(&*method)?;
+    let mut method = lookup::method(&args.method)?;
+    if let Some(name) = &args.solver {
+        method.select_solver(name).map_err(Failure::new)?;
+    }
+    let candidate = candidate(args);
+    if candidate.is_none() {
+        lookup::has_solver(&*method)?;
+    }
     let settings = HuntSettings {
         evaluations: args.evals,
         seed: args.seed,
@@ -27,15 +40,37 @@ pub fn hunt(args: &HuntArgs) -> Result<Outcome, Failure> {
         Some(folder) => hard_folder::read(folder, &*method)?.unwrap_or_default(),
         None => method.hard(),
     };
+    let mut known = known;
+    if candidate.is_some() && folder.is_none() {
+        // The built-in ones are recorded of the method's own solver.
+        known.iter_mut().for_each(|case| case.share = 0.0);
+    }
     if let Some(folder) = folder {
         hard_folder::check_writable(folder, &*method)?;
     }
     forecast::check_hunt(&*method, args.evals)?;
-    let method = Variant::new(&*method).hard_cases(known.clone());
+    let mut method = Variant::new(&*method).hard_cases(known.clone());
+    if candidate.is_some() {
+        method = method.without_laws();
+    }
     let progress = Progress::new();
     let show = |made| progress.show(method.name(), made, args.evals);
-    let found = hunt_until(&method, &settings, &show, interrupt::flag());
+    let program = candidate.as_ref().map(|c| RefCell::new(Batches::new(c)));
+    let found = match &program {
+        Some(program) => {
+            let answers = |inputs: &[Vec<f64>]| {
+                let mut program = program.borrow_mut();
+                program.answers(method.name(), inputs)
+            };
+            hunt_answers(&method, &settings, &answers, &show, interrupt::flag())
+        }
+        None => hunt_until(&method, &settings, &show, interrupt::flag()),
+    };
     drop(progress);
+    let mut program = program.map(RefCell::into_inner);
+    if let Some(why) = program.as_mut().and_then(|p| p.failure.take()) {
+        return Err(why);
+    }
     let worse = |known: &[HardCase]| -> Vec<HardCase> {
         let all = found.worst.iter();
         all.filter_map(|w| worse(w, known, args)).collect()
@@ -48,13 +83,16 @@ pub fn hunt(args: &HuntArgs) -> Result<Outcome, Failure> {
     let numbers = added.iter().flatten().flatten();
     let numbers: Vec<(usize, &HardCase)> = numbers.map(|(n, case)| (*n, case)).collect();
     write_to(|out| {
-        write!(out, "{}", report(&method, &found, &new, args.evals))?;
+        write!(out, "{}", report(&method, &found, &new, args))?;
         write!(out, "{}", inputs(&method, &found, &numbers, args))?;
+        if let Some(program) = &program {
+            write!(out, "{}", of_program(&method, program, args))?;
+        }
         let closing = match (folder, &added, new.len()) {
             (_, Some(Err(_)), n) => format!("{n} NOT recorded."),
             (_, _, 0) => "Nothing worse than what is recorded.".to_string(),
             (Some(folder), _, n) => {
-                let place = folder.join(format!("{}.csv", method.name()));
+                let place = hard_folder::file(folder, &method);
                 format!("{n} added to {}.", place.display())
             }
             (None, _, n) => {
@@ -66,8 +104,41 @@ pub fn hunt(args: &HuntArgs) -> Result<Outcome, Failure> {
     added.transpose()?;
     Ok(Outcome::unless_interrupted(
         found.interrupted,
-        is_good(&found, &new),
+        is_good(&found, &new) && program.is_none_or(|p| p.report.trouble.is_none()),
     ))
+}
+
+/// Returns the program in place of the method's solver, if the arguments name one.
+fn candidate(args: &HuntArgs) -> Option<Candidate> {
+    let command = args.program.exec.as_deref()?;
+    Some(workload::candidate(command, &args.program.program))
+}
+
+/// Returns the words that judge a case again, after its place.
+fn tail(args: &HuntArgs) -> String {
+    let (place, scope) = Default::default();
+    let tail = reproduce_command(candidate(args).as_ref(), Selection::new(&place, &scope));
+    match &args.solver {
+        Some(name) => format!("{tail} --solver {}", shell_words::quote(name)),
+        None => tail,
+    }
+}
+
+/// The program as it calls itself, and what went wrong with it.
+fn of_program(method: &dyn Method, program: &Batches, args: &HuntArgs) -> String {
+    let line = |text: &str| format!("  {}\n", wrap(text, 2, width()));
+    let mut out = line(&words::audit::candidate(&program.report));
+    if let Some(trouble) = &program.report.trouble {
+        out.push_str(&line(&paint(BAD, trouble)));
+    }
+    if let Some(input) = &program.unanswered {
+        let case = workload::given(method.name(), input.clone());
+        let again = format!("{}{}", case.reproduce(), tail(args));
+        out.push_str(&format!(
+            "  the first input without an answer\n    again    {again}\n"
+        ));
+    }
+    out
 }
 
 /// Nothing new is over budget, and nothing fails without a share of it.
@@ -116,7 +187,11 @@ fn inputs(
             out.push_str(&format!("  {label} {}\n", wrap(&text, 13, width())));
         }
         // In one line, for a shell.
-        out.push_str(&format!("    again    {}\n", case.reproduce()));
+        out.push_str(&format!(
+            "    again    {}{}\n",
+            case.reproduce(),
+            tail(args)
+        ));
     }
     out
 }
@@ -139,11 +214,11 @@ fn worse(worst: &Worst, known: &[HardCase], args: &HuntArgs) -> Option<HardCase>
     })
 }
 
-fn report(method: &dyn Method, found: &Hunt, new: &[HardCase], evaluations: u64) -> String {
+fn report(method: &dyn Method, found: &Hunt, new: &[HardCase], args: &HuntArgs) -> String {
     let mut out = format!("{}\n", paint(BOLD, method.name()));
     out.push_str(&match found.interrupted {
         true => {
-            let text = format!("interrupted after {} of {evaluations}", found.evaluations);
+            let text = format!("interrupted after {} of {}", found.evaluations, args.evals);
             format!("  {} evaluations\n", paint(BAD, &text))
         }
         false => format!("  {} evaluations\n", found.evaluations),
@@ -166,8 +241,9 @@ fn report(method: &dyn Method, found: &Hunt, new: &[HardCase], evaluations: u64)
     if let Some(first) = found.failures.first() {
         let n = found.failures.len();
         let text = format!(
-            "{n} drawn inputs fail without a share of the budget, the first: {}",
-            first.reproduce()
+            "{n} drawn inputs fail without a share of the budget, the first: {}{}",
+            first.reproduce(),
+            tail(args)
         );
         out.push_str(&format!("  {}\n", paint(BAD, &wrap(&text, 2, width()))));
     }
@@ -177,8 +253,9 @@ fn report(method: &dyn Method, found: &Hunt, new: &[HardCase], evaluations: u64)
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cli::args::{Args, Command};
+    use clap::Parser;
     use mechaudit::report::text::style::plain;
-    use std::path::PathBuf;
 
     fn worst(share: f64) -> Worst {
         Worst {
@@ -192,12 +269,7 @@ mod tests {
     /// Recorded is what is worse by more than a hundredth than the worst of the same output.
     #[test]
     fn small_gains_are_none() {
-        let args = HuntArgs {
-            method: "erf".into(),
-            evals: 5,
-            seed: 2,
-            hard: None,
-        };
+        let args = arguments(&["--evals", "5", "--seed", "2"]);
         let known = |output: &str, share: f64| HardCase {
             share,
             output: output.into(),
@@ -237,7 +309,12 @@ mod tests {
             evaluations: 7,
             interrupted: false,
         };
-        let text = plain(&report(&*method, &found, &[], 9));
+        let text = plain(&report(
+            &*method,
+            &found,
+            &[],
+            &arguments(&["--evals", "9"]),
+        ));
         let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
         let first = failure(1.0).reproduce();
         let due = format!("2 drawn inputs fail without a share of the budget, the first: {first}");
@@ -245,13 +322,13 @@ mod tests {
         assert!(line.starts_with("erf 7 evaluations output"), "{text}");
     }
 
-    fn hunted(hard: &str) -> HuntArgs {
-        HuntArgs {
-            method: "erf".into(),
-            evals: 5,
-            seed: 2,
-            hard: Some(PathBuf::from(hard)),
-        }
+    fn arguments(more: &[&str]) -> HuntArgs {
+        let words = ["mechaudit", "hunt", "erf"].into_iter();
+        let Some(Command::Hunt(args)) = Args::parse_from(words.chain(more.iter().copied())).command
+        else {
+            unreachable!("hunt")
+        };
+        args
     }
 
     fn words(line: &str) -> String {
@@ -321,7 +398,12 @@ mod tests {
         let method = lookup::method("erf").unwrap();
         let (re, im) = (of("Re erf", 12.5, 1.0), of("Im erf", 0.5, 2.0));
         let found = whole(vec![re.clone(), im.clone()]);
-        let text = plain(&report(&*method, &found, &[recorded(&re)], 9));
+        let text = plain(&report(
+            &*method,
+            &found,
+            &[recorded(&re)],
+            &arguments(&["--evals", "9"]),
+        ));
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(lines[..2], ["erf", "  7 evaluations"]);
         let [head, first, second] = [2, 3, 4].map(|k| lines[k]);
@@ -344,7 +426,12 @@ mod tests {
             interrupted: true,
             ..found
         };
-        let text = plain(&report(&*method, &stopped, &[], 9));
+        let text = plain(&report(
+            &*method,
+            &stopped,
+            &[],
+            &arguments(&["--evals", "9"]),
+        ));
         assert!(
             text.contains("\n  interrupted after 7 of 9 evaluations\n"),
             "{text}"
@@ -359,7 +446,7 @@ mod tests {
         for (share, due) in [(0.6, false), (1.0, false), (1.5, true), (3.0, true)] {
             let found = whole(vec![of("Re erf", share, 1.0)]);
             let marked = paint(BAD, &percent(share));
-            let text = report(&*method, &found, &[], 9);
+            let text = report(&*method, &found, &[], &arguments(&["--evals", "9"]));
             let cell = text.lines().nth(3).unwrap();
             let style = marked.split(&percent(share)).next().unwrap();
             assert_eq!(cell.contains(style), due, "{share}: {text:?}");
@@ -381,7 +468,7 @@ mod tests {
             &*method,
             &found,
             &[(4, &case)],
-            &hunted("some/folder"),
+            &arguments(&["--hard", "some/folder"]),
         ));
         let lines: Vec<String> = text.lines().map(words).collect();
         assert_eq!(lines.len(), 6, "{text}");

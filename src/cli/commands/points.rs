@@ -6,14 +6,20 @@ use crate::cli::files::output::Output;
 use crate::cli::lookup;
 use crate::cli::process::wire;
 use crate::cli::workload::{Selection, Workload};
-use crate::cli::{args::ScopeArgs, forecast};
+use crate::cli::{args::ScopeArgs, complain, forecast};
 use mechaudit::audit::{Case, Cases, Layout, Method, Origin, Settings};
 use std::io::Write;
+use std::path::Path;
+
+mod certified;
 
 /// Writes them.
 pub fn points(args: &PointsArgs) -> Result<Outcome, Failure> {
     let method = lookup::method(&args.method)?;
-    let output = Output::open(args.output.as_deref())?;
+    let output = match args.check {
+        true => None,
+        false => Some(Output::open(args.output.as_deref())?),
+    };
     let settings = Settings {
         seed: args.seed,
         cases_per_region: args.count,
@@ -29,24 +35,79 @@ pub fn points(args: &PointsArgs) -> Result<Outcome, Failure> {
     if workload.one.is_none() {
         forecast::check_points(&cases, args.decimal)?;
     }
-    output.write(|out| {
-        header(&*method, out)?;
-        if let Some(case) = &workload.one {
-            heading(&*method, case, out)?;
-            return Ok(writeln!(out, "{}", wire::line(&case.input, args.decimal))?);
+    let one = workload.one.as_ref();
+    if let Some(digits) = args.digits {
+        let form = (digits, args.decimal);
+        let Some(table) = certified::table(&*method, &cases, one, form)? else {
+            return Ok(Outcome::Interrupted);
+        };
+        for open in &table.undecided {
+            complain(open);
         }
-        let mut region = "";
-        for i in 0..cases.len() {
-            let case = cases.get(i);
-            if case.region != region {
-                region = case.region;
-                heading(&*method, &case, out)?;
+        let outcome = match output {
+            Some(output) => {
+                output.text(&table.text)?;
+                Outcome::AsExpected
             }
-            writeln!(out, "{}", wire::line(&case.input, args.decimal))?;
+            None => checked(args, table.text.as_bytes())?,
+        };
+        return Ok(match table.undecided.is_empty() {
+            true => outcome,
+            false => outcome.or_finding(),
+        });
+    }
+    match output {
+        Some(output) => {
+            output.write(|out| lines(&*method, &cases, one, args.decimal, out))?;
+            Ok(Outcome::AsExpected)
         }
-        Ok(())
-    })?;
-    Ok(Outcome::AsExpected)
+        None => {
+            let mut text = Vec::new();
+            lines(&*method, &cases, one, args.decimal, &mut text)?;
+            checked(args, &text)
+        }
+    }
+}
+
+/// Compares the file that there is with what it should hold.
+fn checked(args: &PointsArgs, text: &[u8]) -> Result<Outcome, Failure> {
+    let path = args.output.as_deref().unwrap_or(Path::new("-"));
+    let there = std::fs::read(path).map_err(|e| Failure::cannot("read", path, e))?;
+    if there == text {
+        return Ok(Outcome::AsExpected);
+    }
+    let [old, new] = [&there, text].map(|text| text.split(|b| *b == b'\n'));
+    let same = old.zip(new).take_while(|(old, new)| old == new).count();
+    let (path, line) = (path.display(), same + 1);
+    complain(&format!(
+        "{path}: line {line} is not what this command writes"
+    ));
+    Ok(Outcome::Finding)
+}
+
+/// Writes inputs, one a line.
+fn lines(
+    method: &dyn Method,
+    cases: &Cases,
+    one: Option<&Case>,
+    decimal: bool,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    header(method, out)?;
+    if let Some(case) = one {
+        heading(method, case, out)?;
+        return Ok(writeln!(out, "{}", wire::line(&case.input, decimal))?);
+    }
+    let mut region = "";
+    for i in 0..cases.len() {
+        let case = cases.get(i);
+        if case.region != region {
+            region = case.region;
+            heading(method, &case, out)?;
+        }
+        writeln!(out, "{}", wire::line(&case.input, decimal))?;
+    }
+    Ok(())
 }
 
 fn header(method: &dyn Method, out: &mut dyn Write) -> Result<(), Failure> {

@@ -3,12 +3,33 @@
 use crate::cli::failure::Failure;
 use crate::cli::files::output::Output;
 use mechaudit::audit::{HARD_HEADER, HardCase, Method};
+use mechaudit::study;
 use std::fs::File;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-fn file(folder: &Path, method: &dyn Method) -> PathBuf {
-    folder.join(format!("{}.csv", method.name()))
+/// The file of a method's hard cases.
+pub fn file(folder: &Path, method: &dyn Method) -> PathBuf {
+    folder.join(format!("{}.csv", stem(method.name())))
+}
+
+/// The name of a method as that of a file: of a study the name of its file without the folder, and
+/// that of the core.
+fn stem(name: &str) -> String {
+    if !study::is_path(name) {
+        return name.into();
+    }
+    let path = study::file_of(name);
+    let core = name[path.len()..].trim_start_matches('#');
+    let stem = Path::new(path).file_stem().unwrap_or_default();
+    let parts = [&*stem.to_string_lossy(), core].map(|part| {
+        let plain = |c: char| match c.is_alphanumeric() || "._-".contains(c) {
+            true => c,
+            false => '-',
+        };
+        part.chars().map(plain).collect::<String>()
+    });
+    parts.join("-").trim_end_matches('-').into()
 }
 
 /// The hard cases of a method and the text that holds them; nothing if there is no file.
@@ -47,7 +68,7 @@ pub fn of_method(folder: &Path, method: &dyn Method) -> Result<Vec<HardCase>, Fa
         Failure::new(format!(
             "--hard {}: it holds no {}.csv",
             folder.display(),
-            method.name()
+            stem(method.name())
         ))
     };
     read(folder, method)?.ok_or_else(missing)
@@ -152,6 +173,20 @@ mod tests {
             let own = folder.path().to_str().map(str::to_owned);
             assert_eq!(found.len(), known + 1);
             assert!(found.iter().all(|c| c.folder == own));
+        }
+    }
+
+    /// A study's file is found by its name wherever it stands; a core's name may hold anything.
+    #[test]
+    fn the_file_of_a_study_has_no_path() {
+        for (name, due) in [
+            ("erf", "erf"),
+            ("a/b/drop.toml", "drop"),
+            ("../x y.fpcore", "x-y"),
+            ("a/b.fpcore#c/d#e", "b-c-d-e"),
+            ("b.fpcore#2", "b-2"),
+        ] {
+            assert_eq!(stem(name), due);
         }
     }
 

@@ -1,6 +1,7 @@
 //! Other processes: candidates, their inputs and answers, and signals.
 
 pub mod answers;
+pub mod batches;
 pub mod candidate;
 pub mod frames;
 #[cfg(unix)]

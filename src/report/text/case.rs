@@ -6,11 +6,9 @@ use crate::audit::{Case, CaseReport, Layout, Proof, SolverAnswer, Verdict, hex_f
 use crate::report::words::audit::of_case;
 use crate::report::words::numbers::{percent, short, unit};
 
-/// The input in decimal and in hexadecimal.
-pub fn input(case: &Case, indent: usize) -> String {
-    let method = crate::methods::find(case.method);
-    let names = method.map(|m| Layout::new(&*m).names(&case.input));
-    let names = names.unwrap_or_default();
+/// The input in decimal and in hexadecimal, named as the layout says.
+pub fn input(case: &Case, layout: &Layout, indent: usize) -> String {
+    let names = layout.names(&case.input);
     let mut table = Table::new(&["input", "unit", "decimal", "hexadecimal"], &[0, 1, 3]);
     for (i, x) in case.input.iter().enumerate() {
         let (name, of) = names.get(i).cloned().unwrap_or_default();
@@ -27,7 +25,7 @@ pub fn input(case: &Case, indent: usize) -> String {
 /// The case with everything that was found about it.
 ///
 /// `again` is the command that judges it again.
-pub fn text(report: &CaseReport, again: &str, width: usize) -> String {
+pub fn text(report: &CaseReport, layout: &Layout, again: &str, width: usize) -> String {
     let case = &report.case;
     let (word, tone) = of_case(report.judgement.verdict);
     let mut out = format!(
@@ -40,7 +38,7 @@ pub fn text(report: &CaseReport, again: &str, width: usize) -> String {
     if let Some(reason) = report.judgement.why() {
         out.push_str(&paragraph(&reason, 4, width));
     }
-    out.push_str(&input(case, 4));
+    out.push_str(&input(case, layout, 4));
     match &report.answer {
         Some(SolverAnswer::Values(got)) => out.push_str(&values(report, got)),
         Some(SolverAnswer::Fails(_) | SolverAnswer::Unanswered(_)) | None => {
@@ -126,6 +124,7 @@ mod tests {
     use super::*;
     use crate::audit::{Case, Origin, Settings, audit_case};
     use crate::methods::find;
+    use crate::report::text::method::tests::fabricated;
     use crate::report::text::style::plain;
 
     fn of(name: &str) -> String {
@@ -139,6 +138,7 @@ mod tests {
         };
         plain(&text(
             &audit_case(&*method, case, &Settings::default()),
+            &Layout::new(&*method),
             "",
             200,
         ))
@@ -193,7 +193,7 @@ mod tests {
                 .failures
                 .remove(0);
             change(&mut report);
-            plain(&super::text(&report, "again", 100))
+            plain(&super::text(&report, &fabricated().layout, "again", 100))
         };
         for (answer, due) in [
             (None, "no answer"),
@@ -289,11 +289,11 @@ mod tests {
             .remove(0);
         report.judgement.reason = Some("one two three".to_string().into());
         report.proof = Some(Proof::Bounded("four five six"));
-        let text = plain(&super::text(&report, "again", 20));
+        let text = plain(&super::text(&report, &fabricated().layout, "again", 20));
         assert!(text.contains("\n    one two three\n"), "{text}");
         let due = "    proof      four\n               five\n               six\n";
         assert!(text.contains(due), "{text}");
-        let text = plain(&super::text(&report, "again", 12));
+        let text = plain(&super::text(&report, &fabricated().layout, "again", 12));
         assert!(text.contains("\n    one two\n    three\n"), "{text}");
     }
 }

@@ -35,6 +35,7 @@ pub fn method(report: &MethodReport, width: usize) -> String {
         out.push('\n');
         out.push_str(&case::text(
             failure,
+            &report.layout,
             &report.reproduce_command(&failure.case),
             width,
         ));
@@ -51,11 +52,19 @@ pub fn method(report: &MethodReport, width: usize) -> String {
 
 /// The report of a single case.
 pub fn single(report: &MethodReport, only: &CaseReport, width: usize) -> String {
-    let mut out = case::text(only, &report.reproduce_command(&only.case), width);
+    let mut out = case::text(
+        only,
+        &report.layout,
+        &report.reproduce_command(&only.case),
+        width,
+    );
     let line = |label: &str, text: &str| format!("    {label:<10} {}\n", wrap(text, 15, width));
     out.push_str(&line("budget", &budgets(report)));
     if let Some(c) = &report.candidate {
         out.push_str(&line("candidate", &candidate(c)));
+    }
+    for remark in &report.remarks {
+        out.push_str(&line("remark", remark));
     }
     for law in report.laws.iter().filter(|l| l.cases > 0) {
         let style = if holds(law) { BOLD } else { BAD };
@@ -121,6 +130,9 @@ fn heading(report: &MethodReport, width: usize) -> String {
     out.push_str(&line("budget", &budgets(report)));
     for bound in &report.proved {
         out.push_str(&line("proved", &proved(bound)));
+    }
+    for remark in &report.remarks {
+        out.push_str(&line("remark", remark));
     }
     out
 }
@@ -295,7 +307,7 @@ fn laws(report: &MethodReport, width: usize) -> String {
         if !holds(law)
             && let Some(worst) = &law.worst_case
         {
-            out.push_str(&case::input(worst, 4));
+            out.push_str(&case::input(worst, &report.layout, 4));
             out.push_str(&format!(
                 "    reproduce  {}\n",
                 report.reproduce_command(worst)

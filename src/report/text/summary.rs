@@ -27,6 +27,7 @@ pub fn news(papers: &[PaperReport], methods: &[MethodReport], width: usize) -> S
         for failure in failing(report, FAILURES_SHOWN) {
             out.push_str(&case::text(
                 failure,
+                &report.layout,
                 &report.reproduce_command(&failure.case),
                 width,
             ));

@@ -208,7 +208,8 @@ fn climbed_by(method: Planted, evaluations: u64, k: u64) -> (Vec<f64>, Option<Wo
     };
     let never = never();
     let mut h = hunter(&method, 2000, &|_| {}, &never);
-    let start = judged(&method, &h.settings, 1, vec![1.0]);
+    let answer = answer_of(&method, &[1.0]);
+    let start = judged(&method, &h.settings, 1, vec![1.0], answer);
     let seed = Seed {
         found: start,
         kind: "edge",

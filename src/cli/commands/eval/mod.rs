@@ -84,6 +84,9 @@ pub fn eval(args: &EvalArgs) -> Result<Outcome, Failure> {
         return list();
     };
     let method = lookup::method(name)?;
+    if args.digits.is_none() {
+        lookup::has_solver(&*method)?;
+    }
     let mut evaluation = Evaluation::new(&*method, args.digits);
     if let Some(names) = &args.outputs {
         evaluation.selected = selected_outputs(&*method, names)?;
@@ -157,6 +160,10 @@ pub fn stream(
             let open = match answer {
                 Ok(answer) => {
                     writeln!(out, "{}", answer.text)?;
+                    if let Some(why) = answer.undefined {
+                        out.flush()?;
+                        complain(&format!("{}: {why}", shown()));
+                    }
                     answer.open
                 }
                 Err(e) => {
@@ -190,6 +197,8 @@ struct Answer {
     text: String,
     /// The reason why some of them are undecided, if some are.
     open: Option<String>,
+    /// The reason why some of them are undefined, where the method says it.
+    undefined: Option<String>,
 }
 
 /// The evaluation of every line.
@@ -245,10 +254,18 @@ impl<'a> Evaluation<'a> {
         }
         let answer = match self.digits {
             None => match answer_of(self.method, &x) {
-                SolverAnswer::Values(values) => Answer {
-                    text: joined(self.selected(values).into_iter().map(hex_float)),
-                    open: None,
-                },
+                SolverAnswer::Values(values) => {
+                    let values = self.selected(values);
+                    let is_undefined = values.iter().any(|v| v.is_nan());
+                    Answer {
+                        text: joined(values.into_iter().map(hex_float)),
+                        open: None,
+                        undefined: match is_undefined {
+                            true => self.method.explanation(&x),
+                            false => None,
+                        },
+                    }
+                }
                 SolverAnswer::Refuses(word) => {
                     let why = self.method.explanation(&x);
                     return Err(EvalError::Refused { word, why });
@@ -286,9 +303,14 @@ impl Answer {
         let all = values.len();
         let known = values.iter().filter(|v| v.decimal.is_none());
         let reasons: Vec<String> = known.filter_map(|v| v.why.clone()).collect();
+        let is_undefined = |v: &&CertifiedValue| v.decimal.as_deref() == Some("nan");
+        let undefined = values.iter().filter(is_undefined);
+        let undefined: Vec<String> = undefined.filter_map(|v| v.why.clone()).collect();
         let word = |decimal: Option<String>| decimal.unwrap_or_else(|| UNDECIDED.into());
         Answer {
             text: joined(values.into_iter().map(|v| word(v.decimal))),
+            undefined: (!undefined.is_empty())
+                .then(|| format!("undefined: {}", undefined.join("; "))),
             open: (open > 0).then(|| match reasons.is_empty() {
                 true => {
                     format!(

@@ -110,7 +110,7 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
     report.reproduce = Reproduce {
         head: format!(
             "mechaudit judge {} --inputs {} --values {} ",
-            method.name(),
+            shell_words::quote(method.name()),
             file(inputs_path),
             file(values_path)
         ),

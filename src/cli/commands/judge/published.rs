@@ -4,7 +4,7 @@ use crate::cli::args::{AuditFormat, JudgeArgs};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::bounded::Bounded;
 use crate::cli::files::output::{Output, write_json};
-use crate::cli::number::{FIELDS, LONGEST};
+use crate::cli::number::{FIELDS, LONGEST, Number, NumberError};
 use crate::cli::report::{self, ReportExtras};
 use mechaudit::audit::{
     Agreement, CandidateReport, Case, CaseReport, Column, ComponentJudgement, EntryJudgement,
@@ -83,6 +83,8 @@ pub enum RowError {
     LongField,
     #[error(transparent)]
     Decimal(#[from] DecimalError),
+    #[error(transparent)]
+    Number(#[from] NumberError),
     #[error("{0} is empty")]
     NoInput(String),
     #[error(transparent)]
@@ -164,7 +166,7 @@ pub fn judge(method: &dyn Method, path: &Path, args: &JudgeArgs) -> Result<Outco
     report.reproduce = Reproduce {
         head: format!(
             "mechaudit judge {} --table {} ",
-            method.name(),
+            shell_words::quote(method.name()),
             shell_words::quote(&path.to_string_lossy())
         ),
         tail: String::new(),
@@ -465,6 +467,14 @@ fn complete(method: &dyn Method, layout: &Layout, columns: &[Column]) -> Result<
     Ok(())
 }
 
+/// An input as it is written: a decimal, a hexadecimal float or a quotient.
+fn exact(text: &str) -> Result<Rational, RowError> {
+    match text.contains(['x', 'X', '/']) {
+        true => Ok(Number::parse(text)?.exact()?),
+        false => Ok(Decimal::parse(text)?.value),
+    }
+}
+
 /// The input and the entries of a line.
 fn row(
     layout: &Layout,
@@ -490,7 +500,7 @@ fn row(
         }
         match heading.column {
             Column::Input { part, index } => {
-                let number = Decimal::parse(text)?.value;
+                let number = exact(text)?;
                 let scaled = heading.unit.iter().fold(number, |x, unit| x / &unit.by);
                 parts[part].insert(index, scaled);
             }

@@ -2,7 +2,7 @@
 
 use super::encoded::Map;
 use super::whole::Whole;
-use crate::audit::{Case, CaseReport, Limit, MethodReport, Point};
+use crate::audit::{Case, CaseReport, Layout, Limit, MethodReport, Point};
 use crate::report::words::audit::of_case;
 use serde::Serialize;
 use serde_json::Value;
@@ -61,7 +61,7 @@ struct OfPoint(usize, &'static str, Vec<Option<f64>>, Vec<Option<f64>>);
 struct Entry(usize, usize, String, Vec<Value>, Option<usize>);
 
 /// Each case once.
-#[derive(Default, Serialize)]
+#[derive(Serialize)]
 struct Book {
     cases: Vec<Entry>,
     /// Beginnings of places, which many cases share.
@@ -72,6 +72,8 @@ struct Book {
     regions: Vec<String>,
     #[serde(skip)]
     most: (usize, usize),
+    #[serde(skip)]
+    layout: Layout,
 }
 
 impl Book {
@@ -79,7 +81,11 @@ impl Book {
         Book {
             most,
             regions: report.regions.iter().map(|r| r.name.to_string()).collect(),
-            ..Book::default()
+            layout: report.layout.clone(),
+            cases: Vec::new(),
+            heads: Vec::new(),
+            whole: Vec::new(),
+            numbers: HashMap::new(),
         }
     }
 
@@ -113,7 +119,8 @@ impl Book {
         let number = self.number(&report.case);
         if self.cases[number].4.is_none() {
             self.cases[number].4 = Some(self.whole.len());
-            self.whole.push(Whole::of(report, self.most.1));
+            self.whole
+                .push(Whole::of(report, &self.layout, self.most.1));
         }
     }
 }

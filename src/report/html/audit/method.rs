@@ -30,6 +30,7 @@ pub fn section(k: usize, name: &str, r: &MethodReport, data: &Data, full: bool) 
             p.soft.small { "Budget: " (budgets(r)) } "\n"
             @for bound in &r.proved { p.soft.small { "Proved: " (proved(bound)) } "\n" }
             p.soft.small { (r.source) } "\n"
+            @for remark in &r.remarks { p.small { "Remark: " (remark) } "\n" }
             (outputs(r))
             h3 id={ "regions-" (k) } { "Regions" } "\n"
             (legend())
@@ -43,7 +44,7 @@ pub fn section(k: usize, name: &str, r: &MethodReport, data: &Data, full: bool) 
             @if !r.failures.is_empty() {
                 details { summary { "Failing cases in full" } "\n"
                     @for f in r.failures.iter().take(FAILURES_SHOWN) {
-                        @let text = plain(&case::text(f, &r.reproduce_command(&f.case), 110));
+                        @let text = plain(&case::text(f, &r.layout, &r.reproduce_command(&f.case), 110));
                         pre { (text.trim_end()) } "\n"
                     }
                     @if left > 0 { p.alarm { (left) " more failing cases." } "\n" }

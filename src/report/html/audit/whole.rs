@@ -26,7 +26,7 @@ pub struct Whole {
 
 impl Whole {
     /// Of a judged case, with at most so many numbers of its input and of its answer.
-    pub fn of(report: &CaseReport, most: usize) -> Whole {
+    pub fn of(report: &CaseReport, layout: &Layout, most: usize) -> Whole {
         let (verdict, tone) = of_case(report.judgement.verdict);
         let got = match &report.answer {
             Some(SolverAnswer::Values(v)) => &v[..],
@@ -43,7 +43,7 @@ impl Whole {
             verdict,
             tone: crate::report::html::page::class(tone),
             reason: report.judgement.why(),
-            input: input(report, most),
+            input: input(report, layout, most),
             values: values(report, got, most),
             answer,
             proof: report.proof.map(|p| match p {
@@ -63,11 +63,9 @@ impl Whole {
     }
 }
 
-fn input(report: &CaseReport, most: usize) -> Vec<[String; 4]> {
+fn input(report: &CaseReport, layout: &Layout, most: usize) -> Vec<[String; 4]> {
     let case = &report.case;
-    let method = crate::methods::find(case.method);
-    let names = method.map(|m| Layout::new(&*m).names(&case.input));
-    let names = names.unwrap_or_default();
+    let names = layout.names(&case.input);
     let numbers = case.input.iter().enumerate().take(most);
     let row = |(k, x): (usize, &f64)| {
         let (name, of) = names.get(k).cloned().unwrap_or_default();
@@ -109,7 +107,7 @@ mod tests {
     fn written(change: impl Fn(&mut CaseReport), most: usize) -> Value {
         let mut report = fabricated().failures.remove(0);
         change(&mut report);
-        serde_json::to_value(Whole::of(&report, most)).unwrap()
+        serde_json::to_value(Whole::of(&report, &fabricated().layout, most)).unwrap()
     }
 
     #[test]
@@ -120,8 +118,8 @@ mod tests {
             "tone": "t-bad",
             "reason": "phi2 (value 0) is 7.5e-1, expected 7.500000000000008e-1: 1.750 times its budget off",
             "input": [
-                ["", "", "0.1", "0x1.999999999999ap-4"],
-                ["", "", "-2.0", "-0x1p+1"],
+                ["a", "", "0.1", "0x1.999999999999ap-4"],
+                ["b", "m", "-2.0", "-0x1p+1"],
             ],
             "values": [[
                 "phi2", "0.75000000000000080491", "0.75", "0x1.8p-1", "7.25", "0.400", "175.0 %", "31.00",
@@ -186,11 +184,13 @@ mod tests {
 
     #[test]
     fn inputs_have_the_names_and_units_of_their_method() {
-        let whole = written(
-            |r| (r.case.method, r.case.input) = ("faddeeva", vec![0.5, 1.0]),
-            9,
+        let whole = written(|r| r.case.method = "a/study.toml", 9);
+        let named: Vec<(&Value, &Value)> = (0..2)
+            .map(|k| (&whole["input"][k][0], &whole["input"][k][1]))
+            .collect();
+        assert_eq!(
+            named,
+            [(&json!("a"), &json!("")), (&json!("b"), &json!("m"))]
         );
-        let names: Vec<&Value> = (0..2).map(|k| &whole["input"][k][0]).collect();
-        assert_eq!(names, [&json!("Re z"), &json!("Im z")]);
     }
 }

@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::audit::{
-    Budget, Case, ComponentJudgement, ErrorParts, Format, Judgement, LawReport, Limit, Octave,
-    Origin, OutputBudget, Proof, Reproduce, Settings, SolverAnswer,
+    Budget, Case, ComponentJudgement, ErrorParts, Format, Input, Judgement, LawReport, Layout,
+    Limit, Octave, Origin, OutputBudget, Proof, Reproduce, Settings, SolverAnswer,
 };
 
 /// A report that exists for tests.
@@ -93,6 +93,21 @@ pub fn fabricated() -> MethodReport {
         method: "a-method",
         summary: "A method that exists for this test.",
         source: "Nobody (1900), (1)",
+        remarks: Vec::new(),
+        layout: Layout::of(
+            vec![
+                Input {
+                    name: "a",
+                    unit: "1",
+                },
+                Input {
+                    name: "b",
+                    unit: "m",
+                },
+            ],
+            vec![("phi2", "rad")],
+            None,
+        ),
         candidate: None,
         settings: Settings::default(),
         format: Format::Double,
@@ -207,8 +222,8 @@ a-method                                                                   FAIL 
   over budget  a-method / wide, decided at 128 bits
     phi2 (value 0) is 7.5e-1, expected 7.500000000000008e-1: 1.750 times its budget off
     input  unit  decimal  hexadecimal
-                     0.1  0x1.999999999999ap-4
-                    -2.0  -0x1p+1
+    a                0.1  0x1.999999999999ap-4
+    b      m        -2.0  -0x1p+1
     output  got   reference                       ulps  of budget  condition
     phi2    0.75  0.75000000000000080491 ± 1e-30  7.25    175.0 %      31.00
     proof      exact arithmetic
@@ -342,6 +357,17 @@ a-method                                                  pass  400 of 400 cases
 ";
     assert_eq!(text, due);
     assert_eq!(text.lines().next().unwrap().chars().count(), 80);
+    let remark = "The name e is an input, not the constant.";
+    report.remarks = vec![remark.into()];
+    let text = style::plain(&heading(&report, 80));
+    assert_eq!(text, format!("{due}  remark     {remark}\n"));
+    let only = fabricated().failures.remove(0);
+    let text = style::plain(&single(&report, &only, 80));
+    assert!(
+        text.contains(&format!("\n    remark     {remark}\n")),
+        "{text}"
+    );
+    report.remarks.clear();
     // Where there is no room, two spaces.
     let narrow = style::plain(&heading(&report, 10));
     assert!(
