@@ -291,6 +291,14 @@ impl Interpretation for Balls {
             _ => Err(stop(NoValue::Undecided("a sum to infinity"))),
         }
     }
+
+    fn system(
+        evaluator: &mut Evaluator<Balls>,
+        binder: u32,
+        node: u32,
+    ) -> Result<Vec<Value>, Stop> {
+        super::system::solution(evaluator, binder, node)
+    }
 }
 
 /// How two numbers are ordered, if the balls decide it.

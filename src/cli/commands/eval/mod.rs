@@ -20,8 +20,8 @@ use std::io::{BufRead, BufReader, Read, Write};
 
 /// Lines computed at a time, for each thread.
 const LINES: usize = 1024;
-/// The longest line.
-const LONGEST: usize = 1 << 20;
+/// The longest line: a dense matrix of order 1000 fits in, each entry with 17 digits and an exponent.
+const LONGEST: usize = 1 << 25;
 /// The number of bytes of text held at a time.
 const BUFFER: usize = 1 << 16;
 
@@ -507,7 +507,7 @@ mod tests {
         let why = end.unwrap_err();
         assert_eq!(out, "");
         assert!(
-            why.starts_with("line 1 (") && why.ends_with("): longer than 1048576 bytes"),
+            why.starts_with("line 1 (") && why.ends_with("): longer than 33554432 bytes"),
             "{why}"
         );
     }
