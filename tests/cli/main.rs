@@ -37,4 +37,5 @@ mod runup;
 #[cfg(unix)]
 mod samples;
 mod shown;
+mod study_algebra;
 mod usage;

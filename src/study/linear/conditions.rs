@@ -121,12 +121,24 @@ fn of_task(
             let residual = Matrix::from_fn(b.rows(), b.columns(), |i, j| {
                 Rational::from(b.at(i, j) - image.at(i, j))
             });
-            let pseudo = exact_sizes(&exact(&inverse, &turned(&a)));
-            let first = sum(&product(&size, &exact_sizes(&x)), &exact_sizes(&b));
-            let second = product(&turned(&size), &exact_sizes(&residual));
-            let first = product(&pseudo, &first);
-            let second = product(&exact_sizes(&inverse), &second);
-            sum(&first, &second).entries().to_vec()
+            let pseudo = exact(&inverse, &turned(&a));
+            let float = |x: &Matrix<Rational>| x.map(Rational::to_f64);
+            let [a, b, x] = [&a, &b, &x].map(float);
+            let [pseudo, inverse, residual] = [&pseudo, &inverse, &residual].map(float);
+            let entry = |i: usize, j: usize| -> f64 {
+                let of_row = |k: usize| -> f64 {
+                    let of = |l: usize| {
+                        let slope =
+                            inverse.at(i, l) * residual.at(k, j) - pseudo.at(i, k) * x.at(l, j);
+                        (a.at(k, l) * slope).abs()
+                    };
+                    (0..a.columns()).map(of).sum::<f64>() + (pseudo.at(i, k) * b.at(k, j)).abs()
+                };
+                (0..a.rows()).map(of_row).sum()
+            };
+            Matrix::from_fn(x.rows(), x.columns(), entry)
+                .entries()
+                .to_vec()
         }
         Task::Eigenvalues(_, None) => vec![norm(&a); a.rows()],
         Task::Eigenvalues(_, Some(b)) => {

@@ -225,17 +225,17 @@ impl<'a> Evaluation<'a> {
             .collect()
     }
 
-    /// The values of a line; nothing for a blank one or a comment.
+    /// The values of a line; nothing for a comment, and for a blank one where there are inputs.
     fn answer(&self, line: &Line) -> Result<Option<Answer>, EvalError> {
         if line.text.len() > LONGEST {
             return Err(EvalError::TooLong);
         }
         let text = std::str::from_utf8(&line.text)?.trim();
-        if text.is_empty() || text.starts_with('#') {
+        if text.starts_with('#') || text.is_empty() && self.layout.parts() > 0 {
             return Ok(None);
         }
-        let numbers: Vec<Number> = text
-            .split(',')
+        let fields = text.split(',').filter(|_| !text.is_empty());
+        let numbers: Vec<Number> = fields
             .map(Number::parse)
             .collect::<Result<_, _>>()?;
         let x: Vec<f64> = numbers.iter().map(Number::nearest).collect();
