@@ -33,7 +33,7 @@ fn a_system_has_certified_digits() {
     let found = run_on("\n", &["eval", &study, "--digits", "12"]);
     assert_eq!(
         (found.code, &*found.out),
-        (0, "1.00416873847,-1.72963728718\n")
+        (0, "1.00416873847,-1.72963728703\n")
     );
     let bad = SYSTEM.replace("exp(u)", "exp(w)");
     let bad = file(&folder, "bad.toml", &bad);
