@@ -118,6 +118,8 @@ fn constants_keep_their_digits() {
     // 2^(1/4)
     assert_eq!(found[0][..20], *"1.189207115002721066");
     assert_eq!(found[0].len(), 61);
+    let root = "[outputs]\nx = { root_of = \"x^2 - sqrt(2)\", between = [1, 2] }";
+    assert_eq!(digits(root, &[], 60), found);
 }
 
 #[test]

@@ -28,6 +28,8 @@ pub(super) fn root(
     let (Some(outer_low), Some(outer_high)) = (outer_low, outer_high) else {
         return Err(stop(NoValue::Undecided("an end of the interval of a root")));
     };
+    let graph = evaluator.graph().clone();
+    super::system::prepare(evaluator, &graph, &[body, slope]);
     let goal = evaluator.interpretation.goal;
     let evaluator = RefCell::new(evaluator);
     let of = |id: Id| {

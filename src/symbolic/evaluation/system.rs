@@ -56,9 +56,9 @@ impl System for Equations<'_> {
     }
 }
 
-/// Parts of the equations that do not depend on any variable are kept by the evaluator: they have
-/// to be computed at the full precision before coarse boxes are looked at.
-fn prepare(evaluator: &mut Evaluator<Balls>, graph: &Graph, roots: &[Id]) {
+/// Parts of functions that do not depend on any variable are kept by the evaluator: they have
+/// to be computed at the full precision before wide arguments are looked at, at fewer bits.
+pub(super) fn prepare(evaluator: &mut Evaluator<Balls>, graph: &Graph, roots: &[Id]) {
     let binders = graph.binders() as u32;
     for root in roots {
         for id in graph.reach(*root) {
