@@ -2,8 +2,8 @@
 //!
 //! An input is named `symbol`, `symbol[length]` or either with a note in parentheses:
 //! `phi1`, `lower[n-1]`, `assembly (1 or -1)`. A length is the symbol of an input before it
-//! (`parameters[p]`) or a letter that follows from the count of all numbers; `+k` or `-k` may be
-//! added. The outputs form a row, which [`Rows`] may repeat.
+//! (`parameters[p]`), a letter that follows from the count of all numbers, or digits; `+k` or `-k`
+//! may be added. The outputs form a row, which [`Rows`] may repeat.
 
 use super::method::{Input, Method, Rows};
 use super::reason::plain;
@@ -217,6 +217,9 @@ impl Layout {
         for part in &self.parts {
             lengths.push(match part.length {
                 Length::One => Some(1),
+                Length::Of { symbol, more } if let Ok(n) = symbol.parse::<usize>() => {
+                    Some(n.saturating_add_signed(more))
+                }
                 Length::Of { symbol, more } => {
                     let counted = self.parts[..lengths.len()]
                         .iter()

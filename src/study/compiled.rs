@@ -1,7 +1,7 @@
 //! A problem made ready to be evaluated.
 
 use super::error::StudyError;
-use super::problem::{Problem, StudySolver, intern};
+use super::problem::{Problem, StudyOutput, StudySolver, intern};
 use mechaudit_symbolic::evaluation::{
     Algebraic, Answer, Certified, Evaluator, Floating, Format, Goal, LIMIT,
 };
@@ -48,6 +48,25 @@ fn graph_of(problem: &Problem) -> Graph {
     Graph::new(problem.inputs.iter().map(|i| i.name.clone()))
 }
 
+/// A graph in which the unknowns of the problem's system have a meaning.
+/// A graph of a problem with the unknowns of its system.
+fn graph_with_system(mut graph: Graph, problem: &Problem) -> Result<Graph, StudyError> {
+    if let Some(system) = &problem.system {
+        let (unknowns, equations) = (&system.unknowns, &system.equations);
+        let solved = graph.solve(&problem.definitions, unknowns, equations);
+        solved.map_err(|e| StudyError::new(format!("the system: {e}")))?;
+    }
+    Ok(graph)
+}
+
+/// The outputs that are expressions: a problem of linear algebra has none.
+fn expressions(problem: &Problem) -> &[StudyOutput] {
+    match problem.linear {
+        Some(_) => &[],
+        None => &problem.outputs,
+    }
+}
+
 fn build(
     graph: &mut Graph,
     definitions: &Definitions,
@@ -64,10 +83,10 @@ impl Compiled {
     /// # Errors
     /// A formula without meaning, an output that is a complex number or a condition.
     pub fn new(problem: Problem) -> Result<Compiled, StudyError> {
-        let mut graph = graph_of(&problem).of_real_functions();
+        let mut graph = graph_with_system(graph_of(&problem).of_real_functions(), &problem)?;
         let definitions = &problem.definitions;
         let mut outputs = Vec::new();
-        for output in &problem.outputs {
+        for output in expressions(&problem) {
             let id = build(&mut graph, definitions, &output.is, &output.name)?;
             if graph.is_complex(id) {
                 let name = &output.name;
@@ -81,10 +100,18 @@ impl Compiled {
             outputs.push(id);
         }
         let slopes = slopes(&mut graph, &outputs, problem.inputs.len());
+        // The algebra knows nothing of unknowns.
+        let unknowns: Vec<&str> = match &problem.system {
+            Some(system) => system.unknowns.iter().map(|u| u.0.as_str()).collect(),
+            None => Vec::new(),
+        };
         let expressions = problem.outputs.iter().map(|o| o.is.clone());
+        let known = outputs.iter().copied().zip(expressions);
         let algebra = Algebraic {
             definitions: definitions.clone(),
-            expressions: outputs.iter().copied().zip(expressions).collect(),
+            expressions: known
+                .filter(|(_, e)| !definitions.reaches(e, &unknowns))
+                .collect(),
         };
         Ok(Compiled {
             graph: Arc::new(graph),
@@ -170,7 +197,7 @@ fn slopes(graph: &mut Graph, outputs: &[Id], inputs: usize) -> Option<Vec<Vec<Id
 impl Sketch {
     /// Builds the conditions and outputs of a problem.
     pub fn new(problem: &Problem) -> Result<Sketch, StudyError> {
-        let mut graph = graph_of(problem);
+        let mut graph = graph_with_system(graph_of(problem), problem)?;
         let definitions = &problem.definitions;
         let mut condition = |e: &mechaudit_symbolic::Expr, of: &str| {
             let id = build(&mut graph, definitions, e, of)?;
@@ -197,7 +224,7 @@ impl Sketch {
             );
         }
         let mut outputs = Vec::new();
-        for output in &problem.outputs {
+        for output in expressions(problem) {
             outputs.push(build(&mut graph, definitions, &output.is, &output.name)?);
         }
         Ok(Sketch {

@@ -1,10 +1,11 @@
 //! A study as a method.
 
 use super::Study;
+use super::linear;
 use super::problem::{intern, kept};
 use super::sampling::admits;
 use crate::audit::{
-    Domain, Expected, Format, Input, Method, Output, Proof, ReferenceAnswer, SolverAnswer,
+    Domain, Expected, Format, Input, Method, Output, Proof, ReferenceAnswer, Rows, SolverAnswer,
     Uncertified, conditions_by_differences,
 };
 use crate::methods::{CertifiedValue, Evaluable};
@@ -44,6 +45,10 @@ impl Method for Study {
     }
 
     fn inputs(&self) -> Vec<Input> {
+        if let Some(linear) = &self.problem().linear {
+            let units = self.problem().inputs.iter().map(|i| intern(&i.unit));
+            return linear.inputs(&units.collect::<Vec<_>>());
+        }
         let inputs = self.problem().inputs.iter();
         let input = |i: &super::StudyInput| Input {
             name: intern(&i.name),
@@ -60,6 +65,10 @@ impl Method for Study {
             budget: kept(&o.budget),
         };
         outputs.map(output).collect()
+    }
+
+    fn rows(&self) -> Option<Rows> {
+        self.problem().linear.as_ref()?.rows()
     }
 
     fn domain(&self) -> Domain {
@@ -80,6 +89,9 @@ impl Method for Study {
     }
 
     fn reference(&self, input: &[Rational], bits: u32) -> ReferenceAnswer {
+        if let Some(linear) = &self.problem().linear {
+            return linear.reference(input, bits);
+        }
         if input.len() != self.problem().inputs.len() {
             return ReferenceAnswer::Refuses("bad layout");
         }
@@ -99,6 +111,9 @@ impl Method for Study {
 
     fn conditions(&self, input: &[f64]) -> Option<Vec<f64>> {
         let exact: Option<Vec<Rational>> = input.iter().map(|x| Rational::from_f64(*x)).collect();
+        if let Some(linear) = &self.problem().linear {
+            return linear::conditions(linear, &exact?);
+        }
         let exact = exact.filter(|x| x.len() == self.problem().inputs.len())?;
         self.compiled
             .conditions(&exact)
@@ -113,12 +128,19 @@ impl Method for Study {
     }
 
     fn admits(&self, input: &[f64]) -> bool {
-        admits(self.problem(), &self.sketch, input)
+        match &self.problem().linear {
+            Some(linear) => linear::sampling::admits(self.problem(), linear, input),
+            None => admits(self.problem(), &self.sketch, input),
+        }
     }
 }
 
 impl Evaluable for Study {
     fn certify(&self, numbers: &[Rational], bits: u32) -> Result<Vec<Scaled>, Uncertified> {
+        if let Some(linear) = &self.problem().linear {
+            let values = linear.certify(numbers, bits)?;
+            return Ok(values.into_iter().map(Scaled::from).collect());
+        }
         let answers = self.answers(numbers, Goal::Bits(bits)).into_iter();
         let value = |answer: Answer| match answer {
             Answer::Number(ball) => Ok(ball.into()),
@@ -129,8 +151,8 @@ impl Evaluable for Study {
         answers.map(value).collect()
     }
 
-    fn refusal(&self, _: &[f64]) -> Option<String> {
-        None
+    fn refusal(&self, numbers: &[f64]) -> Option<String> {
+        self.problem().linear.as_ref()?.refusal(numbers.len())
     }
 
     fn explanation(&self, numbers: &[f64]) -> Option<String> {
@@ -148,7 +170,9 @@ impl Evaluable for Study {
     }
 
     fn digits(&self, numbers: &[Rational], digits: u32) -> Option<Vec<CertifiedValue>> {
-        Some(Study::digits(self, numbers, digits))
+        // Digits of linear problems follow from certified balls, and refusals say why.
+        let is_linear = self.problem().linear.is_some();
+        (!is_linear).then(|| Study::digits(self, numbers, digits))
     }
 
     fn has_solver(&self) -> bool {

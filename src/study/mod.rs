@@ -42,6 +42,52 @@
 //! # Ok::<(), mechaudit::study::StudyError>(())
 //! ```
 //!
+//! # Systems of equations
+//! `[system]` states unknowns and as many equations, which may use inputs, parameters and `[let]`;
+//! outputs may use the unknowns, and are the unknowns where there is no `[outputs]`. Where every
+//! unknown has `between`, the only solution in that box is found and proved to be; elsewhere Newton's
+//! method starts near the numbers given (in the middle of a range), and the solution it finds is
+//! proved to be the only one around it. A solution outside of a range that is stated is undecided.
+//! ```
+//! # use mechaudit::study::Study;
+//! let study = Study::parse(
+//!     r#"
+//!     [system]
+//!     unknowns  = { u = { near = 1 }, v = { near = -1.7 } }
+//!     equations = ["u^2 + v^2 = 4", "exp(u) + v = 1"]
+//!     "#,
+//!     "meeting",
+//! )?;
+//! assert_eq!(study.digits(&[], 12)[0].decimal.as_deref(), Some("1.00416873847"));
+//! # Ok::<(), mechaudit::study::StudyError>(())
+//! ```
+//!
+//! # Linear algebra
+//! An input with a `shape` is a matrix or a vector; outputs are `solve`, `det`, `inverse`,
+//! `least_squares` or `eigenvalues` (of a symmetric matrix, or of two where the second is positive
+//! definite). A length that `[parameters]` does not state follows from the count of numbers. The
+//! numbers come row by row, one matrix after the other, of a matrix that is `banded = [lower, upper]`
+//! those within the band alone.
+//! ```
+//! # use mechaudit::study::Study;
+//! use mechaudit::methods::certified_digits;
+//! use rug::Rational;
+//! let study = Study::parse(
+//!     r#"
+//!     [inputs]
+//!     A = { shape = ["n", "n"] }
+//!     b = { shape = ["n"] }
+//!     [outputs]
+//!     x = { solve = ["A", "b"] }
+//!     "#,
+//!     "dense",
+//! )?;
+//! let numbers = [2, 1, 1, 3, 1, 2].map(Rational::from);
+//! let x = certified_digits(&study, &numbers, 10, |_| true).unwrap();
+//! assert_eq!(x[1].decimal.as_deref(), Some("0.6000000000"));
+//! # Ok::<(), mechaudit::study::StudyError>(())
+//! ```
+//!
 //! Formulas are in the language of [`parse`](mechaudit_symbolic::parse()), or in FPCore 2.0.
 
 mod builder;
@@ -49,14 +95,19 @@ mod compiled;
 mod core;
 mod document;
 mod error;
+mod linear;
 mod method;
 mod problem;
 mod read;
 mod sampling;
+mod system;
 
 pub use builder::{Formula, absolute, conditioned, relative, ulps};
 pub use error::{Place, StudyError};
-pub use problem::{Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver};
+pub use linear::{Linear, Task, Tensor};
+pub use problem::{
+    Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver, StudySystem,
+};
 
 use crate::audit::{Domain, did_you_mean};
 use crate::methods::CertifiedValue;
@@ -92,7 +143,10 @@ impl Study {
             .iter()
             .map(|s| FloatSolver::new(&problem, s));
         let solvers = solvers.collect::<Result<_, _>>()?;
-        let domain = sampling::domain(&problem, &sketch)?;
+        let domain = match &problem.linear {
+            Some(linear) => linear::sampling::domain(&problem, linear)?,
+            None => sampling::domain(&problem, &sketch)?,
+        };
         let name = intern(&problem.name);
         Ok(Study {
             compiled: Arc::new(Compiled::new(problem)?),
@@ -223,8 +277,12 @@ impl Study {
         &self.compiled.problem
     }
 
-    /// The values of all outputs at exact inputs, in the order of the file.
+    /// The values of all outputs at exact inputs, in the order of the file; of a study of linear
+    /// algebra as many as an answer has, each with the reason for a refusal in its place.
     pub fn answers(&self, inputs: &[Rational], goal: Goal) -> Vec<Answer> {
+        if let Some(linear) = &self.problem().linear {
+            return linear.answers(inputs, goal);
+        }
         self.compiled.values(inputs, goal)
     }
 

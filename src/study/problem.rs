@@ -3,6 +3,7 @@
 use super::error::{Place, StudyError};
 use crate::audit::{Budget, Limit};
 use mechaudit_symbolic::evaluation::{Elementary, Format};
+use mechaudit_symbolic::graph::Start;
 use mechaudit_symbolic::{Definitions, Expr};
 use rug::Rational;
 
@@ -59,6 +60,15 @@ pub struct StudyOutput {
     pub budget: (Limit, String),
 }
 
+/// A system of equations.
+#[derive(Clone, Debug)]
+pub struct StudySystem {
+    /// The unknowns, and where they are sought.
+    pub unknowns: Vec<(String, Start<Expr>)>,
+    /// As many expressions, which are zero at the solution.
+    pub equations: Vec<Expr>,
+}
+
 /// A part of the domain.
 #[derive(Clone, Debug)]
 pub struct StudyRegion {
@@ -106,6 +116,10 @@ pub struct Problem {
     pub regions: Vec<StudyRegion>,
     /// Solvers in the order of the file.
     pub solvers: Vec<StudySolver>,
+    /// A system of equations whose unknowns outputs may use.
+    pub system: Option<StudySystem>,
+    /// A problem of linear algebra, in the place of formulas of the outputs.
+    pub linear: Option<super::linear::Linear>,
     /// Remarks for the report: names that hide constants, formulas that are not independent.
     pub notes: Vec<String>,
 }

@@ -2,10 +2,12 @@
 
 use super::document::{Item, Value, read as document};
 use super::error::StudyError;
+use super::linear;
 use super::problem::{
     Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver, budget, default_budget,
     fault_in,
 };
+use super::system;
 use mechaudit_symbolic::evaluation::{Elementary, Format};
 use mechaudit_symbolic::{
     Bound, Constant, Definitions, Equation, Expr, Func, number, parse_declared,
@@ -14,7 +16,7 @@ use mechaudit_symbolic::{
 use rug::Rational;
 
 /// Keys of a study.
-const KEYS: [&str; 9] = [
+const KEYS: [&str; 10] = [
     "title",
     "source",
     "inputs",
@@ -23,6 +25,7 @@ const KEYS: [&str; 9] = [
     "outputs",
     "region",
     "where",
+    "system",
     "solver",
 ];
 
@@ -30,6 +33,9 @@ const KEYS: [&str; 9] = [
 pub(super) fn problem(text: &str, name: &str) -> Result<Problem, StudyError> {
     let file = document(text)?;
     file.only(&KEYS)?;
+    if linear::is_linear(&file) {
+        return linear::read::problem(&file, name);
+    }
     let line = |key: &str| {
         file.get(key)
             .map(|item| item.text().map(String::from))
@@ -48,13 +54,18 @@ pub(super) fn problem(text: &str, name: &str) -> Result<Problem, StudyError> {
     let parameters = entries(&file, "parameters")?;
     let lets = entries(&file, "let")?;
     let outputs = entries(&file, "outputs")?;
-    if outputs.is_empty() {
+    let unknowns = system::unknowns(&file)?;
+    if outputs.is_empty() && unknowns.is_empty() {
         return Err(StudyError::new(
             "a study has at least one output: [outputs]",
         ));
     }
     let mut declared: Vec<String> = problem.inputs.iter().map(|i| i.name.clone()).collect();
-    for (name, item) in parameters.iter().chain(lets).chain(outputs) {
+    let is_unknown = |name: &str| unknowns.iter().any(|u| u.0 == name);
+    // An output may be an unknown, which is declared where the system is.
+    let defined = outputs.iter().filter(|o| !is_unknown(&o.0));
+    let defined: Vec<&(String, Item)> = parameters.iter().chain(lets).chain(defined).collect();
+    for (name, item) in defined.iter().copied().chain(unknowns) {
         is_name(name, item)?;
         if declared.contains(name) {
             return Err(item.fault(format!("the name {name} is declared twice")));
@@ -68,20 +79,28 @@ pub(super) fn problem(text: &str, name: &str) -> Result<Problem, StudyError> {
         problem.definitions.set(name, value);
     }
     for (name, item) in outputs {
-        let output = output(&names, name, item)?;
-        problem.definitions.set(name, output.is.clone());
+        let is_unknown = is_unknown(name);
+        let output = output(&names, name, item, is_unknown)?;
+        if !is_unknown {
+            problem.definitions.set(name, output.is.clone());
+        }
         problem.outputs.push(output);
     }
+    if let Some(item) = file.get("system") {
+        system::read(&names, item, &mut problem)?;
+    }
     // A name that leads back to itself has no value.
-    for (name, item) in parameters.iter().chain(lets).chain(outputs) {
+    for (name, item) in defined {
         if leads_to(&problem.definitions, name) {
             return Err(item.fault(format!("the definition of {name} leads back to {name}")));
         }
     }
-    problem.condition = file
-        .get("where")
-        .map(|item| names.expression(item))
-        .transpose()?;
+    let condition = |item: &Item| {
+        let found = names.expression(item)?;
+        system::is_free(&problem, &found, item)?;
+        Ok::<_, StudyError>(found)
+    };
+    problem.condition = file.get("where").map(condition).transpose()?;
     if let Some(regions) = file.get("region") {
         for item in regions.list()? {
             problem.regions.push(region(&names, &problem, item)?);
@@ -95,11 +114,11 @@ pub(super) fn problem(text: &str, name: &str) -> Result<Problem, StudyError> {
 }
 
 /// Entries of a table that may be missing.
-fn entries<'a>(file: &'a Item, key: &str) -> Result<&'a [(String, Item)], StudyError> {
+pub(super) fn entries<'a>(file: &'a Item, key: &str) -> Result<&'a [(String, Item)], StudyError> {
     file.get(key).map_or(Ok(&[]), Item::table)
 }
 
-fn is_name(name: &str, item: &Item) -> Result<(), StudyError> {
+pub(super) fn is_name(name: &str, item: &Item) -> Result<(), StudyError> {
     let mut letters = name.chars();
     let first = letters
         .next()
@@ -122,13 +141,13 @@ fn named(problem: &Problem, name: &str, item: &Item) -> Result<(), StudyError> {
 }
 
 /// The names that expressions of a study may use.
-struct Names {
+pub(super) struct Names {
     declared: Vec<String>,
 }
 
 impl Names {
     /// An expression of a string or a number.
-    fn expression(&self, item: &Item) -> Result<Expr, StudyError> {
+    pub(super) fn expression(&self, item: &Item) -> Result<Expr, StudyError> {
         self.expression_with(item, &[])
     }
 
@@ -149,7 +168,7 @@ impl Names {
     }
 
     /// `left = right`, or an expression that is to be zero.
-    fn equation(&self, item: &Item, more: &[&str]) -> Result<Expr, StudyError> {
+    pub(super) fn equation(&self, item: &Item, more: &[&str]) -> Result<Expr, StudyError> {
         let text = item.text()?;
         let is_equation = text
             .replace("==", "")
@@ -193,7 +212,7 @@ impl Names {
 }
 
 /// An exact number of a string or a number.
-fn rational(item: &Item) -> Result<Rational, StudyError> {
+pub(super) fn rational(item: &Item) -> Result<Rational, StudyError> {
     let text = item.text()?;
     let (sign, size) = match text.trim().strip_prefix('-') {
         Some(size) => (-1, size),
@@ -234,8 +253,13 @@ fn input(name: &str, item: &Item) -> Result<StudyInput, StudyError> {
     Ok(found)
 }
 
-/// An output: its definition as a string, or a table.
-fn output(names: &Names, name: &str, item: &Item) -> Result<StudyOutput, StudyError> {
+/// An output: its definition as a string, or a table; an unknown of a system is its own definition.
+fn output(
+    names: &Names,
+    name: &str,
+    item: &Item,
+    is_unknown: bool,
+) -> Result<StudyOutput, StudyError> {
     let plain = |is: Expr, text: String| StudyOutput {
         name: name.into(),
         unit: "1".into(),
@@ -244,6 +268,9 @@ fn output(names: &Names, name: &str, item: &Item) -> Result<StudyOutput, StudyEr
         budget: default_budget(),
     };
     if !matches!(item.value, Value::Table(_)) {
+        if is_unknown {
+            return Err(item.fault(format!("the name {name} is declared twice")));
+        }
         return Ok(plain(names.expression(item)?, item.text()?.into()));
     }
     item.only(&["is", "root_of", "between", "unit", "budget", "why"])?;
@@ -266,8 +293,18 @@ fn output(names: &Names, name: &str, item: &Item) -> Result<StudyOutput, StudyEr
             let text = format!("root of {} between {low} and {high}", of.text()?);
             plain(Expr::Root(Box::new(bound)), text)
         }
+        (None, None) if is_unknown => plain(Expr::Sym(name.into()), "an unknown".into()),
         _ => return Err(item.fault(format!("the output {name} needs is = ... or root_of = ..."))),
     };
+    if is_unknown && found.is != Expr::Sym(name.into()) {
+        return Err(item.fault(format!("the name {name} is declared twice")));
+    }
+    unit_and_budget(&mut found, item)?;
+    Ok(found)
+}
+
+/// The unit and the budget that a table states for an output.
+pub(super) fn unit_and_budget(found: &mut StudyOutput, item: &Item) -> Result<(), StudyError> {
     if let Some(unit) = item.get("unit") {
         found.unit = unit.text()?.into();
     }
@@ -277,7 +314,7 @@ fn output(names: &Names, name: &str, item: &Item) -> Result<StudyOutput, StudyEr
         let why = why.unwrap_or("stated by the study without a reason");
         found.budget = (limit, why.into());
     }
-    Ok(found)
+    Ok(())
 }
 
 /// A region: a name, other ends of inputs, a condition.
@@ -298,7 +335,11 @@ fn region(names: &Names, problem: &Problem, item: &Item) -> Result<StudyRegion, 
     for (key, value) in item.table()? {
         match key.as_str() {
             "name" => {}
-            "where" => condition = Some(names.expression(value)?),
+            "where" => {
+                let found = names.expression(value)?;
+                system::is_free(problem, &found, value)?;
+                condition = Some(found);
+            }
             key => {
                 if !problem.inputs.iter().any(|i| i.name == key) {
                     let known: Vec<&str> = problem.inputs.iter().map(|i| i.name.as_str()).collect();

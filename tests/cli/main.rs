@@ -39,4 +39,5 @@ mod samples;
 mod shown;
 mod studies;
 mod study_commands;
+mod study_algebra;
 mod usage;

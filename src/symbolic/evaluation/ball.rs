@@ -384,6 +384,14 @@ impl Interpretation for Balls {
             _ => Err(stop(NoValue::Undecided("a sum to infinity"))),
         }
     }
+
+    fn system(
+        evaluator: &mut Evaluator<Balls>,
+        binder: u32,
+        node: u32,
+    ) -> Result<Vec<Value>, Stop> {
+        super::system::solution(evaluator, binder, node)
+    }
 }
 
 /// The ball of a rational number: exact and without a division for one that a double holds.

@@ -131,6 +131,8 @@ pub(super) fn integral(
     [from, to, body]: [Id; 3],
 ) -> Result<Value, Stop> {
     let limits = [limit(evaluator, from)?, limit(evaluator, to)?];
+    let graph = evaluator.graph().clone();
+    super::system::prepare(evaluator, &graph, &[body]);
     let bits = evaluator.interpretation.goal;
     let is_complex = evaluator.graph().is_complex(body);
     let mut integrand = Body {

@@ -13,6 +13,7 @@ mod germ;
 mod huge;
 mod integral;
 mod root;
+mod system;
 #[cfg(test)]
 mod tests;
 
@@ -71,6 +72,11 @@ pub trait Interpretation: Sized {
     fn to_integer(&self, a: &Self::V) -> Option<i64>;
     /// An integral, a root, or a sum to infinity, whose limits have values.
     fn bound(evaluator: &mut Evaluator<Self>, binder: u32) -> Result<Self::V, Stop>;
+    /// The unknowns of a system of equations, which `node` is one of; by default they have none.
+    fn system(_: &mut Evaluator<Self>, _: u32, node: Id) -> Result<Vec<Self::V>, Stop> {
+        let reason = NoValue::Undefined("a system of equations in floating point");
+        Err(Stop { node, reason })
+    }
 }
 
 /// Values of the nodes of a graph for one interpretation and one set of inputs.
@@ -337,7 +343,7 @@ impl<I: Interpretation> Evaluator<I> {
         Ok(sum.unwrap_or_else(|| self.interpretation.integer(0)))
     }
 
-    /// Runs a loop and gives all its last values.
+    /// Runs a loop or solves a system, and gives all its last values or unknowns.
     fn repeat(&mut self, binder: u32, id: Id) -> Result<(), Stop> {
         let graph = self.graph.clone();
         let Binding::Loop {
@@ -346,10 +352,9 @@ impl<I: Interpretation> Evaluator<I> {
             next,
         } = &graph.binder(binder).binding
         else {
-            return Err(Stop {
-                node: id,
-                reason: NoValue::Undefined("a loop that is not closed"),
-            });
+            let values = I::system(self, binder, id)?;
+            self.set_last(binder, values);
+            return Ok(());
         };
         let mut values = self.all(first)?;
         loop {
@@ -360,12 +365,16 @@ impl<I: Interpretation> Evaluator<I> {
             self.count(id)?;
             values = self.all(next)?;
         }
+        self.set_last(binder, values);
+        Ok(())
+    }
+
+    fn set_last(&mut self, binder: u32, values: Vec<I::V>) {
         for (k, value) in values.into_iter().enumerate() {
-            if let Some(id) = graph.find(Node::Last(binder, k as u32)) {
+            if let Some(id) = self.graph.find(Node::Last(binder, k as u32)) {
                 self.known[id as usize] = Some(value);
             }
         }
-        Ok(())
     }
 
     fn all(&mut self, ids: &[Id]) -> Result<Vec<I::V>, Stop> {

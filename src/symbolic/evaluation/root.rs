@@ -29,13 +29,8 @@ pub(super) fn root(
     let (Some(outer_low), Some(outer_high)) = (outer_low, outer_high) else {
         return Err(stop(NoValue::Undecided("an end of the interval of a root")));
     };
-    // What does not depend on the variable is kept, so that it is computed before the search, which
-    // begins with few bits.
     let graph = evaluator.graph().clone();
-    for id in [body, slope].map(|id| leaves(&graph, id, binder)).concat() {
-        // Where it has no value the body tells, if it needs it.
-        let _ = evaluator.value(id);
-    }
+    super::system::prepare(evaluator, &graph, &[body, slope]);
     let goal = evaluator.interpretation.goal;
     let evaluator = RefCell::new(evaluator);
     let of = |id: Id| {

@@ -44,7 +44,8 @@ type Built = Result<Id, SymbolicError>;
 impl Builder<'_> {
     /// Opens a binder within those around.
     fn open(&mut self, scope: &Scope<Id>, names: Vec<String>) -> u32 {
-        let around: Vec<Id> = scope.bound.iter().map(|b| b.1).collect();
+        let unknowns = self.graph.unknowns.iter();
+        let around: Vec<Id> = scope.bound.iter().chain(unknowns).map(|b| b.1).collect();
         let depth = self.graph.depth_above(&around);
         self.graph.open(names, depth)
     }
@@ -108,6 +109,9 @@ impl Domain for Builder<'_> {
     fn symbol(&mut self, name: &str) -> Built {
         if let Some(place) = self.graph.inputs.iter().position(|input| input == name) {
             return Ok(self.graph.push(Node::Input(place as u32)));
+        }
+        if let Some((_, id)) = self.graph.unknowns.iter().find(|u| u.0 == name) {
+            return Ok(*id);
         }
         match name {
             "pi" => Ok(self.graph.push(Node::Constant(Constant::Pi))),

@@ -6,7 +6,7 @@ use crate::{Constant, Func, Relation, SymbolicError};
 use std::collections::HashMap;
 
 /// A derivative; nothing stands for zero.
-type Slope = Option<Id>;
+pub(super) type Slope = Option<Id>;
 
 impl Graph {
     /// The derivative of a node by an input or a bound variable.
@@ -31,7 +31,11 @@ impl Graph {
     }
 
     /// The derivative of a node, given those of the leaves.
-    fn slope(&mut self, root: Id, seeds: &HashMap<Id, Slope>) -> Result<Slope, SymbolicError> {
+    pub(super) fn slope(
+        &mut self,
+        root: Id,
+        seeds: &HashMap<Id, Slope>,
+    ) -> Result<Slope, SymbolicError> {
         let mut known: HashMap<Id, Slope> = HashMap::new();
         let mut loops: HashMap<u32, (u32, u32)> = HashMap::new();
         for id in self.reach(root) {
@@ -124,7 +128,10 @@ impl Graph {
                 let (new, n) = match loops.get(&binder) {
                     Some(found) => *found,
                     None => {
-                        let found = self.loop_slope(binder, known, seeds)?;
+                        let found = match self.binder(binder).binding {
+                            Binding::System { .. } => self.system_slope(binder, seeds)?,
+                            _ => self.loop_slope(binder, known, seeds)?,
+                        };
                         loops.insert(binder, found);
                         found
                     }
@@ -486,7 +493,9 @@ impl Graph {
                 let quotient = self.ratio(direct, slope);
                 Ok(Some(self.push(Node::Neg(quotient))))
             }
-            Binding::Loop { .. } | Binding::Open => unsupported("the derivative of a loop's sum"),
+            Binding::Loop { .. } | Binding::System { .. } | Binding::Open => {
+                unsupported("the derivative of a loop's sum")
+            }
         }
     }
 
@@ -549,7 +558,11 @@ impl Graph {
         self.replaced(root, &HashMap::from([(leaf, value)]))
     }
 
-    fn replaced(&mut self, root: Id, map: &HashMap<Id, Id>) -> Result<Id, SymbolicError> {
+    pub(super) fn replaced(
+        &mut self,
+        root: Id,
+        map: &HashMap<Id, Id>,
+    ) -> Result<Id, SymbolicError> {
         let mut known = map.clone();
         let mut loops: HashMap<u32, u32> = HashMap::new();
         for id in self.reach(root) {
@@ -658,6 +671,20 @@ impl Graph {
                     condition,
                     first: first.into_iter().map(outer).collect(),
                     next: updates,
+                }
+            }
+            Binding::System {
+                starts,
+                equations,
+                jacobian,
+            } => {
+                let mut inside = |ids: Vec<Id>| -> Result<Vec<Id>, SymbolicError> {
+                    ids.into_iter().map(|x| self.replaced(x, &inner)).collect()
+                };
+                Binding::System {
+                    equations: inside(equations)?,
+                    jacobian: inside(jacobian)?,
+                    starts: starts.iter().map(|s| s.map(|a| outer(*a))).collect(),
                 }
             }
             Binding::Open => return unsupported("a binder that is not closed"),

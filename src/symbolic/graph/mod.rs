@@ -7,7 +7,10 @@
 mod build;
 mod derivative;
 mod identities;
+mod system;
 mod text;
+
+pub use system::Start;
 
 use crate::{Constant, Func, Relation};
 use rug::Rational;
@@ -16,7 +19,7 @@ use std::collections::HashMap;
 /// A node of a [`Graph`]. Operands come before the nodes that use them.
 pub type Id = u32;
 
-/// A number of a binder: a sum, an integral, a root or a loop, in the order of building.
+/// A number of a binder: a sum, an integral, a root, a loop or a system, in the order of building.
 pub type BinderId = u32;
 
 /// A subexpression.
@@ -68,7 +71,7 @@ pub enum Node {
     If(Id, Id, Id),
     /// The sum, the integral or the root of a binder.
     Bound(BinderId),
-    /// The last value of the k-th variable of a loop.
+    /// The last value of the k-th variable of a loop, or the k-th unknown of a system.
     Last(BinderId, u32),
 }
 
@@ -113,11 +116,20 @@ pub enum Binding {
         /// Values of the next round.
         next: Vec<Id>,
     },
+    /// The only solution of as many equations as there are variables.
+    System {
+        /// Where each unknown is sought.
+        starts: Vec<Start<Id>>,
+        /// Expressions that are zero at the solution.
+        equations: Vec<Id>,
+        /// Their derivatives by the unknowns, equation by equation.
+        jacobian: Vec<Id>,
+    },
     /// A binder that is being built.
     Open,
 }
 
-/// A sum, an integral, a root or a loop.
+/// A sum, an integral, a root, a loop or a system.
 #[derive(Clone, Debug)]
 pub struct Binder {
     /// How its variables are bound.
@@ -156,6 +168,8 @@ pub struct Graph {
     derivatives: HashMap<(Id, Id), Option<Id>>,
     /// Whether differences that cancel are replaced where an identity allows it.
     is_real_function: bool,
+    /// The unknowns of a system with the nodes that stand for them.
+    unknowns: Vec<(String, Id)>,
 }
 
 impl Graph {
@@ -308,6 +322,16 @@ impl Graph {
                 let all = [*condition].into_iter();
                 all.chain(first.iter().copied())
                     .chain(next.iter().copied())
+                    .collect()
+            }
+            Binding::System {
+                starts,
+                equations,
+                jacobian,
+            } => {
+                let all = starts.iter().flat_map(Start::parts).copied();
+                all.chain(equations.iter().copied())
+                    .chain(jacobian.iter().copied())
                     .collect()
             }
             Binding::Open => Vec::new(),

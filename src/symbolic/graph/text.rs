@@ -77,7 +77,9 @@ impl Graph {
             Node::Flat(f, a) => self.list(&format!("{}'", f.name()), &[a], out),
             Node::Last(binder, k) => {
                 let names = &self.binder(binder).names;
-                out.push_str("the last ");
+                if matches!(self.binder(binder).binding, Binding::Loop { .. }) {
+                    out.push_str("the last ");
+                }
                 out.push_str(names.get(k as usize).map_or("?", String::as_str));
             }
             Node::Bound(binder) => {

@@ -20,8 +20,8 @@ use std::io::{BufRead, BufReader, Read, Write};
 
 /// Lines computed at a time, for each thread.
 const LINES: usize = 1024;
-/// The longest line.
-const LONGEST: usize = 1 << 20;
+/// The longest line: a dense matrix of order 1000 fits in, each entry with 17 digits and an exponent.
+const LONGEST: usize = 1 << 25;
 /// The number of bytes of text held at a time.
 const BUFFER: usize = 1 << 16;
 
@@ -234,17 +234,17 @@ impl<'a> Evaluation<'a> {
             .collect()
     }
 
-    /// The values of a line; nothing for a blank one or a comment.
+    /// The values of a line; nothing for a comment, and for a blank one where there are inputs.
     fn answer(&self, line: &Line) -> Result<Option<Answer>, EvalError> {
         if line.text.len() > LONGEST {
             return Err(EvalError::TooLong);
         }
         let text = std::str::from_utf8(&line.text)?.trim();
-        if text.is_empty() || text.starts_with('#') {
+        if text.starts_with('#') || text.is_empty() && self.layout.parts() > 0 {
             return Ok(None);
         }
-        let numbers: Vec<Number> = text
-            .split(',')
+        let fields = text.split(',').filter(|_| !text.is_empty());
+        let numbers: Vec<Number> = fields
             .map(Number::parse)
             .collect::<Result<_, _>>()?;
         let x: Vec<f64> = numbers.iter().map(Number::nearest).collect();
@@ -529,7 +529,7 @@ mod tests {
         let why = end.unwrap_err();
         assert_eq!(out, "");
         assert!(
-            why.starts_with("line 1 (") && why.ends_with("): longer than 1048576 bytes"),
+            why.starts_with("line 1 (") && why.ends_with("): longer than 33554432 bytes"),
             "{why}"
         );
     }
