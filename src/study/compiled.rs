@@ -48,8 +48,7 @@ fn graph_of(problem: &Problem) -> Graph {
     Graph::new(problem.inputs.iter().map(|i| i.name.clone()))
 }
 
-/// A graph in which the unknowns of the problem's system have a meaning.
-/// A graph of a problem with the unknowns of its system.
+/// The graph with the unknowns of the problem's system.
 fn graph_with_system(mut graph: Graph, problem: &Problem) -> Result<Graph, StudyError> {
     if let Some(system) = &problem.system {
         let (unknowns, equations) = (&system.unknowns, &system.equations);

@@ -5,7 +5,7 @@
 
 use mechaudit::audit::{Case, Cases, Limit, Method, Origin, Settings, Verdict};
 use mechaudit::audit::{answer_of, judge_case};
-use mechaudit::methods::{Evaluable, find, registry};
+use mechaudit::methods::{find, registry};
 use std::collections::HashMap;
 use std::fs;
 use std::path::Path;

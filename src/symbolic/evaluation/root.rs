@@ -1,7 +1,6 @@
 //! Roots of graphs.
 
 use super::ball::{Balls, Value};
-use super::integral::leaves;
 use super::{Evaluator, Stop};
 use crate::graph::Id;
 use mechaudit_reference::elementary::NoValue;
