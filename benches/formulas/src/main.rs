@@ -179,7 +179,13 @@ fn measure(study: &Study) -> Option<Row> {
     };
     let our_answer = |input: &[Rational]| match study.answers(input, Goal::Nearest).pop() {
         Some(Answer::Undefined { .. }) => Said::Undefined,
-        Some(Answer::Undecided(_)) | None => Said::Undecided,
+        Some(Answer::Undecided(why)) => {
+            if std::env::var_os("SHOW_UNDECIDED").is_some() {
+                eprintln!("undecided: {why}");
+            }
+            Said::Undecided
+        }
+        None => Said::Undecided,
         Some(answer) => Said::Number(answer.to_f64()),
     };
     let region = study.domain().regions.into_iter().find(|r| r.name == "magnitudes" || r.name == "domain")?;

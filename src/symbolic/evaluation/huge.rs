@@ -159,7 +159,7 @@ pub(super) fn power(a: &Value, k: i32, p: u32) -> Found {
 pub(super) fn call(f: Func, x: &[&Value], p: u32) -> Found {
     match x {
         [Value::Huge { negative, exponent }] => one(f, *negative, *exponent, p),
-        [a, b] => two(f, a, b),
+        [a, b] => two(f, a, b, p),
         [a, b, c] if f == Func::Fma => add_any(&mul_any(a, b, p)?, c, p),
         _ => Err(UNDECIDED),
     }
@@ -214,7 +214,7 @@ fn one(f: Func, negative: bool, exponent: i64, p: u32) -> Found {
     }
 }
 
-fn two(f: Func, a: &Value, b: &Value) -> Found {
+fn two(f: Func, a: &Value, b: &Value, p: u32) -> Found {
     let negative = |x: &Value| match x {
         Value::Huge { negative, .. } => Some(*negative),
         Value::Real(x) => is_negative(x),
@@ -248,6 +248,34 @@ fn two(f: Func, a: &Value, b: &Value) -> Found {
             });
             exponents.max().map_or(Err(UNDECIDED), |e| huge(false, e))
         }
+        // The angle of a point far above, below, left or right of the origin: off ±π/2, 0 or ±π by at
+        // most the quotient of the coordinates.
+        Func::Atan2 => match (a, b) {
+            (Value::Huge { negative, exponent }, Value::Real(x)) => match above(x) {
+                Some(size) => {
+                    let half = Ball::pi(p)
+                        .shift(-1)
+                        .widened(Mag::power_of_two(size - exponent));
+                    Ok(Value::Real(if *negative { -half } else { half }))
+                }
+                None => Err(UNDECIDED),
+            },
+            (Value::Real(y), Value::Huge { negative, exponent }) => {
+                let Some(size) = above(y) else {
+                    return Err(UNDECIDED);
+                };
+                let off = Mag::power_of_two(size - exponent);
+                match (negative, is_negative(y)) {
+                    (false, _) => Ok(Value::Real(Ball::integer(p, 0).widened(off))),
+                    (true, Some(below)) => {
+                        let angle = Ball::pi(p).widened(off);
+                        Ok(Value::Real(if below { -angle } else { angle }))
+                    }
+                    (true, None) => Err(UNDECIDED),
+                }
+            }
+            _ => Err(UNDECIDED),
+        },
         Func::Copysign => match (a, negative(b)) {
             (Value::Huge { exponent, .. }, Some(sign)) => huge(sign, *exponent),
             (Value::Real(x), Some(sign)) => {
