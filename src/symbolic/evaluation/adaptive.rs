@@ -90,7 +90,7 @@ pub struct Certified {
 }
 
 /// The working precision that is tried first to name the nearest binary64.
-const FIRST: u32 = 80;
+const FIRST: u32 = 63;
 
 /// The working precision from which on the symbolic algebra is asked: it costs more than balls of
 /// fewer bits.
@@ -337,6 +337,11 @@ fn lacking_to_nearest(ball: &Ball) -> u32 {
 
 /// The binary64 nearest to a number.
 fn nearest_double(x: &rug::Float) -> f64 {
+    // Above the subnormal numbers the conversion rounds once.
+    let value = x.to_f64();
+    if value.abs() >= 2.0 * f64::MIN_POSITIVE || x.is_zero() {
+        return value;
+    }
     let (mut rounded, way) = rug::Float::with_val_round(53, x, rug::float::Round::Nearest);
     rounded.subnormalize_ieee_round(way, rug::float::Round::Nearest);
     rounded.to_f64()

@@ -24,7 +24,6 @@ pub use float::{Elementary, Floating, Format};
 use crate::graph::{Binding, Graph, Id, Node};
 use crate::{Constant, Func, Relation};
 use mechaudit_reference::elementary::NoValue;
-use std::collections::HashMap;
 use std::sync::Arc;
 
 /// Reason why a node has no value.
@@ -86,7 +85,12 @@ pub struct Evaluator<I: Interpretation> {
     pub interpretation: I,
     known: Vec<Option<I::V>>,
     truths: Vec<Option<bool>>,
-    orders: HashMap<Id, Arc<[Id]>>,
+    /// For each root, the nodes that it needs in any case.
+    orders: Vec<Option<Arc<[Id]>>>,
+    /// The nodes of the inputs.
+    inputs: Vec<Option<Id>>,
+    /// Nodes that depend on inputs or variables.
+    varying: Vec<Id>,
     /// Rounds of loops and terms of sums that are left.
     pub rounds: u64,
 }
@@ -105,10 +109,16 @@ impl<I: Interpretation> Evaluator<I> {
         Evaluator {
             known: vec![None; graph.len()],
             truths: vec![None; graph.len()],
-            graph,
             interpretation,
-            orders: HashMap::new(),
+            orders: vec![None; graph.len()],
+            inputs: (0..graph.inputs().len() as u32)
+                .map(|k| graph.find(Node::Input(k)))
+                .collect(),
+            varying: (0..graph.len() as Id)
+                .filter(|id| graph.varies(*id))
+                .collect(),
             rounds: ROUNDS,
+            graph,
         }
     }
 
@@ -119,10 +129,16 @@ impl<I: Interpretation> Evaluator<I> {
 
     /// Forgets what depends on inputs and variables; everything if `constants` as well.
     pub fn reset(&mut self, constants: bool) {
-        for id in 0..self.known.len() {
-            if constants || self.graph.varies(id as Id) {
-                self.known[id] = None;
-                self.truths[id] = None;
+        match constants {
+            true => {
+                self.known.fill(None);
+                self.truths.fill(None);
+            }
+            false => {
+                for id in &self.varying {
+                    self.known[*id as usize] = None;
+                    self.truths[*id as usize] = None;
+                }
             }
         }
         self.rounds = ROUNDS;
@@ -130,7 +146,7 @@ impl<I: Interpretation> Evaluator<I> {
 
     /// Gives an input a value. What depends on it has to be forgotten before.
     pub fn set_input(&mut self, k: usize, value: I::V) {
-        if let Some(id) = self.graph.find(Node::Input(k as u32)) {
+        if let Some(id) = self.inputs.get(k).copied().flatten() {
             self.known[id as usize] = Some(value);
         }
     }
@@ -183,7 +199,7 @@ impl<I: Interpretation> Evaluator<I> {
 
     /// Nodes that are needed for a node in any case, in ascending order.
     fn order(&mut self, root: Id) -> Arc<[Id]> {
-        if let Some(order) = self.orders.get(&root) {
+        if let Some(order) = &self.orders[root as usize] {
             return order.clone();
         }
         let mut seen = vec![false; root as usize + 1];
@@ -214,7 +230,7 @@ impl<I: Interpretation> Evaluator<I> {
         }
         let order: Vec<Id> = (0..=root).filter(|id| seen[*id as usize]).collect();
         let order: Arc<[Id]> = order.into();
-        self.orders.insert(root, order.clone());
+        self.orders[root as usize] = Some(order.clone());
         order
     }
 
