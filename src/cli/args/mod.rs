@@ -321,10 +321,10 @@ mod tests {
         }
     }
 
-    /// A page with two methods in one audit, or with a name that there is not.
+    /// A page with two methods in one evaluation, or with a name that there is not.
     #[test]
     fn what_is_no_command_is_found() {
-        let page = "Use `mechaudit audit voigt voigt-hwhm` or\n`mechaudit audit\nvoight`, not `mechaudit audit METHOD`.";
+        let page = "Use `mechaudit eval voigt voigt-hwhm` or\n`mechaudit audit\nvoight`, not `mechaudit audit METHOD`.";
         let all = inline(page);
         assert_eq!(all.len(), 2);
         assert!(all.iter().all(|c| refused(c).is_some()));
