@@ -240,7 +240,7 @@ mod tests {
 
     #[test]
     fn a_closure_draws_with_what_it_holds() {
-        let ends = vec![3.0, 5.0];
+        let ends = [3.0, 5.0];
         let region = Region::new("between", "", move |d| vec![d.uniform(ends[0], ends[1])]);
         let input = |r: &Region| (r.sample)(&mut Draw::new(1, "method", r.name, 0));
         assert!((3.0..5.0).contains(&input(&region)[0]));

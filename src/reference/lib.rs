@@ -38,8 +38,8 @@ mod linear;
 mod linkages;
 #[cfg(test)]
 mod pinned;
-pub mod roots;
 pub mod quadrature;
+pub mod roots;
 mod special;
 mod splines;
 

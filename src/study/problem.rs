@@ -133,7 +133,8 @@ pub(super) fn default_budget() -> (Limit, String) {
 /// Reads a budget: `2 ulp`, `4 u(1+cond)`, `1e-12 relative`, `1e-9 absolute`.
 pub(super) fn budget(text: &str) -> Result<Limit, StudyError> {
     let compact: String = text.chars().filter(|c| !c.is_whitespace()).collect();
-    let forms: [(&str, fn(f64) -> Limit); 8] = [
+    type OfNumber = fn(f64) -> Limit;
+    let forms: [(&str, OfNumber); 8] = [
         ("ulps", Limit::Ulps),
         ("ulp", Limit::Ulps),
         ("u(1+cond)", Limit::Conditioned),

@@ -369,10 +369,8 @@ impl fmt::Display for Expr {
             Expr::While(l) => {
                 f.write_str(if l.sequential { "while(" } else { "while_all(" })?;
                 write!(f, "{}, ", l.condition)?;
-                let variables = l.variables.iter();
-                variables
-                    .map(|(name, a, b)| write!(f, "{name}, {a}, {b}, "))
-                    .collect::<fmt::Result>()?;
+                let mut variables = l.variables.iter();
+                variables.try_for_each(|(name, a, b)| write!(f, "{name}, {a}, {b}, "))?;
                 write!(f, "{})", l.body)
             }
             Expr::Sum(b) if b.to == Expr::Sym(EACH.into()) => {

@@ -538,7 +538,7 @@ fn digits(parts: &[Datum]) -> Option<Expr> {
         return None;
     };
     let (m, e, b) = (integer(m)?, integer(e)?.to_i32()?, integer(b)?);
-    if e.unsigned_abs() > 20_000 || b < 2 || b > 1000 {
+    if e.unsigned_abs() > 20_000 || !(2..=1000).contains(&b) {
         return None;
     }
     let power = b.pow(e.unsigned_abs());

@@ -38,6 +38,6 @@ mod runup;
 mod samples;
 mod shown;
 mod studies;
-mod study_commands;
 mod study_algebra;
+mod study_commands;
 mod usage;

@@ -83,7 +83,11 @@ fn inlined(e: &Expr, names: &Definitions) -> Expr {
         Expr::Let(sequential, values, body) => {
             let mut inner = names.clone();
             for (name, value) in values {
-                let seen = if *sequential { inner.clone() } else { names.clone() };
+                let seen = if *sequential {
+                    inner.clone()
+                } else {
+                    names.clone()
+                };
                 inner.set(name, inlined(value, &seen));
             }
             inlined(body, &inner)

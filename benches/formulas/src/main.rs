@@ -86,12 +86,18 @@ fn main() {
         eprintln!("usage: mechaudit-formulas FOLDER...");
         std::process::exit(2);
     }
-    println!("file,core,points,decided,rival_decided,contradictions,microseconds,rival_microseconds,ratio,first_contradiction");
+    println!(
+        "file,core,points,decided,rival_decided,contradictions,microseconds,rival_microseconds,ratio,first_contradiction"
+    );
     let mut ratios: Vec<(String, f64)> = Vec::new();
     let (mut points, mut ours, mut theirs, mut wrong) = (0, 0, 0, 0);
     for folder in folders {
         for file in files(&folder) {
-            let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            let name = file
+                .file_name()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned();
             let studies = match Study::open_all(&file.to_string_lossy()) {
                 Ok(studies) => studies,
                 Err(e) => {
@@ -107,12 +113,19 @@ fn main() {
                         continue;
                     }
                 };
-                let core = study.name().rsplit('#').next().unwrap_or("").replace(',', ";");
+                let core = study
+                    .name()
+                    .rsplit('#')
+                    .next()
+                    .unwrap_or("")
+                    .replace(',', ";");
                 let Some(row) = measure(&study) else {
                     eprintln!("{name}#{core}: rival3 has no such operations");
                     continue;
                 };
-                let micro = row.times.map(|t| t.as_secs_f64() * 1e6 / row.points.max(1) as f64);
+                let micro = row
+                    .times
+                    .map(|t| t.as_secs_f64() * 1e6 / row.points.max(1) as f64);
                 let ratio = micro[1] / micro[0];
                 let first = row.contradictions.first().cloned().unwrap_or_default();
                 println!(
@@ -143,7 +156,10 @@ fn main() {
     groups.dedup();
     for group in groups {
         let own = ratios.iter().filter(|r| r.0 == group);
-        println!("# {group}: rival3's time over ours, geometric mean {:.2}", mean(&mut own.map(|r| r.1)));
+        println!(
+            "# {group}: rival3's time over ours, geometric mean {:.2}",
+            mean(&mut own.map(|r| r.1))
+        );
     }
     println!("# all: {:.2}", mean(&mut ratios.iter().map(|r| r.1)));
 }
@@ -188,7 +204,11 @@ fn measure(study: &Study) -> Option<Row> {
         None => Said::Undecided,
         Some(answer) => Said::Number(answer.to_f64()),
     };
-    let region = study.domain().regions.into_iter().find(|r| r.name == "magnitudes" || r.name == "domain")?;
+    let region = study
+        .domain()
+        .regions
+        .into_iter()
+        .find(|r| r.name == "magnitudes" || r.name == "domain")?;
     let mut inputs = Vec::new();
     for k in 0..DRAWS {
         if inputs.len() == POINTS {
@@ -196,9 +216,15 @@ fn measure(study: &Study) -> Option<Row> {
         }
         let input = (region.sample)(&mut Draw::new(1, "formulas", region.name, k));
         // A valid point has a real value within the range of binary64 by one side at least.
-        let exact: Vec<Rational> = input.iter().filter_map(|x| Rational::from_f64(*x)).collect();
+        let exact: Vec<Rational> = input
+            .iter()
+            .filter_map(|x| Rational::from_f64(*x))
+            .collect();
         let sides = [our_answer(&exact), their_answer(&input)];
-        if sides.iter().any(|s| matches!(s, Said::Number(x) if x.is_finite())) {
+        if sides
+            .iter()
+            .any(|s| matches!(s, Said::Number(x) if x.is_finite()))
+        {
             inputs.push((input, exact));
         }
     }

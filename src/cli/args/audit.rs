@@ -42,7 +42,12 @@ pub struct AuditArgs {
     /// The methods, or files of studies (.toml, .fpcore); all methods if left out
     pub method: Vec<String>,
     /// Audit this solver of a study's file instead of the first
-    #[arg(long, value_name = "NAME", requires = "method", conflicts_with = "exec")]
+    #[arg(
+        long,
+        value_name = "NAME",
+        requires = "method",
+        conflicts_with = "exec"
+    )]
     pub solver: Option<String>,
     #[command(flatten)]
     pub place: WhereArgs,

@@ -230,10 +230,10 @@ impl Certified {
             }
             // A value whose balls hold zero may be zero.
             for (k, _, _) in &open {
-                if prec >= ASK_ALGEBRA.min(self.limit) && !std::mem::replace(&mut asked[*k], true) {
-                    if self.is_zero(nodes[*k], inputs) {
-                        answers[*k] = Some(Answer::Zero);
-                    }
+                let is_new =
+                    prec >= ASK_ALGEBRA.min(self.limit) && !std::mem::replace(&mut asked[*k], true);
+                if is_new && self.is_zero(nodes[*k], inputs) {
+                    answers[*k] = Some(Answer::Zero);
                 }
             }
             if prec >= self.limit {

@@ -244,9 +244,7 @@ impl<'a> Evaluation<'a> {
             return Ok(None);
         }
         let fields = text.split(',').filter(|_| !text.is_empty());
-        let numbers: Vec<Number> = fields
-            .map(Number::parse)
-            .collect::<Result<_, _>>()?;
+        let numbers: Vec<Number> = fields.map(Number::parse).collect::<Result<_, _>>()?;
         let x: Vec<f64> = numbers.iter().map(Number::nearest).collect();
         self.layout.lengths(&x)?;
         if let Some(why) = self.method.refusal(&x) {
