@@ -59,7 +59,8 @@ fn candidates_in_python_pass() {
     if !python.is_ok_and(|o| o.status.success()) {
         return crate::common::skipped("python3");
     }
-    let names = EXAMPLES.iter().map(|e| e.0).chain(["voigt"]);
+    let others = ["voigt", "hilbert", "spring-mass"];
+    let names = EXAMPLES.iter().map(|e| e.0).chain(others);
     for name in names {
         let stem = name.rsplit('#').next().unwrap();
         let exec = format!("python3 {FOLDER}/candidates/{stem}.py");
@@ -70,7 +71,20 @@ fn candidates_in_python_pass() {
 
 /// Inputs, and outputs to 30 digits by mpmath 1.3.0 with 60 digits: `ellipk`, `erfc`, `erfinv`,
 /// `findroot` and the elementary functions.
-const DIGITS: [(&str, &str, &str); 14] = [
+const DIGITS: [(&str, &str, &str); 16] = [
+    (
+        "hilbert",
+        "1,1/2,1/3,1/4,1/5,1/2,1/3,1/4,1/5,1/6,1/3,1/4,1/5,1/6,1/7,1/4,1/5,1/6,1/7,1/8,\
+         1/5,1/6,1/7,1/8,1/9,1,0,0,0,0",
+        "25.0000000000000000000000000000,-300.000000000000000000000000000,\
+         1050.00000000000000000000000000,-1400.00000000000000000000000000,\
+         630.000000000000000000000000000",
+    ),
+    (
+        "spring-mass",
+        "3,-1,-1,2,2,0,0,1",
+        "1.00000000000000000000000000000,2.50000000000000000000000000000",
+    ),
     (
         "cancellation",
         "1e10",

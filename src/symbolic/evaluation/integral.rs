@@ -21,7 +21,8 @@ impl Body<'_> {
     fn value(&mut self, variable: Value, holomorphic: bool, bits: u32) -> Result<Value, Stop> {
         let balls = &mut self.evaluator.interpretation;
         let outside = (balls.prec, balls.holomorphic);
-        (balls.prec, balls.holomorphic) = (bits, holomorphic);
+        // Around a continuation everything has to be holomorphic in its variable, too.
+        (balls.prec, balls.holomorphic) = (bits, holomorphic || outside.1);
         self.evaluator.set_variables(self.binder, [variable]);
         let value = self.evaluator.value(self.body).cloned();
         let balls = &mut self.evaluator.interpretation;
