@@ -199,9 +199,9 @@ impl Certified {
             if open.is_empty() {
                 break;
             }
-            // More precision does not shorten a loop.
+            // More precision shortens neither a loop nor an integral.
             open.retain(|(k, node, reason)| {
-                let is_open = *reason != super::ROUNDS_REASON;
+                let is_open = ![super::ROUNDS_REASON, super::EVALUATIONS_REASON].contains(reason);
                 if !is_open {
                     let place = self.evaluator.graph().text(*node);
                     let bits = prec;

@@ -5,8 +5,11 @@ use super::germ::{Germs, Near};
 use super::{Evaluator, Stop};
 use crate::graph::{Graph, Id, Node};
 use mechaudit_reference::elementary::NoValue;
-use mechaudit_reference::quadrature::{self, End, Goal, Growth, Integrand, Limit};
-use mechaudit_reference::{Ball, ComplexBall};
+use mechaudit_reference::quadrature::{self, End, Goal, Growth, Hindrance, Integrand, Limit};
+use mechaudit_reference::{Ball, ComplexBall, Mag};
+
+/// Evaluations of an integrand before an integral is given up.
+const EVALUATIONS: u64 = 1 << 18;
 
 /// The body of an integral as a function of its variable.
 struct Body<'e> {
@@ -142,7 +145,13 @@ pub(super) fn integral(
         body,
         undefined: None,
     };
-    let goal = Goal::bits(bits);
+    let prec = integrand.evaluator.interpretation.prec;
+    // An integral next to zero gets its relative accuracy as the working precision is raised.
+    let goal = Goal {
+        absolute: Mag::power_of_two(-i64::from(prec)),
+        evaluations: EVALUATIONS,
+        ..Goal::bits(bits)
+    };
     let [from, to] = &limits;
     let (value, hindrance) = if is_complex {
         let (Limit::Finite(a), Limit::Finite(b)) = (from, to) else {
@@ -161,7 +170,14 @@ pub(super) fn integral(
     if let Some(stop) = integrand.undefined.filter(|_| hindrance.is_some()) {
         return Err(stop);
     }
-    // What the goal was missed by is judged by the value's own accuracy.
+    // A second try with more bits may serve an integrand that is enclosed badly; a third would not end.
+    if matches!(hindrance, Some(Hindrance::Interval(..))) && prec > 2 * bits {
+        return Err(Stop {
+            node,
+            reason: NoValue::Undecided(super::EVALUATIONS_REASON),
+        });
+    }
+    // The adaptive loop judges the accuracy of what missed its goal.
     value.ok_or(Stop {
         node,
         reason: NoValue::Undecided("an integral that is not enclosed within its limits"),

@@ -100,6 +100,9 @@ const NOT_A_NUMBER: NoValue = NoValue::Undefined("a condition or a name without 
 /// Rounds of loops and terms of sums that one evaluation may take.
 pub const ROUNDS: u64 = 20_000;
 
+/// Reason of an integral that takes more evaluations than are allowed.
+const EVALUATIONS_REASON: &str = "the limit on evaluations of an integrand";
+
 /// Reason of a value that takes more of them.
 const ROUNDS_REASON: &str = "the limit on rounds of loops and terms of sums";
 

@@ -87,6 +87,14 @@ fn formulas_at_a_point() {
             "0.88622692545275801365",
         ),
         ("int(t, 0, 1, 1/sqrt(t))", (1, 1), "2.0000000000000000000"),
+        // Odd but for a part far below the accuracy of the sine's integral.
+        (
+            "int(t, -10, 10, sin(t) + exp(-200 - t^2))",
+            (1, 1),
+            "2.4528927280692988577e-87",
+        ),
+        // Real and imaginary parts are not holomorphic: enclosed without Cauchy's bound.
+        ("int(t, 0, 1, abs(exp(i*t)))", (1, 1), "1.0000000000000000000"),
         ("int(t, 0, 3, floor(t)*x)", (1, 1), "3.0000000000000000000"),
         ("re(W(x + i))", (1, 1), "0.30474420525691259246"),
         (
