@@ -1,8 +1,11 @@
 //! Values of formulas in balls and in floating point.
 
-use super::{Algebraic, Answer, Certified, Elementary, Evaluator, Floating, Format, Goal};
+use super::{
+    Algebraic, Answer, Balls, Certified, Elementary, Evaluator, Floating, Format, Goal, Value,
+};
 use crate::graph::Graph;
 use crate::{Definitions, parse};
+use mechaudit_reference::{Ball, ComplexBall, Mag};
 use rug::Rational;
 use std::sync::Arc;
 
@@ -93,8 +96,6 @@ fn formulas_at_a_point() {
             (1, 1),
             "2.4528927280692988577e-87",
         ),
-        // Real and imaginary parts are not holomorphic: enclosed without Cauchy's bound.
-        ("int(t, 0, 1, abs(exp(i*t)))", (1, 1), "1.0000000000000000000"),
         ("int(t, 0, 3, floor(t)*x)", (1, 1), "3.0000000000000000000"),
         ("re(W(x + i))", (1, 1), "0.30474420525691259246"),
         (
@@ -155,5 +156,52 @@ fn equal_rational_numbers_are_compared() {
         ),
     ] {
         assert_eq!(value(text, x, 20), due, "{text}");
+    }
+}
+
+/// A function that is not holomorphic has no value where one is asked for that is.
+#[test]
+fn continuations_are_holomorphic() {
+    let holds = |text: &str, re: f64| {
+        let mut graph = Graph::new(["x".to_string()]);
+        let id = graph.build(&Definitions::default(), &parse(text).unwrap());
+        let balls = Balls {
+            holomorphic: true,
+            ..Balls::new(64)
+        };
+        let mut evaluator = Evaluator::new(Arc::new(graph), balls);
+        let part = |x: f64| Ball::exact(64, x).widened(Mag::from_f64(0.25));
+        let z = ComplexBall::new(part(re), part(0.0));
+        evaluator.set_input(0, Value::Continued(z));
+        evaluator.value(id.unwrap()).is_ok()
+    };
+    for (text, re, due) in [
+        ("exp(i*x)*x", 1.0, true),
+        ("abs(exp(i*x))", 1.0, false),
+        ("re(exp(i*x))", 1.0, false),
+        ("re(W(x))", 1.0, false),
+        ("abs(x)", 1.0, true),
+        ("abs(x)", 0.1, false),
+        ("sqrt(x)", 1.0, true),
+        ("sqrt(x)", 0.1, false),
+        ("floor(x)", 1.5, true),
+        ("floor(x)", 1.0, false),
+        ("if(x < 1, x, 1)", 1.5, true),
+        ("if(x < 1, x, 1)", 1.0, false),
+        ("1/x", 0.1, false),
+    ] {
+        assert_eq!(holds(text, re), due, "{text} at {re}");
+    }
+}
+
+/// A jump may hide a root from a derivative, and an end may be the root itself.
+#[test]
+fn roots_are_proved_to_be_the_only_ones_and_inside() {
+    for text in [
+        "root(y, 0, 2, y - 2*floor(y) - 1/2)",
+        "root(y, 0, sqrt(x), y^2 - x)",
+    ] {
+        let found = value(text, (2, 1), 20);
+        assert!(found.starts_with("undecided: a root"), "{text}: {found}");
     }
 }
