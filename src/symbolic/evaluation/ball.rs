@@ -27,7 +27,7 @@ pub enum Value {
     Huge {
         /// Whether it is below zero.
         negative: bool,
-        /// The exponent, at least [`huge::LEAST`](super::huge::LEAST).
+        /// The exponent, at least 2^20.
         exponent: i64,
     },
 }
