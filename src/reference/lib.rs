@@ -16,14 +16,15 @@
 //! | cams | [`cam_law`], [`fourier_series`], [`chirp_oscillator`] |
 //! | quadrature | [`quadrature`] |
 //!
-//! Features: `linkages`, `cams` and `run-up` (folder `drive`), all on by default.
+//! Features: `formulas` (elementary functions, integrals, roots, dense and banded systems), `linkages`, `cams` and
+//! `run-up` (folder `drive`), all on by default.
 //!
 //! Balls are over MPFR, through the crate `rug`: whoever links this links GMP and MPFR (LGPL).
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 // A single subject leaves arithmetic of the others unused.
 #![cfg_attr(
-    not(all(feature = "cams", feature = "run-up")),
+    not(all(feature = "formulas", feature = "cams", feature = "run-up")),
     allow(dead_code, unused_imports, unused_macros)
 )]
 
@@ -32,13 +33,16 @@ mod arithmetic;
 mod cams;
 #[cfg(feature = "run-up")]
 mod drive;
+#[cfg(feature = "formulas")]
 pub mod elementary;
 mod linear;
 #[cfg(feature = "linkages")]
 mod linkages;
 #[cfg(test)]
 mod pinned;
+#[cfg(feature = "formulas")]
 pub mod quadrature;
+#[cfg(feature = "formulas")]
 pub mod roots;
 mod special;
 mod splines;
@@ -50,7 +54,9 @@ use linear::lu;
 pub use cams::{cam_law, chirp_oscillator, fourier_series};
 #[cfg(feature = "run-up")]
 pub use drive::{pendulum, run_up};
-pub use linear::{banded, dense, eigenvalues, tridiagonal};
+pub use linear::tridiagonal;
+#[cfg(feature = "formulas")]
+pub use linear::{banded, dense, eigenvalues};
 #[cfg(feature = "linkages")]
 pub use linkages::{class_iii, dyad, planar};
 pub use special::{faddeeva, hartmann_tran};
@@ -60,6 +66,7 @@ pub use ball::{Ball, dot};
 pub use complex::ComplexBall;
 pub use decimal::{Decimal, DecimalError, nearest_f64};
 pub use hex_float::{HexFloat, HexFloatError};
+#[cfg(feature = "formulas")]
 pub use linear::matrix::{LinearError, Matrix};
 pub use lu::BallLu;
 pub use mag::Mag;
