@@ -11,8 +11,8 @@ pub struct Bound {
     pub re: f64,
     /// Of the imaginary part.
     pub im: f64,
-    /// Of either component, besides, in units of 2⁻¹⁰⁷⁵: what underflows, where the component may
-    /// be below 2⁻⁹⁶⁰.
+    /// The bound on the error by underflow of either component, in units of 2⁻¹⁰⁷⁵, where the
+    /// component may be below 2⁻⁹⁶⁰.
     pub tiny: f64,
 }
 

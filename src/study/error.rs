@@ -1,4 +1,4 @@
-//! What can be wrong with a study.
+//! Errors of studies, with the place in the file.
 
 use mechaudit_symbolic::SymbolicError;
 

@@ -52,11 +52,11 @@ pub struct StudyOutput {
     pub name: String,
     /// Its unit, `1` if none.
     pub unit: String,
-    /// What it means.
+    /// The definition of its value.
     pub is: Expr,
     /// The text of its definition.
     pub text: String,
-    /// What it may be wrong by.
+    /// The largest error that passes, and the reason for it.
     pub budget: (Limit, String),
 }
 

@@ -24,7 +24,7 @@ struct Range {
     low: f64,
     high: f64,
     spacing: Spacing,
-    /// Whether the study states both ends.
+    /// True if the study states both ends.
     is_bounded: bool,
 }
 
@@ -337,7 +337,7 @@ fn flips(sketch: &Sketch, filter: &Filter, ranges: &[Range]) -> Vec<Vec<f64>> {
     for root in roots {
         for id in graph.reach(*root) {
             let wanted = matches!(graph.node(id), Node::Compare(..) | Node::Sub(..));
-            // What depends on a bound variable has no value of its own.
+            // A node that depends on a bound variable has no value of its own.
             let is_free = (0..graph.binders() as u32).all(|b| !graph.depends_on(id, b));
             if wanted && is_free && !std::mem::replace(&mut seen[id as usize], true) {
                 nodes.push(id);

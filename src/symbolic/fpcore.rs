@@ -29,7 +29,7 @@ pub struct Core {
     pub line: usize,
 }
 
-/// What is wrong with a text of cores.
+/// A fault in a text of cores, with its place.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("line {line}, column {column}: {reason}")]
 pub struct CoreError {

@@ -48,7 +48,7 @@ impl Discretization for Binary64 {
     }
 }
 
-/// What a side says of a point.
+/// The answer of one side at a point.
 #[derive(Clone, Copy, PartialEq)]
 enum Said {
     Number(f64),

@@ -88,8 +88,8 @@ fn references_are_computed_once_at_doubled_precision() {
     assert_eq!(*asked.lock().unwrap(), [64, 128, 256, 512]);
 }
 
-/// What is shown of an answer that a wide reference decides is of the next, unless that is
-/// undecided, is not there or the share is of no interest.
+/// A report shows the reference of the next precision where a wide one decides, unless the next one
+/// is undecided or missing, or nobody asks for the share.
 #[test]
 fn errors_are_measured_by_references_that_are_not_wide() {
     // Radii at 64 and 128 bits, in ulps; what is judged, the last bits; what is reported.

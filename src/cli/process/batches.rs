@@ -15,7 +15,7 @@ pub struct Batches {
     candidate: Candidate,
     /// The time when the program's time is over; never where the clock does not reach that far.
     deadline: Option<Instant>,
-    /// What it said about itself, and the number of its answers to all batches.
+    /// The program's own name and version, and the number of its answers to all batches.
     pub report: CandidateReport,
     /// The first input that it did not answer.
     pub unanswered: Option<Vec<f64>>,

@@ -230,8 +230,8 @@ mod tests {
         }
     }
 
-    /// What was shown is judged, without being drawn again, until it is taken; unless it is long,
-    /// or another came in its place.
+    /// An input that was shown is kept for the judge and not drawn again, unless it is long or
+    /// another one has replaced it.
     #[test]
     fn inputs_that_were_shown_are_at_hand() {
         let case = |x: f64, length: usize| Case {

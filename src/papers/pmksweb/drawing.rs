@@ -80,8 +80,9 @@ impl FourBar {
         (&self.lengths[1] + &self.lengths[2]).square()
     }
 
-    /// How far the crank turns from the frame's direction, from A to D, to the dead position with
-    /// B, C, D stretched on one line; none if it goes past there, because |BD| never gets so long.
+    /// Returns the angle that the crank turns from the frame's direction, from A to D, to the dead
+    /// position with B, C, D stretched on one line; none if it goes past there, because |BD| never
+    /// gets so long.
     ///
     /// # Errors
     /// [`Undecided`] if the sum of two lengths may equal that of the others.

@@ -20,7 +20,7 @@ pub fn sub(x: &Ball, y: &Ball, prec: u32) -> Evaluated {
     finish(nearest(prec, x.mid() - y.mid()), x.rad().add(y.rad()))
 }
 
-/// What the product of two balls propagates: `(|x| + r_x) r_y + |y| r_x`.
+/// Returns the radius that the product of two balls propagates: `(|x| + r_x) r_y + |y| r_x`.
 fn of_product(x: &Ball, y: &Ball) -> Mag {
     if x.rad().is_zero() && y.rad().is_zero() {
         return Mag::ZERO;

@@ -35,7 +35,7 @@ pub(super) fn growing_above(a: Mag) -> Mag {
     exp_above(a * a * (1.0 + 4.0 * f64::EPSILON))
 }
 
-/// Whether e^{±x²} changes little over the ball.
+/// Returns true if e^{±x²} changes little over the ball.
 fn is_level(x: &Ball) -> bool {
     let scale = Mag::above(x.mid()).max(Mag::power_of_two(0));
     x.rad().mul(scale) <= Mag::power_of_two(NARROW)

@@ -196,7 +196,7 @@ pub fn pow(x: &Ball, y: &Ball, prec: u32) -> Evaluated {
     ))
 }
 
-/// Whether an interval holds no integer.
+/// Returns true if an interval holds no integer.
 fn is_between_integers([low, high]: &[Float; 2]) -> bool {
     let floor = |x: &Float| Float::with_val(x.prec(), x.floor_ref());
     let whole = low.is_integer() || high.is_integer();

@@ -57,7 +57,7 @@ pub enum NoValue {
     /// the operands.
     #[error("a {} number beyond 2^(2^30 - 2)", if *.negative { "negative" } else { "positive" })]
     Overflow {
-        /// Whether the value is negative.
+        /// True if the value is negative.
         negative: bool,
     },
 }

@@ -235,7 +235,7 @@ pub(super) fn f64_below(x: &Float) -> f64 {
     x.to_f64_round(Round::Zero).abs()
 }
 
-/// Whether the radius is at most `2^NARROW` times `scale`, a lower bound.
+/// Returns true if the radius is at most `2^NARROW` times `scale`, a lower bound.
 pub(super) fn is_narrow(rad: Mag, scale: Mag) -> bool {
     rad <= scale.shift(NARROW)
 }

@@ -203,7 +203,7 @@ fn is_exactly(found: Evaluated, x: f64) -> bool {
     found.is_ok_and(|ball| ball.rad().is_zero() && *ball.mid() == x)
 }
 
-/// Whether the ball is `x` to 50 bits.
+/// Returns true if the ball is `x` to 50 bits.
 fn is_near(found: Evaluated, x: f64) -> bool {
     found.is_ok_and(|ball| {
         let off = ball.distance_from(x).1;
@@ -382,7 +382,7 @@ fn steps_are_exact_between_jumps() {
     assert!(size.lower() >= 0 && size.upper() >= 1.5);
 }
 
-/// What lies beyond the exponents of MPFR, above and below.
+/// Values beyond the exponents of MPFR overflow, or are balls around zero.
 #[test]
 fn overflow_has_a_sign_and_underflow_a_ball() {
     let overflow = |found: Evaluated, due: bool| {

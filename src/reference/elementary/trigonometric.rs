@@ -18,7 +18,7 @@ const REDUCED: i32 = 1 << 17;
 /// An upper bound on π.
 const PI: f64 = 3.1415926535897936;
 
-/// Whether x can be reduced by multiples of π.
+/// Returns true if x can be reduced by multiples of π.
 fn is_reduced(x: &Float) -> bool {
     x.get_exp().is_none_or(|e| e <= REDUCED)
 }
@@ -234,7 +234,7 @@ pub(super) fn inside(x: &Ball) -> Mag {
     Mag::below(&gap).sub_below(x.rad())
 }
 
-/// Whether the ball lies in `[−1, 1]`.
+/// Returns true if the ball lies in `[−1, 1]`.
 fn in_unit(x: &Ball, prec: u32) -> Result<[Float; 2], NoValue> {
     let [low, high] = ends(x, prec);
     if low >= -1 && high <= 1 {
@@ -247,8 +247,8 @@ fn in_unit(x: &Ball, prec: u32) -> Result<[Float; 2], NoValue> {
     })
 }
 
-/// What an inverse of sin or cos propagates: the derivative is at most `1/√((1 − X)(1 + |m|))`, with
-/// X the greatest |x|. None where that is no good bound.
+/// Returns the radius that an inverse of sin or cos propagates: the derivative is at most
+/// `1/√((1 − X)(1 + |m|))`, with X the greatest |x|. None where that is no good bound.
 fn of_arc(x: &Ball) -> Option<Mag> {
     let gap = inside(x);
     if !is_narrow(x.rad(), gap) {

@@ -92,7 +92,7 @@ pub fn voigt(x: &Ball, sigma: &Ball, gamma: &Ball, prec: u32) -> Evaluated {
     hull(prec, &Float::new(BITS), &top)
 }
 
-/// What V is off by over the balls, from derivatives of w at the midpoint.
+/// Bounds the change of V over the balls, from derivatives of w at the midpoint.
 ///
 /// For the middle σ z changes by `(d_x + i d_y)`, and V by the change of `Re w/(σ√(2π))`. A change of
 /// σ then changes V by `r_σ sup σ |∂²V/∂x²|`, and `∂²V/∂x² = Re w''/(2σ³√(2π))`, with

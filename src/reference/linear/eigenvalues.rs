@@ -232,7 +232,7 @@ fn diagonalise(
     let mut columns: Vec<Vec<Float>> = (0..n)
         .map(|j| (0..n).map(|i| w.at(i, j).clone()).collect())
         .collect();
-    // What is below the rounding of the largest entry stays.
+    // Entries below the rounding of the largest one stay.
     let size = c
         .iter()
         .flatten()

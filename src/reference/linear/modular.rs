@@ -114,7 +114,7 @@ pub(super) fn inverse(mut rows: Rows, p: u64) -> Option<Rows> {
     Some(rows)
 }
 
-/// What elimination shows of a matrix modulo p.
+/// The result of elimination of a matrix modulo p.
 pub(super) struct Profile {
     /// The rows of a regular part of the largest order.
     pub rows: Vec<usize>,

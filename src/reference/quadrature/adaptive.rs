@@ -7,7 +7,7 @@ use rug::ops::CompleteRound;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-/// What is summed: real or complex balls.
+/// The values that are summed: real or complex balls.
 pub(super) trait Value: Clone {
     fn zero() -> Self;
     fn plus(&self, other: &Self) -> Self;
@@ -62,7 +62,7 @@ pub(super) trait Path {
     type Value: Value;
     /// Encloses the values for all parameters in a ball.
     fn value(&mut self, t: &Ball, bits: u32) -> Option<Self::Value>;
-    /// Whether values are real: the part of an ellipse above the real line is then enough, because the
+    /// True if values are real: the part of an ellipse above the real line is then enough, because the
     /// integrand continues by reflection (Schwarz) to a function that agrees with it on the line.
     const MIRRORS: bool;
     /// Bounds the integrand where it is proved to be holomorphic on the whole rectangle.
@@ -103,7 +103,7 @@ struct Panel<V> {
     /// The width times an enclosure of the values.
     direct: Option<V>,
     error: Mag,
-    /// Whether no ellipse around the whole was found free of singularities.
+    /// True if no ellipse around the whole was found free of singularities.
     refused: bool,
     depth: u32,
     /// The precision of enclosures on rectangles.
@@ -186,7 +186,7 @@ fn difference(a: &Float, b: &Float, bits: u32) -> Ball {
     (exact(a) - exact(b)).with_prec(bits)
 }
 
-/// What came of a rule over a panel.
+/// The result of a rule over a panel.
 enum Outcome<V> {
     Done(V),
     /// No ellipse is known to be free of singularities.
@@ -288,7 +288,7 @@ impl Around<'_> {
 struct Hint {
     index: usize,
     parted: bool,
-    /// Whether a larger one was worse.
+    /// True if a larger one was worse.
     capped: bool,
 }
 

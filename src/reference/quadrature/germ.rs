@@ -87,12 +87,12 @@ impl Germ {
         Some(self.bounds()?.upper)
     }
 
-    /// Whether the function is certainly positive for all s.
+    /// Returns true if the function is certainly positive for all s.
     pub fn is_positive(&self) -> bool {
         self.bounds().is_some_and(|b| b.sign == Sign::Positive)
     }
 
-    /// Whether the function is certainly negative for all s.
+    /// Returns true if the function is certainly negative for all s.
     pub fn is_negative(&self) -> bool {
         self.bounds().is_some_and(|b| b.sign == Sign::Negative)
     }

@@ -388,7 +388,7 @@ fn formulas_next_to_other_ends() {
     check(&negative, &End::MinusInfinity, 3, [1.0, 0.0, 1.0]);
 }
 
-/// What is undefined somewhere, or not known to be defined, has no bound.
+/// A function that is undefined somewhere, or not known to be defined, has no bound.
 #[test]
 fn what_is_not_proved_has_no_bound() {
     let zero = Germ::variable(&End::Above(Ball::integer(64, 0)), 4, 128);

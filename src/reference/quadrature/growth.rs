@@ -47,7 +47,7 @@ impl Side {
     /// The product, likewise.
     fn mul(self, a: f64, b: f64) -> f64 {
         let product = a * b;
-        // What is rounded off may be too small for a double.
+        // The part that is rounded off may be too small for a double.
         if a != 0.0 && b != 0.0 && product.abs() < 1e-250 {
             return self.step(product, if self == Upper { 1.0 } else { -1.0 });
         }
@@ -161,7 +161,7 @@ impl Growth {
         }
     }
 
-    /// Whether the bound is finite and not zero, so that it has an inverse.
+    /// Returns true if the bound is finite and not zero, so that it has an inverse.
     fn is_proper(&self) -> bool {
         let exponents = [self.p, self.q, self.sigma, self.r];
         self.c.exponent().is_some() && exponents.iter().all(|x| x.is_finite())

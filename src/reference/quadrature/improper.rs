@@ -123,7 +123,7 @@ pub(super) fn integral(
     }
 }
 
-/// Whether the integrand is not enclosed in a neighbourhood of an end.
+/// Returns true if the integrand is not enclosed in a neighbourhood of an end.
 fn is_singular(f: &mut impl Integrand, end: &End) -> bool {
     let (a, sign) = match end {
         End::Above(a) => (a, 1),

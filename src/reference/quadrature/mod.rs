@@ -181,7 +181,7 @@ pub fn integrate_segment(
 /// Bits by which the error of a panel lies below the radius asked for: room for as many panels.
 const ROOM: i64 = 8;
 
-/// What a run of an integral may spend and has found.
+/// The budget of a run of an integral, and its result so far.
 struct Run {
     tolerance: Tolerance,
     budget: Budget,

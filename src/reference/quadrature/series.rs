@@ -59,7 +59,7 @@ impl Series {
         self
     }
 
-    /// Whether this is exactly the function zero.
+    /// Returns true if this is exactly the function zero.
     pub(super) fn is_zero(&self) -> bool {
         self.rest.is_zero() && self.c.iter().all(Ball::is_zero)
     }

@@ -292,7 +292,7 @@ fn joined(mut open: Vec<Interval>) -> Vec<Interval> {
     all
 }
 
-/// What is known of the roots in an interval.
+/// The roots that are known in an interval.
 struct Found {
     roots: Vec<Ball>,
     open: Vec<Interval>,

@@ -414,14 +414,14 @@ pub fn in_box<S: System>(
     found.pop().ok_or(SystemError::None)
 }
 
-/// Whether the enclosure lies in the interior of the part.
+/// Returns true if the enclosure lies in the interior of the part.
 fn within(x: &[Ball], part: &Part) -> bool {
     x.iter()
         .zip(part)
         .all(|(x, [lo, hi])| x.lower() > *lo && x.upper() < *hi)
 }
 
-/// Whether the enclosure has no point in common with the part.
+/// Returns true if the enclosure has no point in common with the part.
 fn apart(x: &[Ball], part: &Part) -> bool {
     x.iter()
         .zip(part)

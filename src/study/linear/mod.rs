@@ -141,7 +141,7 @@ pub struct Linear {
     pub letter: Option<String>,
     /// Inputs in the order of the file.
     pub tensors: Vec<Tensor>,
-    /// What each output means; all have as many values.
+    /// The task of each output; all have the same number of values.
     pub tasks: Vec<Task>,
 }
 

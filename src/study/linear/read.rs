@@ -237,7 +237,7 @@ fn operands<'a>(
     all.into_iter().map(place).collect()
 }
 
-/// What an output means, and its text.
+/// Reads the task of an output, and its text.
 fn task(linear: &Linear, name: &str, item: &Item) -> Result<(Task, String), StudyError> {
     let stated: Vec<&str> = TASKS
         .into_iter()

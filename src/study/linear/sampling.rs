@@ -10,7 +10,7 @@ use std::sync::Arc;
 /// The largest open length that is drawn.
 const LARGEST: usize = 8;
 
-/// What matrices of a region are like.
+/// The kind of matrices in a region.
 #[derive(Clone, Copy, PartialEq)]
 enum Kind {
     Random,

@@ -22,7 +22,7 @@ pub enum Goal {
     Nearest,
 }
 
-/// What is known of a value.
+/// The certified value of a node, or the reason why there is none.
 #[derive(Clone, Debug)]
 pub enum Answer {
     /// The number in the ball.
@@ -31,7 +31,7 @@ pub enum Answer {
     Zero,
     /// Larger than any ball holds.
     Huge {
-        /// Whether it is negative.
+        /// True if it is negative.
         negative: bool,
     },
     /// There is no real value.
@@ -45,7 +45,7 @@ pub enum Answer {
     Undecided(Undecided),
 }
 
-/// What stayed open.
+/// The subexpression that stayed open.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{reason}: {place} (at {bits} bits)")]
 pub struct Undecided {

@@ -25,7 +25,7 @@ pub enum Value {
     Continued(ComplexBall),
     /// A number of magnitude `2^exponent` or more, beyond the exponents of MPFR.
     Huge {
-        /// Whether it is below zero.
+        /// True if it is below zero.
         negative: bool,
         /// The exponent, at least 2^20.
         exponent: i64,
@@ -61,9 +61,9 @@ pub struct Balls {
     pub prec: u32,
     /// Bits of relative accuracy that integrals and roots are enclosed to.
     pub goal: u32,
-    /// Whether rational numbers are kept exactly, so that equal ones are seen to be equal.
+    /// True if rational numbers are kept exactly, so that equal ones are seen to be equal.
     pub exact: bool,
-    /// Whether values have to be holomorphic functions of the variable that is continued.
+    /// True if values have to be holomorphic functions of the variable that is continued.
     pub holomorphic: bool,
 }
 

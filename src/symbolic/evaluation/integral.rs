@@ -68,7 +68,7 @@ impl Integrand for Body<'_> {
         let bits = self.evaluator.interpretation.prec;
         let graph = self.evaluator.graph().clone();
         let mut germs = Evaluator::new(graph.clone(), Germs { k, bits });
-        // What does not depend on the variable is constant.
+        // Nodes that do not depend on the variable are constant.
         for id in leaves(&graph, self.body, self.binder) {
             let value = self.evaluator.value(id).ok()?.real()?.clone();
             let constant = germs.interpretation.constant_of(&value);

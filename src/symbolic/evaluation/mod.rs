@@ -35,7 +35,7 @@ pub struct Stop {
     pub reason: NoValue,
 }
 
-/// What the operations of a graph mean.
+/// The meaning of the operations of a graph.
 pub trait Interpretation: Sized {
     /// The values of numbers.
     type V: Clone;

@@ -240,7 +240,7 @@ impl Domain for Builder<'_> {
         let mut next = Vec::new();
         for (k, (name, _, update)) in repeated.variables.iter().enumerate() {
             let update = walk(self, scope, update)?;
-            // What comes later sees the new value.
+            // The updates after it see the new value.
             if repeated.sequential {
                 scope.bound[outside + k] = (name.clone(), update);
             }

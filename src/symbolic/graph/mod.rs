@@ -142,16 +142,16 @@ pub struct Binder {
     depth: u32,
 }
 
-/// What is known of a node.
+/// Properties of a node.
 #[derive(Clone, Debug, Default)]
 struct Facts {
     /// The binders whose variables it depends on, innermost last.
     binders: Vec<BinderId>,
-    /// Whether it depends on an input.
+    /// True if it depends on an input.
     varies: bool,
-    /// Whether its value may have an imaginary part.
+    /// True if its value may have an imaginary part.
     is_complex: bool,
-    /// Whether its value may be irrational at rational inputs.
+    /// True if its value may be irrational at rational inputs.
     is_irrational: bool,
 }
 
@@ -166,7 +166,7 @@ pub struct Graph {
     number_places: HashMap<Rational, u32>,
     binders: Vec<Binder>,
     derivatives: HashMap<(Id, Id), Option<Id>>,
-    /// Whether differences that cancel are replaced where an identity allows it.
+    /// True if differences that cancel are replaced where an identity allows it.
     is_real_function: bool,
     /// The unknowns of a system with the nodes that stand for them.
     unknowns: Vec<(String, Id)>,

@@ -79,7 +79,7 @@ fn turned_back(z: &ComplexBall) -> ComplexBall {
     ComplexBall::new(z.im.clone(), -&z.re)
 }
 
-/// Whether a box has points above the real axis, or on it, and points below.
+/// Returns true if a box has points above the real axis, or on it, and points below.
 fn is_across(z: &ComplexBall) -> bool {
     if z.im.is_zero() {
         return false;
