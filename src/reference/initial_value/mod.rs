@@ -78,7 +78,8 @@ pub use expansion::Obstacle;
 pub use program::{Operation, Primitive, Program, Slot};
 pub use solution::{Solution, Stopped};
 
-use crate::Ball;
+use crate::{Ball, Mag};
+use rug::Float;
 
 /// The right-hand side of a differential equation and its derivatives by the states.
 #[derive(Clone, Debug)]
@@ -120,3 +121,31 @@ pub struct Constants {
     /// Those of the Jacobian.
     pub jacobian: Vec<Ball>,
 }
+
+/// Values of a program for all times and states of some balls.
+///
+/// # Errors
+/// An operation that is not defined, or not bounded, for all of them.
+pub fn values(
+    program: &Program,
+    constants: &[Ball],
+    time: &Ball,
+    states: &[Ball],
+    slots: &[Slot],
+    bits: u32,
+) -> Result<Vec<Ball>, Obstacle> {
+    let rounded: Vec<Ball> = states.iter().map(|s| s.with_prec(bits)).collect();
+    let middle: Vec<Float> = rounded.iter().map(|s| s.mid().clone()).collect();
+    let radii: Vec<Mag> = rounded.iter().map(Ball::rad).collect();
+    let mut expansion = expansion::Expansion::new(program, bits);
+    expansion.begin(constants, time, &middle)?;
+    let bounds = remainder::Remainders::new(&expansion, Mag::ZERO, &radii)?;
+    let value = |slot: &Slot| {
+        let middle = expansion.coefficients[*slot][0].clone();
+        Ball::new(middle, bounds.radius(*slot))
+    };
+    Ok(slots.iter().map(value).collect())
+}
+
+#[cfg(test)]
+mod tests;

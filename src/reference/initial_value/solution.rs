@@ -4,7 +4,7 @@ use super::set::ErrorSet;
 use super::step::{Failure, Place, Setting, Step};
 use super::{Constants, Field, Obstacle};
 use crate::{Ball, Mag};
-use rug::{Float, Rational};
+use rug::Rational;
 
 /// Reason why a solution is not continued, and the time up to which it is proved to exist.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -126,17 +126,81 @@ impl Solution {
         time: &Rational,
         steps: &mut u64,
     ) -> Result<Vec<Ball>, Stopped> {
+        let is_backward = *time < self.branches[0].places[0].time;
+        let step = self.step_at(field, constants, time, is_backward, steps)?;
+        Ok(step.at(time))
+    }
+
+    /// The states at all times from one to another, which have to be those of one step ([`Solution::end_of_step`]).
+    ///
+    /// # Errors
+    /// See [`Stopped`].
+    pub fn over(
+        &mut self,
+        field: &Field,
+        constants: &Constants,
+        [from, to]: [&Rational; 2],
+        steps: &mut u64,
+    ) -> Result<Vec<Ball>, Stopped> {
+        let start = &self.branches[0].places[0].time;
+        let is_backward = from < start || to < start;
+        let later = if is_backward {
+            from.min(to)
+        } else {
+            from.max(to)
+        };
+        let step = self.step_at(field, constants, later, is_backward, steps)?;
+        Ok(step.over(from, to))
+    }
+
+    /// The end, in a direction, of the step that holds a time and what follows it.
+    ///
+    /// # Errors
+    /// See [`Stopped`].
+    pub fn end_of_step(
+        &mut self,
+        field: &Field,
+        constants: &Constants,
+        time: &Rational,
+        is_backward: bool,
+        steps: &mut u64,
+    ) -> Result<Rational, Stopped> {
+        let step = self.step_at(field, constants, time, is_backward, steps)?;
+        let end = step.end();
+        if end != *time {
+            return Ok(end);
+        }
+        let branch = &mut self.branches[usize::from(is_backward)];
+        let last = branch.places.last().map(|place| place.time == *time);
+        if last == Some(true) {
+            let setting = Setting {
+                field,
+                constants,
+                bits: self.bits,
+                order: self.order,
+            };
+            branch.extend(&setting, steps)?;
+        }
+        let k = branch.places.iter().position(|place| place.time == *time);
+        let next = k.and_then(|k| branch.places.get(k + 1));
+        Ok(next.map_or(end, |place| place.time.clone()))
+    }
+
+    fn step_at(
+        &mut self,
+        field: &Field,
+        constants: &Constants,
+        time: &Rational,
+        is_backward: bool,
+        steps: &mut u64,
+    ) -> Result<&Step, Stopped> {
         let setting = Setting {
             field,
             constants,
             bits: self.bits,
             order: self.order,
         };
-        let start = &self.branches[0].places[0].time;
-        let branch = &mut self.branches[usize::from(time < start)];
-        branch
-            .step_at(&setting, time, steps)
-            .map(|step| step.at(time))
+        self.branches[usize::from(is_backward)].step_at(&setting, time, steps)
     }
 }
 
@@ -158,7 +222,7 @@ impl Branch {
         }
         loop {
             let k = self.lengths.len();
-            if k > 0 && self.places[k - 1..].len() == 2 && self.is_reached(time) {
+            if k > 0 && self.is_reached(time) {
                 return self.again(setting, k - 1, steps);
             }
             self.extend(setting, steps)?;
@@ -275,11 +339,5 @@ impl Branch {
             }
             _ => Stopped::Short { reached },
         }
-    }
-
-    /// The start of the motion, for callers that follow it.
-    #[allow(dead_code)]
-    fn mid(&self) -> &[Float] {
-        &self.places[0].mid
     }
 }

@@ -224,7 +224,7 @@ impl Setting<'_> {
     }
 
     /// The proof for a length.
-    fn proved(
+    pub fn proved(
         &self,
         place: &Place,
         p: &[Vec<Float>],
@@ -328,20 +328,11 @@ impl Step {
         Rational::from(&self.start.time + h)
     }
 
-    /// Returns true if a time is one of the step.
-    pub fn holds(&self, time: &Rational) -> bool {
-        let end = self.end();
-        let (low, high) = match self.h < 0.0 {
-            true => (&end, &self.start.time),
-            false => (&self.start.time, &end),
-        };
-        low <= time && time <= high
-    }
-
-    /// The solution from the midpoint of the start, without the errors of the start, and the linearised flow.
-    fn along(&self, since: &Rational) -> (Vec<Ball>, Enclosed) {
+    /// The solution from the midpoint of the start, without the errors of the start, and the linearised flow, at all
+    /// times within `reach` of a time since the start.
+    fn along(&self, since: &Rational, reach: Mag) -> (Vec<Ball>, Enclosed) {
         let bits = self.bits + 16;
-        let s = Ball::rational(bits, since);
+        let s = Ball::rational(bits, since).widened(reach);
         let values = self.p.iter().zip(&self.error).map(|(p, error)| {
             let zero = Ball::integer(bits, 0);
             let sum = p
@@ -353,13 +344,21 @@ impl Step {
         let h = Rational::from_f64(self.h).expect("a finite length");
         let tau = Rational::from(since / h);
         let near = tau.to_f64().clamp(0.0, 1.0);
-        let flow = self.flow.at(near, f64::EPSILON);
+        let share = reach.div(Mag::from_f64(self.h)).to_f64();
+        let flow = self.flow.at(near, (share + f64::EPSILON).next_up());
         (values.collect(), flow)
     }
 
     /// The states at a time of the step.
     pub fn at(&self, time: &Rational) -> Vec<Ball> {
-        let (values, flow) = self.along(&Rational::from(time - &self.start.time));
+        self.over(time, time)
+    }
+
+    /// The states at all times from one time of the step to another.
+    pub fn over(&self, from: &Rational, to: &Rational) -> Vec<Ball> {
+        let middle = Rational::from(from + to) / 2u32;
+        let half = Ball::rational(64, &(Rational::from(to - from) / 2u32)).magnitude();
+        let (values, flow) = self.along(&(middle - &self.start.time), half);
         let errors = self.start.errors.radii_after(&flow);
         values
             .into_iter()
@@ -371,7 +370,7 @@ impl Step {
     /// The place at the end.
     pub fn next(&self) -> Place {
         let time = self.end();
-        let (values, flow) = self.along(&Rational::from(&time - &self.start.time));
+        let (values, flow) = self.along(&Rational::from(&time - &self.start.time), Mag::ZERO);
         let rounded: Vec<Ball> = values.iter().map(|v| v.with_prec(self.bits)).collect();
         let extra: Vec<Mag> = rounded.iter().map(Ball::rad).collect();
         Place {
@@ -379,11 +378,6 @@ impl Step {
             mid: rounded.iter().map(|b| b.mid().clone()).collect(),
             errors: self.start.errors.moved(&flow, &extra, &self.weights),
         }
-    }
-
-    /// The flow of the whole step.
-    pub fn flow(&self) -> Enclosed {
-        self.flow.at(1.0, 0.0)
     }
 
     /// The ratio of the last two coefficients: the distance of a singularity, roughly.

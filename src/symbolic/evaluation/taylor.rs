@@ -35,6 +35,64 @@ pub(super) enum Switch {
     Step(Func, Id),
 }
 
+impl Switch {
+    /// The switch of a comparison; true if its sign is that of `b − a`.
+    pub fn between(graph: &Graph, a: Id, b: Id) -> (Switch, bool) {
+        let is_zero = |id| match graph.node(id) {
+            Node::Number(place) => *graph.rational(place) == 0,
+            _ => false,
+        };
+        match () {
+            () if is_zero(b) => (Switch::SignOf(a), false),
+            () if is_zero(a) => (Switch::SignOf(b), true),
+            () if a > b => (Switch::Sign(b, a), true),
+            () => (Switch::Sign(a, b), false),
+        }
+    }
+
+    /// The switches of all nodes that some nodes need.
+    pub fn all(graph: &Graph, roots: &[Id]) -> Vec<Switch> {
+        let mut found = Vec::new();
+        let mut seen = vec![false; graph.len()];
+        for id in roots.iter().flat_map(|root| graph.reach(*root)) {
+            if std::mem::replace(&mut seen[id as usize], true) {
+                continue;
+            }
+            let mut add = |switch| {
+                if !found.contains(&switch) {
+                    found.push(switch);
+                }
+            };
+            match graph.node(id) {
+                Node::Unary(Func::Abs | Func::Cbrt, a) => add(Switch::SignOf(a)),
+                Node::Binary(Func::Copysign, a, b) => {
+                    add(Switch::SignOf(a));
+                    add(Switch::SignOf(b));
+                }
+                Node::Compare(_, a, b)
+                | Node::Binary(Func::Fmin | Func::Fmax | Func::Fdim, a, b) => {
+                    add(Switch::between(graph, a, b).0);
+                }
+                Node::Unary(
+                    f @ (Func::Floor | Func::Ceil | Func::Round | Func::Trunc | Func::Nearbyint),
+                    a,
+                )
+                | Node::Flat(f, a) => add(Switch::Step(f, a)),
+                _ => {}
+            }
+        }
+        found
+    }
+
+    /// The nodes whose difference changes its sign.
+    pub fn parts(self) -> (Id, Option<Id>) {
+        match self {
+            Switch::Sign(a, b) => (a, Some(b)),
+            Switch::SignOf(a) | Switch::Step(_, a) => (a, None),
+        }
+    }
+}
+
 /// The side of a switch.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Side {
@@ -513,13 +571,13 @@ impl Compiler<'_> {
                 self.push(Operation::Primitive(Primitive::Atan2, parts))
             }
             Func::Fmin | Func::Fmax => {
-                let is_greater = self.is_positive(Switch::Sign(left, right))?;
+                let is_greater = self.is_greater(left, right)?;
                 match is_greater == (f == Func::Fmax) {
                     true => a,
                     false => b,
                 }
             }
-            Func::Fdim => match self.is_positive(Switch::Sign(left, right))? {
+            Func::Fdim => match self.is_greater(left, right)? {
                 true => self.push(Operation::Sub(a, b)),
                 false => self.number(0),
             },
@@ -583,6 +641,12 @@ impl Compiler<'_> {
         Ok(self.side(switch)? == Side::Positive)
     }
 
+    /// Returns true if `a > b` on the chosen side.
+    fn is_greater(&mut self, a: Id, b: Id) -> Result<bool, NoValue> {
+        let (switch, is_turned) = Switch::between(self.graph, a, b);
+        Ok(self.is_positive(switch)? != is_turned)
+    }
+
     /// Returns true if a condition holds on the chosen sides of its switches.
     fn holds(&mut self, condition: Id) -> Result<bool, NoValue> {
         match self.graph.node(condition) {
@@ -591,7 +655,7 @@ impl Compiler<'_> {
             Node::And(a, b) => Ok(self.holds(a)? && self.holds(b)?),
             Node::Or(a, b) => Ok(self.holds(a)? || self.holds(b)?),
             Node::Compare(relation, a, b) => {
-                let positive = self.is_positive(Switch::Sign(a, b))?;
+                let positive = self.is_greater(a, b)?;
                 Ok(match relation {
                     Relation::Less | Relation::LessEqual => !positive,
                     Relation::Greater | Relation::GreaterEqual => positive,

@@ -30,6 +30,25 @@ impl Graph {
         Ok(slope.unwrap_or_else(|| self.number(0)))
     }
 
+    /// `a − b`.
+    pub fn difference(&mut self, a: Id, b: Id) -> Id {
+        self.push(Node::Sub(a, b))
+    }
+
+    /// The derivative of a node along a path, by the derivatives of inputs along it; others are constant.
+    ///
+    /// # Errors
+    /// As [`Graph::derivative`].
+    pub fn derivative_along(
+        &mut self,
+        root: Id,
+        path: &[(Id, Id)],
+    ) -> Result<Id, SymbolicError> {
+        let seeds = path.iter().map(|(leaf, slope)| (*leaf, Some(*slope)));
+        let slope = self.slope(root, &seeds.collect())?;
+        Ok(slope.unwrap_or_else(|| self.number(0)))
+    }
+
     /// The derivative of a node, given those of the leaves.
     pub(super) fn slope(
         &mut self,

@@ -263,6 +263,12 @@ impl Graph {
         self.push(Node::Input(k as u32))
     }
 
+    /// Adds an input; returns its node.
+    pub fn add_input(&mut self, name: String) -> Id {
+        self.inputs.push(name);
+        self.input(self.inputs.len() - 1)
+    }
+
     /// Returns true if the value depends on a variable of the binder.
     pub fn depends_on(&self, id: Id, binder: BinderId) -> bool {
         self.facts[id as usize].binders.contains(&binder)

@@ -20,7 +20,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod crossing;
 mod field;
+mod motion;
 mod problem;
 mod trajectory;
 

@@ -1,6 +1,7 @@
 //! The statement of an initial value problem.
 
 use super::{Limits, MotionError, Trajectory};
+use crate::evaluation::taylor::Switch;
 use crate::graph::{Graph, Id, Node};
 use crate::{Definitions, Expr, SymbolicError};
 use rug::Rational;
@@ -74,6 +75,8 @@ pub struct InitialValueProblem {
     pub(super) rates: Vec<Id>,
     /// Derivatives of rates by states that are not zero: the rate, the state and the node.
     pub(super) jacobian: Vec<(usize, usize, Id)>,
+    /// The switches of the rates, and the rates of the values that change their signs there.
+    pub(super) switches: Vec<(Switch, Option<Id>)>,
 }
 
 impl InitialValueProblem {
@@ -173,16 +176,65 @@ impl InitialValueProblem {
                 }
             }
         }
+        let rates: Vec<Id> = states.iter().map(|s| s.1).collect();
+        let switches = Switch::all(&graph, &rates).into_iter().map(|switch| {
+            let rate = rate_of_switch(&mut graph, switch, inputs, &rates);
+            (switch, rate.ok())
+        });
+        let switches = switches.collect();
         Ok(InitialValueProblem {
+            switches,
             inputs,
             time,
             start,
             states: own,
             jacobian,
             starts: states.iter().map(|s| s.0).collect(),
-            rates: states.iter().map(|s| s.1).collect(),
+            rates,
             graph: Arc::new(graph),
         })
+    }
+
+    /// The problem of the states and their derivatives by all inputs, which follow them state by state.
+    pub(super) fn with_sensitivities(&self) -> Result<InitialValueProblem, ProblemError> {
+        let mut graph = Graph::clone(&self.graph);
+        let n = self.states.len();
+        let state = |graph: &mut Graph, k: usize| graph.input(self.inputs + 1 + k);
+        let own: Vec<Id> = (0..n).map(|k| state(&mut graph, k)).collect();
+        let mut slopes = Vec::new();
+        for name in &self.states {
+            for input in 0..self.inputs {
+                slopes.push(graph.add_input(format!("d{name}/d{}", self.graph.inputs()[input])));
+            }
+        }
+        let one = graph.number(1);
+        let mut states: Vec<(Id, Id)> = self
+            .starts
+            .iter()
+            .copied()
+            .zip(self.rates.iter().copied())
+            .collect();
+        for k in 0..n {
+            for input in 0..self.inputs {
+                let by = graph.input(input);
+                let columns = slopes.iter().skip(input).step_by(self.inputs);
+                let mut path = vec![(by, one)];
+                path.extend(own.iter().copied().zip(columns.copied()));
+                let fault = |error| ProblemError::Expression {
+                    part: "rate",
+                    name: self.states[k].clone(),
+                    error,
+                };
+                let start = graph
+                    .derivative_along(self.starts[k], &path[..1])
+                    .map_err(fault)?;
+                let rate = graph
+                    .derivative_along(self.rates[k], &path)
+                    .map_err(fault)?;
+                states.push((start, rate));
+            }
+        }
+        InitialValueProblem::of_graph(graph, self.start, &states)
     }
 
     /// The names of the inputs.
@@ -219,4 +271,24 @@ impl InitialValueProblem {
     ) -> Result<Trajectory, MotionError> {
         Trajectory::new(self, inputs, limits)
     }
+}
+
+/// The derivative by the time, along a motion, of the value that changes its sign at a switch.
+fn rate_of_switch(
+    graph: &mut Graph,
+    switch: Switch,
+    inputs: usize,
+    rates: &[Id],
+) -> Result<Id, SymbolicError> {
+    let one = graph.number(1);
+    let mut path = vec![(graph.input(inputs), one)];
+    for (k, rate) in rates.iter().enumerate() {
+        path.push((graph.input(inputs + 1 + k), *rate));
+    }
+    let (a, b) = switch.parts();
+    let difference = match b {
+        Some(b) => graph.difference(a, b),
+        None => a,
+    };
+    graph.derivative_along(difference, &path)
 }

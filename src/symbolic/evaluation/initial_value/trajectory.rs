@@ -1,13 +1,13 @@
 //! The solution of an initial value problem, as far as it is asked for.
 
 use super::InitialValueProblem;
-use super::field::Smooth;
+use super::motion::{Halt, Motion};
 use crate::evaluation::adaptive::lacking;
 use crate::evaluation::{Balls, Evaluator, Goal, Stop, Value};
 use crate::graph::Id;
-use mechaudit_reference::Ball;
 use mechaudit_reference::elementary::NoValue;
-use mechaudit_reference::initial_value::{Solution, Stopped};
+use mechaudit_reference::initial_value::Stopped;
+use mechaudit_reference::{Ball, Mag};
 use rug::Rational;
 
 /// Limits on the work of one trajectory.
@@ -79,14 +79,10 @@ pub struct Trajectory {
     /// Steps that are left.
     steps: u64,
     start: Rational,
-    run: Option<Run>,
-}
-
-/// A run at one working precision.
-struct Run {
-    bits: u32,
-    field: Smooth,
-    solution: Solution,
+    /// The motion at one working precision, before and after the start.
+    run: [Option<Motion>; 2],
+    /// The trajectory of the derivatives by the inputs.
+    sensitivities: Option<Box<Trajectory>>,
 }
 
 /// Bits that errors may take while they are carried on, before a run is made once more.
@@ -105,7 +101,8 @@ impl Trajectory {
             limits,
             steps: limits.steps,
             start: Rational::new(),
-            run: None,
+            run: [None, None],
+            sensitivities: None,
         };
         trajectory.start = trajectory.start_time()?;
         Ok(trajectory)
@@ -157,13 +154,9 @@ impl Trajectory {
         starts.map(value).collect()
     }
 
-    #[cfg(test)]
-    pub(super) fn work(&self) -> String {
-        let run = self
-            .run
-            .as_ref()
-            .map(|run| (run.bits, run.solution.steps()));
-        format!("{run:?} {}", self.limits.steps - self.steps)
+    /// The number of steps that were made in all runs.
+    pub fn steps(&self) -> u64 {
+        self.limits.steps - self.steps
     }
 
     /// The time of the start.
@@ -181,86 +174,74 @@ impl Trajectory {
             Goal::Bits(bits) | Goal::Double(bits) => bits,
             Goal::Nearest => f64::MANTISSA_DIGITS + 8,
         };
+        self.until(time, bits, |balls| {
+            let lacks = balls.iter().map(|ball| lacking(ball, goal));
+            lacks.max().unwrap_or(0)
+        })
+    }
+
+    /// The states at a time, at precisions that are raised by the bits that are lacking.
+    fn until(
+        &mut self,
+        time: &Rational,
+        bits: u32,
+        lacking: impl Fn(&[Ball]) -> u32,
+    ) -> Result<Vec<Ball>, MotionError> {
+        /// Runs at twice the precision for a value that may be zero.
+        const DOUBLINGS: u32 = 2;
         let first = bits.saturating_add(SPARE).next_multiple_of(32);
         let mut bits = first.min(self.limits.bits);
         let mut doublings = 0;
+        let side = usize::from(*time < self.start);
         loop {
             let found = self.at_bits(time, bits);
-            let bits_now = self.run.as_ref().map_or(bits, |run| run.bits);
-            let is_last = bits_now >= self.limits.bits;
-            bits = match found {
-                Ok(balls) => {
-                    let lacks = balls.iter().map(|ball| lacking(ball, goal)).max();
-                    match lacks.unwrap_or(0) {
-                        0 => return Ok(balls),
-                        _ if is_last || doublings == 2 => return Ok(balls),
-                        // A value that may be zero.
-                        u32::MAX => {
-                            doublings += 1;
-                            bits_now.saturating_mul(2)
-                        }
-                        lacks => bits_now.saturating_add(lacks + 16).next_multiple_of(32),
+            let done = self.run[side].as_ref().map_or(bits, Motion::bits);
+            let is_last = done >= self.limits.bits;
+            let next = match found {
+                Ok(balls) => match lacking(&balls) {
+                    0 => return Ok(balls),
+                    _ if is_last || doublings == DOUBLINGS => return Ok(balls),
+                    u32::MAX => {
+                        doublings += 1;
+                        done.saturating_mul(2)
                     }
-                }
-                Err(Halt::Stopped(Stopped::Wide { .. })) if !is_last => bits_now.saturating_mul(2),
-                Err(Halt::Stopped(stopped)) => return Err(self.error(stopped)),
-                Err(Halt::Error(error)) => return Err(error),
+                    lacks => done.saturating_add(lacks + 16).next_multiple_of(32),
+                },
+                Err(halt) if halt.is_precision() && !is_last => done.saturating_mul(2),
+                Err(halt) => return Err(self.error(halt, side)),
             };
-            bits = bits.min(self.limits.bits);
+            bits = next.min(self.limits.bits);
         }
     }
 
     /// The states at a time by a run of at least so many bits.
     fn at_bits(&mut self, time: &Rational, bits: u32) -> Result<Vec<Ball>, Halt> {
-        if self.run.as_ref().is_none_or(|run| run.bits < bits) {
-            self.run = Some(self.begin(bits).map_err(Halt::Error)?);
+        let side = usize::from(*time < self.start);
+        if self.run[side].as_ref().is_none_or(|run| run.bits() < bits) {
+            // Starts and constants are rounded once more than anything else.
+            let starts = self.starts(bits + 16).map_err(Halt::Error)?;
+            let evaluator = self.evaluator(bits + 16, false);
+            let start = self.start.clone();
+            self.run[side] = None;
+            let motion = Motion::new(&self.problem, evaluator, start, starts, (bits, side == 1))?;
+            self.run[side] = Some(motion);
         }
-        let run = self.run.as_mut().expect("a run");
-        let found = run.solution.at(
-            &run.field.field,
-            &run.field.constants,
-            time,
-            &mut self.steps,
-        );
-        found.map_err(Halt::Stopped)
+        let run = self.run[side].as_mut().expect("a run");
+        run.at(&self.problem, time, &mut self.steps)
     }
 
-    fn begin(&self, bits: u32) -> Result<Run, MotionError> {
-        // Starts and constants are rounded once more than anything else.
-        let starts = self.starts(bits + 16)?;
-        let evaluator = self.evaluator(bits + 16, false);
-        let field = Smooth::new(&self.problem, evaluator, &self.start, &starts);
-        let field = field.map_err(|(node, reason)| self.rate_error(node, reason, &self.start))?;
-        Ok(Run {
-            bits,
-            field,
-            solution: Solution::new(self.start.clone(), &starts, bits),
-        })
-    }
-
-    /// A node without a value, as that of the first rate that needs it.
-    fn rate_error(&self, node: Id, reason: NoValue, time: &Rational) -> MotionError {
-        let graph = &self.problem.graph;
-        let rates = self.problem.rates.iter().zip(&self.problem.states);
-        let of = rates
-            .clone()
-            .find(|(rate, _)| **rate >= node && graph.reach(**rate).contains(&node));
-        let state = of.map_or(&self.problem.states[0], |found| found.1).clone();
-        let reason = match reason {
-            NoValue::Undefined(why) | NoValue::Undecided(why) => why.to_string(),
-            other => other.to_string(),
-        };
-        MotionError::Rate {
-            state,
-            time: time.clone(),
-            reason: format!("{reason}: {}", graph.text(node)),
-        }
-    }
-
-    fn error(&self, stopped: Stopped) -> MotionError {
+    fn error(&self, halt: Halt, side: usize) -> MotionError {
         let undecided = |reached: Rational, reason: &str| MotionError::Undecided {
             reached,
             reason: reason.into(),
+        };
+        let stopped = match halt {
+            Halt::Error(error) => return error,
+            Halt::Switch { reached, reason } => return undecided(reached, reason),
+            Halt::Rate { node, reason, time } => {
+                return rate_error(&self.problem, node, reason, &time);
+            }
+            Halt::Stopped(stopped) => stopped,
         };
         match stopped {
             Stopped::Obstacle {
@@ -268,10 +249,10 @@ impl Trajectory {
                 in_jacobian,
                 obstacle,
             } => {
-                let run = self.run.as_ref().expect("a run that stopped");
-                let node = run.field.origin(in_jacobian, obstacle.slot);
+                let run = self.run[side].as_ref().expect("a run that stopped");
+                let node = run.origin(in_jacobian, obstacle.slot);
                 match in_jacobian {
-                    false => self.rate_error(node, obstacle.reason, &reached),
+                    false => rate_error(&self.problem, node, obstacle.reason, &reached),
                     true => {
                         let text = self.problem.graph.text(node);
                         undecided(reached, &format!("{}: {text}", obstacle.reason))
@@ -291,36 +272,80 @@ impl Trajectory {
         }
     }
 
-    /// The derivatives of the states by the inputs at a time, state by state, each with at least `bits` bits where
-    /// the limits allow it.
+    /// The derivatives of the states by the inputs at a time, state by state: `S′ = (∂f/∂y) S + ∂f/∂p` along the
+    /// motion. Each has at least `bits` bits, or as many of the largest one of its state, where the limits allow it.
     ///
     /// # Errors
-    /// See [`MotionError`], and inputs by which the rates have no derivative in the language.
+    /// See [`MotionError`]; inputs by which the rates have no derivative in the language are undecided.
     pub fn sensitivities(
         &mut self,
-        _time: &Rational,
-        _bits: u32,
+        time: &Rational,
+        bits: u32,
     ) -> Result<Vec<Vec<Ball>>, MotionError> {
-        todo!()
+        let (n, columns) = (self.problem.states.len(), self.problem.inputs);
+        if columns == 0 {
+            return Ok(vec![Vec::new(); n]);
+        }
+        if self.sensitivities.is_none() {
+            let problem = self.problem.with_sensitivities();
+            let problem = problem.map_err(|error| MotionError::Undecided {
+                reached: self.start.clone(),
+                reason: error.to_string(),
+            })?;
+            let trajectory = Trajectory::new(&problem, &self.inputs, self.limits)?;
+            self.sensitivities = Some(Box::new(trajectory));
+        }
+        let trajectory = self.sensitivities.as_mut().expect("a trajectory");
+        let found = trajectory.until(time, bits, |balls| {
+            let rows = balls[n..].chunks(columns);
+            let lacks = rows.map(|row| {
+                let largest = row
+                    .iter()
+                    .fold(Mag::ZERO, |m, ball| m.max(ball.mignitude()));
+                let allowed = largest.shift(-i64::from(bits));
+                let open = row.iter().filter(|ball| ball.rad() > allowed);
+                open.map(|ball| lacking(ball, Goal::Bits(bits)))
+                    .max()
+                    .unwrap_or(0)
+            });
+            lacks.max().unwrap_or(0)
+        })?;
+        Ok(found[n..].chunks(columns).map(<[Ball]>::to_vec).collect())
     }
 
     /// Enclosures of the times at which the rates switched from one smooth piece to another, as far as the motion is
-    /// known.
+    /// known: those after the start, then those before it.
     pub fn switches(&self) -> Vec<Ball> {
-        Vec::new()
+        let known = [&self.run[0], &self.run[1]].into_iter().flatten();
+        known.flat_map(Motion::switches).collect()
     }
 }
 
-/// Reason why a run has no value at a time.
-enum Halt {
-    Stopped(Stopped),
-    Error(MotionError),
+/// A node without a value, as that of the first rate that needs it.
+fn rate_error(
+    problem: &InitialValueProblem,
+    node: Id,
+    reason: NoValue,
+    time: &Rational,
+) -> MotionError {
+    let graph = &problem.graph;
+    let mut rates = problem.rates.iter().zip(&problem.states);
+    let of = rates.find(|(rate, _)| graph.reach(**rate).contains(&node));
+    let state = of.map_or(&problem.states[0], |found| found.1).clone();
+    MotionError::Rate {
+        state,
+        time: time.clone(),
+        reason: format!("{}: {}", why(reason), graph.text(node)),
+    }
+}
+
+fn why(reason: NoValue) -> String {
+    match reason {
+        NoValue::Undefined(why) | NoValue::Undecided(why) => why.to_string(),
+        other => other.to_string(),
+    }
 }
 
 fn reason(problem: &InitialValueProblem, stop: &Stop) -> String {
-    let why = match stop.reason {
-        NoValue::Undefined(why) | NoValue::Undecided(why) => why.to_string(),
-        other => other.to_string(),
-    };
-    format!("{why}: {}", problem.graph.text(stop.node))
+    format!("{}: {}", why(stop.reason), problem.graph.text(stop.node))
 }
