@@ -59,7 +59,11 @@ impl ErrorSet {
         q: Vec<f64>,
     ) -> Option<ErrorSet> {
         let n = self.basis.n;
-        let q = Enclosed::exact(n, q);
+        // Entries that are negligible would underflow when they are scaled.
+        let kept = q
+            .into_iter()
+            .map(|x| if x.abs() < 1e-100 { 0.0 } else { x });
+        let q = Enclosed::exact(n, kept.collect());
         let inverse = q.transposed();
         let product = inverse.times(&q);
         let mut kappa = 0.0f64;

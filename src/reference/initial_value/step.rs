@@ -85,7 +85,10 @@ fn short(h: f64) -> f64 {
 
 impl Setting<'_> {
     /// The coefficients of the states and of all values of the program from a place on.
-    fn expand(&self, place: &Place) -> Result<(Expansion<'_, Float>, Vec<Vec<Float>>), Obstacle> {
+    pub fn expand(
+        &self,
+        place: &Place,
+    ) -> Result<(Expansion<'_, Float>, Vec<Vec<Float>>), Obstacle> {
         let field = self.field;
         let time = Ball::rational(self.bits, &place.time);
         let mut expansion = Expansion::new(&field.rates, self.bits);
@@ -196,7 +199,7 @@ impl Setting<'_> {
             });
         };
         for _ in 0..12 {
-            match self.proved(place, &p, sign * length, &defect) {
+            match self.proved(place, (&expansion, &p), sign * length, &defect) {
                 Err(Failure::Wide) => {}
                 done => return done,
             }
@@ -227,7 +230,7 @@ impl Setting<'_> {
     pub fn proved(
         &self,
         place: &Place,
-        p: &[Vec<Float>],
+        (expansion, p): (&Expansion<'_, Float>, &[Vec<Float>]),
         h: f64,
         defect: &[Mag],
     ) -> Result<Step, Failure> {
@@ -285,6 +288,10 @@ impl Setting<'_> {
                     .map(|(r, t)| r.shift(1).max(*t))
                     .collect();
                 continue;
+            }
+            // The rates are defined, and as smooth as their formulas, all over the tube.
+            if Remainders::new(expansion, Mag::from_f64(h), &tubes).is_err() {
+                return Err(Failure::Wide);
             }
             if flow.relative_error(&weights) > 1e-9 && order < self.order {
                 order = (order + 12).min(self.order);

@@ -119,7 +119,11 @@ impl Flow {
                 }
                 false => size + radius,
             };
-            majorant[row * n + column] = up(upper.max(0.0));
+            majorant[row * n + column] = match upper.is_finite() {
+                true => up(upper.max(0.0)),
+                // The larger of NaN and zero would be zero.
+                false => f64::INFINITY,
+            };
             scaled.push(Entry {
                 row: *row,
                 column: *column,

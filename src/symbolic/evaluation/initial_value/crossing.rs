@@ -5,9 +5,9 @@
 //! `a < b`: at a the guard has its sign for all solutions that are enclosed, at b it has the other one.
 //!
 //! Between a and b nothing is said about the order of events: a solution of `y′ = f_1` or `y′ = f_2` satisfies
-//! `y(t) ∈ y(a) + [0, b − a] F` for the hull F of both rates over a box that holds this set in its interior. If the
-//! guard's rates in both pieces have the same sign over the box, the motion crosses the switch once and does not
-//! slide along it (Filippov, *Differential Equations with Discontinuous Righthand Sides*, 1988, §15).
+//! `y(t) ∈ y(a) + [0, b − a] F` for the hull F of both rates over a box that holds this set in its interior. So does
+//! any mean of both, as of a motion that slides along the switch (Filippov, *Differential Equations with
+//! Discontinuous Righthand Sides*, 1988, §4); for such a motion the guard is not proved to have the other sign at b.
 
 use super::field::{Guarded, Smooth};
 use crate::evaluation::taylor::Switch;
@@ -65,7 +65,6 @@ pub(super) fn cross(
         let Some((hull, end)) = enclosed(states, pieces, &span, &way) else {
             return Err("the motion is not enclosed while it crosses a switch");
         };
-        let mut rises = None;
         for piece in pieces {
             let Ok(guards) = piece.guards(&span, &hull) else {
                 return Err(TOUCHES);
@@ -74,14 +73,6 @@ pub(super) fn cross(
             let (first, second) = (open.next(), open.next());
             if second.is_some() || first.is_some_and(|guard| guard.switch != switch) {
                 return Err("the motion meets two switches at once");
-            }
-            let own = guards.iter().filter(|guard| guard.switch == switch);
-            for guard in own {
-                let found = guard.rises();
-                if found.is_none() || rises.is_some_and(|known| Some(known) != found) {
-                    return Err(TOUCHES);
-                }
-                rises = found;
             }
         }
         let at_end = Ball::rational(bits, &after);

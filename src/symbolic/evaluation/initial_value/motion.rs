@@ -3,6 +3,7 @@
 use super::crossing::{Crossing, TOUCHES, cross, times};
 use super::field::{AT_SWITCH, Guarded, Sides, Smooth, set, side};
 use super::{InitialValueProblem, MotionError};
+use crate::evaluation::ball::unary;
 use crate::evaluation::taylor::{Side, Switch};
 use crate::evaluation::{Balls, Evaluator};
 use crate::graph::Id;
@@ -118,10 +119,7 @@ impl Motion {
         switch: Switch,
         (bits, is_backward): (u32, bool),
     ) -> Option<Piece> {
-        let sides = match switch {
-            Switch::Step(..) => return None,
-            _ => [Side::Negative, Side::Positive],
-        };
+        let sides = about(evaluator, switch)?;
         let mut pieces = Vec::new();
         for side in sides {
             let known = Sides::from([(switch, side)]);
@@ -247,6 +245,23 @@ impl Motion {
         self.pieces.push(Piece::after(next, crossing, bits));
         Ok(())
     }
+}
+
+/// The sides below and above a switch that a motion is at.
+fn about(evaluator: &mut Evaluator<Balls>, switch: Switch) -> Option<[Side; 2]> {
+    let Switch::Step(f, a) = switch else {
+        return Some([Side::Negative, Side::Positive]);
+    };
+    let a = evaluator.value(a).ok()?.real()?.clone();
+    let bits = a.prec();
+    let near = |by: f64| {
+        let value = unary(f, &(&a + Ball::exact(bits, by)), bits).ok()?;
+        let integer = value.real().filter(|n| n.rad().is_zero())?;
+        integer.mid().to_rational().map(Side::Integer)
+    };
+    // The guards of both pieces check what is near enough.
+    let small = 1.0 / 1024.0;
+    Some([near(-small)?, near(small)?])
 }
 
 /// Forgets what depends on the last states.
