@@ -64,7 +64,9 @@ pub(super) fn problem(text: &str, name: &str) -> Result<Problem, StudyError> {
         ));
     }
     if let Some(ode) = file.get("ode") {
-        problem.inputs.push(initial_value::read::time(&problem, ode)?);
+        problem
+            .inputs
+            .push(initial_value::read::time(&problem, ode)?);
     }
     let mut declared: Vec<String> = problem.inputs.iter().map(|i| i.name.clone()).collect();
     let is_unknown = |name: &str| unknowns.iter().any(|u| u.0 == name);

@@ -166,7 +166,10 @@ mod tests {
 
     #[test]
     fn a_setting_is_a_name_and_a_number() {
-        assert_eq!(setting("mu = 1/2").unwrap(), ("mu".into(), Rational::from((1, 2))));
+        assert_eq!(
+            setting("mu = 1/2").unwrap(),
+            ("mu".into(), Rational::from((1, 2)))
+        );
         assert!(setting("mu").is_err() && setting("mu=x").is_err() && setting("mu=inf").is_err());
     }
 }

@@ -1,12 +1,13 @@
 //! `[ode]` of a study in TOML.
 
-use super::{InitialValue, State};
+use super::InitialValue;
+use crate::audit::Limit;
 use crate::study::document::{Item, Value};
 use crate::study::error::StudyError;
 use crate::study::problem::{Problem, Spacing, StudyInput, StudyOutput};
 use crate::study::read::{Names, entries, is_name, rational, unit_and_budget};
-use crate::audit::Limit;
 use mechaudit_symbolic::Expr;
+use mechaudit_symbolic::evaluation::State;
 use rug::Rational;
 
 /// The most states of a problem.
@@ -26,7 +27,9 @@ pub fn states(file: &Item) -> Result<&[(String, Item)], StudyError> {
     }
     let found = entries(ode, "states")?;
     match found.len() {
-        0 => Err(ode.fault("[ode] has states: x = { start = \"1\", rate = \"-x\" } in [ode.states]")),
+        0 => {
+            Err(ode.fault("[ode] has states: x = { start = \"1\", rate = \"-x\" } in [ode.states]"))
+        }
         n if n > MOST => Err(ode.fault(format!("{n} states where at most {MOST} are integrated"))),
         _ => Ok(found),
     }
@@ -45,13 +48,19 @@ pub fn time(problem: &Problem, ode: &Item) -> Result<StudyInput, StudyError> {
             "the time {name} is an input already: its range goes from `start` to `until` in [ode]"
         )));
     }
-    let start = ode.get("start").map(rational).transpose()?.unwrap_or_default();
+    let start = ode
+        .get("start")
+        .map(rational)
+        .transpose()?
+        .unwrap_or_default();
     let until = match ode.get("until") {
         None => Rational::from(&start + LENGTH),
         Some(item) => {
             let until = rational(item)?;
             if until <= start {
-                return Err(item.fault(format!("the end {until} does not come after the start {start}")));
+                return Err(item.fault(format!(
+                    "the end {until} does not come after the start {start}"
+                )));
             }
             until
         }
@@ -69,7 +78,11 @@ pub fn time(problem: &Problem, ode: &Item) -> Result<StudyInput, StudyError> {
 /// Reads the states, which become outputs. The time is the last input.
 pub fn read(names: &Names, ode: &Item, problem: &mut Problem) -> Result<(), StudyError> {
     let (time, start) = match problem.inputs.last() {
-        Some(StudyInput { name, from: Some(start), .. }) => (name.clone(), start.clone()),
+        Some(StudyInput {
+            name,
+            from: Some(start),
+            ..
+        }) => (name.clone(), start.clone()),
         _ => return Err(ode.fault("[ode] has no time")),
     };
     let listed = entries(ode, "states")?;
@@ -77,8 +90,15 @@ pub fn read(names: &Names, ode: &Item, problem: &mut Problem) -> Result<(), Stud
     for (name, item) in listed {
         is_no_constant(name, item)?;
         let (state, output) = state(names, name, item, &time)?;
-        let open: Vec<&str> = listed.iter().map(|s| s.0.as_str()).chain([time.as_str()]).collect();
-        if let Some(on) = open.iter().find(|on| problem.definitions.reaches(&state.start, &[on])) {
+        let open: Vec<&str> = listed
+            .iter()
+            .map(|s| s.0.as_str())
+            .chain([time.as_str()])
+            .collect();
+        if let Some(on) = open
+            .iter()
+            .find(|on| problem.definitions.reaches(&state.start, &[on]))
+        {
             return Err(item.fault(format!("the start of {name} depends on {on}")));
         }
         states.push(state);
@@ -95,7 +115,9 @@ fn state(
     item: &Item,
     time: &str,
 ) -> Result<(State, StudyOutput), StudyError> {
-    let needs = |key: &str, such: &str| item.fault(format!("the state {name} has no {key}: {key} = {such}"));
+    let needs = |key: &str, such: &str| {
+        item.fault(format!("the state {name} has no {key}: {key} = {such}"))
+    };
     if !matches!(item.value, Value::Table(_)) {
         return Err(needs("start and no rate", "..."));
     }
@@ -110,7 +132,11 @@ fn state(
         name: name.into(),
         unit: "1".into(),
         is: Expr::Sym(name.into()),
-        text: format!("{name}' = {}, {name} = {} at the start", rate.text()?, start.text()?),
+        text: format!(
+            "{name}' = {}, {name} = {} at the start",
+            rate.text()?,
+            start.text()?
+        ),
         budget: default_budget(),
     };
     unit_and_budget(&mut output, item)?;
@@ -124,8 +150,12 @@ fn state(
 
 /// The budget of a state that states none.
 fn default_budget() -> (Limit, String) {
-    let reason = "none is stated: a relative tolerance of 1e-9, with what disturbances of the data grow to";
-    (Limit::Conditioned(1e-9 * 9_007_199_254_740_992.0), reason.into())
+    let reason =
+        "none is stated: a relative tolerance of 1e-9, with what disturbances of the data grow to";
+    (
+        Limit::Conditioned(1e-9 * 9_007_199_254_740_992.0),
+        reason.into(),
+    )
 }
 
 /// Refuses the name of a constant that is never hidden.

@@ -63,7 +63,9 @@ pub fn motion(args: &MotionArgs) -> Result<Outcome, Failure> {
 impl Table {
     fn cells(&self, (time, values): &(Rational, Vec<CertifiedValue>)) -> Vec<Cell> {
         let values = values.iter().map(|v| Cell::certified(v.decimal.clone()));
-        std::iter::once(Cell::Word(shown(time))).chain(values).collect()
+        std::iter::once(Cell::Word(shown(time)))
+            .chain(values)
+            .collect()
     }
 
     /// The names of the columns with their units.
@@ -84,10 +86,20 @@ impl Table {
         put("title", self.title.as_str().into());
         put("source", self.source.as_str().into());
         put("digits", self.digits.into());
-        let inputs = self.inputs.iter().map(|(name, x)| (name.to_string(), Value::from(shown(x))));
+        let inputs = self
+            .inputs
+            .iter()
+            .map(|(name, x)| (name.to_string(), Value::from(shown(x))));
         put("inputs", Value::Object(inputs.collect()));
-        let names = self.columns.iter().map(|c| c.name.to_string()).collect::<Vec<_>>();
-        let units = self.columns.iter().map(|c| (c.name.to_string(), Value::from(c.unit)));
+        let names = self
+            .columns
+            .iter()
+            .map(|c| c.name.to_string())
+            .collect::<Vec<_>>();
+        let units = self
+            .columns
+            .iter()
+            .map(|c| (c.name.to_string(), Value::from(c.unit)));
         put("units", Value::Object(units.collect()));
         put("undecided", self.open().into());
         let mut rows = Rows::begin(out, form, names, &about)?;
@@ -128,7 +140,10 @@ impl Table {
                     Some("nan") => "nan",
                     Some(_) => continue,
                 };
-                let why = value.why.clone().unwrap_or_else(|| "the digits could not be certified".into());
+                let why = value
+                    .why
+                    .clone()
+                    .unwrap_or_else(|| "the digits could not be certified".into());
                 // Reasons name the time that was reached, which does not change from row to row.
                 if !said.contains(&why) && lines.len() < MOST_REASONS {
                     lines.push(format!("{} is {word} {time_is} on: {why}", column.name));
@@ -141,11 +156,19 @@ impl Table {
 
     /// The page.
     fn page(&self) -> String {
-        let value = |v: &CertifiedValue| v.decimal.as_deref().and_then(|d| d.parse().ok()).unwrap_or(f64::NAN);
+        let value = |v: &CertifiedValue| {
+            v.decimal
+                .as_deref()
+                .and_then(|d| d.parse().ok())
+                .unwrap_or(f64::NAN)
+        };
         let course = |(k, c): (usize, &Column)| Course {
             name: c.name.into(),
             unit: unit(c.unit),
-            variants: vec![(String::new(), self.rows.iter().map(|r| value(&r.1[k])).collect())],
+            variants: vec![(
+                String::new(),
+                self.rows.iter().map(|r| value(&r.1[k])).collect(),
+            )],
             printed: Vec::new(),
         };
         let (time, quantities) = (&self.columns[0], &self.columns[1..]);
@@ -165,7 +188,10 @@ impl Table {
             wheels: Vec::new(),
             courses: quantities.iter().enumerate().map(course).collect(),
         };
-        let inputs = self.inputs.iter().map(|(name, x)| format!("{name} = {}", shown(x)));
+        let inputs = self
+            .inputs
+            .iter()
+            .map(|(name, x)| format!("{name} = {}", shown(x)));
         let mut facts: Vec<String> = vec![format!("source: {}", self.source)];
         facts.extend(quantities.iter().map(|c| c.text.clone()));
         facts.extend(inputs);

@@ -27,7 +27,9 @@ impl Problem {
         let about = |f: Failure| f.about(args.file.display());
         let study = Study::open(&path).map_err(Failure::caused)?;
         if study.problem().initial_value.is_none() {
-            return Err(about(Failure::new("the study states no initial value problem: [ode]")));
+            return Err(about(Failure::new(
+                "the study states no initial value problem: [ode]",
+            )));
         }
         let mut names: Vec<&'static str> = study.inputs().iter().map(|i| i.name).collect();
         let time = names.pop().unwrap_or("t");
@@ -46,7 +48,10 @@ impl Problem {
         if let Some((other, _)) = args.set.iter().find(|s| !names.contains(&s.0.as_str())) {
             let text = match other == time {
                 true => format!("--set {other}: the time is set by --times"),
-                false => format!("--set {other}: there is no such input{}", did_you_mean(other, &names)),
+                false => format!(
+                    "--set {other}: there is no such input{}",
+                    did_you_mean(other, &names)
+                ),
             };
             return Err(about(Failure::new(text)));
         }
