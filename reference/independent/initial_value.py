@@ -63,15 +63,19 @@ class Series:
         """A constant power p: s' a = p a' s."""
         if p == 2:
             return self * self
-        a = self
+        a, slope = self, self.derivative()
 
         def rule(s, k):
             if k == 0:
                 return a[0] ** p
-            rest = mp.fsum((p * j - (k - j)) * a[j] * s.c[k - j] for j in range(1, k + 1))
+            earlier = s.c[::-1]
+            rest = (p + 1) * mp.fdot(zip(slope.upto(k - 1), earlier)) - k * mp.fdot(zip(a.upto(k)[1:], earlier))
             return rest / (k * a[0])
 
         return Series(rule)
+
+    def derivative(self):
+        return Series(lambda s, k: (k + 1) * self[k + 1])
 
     __radd__, __rmul__ = __add__, __mul__
 
@@ -98,11 +102,9 @@ def product(a, b, k):
 def sin_cos(a):
     """sin' = a' cos, cos' = -a' sin."""
 
-    def grown(of, k):
-        return mp.fsum(j * a[j] * of[k - j] for j in range(1, k + 1)) / k
-
-    s = Series(lambda s, k: grown(c, k) if k else mp.sin(a[0]))
-    c = Series(lambda c, k: -grown(s, k) if k else mp.cos(a[0]))
+    slope = a.derivative()
+    s = Series(lambda s, k: product(slope, c, k - 1) / k if k else mp.sin(a[0]))
+    c = Series(lambda c, k: -product(slope, s, k - 1) / k if k else mp.cos(a[0]))
     return s, c
 
 
