@@ -257,8 +257,9 @@ def integrated(field, start, times, digits, order):
             while time < end:
                 series = taylor(field, time, states, order)
                 size = max(1, *(abs(s[0]) for s in series)) * mpf(10) ** -digits
-                # The last terms; two of them, for every other one may vanish.
-                steps = [(size / abs(s[k])) ** (mpf(1) / k) for s in series for k in (order - 1, order) if s[k]]
+                # The last terms; several, for some vanish where the start is symmetric.
+                last_terms = range(order - 11, order + 1)
+                steps = [(size / abs(s[k])) ** (mpf(1) / k) for s in series for k in last_terms if s[k]]
                 step = min(end - time, min(steps, default=end) * q("0.9"))
                 last = step == end - time
                 states = [mp.polyval(s[::-1], step) for s in series]

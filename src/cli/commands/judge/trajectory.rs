@@ -7,7 +7,7 @@ use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::{Output, write_json};
 use crate::cli::progress::waiting;
 use mechaudit::audit::{
-    Expected, Method, Output as Quantity, ReferenceAnswer, Rules, SolverAnswer, Verdict, judge_by,
+    Method, Output as Quantity, ReferenceAnswer, Rules, SolverAnswer, Verdict, judge_by,
 };
 use mechaudit::report::html::trajectory::{ErrorCurve, errors};
 use mechaudit::report::text::style::{BAD, BOLD, DOUBT, GOOD, PLAIN, paint};
@@ -252,7 +252,7 @@ impl Report<'_> {
             ("FAIL", BAD)
         };
         let name = paint(BOLD, &self.file);
-        let mut text = format!("{name}  {}  {}\n", paint(style, word), self.head());
+        let text = format!("{name}  {}  {}\n", paint(style, word), self.head());
         let at = format!("at {}", self.time);
         let heads = [
             "column",
@@ -289,7 +289,7 @@ impl Report<'_> {
     fn csv(&self) -> String {
         let inputs: Vec<&str> = self.study.inputs().iter().map(|i| i.name).collect();
         let heads = "output,printed,reference,error,of_budget,verdict";
-        let mut text = format!("line,{},{heads}\n", inputs.join(","));
+        let text = format!("line,{},{heads}\n", inputs.join(","));
         for e in &self.entries {
             let input: Vec<String> = e.input.iter().map(shown).collect();
             let number = |x: Option<f64>| {
