@@ -95,6 +95,14 @@ impl Method for Study {
         if input.len() != self.problem().inputs.len() {
             return ReferenceAnswer::Refuses("bad layout");
         }
+        if self
+            .compiled
+            .motion
+            .as_ref()
+            .is_some_and(|m| m.is_before_start(input))
+        {
+            return ReferenceAnswer::Refuses("before the start");
+        }
         let goal = Goal::Double(bits.saturating_sub(GUARD).max(72));
         let mut values = Vec::new();
         for answer in self.answers(input, goal) {

@@ -138,6 +138,11 @@ impl Solution {
         (time < start).then(|| format!("the time {time} comes before the start {start}"))
     }
 
+    /// Returns true if the time, the last input, comes before the start.
+    pub fn is_before_start(&self, inputs: &[Rational]) -> bool {
+        inputs.last().is_some_and(|time| *time < self.start)
+    }
+
     /// The values of all outputs; the time is the last input.
     pub fn values(&self, inputs: &[Rational], goal: Goal) -> Vec<Answer> {
         let Some((time, inputs)) = inputs.split_last() else {
@@ -155,19 +160,16 @@ impl Solution {
             Err(e) => return vec![self.without(&e); self.outputs.len()],
         };
         let answer = |output: &Output| match output {
-            Output::State(k) => self.number(&states[*k], goal, || self.trajectories_name(*k)),
+            Output::State(k) => self.number(&states[*k], goal, || self.name(*k)),
             Output::Expression(id) => self.expression(*id, inputs, time, &states, goal),
         };
         self.outputs.iter().map(answer).collect()
     }
 
-    fn trajectories_name(&self, k: usize) -> String {
-        let states = self.graph.inputs();
-        states[states.len() - self.states() + k].clone()
-    }
-
-    fn states(&self) -> usize {
-        self.trajectories.states()
+    /// The name of a state.
+    fn name(&self, k: usize) -> String {
+        let leaves = self.graph.inputs();
+        leaves[leaves.len() - self.trajectories.states() + k].clone()
     }
 
     /// The answer that a ball is.
@@ -285,7 +287,7 @@ impl Solution {
             }
             e => Answer::Undecided(Undecided {
                 reason: intern(&e.to_string()),
-                place: self.trajectories_name(0),
+                place: self.name(0),
                 bits: self.limits.bits,
             }),
         }
