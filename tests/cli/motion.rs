@@ -177,7 +177,7 @@ fn what_is_no_motion_is_refused() {
     );
     refused(
         &run(&["motion", &pole, "--times", "1"]),
-        "the rate of x is undefined at the start",
+        "the rate of x at the start is undefined",
     );
 }
 

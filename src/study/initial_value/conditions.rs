@@ -1,16 +1,22 @@
-//! Conditions of motions, by the variational equation.
+//! Conditions of motions: derivatives of the states by the inputs and by their starts.
+//!
+//! `x_j ∂y/∂x_j` is the difference of two certified motions, of which one has x_j (1 + 2⁻⁶⁰), over 2⁻⁶⁰:
+//! its relative error is of the order of 2⁻⁶⁰ times the second derivative, and the balls add less.
 
 use super::trajectories::Trajectories;
 use super::{InitialValue, Output, Solution};
 use crate::reference::Ball;
 use crate::study::problem::Problem;
 use mechaudit_symbolic::Expr;
-use mechaudit_symbolic::evaluation::{Balls, Evaluator, InitialValueProblem, Limits, State};
+use mechaudit_symbolic::evaluation::{Balls, Evaluator, Goal, InitialValueProblem, Limits, State};
 use mechaudit_symbolic::graph::{Graph, Id};
 use rug::Rational;
 
-/// Bits of derivatives.
-pub const BITS: u32 = 24;
+/// Bits of states beside a disturbance.
+pub const BITS: u32 = 96;
+
+/// The disturbance: two to the power of minus so many.
+const STEP: u32 = 60;
 
 /// The derivatives that conditions are made of.
 pub struct Conditions {
@@ -66,6 +72,7 @@ impl Conditions {
         let (time, own) = problem.inputs.split_last()?;
         let own = own.iter().map(|i| i.name.clone());
         let inputs: Vec<String> = own.chain(starts.iter().map(|s| disturbance(s))).collect();
+        let columns = inputs.len();
         let names: Vec<&str> = inputs.iter().map(String::as_str).collect();
         let start = super::number(&of.start);
         let posed =
@@ -74,7 +81,7 @@ impl Conditions {
         Some(Conditions {
             slopes,
             rates: nodes.iter().map(|n| n.1).collect(),
-            disturbed: Trajectories::new(posed, Limits::default()),
+            disturbed: Trajectories::new(posed, Limits::default()).keeping(columns),
             starts: starts.len(),
         })
     }
@@ -92,9 +99,29 @@ impl Conditions {
         time: &Rational,
         states: &[Ball],
     ) -> Option<Vec<f64>> {
-        let zeros = std::iter::repeat_n(Rational::new(), self.starts);
-        let all: Vec<Rational> = inputs.iter().cloned().chain(zeros).collect();
-        let by_inputs = self.disturbed.sensitivities(&all, time, BITS).ok()?;
+        // By column: the derivatives of all states, times the datum.
+        let mut by_data: Vec<Vec<f64>> = Vec::new();
+        let rest: Vec<Rational> = vec![Rational::new(); self.starts];
+        let base: Vec<Rational> = inputs.iter().cloned().chain(rest).collect();
+        let step = Rational::from(1) >> STEP;
+        for j in 0..base.len() {
+            let mut disturbed = base.clone();
+            match j < inputs.len() {
+                true => disturbed[j] *= Rational::from(1 + &step),
+                false => disturbed[j].clone_from(&step),
+            }
+            let found = match disturbed == base {
+                // The derivative is multiplied by zero.
+                true => states.to_vec(),
+                false => self.disturbed.at(&disturbed, time, Goal::Bits(BITS)).ok()?,
+            };
+            let pairs = found.iter().zip(states);
+            by_data.push(
+                pairs
+                    .map(|(a, b)| (a - b).shift(i64::from(STEP)).to_f64())
+                    .collect(),
+            );
+        }
         let mut evaluator = Evaluator::new(solution.graph.clone(), Balls::new(64));
         solution.set(&mut evaluator, inputs, time, states, 64);
         let mut node = |id: &Id| -> Option<f64> {
@@ -102,17 +129,11 @@ impl Conditions {
             value.is_finite().then_some(value)
         };
         let rates: Vec<f64> = self.rates.iter().map(&mut node).collect::<Option<_>>()?;
-        let (x, t): (Vec<f64>, f64) =
-            (inputs.iter().map(Rational::to_f64).collect(), time.to_f64());
-        let by_inputs: Vec<Vec<f64>> = by_inputs
-            .iter()
-            .map(|row| row.iter().map(Ball::to_f64).collect())
-            .collect();
-        // A disturbance is relative already.
-        let scale = |j: usize| x.get(j).copied().unwrap_or(1.0);
+        let t = time.to_f64();
+        let x: Vec<f64> = inputs.iter().map(Rational::to_f64).collect();
         let state = |i: usize| {
-            let row = by_inputs[i].iter().enumerate();
-            (t * rates[i]).abs() + row.map(|(j, d)| (scale(j) * d).abs()).sum::<f64>()
+            let by_data = by_data.iter().map(|column| column[i].abs());
+            (t * rates[i]).abs() + by_data.sum::<f64>()
         };
         let mut found = Vec::new();
         for (output, slopes) in solution.outputs.iter().zip(&self.slopes) {
@@ -125,10 +146,9 @@ impl Conditions {
                         by_states.iter().enumerate().map(|(i, s)| s * of(i)).sum()
                     };
                     let by_time = t * (direct[x.len()] + through(&|i| rates[i]));
-                    let columns = 0..x.len() + self.starts;
-                    let by_column = columns.map(|j| {
-                        let own = if j < x.len() { direct[j] } else { 0.0 };
-                        (scale(j) * (own + through(&|i| by_inputs[i][j]))).abs()
+                    let by_column = by_data.iter().enumerate().map(|(j, column)| {
+                        let own = x.get(j).map_or(0.0, |x| x * direct[j]);
+                        (own + through(&|i| column[i])).abs()
                     });
                     by_time.abs() + by_column.sum::<f64>()
                 }

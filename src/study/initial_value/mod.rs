@@ -13,7 +13,7 @@ use super::problem::{Problem, intern};
 use crate::reference::elementary::NoValue;
 use crate::reference::{Ball, Mag};
 use mechaudit_symbolic::evaluation::{
-    Answer, Balls, Certified, Evaluator, Goal, InitialValueProblem, LIMIT, Limits, MotionError,
+    Answer, Balls, Certified, Evaluator, Goal, InitialValueProblem, Limits, MotionError,
     ProblemError, State, Stop, Undecided, Value,
 };
 use mechaudit_symbolic::graph::{Graph, Id};
@@ -43,6 +43,13 @@ pub(super) struct Solution {
     outputs: Vec<Output>,
     conditions: Option<conditions::Conditions>,
     limits: Limits,
+    at_start: AtStart,
+}
+
+/// Starts and rates at the start, as expressions of the inputs.
+struct AtStart {
+    graph: Arc<Graph>,
+    nodes: Vec<(String, Id)>,
 }
 
 /// An output.
@@ -118,8 +125,14 @@ impl Solution {
             outputs,
             conditions,
             limits,
+            at_start: AtStart::new(problem, of)?,
         };
-        rates_at_start(problem, of)?;
+        // Without inputs the file decides.
+        if problem.inputs.len() == 1
+            && let Some((part, why)) = solution.at_start.undefined(&[])
+        {
+            return Err(StudyError::new(format!("{part} is undefined: {why}")));
+        }
         Ok(solution)
     }
 
@@ -157,7 +170,7 @@ impl Solution {
         }
         let states = match self.trajectories.at(inputs, time, goal) {
             Ok(states) => states,
-            Err(e) => return vec![self.without(&e); self.outputs.len()],
+            Err(e) => return vec![self.without(inputs, &e); self.outputs.len()],
         };
         let answer = |output: &Output| match output {
             Output::State(k) => self.number(&states[*k], goal, || self.name(*k)),
@@ -240,7 +253,7 @@ impl Solution {
             }
             states = match self.trajectories.at(inputs, time, Goal::Bits(bits)) {
                 Ok(states) => states,
-                Err(e) => return self.without(&e),
+                Err(e) => return self.without(inputs, &e),
             };
         }
         let (reason, place, bits) =
@@ -269,28 +282,21 @@ impl Solution {
     }
 
     /// The answer where the motion has no certified value.
-    fn without(&self, e: &MotionError) -> Answer {
-        let undefined = |reason: &str, place: &str| Answer::Undefined {
-            reason: intern(reason),
-            place: place.into(),
-        };
-        match e {
-            MotionError::Start { name, reason } => {
-                undefined(reason, &format!("the start of {name}"))
-            }
-            MotionError::Rate {
-                state,
-                time,
+    fn without(&self, inputs: &[Rational], e: &MotionError) -> Answer {
+        if let MotionError::Start { .. } | MotionError::Rate { .. } = e
+            && let Some((part, why)) = self.at_start.undefined(inputs)
+        {
+            let reason = intern(&why);
+            return Answer::Undefined {
                 reason,
-            } if *time == self.start => {
-                undefined(reason, &format!("the rate of {state} at the start"))
-            }
-            e => Answer::Undecided(Undecided {
-                reason: intern(&e.to_string()),
-                place: self.name(0),
-                bits: self.limits.bits,
-            }),
+                place: part,
+            };
         }
+        Answer::Undecided(Undecided {
+            reason: intern(&e.to_string()),
+            place: self.name(0),
+            bits: self.limits.bits,
+        })
     }
 
     /// `Σ_j |x_j ∂f_i/∂x_j|` for each output, over the inputs, the time and the starts of the states.
@@ -321,33 +327,49 @@ fn meets(ball: &Ball, goal: Goal) -> bool {
     }
 }
 
-/// Refuses rates that are undefined at the start, where no input is needed to tell.
-fn rates_at_start(problem: &Problem, of: &InitialValue) -> Result<(), StudyError> {
-    let Some((time, [])) = problem.inputs.split_last() else {
-        return Ok(());
-    };
-    let mut definitions: Definitions = problem.definitions.clone();
-    definitions.set(&time.name, number(&of.start));
-    for state in &of.states {
-        definitions.set(&state.name, state.start.clone());
-    }
-    let mut graph = Graph::new([]).of_real_functions();
-    for state in &of.states {
-        for (part, e) in [("start", &state.start), ("rate", &state.rate)] {
-            let Ok(id) = graph.build(&definitions, e) else {
-                continue;
-            };
-            let mut certified = Certified::new(Arc::new(graph.clone()), LIMIT.min(1024));
-            let answer = certified.values(&[], &[id], Goal::Double(24)).pop();
-            if let Some(Answer::Undefined { reason, place }) = answer {
-                let name = &state.name;
-                let text =
-                    format!("the {part} of {name} is undefined at the start: {reason}: {place}");
-                return Err(StudyError::new(text));
+impl AtStart {
+    fn new(problem: &Problem, of: &InitialValue) -> Result<AtStart, StudyError> {
+        let mut definitions: Definitions = problem.definitions.clone();
+        let mut inputs: Vec<String> = problem.inputs.iter().map(|i| i.name.clone()).collect();
+        if let Some(time) = inputs.pop() {
+            definitions.set(&time, number(&of.start));
+        }
+        for state in &of.states {
+            definitions.set(&state.name, state.start.clone());
+        }
+        let mut graph = Graph::new(inputs).of_real_functions();
+        let mut nodes = Vec::new();
+        for state in &of.states {
+            for (part, e) in [("the start", &state.start), ("the rate", &state.rate)] {
+                let built = graph.build(&definitions, e);
+                let id =
+                    built.map_err(|e| StudyError::new(format!("{part} of {}: {e}", state.name)))?;
+                let at = if part == "the rate" {
+                    " at the start"
+                } else {
+                    ""
+                };
+                nodes.push((format!("{part} of {}{at}", state.name), id));
             }
         }
+        let graph = Arc::new(graph);
+        Ok(AtStart { graph, nodes })
     }
-    Ok(())
+
+    /// The first part that is proved to be undefined, and why it is.
+    fn undefined(&self, inputs: &[Rational]) -> Option<(String, String)> {
+        /// Bits at which a part that is neither is left alone.
+        const BITS: u32 = 1024;
+        let mut certified = Certified::new(self.graph.clone(), BITS);
+        self.nodes.iter().find_map(|(part, id)| {
+            match certified.values(inputs, &[*id], Goal::Double(24)).pop()? {
+                Answer::Undefined { reason, place } => {
+                    Some((part.clone(), format!("{reason}: {place}")))
+                }
+                _ => None,
+            }
+        })
+    }
 }
 
 #[cfg(test)]

@@ -146,12 +146,12 @@ fn faults_have_their_place() {
         (
             "",
             "x = { start = \"0\", rate = \"1/x\" }",
-            "the rate of x is undefined at the start: ",
+            "the rate of x at the start is undefined: ",
         ),
         (
             "",
             "x = { start = \"log(-1)\", rate = \"x\" }",
-            "the start of x is undefined at the start: ",
+            "the start of x is undefined: ",
         ),
         (
             "",

@@ -17,6 +17,7 @@ pub struct Trajectories {
     limits: Limits,
     /// The one used last comes last.
     kept: Mutex<Vec<Kept>>,
+    most: usize,
 }
 
 impl Trajectories {
@@ -25,7 +26,14 @@ impl Trajectories {
             problem,
             limits,
             kept: Mutex::default(),
+            most: KEPT,
         }
+    }
+
+    /// The same where so many trajectories are asked for in turn.
+    pub fn keeping(mut self, more: usize) -> Trajectories {
+        self.most = KEPT + more;
+        self
     }
 
     /// The number of states.
@@ -49,32 +57,11 @@ impl Trajectories {
         time: &Rational,
         goal: Goal,
     ) -> Result<Vec<Ball>, MotionError> {
-        self.with(inputs, |trajectory| trajectory.at(time, goal))
-    }
-
-    /// The derivatives of the states by the inputs.
-    ///
-    /// # Errors
-    /// As [`Trajectory::sensitivities`].
-    pub fn sensitivities(
-        &self,
-        inputs: &[Rational],
-        time: &Rational,
-        bits: u32,
-    ) -> Result<Vec<Vec<Ball>>, MotionError> {
-        self.with(inputs, |trajectory| trajectory.sensitivities(time, bits))
-    }
-
-    fn with<T>(
-        &self,
-        inputs: &[Rational],
-        of: impl FnOnce(&mut Trajectory) -> Result<T, MotionError>,
-    ) -> Result<T, MotionError> {
         let trajectory = self.trajectory(inputs)?;
         // A trajectory that a panic left behind may be half extended.
         match trajectory.lock() {
-            Ok(mut trajectory) => of(&mut trajectory),
-            Err(_) => of(&mut self.problem.trajectory(inputs, self.limits)?),
+            Ok(mut trajectory) => trajectory.at(time, goal),
+            Err(_) => self.problem.trajectory(inputs, self.limits)?.at(time, goal),
         }
     }
 
@@ -87,7 +74,7 @@ impl Trajectories {
                 (inputs.to_vec(), Arc::new(Mutex::new(new)))
             }
         };
-        if kept.len() >= KEPT {
+        if kept.len() >= self.most {
             kept.remove(0);
         }
         let trajectory = found.1.clone();
