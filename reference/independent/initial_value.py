@@ -219,7 +219,7 @@ CASES = [
     ("van-der-pol", "1", van_der_pol("1"), "x y", lambda: [mpf(2), mpf(0)], ["5", "20"], True),
     ("van-der-pol", "10", van_der_pol("10"), "x y", lambda: [mpf(2), mpf(0)], ["5", "20"], False),
     ("van-der-pol", "100", van_der_pol("100"), "x y", lambda: [mpf(2), mpf(0)], ["10", "100"], False),
-    ("lorenz", "", lorenz, "x y z", lambda: [mpf(1)] * 3, ["1", "5", "10"], True),
+    ("lorenz", "", lorenz, "x y z", lambda: [mpf(1)] * 3, ["1", "5", "10"], False),
     ("rossler", "", rossler, "x y z", lambda: [mpf(1), mpf(1), mpf(0)], ["10", "50"], False),
     ("double-pendulum", "", double_pendulum, "theta1 theta2 omega1 omega2",
      lambda: [mp.pi / 2, mp.pi / 2, mpf(0), mpf(0)], ["1", "5"], False),
