@@ -16,7 +16,7 @@ use rug::Rational;
 pub const BITS: u32 = 96;
 
 /// The disturbance: two to the power of minus so many.
-const STEP: u32 = 60;
+const STEP: i32 = 60;
 
 /// The derivatives that conditions are made of.
 pub struct Conditions {
@@ -116,11 +116,7 @@ impl Conditions {
                 false => self.disturbed.at(&disturbed, time, Goal::Bits(BITS)).ok()?,
             };
             let pairs = found.iter().zip(states);
-            by_data.push(
-                pairs
-                    .map(|(a, b)| (a - b).shift(i64::from(STEP)).to_f64())
-                    .collect(),
-            );
+            by_data.push(pairs.map(|(a, b)| (a - b).shift(STEP).to_f64()).collect());
         }
         let mut evaluator = Evaluator::new(solution.graph.clone(), Balls::new(64));
         solution.set(&mut evaluator, inputs, time, states, 64);
