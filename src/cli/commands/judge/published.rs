@@ -95,18 +95,23 @@ pub enum RowError {
 
 /// A line of the table as printed.
 pub struct Row {
-    line: u64,
-    input: Vec<Rational>,
-    entries: Vec<Entry>,
+    /// The line of the file.
+    pub line: u64,
+    /// The inputs, exactly as printed.
+    pub input: Vec<Rational>,
+    /// The values.
+    pub entries: Vec<Entry>,
 }
 
 /// A printed value.
-struct Entry {
+pub struct Entry {
     /// Its index among the method's.
-    value: usize,
+    pub value: usize,
     column: usize,
-    text: String,
-    printed: Printed,
+    /// As printed.
+    pub text: String,
+    /// The number.
+    pub printed: Printed,
 }
 
 /// A column of the table, and its unit if that is not the method's.
