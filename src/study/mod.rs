@@ -95,6 +95,7 @@ mod compiled;
 mod core;
 mod document;
 mod error;
+mod initial_value;
 mod linear;
 mod method;
 mod problem;
@@ -104,6 +105,7 @@ mod system;
 
 pub use builder::{Formula, absolute, conditioned, relative, ulps};
 pub use error::{Place, StudyError};
+pub use initial_value::InitialValue;
 pub use linear::{Linear, Task, Tensor};
 pub use problem::{
     Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver, StudySystem,
@@ -282,6 +284,9 @@ impl Study {
     pub fn answers(&self, inputs: &[Rational], goal: Goal) -> Vec<Answer> {
         if let Some(linear) = &self.problem().linear {
             return linear.answers(inputs, goal);
+        }
+        if let Some(motion) = &self.compiled.motion {
+            return motion.values(inputs, goal);
         }
         self.compiled.values(inputs, goal)
     }

@@ -118,6 +118,8 @@ pub struct Problem {
     pub solvers: Vec<StudySolver>,
     /// A system of equations whose unknowns outputs may use.
     pub system: Option<StudySystem>,
+    /// An initial value problem whose states are outputs, and which other outputs may use.
+    pub initial_value: Option<super::initial_value::InitialValue>,
     /// A problem of linear algebra, in the place of formulas of the outputs.
     pub linear: Option<super::linear::Linear>,
     /// Remarks for the report: names that hide constants, formulas that are not independent.

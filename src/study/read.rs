@@ -2,6 +2,7 @@
 
 use super::document::{Item, Value, read as document};
 use super::error::StudyError;
+use super::initial_value;
 use super::linear;
 use super::problem::{
     Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver, budget, default_budget,
@@ -16,7 +17,7 @@ use mechaudit_symbolic::{
 use rug::Rational;
 
 /// Keys of a study.
-const KEYS: [&str; 10] = [
+const KEYS: [&str; 11] = [
     "title",
     "source",
     "inputs",
@@ -26,6 +27,7 @@ const KEYS: [&str; 10] = [
     "region",
     "where",
     "system",
+    "ode",
     "solver",
 ];
 
@@ -55,17 +57,23 @@ pub(super) fn problem(text: &str, name: &str) -> Result<Problem, StudyError> {
     let lets = entries(&file, "let")?;
     let outputs = entries(&file, "outputs")?;
     let unknowns = system::unknowns(&file)?;
-    if outputs.is_empty() && unknowns.is_empty() {
+    let states = initial_value::read::states(&file)?;
+    if outputs.is_empty() && unknowns.is_empty() && states.is_empty() {
         return Err(StudyError::new(
             "a study has at least one output: [outputs]",
         ));
+    }
+    if let Some(ode) = file.get("ode") {
+        problem
+            .inputs
+            .push(initial_value::read::time(&problem, ode)?);
     }
     let mut declared: Vec<String> = problem.inputs.iter().map(|i| i.name.clone()).collect();
     let is_unknown = |name: &str| unknowns.iter().any(|u| u.0 == name);
     // An output may be an unknown, which is declared where the system is.
     let defined = outputs.iter().filter(|o| !is_unknown(&o.0));
     let defined: Vec<&(String, Item)> = parameters.iter().chain(lets).chain(defined).collect();
-    for (name, item) in defined.iter().copied().chain(unknowns) {
+    for (name, item) in defined.iter().copied().chain(unknowns).chain(states) {
         is_name(name, item)?;
         if declared.contains(name) {
             return Err(item.fault(format!("the name {name} is declared twice")));
@@ -77,6 +85,9 @@ pub(super) fn problem(text: &str, name: &str) -> Result<Problem, StudyError> {
     for (name, item) in parameters.iter().chain(lets) {
         let value = names.expression(item)?;
         problem.definitions.set(name, value);
+    }
+    if let Some(ode) = file.get("ode") {
+        initial_value::read::read(&names, ode, &mut problem)?;
     }
     for (name, item) in outputs {
         let is_unknown = is_unknown(name);
