@@ -9,6 +9,7 @@ mod file;
 mod joints;
 mod loads;
 mod motion;
+#[cfg(feature = "report")]
 mod moving;
 mod of_dyad;
 mod path;
@@ -18,7 +19,8 @@ pub(in crate::machine) use bodies::check_name;
 pub use branch::{Branch, End, MARGIN, PlanarError, Reach, choose};
 pub use certified::{CertifiedRow, Certifier, NotExact};
 pub use motion::motion;
-pub use moving::{Certified, Moving, MovingError};
+#[cfg(feature = "report")]
+pub use moving::{Certified, Moving, MovingError, MovingQuantity};
 pub use of_dyad::{Further, FurtherError, LinkPoint};
 pub use path::{path, positions};
 pub use rows::{Columns, certified_names, names, values};

@@ -69,7 +69,7 @@ pub enum MovingError {
 
 /// A quantity of a motion.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Quantity {
+pub struct MovingQuantity {
     /// Its name, as formulas use it.
     pub name: String,
     /// Its unit.
@@ -143,7 +143,7 @@ impl Moving {
 
     /// The quantities of each row: angles of the bodies' lines and their rates, displacements of
     /// slides and slots and theirs.
-    pub fn quantities(&self) -> Vec<Quantity> {
+    pub fn quantities(&self) -> Vec<MovingQuantity> {
         let mut all = Vec::new();
         for (body, name) in self.bodies.iter().enumerate().skip(1) {
             let [angle, rate] = self.names.of_body(body);
@@ -192,8 +192,8 @@ impl Moving {
     }
 }
 
-fn quantity(name: &str, unit: &'static str, text: String) -> Quantity {
-    Quantity {
+fn quantity(name: &str, unit: &'static str, text: String) -> MovingQuantity {
+    MovingQuantity {
         name: name.into(),
         unit,
         text,
