@@ -25,6 +25,7 @@ mod interrupt;
 mod judge;
 mod linkage;
 mod linkage_files;
+mod mechanism_motion;
 mod output;
 mod papers;
 mod pinned;
