@@ -15,6 +15,7 @@ mod initial_value;
 mod integral;
 mod root;
 mod system;
+mod taylor;
 #[cfg(test)]
 mod tests;
 

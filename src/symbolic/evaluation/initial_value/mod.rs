@@ -20,8 +20,11 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod field;
 mod problem;
 mod trajectory;
 
 pub use problem::{InitialValueProblem, ProblemError, State};
 pub use trajectory::{Limits, MotionError, Trajectory};
+#[cfg(test)]
+mod tests;

@@ -72,6 +72,8 @@ pub struct InitialValueProblem {
     pub(super) states: Vec<String>,
     pub(super) starts: Vec<Id>,
     pub(super) rates: Vec<Id>,
+    /// Derivatives of rates by states that are not zero: the rate, the state and the node.
+    pub(super) jacobian: Vec<(usize, usize, Id)>,
 }
 
 impl InitialValueProblem {
@@ -117,7 +119,7 @@ impl InitialValueProblem {
     /// # Panics
     /// If the graph has fewer inputs than the time and the states.
     pub fn of_graph(
-        graph: Graph,
+        mut graph: Graph,
         start: Id,
         states: &[(Id, Id)],
     ) -> Result<InitialValueProblem, ProblemError> {
@@ -153,11 +155,30 @@ impl InitialValueProblem {
                 return Err(ProblemError::NotReal { part, name });
             }
         }
+        let own = own.to_vec();
+        let mut jacobian = Vec::new();
+        for (row, (name, (_, rate))) in own.iter().zip(states).enumerate() {
+            for column in 0..states.len() {
+                let by = graph.input(inputs + 1 + column);
+                let slope = graph.derivative(*rate, by);
+                let slope = slope.map_err(|error| ProblemError::Expression {
+                    part: "rate",
+                    name: name.clone(),
+                    error,
+                })?;
+                let is_zero =
+                    matches!(graph.node(slope), Node::Number(k) if *graph.rational(k) == 0);
+                if !is_zero {
+                    jacobian.push((row, column, slope));
+                }
+            }
+        }
         Ok(InitialValueProblem {
             inputs,
             time,
             start,
-            states: own.to_vec(),
+            states: own,
+            jacobian,
             starts: states.iter().map(|s| s.0).collect(),
             rates: states.iter().map(|s| s.1).collect(),
             graph: Arc::new(graph),
