@@ -204,7 +204,12 @@ impl Dynamics {
         }) {
             return Err(DynamicsError::Table);
         }
-        let metres = 2f64.powi(largest(&description)?.log2().floor() as i32);
+        // One body on a pin or a slide may have no dimension.
+        let size = match largest(&description) {
+            Err(MechanismError::Size { largest_m: 0.0 }) => 1.0,
+            size => size?,
+        };
+        let metres = 2f64.powi(size.log2().floor() as i32);
         let chain = Chain::free(&description, metres);
         let hanging = (1..description.bodies.len()).filter(|b| !chain.order.contains(b));
         let bodies: Vec<String> = hanging.map(|b| description.bodies[b].clone()).collect();
