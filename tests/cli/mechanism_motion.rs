@@ -28,7 +28,10 @@ fn floating_point_agrees_with_certified_digits() {
         assert_eq!(due.lines().next().unwrap(), names.join(","));
         for of in &names[1..] {
             for (x, y) in column(&found, of).iter().zip(column(&due, of)) {
-                assert!((x - y).abs() < 1e-9 * (1.0 + y.abs()), "{name} {of}: {x} {y}");
+                assert!(
+                    (x - y).abs() < 1e-9 * (1.0 + y.abs()),
+                    "{name} {of}: {x} {y}"
+                );
             }
         }
     }
@@ -53,7 +56,10 @@ fn a_four_bar_swings() {
 fn a_motion_ends_at_an_event() {
     let folder = tempdir().unwrap();
     let text = include_str!("../../examples/motion/four-bar-damped.toml");
-    let text = text.replace("[motion.start]", "[motion]\nuntil = \"omega_crank\"\n[motion.start]");
+    let text = text.replace(
+        "[motion.start]",
+        "[motion]\nuntil = \"omega_crank\"\n[motion.start]",
+    );
     let path = file(&folder, "m.toml", &text);
     let d = run(&["motion", &path, "--times", "0:5:0.1", "--format", "csv"]);
     assert_eq!(d.code, 0, "{}", d.err);
@@ -68,11 +74,28 @@ fn bad_files_and_arguments_exit_with_two() {
     let folder = tempdir().unwrap();
     let good = include_str!("../../examples/motion/slider-crank-damped.toml");
     for (k, (text, due)) in [
-        (good.replace("omega_crank", "omega_crnk"), "the names are t, theta_crank, omega_crank"),
-        (good.replace("[motion.near]\nrod = \"-8 deg\"", ""), "which position? there are "),
-        (good.replace("mass", "# mass").replace("inertia", "# ").replace("centre", "# "), "no body has a mass"),
-        (good.replace("35 cm", "3 cm"), "the mechanism cannot be assembled at the start"),
-        (good.replace("crank = { at", "slide = { at"), "motion.start.slide = \"slide\" is no body"),
+        (
+            good.replace("omega_crank", "omega_crnk"),
+            "the names are t, theta_crank, omega_crank",
+        ),
+        (
+            good.replace("[motion.near]\nrod = \"-8 deg\"", ""),
+            "which position? there are ",
+        ),
+        (
+            good.replace("mass", "# mass")
+                .replace("inertia", "# ")
+                .replace("centre", "# "),
+            "no body has a mass",
+        ),
+        (
+            good.replace("35 cm", "3 cm"),
+            "the mechanism cannot be assembled at the start",
+        ),
+        (
+            good.replace("crank = { at", "slide = { at"),
+            "motion.start.slide = \"slide\" is no body",
+        ),
     ]
     .into_iter()
     .enumerate()

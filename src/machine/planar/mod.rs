@@ -88,8 +88,12 @@ impl Machine {
         let file: File = source.parse()?;
         let Some(section) = &file.drive else {
             let rule = match file.motion {
-                Some(_) => "drive is missing: without it the file has a motion alone, see `mechaudit motion`",
-                None => "drive is missing: it names the body or the slide that everything is a function of",
+                Some(_) => {
+                    "drive is missing: without it the file has a motion alone, see `mechaudit motion`"
+                }
+                None => {
+                    "drive is missing: it names the body or the slide that everything is a function of"
+                }
             };
             return Err(source.breach("drive", rule));
         };

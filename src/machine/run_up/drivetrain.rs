@@ -48,7 +48,9 @@ fn text<D>(quantity: &Option<Quantity<D>>) -> String {
 /// where `flat`.
 fn lines(x: &str, points: &[(String, String)], flat: bool) -> String {
     let between = |w: &[(String, String)]| {
-        let [(a, p), (b, q)] = w else { return "0".into() };
+        let [(a, p), (b, q)] = w else {
+            return "0".into();
+        };
         format!("({p} + ({q} - {p})*({x} - {a})/({b} - {a}))")
     };
     let last = match (points, flat) {
@@ -57,7 +59,11 @@ fn lines(x: &str, points: &[(String, String)], flat: bool) -> String {
         _ => between(&points[points.len() - 2..]),
     };
     let windows: Vec<&[(String, String)]> = points.windows(2).collect();
-    let used = if flat { &windows[..] } else { &windows[..windows.len().saturating_sub(1)] };
+    let used = if flat {
+        &windows[..]
+    } else {
+        &windows[..windows.len().saturating_sub(1)]
+    };
     used.iter().rev().fold(last, |rest, w| {
         format!("if({x} < {}, {}, {rest})", w[1].0, between(w))
     })

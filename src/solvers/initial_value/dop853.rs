@@ -159,7 +159,11 @@ impl Dop853 {
                 self.has_dense = false;
                 let next = h * if rejected { wanted.min(1.0) } else { wanted };
                 // A step cut short by the end says little of the next.
-                self.h = Some(if last { next.max(self.h.unwrap_or(next)) } else { next });
+                self.h = Some(if last {
+                    next.max(self.h.unwrap_or(next))
+                } else {
+                    next
+                });
                 return Ok(());
             }
             rejected = true;
@@ -176,7 +180,11 @@ impl Dop853 {
             sum.sqrt()
         };
         let (d0, d1) = (size(&self.y), size(rate));
-        let h = if d0 < 1e-5 || d1 < 1e-5 { 1e-3 } else { 1e-2 * d0 / d1 };
+        let h = if d0 < 1e-5 || d1 < 1e-5 {
+            1e-3
+        } else {
+            1e-2 * d0 / d1
+        };
         h.min(100.0 * self.tolerance.powf(0.125) * h)
     }
 
@@ -207,7 +215,11 @@ impl Dop853 {
             self.trial[i] = from[i] + h * combined(&self.k, n, i, weights);
         }
         self.evaluations += 1;
-        f(t + NODES[s] * h, &self.trial, &mut self.k[s * n..(s + 1) * n])
+        f(
+            t + NODES[s] * h,
+            &self.trial,
+            &mut self.k[s * n..(s + 1) * n],
+        )
     }
 
     /// The estimated error over the tolerance: of order 8, from estimates of order 5 and 3.

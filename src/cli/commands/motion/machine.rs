@@ -5,8 +5,8 @@ use crate::cli::args::MotionArgs;
 use crate::cli::complain;
 use crate::cli::failure::Failure;
 use crate::cli::files::source;
-use mechaudit::machine::{Linkage, Source};
 use mechaudit::machine::planar::{Certified, Moving};
+use mechaudit::machine::{Linkage, Source};
 use mechaudit::methods::CertifiedValue;
 use mechaudit::reference::faddeeva::Scaled;
 use mechaudit::reference::{Ball, nearest_f64};
@@ -51,7 +51,10 @@ impl Problem {
         let rows = match self.digits {
             Some(digits) => {
                 let mut certified = Certified::new(&self.moving, digits).map_err(|e| about(&e))?;
-                times.iter().map(|t| (t.clone(), certified_row(&mut certified, t))).collect()
+                times
+                    .iter()
+                    .map(|t| (t.clone(), certified_row(&mut certified, t)))
+                    .collect()
             }
             None => self.floating(times).map_err(|e| about(&e))?,
         };
@@ -66,7 +69,11 @@ impl Problem {
             text: format!("{}: {}", q.name, q.text),
         });
         Ok(Table {
-            title: self.moving.name.clone().unwrap_or_else(|| "mechanism".into()),
+            title: self
+                .moving
+                .name
+                .clone()
+                .unwrap_or_else(|| "mechanism".into()),
             source: self.source.clone(),
             columns: std::iter::once(time).chain(quantities).collect(),
             inputs: Vec::new(),
@@ -82,13 +89,17 @@ impl Problem {
         let seconds: Vec<f64> = times.iter().map(nearest_f64).collect();
         let mut rows = Vec::new();
         let ended = self.moving.run(&seconds, Settings::default(), |moment| {
-            let time = times.get(rows.len()).filter(|t| nearest_f64(t) == moment.time);
+            let time = times
+                .get(rows.len())
+                .filter(|t| nearest_f64(t) == moment.time);
             let time = time.cloned().or_else(|| Rational::from_f64(moment.time));
             let values = self.moving.values(moment).into_iter().map(number);
             rows.push((time.unwrap_or_default(), values.collect()));
         })?;
         if let Some(t) = ended {
-            complain(&format!("motion.until changes its sign at t = {t} s, where the motion ends"));
+            complain(&format!(
+                "motion.until changes its sign at t = {t} s, where the motion ends"
+            ));
         }
         Ok(rows)
     }

@@ -53,7 +53,11 @@ impl Certified {
             state.map_or(Output::Expression(id), Output::State)
         };
         Ok(Certified {
-            outputs: outputs.into_iter().zip(&equations.outputs).map(output).collect(),
+            outputs: outputs
+                .into_iter()
+                .zip(&equations.outputs)
+                .map(output)
+                .collect(),
             graph: Arc::new(graph),
             trajectory,
             digits,

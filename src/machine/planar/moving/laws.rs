@@ -54,7 +54,11 @@ impl Names {
         let mut pair = |[a, b]: [&str; 2], name: &str| {
             let mut number = 1;
             loop {
-                let end = if number == 1 { String::new() } else { format!("_{number}") };
+                let end = if number == 1 {
+                    String::new()
+                } else {
+                    format!("_{number}")
+                };
                 let names = [a, b].map(|x| format!("{x}_{}{end}", plain(name)));
                 if !names.iter().any(|n| taken.contains(n)) {
                     taken.extend(names.clone());
@@ -63,9 +67,15 @@ impl Names {
                 number += 1;
             }
         };
-        let all = bodies.names.iter().map(|b| pair(["theta", "omega"], b)).collect();
+        let all = bodies
+            .names
+            .iter()
+            .map(|b| pair(["theta", "omega"], b))
+            .collect();
         let slides = travels(description).into_iter();
-        let joints = slides.map(|(k, name)| (k, pair(["s", "v"], name))).collect();
+        let joints = slides
+            .map(|(k, name)| (k, pair(["s", "v"], name)))
+            .collect();
         let mut names = Names {
             bodies: all,
             joints,
@@ -149,7 +159,8 @@ impl Names {
         };
         for (k, torque) in motion.torque.iter().enumerate() {
             let at = format!("motion.torque[{k}].formula");
-            laws.torques.push(self.formula(source, &at, &torque.formula)?);
+            laws.torques
+                .push(self.formula(source, &at, &torque.formula)?);
         }
         for (k, force) in motion.force.iter().enumerate() {
             let part = |key: &str, text: &Option<String>| {
@@ -160,7 +171,8 @@ impl Names {
                 let at = format!("motion.force[{k}]");
                 return Err(source.breach(&at, format!("{at} needs x or y, formulas in N")));
             }
-            laws.forces.push([part("x", &force.x)?, part("y", &force.y)?]);
+            laws.forces
+                .push([part("x", &force.x)?, part("y", &force.y)?]);
         }
         Ok(laws)
     }

@@ -86,7 +86,10 @@ mod tests {
 
     fn relation(terms: &[(usize, i32)], degrees: i32) -> Relation {
         Relation {
-            terms: terms.iter().map(|(i, k)| (*i, Rational::from(*k))).collect(),
+            terms: terms
+                .iter()
+                .map(|(i, k)| (*i, Rational::from(*k)))
+                .collect(),
             constant: ExactAngle::Degrees(Rational::from(degrees)),
         }
     }

@@ -34,7 +34,10 @@ pub(super) enum ExactLoad {
         along: usize,
     },
     /// A force by formulas.
-    ForceLaw { at: Point, components: [Expr; 2] },
+    ForceLaw {
+        at: Point,
+        components: [Expr; 2],
+    },
     Torque {
         body: usize,
         from: usize,
@@ -88,7 +91,11 @@ pub(super) struct ExactLoads {
 }
 
 /// The driven body and the one that its angle is measured from.
-fn driven_bodies(source: &Source, file: &File, description: &Description) -> Result<[usize; 2], Refusal> {
+fn driven_bodies(
+    source: &Source,
+    file: &File,
+    description: &Description,
+) -> Result<[usize; 2], Refusal> {
     match (&file.drive, description.drive) {
         (Some(_), Drive::Angle { body, from }) => Ok([body, from]),
         _ => {
@@ -113,7 +120,11 @@ impl ExactLoads {
                 masses.push(ExactMass {
                     body: k + 1,
                     mass: mass.value.clone(),
-                    inertia: body.inertia.as_ref().map(|j| j.value.clone()).unwrap_or_default(),
+                    inertia: body
+                        .inertia
+                        .as_ref()
+                        .map(|j| j.value.clone())
+                        .unwrap_or_default(),
                     centre: centre.each_ref().map(|x| x.value.clone()),
                 });
             }
@@ -121,7 +132,10 @@ impl ExactLoads {
         let standard = Rational::from((980_665, 100_000));
         let g = file.gravity.as_ref().map_or(standard, |g| g.value.clone());
         let down = ExactAngle::Degrees(Rational::from(-90));
-        let direction = file.gravity_direction.as_ref().map_or(down, |a| a.exact_angle());
+        let direction = file
+            .gravity_direction
+            .as_ref()
+            .map_or(down, |a| a.exact_angle());
         let mut loads = constant(source, file, bodies)?;
         if let Some(motor) = motor {
             let [body, from] = driven_bodies(source, file, description)?;
@@ -232,7 +246,9 @@ fn value<D: Dimension>(
     text: &Option<String>,
 ) -> Result<Rational, Refusal> {
     let Some(text) = text else {
-        let rule = format!("{at}: a table over the drive has no meaning in a motion; write a formula in motion.force or motion.torque");
+        let rule = format!(
+            "{at}: a table over the drive has no meaning in a motion; write a formula in motion.force or motion.torque"
+        );
         return Err(source.breach(at, rule));
     };
     match Quantity::<D>::from_str(text) {
@@ -250,7 +266,10 @@ fn constant(source: &Source, file: &File, bodies: &Bodies) -> Result<Vec<ExactLo
     let body = |at: &str, name: &str| bodies.find(source, &format!("{at}.body"), name);
     let ends = |at: &str, [a, b]: &[String; 2]| -> Result<_, Refusal> {
         let place = format!("{at}.ends");
-        Ok([bodies.point(source, &place, a)?, bodies.point(source, &place, b)?])
+        Ok([
+            bodies.point(source, &place, a)?,
+            bodies.point(source, &place, b)?,
+        ])
     };
     let mut all = Vec::new();
     for (k, f) in file.force.iter().enumerate() {

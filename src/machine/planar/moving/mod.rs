@@ -3,12 +3,17 @@
 //! One file is read for both sides: for the solver in `f64`, and exactly for the equations of motion
 //! whose solution is enclosed ([`Certified`]).
 
+mod begin;
 mod certified;
+mod elimination;
 mod equations;
 mod laws;
 mod linear;
 mod loads;
+mod places;
+mod pushes;
 mod start;
+mod text;
 
 pub use certified::Certified;
 
@@ -148,7 +153,11 @@ impl Moving {
         for (body, name) in self.bodies.iter().enumerate().skip(1) {
             let [angle, rate] = self.names.of_body(body);
             all.push(quantity(angle, "rad", format!("angle of {name}")));
-            all.push(quantity(rate, "rad/s", format!("angular velocity of {name}")));
+            all.push(quantity(
+                rate,
+                "rad/s",
+                format!("angular velocity of {name}"),
+            ));
         }
         for (joint, name) in self.travels() {
             let [place, rate] = self.names.of_joint(joint);
@@ -184,10 +193,12 @@ impl Moving {
     ) -> Result<Option<f64>, MovingError> {
         let start = self.assembly()?;
         let until = self.until.as_ref();
-        let ended = self.dynamics.motion_until(&start, times, settings, until, |m| {
-            visit(m);
-            true
-        });
+        let ended = self
+            .dynamics
+            .motion_until(&start, times, settings, until, |m| {
+                visit(m);
+                true
+            });
         Ok(ended?)
     }
 }

@@ -72,7 +72,9 @@ impl Start {
         let near = section.map(|m| &m.near).filter(|near| !near.is_empty());
         for (name, angle) in near.unwrap_or(&file.start.near) {
             let place = format!("motion.near.{name}");
-            start.near.push((bodies.find(source, &place, name)?, angle.to_f64()));
+            start
+                .near
+                .push((bodies.find(source, &place, name)?, angle.to_f64()));
         }
         let coordinates = section.map(|m| &m.start).filter(|s| !s.is_empty());
         match coordinates {
@@ -161,7 +163,10 @@ fn read_given(
         None => GROUND,
     };
     if body == from || body == GROUND {
-        return Err(source.breach(place, format!("{place}: the angle of a body against another")));
+        return Err(source.breach(
+            place,
+            format!("{place}: the angle of a body against another"),
+        ));
     }
     Ok(ExactGiven {
         coordinate: Coordinate::Angle { body, from },
@@ -180,26 +185,38 @@ impl Moving {
     /// [`MovingError`]: none or several.
     pub fn assembly(&self) -> Result<Assembly, MovingError> {
         let given: Vec<Given> = self.start.given.iter().map(|g| self.rounded(g)).collect();
-        let frames = self.start.near.iter().map(|(b, a)| (*b, a - self.lines[*b]));
+        let frames = self
+            .start
+            .near
+            .iter()
+            .map(|(b, a)| (*b, a - self.lines[*b]));
         let near: Vec<(usize, f64)> = frames.collect();
         let mut found = self.dynamics.assemblies(&given, &near)?;
         let off = |a: &Assembly| {
-            near.iter().fold(0.0, |m: f64, (b, angle)| m.max(wrapped(a.angles[*b] - angle).abs()))
+            near.iter().fold(0.0, |m: f64, (b, angle)| {
+                m.max(wrapped(a.angles[*b] - angle).abs())
+            })
         };
         let listed = |found: &[Assembly]| self.listed(found);
         if let Some(mode) = self.start.mode.filter(|_| near.is_empty()) {
             // As the assembly modes are counted where a mechanism is driven: by the bodies' angles.
             return match mode < found.len() {
                 true => Ok(found.swap_remove(mode)),
-                false => Err(MovingError::Ambiguous { listed: listed(&found) }),
+                false => Err(MovingError::Ambiguous {
+                    listed: listed(&found),
+                }),
             };
         }
         if !near.is_empty() && off(&found[0]) > NEAR {
-            return Err(MovingError::NotNear { listed: listed(&found) });
+            return Err(MovingError::NotNear {
+                listed: listed(&found),
+            });
         }
         match found.get(1) {
             Some(second) if near.is_empty() || off(second) < off(&found[0]) + 1e-9 => {
-                Err(MovingError::Ambiguous { listed: listed(&found) })
+                Err(MovingError::Ambiguous {
+                    listed: listed(&found),
+                })
             }
             _ => Ok(found.swap_remove(0)),
         }

@@ -3,11 +3,26 @@ use mechaudit_symbolic::evaluation::{Balls, Evaluator, Value};
 use std::sync::Arc;
 
 pub(super) const EXAMPLES: [(&str, &str); 5] = [
-    ("four-bar-damped", include_str!("../../../../examples/motion/four-bar-damped.toml")),
-    ("four-bar-spring", include_str!("../../../../examples/motion/four-bar-spring.toml")),
-    ("slider-crank-damped", include_str!("../../../../examples/motion/slider-crank-damped.toml")),
-    ("double-pendulum", include_str!("../../../../examples/motion/double-pendulum.toml")),
-    ("watt-six-bar", include_str!("../../../../examples/motion/watt-six-bar.toml")),
+    (
+        "four-bar-damped",
+        include_str!("../../../../examples/motion/four-bar-damped.toml"),
+    ),
+    (
+        "four-bar-spring",
+        include_str!("../../../../examples/motion/four-bar-spring.toml"),
+    ),
+    (
+        "slider-crank-damped",
+        include_str!("../../../../examples/motion/slider-crank-damped.toml"),
+    ),
+    (
+        "double-pendulum",
+        include_str!("../../../../examples/motion/double-pendulum.toml"),
+    ),
+    (
+        "watt-six-bar",
+        include_str!("../../../../examples/motion/watt-six-bar.toml"),
+    ),
 ];
 
 fn read(text: &str) -> Moving {
@@ -30,7 +45,9 @@ fn at_start(moving: &Moving) -> (Vec<String>, Vec<[f64; 2]>) {
     let (graph, nodes, _) = equations.graph().unwrap();
     let graph = Arc::new(graph);
     let ball = |evaluator: &mut Evaluator<Balls>, id| {
-        let value = evaluator.value(id).unwrap_or_else(|e| panic!("{e:?}: {}", graph.text(e.node)));
+        let value = evaluator
+            .value(id)
+            .unwrap_or_else(|e| panic!("{e:?}: {}", graph.text(e.node)));
         value.real().unwrap().clone()
     };
     let mut evaluator = Evaluator::new(graph.clone(), Balls::new(128));
@@ -42,13 +59,22 @@ fn at_start(moving: &Moving) -> (Vec<String>, Vec<[f64; 2]>) {
         evaluator.set_input(k + 1, Value::Real(start.clone()));
     }
     let rates = nodes.iter().map(|n| ball(&mut evaluator, n.1).to_f64());
-    let pairs = starts.iter().zip(rates).map(|(s, r)| [s.to_f64(), r]).collect();
-    (equations.states.into_iter().map(|s| s.name).collect(), pairs)
+    let pairs = starts
+        .iter()
+        .zip(rates)
+        .map(|(s, r)| [s.to_f64(), r])
+        .collect();
+    (
+        equations.states.into_iter().map(|s| s.name).collect(),
+        pairs,
+    )
 }
 
 fn first(moving: &Moving) -> Moment {
     let mut first = None;
-    moving.run(&[0.0], Settings::default(), |m| first = Some(m.clone())).unwrap();
+    moving
+        .run(&[0.0], Settings::default(), |m| first = Some(m.clone()))
+        .unwrap();
     first.unwrap()
 }
 
@@ -65,12 +91,20 @@ fn assert_agree(name: &str, moving: &Moving) {
             continue;
         };
         let size = values[k].abs().max(1.0);
-        assert!((start - values[k]).abs() < 1e-12 * size, "{name}: {state} {start} {}", values[k]);
-        let Some(body) = (1..moving.bodies.len()).find(|b| moving.names.of_body(*b)[1] == *state) else {
+        assert!(
+            (start - values[k]).abs() < 1e-12 * size,
+            "{name}: {state} {start} {}",
+            values[k]
+        );
+        let Some(body) = (1..moving.bodies.len()).find(|b| moving.names.of_body(*b)[1] == *state)
+        else {
             continue;
         };
         let due = moving.dynamics.angle(&moment, body)[2];
-        assert!((rate - due).abs() < 1e-10 * due.abs().max(1.0), "{name}: {state} {rate} {due}");
+        assert!(
+            (rate - due).abs() < 1e-10 * due.abs().max(1.0),
+            "{name}: {state} {rate} {due}"
+        );
         compared += 1;
     }
     assert!(compared > 0, "{name}");
@@ -137,16 +171,52 @@ fn bad_files_have_one_clear_line() {
     let crank = EXAMPLES[2].1;
     for (text, due) in [
         (bar.replace("60 deg", "60 kg"), "is not an angle"),
-        (bar.replace("[motion.near]\nrocker = \"100 deg\"", ""), "which position? there are"),
-        (bar.replace("100 deg", "10 deg"), "no position at the start has its bodies within 15 deg"),
-        (bar.replace("crank = { at", "rocker = { at").replace("60 deg", "0 deg"), "cannot be assembled"),
-        (bar.replace("crank = { at", "crnk = { at"), "did you mean crank"),
-        (bar.replace("[motion.start]\ncrank = { at = \"60 deg\", speed = \"3 rad/s\" }", ""), "motion.start is missing"),
-        (bar.replace("mass = ", "# mass = ").replace("inertia = ", "# ").replace("centre = ", "# "), "no body has a mass"),
-        (crank.replace("omega_crank", "omega_crnk"), "motion.torque[0].formula"),
-        (crank.replace("omega_crank", "omega_crnk"), "the names are t, theta_crank, omega_crank"),
-        (crank.replace("amplitude*sin(5*t)", "sin("), "motion.torque[0].formula"),
-        (EXAMPLES[3].1.replace("lower = { at", "# lower = { at"), "has 2 degrees of freedom, and the start gives 1"),
+        (
+            bar.replace("[motion.near]\nrocker = \"100 deg\"", ""),
+            "which position? there are",
+        ),
+        (
+            bar.replace("100 deg", "10 deg"),
+            "no position at the start has its bodies within 15 deg",
+        ),
+        (
+            bar.replace("crank = { at", "rocker = { at")
+                .replace("60 deg", "0 deg"),
+            "cannot be assembled",
+        ),
+        (
+            bar.replace("crank = { at", "crnk = { at"),
+            "did you mean crank",
+        ),
+        (
+            bar.replace(
+                "[motion.start]\ncrank = { at = \"60 deg\", speed = \"3 rad/s\" }",
+                "",
+            ),
+            "motion.start is missing",
+        ),
+        (
+            bar.replace("mass = ", "# mass = ")
+                .replace("inertia = ", "# ")
+                .replace("centre = ", "# "),
+            "no body has a mass",
+        ),
+        (
+            crank.replace("omega_crank", "omega_crnk"),
+            "motion.torque[0].formula",
+        ),
+        (
+            crank.replace("omega_crank", "omega_crnk"),
+            "the names are t, theta_crank, omega_crank",
+        ),
+        (
+            crank.replace("amplitude*sin(5*t)", "sin("),
+            "motion.torque[0].formula",
+        ),
+        (
+            EXAMPLES[3].1.replace("lower = { at", "# lower = { at"),
+            "has 2 degrees of freedom, and the start gives 1",
+        ),
     ] {
         let found = refused(&text);
         assert!(found.contains(due), "{due:?}: {found:?}");

@@ -252,7 +252,9 @@ impl Irrational {
     fn formula(&self) -> String {
         let angle = |a: &ExactAngle| match a {
             ExactAngle::Radians(q) => rational_formula(q),
-            ExactAngle::Degrees(q) => format!("{}*pi", rational_formula(&Rational::from(q / 180u32))),
+            ExactAngle::Degrees(q) => {
+                format!("{}*pi", rational_formula(&Rational::from(q / 180u32)))
+            }
         };
         match self {
             Irrational::Surd(n) => format!("sqrt({n})"),

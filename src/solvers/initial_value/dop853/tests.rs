@@ -35,13 +35,21 @@ fn orders_of_method_and_interpolant() {
             s.step(h * f64::from(k), &mut circle).unwrap();
             let (t, mut y) = (h * (f64::from(k) - 0.4), [0.0; 2]);
             s.between(t, &mut circle, &mut y).unwrap();
-            between = between.max((y[0] - t.cos()).abs()).max((y[1] + t.sin()).abs());
+            between = between
+                .max((y[0] - t.cos()).abs())
+                .max((y[1] + t.sin()).abs());
         }
         [(s.y()[0] - 4f64.cos()).abs(), between]
     };
     let (coarse, fine) = (errors(8), errors(16));
-    assert!((200.0..800.0).contains(&(coarse[0] / fine[0])), "{coarse:?} {fine:?}");
-    assert!((100.0..600.0).contains(&(coarse[1] / fine[1])), "{coarse:?} {fine:?}");
+    assert!(
+        (200.0..800.0).contains(&(coarse[0] / fine[0])),
+        "{coarse:?} {fine:?}"
+    );
+    assert!(
+        (100.0..600.0).contains(&(coarse[1] / fine[1])),
+        "{coarse:?} {fine:?}"
+    );
 }
 
 #[test]
@@ -72,5 +80,9 @@ fn a_pole_is_not_passed() {
     };
     let mut s = Dop853::new(0.0, &[1.0], 1e-10);
     let stopped = (0..100_000).find_map(|_| s.step(2.0, &mut f).err());
-    assert!(stopped.is_some() && (s.t() - 1.0).abs() < 1e-6, "{stopped:?} {}", s.t());
+    assert!(
+        stopped.is_some() && (s.t() - 1.0).abs() < 1e-6,
+        "{stopped:?} {}",
+        s.t()
+    );
 }

@@ -133,12 +133,18 @@ impl Equations<'_> {
             }
             let residual = &self.residual;
             self.factors.solve(|r| -residual[r], &mut step);
-            let size = step.iter().fold(0.0, |m: f64, s| if s.is_nan() { *s } else { m.max(s.abs()) });
+            let size = step.iter().fold(
+                0.0,
+                |m: f64, s| if s.is_nan() { *s } else { m.max(s.abs()) },
+            );
             if !size.is_finite() {
                 return None;
             }
             let short = (LONGEST / size).min(1.0);
-            pose.u.iter_mut().zip(&step).for_each(|(u, s)| *u += short * s);
+            pose.u
+                .iter_mut()
+                .zip(&step)
+                .for_each(|(u, s)| *u += short * s);
             pose.place(chain, &chain.order);
             if size <= SETTLED || (size <= 1e-11 && size >= 0.5 * last) {
                 return Some(pose);
@@ -203,7 +209,9 @@ impl Dynamics {
         }
         let off = |p: &Pose| {
             let bodies = near.iter();
-            bodies.fold(0.0, |m: f64, (b, a)| m.max(wrapped(p.angle(chain, *b) - a).abs()))
+            bodies.fold(0.0, |m: f64, (b, a)| {
+                m.max(wrapped(p.angle(chain, *b) - a).abs())
+            })
         };
         found.sort_by(|a, b| off(a).total_cmp(&off(b)));
         let all = found.into_iter().map(|pose| {
@@ -281,7 +289,13 @@ impl Dynamics {
             return Err(DynamicsError::SingularStart);
         }
         let closures = equations.closures;
-        let right = |r: usize| if r < closures { 0.0 } else { speeds[r - closures] };
+        let right = |r: usize| {
+            if r < closures {
+                0.0
+            } else {
+                speeds[r - closures]
+            }
+        };
         equations.factors.solve(right, &mut rates);
         if !rates.iter().all(|x| x.is_finite()) {
             return Err(DynamicsError::SingularStart);

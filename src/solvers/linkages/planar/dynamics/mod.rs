@@ -15,6 +15,7 @@
 
 mod assembly;
 mod flow;
+mod forces;
 mod trajectory;
 
 pub use assembly::{Assembly, Coordinate, Given};
@@ -93,10 +94,14 @@ pub enum DynamicsError {
     #[error(transparent)]
     Loads(#[from] LoadError),
     /// A load is a table over the drive, of which there is none.
-    #[error("a force or torque as a table over the drive has no meaning in a motion; write a formula")]
+    #[error(
+        "a force or torque as a table over the drive has no meaning in a motion; write a formula"
+    )]
     Table,
     /// As many coordinates have to be given at the start as there are degrees of freedom.
-    #[error("the mechanism has {freedoms} degrees of freedom, and the start gives {given} coordinates")]
+    #[error(
+        "the mechanism has {freedoms} degrees of freedom, and the start gives {given} coordinates"
+    )]
     Freedoms {
         /// Degrees of freedom, by count.
         freedoms: i64,
@@ -104,10 +109,14 @@ pub enum DynamicsError {
         given: usize,
     },
     /// The loops do not close.
-    #[error("the mechanism cannot be assembled at the start: no position was found with the coordinates given")]
+    #[error(
+        "the mechanism cannot be assembled at the start: no position was found with the coordinates given"
+    )]
     NotAssembled,
     /// The given coordinates do not determine the position or the speeds.
-    #[error("the coordinates given at the start do not determine the position: it is singular there")]
+    #[error(
+        "the coordinates given at the start do not determine the position: it is singular there"
+    )]
     SingularStart,
     /// The loops determine no unknowns: the mechanism is at a singular position.
     #[error("the mechanism is singular at t = {t} s: its loops do not determine the motion there")]
@@ -116,7 +125,9 @@ pub enum DynamicsError {
         t: f64,
     },
     /// A coordinate has no inertia.
-    #[error("a body that moves has neither mass nor inertia (at t = {t} s): its acceleration is not determined")]
+    #[error(
+        "a body that moves has neither mass nor inertia (at t = {t} s): its acceleration is not determined"
+    )]
     NoInertia {
         /// Time in seconds.
         t: f64,

@@ -70,7 +70,11 @@ fn a_four_bar_swings_without_loss() {
                 let [kinetic, potential] = dynamics.energy(m);
                 let energy = kinetic + potential;
                 let first = *first.get_or_insert(energy);
-                assert!((energy - first).abs() < 1e-10, "{} {energy} {first}", m.time);
+                assert!(
+                    (energy - first).abs() < 1e-10,
+                    "{} {energy} {first}",
+                    m.time
+                );
                 assert!(dynamics.gap(m) < 1e-15);
                 let rate = dynamics.angle(m, 1)[1];
                 turned += i32::from(rate * before < 0.0);
@@ -93,12 +97,18 @@ fn accelerations_are_those_of_the_reduced_equation() {
                 damping: 0.3,
             },
             Load::Spring {
-                ends: [Point::from_m(GROUND, [0.2, 0.5]), Point::from_m(2, [0.2, 0.1])],
+                ends: [
+                    Point::from_m(GROUND, [0.2, 0.5]),
+                    Point::from_m(2, [0.2, 0.1]),
+                ],
                 stiffness: 40.0,
                 length: 0.1,
             },
             Load::Damper {
-                ends: [Point::from_m(GROUND, [0.0, 0.5]), Point::from_m(2, [0.1, 0.1])],
+                ends: [
+                    Point::from_m(GROUND, [0.0, 0.5]),
+                    Point::from_m(2, [0.1, 0.1]),
+                ],
                 damping: 2.0,
             },
             Load::TorsionSpring {
@@ -144,7 +154,10 @@ fn accelerations_are_those_of_the_reduced_equation() {
             let due = (r.moment - r.damping * speed - 0.5 * r.inertia_derivative * speed * speed)
                 / r.inertia;
             let found = dynamics.angle(&moment, 1)[2];
-            assert!((found - due).abs() < 1e-10 * due.abs().max(1.0), "{found} {due}");
+            assert!(
+                (found - due).abs() < 1e-10 * due.abs().max(1.0),
+                "{found} {due}"
+            );
         }
     }
 }
@@ -217,7 +230,9 @@ fn a_block_slides_down() {
 #[test]
 fn a_motion_ends_at_an_event() {
     let dynamics = four_bar(Vec::new());
-    let start = dynamics.assemblies(&[given(1, 1.0, 0.0)], &[(3, 2.0)]).unwrap();
+    let start = dynamics
+        .assemblies(&[given(1, 1.0, 0.0)], &[(3, 2.0)])
+        .unwrap();
     let law: Law = Box::new(|i| i.angle(1)[1]);
     let late: Law = Box::new(|i| i.time - 0.5);
     let times = [0.0, 0.1, 9.0];
@@ -225,13 +240,15 @@ fn a_motion_ends_at_an_event() {
     let mut until = |law: &Law| {
         let ended = dynamics.motion_until(&start[0], &times, Settings::default(), Some(law), |m| {
             seen.push(m.time);
-            assert!(law(&Instant {
-                dynamics: &dynamics,
-                pose: &m.pose,
-                flow: &m.motion,
-                time: m.time,
-            })
-            .is_finite());
+            assert!(
+                law(&Instant {
+                    dynamics: &dynamics,
+                    pose: &m.pose,
+                    flow: &m.motion,
+                    time: m.time,
+                })
+                .is_finite()
+            );
             true
         });
         ended.unwrap().unwrap()
@@ -256,14 +273,22 @@ fn refusals() {
     assert_eq!(made.err(), Some(DynamicsError::Table));
     let dynamics = four_bar(Vec::new());
     let none = dynamics.assemblies(&[], &[]).err();
-    assert!(matches!(none, Some(DynamicsError::Freedoms { freedoms: 1, given: 0 })));
+    assert!(matches!(
+        none,
+        Some(DynamicsError::Freedoms {
+            freedoms: 1,
+            given: 0
+        })
+    ));
     // The rocker cannot stand at 0 rad.
     let off = dynamics.assemblies(&[given(3, 0.0, 0.0)], &[]).err();
     assert_eq!(off, Some(DynamicsError::NotAssembled));
     // Without masses nothing resists.
     let light = Dynamics::new(d, Vec::new(), Vec::new(), Vec::new(), [0.0; 2]).unwrap();
     let start = light.assemblies(&[given(1, 1.0, 0.0)], &[]).unwrap();
-    let found = light.motion(&start[0], &[1.0], Settings::default(), |_| true).err();
+    let found = light
+        .motion(&start[0], &[1.0], Settings::default(), |_| true)
+        .err();
     assert_eq!(found, Some(DynamicsError::NoInertia { t: 0.0 }));
     // A law without a value.
     let (d, masses) = four_bar_parts();
@@ -275,7 +300,9 @@ fn refusals() {
     };
     let driven = Dynamics::new(d, masses, Vec::new(), vec![torque], [0.0; 2]).unwrap();
     let start = driven.assemblies(&[given(1, 1.0, 0.0)], &[]).unwrap();
-    let found = driven.motion(&start[0], &[2.0], Settings::default(), |_| true).err();
+    let found = driven
+        .motion(&start[0], &[2.0], Settings::default(), |_| true)
+        .err();
     assert!(
         matches!(found, Some(DynamicsError::Law { t } | DynamicsError::Small { t }) if (0.99..1.01).contains(&t)),
         "{found:?}"

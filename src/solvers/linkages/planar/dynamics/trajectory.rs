@@ -130,7 +130,8 @@ impl Dynamics {
         settings: Settings,
         visit: impl FnMut(&Moment) -> bool,
     ) -> Result<(), DynamicsError> {
-        self.motion_until(start, times, settings, None, visit).map(|_| ())
+        self.motion_until(start, times, settings, None, visit)
+            .map(|_| ())
     }
 
     /// [`Dynamics::motion`] until a law changes its sign, if it does before the last time: the time
@@ -183,20 +184,30 @@ impl Dynamics {
                 return Err(DynamicsError::Budget { t, steps });
             }
             steps += 1;
-            solution.step(end, &mut |t, y: &[f64], out: &mut [f64]| run.rate(t, y, out))?;
+            solution.step(end, &mut |t, y: &[f64], out: &mut [f64]| {
+                run.rate(t, y, out)
+            })?;
             let mut stop = None;
             if let Some(law) = until {
                 stop = crossing(&mut run, &mut solution, law, &mut side, &mut at)?;
             }
             let reached = stop.unwrap_or(solution.t());
             while let Some(t) = times.next_if(|t| *t <= reached) {
-                solution.between(t, &mut |t, y: &[f64], out: &mut [f64]| run.rate(t, y, out), &mut at)?;
+                solution.between(
+                    t,
+                    &mut |t, y: &[f64], out: &mut [f64]| run.rate(t, y, out),
+                    &mut at,
+                )?;
                 if !visit(&run.moment(t, &at, &mut work)?) {
                     return Ok(None);
                 }
             }
             if let Some(t) = stop {
-                solution.between(t, &mut |t, y: &[f64], out: &mut [f64]| run.rate(t, y, out), &mut at)?;
+                solution.between(
+                    t,
+                    &mut |t, y: &[f64], out: &mut [f64]| run.rate(t, y, out),
+                    &mut at,
+                )?;
                 visit(&run.moment(t, &at, &mut work)?);
                 return Ok(Some(t));
             }
@@ -252,7 +263,11 @@ fn crossing(
 ) -> Result<Option<f64>, DynamicsError> {
     let (from, to) = (solution.t_before(), solution.t());
     let mut value = |run: &mut Run, t: f64| -> Result<f64, DynamicsError> {
-        solution.between(t, &mut |t, y: &[f64], out: &mut [f64]| run.rate(t, y, out), at)?;
+        solution.between(
+            t,
+            &mut |t, y: &[f64], out: &mut [f64]| run.rate(t, y, out),
+            at,
+        )?;
         run.law(law, t, at)
     };
     let mut left = from;
