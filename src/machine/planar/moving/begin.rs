@@ -21,7 +21,7 @@ impl Writer<'_> {
             false => moving.dynamics.displacement(first, travels[i - bodies].0),
         };
         let mut given: Vec<Option<[String; 2]>> = vec![None; n];
-        let mut others = Vec::new();
+        let mut others: Vec<(usize, usize, String, String)> = Vec::new();
         for g in &moving.start.given {
             let i = moving.index(g.coordinate);
             let (from, lines) = match g.coordinate {

@@ -124,7 +124,7 @@ impl Moving {
     }
 
     /// The number of a coordinate in the exact description.
-    fn index(&self, coordinate: Coordinate) -> usize {
+    pub(super) fn index(&self, coordinate: Coordinate) -> usize {
         match coordinate {
             Coordinate::Angle { body, .. } => body - 1,
             Coordinate::Displacement { joint } => {
