@@ -26,6 +26,7 @@ mod judge;
 mod linkage;
 mod linkage_files;
 mod motion;
+mod mechanism_motion;
 mod output;
 mod papers;
 mod pinned;

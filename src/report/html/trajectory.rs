@@ -20,13 +20,15 @@ const ROWS: usize = 101;
 /// The page: `facts` are lines about the motion, and a row of the table is a time with its values.
 pub fn page(
     moving: &Motion,
-    digits: u32,
+    digits: Option<u32>,
     facts: &[String],
     (names, rows): (&[String], &[Vec<Cell>]),
 ) -> String {
     let drive = &moving.drive;
     let about = html! {
-        (drive.values.len()) " times, " (digits) " certified digits each: curves are drawn through them. Arrow keys move the "
+        (drive.values.len()) " times, "
+        @if let Some(digits) = digits { (digits) " certified digits each" } @else { "in floating point" }
+        ": curves are drawn through them. Arrow keys move the "
         "slider; a press on a curve does too."
     };
     let page = Page {
@@ -188,7 +190,7 @@ mod tests {
     fn a_page_has_its_curves_and_digits() {
         let (motion, rows) = moving(3);
         let names = ["t", "theta [rad]"].map(String::from);
-        let text = page(&motion, 15, &["theta' = omega".into()], (&names, &rows));
+        let text = page(&motion, Some(15), &["theta' = omega".into()], (&names, &rows));
         whole(&text);
         for part in [
             "<title>a &lt;swing&gt;: motion</title>",

@@ -1,5 +1,6 @@
 //! The certified motion of an initial value problem given in a file: a row for each time.
 
+mod machine;
 mod study;
 
 use crate::cli::args::{MotionArgs, MotionFormat};
@@ -38,17 +39,28 @@ pub struct Table {
     pub columns: Vec<Column>,
     /// The inputs that are the same in all rows.
     pub inputs: Vec<(&'static str, Rational)>,
-    /// Significant digits of every value.
-    pub digits: u32,
+    /// Significant digits of every value, which are certified; without them values are
+    /// floating-point numbers.
+    pub digits: Option<u32>,
     /// Times with the values there.
     pub rows: Vec<(Rational, Vec<CertifiedValue>)>,
 }
 
 /// Computes the motion and writes it.
 pub fn motion(args: &MotionArgs) -> Result<Outcome, Failure> {
-    let problem = study::Problem::open(args)?;
-    let output = Output::open(args.output.as_deref())?;
-    let table = waiting("motion", || problem.table(&args.times.0));
+    let times = &args.times.0;
+    let (table, output) = match machine::source(args) {
+        Some(source) => {
+            let problem = machine::Problem::open(args, &source)?;
+            let output = Output::open(args.output.as_deref())?;
+            (waiting("motion", || problem.table(times))?, output)
+        }
+        None => {
+            let problem = study::Problem::open(args)?;
+            let output = Output::open(args.output.as_deref())?;
+            (waiting("motion", || problem.table(times)), output)
+        }
+    };
     output.write(|out| match args.format {
         MotionFormat::Text => Ok(out.write_all(table.text().as_bytes())?),
         MotionFormat::Csv => Ok(table.rows(out, Form::Csv)?),
@@ -62,7 +74,11 @@ pub fn motion(args: &MotionArgs) -> Result<Outcome, Failure> {
 
 impl Table {
     fn cells(&self, (time, values): &(Rational, Vec<CertifiedValue>)) -> Vec<Cell> {
-        let values = values.iter().map(|v| Cell::certified(v.decimal.clone()));
+        let cell = |v: &CertifiedValue| match (self.digits, &v.decimal) {
+            (None, Some(number)) => number.parse().map_or(Cell::Undecided, Cell::Float),
+            _ => Cell::certified(v.decimal.clone()),
+        };
+        let values = values.iter().map(cell);
         std::iter::once(Cell::Word(shown(time)))
             .chain(values)
             .collect()

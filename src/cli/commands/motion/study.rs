@@ -98,7 +98,7 @@ impl Problem {
             source: problem.source.clone(),
             columns: time.into_iter().chain(quantities).collect(),
             inputs: self.inputs.clone(),
-            digits: self.digits,
+            digits: Some(self.digits),
             rows: times.iter().map(row).collect(),
         }
     }
