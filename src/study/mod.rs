@@ -93,7 +93,7 @@
 mod builder;
 mod compiled;
 mod core;
-mod document;
+pub mod document;
 mod error;
 mod initial_value;
 mod linear;
@@ -108,15 +108,16 @@ pub use error::{Place, StudyError};
 pub use initial_value::InitialValue;
 pub use linear::{Linear, Task, Tensor};
 pub use problem::{
-    Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver, StudySystem,
+    Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver, StudySystem, fault_in,
+    intern,
 };
+pub use read::{is_name, rational};
 
 use crate::audit::{Domain, did_you_mean};
 use crate::methods::CertifiedValue;
 use crate::reference::Ball;
 use compiled::{Compiled, FloatSolver, Sketch};
 use mechaudit_symbolic::evaluation::{Answer, Goal};
-use problem::intern;
 use rug::Rational;
 use std::path::Path;
 use std::sync::Arc;

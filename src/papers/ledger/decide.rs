@@ -2,9 +2,7 @@
 
 use super::repair::{bound, search};
 use super::{Formula, Item, LedgerEntry, Obligation, Requirement, Verdict};
-use crate::symbolic::{
-    Definitions, Equation, Identity, Outcome, SymbolicError, latex_equation, parse_equation,
-};
+use crate::symbolic::{Equation, Identity, Outcome, SymbolicError, latex_equation};
 
 fn obligation(r: &Requirement, found: Identity, recorded: Option<Outcome>) -> Obligation {
     Obligation {
@@ -16,6 +14,9 @@ fn obligation(r: &Requirement, found: Identity, recorded: Option<Outcome>) -> Ob
         recorded,
     }
 }
+
+/// The longest text of a form that a repair is looked for: every edit is a copy of the whole form.
+const LONGEST_REPAIRED: usize = 1000;
 
 /// Decides one item.
 pub fn decide(item: &Item) -> LedgerEntry {
@@ -55,6 +56,8 @@ fn blank(item: &Item) -> LedgerEntry {
         repair: None,
         note: item.note,
         as_recorded: false,
+        expected: item.expected,
+        origin: item.origin,
     }
 }
 
@@ -66,17 +69,21 @@ fn formula(e: &Equation) -> Formula {
 }
 
 fn evaluate(item: &Item) -> Result<LedgerEntry, SymbolicError> {
-    let definitions = Definitions::read(&item.definitions)?;
-    let printed = item.printed.map(parse_equation).transpose()?;
+    let (names, conditions) = (&item.names, &*item.conditions);
+    let definitions = names.definitions(&item.definitions)?;
+    let printed = item.printed.map(|text| names.equation(text)).transpose()?;
     let with = match &printed {
         Some(e) => bound(&definitions, e, e),
         None => definitions.clone(),
     };
-    let parsed = item.requirements.iter().map(|t| Requirement::parse(t));
+    let parsed = item
+        .requirements
+        .iter()
+        .map(|t| Requirement::read(t, names));
     let requirements: Vec<Requirement> = parsed.collect::<Result<_, _>>()?;
     let mut obligations: Vec<Obligation> = requirements
         .iter()
-        .map(|r| obligation(r, r.decide(&with), None))
+        .map(|r| obligation(r, conditions.decide(r, &with), None))
         .collect();
     let outcome = |o: Outcome| obligations.iter().any(|x| x.printed == o);
     let (failed, open) = (outcome(Outcome::Refuted), outcome(Outcome::Undecided));
@@ -94,27 +101,43 @@ fn evaluate(item: &Item) -> Result<LedgerEntry, SymbolicError> {
         _ if open => Verdict::Undecided,
         _ => Verdict::Proved,
     };
-    if let (true, Some(e), Some(family)) = (failed, &printed, &item.family) {
-        let (repair, corrected) = search(e, family, item.most_edits, &definitions, &requirements);
+    let short = item
+        .printed
+        .is_some_and(|text| text.len() <= LONGEST_REPAIRED);
+    if let (true, Some(e), Some(family)) = (failed && short, &printed, &item.family) {
+        let (repair, corrected) = search(
+            e,
+            family,
+            item.most_edits,
+            &definitions,
+            &requirements,
+            conditions,
+        );
         if let Some(corrected) = corrected {
             entry.verdict = Verdict::Misprint;
             let with = bound(&definitions, e, &corrected);
             for (o, r) in obligations.iter_mut().zip(&requirements) {
-                o.corrected = Some(r.decide(&with).outcome);
+                o.corrected = Some(conditions.decide(r, &with).outcome);
             }
             entry.corrected = Some(formula(&corrected));
         }
         entry.repair = Some(repair);
     }
     for (text, recorded) in &item.facts {
-        let r = Requirement::parse(text)?;
-        let found = r.decide(&with);
+        let r = Requirement::read(text, names)?;
+        let found = conditions.decide(&r, &with);
         obligations.push(obligation(&r, found, Some(*recorded)));
     }
     // A claim that is called tested has to be tested.
+    let repair = item.repair.map(|text| names.equation(text)).transpose()?;
+    let repaired = repair.is_none_or(|r| {
+        let found = entry.corrected.as_ref().map(|c| c.text.as_str());
+        found == Some(r.to_string().as_str())
+    });
     let tested = item.expected != Verdict::Model || !item.facts.is_empty();
     entry.as_recorded = entry.verdict == item.expected
         && tested
+        && repaired
         && obligations
             .iter()
             .all(|o| o.recorded.is_none_or(|r| r == o.printed))

@@ -10,16 +10,21 @@
 //! Every edit that does not work is refuted by an enclosure that excludes zero at a rational point;
 //! every edit that works is proved.
 
+pub(super) mod boxes;
+mod conditions;
 mod decide;
 mod findings;
 mod item;
+mod names;
 mod repair;
 mod requirement;
 
+pub use conditions::{Conditions, Domain};
 pub use decide::decide;
 pub use findings::finding;
 pub(super) use findings::proved;
 pub use item::Item;
+pub use names::Names;
 pub use requirement::Requirement;
 
 use super::Citation;
@@ -164,6 +169,12 @@ pub struct LedgerEntry {
     pub note: &'static str,
     /// True if the verdict and every outcome are those on record.
     pub as_recorded: bool,
+    /// The verdict on record.
+    #[serde(skip)]
+    pub expected: Verdict,
+    /// Its file and line, where it comes from one.
+    #[serde(skip)]
+    pub origin: Option<(&'static str, usize)>,
 }
 
 /// A paper's ledger.

@@ -104,6 +104,7 @@ pub(crate) mod tests {
             title: "On <tests>",
             year: None,
             venue: "Nowhere",
+            source: "",
         };
         Ledger::of(
             paper,
