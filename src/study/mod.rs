@@ -93,6 +93,7 @@
 mod builder;
 mod compiled;
 mod core;
+mod dimensions;
 mod document;
 mod error;
 mod linear;
