@@ -94,7 +94,7 @@ mod builder;
 mod compiled;
 mod core;
 mod dimensions;
-mod document;
+pub mod document;
 mod error;
 mod linear;
 mod method;
@@ -107,15 +107,16 @@ pub use builder::{Formula, absolute, conditioned, relative, ulps};
 pub use error::{Place, StudyError};
 pub use linear::{Linear, Task, Tensor};
 pub use problem::{
-    Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver, StudySystem,
+    Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver, StudySystem, fault_in,
+    intern,
 };
+pub use read::{is_name, rational};
 
 use crate::audit::{Domain, did_you_mean};
 use crate::methods::CertifiedValue;
 use crate::reference::Ball;
 use compiled::{Compiled, FloatSolver, Sketch};
 use mechaudit_symbolic::evaluation::{Answer, Goal};
-use problem::intern;
 use rug::Rational;
 use std::path::Path;
 use std::sync::Arc;

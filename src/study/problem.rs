@@ -167,7 +167,7 @@ pub(super) fn kept(budget: &(Limit, String)) -> Budget {
 }
 
 /// The same text with the life of the program: methods name their parts so. Every text is kept once.
-pub(super) fn intern(text: &str) -> &'static str {
+pub fn intern(text: &str) -> &'static str {
     use std::collections::BTreeSet;
     use std::sync::Mutex;
     static KEPT: Mutex<BTreeSet<&'static str>> = Mutex::new(BTreeSet::new());
@@ -185,7 +185,7 @@ pub(super) fn intern(text: &str) -> &'static str {
 }
 
 /// A fault of an expression within a string that begins at a place.
-pub(super) fn fault_in(
+pub fn fault_in(
     error: mechaudit_symbolic::SymbolicError,
     place: Place,
     known: &[String],

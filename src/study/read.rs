@@ -128,7 +128,11 @@ pub(super) fn entries<'a>(file: &'a Item, key: &str) -> Result<&'a [(String, Ite
     file.get(key).map_or(Ok(&[]), Item::table)
 }
 
-pub(super) fn is_name(name: &str, item: &Item) -> Result<(), StudyError> {
+/// Checks that a text is a name.
+///
+/// # Errors
+/// A text that is not a letter or an underscore, then up to 63 letters, digits, underscores and primes.
+pub fn is_name(name: &str, item: &Item) -> Result<(), StudyError> {
     let mut letters = name.chars();
     let first = letters
         .next()
@@ -222,7 +226,10 @@ impl Names {
 }
 
 /// An exact number of a string or a number.
-pub(super) fn rational(item: &Item) -> Result<Rational, StudyError> {
+///
+/// # Errors
+/// A text that is no finite number.
+pub fn rational(item: &Item) -> Result<Rational, StudyError> {
     let text = item.text()?;
     let (sign, size) = match text.trim().strip_prefix('-') {
         Some(size) => (-1, size),

@@ -60,6 +60,17 @@ impl Definitions {
     /// # Errors
     /// As [`parse()`].
     pub fn read(lines: &[&str]) -> Result<Definitions, SymbolicError> {
+        Definitions::read_with(lines, &|text| parse(text))
+    }
+
+    /// As [`Definitions::read`], with a reader of the expressions: one that knows declared names.
+    ///
+    /// # Errors
+    /// As the reader.
+    pub fn read_with(
+        lines: &[&str],
+        parse: &dyn Fn(&str) -> Result<Expr, SymbolicError>,
+    ) -> Result<Definitions, SymbolicError> {
         let mut out = Definitions::default();
         for line in lines {
             let missing = || SymbolicError::Parse {

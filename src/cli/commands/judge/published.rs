@@ -11,12 +11,12 @@ use mechaudit::audit::{
     Judgement, Kind, Layout, LayoutError, Limit, Method, Origin, Printed, PrintedUnit, Reproduce,
     Settings, SolverAnswer, Tally, Variant, Verdict, csv_line, did_you_mean, judge_printed,
 };
-use mechaudit::symbolic;
 use mechaudit::reference::{Decimal, DecimalError, nearest_f64};
 use mechaudit::report::json as in_json;
 use mechaudit::report::text::style::{BAD, BOLD, DIM, DOUBT, GOOD, PLAIN, paint};
 use mechaudit::report::text::table::Table;
 use mechaudit::report::words::numbers::short;
+use mechaudit::symbolic;
 use rayon::prelude::*;
 use rug::Rational;
 use serde_json::json;
