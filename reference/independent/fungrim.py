@@ -10,15 +10,15 @@ many entries are definitions or pictures, how many the language of studies canno
 Variables of the file are positive numbers. An identity of analytic functions that holds for those holds in the whole
 region around them in which both sides are analytic; where a formula has a conjugate, a modulus or a part, a complex variable is written as x + i y.
 Integer parameters are given small values, and the note of such an entry says which: it is decided for those alone.
-Three special values of hypergeometric functions are written as integrals or functions of the language: DLMF 13.4.1 with
-t = s^2 and 1 - s^2, 13.6.8, and 10.16.1.
+Error functions are written by W (DLMF 7.2.3, 7.5.1), and special values of other functions as integrals or functions of
+the language: DLMF 13.4.1 with t = s^2 and 1 - s^2, 13.6.8, and 10.16.1.
 """
 
 import importlib
 import math
 import sys
 
-SAME = "Exp Sqrt Sin Cos Tan Sinh Cosh Tanh Log Erf Erfc Erfi Asin Acos Asinh Acosh Atanh Atan2 Abs Re Im Arg".split()
+SAME = "Exp Sqrt Sin Cos Sinh Cosh Tanh Log Asin Acos Asinh Acosh Atanh Atan2 Abs Re Im Arg".split()
 NAMES = {name: name.lower() for name in SAME} | {"Atan": "arctan", "Conjugate": "conj", "Gamma": "tgamma"}
 PARTS = {"Abs", "Re", "Im", "Arg", "Conjugate"}
 # What an integer parameter may be, by its set, and the values that are tried.
@@ -142,6 +142,15 @@ class Writer:
         return text
 
     def special(self, head, args):
+        if head == "Tan":
+            z = self.write(args[0])
+            return f"(sin({z})/cos({z}))"
+        # The algebra has W; DLMF 7.2.3 and 7.5.1.
+        if head in ("Erf", "Erfc", "Erfi"):
+            z = self.write(args[0])
+            erfc = f"exp(-({z})^2)*W(i*({z}))"
+            erfi = f"(-i*(1 - exp(({z})^2)*W(-({z}))))"
+            return {"Erfc": f"({erfc})", "Erf": f"(1 - {erfc})", "Erfi": erfi}[head]
         texts = [str(a) for a in args[:-1]]
         if head == "Hypergeometric1F1" and texts == ["Div(1, 2)", "Div(3, 2)"]:
             return f"int(q_, 0, 1, exp({self.write(args[2])}*q_^2))"
@@ -149,7 +158,7 @@ class Writer:
             return f"int(q_, 0, 1, exp({self.write(args[2])}*(1 - q_^2)))"
         if head == "HypergeometricUStar" and texts == ["Div(1, 2)", "Div(1, 2)"]:
             w = self.write(args[2])
-            return f"(sqrt({w})*sqrt(pi)*exp({w})*erfc(sqrt({w})))"
+            return f"(sqrt({w})*sqrt(pi)*exp({w})*exp(-{w})*W(i*sqrt({w})))"
         if head == "BesselJ" and texts == ["Div(1, 2)"]:
             w = self.write(args[1])
             return f"(sqrt(2/(pi*{w}))*sin({w}))"

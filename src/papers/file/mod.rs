@@ -11,6 +11,8 @@ mod summary;
 mod symbols;
 mod table;
 #[cfg(test)]
+mod planted_tests;
+#[cfg(test)]
 mod tests;
 
 pub use claim::Claim;

@@ -119,14 +119,9 @@ pub(super) fn dimensions(
     file: &Node,
     symbols: &[Symbol],
 ) -> Result<Option<Arc<Dimensions>>, StudyError> {
-    let mut units = Dimensions {
-        numbers: word(
-            file.get("units"),
-            &[("quantities", false), ("numbers", true)],
-            false,
-        )?,
-        ..Dimensions::default()
-    };
+    let mut units = Dimensions::default();
+    let kinds = [("quantities", false), ("numbers", true)];
+    units.numbers = word(file.get("units"), &kinds, false)?;
     if symbols.iter().all(|s| s.unit.is_none()) {
         return match file.get("units") {
             Some(node) => Err(node.fault("no symbol has a unit")),
