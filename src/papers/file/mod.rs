@@ -2,19 +2,21 @@
 //!
 //! The format is described in the chapter [Auditing a paper](crate::book::audit_a_paper).
 
+mod accuracy;
 mod audit;
 mod claim;
 mod entry;
+#[cfg(test)]
+mod planted_tests;
 mod read;
 mod source;
 mod summary;
 mod symbols;
 mod table;
 #[cfg(test)]
-mod planted_tests;
-#[cfg(test)]
 mod tests;
 
+pub use accuracy::Accuracy;
 pub use claim::Claim;
 pub use source::Texts;
 pub use summary::Summary;
@@ -40,6 +42,8 @@ pub struct PaperFile {
     pub tables: Vec<Table>,
     /// The claims with numbers.
     pub claims: Vec<Claim>,
+    /// The claims about the accuracy of algorithms.
+    pub accuracies: Vec<Accuracy>,
     /// The findings that sum up entries.
     pub summaries: Vec<Summary>,
 }
