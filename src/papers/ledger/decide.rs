@@ -65,12 +65,22 @@ fn blank(item: &Item) -> LedgerEntry {
 fn undimensional(item: &Item, definitions: &Definitions, printed: &Equation) -> Option<String> {
     let units = item.dimensions.as_ref()?;
     let checked = match &printed.left {
+        // A number alone is in the unit of its symbol.
+        Expr::Sym(_) if is_number(&printed.right) => Ok(()),
         Expr::Sym(name) if !units.has(name) => units.of(definitions, &printed.right).map(drop),
         _ => units.check(definitions, printed),
     };
     match checked {
         Ok(()) | Err(Undimensional::NoUnit { .. } | Undimensional::Circular { .. }) => None,
         Err(fault) => Some(fault.to_string()),
+    }
+}
+
+fn is_number(e: &Expr) -> bool {
+    match e {
+        Expr::Num(_) => true,
+        Expr::Neg(x) => is_number(x),
+        _ => false,
     }
 }
 
