@@ -58,10 +58,11 @@ impl Number {
 
     /// Returns true if the print is certainly not the value by a rule of rounding.
     pub(super) fn is_wrong(&self, value: &Ball, rounding: Rounding) -> bool {
-        let found = agreement(&self.value, value);
+        let unit = Ball::rational(value.prec(), &self.value.unit());
+        let beyond = |limit: Ball| (self.difference(value).abs() - limit).is_positive();
         match rounding {
-            Rounding::Nearest => matches!(found, Agreement::Differs | Agreement::LastDigit),
-            Rounding::LastDigit => found == Agreement::Differs,
+            Rounding::Nearest => beyond(unit.shift(-1)),
+            Rounding::LastDigit => beyond(unit),
             Rounding::Cut => self.beyond(value).iter().any(Ball::is_negative),
         }
     }

@@ -31,6 +31,9 @@ const VERDICTS: [(&str, Verdict); 8] = [
     ("model", Verdict::Model),
 ];
 
+/// The largest number of names that a repair may exchange or add.
+const MOST_NAMES: usize = 40;
+
 /// Reads an entry and every formula in it.
 pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Item, StudyError> {
     node.only(&KEYS)?;
@@ -159,7 +162,14 @@ fn repair(node: &Node, item: &mut Item) -> Result<(), StudyError> {
     let confused = texts(node.get("confused"))?;
     let confused = confused.into_iter().map(Node::text);
     let confused = confused.collect::<Result<Vec<_>, _>>()?;
-    item.family = Some(Family::new(&confused, text(node, "missing")?));
+    let family = Family::new(&confused, text(node, "missing")?);
+    let names = family.confused.iter().map(Vec::len).sum::<usize>() + family.missing.len();
+    if names > MOST_NAMES {
+        return Err(node.fault(format!(
+            "confused and missing have {names} names, at most {MOST_NAMES}"
+        )));
+    }
+    item.family = Some(family);
     Ok(())
 }
 

@@ -27,7 +27,7 @@ impl Source {
             return Err(StudyError::new(reason));
         }
         match self {
-            Source::Folder(folder) => read(&folder.join(name)),
+            Source::Folder(folder) => read(&folder.join(name), name),
             Source::Texts(texts) => match texts.iter().find(|t| t.0 == name) {
                 Some((_, text)) => Ok((*text).to_string()),
                 None => Err(StudyError::new(format!("there is no file {name:?}"))),
@@ -36,18 +36,21 @@ impl Source {
     }
 }
 
-/// The text of a file of bounded length.
-fn read(path: &Path) -> Result<String, StudyError> {
+/// The text of a regular file of bounded length.
+fn read(path: &Path, name: &str) -> Result<String, StudyError> {
     let cannot =
-        |e: std::io::Error| StudyError::new(format!("cannot read {}: {e}", path.display()));
-    let file = std::fs::File::open(path).map_err(cannot)?;
+        |reason: String| StudyError::new(format!("the file {name} cannot be read: {reason}"));
+    let of = |e: std::io::Error| cannot(e.to_string());
+    // A pipe or a device might never end.
+    if !std::fs::metadata(path).map_err(of)?.is_file() {
+        return Err(cannot("it is no regular file".into()));
+    }
+    let file = std::fs::File::open(path).map_err(of)?;
     let mut bytes = Vec::new();
     let limit = LONGEST as u64 + 1;
-    file.take(limit).read_to_end(&mut bytes).map_err(cannot)?;
+    file.take(limit).read_to_end(&mut bytes).map_err(of)?;
     if bytes.len() > LONGEST {
-        let reason = format!("{} has more than {LONGEST} bytes", path.display());
-        return Err(StudyError::new(reason));
+        return Err(cannot(format!("it has more than {LONGEST} bytes")));
     }
-    String::from_utf8(bytes)
-        .map_err(|_| StudyError::new(format!("{} is not text in UTF-8", path.display())))
+    String::from_utf8(bytes).map_err(|_| cannot("it is not text in UTF-8".into()))
 }

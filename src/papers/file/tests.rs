@@ -241,7 +241,7 @@ fn faults_of_tables_name_the_line_of_the_file() {
         ("x,y\n,2\n", "t.csv: line 2: column x: \"\" is no number"),
         ("x,z\n1,2\n", "t.csv has no column \"y\"; there are: x, z"),
         ("x,y\n", "the table has no rows"),
-        ("", "has no column"),
+        ("", "the table has no rows"),
     ] {
         let found = with_table(text, table).expect_err(table).to_string();
         assert!(found.contains(rule), "{table}: {found}");
@@ -385,6 +385,11 @@ fn domains_decide_what_is_proved() {
     assert_eq!(
         verdict(unit, "requires = 'x*(1 - x) < 0.2'"),
         Verdict::Refuted
+    );
+    // It fails next to 1/2 alone, where no sample lies.
+    assert_ne!(
+        verdict(unit, "requires = 'x*(1 - x) < 0.24999'"),
+        Verdict::Proved
     );
     assert_eq!(
         verdict(positive, "requires = 'x < x + 1'"),

@@ -69,14 +69,13 @@ impl Domain {
 }
 
 impl Part {
-    /// The magnitude at which a requirement is tried, by the number of the sample; none where every
-    /// positive number may be.
+    /// The magnitude at which a requirement is tried, by the number of the sample; none of zero.
     fn sample(&self, name: &str, turn: u32) -> Option<Rational> {
         let sample = || Point::sample(turn).value(name).ok();
         match self {
             Part::Zero => None,
             Part::Integer => Some((sample()? * 4u32).ceil()),
-            Part::Signed(_, _, None) => None,
+            Part::Signed(_, _, None) => sample(),
             Part::Signed(_, low, Some(high)) => {
                 let x = sample()?;
                 let share = Rational::from(&x / Rational::from(&x + 1));
@@ -97,8 +96,8 @@ impl Part {
 
 /// The largest number of cases that a requirement is divided into.
 const MOST_CASES: usize = 243;
-/// Points of each case at which an equation is tried.
-const TURNS: u32 = 3;
+/// Samples at which each case is tried; the last ones are larger and smaller.
+const TURNS: [u32; 4] = [0, 1, 4, 5];
 
 impl Conditions {
     /// Returns true if every symbol is any positive number.
@@ -216,31 +215,38 @@ fn decide_case(r: &Requirement, definitions: &Definitions, case: &[(&String, Par
             Some(value) => r.at(name, &value),
             None => r,
         });
-    let decided = |turn: u32| {
-        let named = case
-            .iter()
-            .filter_map(|(name, part)| Some((name.to_string(), part.sample(name, turn)?)));
-        r.decide(definitions, &named.collect())
+    let sample = |turn: u32| -> BTreeMap<String, Rational> {
+        let value =
+            |(name, part): &(&String, Part)| Some((name.to_string(), part.sample(name, turn)?));
+        case.iter().filter_map(value).collect()
     };
-    let mut found = decided(0);
-    for turn in 1..TURNS {
-        if found.outcome == Outcome::Undecided && !case.is_empty() {
-            found = decided(turn);
+    let mut found = open("no point was tried".into());
+    for turn in TURNS {
+        let named = sample(turn);
+        found = r.decide(definitions, &named);
+        if found.outcome != Outcome::Undecided || case.is_empty() {
+            found.witness = found.witness.map(|w| signed(w, case, &named));
+            break;
         }
     }
-    found.witness = found.witness.map(|w| signed(w, case));
     found
 }
 
 /// The point in the symbols as they are, not in their magnitudes.
-fn signed(mut witness: Witness, case: &[(&String, Part)]) -> Witness {
-    for (name, value) in &mut witness.point {
-        let part = case.iter().find(|(of, _)| *of == name).map(|c| &c.1);
-        match part {
-            Some(Part::Zero) => *value = "0".into(),
-            Some(Part::Signed(true, ..)) => *value = format!("-{value}"),
-            _ => {}
-        }
+fn signed(
+    mut witness: Witness,
+    case: &[(&String, Part)],
+    named: &BTreeMap<String, Rational>,
+) -> Witness {
+    for (name, part) in case {
+        let value = match (part, named.get(*name)) {
+            (Part::Signed(true, ..), Some(size)) => format!("-{size}"),
+            (_, Some(value)) => value.to_string(),
+            (_, None) => "0".into(),
+        };
+        witness.point.retain(|p| p.0 != **name);
+        witness.point.push((name.to_string(), value));
     }
+    witness.point.sort();
     witness
 }

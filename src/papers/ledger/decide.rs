@@ -17,6 +17,9 @@ fn obligation(r: &Requirement, found: Identity, recorded: Option<Outcome>) -> Ob
     }
 }
 
+/// The longest text of a form that a repair is looked for: every edit is a copy of the whole form.
+const LONGEST_REPAIRED: usize = 1000;
+
 /// Decides one item.
 pub fn decide(item: &Item) -> LedgerEntry {
     match evaluate(item) {
@@ -128,7 +131,10 @@ fn evaluate(item: &Item) -> Result<LedgerEntry, SymbolicError> {
         _ if entry.dimension.is_some() => Verdict::Undimensional,
         _ => Verdict::Proved,
     };
-    if let (true, Some(e), Some(family)) = (failed, &printed, &item.family) {
+    let short = item
+        .printed
+        .is_some_and(|text| text.len() <= LONGEST_REPAIRED);
+    if let (true, Some(e), Some(family)) = (failed && short, &printed, &item.family) {
         let (repair, corrected) = search(
             e,
             family,

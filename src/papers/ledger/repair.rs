@@ -141,6 +141,11 @@ fn same(definitions: &Definitions, a: &Equation, b: &Equation) -> bool {
     vanishes(minus) || vanishes(Expr::Add(vec![a, b]))
 }
 
+/// Candidates of one search, ten times as many as any formula of the papers has had.
+const MOST: usize = 50_000;
+/// Undecided candidates after which a search is given up: each may have cost all the work allowed.
+const MOST_UNDECIDED: usize = 200;
+
 /// Looks for the smallest repair of a printed form that fails. Gives the first one that holds.
 pub(super) fn search(
     printed: &Equation,
@@ -158,7 +163,13 @@ pub(super) fn search(
     };
     let mut holding: Vec<(Vec<Edit>, Equation)> = Vec::new();
     let mut tried: BTreeSet<String> = BTreeSet::from([printed.to_string()]);
+    let given_up =
+        |out: &Repair| out.single_edits + out.pairs > MOST || out.undecided > MOST_UNDECIDED;
     for (edit, candidate) in &singles {
+        if given_up(&out) {
+            out.undecided += 1;
+            break;
+        }
         tried.insert(candidate.to_string());
         match judge.judge(candidate) {
             Judged::Holds => holding.push((vec![edit.clone()], candidate.clone())),
@@ -169,10 +180,14 @@ pub(super) fn search(
     }
     out.single_that_hold = holding.len();
     if holding.is_empty() && most > 1 {
-        for (first, between) in &singles {
+        'search: for (first, between) in &singles {
             for (second, candidate) in edits(between, family) {
                 if !tried.insert(candidate.to_string()) {
                     continue;
+                }
+                if given_up(&out) {
+                    out.undecided += 1;
+                    break 'search;
                 }
                 out.pairs += 1;
                 match judge.judge(&candidate) {
