@@ -93,6 +93,7 @@
 mod builder;
 mod compiled;
 mod core;
+mod dimensions;
 pub mod document;
 mod error;
 mod initial_value;

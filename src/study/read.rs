@@ -1,5 +1,6 @@
 //! Studies in TOML.
 
+use super::dimensions;
 use super::document::{Item, Value, read as document};
 use super::error::StudyError;
 use super::initial_value;
@@ -83,8 +84,15 @@ pub(super) fn problem(text: &str, name: &str) -> Result<Problem, StudyError> {
     let names = Names { declared };
     problem.notes.extend(names.hidden());
     for (name, item) in parameters.iter().chain(lets) {
-        let value = names.expression(item)?;
-        problem.definitions.set(name, value);
+        let is = match item.value {
+            Value::Table(_) => {
+                item.only(&["is", "unit"])?;
+                let is = item.get("is");
+                is.ok_or_else(|| item.fault(format!("{name} needs is = ...")))?
+            }
+            _ => item,
+        };
+        problem.definitions.set(name, names.expression(is)?);
     }
     if let Some(ode) = file.get("ode") {
         initial_value::read::read(&names, ode, &mut problem)?;
@@ -121,6 +129,8 @@ pub(super) fn problem(text: &str, name: &str) -> Result<Problem, StudyError> {
         problem.solvers.push(solver(&names, &problem, name, item)?);
     }
     problem.notes.extend(dependent(&problem));
+    let note = dimensions::check(&file, &problem, unknowns)?;
+    problem.notes.extend(note);
     Ok(problem)
 }
 

@@ -60,6 +60,7 @@ mod algebra;
 mod argument;
 mod complex;
 mod coprime;
+mod dimension;
 mod edit;
 mod enclosure;
 mod error;
@@ -92,10 +93,12 @@ mod symbol;
 #[cfg(test)]
 mod tests;
 mod turn;
+mod unit;
 mod walk;
 mod work;
 
 pub use algebra::{Algebra, Derivation};
+pub use dimension::{Dimensions, Powers, Undimensional};
 pub use edit::{Edit, Family, edits};
 pub use enclosure::{
     BITS, Cache, Enclosures, Point, enclose, enclose_form, has_derivative, is_real,
@@ -113,4 +116,5 @@ pub use latex::{latex, latex_equation};
 pub use parse::{parse, parse_declared, parse_declared_equation, parse_equation};
 pub use poly::{Monomial, Poly};
 pub use symbol::Symbol;
+pub use unit::{KNOWN_UNITS, Unit, UnitError, unit};
 pub use walk::{Definitions, Domain, Scope, number, walk};

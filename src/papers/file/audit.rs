@@ -2,8 +2,8 @@
 
 use super::claim::Quantity;
 use super::table::{Column, Rounding};
-use super::{Claim, PaperFile, Table};
-use crate::papers::ledger::{Verdict, finding, proved};
+use super::{Accuracy, Claim, PaperFile, Table};
+use crate::papers::ledger::{Verdict, dimension, finding, proved};
 use crate::papers::number::{AS_PRINTED, Number, explained, tally};
 use crate::papers::{
     Draft, Entry, EntryVerdict, Figure, Finding, FindingVerdict, PaperReport, Progress, Subject,
@@ -37,6 +37,7 @@ impl PaperFile {
         }
         progress("claims", 2, 3);
         findings.par_extend(self.claims.par_iter().map(judge_claim));
+        findings.extend(self.accuracies.iter().map(Accuracy::finding));
         progress("done", 3, 3);
         Ok(PaperReport::new(self.citation.clone(), findings).with_entries(entries, tallies))
     }
@@ -57,7 +58,10 @@ impl PaperFile {
         let whole = proved(&ledger, ["ledger-proved", "all formulas"], title, text);
         let alone = ledger.entries.iter();
         let alone = alone.filter(|e| !self.summaries.iter().any(|s| s.covers(e.id)));
-        let alone = alone.filter_map(finding).chain([whole]);
+        let alone = alone
+            .flat_map(|e| [finding(e), dimension(e)])
+            .flatten()
+            .chain([whole]);
         self.summaries(&ledger).into_iter().chain(alone).collect()
     }
 }

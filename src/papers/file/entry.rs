@@ -4,7 +4,7 @@ use super::read::{Reading, count, defined, required, text, texts, truth, word};
 use crate::papers::ledger::{Item, Kind, Names, Requirement, Verdict};
 use crate::study::document::{Item as Node, Value};
 use crate::study::{StudyError, fault_in, intern, is_name};
-use crate::symbolic::{Definitions, Expr, Family, Outcome, SymbolicError};
+use crate::symbolic::{Definitions, Dimensions, Expr, Family, Outcome, SymbolicError, unit};
 use std::sync::Arc;
 
 const KEYS: [&str; 17] = [
@@ -20,10 +20,11 @@ const KINDS: [(&str, Kind); 5] = [
     ("statement", Kind::Statement),
 ];
 
-const VERDICTS: [(&str, Verdict); 7] = [
+const VERDICTS: [(&str, Verdict); 8] = [
     ("proved", Verdict::Proved),
     ("misprint", Verdict::Misprint),
     ("refuted", Verdict::Refuted),
+    ("undimensional", Verdict::Undimensional),
     ("undecided", Verdict::Undecided),
     ("definition", Verdict::Definition),
     ("undefined", Verdict::Undefined),
@@ -69,8 +70,31 @@ pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Item, StudyErro
         return Err(node.fault(reason));
     }
     repair(node, &mut item)?;
+    item.dimensions = dimensions(reading, node, &item)?;
     check_definitions(node, &item, printed)?;
     Ok(item)
+}
+
+/// The units of the symbols, with that of the name that the printed form defines.
+fn dimensions(
+    reading: &Reading,
+    node: &Node,
+    item: &Item,
+) -> Result<Option<Arc<Dimensions>>, StudyError> {
+    let units = reading.symbols.dimensions.clone();
+    let Some(text) = node.get("unit") else {
+        return Ok(units);
+    };
+    let found = unit(text.text()?).map_err(|e| text.fault(e.to_string()))?;
+    let name = item.printed.and_then(defined);
+    let (Some(units), Some(name)) = (units, name) else {
+        return Err(
+            text.fault("a unit of the printed name needs a printed form, and units of the symbols")
+        );
+    };
+    let mut units = (*units).clone();
+    units.declare(name, &found);
+    Ok(Some(Arc::new(units)))
 }
 
 fn printed<'a>(node: &'a Node, item: &mut Item) -> Result<Option<&'a Node>, StudyError> {

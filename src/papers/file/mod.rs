@@ -2,9 +2,12 @@
 //!
 //! The format is described in the chapter [Auditing a paper](crate::book::audit_a_paper).
 
+mod accuracy;
 mod audit;
 mod claim;
 mod entry;
+#[cfg(test)]
+mod planted_tests;
 mod read;
 mod source;
 mod summary;
@@ -13,6 +16,7 @@ mod table;
 #[cfg(test)]
 mod tests;
 
+pub use accuracy::Accuracy;
 pub use claim::Claim;
 pub use source::Texts;
 pub use summary::Summary;
@@ -38,6 +42,8 @@ pub struct PaperFile {
     pub tables: Vec<Table>,
     /// The claims with numbers.
     pub claims: Vec<Claim>,
+    /// The claims about the accuracy of algorithms.
+    pub accuracies: Vec<Accuracy>,
     /// The findings that sum up entries.
     pub summaries: Vec<Summary>,
 }

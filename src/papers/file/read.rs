@@ -2,28 +2,37 @@
 
 use super::source::Source;
 use super::symbols::{self, Symbols};
-use super::{PaperFile, claim, entry, summary, table};
+use super::{PaperFile, accuracy, claim, entry, summary, table};
 use crate::papers::Citation;
 use crate::study::document::{self, Item as Node, Value};
 use crate::study::{StudyError, intern, is_name};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Keys of the first file, and of those that it names.
-const KEYS: [&str; 12] = [
+const KEYS: [&str; 14] = [
     "title",
     "authors",
     "year",
     "venue",
     "source",
     "parts",
+    "units",
     "symbols",
     "definitions",
     "entry",
     "table",
     "claim",
+    "accuracy",
     "finding",
 ];
-const KEYS_OF_PARTS: [&str; 5] = ["definitions", "entry", "table", "claim", "finding"];
+const KEYS_OF_PARTS: [&str; 6] = [
+    "definitions",
+    "entry",
+    "table",
+    "claim",
+    "accuracy",
+    "finding",
+];
 
 /// The largest number of entries, tables and claims of a paper.
 const MOST: usize = 10_000;
@@ -164,12 +173,14 @@ pub(super) fn paper(key: &str, source: &Source, first: &str) -> Result<PaperFile
         items: Vec::new(),
         tables: Vec::new(),
         claims: Vec::new(),
+        accuracies: Vec::new(),
         summaries: Vec::new(),
     };
     paper.symbols = symbols::read(&file).map_err(in_first)?;
+    let dimensions = symbols::dimensions(&file, &paper.symbols).map_err(in_first)?;
     let mut reading = Reading {
         source,
-        symbols: Symbols::new(&paper.symbols, file.get("symbols").is_some()),
+        symbols: Symbols::new(&paper.symbols, file.get("symbols").is_some(), dimensions),
         groups: BTreeMap::new(),
         ids: BTreeSet::new(),
         file: intern(first),
@@ -186,8 +197,9 @@ pub(super) fn paper(key: &str, source: &Source, first: &str) -> Result<PaperFile
     for summary in &paper.summaries {
         summary.check(&paper.items)?;
     }
-    if paper.items.is_empty() && paper.tables.is_empty() && paper.claims.is_empty() {
-        let reason = "a paper has at least one [[entry]], [[table]] or [[claim]]";
+    let is_empty = paper.items.is_empty() && paper.tables.is_empty();
+    if is_empty && paper.claims.is_empty() && paper.accuracies.is_empty() {
+        let reason = "a paper has at least one [[entry]], [[table]], [[claim]] or [[accuracy]]";
         return Err(in_first(StudyError::new(reason)));
     }
     Ok(paper)
@@ -237,6 +249,9 @@ fn part(reading: &mut Reading, file: &Node, paper: &mut PaperFile) -> Result<(),
     }
     for node in list("claim")? {
         paper.claims.push(claim::read(reading, node)?);
+    }
+    for node in list("accuracy")? {
+        paper.accuracies.push(accuracy::read(reading, node)?);
     }
     for node in list("finding")? {
         paper.summaries.push(summary::read(reading, node)?);

@@ -1,11 +1,12 @@
 //! The symbols of a paper: meaning, unit, domain, and the value as printed.
 
-use super::read::required;
+use super::read::{required, word};
 use crate::papers::ledger::{Conditions, Domain, Names};
 use crate::study::document::{Item as Node, Value};
 use crate::study::{Place, StudyError, is_name, rational};
-use crate::symbolic::{Expr, number, parse_declared};
+use crate::symbolic::{Dimensions, Expr, number, parse_declared, unit};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// A declared symbol.
 #[derive(Clone, Debug)]
@@ -109,12 +110,50 @@ pub(super) struct Symbols {
     domains: BTreeMap<String, Domain>,
     /// The printed values.
     pub values: BTreeMap<String, Expr>,
+    /// The units, where the file states any.
+    pub dimensions: Option<Arc<Dimensions>>,
+}
+
+/// The units of the symbols, of which either none or each has one.
+pub(super) fn dimensions(
+    file: &Node,
+    symbols: &[Symbol],
+) -> Result<Option<Arc<Dimensions>>, StudyError> {
+    let mut units = Dimensions::default();
+    let kinds = [("quantities", false), ("numbers", true)];
+    units.numbers = word(file.get("units"), &kinds, false)?;
+    if symbols.iter().all(|s| s.unit.is_none()) {
+        return match file.get("units") {
+            Some(node) => Err(node.fault("no symbol has a unit")),
+            None => Ok(None),
+        };
+    }
+    // A symbol that is its meaning alone is a pure number.
+    let is_plain = |name: &str| {
+        let node = file.get("symbols").and_then(|table| table.get(name));
+        node.is_some_and(|node| !matches!(node.value, Value::Table(_)))
+    };
+    for symbol in symbols {
+        let plain = is_plain(&symbol.name).then_some("1");
+        let Some(text) = symbol.unit.as_deref().or(plain) else {
+            let name = &symbol.name;
+            let reason = format!(
+                "{name} has no unit where others have one; a pure number has the unit \"1\""
+            );
+            return Err(StudyError::new(reason).at(symbol.place));
+        };
+        let found = unit(text)
+            .map_err(|e| StudyError::new(format!("{}: {e}", symbol.name)).at(symbol.place))?;
+        units.declare(&symbol.name, &found);
+    }
+    Ok(Some(Arc::new(units)))
 }
 
 impl Symbols {
-    pub fn new(symbols: &[Symbol], declared: bool) -> Symbols {
+    pub fn new(symbols: &[Symbol], declared: bool, dimensions: Option<Arc<Dimensions>>) -> Symbols {
         let named = symbols.iter().map(|s| s.name.clone());
         Symbols {
+            dimensions,
             names: match declared {
                 true => Names::declared(named),
                 false => Names::default(),

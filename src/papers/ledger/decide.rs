@@ -2,7 +2,9 @@
 
 use super::repair::{bound, search};
 use super::{Formula, Item, LedgerEntry, Obligation, Requirement, Verdict};
-use crate::symbolic::{Equation, Identity, Outcome, SymbolicError, latex_equation};
+use crate::symbolic::{
+    Definitions, Equation, Expr, Identity, Outcome, SymbolicError, Undimensional, latex_equation,
+};
 
 fn obligation(r: &Requirement, found: Identity, recorded: Option<Outcome>) -> Obligation {
     Obligation {
@@ -55,9 +57,33 @@ fn blank(item: &Item) -> LedgerEntry {
         obligations: Vec::new(),
         repair: None,
         note: item.note,
+        dimension: None,
         as_recorded: false,
         expected: item.expected,
         origin: item.origin,
+    }
+}
+
+/// The fault of the dimensions of a printed form. Where a name has no unit nothing is said.
+fn undimensional(item: &Item, definitions: &Definitions, printed: &Equation) -> Option<String> {
+    let units = item.dimensions.as_ref()?;
+    let checked = match &printed.left {
+        // A number alone is in the unit of its symbol.
+        Expr::Sym(_) if is_number(&printed.right) => Ok(()),
+        Expr::Sym(name) if !units.has(name) => units.of(definitions, &printed.right).map(drop),
+        _ => units.check(definitions, printed),
+    };
+    match checked {
+        Ok(()) | Err(Undimensional::NoUnit { .. } | Undimensional::Circular { .. }) => None,
+        Err(fault) => Some(fault.to_string()),
+    }
+}
+
+fn is_number(e: &Expr) -> bool {
+    match e {
+        Expr::Num(_) => true,
+        Expr::Neg(x) => is_number(x),
+        _ => false,
     }
 }
 
@@ -90,6 +116,9 @@ fn evaluate(item: &Item) -> Result<LedgerEntry, SymbolicError> {
 
     let mut entry = blank(item);
     entry.printed = printed.as_ref().map(formula);
+    entry.dimension = printed
+        .as_ref()
+        .and_then(|e| undimensional(item, &definitions, e));
     entry.verdict = match item.expected {
         declared @ (Verdict::Model | Verdict::Definition | Verdict::Undefined)
             if requirements.is_empty() =>
@@ -99,6 +128,7 @@ fn evaluate(item: &Item) -> Result<LedgerEntry, SymbolicError> {
         _ if requirements.is_empty() => Verdict::Undecided,
         _ if failed => Verdict::Refuted,
         _ if open => Verdict::Undecided,
+        _ if entry.dimension.is_some() => Verdict::Undimensional,
         _ => Verdict::Proved,
     };
     let short = item

@@ -1,7 +1,7 @@
 //! An undecided entry of a ledger.
 
 use super::{Conditions, Kind, Names, Verdict};
-use crate::symbolic::{Family, Outcome};
+use crate::symbolic::{Dimensions, Family, Outcome};
 use std::sync::Arc;
 
 /// An entry of a ledger as data. Built with the methods below; nothing is evaluated before
@@ -40,6 +40,8 @@ pub struct Item {
     pub names: Names,
     /// The values that its symbols may have.
     pub conditions: Arc<Conditions>,
+    /// The units of its symbols, where they are known.
+    pub dimensions: Option<Arc<Dimensions>>,
     /// Its file and line, where it comes from one.
     pub origin: Option<(&'static str, usize)>,
 }
@@ -64,6 +66,7 @@ impl Item {
             repair: None,
             names: Names::default(),
             conditions: Arc::default(),
+            dimensions: None,
             origin: None,
         }
     }

@@ -21,7 +21,7 @@ mod requirement;
 
 pub use conditions::{Conditions, Domain};
 pub use decide::decide;
-pub use findings::finding;
+pub use findings::{dimension, finding};
 pub(super) use findings::proved;
 pub use item::Item;
 pub use names::Names;
@@ -61,6 +61,8 @@ pub enum Verdict {
     Refuted,
     /// Wrong as printed, with a smallest repair for which everything is proved.
     Misprint,
+    /// Everything it has to satisfy is proved, but its parts have different dimensions.
+    Undimensional,
     /// A claim about the model rather than about the formula, tested; its requirements say how.
     Model,
     /// A definition or datum: nothing follows that could be tested.
@@ -78,6 +80,7 @@ impl Verdict {
             Verdict::Proved => "proved",
             Verdict::Refuted => "refuted",
             Verdict::Misprint => "misprint",
+            Verdict::Undimensional => "wrong dimension",
             Verdict::Model => "model claim tested",
             Verdict::Definition => "definition",
             Verdict::Undefined => "undefined in the paper",
@@ -164,6 +167,9 @@ pub struct LedgerEntry {
     /// How the correction was found.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub repair: Option<Repair>,
+    /// The part whose dimension is wrong, and how.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dimension: Option<String>,
     /// A further remark.
     #[serde(skip_serializing_if = "str::is_empty")]
     pub note: &'static str,
