@@ -106,7 +106,7 @@ pub use builder::{Formula, absolute, conditioned, relative, ulps};
 pub use error::{Place, StudyError};
 pub use linear::{Linear, Task, Tensor};
 pub use problem::{
-    Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver, StudySystem,
+    Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver, StudySystem, limit,
 };
 
 use crate::audit::{Domain, did_you_mean};

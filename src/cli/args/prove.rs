@@ -45,12 +45,46 @@ pub enum Part {
     Real,
 }
 
+/// The functions that have a proof of their own.
+const FUNCTIONS: [&str; 5] = ["faddeeva", "erf", "erfc", "erfcx", "dawson"];
+
+fn function(text: &str) -> Result<String, String> {
+    match FUNCTIONS.contains(&text) || mechaudit::study::is_path(text) {
+        true => Ok(text.into()),
+        false => Err(format!(
+            "possible values: {}, or a study, FILE.toml, FILE.fpcore or FILE.fpcore#NAME",
+            FUNCTIONS.join(", ")
+        )),
+    }
+}
+
 /// Arguments of `prove`.
 #[derive(ClapArgs, Debug)]
 pub struct ProveArgs {
-    /// The function
-    #[arg(value_parser = ["faddeeva", "erf", "erfc", "erfcx", "dawson"])]
+    /// The function: faddeeva, erf, erfc, erfcx, dawson; or a study, FILE.toml, FILE.fpcore or
+    /// FILE.fpcore#NAME
+    #[arg(value_parser = function)]
     pub function: String,
+    /// Prove of this solver of a study's file instead of the first
+    #[arg(long, value_name = "NAME")]
+    pub solver: Option<String>,
+    /// Of a study: prove this bound or refute it by an input: "2ulp", "1e-12 relative" or
+    /// "1e-9 absolute"
+    #[arg(long, value_name = "BOUND")]
+    pub target: Option<String>,
+    /// Of a study: take inputs for real numbers that are rounded first
+    #[arg(long)]
+    pub round_inputs: bool,
+    /// Of a study: take every elementary function for rounded correctly, in place of the
+    /// platform's accuracy
+    #[arg(long)]
+    pub correctly_rounded: bool,
+    /// Of a study: the most boxes for each bound
+    #[arg(long, value_name = "N", default_value = "20000", value_parser = super::number::counting::<u64>())]
+    pub limit: u64,
+    /// Of a study: evaluations of the search for the worst input, for each bound; 0 for none
+    #[arg(long, value_name = "N", default_value = "2000", value_parser = super::number::whole)]
+    pub evals: u64,
     /// Part of the plane; only for faddeeva
     #[arg(long, value_enum)]
     pub part: Option<Part>,
@@ -62,7 +96,7 @@ pub struct ProveArgs {
     /// place; intervals until that of the value is [default: 4; of a real argument 0.875]
     #[arg(long, value_name = "C", value_parser = super::number::bound)]
     pub component: Option<f64>,
-    /// Only where Re z and Im z are below this, for faddeeva; without it every finite number
+    /// Only where Re z and Im z are below this, for faddeeva, or every input in magnitude, for a study
     #[arg(long, value_name = "R", value_parser = super::number::positive)]
     pub within: Option<f64>,
     /// Write the rectangles to this file
