@@ -12,6 +12,8 @@ Examples:
   mechaudit prove erfcx
   mechaudit prove faddeeva --part lower
   mechaudit prove faddeeva --part real --boxes intervals.csv
+  mechaudit prove kernels.fpcore#doppler1 --round-inputs
+  mechaudit prove study.toml --solver horner --target 2ulp
 
 Runs the solver's own code over rectangles that cover the closed upper half-plane, all of it or up to --within, with \
 numbers that enclose the exact value and the error of every rounding, halves a rectangle until its bounds \
@@ -28,10 +30,19 @@ bound. faddeeva_proof.py, faddeeva_lower_proof.py and real_line_proof.py in refe
 For the lower half-plane the targets are fixed; its file has the bound of the norm alone, and none where an inequality \
 serves. The output says what is not proved.
 
+A study is proved of one of its solvers: what its evaluation in binary64 or binary32 is off at most from the same \
+formula over the reals, absolute, relative and in units in the last place, for every number of the format in the domain \
+(with --round-inputs for every real number in it). The domain is cut into boxes until the bound is within a thousandth of \
+what single points show, or --limit boxes are looked at. A relative bound exists where the value is never zero. Below each \
+bound stands the box where it is attained and the largest error that a hunt of --evals evaluations finds. The last line \
+says whether the solver's formula is the definition. Elementary functions are as accurate as the platform states, which is \
+printed; that is no theorem. --target proves a bound or refutes it by an input. The file of boxes has the output, the \
+measure, the bound and the ends of every input.
+
 A target that is closer than the default may be out of reach: the proof gives up after 3e7 rectangles or intervals, \
 and says before what they take at most.
 
-Exit codes: 0, proved; 1, rectangles are left on which nothing is proved; 2, bad usage, or given up; 130, ended \
+Exit codes: 0, proved; 1, rectangles are left on which nothing is proved, a target is refuted or undecided; 2, bad usage, or given up; 130, ended \
 by Ctrl-C, without a theorem.";
 
 /// The part of the plane of a proof.

@@ -1,6 +1,7 @@
 //! The bound over one box.
 
 use super::pass::{Pass, Stop};
+use super::tape::Op;
 use super::{Measure, Program};
 use crate::interval::{Interval, product_up, quotient_up, sum_up};
 
@@ -106,8 +107,34 @@ impl<'a> Bounds<'a> {
         match self.measure {
             Measure::Absolute => error,
             Measure::Relative => quotient_up(error, value.mignitude()),
-            Measure::Ulps => quotient_up(error, self.wide.ulp(value.mignitude())),
+            Measure::Ulps => self.in_ulps(error, value),
         }
+    }
+
+    /// The error in units in the last place of the value.
+    ///
+    /// Over a box where the value crosses one power of two `p`, with the unit t below it and 2t above,
+    /// half a unit of the last rounding is t above p alone. Let `e < t` bound the error before it. Of a
+    /// value below p what is rounded, w, is at most p, and rounding costs t/2; or it is above p by less
+    /// than t, and p is what it becomes, which is nearer to the value than w. Either way the error is at
+    /// most `e + t/2`.
+    fn in_ulps(&self, error: f64, value: Interval) -> f64 {
+        let (below, above) = (
+            self.wide.ulp(value.mignitude()),
+            self.wide.ulp(value.magnitude()),
+        );
+        let plain = quotient_up(error, below);
+        let root = self.program.root;
+        let rounds = matches!(
+            self.program.tape.ops[root],
+            Op::Add(..) | Op::Sub(..) | Op::Mul(..) | Op::Div(..) | Op::Sqrt(_) | Op::Fma(..)
+        );
+        let before = (error - self.wide.noise[root]).next_up().max(0.0);
+        if !rounds || above != 2.0 * below || !(before < below) {
+            return plain;
+        }
+        let least = quotient_up(sum_up(before, 0.5 * below), below);
+        plain.min(least.max(quotient_up(error, above)))
     }
 
     /// Conditions that are open: the worst of all branches that the exact value may take.
