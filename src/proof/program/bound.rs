@@ -104,6 +104,9 @@ impl<'a> Bounds<'a> {
         if error == 0.0 {
             return 0.0;
         }
+        if self.measure != Measure::Absolute && value.mignitude() == 0.0 {
+            return f64::INFINITY;
+        }
         match self.measure {
             Measure::Absolute => error,
             Measure::Relative => quotient_up(error, value.mignitude()),
@@ -243,7 +246,10 @@ impl<'a> Bounds<'a> {
             let by_mean = sum_up(centre, reach(&gradient));
             error = error.min(direct).min(by_mean);
             bound = bound.min(self.measured(error, value));
-            if self.measure == Measure::Relative && value.mignitude() > 0.0 {
+            if self.measure == Measure::Relative && value.mignitude() == 0.0 {
+                // The quotient has no slopes.
+                gradient.fill(Interval::ZERO);
+            } else if self.measure == Measure::Relative {
                 // The derivative of Σ/|f|.
                 let size = if value.lo > 0.0 { value } else { -value };
                 let total = Interval::new(0.0, error);

@@ -158,6 +158,12 @@ impl Pass {
         };
         let noise = noise.max(given);
         let value = value.widened(noise);
+        // Without any error all of the path is what is computed.
+        let value = if error == 0.0 {
+            value.meet(float)
+        } else {
+            value
+        };
         // Rounding gives a multiple of the last bit of the smallest result, and keeps the grain.
         let grain = grain.max(self.last_bit(float.mignitude()));
         self.float.push(float);

@@ -309,6 +309,14 @@ fn what_has_no_bound_says_so() {
     assert!(large.bound == f64::INFINITY);
     let zero = kernel("x - y*y", &[[-1.0, 1.0], [0.0, 1.0]]).proof(Measure::Relative);
     assert!(zero.bound == f64::INFINITY && zero.looked_at < 2_000);
+    // The sum of errors rises or falls with every input here, the quotient by the value does not.
+    let turbine = kernel(
+        "6*x - (0.5*x*(y*y*z*z))/(1 - x) - 2.5",
+        &[[-4.5, -0.3], [0.4, 0.9], [3.8, 7.8]],
+    );
+    for measure in [Measure::Relative, Measure::Ulps] {
+        assert!(turbine.bound(measure) == f64::INFINITY, "{measure:?}");
+    }
     let mut complex = Graph::new(["x".to_string()]);
     let id = complex
         .build(&Definitions::default(), &parse("W(x)").unwrap())

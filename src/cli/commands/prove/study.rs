@@ -223,7 +223,20 @@ impl Theorem {
         let own = own_study(problem, solver, setting, k)?;
         let mut found = Vec::new();
         for (measure, proof) in &proofs {
-            found.push((*measure, worst(&own, *measure, proof.bound, args)?));
+            let worst = worst(&own, *measure, proof.bound, args)?;
+            if let Some(f) = worst
+                .as_ref()
+                .filter(|f| f.error > proof.bound * (1.0 + 1e-9))
+            {
+                return Err(refused(&format!(
+                    "the {} error at {:?} is {:e}, above the bound {:e}: what the proof rests on does not hold here",
+                    word(*measure),
+                    f.input,
+                    f.error,
+                    proof.bound
+                )));
+            }
+            found.push((*measure, worst));
         }
         let inputs = found.iter().flat_map(|f| &f.1).map(|f| f.input.clone());
         let same = same(problem, solver, k, &own, study, inputs.collect());
