@@ -110,7 +110,7 @@ pub use initial_value::InitialValue;
 pub use linear::{Linear, Task, Tensor};
 pub use problem::{
     Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver, StudySystem, fault_in,
-    intern,
+    intern, limit,
 };
 pub use read::{is_name, rational};
 

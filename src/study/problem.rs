@@ -132,8 +132,11 @@ pub(super) fn default_budget() -> (Limit, String) {
     (Limit::Conditioned(8.0), reason.into())
 }
 
-/// Reads a budget: `2 ulp`, `4 u(1+cond)`, `1e-12 relative`, `1e-9 absolute`.
-pub(super) fn budget(text: &str) -> Result<Limit, StudyError> {
+/// Reads a limit: `2 ulp`, `4 u(1+cond)`, `1e-12 relative`, `1e-9 absolute`.
+///
+/// # Errors
+/// A text of another form, and a number that is not finite and positive.
+pub fn limit(text: &str) -> Result<Limit, StudyError> {
     let compact: String = text.chars().filter(|c| !c.is_whitespace()).collect();
     type OfNumber = fn(f64) -> Limit;
     let forms: [(&str, OfNumber); 8] = [

@@ -6,7 +6,7 @@ use super::error::StudyError;
 use super::initial_value;
 use super::linear;
 use super::problem::{
-    Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver, budget, default_budget,
+    Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver, default_budget, limit,
     fault_in,
 };
 use super::system;
@@ -337,7 +337,7 @@ pub(super) fn unit_and_budget(found: &mut StudyOutput, item: &Item) -> Result<()
         found.unit = unit.text()?.into();
     }
     if let Some(text) = item.get("budget") {
-        let limit = budget(text.text()?).map_err(|e| e.at(text.place))?;
+        let limit = limit(text.text()?).map_err(|e| e.at(text.place))?;
         let why = item.get("why").map(Item::text).transpose()?;
         let why = why.unwrap_or("stated by the study without a reason");
         found.budget = (limit, why.into());
