@@ -196,9 +196,11 @@ fn open(h: &[f64], slope: &[f64], first: End, last: End) -> Result<Vec<f64>, Tri
         upper[0] = c;
         d.push(right);
     }
-    let pairs = |v: &'_ [f64]| v[inside.start() - 1..=*inside.end()].windows(2);
-    diagonal.extend(pairs(h).map(|h| 2.0 * (h[0] + h[1])));
-    d.extend(pairs(slope).map(|slope| 6.0 * (slope[1] - slope[0])));
+    let neighbours = inside.start() - 1..inside.end() + 1;
+    let steps = h[neighbours.clone()].windows(2);
+    diagonal.extend(steps.map(|h| 2.0 * (h[0] + h[1])));
+    let slopes = slope[neighbours].windows(2);
+    d.extend(slopes.map(|slope| 6.0 * (slope[1] - slope[0])));
     if e == n {
         let (a, b, right) = match last {
             FirstDerivative(v) => (h[n - 1], 2.0 * h[n - 1], 6.0 * (v - slope[n - 1])),
