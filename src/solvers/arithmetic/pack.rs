@@ -172,21 +172,16 @@ impl Wide for V4 {
     }
     #[inline(always)]
     fn columns<const N: usize>(self, rows: &[&[f64; N]; 8], at: usize) -> [Self::f64s; 4] {
-        // Two rows side by side; the order of the rows is such that the shuffles restore it.
-        let r = |i: usize, j: usize| -> pulp::f64x8 {
-            let (p, q) = (four(rows[i], at), four(rows[j], at));
-            cast([p, q])
+        let x = self.avx512f;
+        // Two rows side by side; the order of the rows is such that the shuffles restore it. By
+        // instructions: of numbers side by side in memory the compiler makes twice as many.
+        let r = |i: usize, j: usize| {
+            let (p, q) = (cast(four(rows[i], at)), cast(four(rows[j], at)));
+            x._mm512_insertf64x4::<1>(x._mm512_castpd256_pd512(p), q)
         };
         let (a, b, c, d) = (r(0, 2), r(1, 3), r(4, 6), r(5, 7));
-        let x = self.avx512f;
-        let (p, q) = (
-            x._mm512_unpacklo_pd(cast(a), cast(b)),
-            x._mm512_unpackhi_pd(cast(a), cast(b)),
-        );
-        let (s, t) = (
-            x._mm512_unpacklo_pd(cast(c), cast(d)),
-            x._mm512_unpackhi_pd(cast(c), cast(d)),
-        );
+        let (p, q) = (x._mm512_unpacklo_pd(a, b), x._mm512_unpackhi_pd(a, b));
+        let (s, t) = (x._mm512_unpacklo_pd(c, d), x._mm512_unpackhi_pd(c, d));
         [
             cast(x._mm512_shuffle_f64x2::<0b10_00_10_00>(p, s)),
             cast(x._mm512_shuffle_f64x2::<0b10_00_10_00>(q, t)),
