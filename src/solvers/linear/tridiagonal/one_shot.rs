@@ -159,7 +159,7 @@ impl End {
         let p = (-product).mul_add(self.reciprocal, b);
         let r = 1.0 / p;
         self.ok &= p.is_normal() & r.is_normal();
-        self.ok &= (product.abs() >= LEAST) | (before == 0.0) | (facing == 0.0);
+        self.ok &= is_accurate(product, before, facing);
         if ESTIMATE {
             let row = before.abs() + b.abs() + after.abs();
             let grown = (product * self.reciprocal).abs() + p.abs();
@@ -171,6 +171,74 @@ impl End {
         self.eta = (-before).mul_add(self.eta, d) * r;
         self.reciprocal = r;
         after * r
+    }
+}
+
+/// Returns whether the product of two entries is rounded to its last place.
+#[inline(always)]
+fn is_accurate(product: f64, a: f64, b: f64) -> bool {
+    (product.abs() >= LEAST) | (a == 0.0) | (b == 0.0)
+}
+
+/// Where both ends write.
+struct Room<'a> {
+    x: &'a mut [f64],
+    factors: &'a mut [f64],
+    sizes: &'a mut [f64],
+}
+
+impl End {
+    /// Eliminates row `i`.
+    #[inline(always)]
+    fn eliminate<const ESTIMATE: bool>(
+        &mut self,
+        i: usize,
+        facing: [f64; 2],
+        b: f64,
+        after: f64,
+        d: f64,
+        room: &mut Room<'_>,
+    ) {
+        room.factors[i] = self.row::<ESTIMATE>(facing, b, after, d);
+        room.x[i] = self.eta;
+        if ESTIMATE {
+            room.sizes[i] = self.size;
+        }
+    }
+}
+
+/// Back substitution from the middle row.
+struct Back {
+    next: f64,
+    size: f64,
+    /// The largest size.
+    most: f64,
+    /// A number that is not finite makes its product with zero none, and so this sum.
+    finite: f64,
+}
+
+impl Back {
+    fn new(next: f64, size: f64) -> Back {
+        let finite = next * 0.0;
+        Back {
+            next,
+            size,
+            most: size,
+            finite,
+        }
+    }
+
+    /// Unknown `i` from the one before.
+    #[inline(always)]
+    fn substitute<const ESTIMATE: bool>(&mut self, i: usize, room: &mut Room<'_>) {
+        let factor = room.factors[i];
+        self.next = (-factor).mul_add(self.next, room.x[i]);
+        room.x[i] = self.next;
+        self.finite += self.next * 0.0;
+        if ESTIMATE {
+            self.size = factor.abs().mul_add(self.size, room.sizes[i]);
+            self.most = self.most.max(self.size);
+        }
     }
 }
 
@@ -189,91 +257,69 @@ impl<const ESTIMATE: bool> Task for Both<'_, ESTIMATE> {
         } = self;
         let n = x.len();
         let middle = n / 2;
-        let (mut down, mut up) = (End::BEFORE, End::BEFORE);
-        let mut from_above = |i: usize, x: &mut [f64], factors: &mut [f64], sizes: &mut [f64]| {
-            let facing = match i {
-                0 => [0.0, 0.0],
-                _ => [lower[i - 1], upper[i - 1]],
-            };
-            factors[i] = down.row::<ESTIMATE>(facing, diagonal[i], upper[i], d[i]);
-            x[i] = down.eta;
-            if ESTIMATE {
-                sizes[i] = down.size;
-            }
-            down
-        };
-        let mut from_below = |i: usize, x: &mut [f64], factors: &mut [f64], sizes: &mut [f64]| {
-            let facing = match i + 1 == n {
-                true => [0.0, 0.0],
-                false => [upper[i], lower[i]],
-            };
-            factors[i] = up.row::<ESTIMATE>(facing, diagonal[i], lower[i - 1], d[i]);
-            x[i] = up.eta;
-            if ESTIMATE {
-                sizes[i] = up.size;
-            }
-            up
-        };
+        let (left, right) = (middle, n - 1 - middle);
         let (mut above, mut below) = (End::BEFORE, End::BEFORE);
-        for k in 0..n - 1 - middle {
-            above = from_above(k, x, factors, sizes);
-            below = from_below(n - 1 - k, x, factors, sizes);
+        let room = &mut Room { x, factors, sizes };
+        for k in 0..right {
+            let (i, j) = (k, n - 1 - k);
+            let facing = if k > 0 {
+                [lower[i - 1], upper[i - 1]]
+            } else {
+                [0.0; 2]
+            };
+            above.eliminate::<ESTIMATE>(i, facing, diagonal[i], upper[i], d[i], room);
+            let facing = if k > 0 {
+                [upper[j], lower[j]]
+            } else {
+                [0.0; 2]
+            };
+            below.eliminate::<ESTIMATE>(j, facing, diagonal[j], lower[j - 1], d[j], room);
         }
-        if middle > n - 1 - middle {
-            above = from_above(middle - 1, x, factors, sizes);
+        if left > right {
+            let i = middle - 1;
+            let facing = if i > 0 {
+                [lower[i - 1], upper[i - 1]]
+            } else {
+                [0.0; 2]
+            };
+            above.eliminate::<ESTIMATE>(i, facing, diagonal[i], upper[i], d[i], room);
         }
         // The middle row has no unknown after it.
-        let (mut b, mut rest, mut size) = (diagonal[middle], d[middle], diagonal[middle].abs());
-        let mut row = size;
-        let mut ok = above.ok & below.ok;
-        let mut grown = 0.0;
-        let mut meet = |end: End, before: f64, facing: f64| {
-            let product = before * facing;
-            b = (-product).mul_add(end.reciprocal, b);
-            rest = (-before).mul_add(end.eta, rest);
-            row += before.abs();
-            size += before.abs() + before.abs() * end.size;
-            grown += (product * end.reciprocal).abs();
-            ok &= (product.abs() >= LEAST) | (before == 0.0) | (facing == 0.0);
+        let facing = |there: bool, at: usize| {
+            if there {
+                [lower[at], upper[at]]
+            } else {
+                [0.0; 2]
+            }
         };
-        if middle > 0 {
-            meet(above, lower[middle - 1], upper[middle - 1]);
-        }
-        if middle + 1 < n {
-            meet(below, upper[middle], lower[middle]);
-        }
-        let r = 1.0 / b;
-        ok &= b.is_normal() & r.is_normal();
+        let [a, a_facing] = facing(left > 0, middle.wrapping_sub(1));
+        let [c_facing, c] = facing(right > 0, middle);
+        let products = [a * a_facing, c * c_facing];
+        let b = diagonal[middle];
+        let p = (-products[0]).mul_add(above.reciprocal, b);
+        let p = (-products[1]).mul_add(below.reciprocal, p);
+        let rest = (-a).mul_add(above.eta, d[middle]);
+        let rest = (-c).mul_add(below.eta, rest);
+        let r = 1.0 / p;
+        let mut ok = above.ok & below.ok & p.is_normal() & r.is_normal();
+        ok &= is_accurate(products[0], a, a_facing) & is_accurate(products[1], c, c_facing);
+        let row = a.abs() + b.abs() + c.abs();
+        let grown = (products[0] * above.reciprocal).abs() + (products[1] * below.reciprocal).abs();
+        let size = (a.abs() * above.size + c.abs() * below.size + row) * r.abs();
         let value = rest * r;
-        x[middle] = value;
-        let growth = above.growth.max(below.growth).max((grown + b.abs()) / row);
+        room.x[middle] = value;
+        let growth = above.growth.max(below.growth).max((grown + p.abs()) / row);
 
-        let (mut p, mut q) = (value, value);
-        let mut size = [size * r.abs(); 2];
-        let mut skeel = size[0];
-        // A number that is not finite makes its product with zero none, and so the sum.
-        let mut finite = value * 0.0;
-        let back = |i: usize, next: &mut f64, size: &mut f64, x: &mut [f64]| {
-            *next = (-factors[i]).mul_add(*next, x[i]);
-            x[i] = *next;
-            if ESTIMATE {
-                *size = factors[i].abs().mul_add(*size, sizes[i]);
-            }
-            *next * 0.0
-        };
-        for k in 0..n - 1 - middle {
-            finite += back(middle + 1 + k, &mut q, &mut size[1], x);
-            if k < middle {
-                finite += back(middle - 1 - k, &mut p, &mut size[0], x);
-            }
-            if ESTIMATE {
-                skeel = skeel.max(size[0]).max(size[1]);
-            }
+        let (mut upwards, mut downwards) = (Back::new(value, size), Back::new(value, size));
+        for k in 0..right {
+            downwards.substitute::<ESTIMATE>(middle + 1 + k, room);
+            upwards.substitute::<ESTIMATE>(middle - 1 - k, room);
         }
-        if middle > n - 1 - middle {
-            finite += back(0, &mut p, &mut size[0], x);
-            skeel = skeel.max(size[0]);
+        if left > right {
+            upwards.substitute::<ESTIMATE>(0, room);
         }
+        let skeel = upwards.most.max(downwards.most);
+        let finite = upwards.finite + downwards.finite;
         if !ok || finite != 0.0 {
             return None;
         }

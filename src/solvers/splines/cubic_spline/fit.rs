@@ -6,7 +6,7 @@ use super::evaluate::plain;
 use super::grid::{Knots, LARGEST};
 use super::spline::{CubicSpline, Extrapolation, Spline};
 use crate::cyclic_tridiagonal::CyclicSweep;
-use crate::tridiagonal::{TridiagonalError, solve_into};
+use crate::tridiagonal::{Sweep, TridiagonalError};
 
 pub(in crate::splines) fn check_values(y: &[f64]) -> Result<(), Error> {
     match y.iter().position(|v| v.is_nan() || v.abs() > LARGEST) {
@@ -184,7 +184,6 @@ fn open(h: &[f64], slope: &[f64], first: End, last: End) -> Result<Vec<f64>, Tri
     let e = n - usize::from(last == NotAKnot);
     // Rows s … e: `h_{i−1} m_{i−1} + 2 (h_{i−1} + h_i) m_i + h_i m_{i+1} = d_i` but for the ends.
     let (mut lower, mut upper) = (h[s..e].to_vec(), h[s..e].to_vec());
-    let inside = s.max(1)..=e.min(n - 1);
     let (mut diagonal, mut d) = (Vec::with_capacity(n + 1), Vec::with_capacity(n + 1));
     if s == 0 {
         let (b, c, right) = match first {
@@ -196,7 +195,7 @@ fn open(h: &[f64], slope: &[f64], first: End, last: End) -> Result<Vec<f64>, Tri
         upper[0] = c;
         d.push(right);
     }
-    let neighbours = inside.start() - 1..inside.end() + 1;
+    let neighbours = s.max(1) - 1..e.min(n - 1) + 1;
     let steps = h[neighbours.clone()].windows(2);
     diagonal.extend(steps.map(|h| 2.0 * (h[0] + h[1])));
     let slopes = slope[neighbours].windows(2);
@@ -222,7 +221,8 @@ fn open(h: &[f64], slope: &[f64], first: End, last: End) -> Result<Vec<f64>, Tri
         d[row] = jump(e) * (p / (p + q));
     }
     let mut m = vec![0.0; n + 1];
-    solve_into(&lower, &diagonal, &upper, &d, &mut m[s..=e])?;
+    Sweep::factor(&lower, &diagonal, &upper)?.solve_in_place(&mut d)?;
+    m[s..=e].copy_from_slice(&d);
     // The end from whichever equation does not magnify: the straight line of S'' while the end
     // step is the smaller one, the smoothness equation otherwise.
     let end = |p: f64, q: f64, near: f64, far: f64, jump: f64| {
