@@ -380,7 +380,8 @@ impl Interpretation for Balls {
                 to,
                 body,
                 slope,
-            } => super::root::root(evaluator, binder, node, [from, to, body, slope]),
+                which,
+            } => super::root::root(evaluator, binder, node, [from, to, body, slope], which),
             _ => Err(stop(NoValue::Undecided("a sum to infinity"))),
         }
     }

@@ -159,6 +159,17 @@ impl<I: Interpretation> Evaluator<I> {
         self.known[id as usize] = Some(value);
     }
 
+    /// Gives a comparison of two numbers that are equal its truth.
+    fn set_equal(&mut self, id: Id) {
+        if let Node::Compare(relation, ..) = self.graph.node(id) {
+            let holds = matches!(
+                relation,
+                Relation::LessEqual | Relation::Equal | Relation::GreaterEqual
+            );
+            self.truths[id as usize] = Some(holds);
+        }
+    }
+
     /// Gives the variables of a binder values and forgets what depends on the old ones.
     pub fn set_variables(&mut self, binder: u32, values: impl IntoIterator<Item = I::V>) {
         for id in &self.graph.clone().binder(binder).members {

@@ -97,6 +97,64 @@ fn formulas_at_a_point() {
             "2.4528927280692988577e-87",
         ),
         ("int(t, 0, 3, floor(t)*x)", (1, 1), "3.0000000000000000000"),
+        // All roots, in ascending order, of exactly as many; their number.
+        (
+            "root(y, -2, 2, y^3 - x*y, 1, 3)",
+            (2, 1),
+            "-1.4142135623730950488",
+        ),
+        (
+            "root(y, -2, 2, y^3 - x*y, 3, 3)",
+            (2, 1),
+            "1.4142135623730950488",
+        ),
+        (
+            "D(root(y, -2, 2, y^3 - x*y, 3, 3), x)",
+            (2, 1),
+            "0.35355339059327376220",
+        ),
+        ("roots(y, 0, 10, sin(x*y))", (2, 1), "7.0000000000000000000"),
+        (
+            "root(y, -2, 2, y^3 - x*y, 1, 2)",
+            (2, 1),
+            "undefined: another number of roots in the interval: root(y, -2, 2, y^3 - x*y)",
+        ),
+        // What balls cannot compare the algebra does.
+        (
+            "if(sqrt(x)*sqrt(3) < sqrt(6), 1, 2)",
+            (2, 1),
+            "2.0000000000000000000",
+        ),
+        (
+            "if(sqrt(x)*sqrt(3) == sqrt(6), 1, 2)",
+            (2, 1),
+            "1.0000000000000000000",
+        ),
+        (
+            "if(sqrt(x)*sqrt(3) != sqrt(6), 1, x)",
+            (2, 1),
+            "2.0000000000000000000",
+        ),
+        (
+            "if(sqrt(x)*sqrt(3) >= sqrt(6), 1/x, x)",
+            (2, 1),
+            "0.50000000000000000000",
+        ),
+        (
+            "if(sqrt(x)*sqrt(3) == sqrt(6), 1, 3)",
+            (3, 1),
+            "3.0000000000000000000",
+        ),
+        (
+            "sqrt(sqrt(x)*sqrt(3) - sqrt(6)) + x",
+            (2, 1),
+            "2.0000000000000000000",
+        ),
+        (
+            "1/(sqrt(x)*sqrt(3) - sqrt(6))",
+            (2, 1),
+            "undefined: division by zero: 1/(sqrt(x)*sqrt(3) - sqrt(6))",
+        ),
         ("re(W(x + i))", (1, 1), "0.30474420525691259246"),
         (
             "D(while(k < 3, k, 0, k + 1, p, 1, p*x, p), x)",

@@ -2,7 +2,7 @@
 
 use super::{Binding, Graph, Id, Node};
 use crate::error::unsupported;
-use crate::{Constant, Func, Relation, SymbolicError};
+use crate::{Constant, Func, Relation, Roots, SymbolicError};
 use std::collections::HashMap;
 
 /// A derivative; nothing stands for zero.
@@ -482,6 +482,11 @@ impl Graph {
                 Ok(sum)
             }
             // f(x, p) = 0: x′ = −f_p/f_x.
+            // A number of roots jumps where one enters or leaves.
+            Binding::Root {
+                which: Roots::Number,
+                ..
+            } => unsupported("the derivative of a number of roots"),
             Binding::Root { body, slope, .. } => {
                 let mut inner = seeds.clone();
                 inner.insert(variable, None);
@@ -651,7 +656,9 @@ impl Graph {
                 to,
                 body,
                 slope,
+                which,
             } => Binding::Root {
+                which,
                 from: outer(from),
                 to: outer(to),
                 body: self.replaced(body, &inner)?,
