@@ -65,6 +65,7 @@ impl Balls {
             goal: prec,
             exact: false,
             holomorphic: false,
+            wide: false,
         }
     }
 }

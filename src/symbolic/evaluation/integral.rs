@@ -23,13 +23,14 @@ struct Body<'e> {
 impl Body<'_> {
     fn value(&mut self, variable: Value, holomorphic: bool, bits: u32) -> Result<Value, Stop> {
         let balls = &mut self.evaluator.interpretation;
-        let outside = (balls.prec, balls.holomorphic);
+        let outside = (balls.prec, balls.holomorphic, balls.wide);
         // Around a continuation everything has to be holomorphic in its variable, too.
         (balls.prec, balls.holomorphic) = (bits, holomorphic || outside.1);
+        balls.wide |= variable.real().is_some_and(|x| !x.rad().is_zero());
         self.evaluator.set_variables(self.binder, [variable]);
         let value = self.evaluator.value(self.body).cloned();
         let balls = &mut self.evaluator.interpretation;
-        (balls.prec, balls.holomorphic) = outside;
+        (balls.prec, balls.holomorphic, balls.wide) = outside;
         value
     }
 

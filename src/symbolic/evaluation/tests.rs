@@ -96,6 +96,17 @@ fn formulas_at_a_point() {
             (1, 1),
             "2.4528927280692988577e-87",
         ),
+        // Across the cut of the square root and of a power.
+        (
+            "im(int(t, -1, 1, i*sqrt(-1 + i*t)))",
+            (1, 1),
+            "0.47520766279255650035",
+        ),
+        (
+            "im(int(t, -1, 1, i*(-1 + i*t)^(-1/2)))",
+            (1, 1),
+            "0.39473645387123986416",
+        ),
         ("int(t, 0, 3, floor(t)*x)", (1, 1), "3.0000000000000000000"),
         // All roots, in ascending order, of exactly as many; their number.
         (

@@ -59,7 +59,7 @@ const INTEGRALS: [(u32, &str); 31] = [
     (29, "int(x, 0, inf, exp(-x^2)*sin(x))"),
     (31, "int(x, 0, pi, x*sin(x)/(1 + cos(x)^2))"),
     (32, "int(x, 0, 3, sin((1/1000 + (1 - x)^2)^(-3/2)))"),
-    (35, "im(int(t, -1, 1, i/sqrt(-1 + i*t)))"),
+    (35, "im(int(t, -1, 1, i*(-1 + i*t)^(-1/2)))"),
     (36, "int(x, 0, inf, x/tgamma(1 + x))"),
     // The sine integral by Fubini's theorem.
     (37, "int(x, 0, 1000, (1000 - x)*sin(x)/x)"),
