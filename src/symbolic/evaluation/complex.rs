@@ -19,8 +19,14 @@ pub(super) fn div(a: &ComplexBall, b: &ComplexBall, p: u32) -> ComplexEvaluated 
     real::complex::div(a, b, p)
 }
 
-/// An integer power, by squarings.
+/// An integer power, by squarings; one of the inverse where the exponent is negative, because the
+/// power of a rectangle may hold zero.
 pub(super) fn power(z: &ComplexBall, k: i32, p: u32) -> ComplexEvaluated {
+    let one = ComplexBall::new(Ball::integer(p, 1), Ball::integer(p, 0));
+    let z = &match k < 0 {
+        true => div(&one, z, p)?,
+        false => z.clone(),
+    };
     let mut product: Option<ComplexBall> = None;
     let bits = k.unsigned_abs();
     for place in (0..32 - bits.leading_zeros()).rev() {
@@ -32,12 +38,7 @@ pub(super) fn power(z: &ComplexBall, k: i32, p: u32) -> ComplexEvaluated {
             });
         }
     }
-    let one = ComplexBall::new(Ball::integer(p, 1), Ball::integer(p, 0));
-    let product = product.unwrap_or_else(|| one.clone());
-    match k < 0 {
-        true => div(&one, &product, p),
-        false => Ok(product),
-    }
+    Ok(product.unwrap_or(one))
 }
 
 /// A holomorphic function of one complex number, principal branches.

@@ -96,6 +96,17 @@ fn formulas_at_a_point() {
             (1, 1),
             "2.4528927280692988577e-87",
         ),
+        (
+            "int(t, 0, inf, t/tgamma(1 + t))",
+            (1, 1),
+            "2.8077702420285193652",
+        ),
+        // Three peaks of different width.
+        (
+            "int(t, 0, 1, 1/cosh(10*(t - 0.2))^2 + 1/cosh(100*(t - 0.4))^4 + 1/cosh(1000*(t - 0.6))^6)",
+            (1, 1),
+            "0.21080273550054927738",
+        ),
         // Across the cut of the square root and of a power.
         (
             "im(int(t, -1, 1, i*sqrt(-1 + i*t)))",
