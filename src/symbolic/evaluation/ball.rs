@@ -382,7 +382,10 @@ impl Interpretation for Balls {
                 slope,
                 which,
             } => super::root::root(evaluator, binder, node, [from, to, body, slope], which),
-            _ => Err(stop(NoValue::Undecided("a sum to infinity"))),
+            Binding::Sum { from, body, .. } => {
+                super::sum::infinite(evaluator, binder, node, [from, body])
+            }
+            _ => Err(stop(NoValue::Undecided("a binder without a value"))),
         }
     }
 

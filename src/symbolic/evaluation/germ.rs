@@ -137,7 +137,7 @@ impl Germs {
                 let eight = Germ::constant(&Ball::integer(self.bits, 8), self.k);
                 let is_large = x.sub(&eight)?.is_positive();
                 is_large.then_some(())?;
-                x.exp()?.either(&x.powi(2)?.exp()?)
+                x.exp()?.between(&x.powi(2)?.exp()?)
             }
             // At most one away from the argument.
             Func::Floor | Func::Ceil | Func::Round | Func::Trunc | Func::Nearbyint => {

@@ -12,7 +12,7 @@ use mechaudit_reference::{Ball, ComplexBall, Mag};
 const EVALUATIONS: u64 = 1 << 18;
 
 /// The body of an integral as a function of its variable.
-struct Body<'e> {
+pub(super) struct Body<'e> {
     evaluator: &'e mut Evaluator<Balls>,
     binder: u32,
     body: Id,
@@ -20,7 +20,17 @@ struct Body<'e> {
     undefined: Option<Stop>,
 }
 
-impl Body<'_> {
+impl<'e> Body<'e> {
+    /// The body of a binder of one variable.
+    pub(super) fn new(evaluator: &'e mut Evaluator<Balls>, binder: u32, body: Id) -> Body<'e> {
+        Body {
+            evaluator,
+            binder,
+            body,
+            undefined: None,
+        }
+    }
+
     fn value(&mut self, variable: Value, holomorphic: bool, bits: u32) -> Result<Value, Stop> {
         let balls = &mut self.evaluator.interpretation;
         let outside = (balls.prec, balls.holomorphic, balls.wide);
@@ -140,12 +150,7 @@ pub(super) fn integral(
     super::system::prepare(evaluator, &graph, &[body]);
     let bits = evaluator.interpretation.goal;
     let is_complex = evaluator.graph().is_complex(body);
-    let mut integrand = Body {
-        evaluator,
-        binder,
-        body,
-        undefined: None,
-    };
+    let mut integrand = Body::new(evaluator, binder, body);
     let prec = integrand.evaluator.interpretation.prec;
     // An integral next to zero gets its relative accuracy as the working precision is raised.
     let goal = Goal {

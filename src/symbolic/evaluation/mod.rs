@@ -13,6 +13,7 @@ mod germ;
 mod huge;
 mod integral;
 mod root;
+mod sum;
 mod system;
 #[cfg(test)]
 mod tests;
@@ -358,7 +359,14 @@ impl<I: Interpretation> Evaluator<I> {
                 "a limit of a sum that is no integer",
             )))
         };
-        let (from, to) = (limit(from)?, limit(to)?);
+        let limits = [limit(from)?, limit(to)?];
+        self.terms(binder, id, body, limits)
+    }
+
+    /// The sum of a body over the integers from one to another.
+    fn terms(&mut self, binder: u32, id: Id, body: Id, limits: [i64; 2]) -> Result<I::V, Stop> {
+        let [from, to] = limits;
+        let stop = |reason| Stop { node: id, reason };
         let mut sum: Option<I::V> = None;
         for k in from..=to {
             self.count(id)?;

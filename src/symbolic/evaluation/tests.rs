@@ -107,6 +107,27 @@ fn formulas_at_a_point() {
             (1, 1),
             "0.21080273550054927738",
         ),
+        (
+            "sum(n, 0, inf, 1/tgamma(n + 1))",
+            (1, 1),
+            "2.7182818284590452354",
+        ),
+        (
+            "sum(n, 1, inf, n*exp(-n*x))",
+            (1, 1),
+            "0.92067359420779231895",
+        ),
+        ("sum(n, -2, inf, x^n)", (1, 3), "13.500000000000000000"),
+        (
+            "sum(n, 1, inf, 1/n^2)",
+            (1, 1),
+            "undecided: the limit on rounds of loops and terms of sums: sum(n, 1, inf, n^-2)",
+        ),
+        (
+            "sum(n, 1, inf, x^n)",
+            (1, 1),
+            "undecided: a sum to infinity whose terms are not bounded: sum(n, 1, inf, pow(x, n))",
+        ),
         // Across the cut of the square root and of a power.
         (
             "im(int(t, -1, 1, i*sqrt(-1 + i*t)))",
@@ -171,6 +192,12 @@ fn formulas_at_a_point() {
             "sqrt(sqrt(x)*sqrt(3) - sqrt(6)) + x",
             (2, 1),
             "2.0000000000000000000",
+        ),
+        // Too close for the balls, and not equal.
+        (
+            "if(x + exp(-4000) == x, 1, 2)",
+            (1, 1),
+            "undecided: a comparison of numbers that may be equal: x + exp(-4000) == x",
         ),
         (
             "1/(sqrt(x)*sqrt(3) - sqrt(6))",
@@ -247,6 +274,7 @@ fn continuations_are_holomorphic() {
         let id = graph.build(&Definitions::default(), &parse(text).unwrap());
         let balls = Balls {
             holomorphic: true,
+            wide: true,
             ..Balls::new(64)
         };
         let mut evaluator = Evaluator::new(Arc::new(graph), balls);
@@ -257,6 +285,9 @@ fn continuations_are_holomorphic() {
     };
     for (text, re, due) in [
         ("exp(i*x)*x", 1.0, true),
+        ("sqrt(i*x - 1)", 1.0, true),
+        // Across the cut.
+        ("sqrt(i*x - 1)", 0.0, false),
         ("abs(exp(i*x))", 1.0, false),
         ("re(exp(i*x))", 1.0, false),
         ("re(W(x))", 1.0, false),

@@ -454,6 +454,10 @@ impl Graph {
                 let Some(slope) = d(body) else {
                     return Ok(None);
                 };
+                // Term by term only where that is known to converge.
+                if self.node(to) == Node::Infinity {
+                    return unsupported("the derivative of a sum to infinity");
+                }
                 let new = self.open(names, depth);
                 let inner = self.push(Node::Variable(new, 0));
                 let body = self.substitute(slope, variable, inner)?;
@@ -481,12 +485,12 @@ impl Graph {
                 }
                 Ok(sum)
             }
-            // f(x, p) = 0: x′ = −f_p/f_x.
             // A number of roots jumps where one enters or leaves.
             Binding::Root {
                 which: Roots::Number,
                 ..
             } => unsupported("the derivative of a number of roots"),
+            // f(x, p) = 0: x′ = −f_p/f_x.
             Binding::Root { body, slope, .. } => {
                 let mut inner = seeds.clone();
                 inner.insert(variable, None);
