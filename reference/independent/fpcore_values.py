@@ -119,10 +119,23 @@ def number(text):
     return mp.mpf(text)
 
 
+def later(e, names):
+    """The value of an expression, once it is asked for."""
+    kept = []
+
+    def ask():
+        if not kept:
+            kept.append(value(e, names))
+        return kept[0]
+    return ask
+
+
 def value(e, names):
     if isinstance(e, str):
         if e in names:
-            return names[e]
+            known = names[e]
+            # A name that is not used need not have a value.
+            return known() if callable(known) else known
         if e in CONSTANTS:
             return CONSTANTS[e]()
         try:
@@ -137,7 +150,7 @@ def value(e, names):
     if head in ("let", "let*"):
         inner = dict(names)
         for name, x in rest[0]:
-            inner[name] = value(x, inner if head == "let*" else names)
+            inner[name] = later(x, dict(inner) if head == "let*" else names)
         return value(rest[1], inner)
     if head in ("while", "while*"):
         inner = dict(names)

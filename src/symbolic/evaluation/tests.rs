@@ -215,6 +215,28 @@ fn formulas_at_a_point() {
     }
 }
 
+/// Sums to infinity against their closed forms.
+#[test]
+fn sums_to_infinity_have_their_closed_forms() {
+    for (sum, closed) in [
+        ("sum(n, 0, inf, x^n)", "1/(1 - x)"),
+        ("sum(n, 0, inf, n^3*x^n)", "x*(1 + 4*x + x^2)/(1 - x)^4"),
+        ("sum(n, 0, inf, x^n/tgamma(n + 1))", "exp(x)"),
+        (
+            "sum(n, -3, inf, n*exp(-n*x))",
+            "exp(-x)/(1 - exp(-x))^2 - exp(x) - 2*exp(2*x) - 3*exp(3*x)",
+        ),
+    ] {
+        for x in [(1, 10), (1, 3), (5, 8), (37, 40)] {
+            assert_eq!(value(sum, x, 30), value(closed, x, 30), "{sum} at {x:?}");
+        }
+    }
+    // A derivative term by term is not proved to be one.
+    let mut graph = Graph::new(["x".to_string()]);
+    let slope = parse("D(sum(n, 0, inf, x^n), x)").unwrap();
+    assert!(graph.build(&Definitions::default(), &slope).is_err());
+}
+
 #[test]
 fn floating_point_has_one_rounding_an_operation() {
     let mut graph = Graph::new(["x".to_string(), "y".to_string()]);
