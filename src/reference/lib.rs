@@ -15,6 +15,7 @@
 //! | drive | [`run_up`], [`pendulum`] |
 //! | cams | [`cam_law`], [`fourier_series`], [`chirp_oscillator`] |
 //! | quadrature | [`quadrature`] |
+//! | initial_value | [`initial_value`] |
 //!
 //! Features: `formulas` (elementary functions, integrals, roots, dense and banded systems), `linkages`, `cams` and
 //! `run-up` (folder `drive`), all on by default.
@@ -35,6 +36,8 @@ mod cams;
 mod drive;
 #[cfg(feature = "formulas")]
 pub mod elementary;
+#[cfg(feature = "formulas")]
+pub mod initial_value;
 mod linear;
 #[cfg(feature = "linkages")]
 mod linkages;

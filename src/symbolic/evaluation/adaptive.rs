@@ -367,7 +367,7 @@ impl Certified {
 }
 
 /// Bits that a ball lacks to its goal; the largest number where nothing is known of it.
-fn lacking(ball: &Ball, goal: Goal) -> u32 {
+pub(super) fn lacking(ball: &Ball, goal: Goal) -> u32 {
     if !ball.is_finite() {
         return u32::MAX;
     }

@@ -11,16 +11,21 @@ mod complex;
 mod float;
 mod germ;
 mod huge;
+mod initial_value;
 mod integral;
 mod root;
 mod sum;
 mod system;
+mod taylor;
 #[cfg(test)]
 mod tests;
 
 pub use adaptive::{Algebraic, Answer, Certified, Goal, LIMIT, Undecided};
 pub use ball::{Balls, Value};
 pub use float::{Elementary, Floating, Format};
+pub use initial_value::{
+    InitialValueProblem, Limits, MotionError, ProblemError, State, Trajectory,
+};
 
 use crate::graph::{Binding, Graph, Id, Node};
 use crate::{Constant, Func, Relation};

@@ -1,0 +1,222 @@
+//! The statement of an initial value problem.
+
+use super::{Limits, MotionError, Trajectory};
+use crate::graph::{Graph, Id, Node};
+use crate::{Definitions, Expr, SymbolicError};
+use rug::Rational;
+use std::sync::Arc;
+
+/// A state: its value at the start and its rate.
+#[derive(Clone, Debug)]
+pub struct State {
+    /// The name, by which rates refer to it.
+    pub name: String,
+    /// The value at the start, an expression of the inputs.
+    pub start: Expr,
+    /// The derivative by the time, an expression of the inputs, the time and all states.
+    pub rate: Expr,
+}
+
+impl State {
+    /// Creates a state.
+    pub fn new(name: impl Into<String>, start: Expr, rate: Expr) -> State {
+        let name = name.into();
+        State { name, start, rate }
+    }
+}
+
+/// Reason why an initial value problem is none.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ProblemError {
+    /// There is nothing to solve for.
+    #[error("an initial value problem has at least one state")]
+    NoState,
+    /// Two inputs, states or the time have the same name.
+    #[error("{0} is declared twice")]
+    Twice(String),
+    /// A start depends on the time or on a state.
+    #[error("the start of {name} depends on {on}, which has no value before the start")]
+    Start {
+        /// The state, or the time.
+        name: String,
+        /// The name that it depends on.
+        on: String,
+    },
+    /// A start or a rate is complex or a condition.
+    #[error("the {part} of {name} is not a real number")]
+    NotReal {
+        /// `start` or `rate`.
+        part: &'static str,
+        /// The state, or the time.
+        name: String,
+    },
+    /// An expression has no meaning.
+    #[error("the {part} of {name}: {error}")]
+    Expression {
+        /// `start` or `rate`.
+        part: &'static str,
+        /// The state, or the time.
+        name: String,
+        /// Why.
+        error: SymbolicError,
+    },
+}
+
+/// The initial value problem `y′ = f(t, y, p)`, `y(t_0) = y_0(p)` with inputs p.
+#[derive(Clone, Debug)]
+pub struct InitialValueProblem {
+    pub(super) graph: Arc<Graph>,
+    pub(super) inputs: usize,
+    pub(super) time: String,
+    pub(super) start: Id,
+    pub(super) states: Vec<String>,
+    pub(super) starts: Vec<Id>,
+    pub(super) rates: Vec<Id>,
+    /// Derivatives of rates by states that are not zero: the rate, the state and the node.
+    pub(super) jacobian: Vec<(usize, usize, Id)>,
+}
+
+impl InitialValueProblem {
+    /// States a problem by expressions. `inputs` are the names of the parameters p, `time` is the name of t and
+    /// `start` the expression of t_0.
+    ///
+    /// # Errors
+    /// See [`ProblemError`].
+    pub fn new(
+        definitions: &Definitions,
+        inputs: &[&str],
+        time: &str,
+        start: &Expr,
+        states: &[State],
+    ) -> Result<InitialValueProblem, ProblemError> {
+        let names = inputs.iter().copied().chain([time]);
+        let names = names.chain(states.iter().map(|s| s.name.as_str()));
+        let mut graph = Graph::new(names.map(String::from)).of_real_functions();
+        let mut build = |part: &'static str, name: &str, e: &Expr| {
+            let built = graph.build(definitions, e);
+            built.map_err(|error| ProblemError::Expression {
+                part,
+                name: name.into(),
+                error,
+            })
+        };
+        let start = build("start", time, start)?;
+        let mut nodes = Vec::new();
+        for state in states {
+            let first = build("start", &state.name, &state.start)?;
+            let rate = build("rate", &state.name, &state.rate)?;
+            nodes.push((first, rate));
+        }
+        InitialValueProblem::of_graph(graph, start, &nodes)
+    }
+
+    /// States a problem by the nodes of a graph, whose inputs are the parameters, the time and as many states as
+    /// there are pairs of a start and a rate.
+    ///
+    /// # Errors
+    /// See [`ProblemError`].
+    ///
+    /// # Panics
+    /// If the graph has fewer inputs than the time and the states.
+    pub fn of_graph(
+        mut graph: Graph,
+        start: Id,
+        states: &[(Id, Id)],
+    ) -> Result<InitialValueProblem, ProblemError> {
+        if states.is_empty() {
+            return Err(ProblemError::NoState);
+        }
+        let names = graph.inputs().to_vec();
+        let inputs = names.len() - states.len() - 1;
+        if let Some(k) = (1..names.len()).find(|k| names[..*k].contains(&names[*k])) {
+            return Err(ProblemError::Twice(names[k].clone()));
+        }
+        let (time, own) = (names[inputs].clone(), &names[inputs + 1..]);
+        let firsts = [(&time, start)].into_iter();
+        let firsts: Vec<(&String, Id)> = firsts
+            .chain(own.iter().zip(states.iter().map(|s| s.0)))
+            .collect();
+        for (name, id) in &firsts {
+            let reached = graph.reach(*id);
+            let on = reached.iter().find_map(|id| match graph.node(*id) {
+                Node::Input(k) if k as usize >= inputs => Some(names[k as usize].clone()),
+                _ => None,
+            });
+            if let Some(on) = on {
+                let name = name.to_string();
+                return Err(ProblemError::Start { name, on });
+            }
+        }
+        let rates = own.iter().zip(states.iter().map(|s| s.1));
+        let all = firsts.iter().map(|(name, id)| ("start", *name, *id));
+        for (part, name, id) in all.chain(rates.map(|(name, id)| ("rate", name, id))) {
+            if graph.is_complex(id) || graph.is_condition(id) {
+                let name = name.clone();
+                return Err(ProblemError::NotReal { part, name });
+            }
+        }
+        let own = own.to_vec();
+        let mut jacobian = Vec::new();
+        for (row, (name, (_, rate))) in own.iter().zip(states).enumerate() {
+            for column in 0..states.len() {
+                let by = graph.input(inputs + 1 + column);
+                let slope = graph.derivative(*rate, by);
+                let slope = slope.map_err(|error| ProblemError::Expression {
+                    part: "rate",
+                    name: name.clone(),
+                    error,
+                })?;
+                let is_zero =
+                    matches!(graph.node(slope), Node::Number(k) if *graph.rational(k) == 0);
+                if !is_zero {
+                    jacobian.push((row, column, slope));
+                }
+            }
+        }
+        Ok(InitialValueProblem {
+            inputs,
+            time,
+            start,
+            states: own,
+            jacobian,
+            starts: states.iter().map(|s| s.0).collect(),
+            rates: states.iter().map(|s| s.1).collect(),
+            graph: Arc::new(graph),
+        })
+    }
+
+    /// The names of the inputs.
+    pub fn inputs(&self) -> &[String] {
+        &self.graph.inputs()[..self.inputs]
+    }
+
+    /// The name of the time.
+    pub fn time(&self) -> &str {
+        &self.time
+    }
+
+    /// The names of the states.
+    pub fn states(&self) -> &[String] {
+        &self.states
+    }
+
+    /// The graph of the problem, whose inputs are the inputs, the time and the states.
+    pub fn graph(&self) -> &Arc<Graph> {
+        &self.graph
+    }
+
+    /// The solution for some values of the inputs.
+    ///
+    /// # Errors
+    /// A start without a value, a start of the time that is not rational.
+    ///
+    /// # Panics
+    /// If there are more or fewer values than inputs.
+    pub fn trajectory(
+        &self,
+        inputs: &[Rational],
+        limits: Limits,
+    ) -> Result<Trajectory, MotionError> {
+        Trajectory::new(self, inputs, limits)
+    }
+}
