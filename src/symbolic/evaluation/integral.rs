@@ -138,6 +138,25 @@ fn limit(evaluator: &mut Evaluator<Balls>, id: Id) -> Result<Limit, Stop> {
     }
 }
 
+/// Bits by which parts that do not depend on the variable are known more closely than a panel is due.
+const CLOSER: u32 = 64;
+
+/// Gives parts of a body that do not depend on the variable their values, to more bits: what is uncertain
+/// in them is so on every panel.
+fn prepare(evaluator: &mut Evaluator<Balls>, binder: u32, body: Id) {
+    let graph = evaluator.graph().clone();
+    let outside = evaluator.interpretation.prec;
+    evaluator.interpretation.prec = outside.saturating_add(CLOSER);
+    super::system::prepare(evaluator, &graph, &[body]);
+    for id in leaves(&graph, body, binder) {
+        if graph.node(id) != Node::Infinity {
+            // A part without a value is reported where it is needed.
+            let _ = evaluator.value(id);
+        }
+    }
+    evaluator.interpretation.prec = outside;
+}
+
 /// The value of an integral from one node to another.
 pub(super) fn integral(
     evaluator: &mut Evaluator<Balls>,
@@ -146,8 +165,7 @@ pub(super) fn integral(
     [from, to, body]: [Id; 3],
 ) -> Result<Value, Stop> {
     let limits = [limit(evaluator, from)?, limit(evaluator, to)?];
-    let graph = evaluator.graph().clone();
-    super::system::prepare(evaluator, &graph, &[body]);
+    prepare(evaluator, binder, body);
     let bits = evaluator.interpretation.goal;
     let is_complex = evaluator.graph().is_complex(body);
     let mut integrand = Body::new(evaluator, binder, body);
