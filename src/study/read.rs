@@ -12,7 +12,7 @@ use super::problem::{
 use super::system;
 use mechaudit_symbolic::evaluation::{Elementary, Format};
 use mechaudit_symbolic::{
-    Bound, Constant, Definitions, Equation, Expr, Func, number, parse_declared,
+    Bound, Constant, Definitions, Equation, Expr, Func, Roots, number, parse_declared,
     parse_declared_equation,
 };
 use rug::Rational;
@@ -56,7 +56,8 @@ pub(super) fn problem(text: &str, name: &str) -> Result<Problem, StudyError> {
     }
     let parameters = entries(&file, "parameters")?;
     let lets = entries(&file, "let")?;
-    let outputs = entries(&file, "outputs")?;
+    let stated = entries(&file, "outputs")?;
+    let (outputs, places) = one_by_one(stated)?;
     let unknowns = system::unknowns(&file)?;
     let states = initial_value::read::states(&file)?;
     if outputs.is_empty() && unknowns.is_empty() && states.is_empty() {
@@ -97,9 +98,9 @@ pub(super) fn problem(text: &str, name: &str) -> Result<Problem, StudyError> {
     if let Some(ode) = file.get("ode") {
         initial_value::read::read(&names, ode, &mut problem)?;
     }
-    for (name, item) in outputs {
+    for ((name, item), place) in outputs.iter().zip(places) {
         let is_unknown = is_unknown(name);
-        let output = output(&names, name, item, is_unknown)?;
+        let output = output(&names, name, item, is_unknown, place)?;
         if !is_unknown {
             problem.definitions.set(name, output.is.clone());
         }
@@ -154,6 +155,48 @@ pub fn is_name(name: &str, item: &Item) -> Result<(), StudyError> {
         false => Err(item.fault(format!(
             "{name:?} is no name: a letter, then up to 63 letters, digits and underscores"
         ))),
+    }
+}
+
+/// Outputs with each root of an equation by itself: its name ends in its place, from 1 to `count`;
+/// the places of roots beside them, 0 elsewhere.
+fn one_by_one(stated: &[(String, Item)]) -> Result<(Vec<(String, Item)>, Vec<u32>), StudyError> {
+    /// The most roots that one output may stand for.
+    const MOST: u32 = 1000;
+    let mut places = Vec::new();
+    let mut outputs = Vec::new();
+    for (name, item) in stated {
+        if item.get("roots_of").is_none() {
+            outputs.push((name.clone(), item.clone()));
+            places.push(0);
+            continue;
+        }
+        is_name(name, item)?;
+        if item.get("root_of").is_some() {
+            return Err(item.fault(format!("the output {name} has root_of and roots_of")));
+        }
+        let Some(count) = item.get("count") else {
+            return Err(item.fault(format!(
+                "the roots {name} need count = NUMBER: outputs are {name}_1, {name}_2, ..."
+            )));
+        };
+        let number = count.text()?.parse::<u32>().ok();
+        let Some(number) = number.filter(|n| (1..=MOST).contains(n)) else {
+            return Err(count.fault(format!("the number of roots is not from 1 to {MOST}")));
+        };
+        for place in 1..=number {
+            outputs.push((format!("{name}_{place}"), item.clone()));
+            places.push(place);
+        }
+    }
+    Ok((outputs, places))
+}
+
+/// The name that an equation gives its unknown: that of the output, without the place of a root.
+fn unknown_of(name: &str, place: u32) -> &str {
+    match place {
+        0 => name,
+        place => name.strip_suffix(&format!("_{place}")).unwrap_or(name),
     }
 }
 
@@ -287,6 +330,7 @@ fn output(
     name: &str,
     item: &Item,
     is_unknown: bool,
+    place: u32,
 ) -> Result<StudyOutput, StudyError> {
     let plain = |is: Expr, text: String| StudyOutput {
         name: name.into(),
@@ -301,8 +345,15 @@ fn output(
         }
         return Ok(plain(names.expression(item)?, item.text()?.into()));
     }
-    item.only(&["is", "root_of", "between", "unit", "budget", "why"])?;
-    let mut found = match (item.get("is"), item.get("root_of")) {
+    let keys = [
+        "is", "root_of", "roots_of", "between", "count", "unit", "budget", "why",
+    ];
+    item.only(&keys)?;
+    let equation = item.get("root_of").or(item.get("roots_of"));
+    if item.get("count").is_some() && place == 0 {
+        return Err(item.fault("count belongs to roots_of"));
+    }
+    let mut found = match (item.get("is"), equation) {
         (Some(is), None) => plain(names.expression(is)?, is.text()?.into()),
         (None, Some(of)) => {
             let Some(between) = item.get("between") else {
@@ -311,18 +362,31 @@ fn output(
             let [low, high] = between.list()? else {
                 return Err(between.fault("expected two ends: between = [LOW, HIGH]"));
             };
+            let unknown = unknown_of(name, place);
             let bound = Bound {
-                var: name.into(),
+                var: unknown.into(),
                 from: names.expression(low)?,
                 to: names.expression(high)?,
-                body: names.equation(of, &[name])?,
+                body: names.equation(of, &[unknown])?,
+            };
+            let (which, kind) = match item.get("count") {
+                None => (Roots::Only, "root".into()),
+                Some(count) => {
+                    let count = count.text()?.parse().unwrap_or(0);
+                    let kind = format!("root {place} of {count}");
+                    (Roots::One { place, count }, kind)
+                }
             };
             let (low, high) = (low.text()?, high.text()?);
-            let text = format!("root of {} between {low} and {high}", of.text()?);
-            plain(Expr::Root(Box::new(bound)), text)
+            let text = format!("{kind} of {} between {low} and {high}", of.text()?);
+            plain(Expr::Root(Box::new(bound), which), text)
         }
         (None, None) if is_unknown => plain(Expr::Sym(name.into()), "an unknown".into()),
-        _ => return Err(item.fault(format!("the output {name} needs is = ... or root_of = ..."))),
+        _ => {
+            return Err(item.fault(format!(
+                "the output {name} needs is = ..., root_of = ... or roots_of = ..."
+            )));
+        }
     };
     if is_unknown && found.is != Expr::Sym(name.into()) {
         return Err(item.fault(format!("the name {name} is declared twice")));
@@ -460,7 +524,7 @@ fn leads_to(definitions: &Definitions, name: &str) -> bool {
     };
     // A root's variable has the name of its output.
     match e {
-        Expr::Root(bound) if bound.var == name => [&bound.from, &bound.to]
+        Expr::Root(bound, _) if bound.var == name => [&bound.from, &bound.to]
             .into_iter()
             .any(|e| definitions.reaches(e, &[name])),
         e => definitions.reaches(e, &[name]),

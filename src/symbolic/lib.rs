@@ -105,7 +105,7 @@ pub use enclosure::{
 };
 pub use error::SymbolicError;
 pub use exact::Exact;
-pub use expr::{Bound, Constant, Equation, Expr, Loop, Relation};
+pub use expr::{Bound, Constant, Equation, Expr, Loop, Relation, Roots};
 pub use expsum::ExpSum;
 pub use fraction::Fraction;
 pub use function::Func;

@@ -105,7 +105,7 @@ impl<'a> Check<'a> {
                 let x: Vec<&Expr> = x.iter().collect();
                 self.scalar(&x, f.name()).map(|()| false)
             }
-            Expr::Root(_)
+            Expr::Root(..)
             | Expr::Compare(..)
             | Expr::And(_)
             | Expr::Or(_)

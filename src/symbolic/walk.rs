@@ -1,7 +1,7 @@
 //! One way through an expression for every kind of value.
 
 use super::error::unsupported;
-use super::expr::{Bound, Constant, EACH, Expr, Func, Loop, RESERVED};
+use super::expr::{Bound, Constant, EACH, Expr, Func, Loop, RESERVED, Roots};
 use super::work::step;
 use super::{Gauss, Symbol, SymbolicError, parse};
 use rug::Rational;
@@ -246,6 +246,7 @@ pub trait Domain: Sized {
         &mut self,
         _scope: &mut Scope<Self::V>,
         bound: &Bound,
+        _which: Roots,
     ) -> Result<Self::V, SymbolicError> {
         unsupported(format!("a root of {}", bound.body))
     }
@@ -436,7 +437,7 @@ pub fn walk<D: Domain>(
             let x: Result<Vec<D::V>, _> = x.iter().map(|x| walk(d, scope, x)).collect();
             d.call(*f, &x?)
         }
-        Expr::Root(bound) => d.root(scope, bound),
+        Expr::Root(bound, which) => d.root(scope, bound, *which),
         Expr::Compare(..) | Expr::And(_) | Expr::Or(_) | Expr::Not(_) | Expr::Truth(_) => {
             d.condition(scope, e)
         }
