@@ -110,7 +110,7 @@ pub struct Bound {
     pub from: Expr,
     /// Upper limit, which may be `inf`.
     pub to: Expr,
-    /// What is integrated or added.
+    /// The integrand or summand.
     pub body: Expr,
 }
 

@@ -101,7 +101,7 @@ impl Ball {
         self.mid.prec()
     }
 
-    /// Whether the ball bounds anything.
+    /// Returns true if the ball bounds anything.
     pub fn is_finite(&self) -> bool {
         self.rad.is_finite()
     }
@@ -151,7 +151,7 @@ impl Ball {
         let shift = (bits << 1 >> 53) as i64 - 1075 - e;
         // No bit is lost.
         let x = (0..=SPARE).contains(&shift).then(|| m << shift)?;
-        // What is cut off of mid is less than a unit.
+        // The part that is cut off of mid is less than a unit.
         let d = mid.abs_diff(x);
         let rest = u128::from(rest);
         Some(([d.saturating_sub(rest), d.checked_add(rest)?], e))
@@ -167,7 +167,7 @@ impl Ball {
         Mag::below(&self.mid).sub_below(self.rad)
     }
 
-    /// Whether zero may be the value.
+    /// Returns true if zero may be the value.
     pub fn contains_zero(&self) -> bool {
         !self.is_off_zero()
     }
@@ -182,7 +182,7 @@ impl Ball {
         self.mid.is_sign_negative() && self.is_off_zero()
     }
 
-    /// Whether `|mid| > rad`.
+    /// Returns true if `|mid| > rad`.
     fn is_off_zero(&self) -> bool {
         // A bound has 53 bits: |mid| rounded up to as many is above it where |mid| is, and only there.
         Mag::above(&self.mid) > self.rad
@@ -223,7 +223,7 @@ impl Ball {
         Ball::between(self.prec().max(other.prec()), &low, &high)
     }
 
-    /// Whether the exact number `x` lies in the ball.
+    /// Returns true if the exact number `x` lies in the ball.
     pub fn contains(&self, x: &Rational) -> bool {
         if !self.is_finite() {
             return true;
@@ -233,12 +233,12 @@ impl Ball {
         (x - mid).abs() <= rad
     }
 
-    /// Whether every point of `other` lies in the ball.
+    /// Returns true if every point of `other` lies in the ball.
     pub fn contains_ball(&self, other: &Ball) -> bool {
         !self.is_finite() || self.exactly(other).is_some_and(|[gap, r, s]| gap + s <= r)
     }
 
-    /// Whether the two balls share a point.
+    /// Returns true if the two balls share a point.
     pub fn overlaps(&self, other: &Ball) -> bool {
         self.exactly(other).is_none_or(|[gap, r, s]| gap <= r + s)
     }

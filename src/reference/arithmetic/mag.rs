@@ -121,13 +121,13 @@ impl Mag {
         Mag::normal(m as f64, e + cut)
     }
 
-    /// Whether this is exactly zero.
+    /// Returns true if this is exactly zero.
     #[inline]
     pub fn is_zero(self) -> bool {
         self.m == 0.0
     }
 
-    /// Whether this bounds anything.
+    /// Returns true if this bounds anything.
     #[inline]
     pub fn is_finite(self) -> bool {
         self.m.is_finite()
@@ -244,7 +244,7 @@ impl Mag {
         }
         let small = other.m * pow2(-(self.e - other.e).min(FAR));
         let sum = self.m + small;
-        // What was rounded off, exactly.
+        // The exact rounding error.
         let rest = small - (sum - self.m);
         Mag::normal(if rest < 0.0 { sum.next_down() } else { sum }, self.e)
     }
