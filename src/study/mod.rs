@@ -362,6 +362,3 @@ pub fn is_path(text: &str) -> bool {
     let file = split(text).0;
     is_fpcore(file) || file.ends_with(".toml")
 }
-
-#[cfg(test)]
-mod tests;

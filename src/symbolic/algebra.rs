@@ -503,5 +503,4 @@ fn whole_turns(p: &Fraction) -> Fraction {
 }
 
 #[cfg(test)]
-#[path = "algebra_tests.rs"]
 mod tests;

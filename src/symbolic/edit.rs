@@ -262,5 +262,4 @@ mod tests {
 }
 
 #[cfg(test)]
-#[path = "edit_tests.rs"]
 mod kinds;

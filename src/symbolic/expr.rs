@@ -400,5 +400,4 @@ impl fmt::Display for Equation {
 }
 
 #[cfg(test)]
-#[path = "expr_tests.rs"]
 mod tests;

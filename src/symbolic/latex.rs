@@ -332,5 +332,4 @@ mod tests {
 }
 
 #[cfg(test)]
-#[path = "latex_tests.rs"]
 mod formulas;

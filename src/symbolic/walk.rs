@@ -532,5 +532,4 @@ fn named<D: Domain>(d: &mut D, scope: &mut Scope<D::V>, name: &str) -> Result<D:
 }
 
 #[cfg(test)]
-#[path = "walk_tests.rs"]
 mod tests;

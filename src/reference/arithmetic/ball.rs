@@ -9,7 +9,7 @@
 
 use super::mag::Mag;
 use gmp_mpfr_sys::gmp::LIMB_BITS;
-use rug::float::{Constant, Round};
+use rug::float::{Constant, Round, exp_min};
 use rug::ops::{AddAssignRound, AssignRound, NegAssign};
 use rug::{Float, Rational};
 use std::borrow::Borrow;
@@ -32,6 +32,8 @@ fn rounding(mid: &Float, ordering: Ordering) -> Mag {
         return Mag::ZERO;
     }
     match mid.get_exp() {
+        // The least positive number of MPFR stands for all below it.
+        Some(e) if e == exp_min() => Mag::power_of_two(i64::from(e)),
         Some(e) => Mag::power_of_two(i64::from(e) - i64::from(mid.prec()) - 1),
         // Rounded to zero or infinity: outside MPFR's exponent range.
         None => Mag::INFINITY,
@@ -427,5 +429,4 @@ impl Neg for Ball {
 }
 
 #[cfg(test)]
-#[path = "ball_tests.rs"]
 mod tests;

@@ -303,13 +303,15 @@ impl Mag {
         }
     }
 
-    /// The exact value as a 53-bit float.
+    /// The value as a 53-bit float; outside MPFR's range of exponents the least positive float, or infinity.
     pub fn to_float(self) -> Float {
-        let f = Float::with_val(f64::MANTISSA_DIGITS, self.m);
-        match self.exponent() {
-            Some(e) => f << i32::try_from(e).unwrap_or(i32::MAX),
-            None => f,
+        let mut f = Float::with_val(f64::MANTISSA_DIGITS, self.m);
+        let Some(e) = self.exponent() else { return f };
+        f <<= i32::try_from(e).unwrap_or(if e < 0 { i32::MIN } else { i32::MAX });
+        if f.is_zero() {
+            f.next_up();
         }
+        f
     }
 }
 
@@ -328,5 +330,4 @@ impl PartialOrd for Mag {
 }
 
 #[cfg(test)]
-#[path = "mag_tests.rs"]
 mod tests;

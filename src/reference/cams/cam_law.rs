@@ -470,5 +470,4 @@ impl State {
 }
 
 #[cfg(test)]
-#[path = "cam_law_tests.rs"]
 mod tests;

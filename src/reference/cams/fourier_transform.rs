@@ -242,5 +242,4 @@ pub(super) fn by_jumps(jumps: &[Vec<Ball>], angle: &Ball, phases: &[ComplexBall]
 }
 
 #[cfg(test)]
-#[path = "fourier_transform_tests.rs"]
 mod tests;

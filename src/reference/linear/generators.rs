@@ -250,5 +250,4 @@ pub(super) fn conditions(parts: [&[Rational]; 4]) -> Option<Vec<Ball>> {
 }
 
 #[cfg(test)]
-#[path = "generators_tests.rs"]
 mod tests;

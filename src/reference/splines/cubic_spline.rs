@@ -477,5 +477,4 @@ impl PeriodicUniform {
 }
 
 #[cfg(test)]
-#[path = "cubic_spline_tests.rs"]
 mod tests;

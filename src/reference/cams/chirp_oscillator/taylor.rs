@@ -202,5 +202,4 @@ impl Tail {
 }
 
 #[cfg(test)]
-#[path = "taylor_tests.rs"]
 mod tests;

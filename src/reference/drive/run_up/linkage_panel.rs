@@ -434,5 +434,4 @@ fn invert(mut a: Vec<Vec<Float>>, bits: u32) -> Option<Vec<Vec<Float>>> {
 }
 
 #[cfg(test)]
-#[path = "linkage_panel_tests.rs"]
 mod tests;

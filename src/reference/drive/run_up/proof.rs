@@ -255,5 +255,4 @@ pub(super) mod planted {
 }
 
 #[cfg(test)]
-#[path = "proof_tests.rs"]
 mod tests;

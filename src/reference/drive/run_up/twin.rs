@@ -292,5 +292,4 @@ pub(super) mod planted {
 }
 
 #[cfg(test)]
-#[path = "twin_tests.rs"]
 mod tests;

@@ -1,1 +1,0 @@
-//! Studies as they are read, certified and sampled.
