@@ -20,7 +20,7 @@ impl From<TridiagonalError> for Failure {
     }
 }
 
-/// What of the system does not depend on its kind.
+/// The part of the system that does not depend on its kind.
 struct System {
     n: usize,
     d: *const f64,

@@ -19,7 +19,7 @@
 //! 16. [Commands, exit codes and file formats](formats)
 //! 17. [The columns of all tables](columns)
 //!
-//! What the crate is for, how to install it and how fast it is stands in the
+//! The purpose of the crate, its installation and its speed are described in the
 //! [README](https://docs.rs/crate/mechaudit/latest/source/README.md).
 
 #[doc = include_str!("adding_a_method.md")]

@@ -111,5 +111,4 @@ pub(super) fn is_free(problem: &Problem, condition: &Expr, item: &Item) -> Resul
 }
 
 #[cfg(test)]
-#[path = "system_tests.rs"]
 mod tests;

@@ -20,7 +20,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use super::expr::{Bound, EACH, Equation, Expr, Func};
+use super::expr::{Bound, EACH, Equation, Expr, Func, Roots};
 use super::unit::Unit;
 use super::walk::{Definitions, number};
 use rug::Rational;
@@ -448,10 +448,13 @@ impl Analysis<'_> {
                 }
                 self.with(&b.var, Some(Powers::default()), |a| a.of(&b.body))
             }
-            Expr::Root(b) => {
+            Expr::Root(b, which) => {
                 let variable = self.variable(e, b)?;
                 self.with(&b.var, variable.clone(), |a| a.of(&b.body))?;
-                Ok(variable)
+                Ok(match which {
+                    Roots::Number => Some(Powers::default()),
+                    Roots::Only | Roots::One { .. } => variable,
+                })
             }
             Expr::Diff(x, by) => {
                 let (x, by) = (self.of(x)?, self.named(by)?);

@@ -110,7 +110,7 @@ pub struct Bound {
     pub from: Expr,
     /// Upper limit, which may be `inf`.
     pub to: Expr,
-    /// What is integrated or added.
+    /// The integrand or summand.
     pub body: Expr,
 }
 
@@ -427,5 +427,4 @@ impl fmt::Display for Equation {
 }
 
 #[cfg(test)]
-#[path = "expr_tests.rs"]
 mod tests;

@@ -23,7 +23,7 @@ pub(super) fn check(definitions: &Definitions, e: &Expr) -> Result<(), SymbolicE
 
 struct Check<'a> {
     definitions: &'a Definitions,
-    /// What definitions are; `None` while one is looked through.
+    /// The kind of each definition; `None` while one is looked through.
     known: BTreeMap<&'a str, Option<bool>>,
     /// Derivations whose images are looked through.
     derivations: BTreeSet<&'a str>,

@@ -23,7 +23,7 @@ impl Definitions {
         self.names.insert(name.into(), value);
     }
 
-    /// Whether one of the names occurs in the expression, definitions and derivations followed.
+    /// Returns true if one of the names occurs in the expression, definitions and derivations followed.
     pub fn reaches(&self, e: &Expr, names: &[&str]) -> bool {
         self.any(
             e,
@@ -31,7 +31,7 @@ impl Definitions {
         )
     }
 
-    /// Whether something is so of a part of the expression, definitions and derivations followed.
+    /// Returns true if something is so of a part of the expression, definitions and derivations followed.
     pub(super) fn any(&self, e: &Expr, is_so: impl Fn(&Expr) -> bool) -> bool {
         let mut open = vec![e];
         let (mut seen, mut derived) = (BTreeSet::new(), BTreeSet::new());
@@ -122,7 +122,7 @@ impl<'a, V> Scope<'a, V> {
         }
     }
 
-    /// What is made where a name is bound.
+    /// Returns the result of `make` where a name is bound.
     pub(super) fn binding<T>(
         &mut self,
         name: &str,
@@ -544,5 +544,4 @@ fn named<D: Domain>(d: &mut D, scope: &mut Scope<D::V>, name: &str) -> Result<D:
 }
 
 #[cfg(test)]
-#[path = "walk_tests.rs"]
 mod tests;

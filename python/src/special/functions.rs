@@ -1,4 +1,4 @@
-//! What each ufunc computes.
+//! The function that each ufunc computes.
 
 use mechaudit::solvers::faddeeva as solver;
 use num_complex::Complex;

@@ -53,7 +53,7 @@ impl<S: Stored> Column<S> {
     }
 }
 
-/// Whether two runs of `bytes` bytes share one.
+/// Returns true if two runs of `bytes` bytes share one.
 fn overlap(a: *const c_void, b: *const c_void, bytes: usize) -> bool {
     (a as usize).abs_diff(b as usize) < bytes
 }

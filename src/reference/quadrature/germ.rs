@@ -435,5 +435,4 @@ fn powers(x: &Ball, a: &Ball, n: usize) -> Option<Vec<Ball>> {
 }
 
 #[cfg(test)]
-#[path = "germ_tests.rs"]
 mod tests;

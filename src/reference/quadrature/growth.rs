@@ -392,5 +392,4 @@ fn exponent_sum([a, b]: [&Growth; 2], k: u32, side: Side) -> (f64, f64) {
 }
 
 #[cfg(test)]
-#[path = "growth_tests.rs"]
 mod tests;

@@ -462,5 +462,4 @@ where
 }
 
 #[cfg(test)]
-#[path = "interval_tests.rs"]
 mod tests;

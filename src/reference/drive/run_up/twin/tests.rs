@@ -114,7 +114,7 @@ fn derivatives_of_the_equation_are_limits_of_differences() {
     }
 }
 
-/// What earlier steps left goes on with the derivatives of the step, each with its own error, largest values counting.
+/// Checks that earlier errors propagate with the derivatives of the step, each with its own error.
 #[test]
 fn errors_go_on_with_the_derivatives() {
     // φ' = ψ, ψ' = 3 − 2ψ.
@@ -296,7 +296,7 @@ fn places_of_angles() {
 
 #[test]
 fn places_are_cut_to_a_panel() {
-    // What lies in it stays as it is, known to far more bits than its ends would have.
+    // A value inside stays as it is, known to far more bits than its ends would have.
     for n in [2, 5] {
         let mid = Float::with_val(BITS, n) / 3u32;
         let x = within(Ball::new(mid.clone(), Mag::power_of_two(-400)));

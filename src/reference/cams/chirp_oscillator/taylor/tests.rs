@@ -1,4 +1,4 @@
-//! What Taylor panels leave out.
+//! Tests of the remainder of Taylor panels.
 
 use super::super::tests::{drawn, slowed};
 use super::*;

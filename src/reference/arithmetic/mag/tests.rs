@@ -177,3 +177,17 @@ fn bounds_do_not_depend_on_limbs() {
         }
     }
 }
+
+/// Checks that a magnitude beyond MPFR's exponents is bounded from above.
+#[test]
+fn floats_outside_the_range_of_exponents_are_bounds() {
+    let least = Float::with_val(53, 1) << (rug::float::exp_min() - 1);
+    for e in [-(1 << 30) - 2, -(1 << 31), -(1 << 31) - 5, -(1 << 40)] {
+        assert_eq!(Mag::power_of_two(e).to_float(), least, "{e}");
+    }
+    assert_eq!(Mag::power_of_two(-(1 << 30) - 1).to_float(), least);
+    for e in [1 << 30, 1 << 31, 1 << 40] {
+        assert!(Mag::power_of_two(e).to_float().is_infinite(), "{e}");
+    }
+    assert!(Mag::ZERO.to_float().is_zero());
+}

@@ -203,3 +203,23 @@ fn operations_bit_by_bit() {
         lines,
     );
 }
+
+/// Checks that a product below MPFR's least positive number stays inside its ball.
+#[test]
+fn underflow_is_part_of_the_radius() {
+    let power = |e: i32| Ball::new(Float::with_val(64, 1) << e, Mag::ZERO);
+    // 3/4 of the least positive number rounds to it, 1/4 of it to zero.
+    let three_quarters = Ball::new(Float::with_val(64, 3) << (exp_min() / 2), Mag::ZERO);
+    for (a, b) in [
+        (three_quarters, power(exp_min() - 3 - exp_min() / 2)),
+        (power(exp_min() / 2), power(exp_min() - 3 - exp_min() / 2)),
+    ] {
+        let product = &a * &b;
+        // The exact product is below the least positive number, 2^(exp_min − 1).
+        let off = Mag::power_of_two(i64::from(exp_min()) - 3);
+        assert!(
+            product.mid().is_zero() && !product.is_finite() || product.rad() >= off,
+            "{product:?}"
+        );
+    }
+}

@@ -291,7 +291,7 @@ fn panels_are_those_of_the_linkage() {
             );
         }
     }
-    // What is not known of the centre, in any coordinate, is part of the proof.
+    // The uncertainty of the centre, in any coordinate, is part of the proof.
     for joint in 0..4 {
         let mut wide = at.clone();
         let parts = [

@@ -235,7 +235,7 @@ fn left_sides() {
     assert_eq!(all("U*b = a"), due);
 }
 
-/// What an edit says is what it does, and its text is read as the same expression.
+/// Checks that an edit does as it says, and that its text is read as the same expression.
 #[test]
 fn edits_are_what_they_say() {
     for text in [

@@ -330,7 +330,7 @@ fn bits_that_the_integration_by_parts_loses() {
     assert_eq!(at(&scca(r(1, 4), r(1, 2), r(1, 2)), 1e-60), 0);
 }
 
-/// What is computed with few bits is not below what is computed with many.
+/// Checks that a value computed with few bits is not below that computed with many.
 #[test]
 fn conditions_are_bounds_from_above() {
     use crate::cubic_spline::Spline;

@@ -14,7 +14,7 @@ fn of(p: &Poly) -> Fraction {
     Fraction::from(p.clone())
 }
 
-/// Whether `√f` squared is f, in an algebra of its own.
+/// Returns true if `√f` squared is f, in an algebra of its own.
 fn squares(f: &Fraction) -> bool {
     let mut algebra = Algebra::new();
     let root = algebra.sqrt(f).unwrap_or_else(|e| panic!("{f}: {e}"));
