@@ -59,7 +59,7 @@
 //! let mut solution = Solution::new(Rational::from(0), &start, bits);
 //! let mut steps = 1000;
 //! let at = solution.at(&field, &constants(), &Rational::from(1), &mut steps)?;
-//! assert_eq!(at[0].to_decimal(20).unwrap(), "-9.4085039466582370803");
+//! assert_eq!(at[0].to_decimal(20).unwrap(), "-9.3785700109250623608");
 //! # Ok(())
 //! # }
 //! ```

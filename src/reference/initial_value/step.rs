@@ -164,7 +164,7 @@ impl Setting<'_> {
         let (expansion, p) = self.expand(place).map_err(in_rates)?;
         let sign = if backward { -1.0 } else { 1.0 };
         let mut length = short(self.first_length(&p).min(longest));
-        let floor = longest * (-60f64).exp2();
+        let floor = length * (-60f64).exp2();
         let mut found = None;
         let mut obstacle = None;
         let mut last_excess = f64::INFINITY;
@@ -199,7 +199,7 @@ impl Setting<'_> {
             });
         };
         for _ in 0..12 {
-            match self.proved(place, (&expansion, &p), sign * length, &defect) {
+            match self.proved(place, (&expansion, &p[..]), sign * length, &defect) {
                 Err(Failure::Wide) => {}
                 done => return done,
             }

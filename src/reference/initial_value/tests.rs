@@ -381,7 +381,7 @@ fn a_tube_that_is_left_proves_nothing() {
     // Every coefficient is 1.
     assert!(p[0].iter().all(|c| *c == 1));
     let defect = [Mag::from_f64(1e-6)];
-    let proved = |radius, h| setting.proved(&place(radius), (&expansion, &p), h, &defect);
+    let proved = |radius, h| setting.proved(&place(radius), (&expansion, &p[..]), h, &defect);
     assert!(proved(1e-9, 0.125).is_ok());
     // 1/(1/1.9 − t) has its pole at 0.526.
     assert_eq!(proved(0.9, 0.6).err(), Some(Failure::Wide));
