@@ -148,7 +148,7 @@ def main():
             if not all(inside(n, v) for n, v in point.items()):
                 wrong.append(f"refuted outside of the domain: {text} at {point}")
             exact = {n: mp.mpf(v.numerator) / v.denominator for n, v in point.items()}
-            if set(names) <= set(exact) and holds(text, exact) is not False:
+            if set(names) <= set(exact) and holds(text, exact) is True:
                 wrong.append(f"refuted where it holds: {text} at {point}")
     for (verdict, truth), n in sorted(counts.items()):
         print(f"{n:6} {verdict}, {truth}")

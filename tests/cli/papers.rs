@@ -207,7 +207,7 @@ fn a_paper_is_a_folder() {
     write("j = 4*pi^2", "j = 8*pi^2");
     let d = run(&["--check"]);
     assert_eq!(d.code, 1);
-    said(&d, "paper.toml, line 9");
+    said(&d, "paper.toml, line 87");
     said(&d, "jerk is misprint, on record as proved");
     assert_eq!(run(&[]).code, 1);
     write(
