@@ -173,3 +173,98 @@ fn sizes_are_exact() {
         .unwrap();
     assert!(huge.to_string().starts_with("(a number)"));
 }
+
+/// A random expression of lengths x and y, a time t and numbers.
+fn random(next: &mut impl FnMut(u64) -> u64, depth: u32) -> String {
+    let leaf = |k: u64| ["x", "y", "t", "2", "3/2", "x*y", "x/t"][k as usize].to_string();
+    if depth == 0 {
+        return leaf(next(7));
+    }
+    match next(7) {
+        0 => format!(
+            "({} + {})",
+            random(next, depth - 1),
+            random(next, depth - 1)
+        ),
+        1 => format!(
+            "({} - 3*{})",
+            random(next, depth - 1),
+            random(next, depth - 1)
+        ),
+        2 => format!("({}*{})", random(next, depth - 1), random(next, depth - 1)),
+        3 => format!(
+            "({}/({}))",
+            random(next, depth - 1),
+            random(next, depth - 1)
+        ),
+        4 => format!("({}^{})", random(next, depth - 1), [2, 3][next(2) as usize]),
+        5 => format!("sqrt({}^2)", random(next, depth - 1)),
+        _ => format!(
+            "exp(({0})/({0} + {1}))",
+            random(next, depth - 1),
+            leaf(next(7))
+        ),
+    }
+}
+
+/// The witness is a change of units: where metres become 4 and seconds 9 times as many, the value of an expression in
+/// m^p s^q becomes 4^p 9^q times as large. Most expressions that are refused change by no such factors.
+#[test]
+fn units_are_those_by_which_values_change() {
+    use super::super::{Point, enclose};
+    let mut state = 20261129u64;
+    let mut next = |n: u64| {
+        state = state
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (state >> 33) % n
+    };
+    let none = Definitions::default();
+    let value = |e: &Expr, [m, s]: [u32; 2]| {
+        let numbers = [("x", 7 * m, 5), ("y", 2 * m, 3), ("t", 11 * s, 13)];
+        let named = numbers.map(|(name, a, b)| (name.to_string(), Rational::from((a, b))));
+        let point = Point {
+            named: named.into_iter().collect(),
+            sample: None,
+        };
+        enclose(&none, e, &point)
+            .ok()
+            .map(|z| z.re.to_f64())
+            .filter(|x| x.is_normal())
+    };
+    let (mut right, mut refused) = (0, 0);
+    for _ in 0..4000 {
+        let text = random(&mut next, 3);
+        let e = parse(&text).unwrap();
+        let (Some(one), Some(metres), Some(seconds)) =
+            (value(&e, [1, 1]), value(&e, [4, 1]), value(&e, [1, 9]))
+        else {
+            continue;
+        };
+        let Some(both) = value(&e, [4, 9]) else {
+            continue;
+        };
+        match mechanics().of(&none, &e) {
+            Ok(Some(unit)) => {
+                let power = |of: usize| unit.0.get(&Factor::Base(of)).map_or(0.0, Rational::to_f64);
+                let due = one * 4f64.powf(power(0)) * 9f64.powf(power(2));
+                assert!(
+                    (both / due - 1.0).abs() < 1e-9,
+                    "{text}: {both} instead of {due}"
+                );
+                right += 1;
+            }
+            Ok(None) => {}
+            Err(_) => {
+                // The logarithms of the factors would be whole multiples of those of 4 and 9, or of their roots.
+                let is_power = |x: f64, base: f64| {
+                    let p = 2.0 * x.abs().ln() / f64::ln(base);
+                    (p - p.round()).abs() < 1e-9
+                };
+                let homogeneous = is_power(metres / one, 4.0) && is_power(seconds / one, 9.0);
+                refused += usize::from(!homogeneous);
+            }
+        }
+    }
+    assert!(right > 500 && refused > 500, "{right} {refused}");
+}
