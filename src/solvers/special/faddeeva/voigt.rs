@@ -70,19 +70,26 @@ fn twice<R: Real>(t: Dd<R>) -> Dd<R> {
     Dd::new(t.hi + t.hi, t.lo + t.lo)
 }
 
+/// `v/(σ√2)` to 100 bits.
+#[inline(always)]
+fn over<R: Real>(v: R, sigma: R) -> Dd<R> {
+    let zero = v.like(0.0);
+    Dd::new(v, zero).div(Dd::new(sigma, zero)) * INV_SQRT_2.like(v)
+}
+
+/// Where a width is between [`THIN`] and [`BROAD`].
+#[inline(always)]
+fn is_usual<R: Masked>(v: R) -> R::Mask {
+    v.except(v.below(v.like(BROAD)), v.below(v.like(THIN)))
+}
+
 /// The profile at one place or several.
 #[inline(always)]
 fn profile<P: Places>(places: P, [x, sigma, gamma]: [Number<P>; 3]) -> Number<P> {
     let like = |c: f64| x.like(c);
     let a = x.magnitude();
-    let within = |v: Number<P>| v.except(v.below(like(BROAD)), v.below(like(THIN)));
-    // |x|/(σ√2), γ/(σ√2) to 100 bits.
-    let over = |v: Number<P>| {
-        let exactly = |v| Dd::new(v, like(0.0));
-        exactly(v).div(exactly(sigma)) * INV_SQRT_2.like(v)
-    };
-    let (p, q) = (over(a), over(gamma));
-    let widths = x.both(within(sigma), within(gamma));
+    let (p, q) = (over(a, sigma), over(gamma, sigma));
+    let widths = x.both(is_usual(sigma), is_usual(gamma));
     let near = x.both(p.hi.below(like(LORENTZ)), q.hi.below(like(LORENTZ)));
     let kept = x.both(x.both(widths, near), a.below(like(BROAD)));
     let kept = x.except(kept, q.hi.below(like(LINEAR)));
