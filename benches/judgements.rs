@@ -1,4 +1,4 @@
-//! What an audit costs beside the solver and the certified reference, on one core.
+//! Measures the cost of an audit beside the solver and the certified reference, on one core.
 //!
 //! `cargo bench --bench judgements [-- METHOD | "METHOD REGION"…]`. Microseconds a case. `owed` is the solver and
 //! the reference as the audit asks for it: at every precision until it decides, with condition numbers where a

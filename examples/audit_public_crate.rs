@@ -16,7 +16,7 @@ fn w(z: Complex<f64>) -> Complex<f64> {
     errorfunctions::ComplexErrorFunctions::w(z)
 }
 
-/// What is promised, in units of 2⁻⁵³ of |W|.
+/// The promised accuracy, in units of 2⁻⁵³ of |W|.
 const PROMISED: f64 = 1e-13 / (f64::EPSILON / 2.0);
 
 fn audit(cases: u64) -> Result<Report, AuditError> {

@@ -1,7 +1,7 @@
 //! The writer of files: a plain file appears whole or not at all, a device or pipe is written as it
 //! comes.
 //!
-//! What is there already stays what it is: a symbolic link is followed and its target replaced, a
+//! A file that exists keeps its kind: a symbolic link is followed and its target replaced, a
 //! file with several names keeps them, a device or FIFO is written to and never replaced.
 
 pub mod temporary;
@@ -158,7 +158,7 @@ fn followed(path: &Path) -> io::Result<PathBuf> {
     Err(io::Error::other("too many symbolic links"))
 }
 
-/// Whether it stands for an open file of a process: `/dev/fd/3`, and where `/dev/stdout` leads.
+/// Returns true if it stands for an open file of a process: `/dev/fd/3`, and where `/dev/stdout` leads.
 fn is_descriptor(path: &Path) -> bool {
     let folder = folder(path).canonicalize();
     folder.is_ok_and(|f| f.starts_with("/proc") || f == Path::new("/dev/fd"))

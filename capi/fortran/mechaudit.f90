@@ -131,6 +131,17 @@ module mechaudit
             type(mechaudit_error), intent(out), optional :: error
             integer(c_int) :: status
         end function
+        !> one of function_erf … function_dawson at n real numbers
+        function mechaudit_real_batch(which, n, x, incx, y, incy, error) bind(c) result(status)
+            import :: c_double, c_int, c_ptrdiff_t, c_size_t, mechaudit_error
+            integer(c_int), value :: which
+            integer(c_size_t), value :: n
+            integer(c_ptrdiff_t), value :: incx, incy
+            real(c_double), intent(in) :: x(*)
+            real(c_double), intent(inout) :: y(*)
+            type(mechaudit_error), intent(out), optional :: error
+            integer(c_int) :: status
+        end function
         function mechaudit_voigt_batch(n, x, incx, sigma, gamma, v, incv, error) bind(c) result(status)
             import :: c_double, c_int, c_ptrdiff_t, c_size_t, mechaudit_error
             integer(c_size_t), value :: n

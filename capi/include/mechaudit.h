@@ -411,6 +411,26 @@ double mechaudit_erfi_real(double x);
 double mechaudit_dawson_real(double x);
 
 /**
+ * A function of n real numbers `x[k*incx]`, to `y[k*incy]`: erf, erfc, erfcx, erfi or Dawson's function
+ * by their codes in `mechaudit_function`. The values are those of one point at a time, bit for bit, by
+ * vectors of four or eight. `y` may be `x` with the same stride; `incy` is not 0 for n > 1. Dense arrays
+ * are fastest.
+ *
+ * Errors: `NULL_POINTER`, `SIZE`, `ARGUMENT` (also for the Faddeeva function and its derivative, which
+ * are not real); nothing is written then. `error` may be NULL.
+ *
+ * # Safety
+ * `x` and `y` have n doubles at these strides, `error` is NULL or can be written to.
+ */
+enum mechaudit_status mechaudit_real_batch(int function,
+                                           size_t n,
+                                           const double *x,
+                                           ptrdiff_t incx,
+                                           double *y,
+                                           ptrdiff_t incy,
+                                           struct mechaudit_error *error);
+
+/**
  * The Voigt profile `Re w((x + i gamma)/(sigma sqrt 2))/(sigma sqrt(2 pi))`: the density at x of the sum of a
  * normal variable of standard deviation sigma and a Cauchy variable of half-width gamma. x, sigma and gamma
  * share a unit, the value has its inverse. sigma = 0 gives Lorentz's profile, gamma = 0 the normal

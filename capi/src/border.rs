@@ -1,10 +1,10 @@
-//! What leaves a function that can fail.
+//! The results of functions that can fail.
 
 use std::any::Any;
 use std::ffi::{c_char, c_int};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// What a function returns that can fail.
+/// The status that a function returns if it can fail.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
@@ -128,7 +128,7 @@ pub(crate) unsafe fn guarded(
     failure.status
 }
 
-/// What the status means, a constant string; that of `INTERNAL` for any other number.
+/// Returns the meaning of the status, a constant string; that of `INTERNAL` for any other number.
 #[unsafe(no_mangle)]
 pub extern "C" fn mechaudit_status_message(status: c_int) -> *const c_char {
     let text = match status {

@@ -3,6 +3,7 @@
 use crate::border::{Error, Failure, Status, guarded};
 use crate::strided::apply_real;
 use mechaudit_solvers::faddeeva as solver;
+use std::ffi::c_int;
 
 /// erf of a real number. NaN for NaN. Accuracy: within 0.875 units in the last place,
 /// proved for every double (`mechaudit prove erf`).
@@ -36,6 +37,49 @@ pub extern "C" fn mechaudit_erfi_real(x: f64) -> f64 {
 #[unsafe(no_mangle)]
 pub extern "C" fn mechaudit_dawson_real(x: f64) -> f64 {
     solver::dawson_real(x)
+}
+
+/// A function of n real numbers `x[k*incx]`, to `y[k*incy]`: erf, erfc, erfcx, erfi or Dawson's function
+/// by their codes in `mechaudit_function`. The values are those of one point at a time, bit for bit, by
+/// vectors of four or eight. `y` may be `x` with the same stride; `incy` is not 0 for n > 1. Dense arrays
+/// are fastest.
+///
+/// Errors: `NULL_POINTER`, `SIZE`, `ARGUMENT` (also for the Faddeeva function and its derivative, which
+/// are not real); nothing is written then. `error` may be NULL.
+///
+/// # Safety
+/// `x` and `y` have n doubles at these strides, `error` is NULL or can be written to.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mechaudit_real_batch(
+    function: c_int,
+    n: usize,
+    x: *const f64,
+    incx: isize,
+    y: *mut f64,
+    incy: isize,
+    error: *mut Error,
+) -> Status {
+    let run = || {
+        let f = match function {
+            2 => solver::erf_real_batch,
+            3 => solver::erfc_real_batch,
+            4 => solver::erfcx_real_batch,
+            5 => solver::erfi_real_batch,
+            6 => solver::dawson_real_batch,
+            other => {
+                let text =
+                    format!("function {other} is none of mechaudit_function with real values");
+                return Err(Failure::new(Status::Argument, text));
+            }
+        };
+        let some = |_, x: &[f64], y: &mut [f64]| {
+            f(x, y).map_err(|e| Failure::new(Status::Internal, e.to_string()))
+        };
+        // SAFETY: the caller promises n numbers of each array at these strides.
+        unsafe { apply_real(n, (x, incx), (y, incy), some) }
+    };
+    // SAFETY: NULL or writable, as the caller promises.
+    unsafe { guarded(error, run) }
 }
 
 /// The Voigt profile `Re w((x + i gamma)/(sigma sqrt 2))/(sigma sqrt(2 pi))`: the density at x of the sum of a

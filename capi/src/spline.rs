@@ -17,7 +17,7 @@ enum Kind {
     Uniform(UniformCubicSpline),
 }
 
-/// What is given at an end of a spline.
+/// The condition at an end of a spline.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SplineEnd {
@@ -29,7 +29,7 @@ pub enum SplineEnd {
     NotAKnot = 2,
 }
 
-/// What a spline is outside its knots.
+/// The continuation of a spline outside its knots.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SplineOutside {

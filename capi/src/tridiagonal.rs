@@ -3,7 +3,7 @@
 use crate::border::{Error, Failure, Status, guarded};
 use crate::strided::{Output, slice};
 use mechaudit_solvers::cyclic_tridiagonal::CyclicSweep;
-use mechaudit_solvers::tridiagonal::{Sweep, TridiagonalError};
+use mechaudit_solvers::tridiagonal::{TridiagonalError, solve_into, solve_into_with_error};
 
 impl From<TridiagonalError> for Failure {
     fn from(e: TridiagonalError) -> Failure {
@@ -20,7 +20,7 @@ impl From<TridiagonalError> for Failure {
     }
 }
 
-/// What of the system does not depend on its kind.
+/// The part of the system that does not depend on its kind.
 struct System {
     n: usize,
     d: *const f64,
@@ -50,7 +50,7 @@ impl System {
     }
 }
 
-/// Solves a tridiagonal system of n equations by elimination without pivoting: row i is
+/// Solves a tridiagonal system of n equations by elimination without pivoting from both ends: row i is
 /// `lower[i-1] x[i-1] + diagonal[i] x[i] + upper[i] x[i+1] = d[i]`; `lower` and `upper` have n - 1 numbers,
 /// `diagonal`, `d` and `x` n. `x` may be `d`. For a matrix that is diagonally dominant by rows or columns the
 /// solution is that of a system off by a few roundings (Higham, Accuracy and Stability, theorems 9.11-9.13).
@@ -90,12 +90,12 @@ pub unsafe extern "C" fn mechaudit_tridiagonal_solve(
             error_estimate,
         };
         let solved = |d: &[f64]| {
-            let sweep = Sweep::factor(lower, diagonal, upper)?;
+            let mut x = vec![0.0; n];
             let estimate = match error_estimate.is_null() {
-                true => 0.0,
-                false => sweep.stability().relative_error(),
-            };
-            Ok((sweep.solve(d)?, estimate))
+                true => solve_into(lower, diagonal, upper, d, &mut x).map(|()| 0.0),
+                false => solve_into_with_error(lower, diagonal, upper, d, &mut x),
+            }?;
+            Ok((x, estimate))
         };
         // SAFETY: the caller promises n numbers of `d` and room for n of `x`.
         unsafe { system.solve(solved) }

@@ -109,6 +109,30 @@ static void voigt_profiles(void) {
     CHECK(isnan(mechaudit_voigt(0, -1, 1)) && isnan(mechaudit_voigt_hwhm(1, -1)));
 }
 
+static void real_batches(void) {
+    double (*const one[])(double) = {mechaudit_erf_real, mechaudit_erfc_real, mechaudit_erfcx_real,
+                                     mechaudit_erfi_real, mechaudit_dawson_real};
+    static double x[POINTS], y[2 * POINTS];
+    for (int f = 0; f < 5; ++f) {
+        for (int k = 0; k < POINTS; ++k) {
+            x[k] = between(-30, 30);
+        }
+        CHECK(mechaudit_real_batch(2 + f, POINTS, x, 1, y, 2, NULL) == MECHAUDIT_STATUS_OK);
+        for (int k = 0; k < POINTS; ++k) {
+            CHECK(same(y[2 * k], one[f](x[k])));
+        }
+        CHECK(mechaudit_real_batch(2 + f, POINTS, x, 1, y, 1, NULL) == MECHAUDIT_STATUS_OK);
+        CHECK(mechaudit_real_batch(2 + f, POINTS, x, 1, x, 1, NULL) == MECHAUDIT_STATUS_OK);
+        CHECK(memcmp(x, y, sizeof x) == 0);
+    }
+    mechaudit_error e;
+    CHECK(mechaudit_real_batch(1, 1, x, 1, y, 1, &e) == MECHAUDIT_STATUS_ARGUMENT && strstr(e.message, "1"));
+    CHECK(mechaudit_real_batch(7, 0, NULL, 1, NULL, 1, NULL) == MECHAUDIT_STATUS_ARGUMENT);
+    CHECK(mechaudit_real_batch(2, 0, NULL, 1, NULL, 1, NULL) == MECHAUDIT_STATUS_OK);
+    CHECK(mechaudit_real_batch(2, 1, NULL, 1, y, 1, NULL) == MECHAUDIT_STATUS_NULL_POINTER);
+    CHECK(mechaudit_real_batch(2, 2, x, 1, y, 0, NULL) == MECHAUDIT_STATUS_SIZE);
+}
+
 static double cubic(double x) { return x * x * x - 2 * x; }
 
 static void splines(void) {
@@ -249,6 +273,7 @@ int main(void) {
     }
     refused_batches();
     voigt_profiles();
+    real_batches();
     splines();
     systems();
     texts();

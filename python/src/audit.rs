@@ -23,7 +23,7 @@ use std::collections::BTreeMap;
 /// Cases of each region that a page shows with all their errors.
 const POINTS: usize = 64;
 
-/// What a callable did at a case.
+/// The outcome of a callable at a case.
 #[derive(FromPyObject)]
 pub enum Answer {
     /// It returned these numbers.
@@ -66,7 +66,7 @@ pub struct Run {
     report: Option<MethodReport>,
 }
 
-/// What a run judges and by which budget, all of it optional.
+/// The settings of a run and its budget, each optional.
 #[derive(Default, FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Scope {
@@ -119,14 +119,14 @@ fn limit(limits: &BTreeMap<String, f64>) -> PyResult<Option<Limit>> {
 }
 
 impl Scope {
-    /// What the place of a case needs besides: how its run draws.
+    /// Returns the rest of the place of a case: how its run draws.
     fn tail(&self) -> String {
         let mut tail = String::new();
         if self.single {
             tail.push_str(" --single");
         }
         if self.sides.is_some() {
-            // What the box does not name is drawn from them, one after the other.
+            // Inputs that the box does not name are drawn from the regions, one after the other.
             tail.extend(self.regions.iter().map(|r| format!(" --region {r}")));
             tail.push_str(if self.ordinary { " --ordinary" } else { "" });
         }
@@ -439,7 +439,7 @@ impl Run {
         Ok((input.to_pyarray(py), lengths))
     }
 
-    /// What the method's own solver gives at a case; nothing if it refuses.
+    /// Returns the answer of the method's own solver at a case; nothing if it refuses.
     fn own(&self, i: usize) -> PyResult<Option<Vec<f64>>> {
         let case = self.case(self.checked(i)?);
         Ok(match answer_of(&self.variant()?, &case.input) {
@@ -494,7 +494,7 @@ impl Run {
         self.judge_all(py, start.min(end), answers)
     }
 
-    /// What was found, by the callable of that name; `trouble` besides its answers makes it fail.
+    /// Returns the findings for the callable of that name; `trouble` beside its answers makes it fail.
     #[pyo3(signature = (interrupted, name=None))]
     fn finish<'py>(
         &mut self,
@@ -523,7 +523,7 @@ impl Run {
         Ok(facts)
     }
 
-    /// What was found, as a page that needs nothing from elsewhere: that of `mechaudit audit --format html`.
+    /// Returns the findings as a page that needs nothing from elsewhere: that of `mechaudit audit --format html`.
     fn page(&self) -> PyResult<String> {
         match &self.report {
             Some(report) => {

@@ -165,7 +165,7 @@ pub fn zero(py: Python<'_>, function: &str, k: u32, digits: u32) -> PyResult<[Co
     Ok([part(found.re), part(found.im)])
 }
 
-/// What an exact spline is asked for.
+/// The quantity asked of an exact spline.
 #[derive(FromPyObject)]
 pub enum Ask {
     /// A derivative at a point.

@@ -28,7 +28,7 @@ pub fn proof(proof: Option<Proof>) -> Option<String> {
     })
 }
 
-/// What was found in a region, or in all.
+/// Returns the findings of a region, or of all.
 pub fn statistics<'py>(py: Python<'py>, r: &RegionReport) -> PyResult<Bound<'py, PyDict>> {
     let d = PyDict::new(py);
     d.set_item("description", r.description)?;
@@ -142,7 +142,7 @@ fn case_facts<'py>(py: Python<'py>, r: &CaseReport, tail: &str) -> PyResult<Boun
     Ok(d)
 }
 
-/// What is audited: name, summary, source, inputs, outputs, regions and check points of each method.
+/// Returns name, summary, source, inputs, outputs, regions and check points of each method.
 #[pyfunction]
 #[pyo3(name = "methods")]
 pub fn all_methods(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {

@@ -40,6 +40,8 @@ mod _mechaudit {
         module.add_class::<spline::HermiteSpline>()?;
         module.add_function(wrap_pyfunction!(linear::solve_tridiagonal, module)?)?;
         module.add_function(wrap_pyfunction!(linear::solve_cyclic, module)?)?;
+        module.add_function(wrap_pyfunction!(linear::tridiagonal_stability, module)?)?;
+        module.add_function(wrap_pyfunction!(linear::cyclic_stability, module)?)?;
         #[cfg(feature = "oracle")]
         {
             module.add_class::<audit::Run>()?;

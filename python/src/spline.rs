@@ -121,7 +121,7 @@ impl Spline {
         Ok(Spline(fitted.extrapolated(extrapolation(wrap))))
     }
 
-    /// Whether the knots were found to be equally spaced.
+    /// Returns true if the knots were found to be equally spaced.
     #[getter]
     fn uniform(&self) -> bool {
         matches!(self.0, Kind::Uniform(_))

@@ -195,6 +195,14 @@ def test_systems():
     due = solve_banded((1, 1), banded, d.reshape(n, -1)).reshape(d.shape)
     np.testing.assert_allclose(got.x, due, rtol=1e-12, atol=1e-13)
     assert got.stability.reliable and got.stability.relative_error < 1e-12
+    # The evidence is that of the matrix as it was, and comes with the solution.
+    one = solve_tridiagonal(lower, diagonal, upper, d[:, 0, 0])
+    diagonal_before = diagonal.copy()
+    diagonal[:] = np.nan
+    x, stability = one
+    diagonal[:] = diagonal_before
+    np.testing.assert_allclose(x, got.x[:, 0, 0], rtol=1e-13, atol=1e-14)
+    assert stability == got.stability and "reliable=True" in repr(one)
     lower, upper = rng.normal(size=(2, n))
     full = np.diag(diagonal) + np.diag(lower[1:], -1) + np.diag(upper[:-1], 1)
     full[0, -1], full[-1, 0] = lower[0], upper[-1]

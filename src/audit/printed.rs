@@ -131,6 +131,25 @@ impl Printed {
         }
     }
 
+    /// The number in the method's unit, enclosed with so many bits; none where it is no finite number.
+    pub fn value(&self, bits: u32) -> Option<Ball> {
+        let PrintedNumber::Decimal(decimal) = &self.number else {
+            return None;
+        };
+        let Some(unit) = &self.unit else {
+            return Some(Ball::rational(bits, &decimal.value));
+        };
+        let mut value = Ball::rational(bits, &Rational::from(&decimal.value / &unit.by));
+        let degree = &Ball::pi(bits) / &Ball::integer(bits, 180);
+        for _ in 0..unit.degrees.abs() {
+            value = match unit.degrees > 0 {
+                true => &value * &degree,
+                false => &value / &degree,
+            };
+        }
+        Some(value)
+    }
+
     /// Returns true if the entry is the expected one, where no number is expected.
     fn is(&self, expected: &Expected) -> bool {
         match (&self.number, expected) {

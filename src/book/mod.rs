@@ -8,23 +8,27 @@
 //! 5. [A new method in one file](adding_a_method)
 //! 6. [Auditing your own code](your_own_code)
 //! 7. [Your own problem](your_own_problem)
-//! 8. [Hunting, hard cases and recorded findings](hunting)
-//! 9. [Campaigns: very many cases, on one machine or many](campaigns)
-//! 10. [The atlas of published algorithms](atlas)
-//! 11. [Proofs of error bounds](proofs)
-//! 12. [Convergence and twins](convergence)
-//! 13. [Reading the reports](reports)
-//! 14. [Planar mechanisms](planar_mechanisms)
-//! 15. [Commands, exit codes and file formats](formats)
-//! 16. [The columns of all tables](columns)
+//! 8. [Auditing a paper](audit_a_paper)
+//! 9. [Hunting, hard cases and recorded findings](hunting)
+//! 10. [Campaigns: very many cases, on one machine or many](campaigns)
+//! 11. [The atlas of published algorithms](atlas)
+//! 12. [Proofs of error bounds](proofs)
+//! 13. [Convergence and twins](convergence)
+//! 14. [Reading the reports](reports)
+//! 15. [Planar mechanisms](planar_mechanisms)
+//! 16. [Commands, exit codes and file formats](formats)
+//! 17. [The columns of all tables](columns)
 //!
-//! What the crate is for, how to install it and how fast it is stands in the
+//! The purpose of the crate, its installation and its speed are described in the
 //! [README](https://docs.rs/crate/mechaudit/latest/source/README.md).
 
 #[doc = include_str!("adding_a_method.md")]
 pub mod adding_a_method {}
 #[doc = include_str!("atlas.md")]
 pub mod atlas {}
+#[cfg(feature = "studies")]
+#[doc = include_str!("audit_a_paper.md")]
+pub mod audit_a_paper {}
 #[doc = include_str!("campaigns.md")]
 pub mod campaigns {}
 #[doc = include_str!("columns.md")]

@@ -282,7 +282,7 @@ fn maximum(decided: &mut Decided, tested: &Tested, effort: &Effort) {
         // The reference could not tell.
         (false, false) => Verdict::Open,
     };
-    // What is left when a strip along the real axis is left out.
+    // Looks at the rest without a strip along the real axis.
     let ceiling = search.ceiling;
     let plane = matches!(tested.subject, Subject::W(_));
     if !over || !plane || !(0.0..STRIP).contains(&ceiling) {

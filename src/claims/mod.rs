@@ -41,6 +41,7 @@ pub use findings::{Finding, findings};
 pub use heights::{Height, TARGETS};
 pub use lines::{HartmannTran, answer};
 pub use maps::{LEVELS, Map, level, map};
+pub use mean::{Mean, mean};
 pub use seams::Jump;
 pub use speed::{nanoseconds, nanoseconds_of_lines};
 pub use survey::{Figures, Part, Row, survey, survey_lines};

@@ -19,7 +19,7 @@ use args::{Args, Command};
 use clap::{CommandFactory, FromArgMatches};
 use commands::{
     atlas, audit, campaign, chirp, compare, converge, describe, eval, hunt, identity, judge,
-    linkage, paper, points, prove, regenerate, runup, shell,
+    linkage, motion, paper, points, prove, regenerate, runup, shell,
 };
 use failure::{Failure, Outcome};
 use mechaudit::message;
@@ -73,6 +73,7 @@ fn run(args: Args) -> Result<Outcome, Failure> {
         Some(Command::Paper(a)) => paper::paper(&a),
         Some(Command::Linkage(a)) => linkage::linkage(&a),
         Some(Command::Eval(a)) => eval::eval(&a),
+        Some(Command::Motion(a)) => motion::motion(&a),
         Some(Command::Runup(a)) => runup::runup(&a),
         Some(Command::Chirp(a)) => chirp::chirp(&a),
     }

@@ -5,6 +5,7 @@ use super::dyad::{self, Dyad};
 use super::planar;
 use super::source::{Refusal, Source};
 use serde::Deserialize;
+use serde::de::IgnoredAny;
 
 /// A linkage of one of the known types.
 pub enum Linkage {
@@ -33,6 +34,16 @@ enum Type {
 }
 
 impl Linkage {
+    /// Returns true if the source names a type, as the descriptions of linkages do.
+    pub fn names_type(source: &Source) -> bool {
+        #[derive(Deserialize)]
+        struct Any {
+            #[serde(rename = "type")]
+            linkage: Option<IgnoredAny>,
+        }
+        source.parse::<Any>().is_ok_and(|any| any.linkage.is_some())
+    }
+
     /// Reads the description of a linkage.
     ///
     /// ```

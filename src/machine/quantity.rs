@@ -16,8 +16,8 @@
 use crate::reference::class_iii::ExactAngle;
 use crate::reference::{Ball, Decimal, DecimalError, nearest_f64};
 use crate::solvers::units::{Acceleration, Angle, AngularVelocity, Inertia, Length, Mass, Torque};
+use crate::symbolic::{UnitError, unit};
 use rug::Rational;
-use rug::ops::Pow;
 use serde::de::{self, Deserialize, Deserializer, Visitor};
 use std::error::Error;
 use std::fmt;
@@ -167,153 +167,6 @@ impl Error for QuantityError {
     }
 }
 
-/// Why a text is not a unit.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum UnitError {
-    /// Nothing is written.
-    #[error("an empty unit")]
-    Empty,
-    /// Every factor makes the scale longer, and no quantity has as many.
-    #[error("a product of more than {MOST_UNITS} units")]
-    TooMany,
-    /// Something else than a power from −4 to 4.
-    #[error("{factor:?} is not a power of a unit")]
-    Power {
-        /// The factor.
-        factor: String,
-    },
-    /// A frequency in other units than Hz and 1/min.
-    #[error("of frequencies 1/min and Hz are known")]
-    Frequency,
-    /// None of [`KNOWN`].
-    #[error("{name:?} is not a unit known here")]
-    Unknown {
-        /// The name.
-        name: String,
-    },
-}
-
-/// A unit, exact.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Unit {
-    /// Its size in SI units, of angles in degrees if so meant.
-    pub scale: Rational,
-    /// Powers of metre, kilogram, second and angle.
-    pub dimension: [i32; 4],
-    /// True if its size is in degrees.
-    pub degrees: bool,
-}
-
-/// The units known by name.
-pub const KNOWN: &str =
-    "m dm cm mm um µm in inch ft kg g t lb N kN s ms min rad deg ° rev rpm Hz 1/min";
-
-fn base(name: &str) -> Option<Unit> {
-    let unit = |n: u64, d: u64, dimension| {
-        Some(Unit {
-            scale: Rational::from((n, d)),
-            dimension,
-            degrees: false,
-        })
-    };
-    let degrees = |n: u64, dimension| {
-        Some(Unit {
-            scale: Rational::from(n),
-            dimension,
-            degrees: true,
-        })
-    };
-    match name {
-        "m" => unit(1, 1, [1, 0, 0, 0]),
-        "dm" => unit(1, 10, [1, 0, 0, 0]),
-        "cm" => unit(1, 100, [1, 0, 0, 0]),
-        "mm" => unit(1, 1000, [1, 0, 0, 0]),
-        // Both code points that keyboards have for µ.
-        "um" | "µm" | "μm" => unit(1, 1_000_000, [1, 0, 0, 0]),
-        "in" | "inch" => unit(254, 10_000, [1, 0, 0, 0]),
-        "ft" => unit(3048, 10_000, [1, 0, 0, 0]),
-        "kg" => unit(1, 1, [0, 1, 0, 0]),
-        "g" => unit(1, 1000, [0, 1, 0, 0]),
-        "t" => unit(1000, 1, [0, 1, 0, 0]),
-        "lb" => unit(45_359_237, 100_000_000, [0, 1, 0, 0]),
-        "N" => unit(1, 1, [1, 1, -2, 0]),
-        "kN" => unit(1000, 1, [1, 1, -2, 0]),
-        "s" => unit(1, 1, [0, 0, 1, 0]),
-        "ms" => unit(1, 1000, [0, 0, 1, 0]),
-        "min" => unit(60, 1, [0, 0, 1, 0]),
-        "rad" => unit(1, 1, [0, 0, 0, 1]),
-        "deg" | "°" => degrees(1, [0, 0, 0, 1]),
-        "rev" => degrees(360, [0, 0, 0, 1]),
-        "rpm" => degrees(6, [0, 0, -1, 1]),
-        // Revolutions or cycles a second.
-        "Hz" => degrees(360, [0, 0, -1, 1]),
-        _ => None,
-    }
-}
-
-/// Units in a product at most: no quantity has more, and every one makes the scale longer.
-const MOST_UNITS: usize = 16;
-
-/// Reads a product of units such as `kg m^2`, `kg·m²` or `m/s^2`.
-///
-/// # Errors
-/// [`UnitError`].
-pub fn unit(text: &str) -> Result<Unit, UnitError> {
-    // As shaft speeds are written: revolutions.
-    let compact: String = text.split_whitespace().collect();
-    if let ("1/min" | "/min" | "min^-1" | "min⁻¹", Some(rpm)) = (&*compact, base("rpm")) {
-        return Ok(rpm);
-    }
-    if compact.is_empty() {
-        return Err(UnitError::Empty);
-    }
-    let mut all = Unit {
-        scale: Rational::from(1),
-        dimension: [0; 4],
-        degrees: false,
-    };
-    let spaced = text
-        .replace(['*', '·'], " ")
-        .replace('/', " / ")
-        .replace('²', "^2");
-    let mut divided = false;
-    for (k, token) in spaced.split_whitespace().enumerate() {
-        if k == MOST_UNITS {
-            return Err(UnitError::TooMany);
-        }
-        if token == "/" {
-            divided = true;
-            continue;
-        }
-        let (name, power) = token.split_once('^').unwrap_or((token, "1"));
-        let power = match power.parse::<i32>() {
-            Ok(p) if (-4..=4).contains(&p) => {
-                if divided {
-                    -p
-                } else {
-                    p
-                }
-            }
-            _ => {
-                return Err(UnitError::Power {
-                    factor: token.into(),
-                });
-            }
-        };
-        let one = base(name).ok_or_else(|| match name {
-            "1" => UnitError::Frequency,
-            _ => UnitError::Unknown { name: name.into() },
-        })?;
-        for (d, k) in all.dimension.iter_mut().zip(one.dimension) {
-            *d += power * k;
-        }
-        all.scale *= one.scale.pow(power);
-        all.degrees |= one.degrees;
-        divided = false;
-    }
-    Ok(all)
-}
-
 impl<D: Dimension> FromStr for Quantity<D> {
     type Err = QuantityError;
 
@@ -336,7 +189,8 @@ impl<D: Dimension> FromStr for Quantity<D> {
             return Err(refused(QuantityReason::NoUnit));
         }
         let unit = unit(symbol).map_err(|e| refused(QuantityReason::Unit(e)))?;
-        if unit.dimension != D::POWERS {
+        let [m, kg, s, angle] = D::POWERS;
+        if unit.dimension != [m, kg, s, angle, 0, 0, 0, 0] {
             return Err(refused(QuantityReason::Dimension));
         }
         Ok(Quantity {

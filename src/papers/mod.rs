@@ -2,6 +2,7 @@
 //! found. Each paper is a module; what it finds has the common shape defined here.
 
 pub mod andrews;
+pub mod file;
 pub mod gembara_senyk;
 pub mod ledger;
 pub mod n_four_bar;
@@ -15,9 +16,13 @@ pub use report::{
     Subject, Tally, VariantJudgement,
 };
 
+pub use file::PaperFile;
+
 use crate::motion::Motion;
 use crate::reference::Undecided;
+use crate::study::StudyError;
 use report::{Draft, decided, figure, figures, known, recorded, shown};
+use std::sync::LazyLock;
 
 /// Called now and then with the phase, how much of it is done, and its whole.
 pub type Progress<'a> = &'a (dyn Fn(&str, u64, u64) + Sync);
@@ -25,48 +30,49 @@ pub type Progress<'a> = &'a (dyn Fn(&str, u64, u64) + Sync);
 /// Audits a paper; undecided when a certified value cannot be had.
 pub type PaperAudit = fn(Progress) -> Result<PaperReport, Undecided>;
 
-/// A paper that is known.
+/// A paper that is compiled in.
 struct Paper {
     key: &'static str,
-    citation: fn() -> Citation,
-    items: fn() -> Vec<ledger::Item>,
+    texts: file::Texts,
     audit: PaperAudit,
     motion: Option<fn() -> Motion>,
+}
+
+/// The files of a paper in `reference/papers`, the first of which is `paper.toml`.
+macro_rules! texts {
+    ($key:literal: $($file:literal)*) => {
+        &[$(($file, include_str!(concat!("../../reference/papers/", $key, "/", $file)))),*]
+    };
 }
 
 const PAPERS: &[Paper] = &[
     Paper {
         key: zinchenko::KEY,
-        citation: zinchenko::citation,
-        items: zinchenko::items,
+        texts: texts!("zinchenko": "paper.toml" "dynamics.toml" "spline.toml" "sweep.toml" "numbers.toml" "rates.toml"),
         audit: zinchenko::report,
         motion: Some(zinchenko::motion),
     },
     Paper {
         key: gembara_senyk::KEY,
-        citation: gembara_senyk::citation,
-        items: gembara_senyk::items,
+        texts: texts!("gembara-senyk": "paper.toml" "model.toml" "solution.toml" "amplitude.toml" "numbers.toml"),
         audit: gembara_senyk::report,
         motion: None,
     },
     Paper {
         key: andrews::KEY,
-        citation: andrews::citation,
-        items: andrews::items,
+        texts: texts!("andrews": "paper.toml" "dynamics.toml" "constraints.toml"),
         audit: andrews::report,
         motion: None,
     },
     Paper {
         key: n_four_bar::KEY,
-        citation: n_four_bar::citation,
-        items: n_four_bar::items,
+        texts: texts!("n-four-bar": "paper.toml"),
         audit: n_four_bar::report,
         motion: None,
     },
     Paper {
         key: pmksweb::KEY,
-        citation: pmksweb::citation,
-        items: pmksweb::items,
+        texts: texts!("pmksweb": "paper.toml"),
         audit: pmksweb::report,
         motion: None,
     },
@@ -76,6 +82,21 @@ fn paper(key: &str) -> Option<&'static Paper> {
     PAPERS.iter().find(|p| p.key == key)
 }
 
+/// The files of the paper of that key, read once.
+pub fn file_of(key: &str) -> Option<&'static PaperFile> {
+    static FILES: LazyLock<Vec<PaperFile>> = LazyLock::new(|| {
+        let read =
+            |p: &Paper| PaperFile::parse(p.key, p.texts).expect("a paper that is compiled in");
+        PAPERS.iter().map(read).collect()
+    });
+    FILES.iter().find(|file| file.citation.key == key)
+}
+
+/// The files of a paper that is compiled in.
+fn file_of_known(key: &str) -> &'static PaperFile {
+    file_of(key).expect("a paper that is compiled in")
+}
+
 /// The audit of the paper of that key.
 pub fn find(key: &str) -> Option<PaperAudit> {
     paper(key).map(|p| p.audit)
@@ -83,12 +104,68 @@ pub fn find(key: &str) -> Option<PaperAudit> {
 
 /// The ledger of the paper of that key, decided now.
 pub fn ledger_of(key: &str) -> Option<ledger::Ledger> {
-    paper(key).map(|p| ledger::Ledger::of((p.citation)(), &(p.items)()))
+    file_of(key).map(PaperFile::ledger)
 }
 
 /// The motion of the mechanism of the paper of that key, where it has one.
 pub fn motion_of(key: &str) -> Option<Motion> {
     paper(key).and_then(|p| p.motion).map(|motion| motion())
+}
+
+/// A paper that an argument names: one that is compiled in, or a folder or file of the user's.
+#[derive(Debug)]
+pub enum Named {
+    /// The key of a paper that is compiled in.
+    Key(&'static str),
+    /// A paper from files.
+    File(Box<PaperFile>),
+}
+
+impl Named {
+    /// The paper of a key, or the paper in a folder or file; none if the text is neither.
+    ///
+    /// # Errors
+    /// A folder that cannot be read as a paper.
+    pub fn open(text: &str) -> Result<Option<Named>, StudyError> {
+        if let Some(paper) = paper(text) {
+            return Ok(Some(Named::Key(paper.key)));
+        }
+        let path = std::path::Path::new(text);
+        match path.exists() {
+            true => Ok(Some(Named::File(Box::new(PaperFile::open(path)?)))),
+            false => Ok(None),
+        }
+    }
+
+    /// The ledger, decided now.
+    pub fn ledger(&self) -> ledger::Ledger {
+        match self {
+            Named::Key(key) => file_of_known(key).ledger(),
+            Named::File(file) => file.ledger(),
+        }
+    }
+
+    /// Audits the paper.
+    ///
+    /// # Errors
+    /// [`Undecided`] when a certified value cannot be had.
+    pub fn report(&self, progress: Progress) -> Result<PaperReport, Undecided> {
+        match self {
+            Named::Key(key) => match paper(key) {
+                Some(paper) => (paper.audit)(progress),
+                None => file_of_known(key).report(progress),
+            },
+            Named::File(file) => file.report(progress),
+        }
+    }
+
+    /// The motion of the mechanism of the paper, where it has one.
+    pub fn motion(&self) -> Option<Motion> {
+        match self {
+            Named::Key(key) => motion_of(key),
+            Named::File(_) => None,
+        }
+    }
 }
 
 /// The keys of all papers.

@@ -1,5 +1,6 @@
 //! A printed number beside its certified value, digit by digit.
 
+use super::file::Rounding;
 use super::{Entry, EntryVerdict, Tally, VariantJudgement};
 use crate::audit::{Agreement, agreement};
 use crate::reference::{Ball, Decimal};
@@ -47,6 +48,34 @@ impl Number {
     /// Returns true if the print is certainly within one unit of the last digit.
     pub(super) fn is_within_one(&self, value: &Ball) -> bool {
         self.verdict(value) <= EntryVerdict::Rounding
+    }
+
+    /// Returns true if the print is certainly the value with the digits that follow left out.
+    pub(super) fn is_cut(&self, value: &Ball) -> bool {
+        let [low, high] = self.beyond(value);
+        (low.is_positive() || low.is_zero()) && high.is_positive()
+    }
+
+    /// Returns true if the print is certainly not the value by a rule of rounding.
+    pub(super) fn is_wrong(&self, value: &Ball, rounding: Rounding) -> bool {
+        let unit = Ball::rational(value.prec(), &self.value.unit());
+        let beyond = |limit: Ball| (self.difference(value).abs() - limit).is_positive();
+        match rounding {
+            Rounding::Nearest => beyond(unit.shift(-1)),
+            Rounding::LastDigit => beyond(unit),
+            Rounding::Cut => self.beyond(value).iter().any(Ball::is_negative),
+        }
+    }
+
+    /// By how much the value's size exceeds the print's, and how much there is left to the next
+    /// number of as many digits.
+    fn beyond(&self, value: &Ball) -> [Ball; 2] {
+        let minus = self.text.starts_with('-');
+        let off = self.difference(value);
+        let low = if minus { off } else { -&off };
+        let unit = Ball::rational(value.prec(), &self.value.unit());
+        let high = &unit - &low;
+        [low, high]
     }
 
     /// The verdict without a look for misprints; an undecided one is unexplained.
@@ -128,6 +157,43 @@ fn significant(text: &str) -> Vec<usize> {
     let places = mantissa.char_indices().filter(|(_, c)| c.is_ascii_digit());
     let places = places.skip_while(|(_, c)| *c == '0');
     places.map(|(i, _)| i).collect()
+}
+
+/// One digit other than the last replaced or left out, or two neighbours exchanged, such that the
+/// result is the correct rounding. (A change of the last digit would explain anything.)
+pub(super) fn explained(text: &str, value: &Ball) -> Option<String> {
+    let chars: Vec<char> = text.chars().collect();
+    let digits: Vec<usize> = (0..chars.len())
+        .filter(|&i| chars[i].is_ascii_digit())
+        .collect();
+    let last = *digits.last()?;
+    let with = |change: &dyn Fn(&mut Vec<char>)| {
+        let mut c = chars.clone();
+        change(&mut c);
+        c.into_iter().collect::<String>()
+    };
+    // The least change first: the length stays, then a character goes.
+    let mut edits: Vec<(String, String)> = Vec::new();
+    for &i in digits.iter().filter(|&&i| i != last) {
+        for d in '0'..='9' {
+            edits.push((with(&|c| c[i] = d), "one wrong digit".into()));
+        }
+        if chars[i + 1].is_ascii_digit() {
+            edits.push((with(&|c| c.swap(i, i + 1)), "two digits exchanged".into()));
+        }
+    }
+    for &i in digits.iter().filter(|&&i| i != last) {
+        let what = format!("one digit too many ({})", chars[i]);
+        let shorter = with(&|c| {
+            c.remove(i);
+        });
+        edits.push((shorter, what));
+    }
+    edits.into_iter().find_map(|(edited, what)| {
+        let written = Decimal::parse(&edited).ok()?;
+        (agreement(&written, value) == Agreement::Agrees)
+            .then(|| format!("{what}: {edited} would agree"))
+    })
 }
 
 /// Counts how many numbers of a column agree with their values.

@@ -20,6 +20,9 @@ pub struct Citation {
     pub year: Option<u16>,
     /// Where it appeared.
     pub venue: &'static str,
+    /// What was read of it, where that is stated.
+    #[serde(skip_serializing_if = "str::is_empty")]
+    pub source: &'static str,
 }
 
 /// Everything found about one paper.
@@ -344,6 +347,7 @@ mod tests {
                 title: "",
                 year: None,
                 venue: "",
+                source: "",
             };
             PaperReport::new(paper, of.iter().map(|r| finding(*r)).collect()).as_recorded()
         };

@@ -299,7 +299,7 @@ pub(crate) fn grain_of(x: f64) -> i32 {
 }
 
 /// The same for one number, by its last bit that is set.
-fn grain_of_point(x: f64) -> i32 {
+pub(crate) fn grain_of_point(x: f64) -> i32 {
     if x == 0.0 || !x.is_finite() {
         return grain_of(x.abs());
     }

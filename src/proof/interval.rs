@@ -112,7 +112,7 @@ impl Interval {
     }
 
     /// All numbers.
-    const ALL: Interval = Interval {
+    pub const ALL: Interval = Interval {
         lo: f64::NEG_INFINITY,
         hi: f64::INFINITY,
     };
@@ -168,6 +168,25 @@ impl Interval {
         }
         let (m, n) = (self.mignitude(), self.magnitude());
         Interval::new(down(m * m).max(0.0), up(n * n))
+    }
+
+    /// The square roots; everything if a number is negative.
+    pub fn sqrt(self) -> Interval {
+        match self.lo >= 0.0 {
+            true => Interval::new(down(self.lo.sqrt()).max(0.0), up(self.hi.sqrt())),
+            false => Interval::ALL,
+        }
+    }
+
+    /// All numbers between two of either.
+    pub fn hull(self, other: Interval) -> Interval {
+        Interval::new(self.lo.min(other.lo), self.hi.max(other.hi))
+    }
+
+    /// The numbers in both, for two enclosures of one number.
+    pub fn meet(self, other: Interval) -> Interval {
+        let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
+        if lo <= hi { Interval { lo, hi } } else { self }
     }
 
     /// All numbers within `r` of it.

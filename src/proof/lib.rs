@@ -30,6 +30,7 @@ pub mod lower;
 #[cfg(test)]
 #[path = "tests/pinned.rs"]
 mod pinned;
+pub mod program;
 mod prove;
 pub mod real;
 mod summary;

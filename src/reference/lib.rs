@@ -80,7 +80,7 @@ pub use mag::Mag;
 pub struct Undecided {
     /// The highest precision tried.
     pub bits: u32,
-    /// What stayed open.
+    /// The undecided question.
     pub reason: String,
 }
 

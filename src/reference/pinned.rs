@@ -1,4 +1,4 @@
-//! What functions answer, pinned bit by bit.
+//! The values of functions, pinned bit by bit.
 //!
 //! A radius that shrinks may no longer be a bound, and one that grows costs digits; tests of inclusion see neither.
 
@@ -45,7 +45,7 @@ impl Answers {
     }
 }
 
-/// What can be written down to the last bit.
+/// A value that can be written down to the last bit.
 pub(crate) trait Answer {
     fn add_to(&self, answers: &mut Answers);
 }

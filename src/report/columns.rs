@@ -1,7 +1,7 @@
 //! Columns of rows: names that carry their units, and other units on request.
 
 use super::cell::Cell;
-use crate::machine::quantity::{self, Unit};
+use crate::symbolic::{self, Unit};
 use rug::Rational;
 
 /// The factor of a column's values.
@@ -54,7 +54,7 @@ struct Wanted<'a> {
 
 /// Units that columns are in; a column's name ends with a product of them.
 const SYMBOLS: [&str; 7] = ["m", "kg", "s", "rad", "deg", "N", "J"];
-const SPEED: [i32; 4] = [0, 0, -1, 1];
+const SPEED: [i32; 8] = [0, 0, -1, 1, 0, 0, 0, 0];
 
 /// A column's name without its unit, and the factors of that unit.
 fn split(name: &str) -> (String, Vec<(&'static str, i32)>) {
@@ -106,9 +106,9 @@ fn joined(stem: &str, factors: &[(String, i32)]) -> String {
 
 impl Wanted<'_> {
     fn read(text: &str) -> Result<Wanted<'_>, UnitsError> {
-        let known = quantity::KNOWN;
+        let known = symbolic::KNOWN_UNITS;
         let unit =
-            quantity::unit(text).map_err(|e| UnitsError(format!("{e}; there are {known}")))?;
+            symbolic::unit(text).map_err(|e| UnitsError(format!("{e}; there are {known}")))?;
         let label = match text {
             "°" => "deg".into(),
             "µm" | "μm" => "um".into(),
@@ -158,11 +158,11 @@ pub fn is_angle(name: &str) -> bool {
     matches!(split(name).1[..], [("rad" | "deg", 1)])
 }
 
-fn dimension(symbol: &str) -> Option<[i32; 4]> {
+fn dimension(symbol: &str) -> Option<[i32; 8]> {
     match symbol {
         // No unit of energy is known by name.
         "J" => None,
-        s => quantity::unit(s).ok().map(|u| u.dimension),
+        s => symbolic::unit(s).ok().map(|u| u.dimension),
     }
 }
 

@@ -4,8 +4,8 @@
 //! about the moving points, `NAMES`, and `PATH_` with the point's name for each path. R2007, the
 //! first version whose text is UTF-8.
 
-use crate::machine::quantity;
 use crate::motion::{Motion, Point};
+use crate::symbolic;
 use file::Writer;
 use rug::Rational;
 
@@ -72,7 +72,7 @@ impl Unit {
     /// [`NotDxf::Unit`].
     pub fn of(name: &str) -> Result<Unit, NotDxf> {
         let refused = || NotDxf::Unit { unit: name.into() };
-        let unit = quantity::unit(name).map_err(|_| refused())?;
+        let unit = symbolic::unit(name).map_err(|_| refused())?;
         let known = [
             (6, (1, 1)),
             (14, (1, 10)),
@@ -82,7 +82,7 @@ impl Unit {
             (1, (254, 10_000)),
             (2, (3048, 10_000)),
         ];
-        let length = quantity::unit("m").map_err(|_| refused())?.dimension;
+        let length = symbolic::unit("m").map_err(|_| refused())?.dimension;
         let same =
             |k: &&(u32, (u32, u32))| unit.dimension == length && unit.scale == Rational::from(k.1);
         let (number, (over, under)) = *known.iter().find(same).ok_or_else(refused)?;

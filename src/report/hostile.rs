@@ -59,6 +59,7 @@ fn citation() -> Citation {
         title: HOSTILE,
         year: None,
         venue: HOSTILE,
+        source: "",
     }
 }
 

@@ -62,6 +62,9 @@ fn entry(e: &LedgerEntry) -> String {
     if let Some(f) = &e.corrected {
         out.push_str(&shown("Corrected:", f));
     }
+    if let Some(fault) = &e.dimension {
+        out.push_str(&format!("Dimension: {}.\n\n", escape(fault)));
+    }
     if let Some(r) = &e.repair {
         out.push_str(&format!("{}\n\n", escape(&search(r))));
     }

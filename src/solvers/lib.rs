@@ -6,6 +6,7 @@
 //! | linear | [`tridiagonal`], [`cyclic_tridiagonal`] |
 //! | splines | [`cubic_spline`], [`hermite_spline`] |
 //! | linkages | [`class_iii`], [`dyad`], [`planar`], [`reduction`] |
+//! | initial_value | [`initial_value`] |
 //! | drive | [`run_up`] |
 //! | cams | [`cam_law`], [`fourier_series`], [`chirp_oscillator`], [`chirp_chart`] |
 //!
@@ -39,6 +40,8 @@ mod cams;
 mod drive;
 #[cfg(feature = "splines")]
 mod linear;
+#[cfg(feature = "linkages")]
+pub mod initial_value;
 #[cfg(feature = "linkages")]
 mod linkages;
 #[cfg(feature = "special")]

@@ -1,6 +1,7 @@
 //! A problem made ready to be evaluated.
 
 use super::error::StudyError;
+use super::initial_value::Solution;
 use super::problem::{Problem, StudyOutput, StudySolver, intern};
 use mechaudit_symbolic::evaluation::{
     Algebraic, Answer, Certified, Evaluator, Floating, Format, Goal, LIMIT,
@@ -23,6 +24,8 @@ pub struct Compiled {
     idle: Mutex<Vec<Certified>>,
     /// The highest working precision.
     limit: u32,
+    /// The solution of an initial value problem.
+    pub(super) motion: Option<Solution>,
 }
 
 /// The graph, the nodes of conditions and zeros of differences of a problem in floating point.
@@ -58,11 +61,12 @@ fn graph_with_system(mut graph: Graph, problem: &Problem) -> Result<Graph, Study
     Ok(graph)
 }
 
-/// The outputs that are expressions: a problem of linear algebra has none.
+/// The outputs that are expressions of the inputs: a problem of linear algebra and an initial value
+/// problem have none.
 fn expressions(problem: &Problem) -> &[StudyOutput] {
-    match problem.linear {
-        Some(_) => &[],
-        None => &problem.outputs,
+    match problem.linear.is_some() || problem.initial_value.is_some() {
+        true => &[],
+        false => &problem.outputs,
     }
 }
 
@@ -112,7 +116,10 @@ impl Compiled {
                 .filter(|(_, e)| !definitions.reaches(e, &unknowns))
                 .collect(),
         };
+        let motion = problem.initial_value.as_ref();
+        let motion = motion.map(|of| Solution::new(&problem, of)).transpose()?;
         Ok(Compiled {
+            motion,
             graph: Arc::new(graph),
             algebra: Arc::new(algebra),
             outputs,
@@ -126,6 +133,9 @@ impl Compiled {
     /// Sets the highest working precision in bits.
     pub fn set_limit(&mut self, bits: u32) {
         self.limit = bits;
+        if let Some(motion) = &mut self.motion {
+            motion.set_limit(bits);
+        }
         self.idle
             .get_mut()
             .unwrap_or_else(PoisonError::into_inner)
@@ -152,6 +162,9 @@ impl Compiled {
     pub fn conditions(&self, inputs: &[Rational]) -> Option<Vec<f64>> {
         /// Bits of the derivatives.
         const BITS: u32 = 24;
+        if let Some(motion) = &self.motion {
+            return motion.conditions(inputs);
+        }
         let slopes = self.slopes.as_ref()?;
         self.with(|certified| {
             let of = |slopes: &Vec<Id>| {

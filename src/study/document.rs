@@ -1,4 +1,4 @@
-//! TOML with places: a tree whose tables keep the order of the file.
+//! TOML with places: a tree whose tables keep the order of the file, for studies and for papers.
 
 use super::error::{Place, StudyError};
 use toml::Spanned;
@@ -6,7 +6,7 @@ use toml::de::{DeTable, DeValue};
 
 /// A value with its place.
 #[derive(Clone, Debug)]
-pub(super) struct Item {
+pub struct Item {
     /// Where it begins.
     pub place: Place,
     /// The value.
@@ -15,13 +15,13 @@ pub(super) struct Item {
 
 /// A value.
 #[derive(Clone, Debug)]
-pub(super) enum Value {
+pub enum Value {
     /// A string.
     Text(String),
     /// A number as it is written.
     Number(String),
     /// True or false.
-    Truth,
+    Truth(bool),
     /// A list.
     List(Vec<Item>),
     /// A table.
@@ -29,10 +29,13 @@ pub(super) enum Value {
 }
 
 /// The longest text that is read, in bytes.
-pub(super) const LONGEST: usize = 4 << 20;
+pub const LONGEST: usize = 4 << 20;
 
 /// Reads a text.
-pub(super) fn read(text: &str) -> Result<Item, StudyError> {
+///
+/// # Errors
+/// The place and the rule of TOML that the text breaks; a text of more than [`LONGEST`] bytes.
+pub fn read(text: &str) -> Result<Item, StudyError> {
     if text.len() > LONGEST {
         let reason = format!("{} bytes where at most {LONGEST} are read", text.len());
         return Err(StudyError::new(reason));
@@ -67,7 +70,7 @@ fn item(text: &str, value: &Spanned<DeValue<'_>>) -> Item {
             _ => n.as_str().to_string(),
         }),
         DeValue::Float(x) => Value::Number(x.as_str().to_string()),
-        DeValue::Boolean(_) => Value::Truth,
+        DeValue::Boolean(b) => Value::Truth(*b),
         DeValue::Datetime(d) => Value::Text(d.to_string()),
         DeValue::Array(items) => Value::List(items.iter().map(|x| item(text, x)).collect()),
         DeValue::Table(t) => self::table(text, t),
@@ -82,6 +85,9 @@ impl Item {
     }
 
     /// The text of a string, or of a number.
+    ///
+    /// # Errors
+    /// A value of another kind, as for [`Item::table`] and [`Item::list`].
     pub fn text(&self) -> Result<&str, StudyError> {
         match &self.value {
             Value::Text(s) | Value::Number(s) => Ok(s),
@@ -90,6 +96,9 @@ impl Item {
     }
 
     /// The entries of a table.
+    ///
+    /// # Errors
+    /// A value of another kind.
     pub fn table(&self) -> Result<&[(String, Item)], StudyError> {
         match &self.value {
             Value::Table(entries) => Ok(entries),
@@ -98,6 +107,9 @@ impl Item {
     }
 
     /// The items of a list.
+    ///
+    /// # Errors
+    /// A value of another kind.
     pub fn list(&self) -> Result<&[Item], StudyError> {
         match &self.value {
             Value::List(items) => Ok(items),
@@ -114,6 +126,9 @@ impl Item {
     }
 
     /// Refuses keys that are not known.
+    ///
+    /// # Errors
+    /// The first unknown key, with the nearest known one.
     pub fn only(&self, known: &[&str]) -> Result<(), StudyError> {
         for (key, item) in self.table()? {
             if !known.contains(&key.as_str()) {

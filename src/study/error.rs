@@ -13,7 +13,7 @@ pub struct Place {
 
 impl Place {
     /// The place of a byte of a text.
-    pub(super) fn of(text: &str, at: usize) -> Place {
+    pub fn of(text: &str, at: usize) -> Place {
         let before = &text.as_bytes()[..at.min(text.len())];
         let start = before
             .iter()
@@ -39,7 +39,7 @@ pub struct StudyError {
 
 impl StudyError {
     /// A fault without a place.
-    pub(super) fn new(reason: impl Into<String>) -> StudyError {
+    pub fn new(reason: impl Into<String>) -> StudyError {
         StudyError {
             file: None,
             place: None,
@@ -48,13 +48,13 @@ impl StudyError {
     }
 
     /// The same fault at a place, unless it has one.
-    pub(super) fn at(mut self, place: Place) -> StudyError {
+    pub fn at(mut self, place: Place) -> StudyError {
         self.place.get_or_insert(place);
         self
     }
 
     /// The same fault in a file, unless it has one.
-    pub(super) fn in_file(mut self, file: &str) -> StudyError {
+    pub fn in_file(mut self, file: &str) -> StudyError {
         self.file.get_or_insert_with(|| file.into());
         self
     }

@@ -95,6 +95,14 @@ impl Method for Study {
         if input.len() != self.problem().inputs.len() {
             return ReferenceAnswer::Refuses("bad layout");
         }
+        if self
+            .compiled
+            .motion
+            .as_ref()
+            .is_some_and(|m| m.is_before_start(input))
+        {
+            return ReferenceAnswer::Refuses("before the start");
+        }
         let goal = Goal::Double(bits.saturating_sub(GUARD).max(72));
         let mut values = Vec::new();
         for answer in self.answers(input, goal) {
@@ -115,9 +123,12 @@ impl Method for Study {
             return linear::conditions(linear, &exact?);
         }
         let exact = exact.filter(|x| x.len() == self.problem().inputs.len())?;
-        self.compiled
-            .conditions(&exact)
-            .or_else(|| conditions_by_differences(self, input, |_| true))
+        let found = self.compiled.conditions(&exact);
+        // Differences of a motion take a trajectory for each input.
+        match self.compiled.motion.is_some() {
+            true => found,
+            false => found.or_else(|| conditions_by_differences(self, input, |_| true)),
+        }
     }
 
     fn format(&self) -> Format {
@@ -152,6 +163,9 @@ impl Evaluable for Study {
     }
 
     fn refusal(&self, numbers: &[f64]) -> Option<String> {
+        if let (Some(motion), Some(time)) = (&self.compiled.motion, numbers.last()) {
+            return motion.refusal(*time);
+        }
         self.problem().linear.as_ref()?.refusal(numbers.len())
     }
 

@@ -93,8 +93,10 @@
 mod builder;
 mod compiled;
 mod core;
-mod document;
+mod dimensions;
+pub mod document;
 mod error;
+mod initial_value;
 mod linear;
 mod method;
 mod problem;
@@ -104,17 +106,19 @@ mod system;
 
 pub use builder::{Formula, absolute, conditioned, relative, ulps};
 pub use error::{Place, StudyError};
+pub use initial_value::InitialValue;
 pub use linear::{Linear, Task, Tensor};
 pub use problem::{
-    Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver, StudySystem,
+    Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver, StudySystem, fault_in,
+    intern, limit,
 };
+pub use read::{is_name, rational};
 
 use crate::audit::{Domain, did_you_mean};
 use crate::methods::CertifiedValue;
 use crate::reference::Ball;
 use compiled::{Compiled, FloatSolver, Sketch};
 use mechaudit_symbolic::evaluation::{Answer, Goal};
-use problem::intern;
 use rug::Rational;
 use std::path::Path;
 use std::sync::Arc;
@@ -282,6 +286,9 @@ impl Study {
     pub fn answers(&self, inputs: &[Rational], goal: Goal) -> Vec<Answer> {
         if let Some(linear) = &self.problem().linear {
             return linear.answers(inputs, goal);
+        }
+        if let Some(motion) = &self.compiled.motion {
+            return motion.values(inputs, goal);
         }
         self.compiled.values(inputs, goal)
     }

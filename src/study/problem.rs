@@ -118,6 +118,8 @@ pub struct Problem {
     pub solvers: Vec<StudySolver>,
     /// A system of equations whose unknowns outputs may use.
     pub system: Option<StudySystem>,
+    /// An initial value problem whose states are outputs, and which other outputs may use.
+    pub initial_value: Option<super::initial_value::InitialValue>,
     /// A problem of linear algebra, in the place of formulas of the outputs.
     pub linear: Option<super::linear::Linear>,
     /// Remarks for the report: names that hide constants, formulas that are not independent.
@@ -130,8 +132,11 @@ pub(super) fn default_budget() -> (Limit, String) {
     (Limit::Conditioned(8.0), reason.into())
 }
 
-/// Reads a budget: `2 ulp`, `4 u(1+cond)`, `1e-12 relative`, `1e-9 absolute`.
-pub(super) fn budget(text: &str) -> Result<Limit, StudyError> {
+/// Reads a limit: `2 ulp`, `4 u(1+cond)`, `1e-12 relative`, `1e-9 absolute`.
+///
+/// # Errors
+/// A text of another form, and a number that is not finite and positive.
+pub fn limit(text: &str) -> Result<Limit, StudyError> {
     let compact: String = text.chars().filter(|c| !c.is_whitespace()).collect();
     type OfNumber = fn(f64) -> Limit;
     let forms: [(&str, OfNumber); 8] = [
@@ -167,7 +172,7 @@ pub(super) fn kept(budget: &(Limit, String)) -> Budget {
 }
 
 /// The same text with the life of the program: methods name their parts so. Every text is kept once.
-pub(super) fn intern(text: &str) -> &'static str {
+pub fn intern(text: &str) -> &'static str {
     use std::collections::BTreeSet;
     use std::sync::Mutex;
     static KEPT: Mutex<BTreeSet<&'static str>> = Mutex::new(BTreeSet::new());
@@ -185,7 +190,7 @@ pub(super) fn intern(text: &str) -> &'static str {
 }
 
 /// A fault of an expression within a string that begins at a place.
-pub(super) fn fault_in(
+pub fn fault_in(
     error: mechaudit_symbolic::SymbolicError,
     place: Place,
     known: &[String],

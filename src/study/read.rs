@@ -1,22 +1,24 @@
 //! Studies in TOML.
 
+use super::dimensions;
 use super::document::{Item, Value, read as document};
 use super::error::StudyError;
+use super::initial_value;
 use super::linear;
 use super::problem::{
-    Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver, budget, default_budget,
+    Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver, default_budget, limit,
     fault_in,
 };
 use super::system;
 use mechaudit_symbolic::evaluation::{Elementary, Format};
 use mechaudit_symbolic::{
-    Bound, Constant, Definitions, Equation, Expr, Func, number, parse_declared,
+    Bound, Constant, Definitions, Equation, Expr, Func, Roots, number, parse_declared,
     parse_declared_equation,
 };
 use rug::Rational;
 
 /// Keys of a study.
-const KEYS: [&str; 10] = [
+const KEYS: [&str; 11] = [
     "title",
     "source",
     "inputs",
@@ -26,6 +28,7 @@ const KEYS: [&str; 10] = [
     "region",
     "where",
     "system",
+    "ode",
     "solver",
 ];
 
@@ -53,19 +56,26 @@ pub(super) fn problem(text: &str, name: &str) -> Result<Problem, StudyError> {
     }
     let parameters = entries(&file, "parameters")?;
     let lets = entries(&file, "let")?;
-    let outputs = entries(&file, "outputs")?;
+    let stated = entries(&file, "outputs")?;
+    let (outputs, places) = one_by_one(stated)?;
     let unknowns = system::unknowns(&file)?;
-    if outputs.is_empty() && unknowns.is_empty() {
+    let states = initial_value::read::states(&file)?;
+    if outputs.is_empty() && unknowns.is_empty() && states.is_empty() {
         return Err(StudyError::new(
             "a study has at least one output: [outputs]",
         ));
+    }
+    if let Some(ode) = file.get("ode") {
+        problem
+            .inputs
+            .push(initial_value::read::time(&problem, ode)?);
     }
     let mut declared: Vec<String> = problem.inputs.iter().map(|i| i.name.clone()).collect();
     let is_unknown = |name: &str| unknowns.iter().any(|u| u.0 == name);
     // An output may be an unknown, which is declared where the system is.
     let defined = outputs.iter().filter(|o| !is_unknown(&o.0));
     let defined: Vec<&(String, Item)> = parameters.iter().chain(lets).chain(defined).collect();
-    for (name, item) in defined.iter().copied().chain(unknowns) {
+    for (name, item) in defined.iter().copied().chain(unknowns).chain(states) {
         is_name(name, item)?;
         if declared.contains(name) {
             return Err(item.fault(format!("the name {name} is declared twice")));
@@ -75,12 +85,22 @@ pub(super) fn problem(text: &str, name: &str) -> Result<Problem, StudyError> {
     let names = Names { declared };
     problem.notes.extend(names.hidden());
     for (name, item) in parameters.iter().chain(lets) {
-        let value = names.expression(item)?;
-        problem.definitions.set(name, value);
+        let is = match item.value {
+            Value::Table(_) => {
+                item.only(&["is", "unit"])?;
+                let is = item.get("is");
+                is.ok_or_else(|| item.fault(format!("{name} needs is = ...")))?
+            }
+            _ => item,
+        };
+        problem.definitions.set(name, names.expression(is)?);
     }
-    for (name, item) in outputs {
+    if let Some(ode) = file.get("ode") {
+        initial_value::read::read(&names, ode, &mut problem)?;
+    }
+    for ((name, item), place) in outputs.iter().zip(places) {
         let is_unknown = is_unknown(name);
-        let output = output(&names, name, item, is_unknown)?;
+        let output = output(&names, name, item, is_unknown, place)?;
         if !is_unknown {
             problem.definitions.set(name, output.is.clone());
         }
@@ -110,6 +130,8 @@ pub(super) fn problem(text: &str, name: &str) -> Result<Problem, StudyError> {
         problem.solvers.push(solver(&names, &problem, name, item)?);
     }
     problem.notes.extend(dependent(&problem));
+    let note = dimensions::check(&file, &problem, unknowns)?;
+    problem.notes.extend(note);
     Ok(problem)
 }
 
@@ -118,7 +140,11 @@ pub(super) fn entries<'a>(file: &'a Item, key: &str) -> Result<&'a [(String, Ite
     file.get(key).map_or(Ok(&[]), Item::table)
 }
 
-pub(super) fn is_name(name: &str, item: &Item) -> Result<(), StudyError> {
+/// Checks that a text is a name.
+///
+/// # Errors
+/// A text that is not a letter or an underscore, then up to 63 letters, digits, underscores and primes.
+pub fn is_name(name: &str, item: &Item) -> Result<(), StudyError> {
     let mut letters = name.chars();
     let first = letters
         .next()
@@ -129,6 +155,48 @@ pub(super) fn is_name(name: &str, item: &Item) -> Result<(), StudyError> {
         false => Err(item.fault(format!(
             "{name:?} is no name: a letter, then up to 63 letters, digits and underscores"
         ))),
+    }
+}
+
+/// Outputs with each root of an equation by itself: its name ends in its place, from 1 to `count`;
+/// the places of roots beside them, 0 elsewhere.
+fn one_by_one(stated: &[(String, Item)]) -> Result<(Vec<(String, Item)>, Vec<u32>), StudyError> {
+    /// The most roots that one output may stand for.
+    const MOST: u32 = 1000;
+    let mut places = Vec::new();
+    let mut outputs = Vec::new();
+    for (name, item) in stated {
+        if item.get("roots_of").is_none() {
+            outputs.push((name.clone(), item.clone()));
+            places.push(0);
+            continue;
+        }
+        is_name(name, item)?;
+        if item.get("root_of").is_some() {
+            return Err(item.fault(format!("the output {name} has root_of and roots_of")));
+        }
+        let Some(count) = item.get("count") else {
+            return Err(item.fault(format!(
+                "the roots {name} need count = NUMBER: outputs are {name}_1, {name}_2, ..."
+            )));
+        };
+        let number = count.text()?.parse::<u32>().ok();
+        let Some(number) = number.filter(|n| (1..=MOST).contains(n)) else {
+            return Err(count.fault(format!("the number of roots is not from 1 to {MOST}")));
+        };
+        for place in 1..=number {
+            outputs.push((format!("{name}_{place}"), item.clone()));
+            places.push(place);
+        }
+    }
+    Ok((outputs, places))
+}
+
+/// The name that an equation gives its unknown: that of the output, without the place of a root.
+fn unknown_of(name: &str, place: u32) -> &str {
+    match place {
+        0 => name,
+        place => name.strip_suffix(&format!("_{place}")).unwrap_or(name),
     }
 }
 
@@ -212,7 +280,10 @@ impl Names {
 }
 
 /// An exact number of a string or a number.
-pub(super) fn rational(item: &Item) -> Result<Rational, StudyError> {
+///
+/// # Errors
+/// A text that is no finite number.
+pub fn rational(item: &Item) -> Result<Rational, StudyError> {
     let text = item.text()?;
     let (sign, size) = match text.trim().strip_prefix('-') {
         Some(size) => (-1, size),
@@ -259,6 +330,7 @@ fn output(
     name: &str,
     item: &Item,
     is_unknown: bool,
+    place: u32,
 ) -> Result<StudyOutput, StudyError> {
     let plain = |is: Expr, text: String| StudyOutput {
         name: name.into(),
@@ -273,8 +345,15 @@ fn output(
         }
         return Ok(plain(names.expression(item)?, item.text()?.into()));
     }
-    item.only(&["is", "root_of", "between", "unit", "budget", "why"])?;
-    let mut found = match (item.get("is"), item.get("root_of")) {
+    let keys = [
+        "is", "root_of", "roots_of", "between", "count", "unit", "budget", "why",
+    ];
+    item.only(&keys)?;
+    let equation = item.get("root_of").or(item.get("roots_of"));
+    if item.get("count").is_some() && place == 0 {
+        return Err(item.fault("count belongs to roots_of"));
+    }
+    let mut found = match (item.get("is"), equation) {
         (Some(is), None) => plain(names.expression(is)?, is.text()?.into()),
         (None, Some(of)) => {
             let Some(between) = item.get("between") else {
@@ -283,18 +362,31 @@ fn output(
             let [low, high] = between.list()? else {
                 return Err(between.fault("expected two ends: between = [LOW, HIGH]"));
             };
+            let unknown = unknown_of(name, place);
             let bound = Bound {
-                var: name.into(),
+                var: unknown.into(),
                 from: names.expression(low)?,
                 to: names.expression(high)?,
-                body: names.equation(of, &[name])?,
+                body: names.equation(of, &[unknown])?,
+            };
+            let (which, kind) = match item.get("count") {
+                None => (Roots::Only, "root".into()),
+                Some(count) => {
+                    let count = count.text()?.parse().unwrap_or(0);
+                    let kind = format!("root {place} of {count}");
+                    (Roots::One { place, count }, kind)
+                }
             };
             let (low, high) = (low.text()?, high.text()?);
-            let text = format!("root of {} between {low} and {high}", of.text()?);
-            plain(Expr::Root(Box::new(bound)), text)
+            let text = format!("{kind} of {} between {low} and {high}", of.text()?);
+            plain(Expr::Root(Box::new(bound), which), text)
         }
         (None, None) if is_unknown => plain(Expr::Sym(name.into()), "an unknown".into()),
-        _ => return Err(item.fault(format!("the output {name} needs is = ... or root_of = ..."))),
+        _ => {
+            return Err(item.fault(format!(
+                "the output {name} needs is = ..., root_of = ... or roots_of = ..."
+            )));
+        }
     };
     if is_unknown && found.is != Expr::Sym(name.into()) {
         return Err(item.fault(format!("the name {name} is declared twice")));
@@ -309,7 +401,7 @@ pub(super) fn unit_and_budget(found: &mut StudyOutput, item: &Item) -> Result<()
         found.unit = unit.text()?.into();
     }
     if let Some(text) = item.get("budget") {
-        let limit = budget(text.text()?).map_err(|e| e.at(text.place))?;
+        let limit = limit(text.text()?).map_err(|e| e.at(text.place))?;
         let why = item.get("why").map(Item::text).transpose()?;
         let why = why.unwrap_or("stated by the study without a reason");
         found.budget = (limit, why.into());
@@ -432,7 +524,7 @@ fn leads_to(definitions: &Definitions, name: &str) -> bool {
     };
     // A root's variable has the name of its output.
     match e {
-        Expr::Root(bound) if bound.var == name => [&bound.from, &bound.to]
+        Expr::Root(bound, _) if bound.var == name => [&bound.from, &bound.to]
             .into_iter()
             .any(|e| definitions.reaches(e, &[name])),
         e => definitions.reaches(e, &[name]),

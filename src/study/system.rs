@@ -96,23 +96,19 @@ fn start(names: &Names, name: &str, item: &Item) -> Result<Start<Expr>, StudyErr
     }
 }
 
-/// Refuses a condition on inputs that depends on an unknown.
+/// Refuses a condition on inputs that depends on an unknown or on a state.
 pub(super) fn is_free(problem: &Problem, condition: &Expr, item: &Item) -> Result<(), StudyError> {
-    let Some(system) = &problem.system else {
-        return Ok(());
-    };
-    let found = system
-        .unknowns
-        .iter()
-        .find(|u| problem.definitions.reaches(condition, &[&u.0]));
-    match found {
+    let unknowns = problem.system.iter().flat_map(|s| &s.unknowns);
+    let states = problem.initial_value.iter().flat_map(|s| &s.states);
+    let unknowns = unknowns.map(|u| ("unknown", &u.0));
+    let mut all = unknowns.chain(states.map(|s| ("state", &s.name)));
+    match all.find(|(_, name)| problem.definitions.reaches(condition, &[name])) {
         None => Ok(()),
-        Some((name, _)) => Err(item.fault(format!(
-            "a condition on the inputs depends on the unknown {name}"
+        Some((kind, name)) => Err(item.fault(format!(
+            "a condition on the inputs depends on the {kind} {name}"
         ))),
     }
 }
 
 #[cfg(test)]
-#[path = "system_tests.rs"]
 mod tests;

@@ -1,4 +1,5 @@
-//! Whether two polynomials have no common divisor with a variable in it, by their images in one variable modulo a prime.
+//! Decides if two polynomials have no common divisor with a variable in it, by their images in one variable modulo
+//! a prime.
 //!
 //! Where `p = g h` and no denominator is divisible by the prime, `g` can be scaled so that the images exist and `p`'s is the
 //! product of theirs (Gauss's lemma in the integers of Q(i) localised at a prime above it). Where the image of `p`'s leading
@@ -95,7 +96,7 @@ fn common_degree(mut p: Vec<u64>, mut q: Vec<u64>) -> usize {
     p.len() - 1
 }
 
-/// Whether it is certain that no common divisor of p and q has x in it; false where the images cannot tell.
+/// Returns true if it is certain that no common divisor of p and q has x in it; false where the images cannot tell.
 pub(super) fn certainly_without(x: Symbol, p: &Poly, q: &Poly) -> bool {
     let mut others = p.symbols();
     others.extend(q.symbols());

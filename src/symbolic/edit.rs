@@ -4,7 +4,7 @@ use super::expr::{Equation, Expr, Func};
 use serde::Serialize;
 use std::collections::BTreeSet;
 
-/// What may have been confused or left out in one formula.
+/// The symbols and factors that may have been confused or left out in one formula.
 #[derive(Clone, Debug, Default)]
 pub struct Family {
     /// Groups of symbols that may stand for one another.
@@ -27,7 +27,7 @@ impl Family {
 /// One edit.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Edit {
-    /// What kind of slip it undoes.
+    /// The kind of slip that it undoes.
     pub kind: &'static str,
     /// The part as it was.
     pub before: String,
@@ -262,5 +262,4 @@ mod tests {
 }
 
 #[cfg(test)]
-#[path = "edit_tests.rs"]
 mod kinds;

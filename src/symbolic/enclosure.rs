@@ -278,7 +278,7 @@ impl Domain for Enclosures<'_> {
     }
 }
 
-/// Whether a derivative occurs, definitions followed.
+/// Returns true if a derivative occurs, definitions followed.
 pub fn has_derivative(definitions: &Definitions, e: &Expr) -> bool {
     definitions.any(e, |e| matches!(e, Expr::Diff(..)))
 }

@@ -1,4 +1,4 @@
-//! What can go wrong with an expression.
+//! Errors of expressions.
 
 /// Why an expression has no value in the algebra or in balls.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -8,7 +8,7 @@ pub enum SymbolicError {
     Parse {
         /// Where, counted from 0.
         at: usize,
-        /// What was expected.
+        /// The expected token.
         reason: String,
     },
     /// A name that is neither declared nor a constant.
@@ -49,7 +49,7 @@ pub enum SymbolicError {
     Wide(String),
 }
 
-/// What is outside the algebra.
+/// Returns the error for an expression outside the algebra.
 pub(super) fn unsupported<T>(what: impl Into<String>) -> Result<T, SymbolicError> {
     Err(SymbolicError::Unsupported(what.into()))
 }

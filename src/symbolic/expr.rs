@@ -110,8 +110,24 @@ pub struct Bound {
     pub from: Expr,
     /// Upper limit, which may be `inf`.
     pub to: Expr,
-    /// What is integrated or added.
+    /// The integrand or summand.
     pub body: Expr,
+}
+
+/// The roots of an equation between two limits, all of which are found and proved to be simple.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Roots {
+    /// The only root: `root(x, a, b, f)`.
+    Only,
+    /// The root at a place, counted from 1, of exactly so many: `root(x, a, b, f, place, count)`.
+    One {
+        /// The place in ascending order.
+        place: u32,
+        /// The number of roots.
+        count: u32,
+    },
+    /// The number of roots: `roots(x, a, b, f)`.
+    Number,
 }
 
 /// An expression.
@@ -149,8 +165,8 @@ pub enum Expr {
     Diff(Box<Expr>, String),
     /// The expression at a value of a symbol.
     At(Box<Expr>, String, Box<Expr>),
-    /// The only root of the body between the limits.
-    Root(Box<Bound>),
+    /// A root of the body between the limits, or the number of roots.
+    Root(Box<Bound>, Roots),
     /// Comparisons of neighbours: `a < b <= c`.
     Compare(Relation, Vec<Expr>),
     /// True if all are.
@@ -201,7 +217,7 @@ impl Expr {
             Expr::Compare(_, x) | Expr::And(x) | Expr::Or(x) => x.iter().collect(),
             Expr::If(x) => x.iter().collect(),
             Expr::Div(a, b) | Expr::At(a, _, b) => vec![a, b],
-            Expr::Int(b) | Expr::Sum(b) | Expr::Root(b) => vec![&b.from, &b.to, &b.body],
+            Expr::Int(b) | Expr::Sum(b) | Expr::Root(b, _) => vec![&b.from, &b.to, &b.body],
             Expr::Let(_, values, x) => values.iter().map(|v| &v.1).chain([&**x]).collect(),
             Expr::While(l) => {
                 let variables = l.variables.iter().flat_map(|v| [&v.1, &v.2]);
@@ -256,7 +272,7 @@ impl Expr {
                     body: next(),
                 }))
             }
-            Expr::Int(b) | Expr::Sum(b) | Expr::Root(b) => {
+            Expr::Int(b) | Expr::Sum(b) | Expr::Root(b, _) => {
                 let bound = Box::new(Bound {
                     var: b.var.clone(),
                     from: next(),
@@ -265,7 +281,7 @@ impl Expr {
                 });
                 match self {
                     Expr::Int(_) => Expr::Int(bound),
-                    Expr::Root(_) => Expr::Root(bound),
+                    Expr::Root(_, which) => Expr::Root(bound, *which),
                     _ => Expr::Sum(bound),
                 }
             }
@@ -342,7 +358,18 @@ impl fmt::Display for Expr {
             Expr::Pow(x, k) if *k < 0 => write!(f, "{}^({k})", at_least(x, 4)),
             Expr::Pow(x, k) => write!(f, "{}^{k}", at_least(x, 4)),
             Expr::Call(func, x) => write!(f, "{}({})", func.name(), list(x)),
-            Expr::Root(b) => write!(f, "root({}, {}, {}, {})", b.var, b.from, b.to, b.body),
+            Expr::Root(b, which) => {
+                let name = if *which == Roots::Number {
+                    "roots"
+                } else {
+                    "root"
+                };
+                write!(f, "{name}({}, {}, {}, {}", b.var, b.from, b.to, b.body)?;
+                if let Roots::One { place, count } = which {
+                    write!(f, ", {place}, {count}")?;
+                }
+                f.write_str(")")
+            }
             Expr::Compare(relation, x) => {
                 let sign = format!(" {} ", relation.sign());
                 let parts: Vec<String> = x.iter().map(Expr::operand).collect();
@@ -400,5 +427,4 @@ impl fmt::Display for Equation {
 }
 
 #[cfg(test)]
-#[path = "expr_tests.rs"]
 mod tests;

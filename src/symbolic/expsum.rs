@@ -70,7 +70,7 @@ impl ExpSum {
         self.terms.iter()
     }
 
-    /// Whether it is zero.
+    /// Returns true if it is zero.
     pub fn is_zero(&self) -> bool {
         self.terms.is_empty()
     }
@@ -108,7 +108,7 @@ impl ExpSum {
         out
     }
 
-    /// Whether the symbol occurs.
+    /// Returns true if the symbol occurs.
     pub fn contains(&self, x: Symbol) -> bool {
         self.terms
             .iter()

@@ -83,7 +83,7 @@ impl Fraction {
         }
     }
 
-    /// Whether it is zero.
+    /// Returns true if it is zero.
     pub fn is_zero(&self) -> bool {
         self.num.is_zero()
     }
@@ -102,7 +102,7 @@ impl Fraction {
         })
     }
 
-    /// Whether the symbol occurs.
+    /// Returns true if the symbol occurs.
     pub fn contains(&self, x: Symbol) -> bool {
         self.num.contains(x) || self.den.contains(x)
     }

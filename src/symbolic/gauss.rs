@@ -42,12 +42,12 @@ impl Gauss {
         }
     }
 
-    /// Whether it is zero.
+    /// Returns true if it is zero.
     pub fn is_zero(&self) -> bool {
         self.re.is_zero() && self.im.is_zero()
     }
 
-    /// Whether it is one.
+    /// Returns true if it is one.
     pub fn is_one(&self) -> bool {
         self.re == 1 && self.im.is_zero()
     }

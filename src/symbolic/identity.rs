@@ -11,7 +11,7 @@ use rug::Rational;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What is known of an equation.
+/// The verdict on an equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Outcome {

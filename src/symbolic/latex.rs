@@ -1,6 +1,6 @@
 //! Expressions in LaTeX.
 
-use super::expr::{Constant, EACH, Equation, Expr, Func, Relation};
+use super::expr::{Constant, EACH, Equation, Expr, Func, Relation, Roots};
 use super::parse::parse;
 
 const GREEK: [&str; 24] = [
@@ -83,7 +83,7 @@ fn at_least(e: &Expr, strength: u8) -> String {
     }
 }
 
-/// Whether a factor after it would be read as a part of it: integrals, sums, derivatives, products that end so.
+/// Returns true if a factor after it would be read as a part of it: integrals, sums, derivatives, products that end so.
 fn swallows(e: &Expr) -> bool {
     match e {
         Expr::Int(_) | Expr::Sum(_) => true,
@@ -151,8 +151,13 @@ pub fn latex(e: &Expr) -> String {
             x => format!("{{{}}}^{{{k}}}", bracketed(x)),
         },
         Expr::Call(f, x) => call(*f, x),
-        Expr::Root(b) => format!(
-            r"\operatorname{{root}}_{{{}\in[{},{}]}} {}",
+        Expr::Root(b, which) => format!(
+            r"\operatorname{{{}}}_{{{}\in[{},{}]}} {}",
+            match which {
+                Roots::Only => "root".to_string(),
+                Roots::One { place, count } => format!("root {place} of {count}"),
+                Roots::Number => "number of roots".to_string(),
+            },
             symbol(&b.var),
             latex(&b.from),
             latex(&b.to),
@@ -332,5 +337,4 @@ mod tests {
 }
 
 #[cfg(test)]
-#[path = "latex_tests.rs"]
 mod formulas;

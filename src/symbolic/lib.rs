@@ -60,6 +60,7 @@ mod algebra;
 mod argument;
 mod complex;
 mod coprime;
+mod dimension;
 mod edit;
 mod enclosure;
 mod error;
@@ -92,17 +93,19 @@ mod symbol;
 #[cfg(test)]
 mod tests;
 mod turn;
+mod unit;
 mod walk;
 mod work;
 
 pub use algebra::{Algebra, Derivation};
+pub use dimension::{Dimensions, Powers, Undimensional};
 pub use edit::{Edit, Family, edits};
 pub use enclosure::{
     BITS, Cache, Enclosures, Point, enclose, enclose_form, has_derivative, is_real,
 };
 pub use error::SymbolicError;
 pub use exact::Exact;
-pub use expr::{Bound, Constant, Equation, Expr, Loop, Relation};
+pub use expr::{Bound, Constant, Equation, Expr, Loop, Relation, Roots};
 pub use expsum::ExpSum;
 pub use fraction::Fraction;
 pub use function::Func;
@@ -113,4 +116,5 @@ pub use latex::{latex, latex_equation};
 pub use parse::{parse, parse_declared, parse_declared_equation, parse_equation};
 pub use poly::{Monomial, Poly};
 pub use symbol::Symbol;
+pub use unit::{KNOWN_UNITS, Unit, UnitError, unit};
 pub use walk::{Definitions, Domain, Scope, number, walk};

@@ -16,7 +16,7 @@
 //! names ([`parse_declared`]) every other name is a constant of C or an error, and a declared name
 //! wins over a constant or a function.
 
-use super::expr::{Bound, Constant, EACH, Equation, Expr, Func, Loop, RESERVED, Relation};
+use super::expr::{Bound, Constant, EACH, Equation, Expr, Func, Loop, RESERVED, Relation, Roots};
 use super::walk::is_number;
 use super::{Symbol, SymbolicError};
 
@@ -373,16 +373,47 @@ impl<'a> Parser<'a> {
 
     /// `var, from, to, body)`.
     fn bound(&mut self) -> Result<Box<Bound>, SymbolicError> {
+        let bound = self.open_bound()?;
+        self.expect(')')?;
+        Ok(bound)
+    }
+
+    /// `var, from, to, body`.
+    fn open_bound(&mut self) -> Result<Box<Bound>, SymbolicError> {
         let var = self.variable()?;
         let [from, to] = [self.next()?, self.next()?];
         let body = self.next_binding(&var)?;
-        self.expect(')')?;
         Ok(Box::new(Bound {
             var,
             from,
             to,
             body,
         }))
+    }
+
+    /// `var, from, to, body)`, or `var, from, to, body, place, count)`.
+    fn root(&mut self) -> Result<Expr, SymbolicError> {
+        let bound = self.open_bound()?;
+        if self.taken(')') {
+            return Ok(Expr::Root(bound, Roots::Only));
+        }
+        self.peek();
+        let start = self.at;
+        let numbers = [self.next()?, self.next()?];
+        self.expect(')')?;
+        let numbers = numbers.map(|x| match x {
+            Expr::Num(text) => text.parse::<u32>().ok(),
+            _ => None,
+        });
+        match numbers {
+            [Some(place), Some(count)] if 1 <= place && place <= count => {
+                Ok(Expr::Root(bound, Roots::One { place, count }))
+            }
+            _ => {
+                self.at = start;
+                self.failed("expected the place of a root and the number of roots: 1, 3")
+            }
+        }
     }
 
     fn arguments(&mut self) -> Result<Vec<Expr>, SymbolicError> {
@@ -495,7 +526,8 @@ impl<'a> Parser<'a> {
             "i" => Ok(Expr::I),
             "int" if self.taken('(') => Ok(Expr::Int(self.bound()?)),
             "sum" if self.taken('(') => Ok(Expr::Sum(self.bound()?)),
-            "root" if self.taken('(') => Ok(Expr::Root(self.bound()?)),
+            "root" if self.taken('(') => self.root(),
+            "roots" if self.taken('(') => Ok(Expr::Root(self.bound()?, Roots::Number)),
             "int" | "sum" => self.failed("expected '('"),
             "if" if self.taken('(') => {
                 let arguments = self.arguments()?;

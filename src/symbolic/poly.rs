@@ -90,12 +90,12 @@ impl Poly {
         self.terms.iter()
     }
 
-    /// Whether it is zero.
+    /// Returns true if it is zero.
     pub fn is_zero(&self) -> bool {
         self.terms.is_empty()
     }
 
-    /// Whether it is the constant one.
+    /// Returns true if it is the constant one.
     pub fn is_one(&self) -> bool {
         self.as_constant().is_some_and(|c| c.is_one())
     }
@@ -122,7 +122,7 @@ impl Poly {
         names.map(|(x, _)| *x).collect()
     }
 
-    /// Whether the symbol occurs.
+    /// Returns true if the symbol occurs.
     pub fn contains(&self, x: Symbol) -> bool {
         self.terms.keys().flatten().any(|(y, _)| *y == x)
     }

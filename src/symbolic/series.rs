@@ -23,7 +23,7 @@ pub(super) fn check(definitions: &Definitions, e: &Expr) -> Result<(), SymbolicE
 
 struct Check<'a> {
     definitions: &'a Definitions,
-    /// What definitions are; `None` while one is looked through.
+    /// The kind of each definition; `None` while one is looked through.
     known: BTreeMap<&'a str, Option<bool>>,
     /// Derivations whose images are looked through.
     derivations: BTreeSet<&'a str>,
@@ -105,7 +105,7 @@ impl<'a> Check<'a> {
                 let x: Vec<&Expr> = x.iter().collect();
                 self.scalar(&x, f.name()).map(|()| false)
             }
-            Expr::Root(_)
+            Expr::Root(..)
             | Expr::Compare(..)
             | Expr::And(_)
             | Expr::Or(_)

@@ -141,7 +141,7 @@ impl Algebra {
                 }
             }
         }
-        // What diverges has to cancel: the remainder of the harmonic sums vanishes.
+        // Divergent parts have to cancel: the remainder of the harmonic sums vanishes.
         let complete = rest.is_zero() && self.reduce_fraction(&harmonic).is_zero();
         Ok(complete.then(|| self.reduce_fraction(&out).into()))
     }

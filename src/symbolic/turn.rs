@@ -71,7 +71,7 @@ impl Algebra {
         let whole = |t: &Rational| &Fraction::symbol(Symbol::PI) * &unit_imaginary(t);
         let left = &p - &whole(&turn);
         let (parts, rest) = partial_fractions(&turn);
-        // What is left of the turn is a whole number, or has factors too large to look at.
+        // The rest of the turn is a whole number, or has factors too large to look at.
         let rest = rest.rem_trunc();
         let mut out = ExpSum::term(one, &left + &whole(&rest));
         for (prime, k, t) in parts {

@@ -1,7 +1,7 @@
 //! One way through an expression for every kind of value.
 
 use super::error::unsupported;
-use super::expr::{Bound, Constant, EACH, Expr, Func, Loop, RESERVED};
+use super::expr::{Bound, Constant, EACH, Expr, Func, Loop, RESERVED, Roots};
 use super::work::step;
 use super::{Gauss, Symbol, SymbolicError, parse};
 use rug::Rational;
@@ -23,7 +23,7 @@ impl Definitions {
         self.names.insert(name.into(), value);
     }
 
-    /// Whether one of the names occurs in the expression, definitions and derivations followed.
+    /// Returns true if one of the names occurs in the expression, definitions and derivations followed.
     pub fn reaches(&self, e: &Expr, names: &[&str]) -> bool {
         self.any(
             e,
@@ -31,7 +31,7 @@ impl Definitions {
         )
     }
 
-    /// Whether something is so of a part of the expression, definitions and derivations followed.
+    /// Returns true if something is so of a part of the expression, definitions and derivations followed.
     pub(super) fn any(&self, e: &Expr, is_so: impl Fn(&Expr) -> bool) -> bool {
         let mut open = vec![e];
         let (mut seen, mut derived) = (BTreeSet::new(), BTreeSet::new());
@@ -60,6 +60,17 @@ impl Definitions {
     /// # Errors
     /// As [`parse()`].
     pub fn read(lines: &[&str]) -> Result<Definitions, SymbolicError> {
+        Definitions::read_with(lines, &|text| parse(text))
+    }
+
+    /// As [`Definitions::read`], with a reader of the expressions: one that knows declared names.
+    ///
+    /// # Errors
+    /// As the reader.
+    pub fn read_with(
+        lines: &[&str],
+        parse: &dyn Fn(&str) -> Result<Expr, SymbolicError>,
+    ) -> Result<Definitions, SymbolicError> {
         let mut out = Definitions::default();
         for line in lines {
             let missing = || SymbolicError::Parse {
@@ -111,7 +122,7 @@ impl<'a, V> Scope<'a, V> {
         }
     }
 
-    /// What is made where a name is bound.
+    /// Returns the result of `make` where a name is bound.
     pub(super) fn binding<T>(
         &mut self,
         name: &str,
@@ -235,6 +246,7 @@ pub trait Domain: Sized {
         &mut self,
         _scope: &mut Scope<Self::V>,
         bound: &Bound,
+        _which: Roots,
     ) -> Result<Self::V, SymbolicError> {
         unsupported(format!("a root of {}", bound.body))
     }
@@ -425,7 +437,7 @@ pub fn walk<D: Domain>(
             let x: Result<Vec<D::V>, _> = x.iter().map(|x| walk(d, scope, x)).collect();
             d.call(*f, &x?)
         }
-        Expr::Root(bound) => d.root(scope, bound),
+        Expr::Root(bound, which) => d.root(scope, bound, *which),
         Expr::Compare(..) | Expr::And(_) | Expr::Or(_) | Expr::Not(_) | Expr::Truth(_) => {
             d.condition(scope, e)
         }
@@ -532,5 +544,4 @@ fn named<D: Domain>(d: &mut D, scope: &mut Scope<D::V>, name: &str) -> Result<D:
 }
 
 #[cfg(test)]
-#[path = "walk_tests.rs"]
 mod tests;

@@ -58,6 +58,7 @@ PAGES = {
     "linkage-arc": (["linkage", "examples/no-full-turn.toml"], [0]),
     "run-up": (["runup", "examples/sand-screen-run-up.toml"], [0]),
     "work-precision": (["runup", "examples/four-bar-run-up.toml", "--work-precision"], [0]),
+    "motion": (["motion", "examples/studies/motion/double-pendulum.toml", "--times", "0:10:0.05"], [0]),
     "chirp": (["chirp", "examples/chirp-run-up.toml"], [0]),
     "chirp-chart": (["chirp", "examples/chirp-chart.toml"], [0]),
 }

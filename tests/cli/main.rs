@@ -25,6 +25,8 @@ mod interrupt;
 mod judge;
 mod linkage;
 mod linkage_files;
+mod motion;
+mod mechanism_motion;
 mod output;
 mod papers;
 mod pinned;

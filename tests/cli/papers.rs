@@ -151,7 +151,8 @@ fn errata_are_written_whole_and_checked() {
     assert_eq!(d.code, 1);
     said(&d, "is not up to date");
     assert_eq!(std::fs::read_to_string(&file).unwrap(), "{}");
-    refused(&run(&["paper", "zinchenko", "--check"]), "--ledger");
+    let d = run(&["paper", "zinchenko", "--check", "--output", path(&file)]);
+    refused(&d, "--ledger");
 }
 
 /// A page for people: contents that lead to every part, no markup left as it was typed.
@@ -172,4 +173,54 @@ fn readable(html: &str) {
     for link in &links {
         assert_eq!(ids.iter().filter(|id| *id == link).count(), 1, "{link}");
     }
+}
+
+/// The skeleton runs, keeps its verdicts, and tells which of them changed, with file and line.
+#[test]
+fn a_paper_is_a_folder() {
+    let dir = tempfile::tempdir().unwrap();
+    let folder = dir.path().join("mine");
+    let run = |more: &[&str]| run(&[&["paper", path(&folder)], more].concat());
+    assert_eq!(crate::common::run(&["paper", "new", path(&folder)]).code, 0);
+    refused(
+        &crate::common::run(&["paper", "new", path(&folder)]),
+        "is there already",
+    );
+    let d = run(&["--check"]);
+    assert_eq!((d.code, d.out.as_str(), d.err.as_str()), (0, "", ""));
+    let d = run(&[]);
+    assert_eq!(d.code, 0, "{}{}", d.out, d.err);
+    assert!(
+        d.out.contains("21 of 22 printed numbers are right"),
+        "{}",
+        d.out
+    );
+    for form in ["json", "csv", "html"] {
+        assert_eq!(run(&["--format", form]).code, 0, "{form}");
+    }
+    for form in ["text", "json", "html", "latex", "errata"] {
+        assert_eq!(run(&["--ledger", "--format", form]).code, 0, "{form}");
+    }
+    let file = folder.join("paper.toml");
+    let text = std::fs::read_to_string(&file).unwrap();
+    let write = |old: &str, new: &str| std::fs::write(&file, text.replace(old, new)).unwrap();
+    write("j = 4*pi^2", "j = 8*pi^2");
+    let d = run(&["--check"]);
+    assert_eq!(d.code, 1);
+    said(&d, "paper.toml, line 9");
+    said(&d, "jerk is misprint, on record as proved");
+    assert_eq!(run(&[]).code, 1);
+    write(
+        "requires = [\"m = int(x, 0, 1, s)\"]",
+        "requires = [\"m = int(x, 0, 1, sh)\"]",
+    );
+    let d = run(&[]);
+    refused(&d, "paper.toml: line 8");
+    refused(&d, "the name sh is not declared");
+    std::fs::write(folder.join("table-1.csv"), "x,s,a\n0,zero,0\n").unwrap();
+    std::fs::write(&file, text).unwrap();
+    refused(
+        &run(&["--check"]),
+        "table-1.csv: line 2: column s: \"zero\" is no number",
+    );
 }

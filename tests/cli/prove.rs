@@ -87,3 +87,79 @@ fn the_real_line_is_four_proofs() {
         assert_eq!(f["intervals"].as_u64().unwrap(), rows as u64);
     }
 }
+
+/// A bound of a study's solver with its witness, targets proved and refuted, and what is refused.
+#[test]
+fn a_solver_of_a_study_is_proved() {
+    let folder = tempdir().unwrap();
+    let file = folder.path().join("kernels.fpcore");
+    let cores = "(FPCore verhulst (x) :pre (<= 0.1 x 0.3) (/ (* 4 x) (+ 1 (/ x 1.11))))\n\
+                 (FPCore special (x) :pre (<= 1 x 2) (erf x))\n\
+                 (FPCore other (x) :pre (<= 1 x 2) :spec (* x x) (+ x 1))";
+    std::fs::write(&file, cores).unwrap();
+    let of = |name: &str| format!("{}#{name}", text(&file));
+    let boxes = folder.path().join("boxes.csv");
+    let verhulst = of("verhulst");
+    let line = [
+        "prove",
+        &verhulst,
+        "--format",
+        "json",
+        "--boxes",
+        text(&boxes),
+        "--limit",
+        "300",
+        "--evals",
+        "200",
+    ];
+    let d = run(&line);
+    assert_eq!(d.code, 0, "{}", d.err);
+    let v: Value = serde_json::from_str(&d.out).unwrap();
+    for (key, least, most) in [
+        ("absolute_error", 1e-16, 3e-16),
+        ("relative_error", 2e-16, 5e-16),
+        ("ulps", 0.9, 3.0),
+    ] {
+        let bound = v[key].as_f64().unwrap();
+        assert!((least..most).contains(&bound), "{key}: {bound:e}");
+        let measure = key.split('_').next().unwrap();
+        assert!(v["witness"][measure]["error"].as_f64().unwrap() <= bound);
+    }
+    assert_eq!(v["same_function"]["outcome"], "proved");
+    let rows = std::fs::read_to_string(&boxes).unwrap();
+    assert!(
+        rows.starts_with("output,measure,bound,x_from,x_to\nvalue,absolute,0x1."),
+        "{rows}"
+    );
+    for (target, code, said) in [
+        ("5ulp", 0, "proved: at most 5e0 ulps"),
+        ("0.6ulp", 1, "refuted: more than 6e-1 ulps"),
+    ] {
+        let d = run(&[
+            "prove", &verhulst, "--target", target, "--limit", "300", "--evals", "200",
+        ]);
+        assert_eq!((d.code, d.out.contains(said)), (code, true), "{}", d.out);
+    }
+    let d = run(&["prove", &of("other"), "--evals", "50", "--limit", "50"]);
+    assert!(
+        d.out.contains("over the reals: different, at ["),
+        "{}",
+        d.out
+    );
+    refused(
+        &run(&["prove", &of("special")]),
+        "nobody states the accuracy of the platform's erf",
+    );
+    refused(
+        &run(&["prove", &verhulst, "--norm", "2"]),
+        "--norm is not for studies",
+    );
+    refused(
+        &run(&["prove", &verhulst, "--target", "many"]),
+        "is none of",
+    );
+    refused(
+        &run(&["prove", "erf", "--target", "2ulp"]),
+        "--target is for studies alone",
+    );
+}

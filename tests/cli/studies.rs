@@ -212,7 +212,7 @@ fn zero_undefined_and_undecided_are_answers() {
     );
 }
 
-/// What is wrong, the file, and what the message says.
+/// The fault, the file, and the words of the message.
 fn bad() -> Vec<(&'static str, String, &'static str)> {
     let study =
         |output: &str| format!("[inputs]\nx = {{ from = 0, to = 1 }}\n[outputs]\ny = {output}\n");

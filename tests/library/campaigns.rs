@@ -1,5 +1,5 @@
-//! What campaigns found, `reference/campaigns/*.csv`: the worst cases are judged again, and the tables of the page beside
-//! them are these figures.
+//! The findings of campaigns, `reference/campaigns/*.csv`: the worst cases are judged again, and the tables of
+//! the page beside them are these figures.
 
 use mechaudit::audit::{Case, Method, Origin, Settings, Verdict, answer_of, judge_case};
 use mechaudit::methods::find;

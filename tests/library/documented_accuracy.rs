@@ -54,7 +54,7 @@ fn budget(method: &str) -> f64 {
     limits.reduce(f64::max).expect("an output")
 }
 
-/// What is proved of a function of a real number, if anything is.
+/// Returns the proved bound of a function of a real number, if there is one.
 fn proved(name: &str) -> Option<f64> {
     let all = Function::ALL.into_iter();
     all.filter(|f| f.name() == name).map(Function::ulps).next()

@@ -265,7 +265,7 @@ impl Worst {
             .shift(52)
             .to_f64();
         keep(&mut self.norm, norm, z);
-        // What half an ulp of each coordinate does to the components.
+        // The effect of half an ulp of each coordinate on the components.
         let slope = (f.slope)(z, got);
         let ulp = |x: f64| (x.abs() * f64::EPSILON).max(f64::from_bits(1));
         let moved = |p: f64, q: f64| 0.5 * (p.abs() * ulp(z.re) + q.abs() * ulp(z.im));

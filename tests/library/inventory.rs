@@ -1,4 +1,4 @@
-//! What is audited, pinned: nothing can be dropped from the registry, a domain or a judge's list unseen.
+//! The audited methods, pinned: nothing can be dropped from the registry, a domain or a judge's list unseen.
 
 use mechaudit::audit::{Cases, Settings, audit_method};
 use mechaudit::methods;

@@ -262,8 +262,8 @@ fn gap(crank: &Ball, [x_left, y_left, z_left]: [bool; 3]) -> Ball {
     (&y - &z).norm_sqr()
 }
 
-/// What PMKSWeb's fixture says beside its numbers. The eleven bars can be joined in 32 ways at crank angle zero: right. Twelve
-/// of them jam in a turn and nineteen run besides the leg: wrong, 16 jam and 15 run. (A mirror in the line OP keeps the
+/// The statements of PMKSWeb's fixture beside its numbers. The eleven bars can be joined in 32 ways at crank angle
+/// zero: right. Twelve of them jam in a turn and nineteen run beside the leg: wrong, 16 jam and 15 run. (A mirror in the line OP keeps the
 /// bars, so that those that jam come in eights: by two, times the sides of W and F.) |MZ| − |PZ| is 1.19 short of the least
 /// |MP|: right.
 ///

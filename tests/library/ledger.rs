@@ -1,8 +1,8 @@
 //! Pins the ledgers of the papers, and plants faults in them.
 
 use crate::pin;
+use mechaudit_cli::papers;
 use mechaudit_cli::papers::ledger::{Item, Ledger, LedgerEntry, Verdict, decide};
-use mechaudit_cli::papers::{self, andrews, gembara_senyk, n_four_bar, pmksweb, zinchenko};
 use mechaudit_symbolic::{Family, Outcome, edits, parse_equation};
 use std::fmt::Write;
 use std::sync::OnceLock;
@@ -18,14 +18,8 @@ fn ledgers() -> &'static [Ledger] {
 }
 
 fn items() -> Vec<Item> {
-    [
-        zinchenko::items(),
-        gembara_senyk::items(),
-        andrews::items(),
-        n_four_bar::items(),
-        pmksweb::items(),
-    ]
-    .concat()
+    let files = papers::keys().into_iter().filter_map(papers::file_of);
+    files.flat_map(|file| file.items.clone()).collect()
 }
 
 fn summary(e: &LedgerEntry) -> String {

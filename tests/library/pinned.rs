@@ -104,7 +104,7 @@ fn laws() {
     crate::pin("laws", &text);
 }
 
-/// What budgets are measured in: a condition that grows makes its check weaker, and no case fails. The sum of logarithms
+/// Pins the units of budgets: a condition that grows makes its check weaker, and no case fails. The sum of logarithms
 /// over a case's values changes with each of them.
 #[test]
 fn conditions() {

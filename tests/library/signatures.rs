@@ -1,4 +1,4 @@
-//! What the compiler says of code that is no candidate: which signature is wanted.
+//! The compiler's messages for code that is no candidate: they name the signature that is wanted.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -19,7 +19,7 @@ fn library() -> (PathBuf, PathBuf) {
     (path, folder)
 }
 
-/// What the compiler says of the code; nothing if it compiles.
+/// Returns the compiler's message for the code; nothing if it compiles.
 fn said(code: &str) -> String {
     let folder = tempfile::tempdir().unwrap();
     let source = folder.path().join("fixture.rs");

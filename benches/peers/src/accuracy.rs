@@ -57,7 +57,7 @@ pub struct Accuracy {
 pub struct RegionAccuracy {
     /// Its letter.
     pub region: &'static str,
-    /// What it holds.
+    /// Describes the set of points.
     pub description: &'static str,
     /// One entry for each code.
     pub codes: Vec<Accuracy>,

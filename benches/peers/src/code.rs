@@ -1,4 +1,4 @@
-//! What every compared code looks like to the comparison.
+//! The interface of every compared code.
 
 use num_complex::Complex64;
 use std::time::Duration;
@@ -23,7 +23,7 @@ pub trait Code: Send + Sync {
     fn version(&self) -> &str;
     /// How it takes its points.
     fn shape(&self) -> Shape;
-    /// Whether it is this project's.
+    /// Returns true if it is this project's.
     fn own(&self) -> bool {
         false
     }
@@ -64,7 +64,7 @@ pub struct Scalar<F> {
     pub name: String,
     /// Its version.
     pub version: String,
-    /// Whether it is this project's.
+    /// True if it is this project's.
     pub own: bool,
     /// The function.
     pub w: F,
@@ -104,7 +104,7 @@ pub struct Missing {
 pub struct Codes {
     /// In the order of the tables.
     pub found: Vec<Box<dyn Code>>,
-    /// What else was looked for.
+    /// Codes that were looked for and not found.
     pub missing: Vec<Missing>,
 }
 

@@ -31,7 +31,7 @@ pub enum Outcome {
     Undecided,
 }
 
-/// Whether a part rounds to an infinity, and to which.
+/// Returns the infinity that a part rounds to, if it overflows.
 fn overflow(part: &Ball) -> Option<f64> {
     // The largest double and half its ulp: 2^1024 − 2^970.
     let rounded = part.mid().to_f64();

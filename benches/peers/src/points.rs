@@ -8,7 +8,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, PI, TAU};
 pub struct Region {
     /// One letter.
     pub name: &'static str,
-    /// What it holds.
+    /// Describes the set of points.
     pub description: &'static str,
     sample: fn(&mut Draw) -> Complex64,
 }

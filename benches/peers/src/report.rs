@@ -1,4 +1,4 @@
-//! What a run found, and its JSON form.
+//! The results of a run, and their JSON form.
 
 use crate::accuracy::{self, RegionAccuracy};
 use crate::code::{Code, Missing, Shape};
@@ -48,7 +48,7 @@ pub struct Report {
     pub compiled_for: String,
     /// The codes.
     pub codes: Vec<Compared>,
-    /// What else was looked for.
+    /// Codes that were looked for and not found.
     pub missing: Vec<Missing>,
     /// Accuracy, if asked for.
     pub accuracy: Option<AccuracyReport>,
@@ -122,12 +122,12 @@ pub fn ratios(timings: &[RegionTimings], statistic: Statistic) -> Vec<(String, V
     .collect()
 }
 
-/// Whether a row of the accuracy tables would repeat that of the scalar function.
+/// Returns true if a row of the accuracy tables would repeat that of the scalar function.
 pub fn repeats(regions: &[RegionAccuracy], code: usize) -> bool {
     regions.iter().all(|r| r.codes[code].differs == Some(0))
 }
 
-/// What is to be said about this project's batch functions beside the scalar one.
+/// Describes how this project's batch functions differ from the scalar one.
 pub fn differences(regions: &[RegionAccuracy]) -> Vec<String> {
     let Some(first) = regions.first() else {
         return Vec::new();

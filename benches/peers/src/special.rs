@@ -10,7 +10,7 @@ const NAN: f64 = f64::NAN;
 const INF: f64 = f64::INFINITY;
 const TINY: f64 = 5e-324;
 
-/// What is right at a point.
+/// The right answer at a point.
 #[derive(Clone, Copy, Debug)]
 enum Right {
     /// The finite point's value by the reference.
@@ -70,9 +70,9 @@ const POINTS: [(f64, f64, Right); 35] = {
 pub struct Answer {
     /// The code.
     pub code: String,
-    /// What it gives.
+    /// The value it gives.
     pub value: String,
-    /// Whether that is of the right kind.
+    /// True if that is of the right kind.
     pub right_kind: bool,
     /// The larger of the errors of the parts, in ulps; where both are finite.
     pub ulps: Option<f64>,
@@ -83,7 +83,7 @@ pub struct Answer {
 pub struct SpecialValue {
     /// The point.
     pub z: String,
-    /// What is right.
+    /// The right answer.
     pub right: String,
     /// One entry for each code.
     pub answers: Vec<Answer>,

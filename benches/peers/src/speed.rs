@@ -24,7 +24,7 @@ pub struct Timing {
     pub code: String,
     /// How it takes its points.
     pub shape: Shape,
-    /// Whether it is this project's.
+    /// True if it is this project's.
     pub own: bool,
     /// Median over the blocks, ns a value.
     pub median_ns: f64,
@@ -32,7 +32,7 @@ pub struct Timing {
     pub undisturbed_ns: f64,
 }
 
-/// What is told of the times of the blocks.
+/// The statistic of the times of the blocks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Statistic {
     /// The median: what a machine shared with others gives.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -38,11 +39,39 @@ class Stability(NamedTuple):
     reliable: bool
 
 
-class Solution(NamedTuple):
-    """A solution with the evidence for it."""
+class Solution:
+    """A solution with the evidence for it, which unpacks as ``x, stability``.
 
-    x: Any
-    stability: Stability
+    Attributes
+    ----------
+    x : ndarray
+        The unknowns.
+    stability : Stability
+        How far they can be trusted: computed when it is read first, which takes as long as a dozen
+        solutions.
+    """
+
+    __slots__ = ("_bands", "_evidence", "_stability", "x")
+
+    def __init__(self, x: Any, evidence: Any, bands: list[Any]) -> None:
+        self.x = x
+        self._evidence = evidence
+        # Of their own: the caller may write to his arrays.
+        self._bands = [band.copy() for band in bands]
+        self._stability: Stability | None = None
+
+    @property
+    def stability(self) -> Stability:
+        if self._stability is None:
+            self._stability = Stability(*self._evidence(*self._bands))
+        return self._stability
+
+    def __iter__(self) -> Iterator[Any]:
+        yield self.x
+        yield self.stability
+
+    def __repr__(self) -> str:
+        return f"Solution(x={self.x!r}, stability={self.stability!r})"
 
 
 def _array(name: str, a: Any) -> Any:
@@ -52,7 +81,7 @@ def _array(name: str, a: Any) -> Any:
     return np.ascontiguousarray(array, dtype=np.float64)
 
 
-def _solve(function: Any, lower: Any, diagonal: Any, upper: Any, d: Any) -> Solution:
+def _solve(function: Any, evidence: Any, lower: Any, diagonal: Any, upper: Any, d: Any) -> Solution:
     bands = [_array(n, a) for n, a in zip(("lower", "diagonal", "upper"), (lower, diagonal, upper))]
     for name, band in zip(("lower", "diagonal", "upper"), bands):
         if band.ndim != 1:
@@ -61,10 +90,13 @@ def _solve(function: Any, lower: Any, diagonal: Any, upper: Any, d: Any) -> Solu
     n = len(bands[1])
     if right.ndim == 0 or right.shape[0] != n:
         raise ValueError(f"d must have {n} rows as the diagonal has, got shape {right.shape}")
-    columns = np.ascontiguousarray(right.reshape(n, -1).T)
-    x, evidence = function(*bands, columns.reshape(-1))
-    x = np.ascontiguousarray(x.reshape(columns.shape).T).reshape(right.shape)
-    return Solution(x, Stability(*evidence))
+    if right.ndim == 1:
+        x = function(*bands, right)
+    else:
+        columns = np.ascontiguousarray(right.reshape(n, -1).T)
+        x = function(*bands, columns.reshape(-1))
+        x = np.ascontiguousarray(x.reshape(columns.shape).T).reshape(right.shape)
+    return Solution(x, evidence, bands)
 
 
 def solve_tridiagonal(lower: Any, diagonal: Any, upper: Any, d: Any) -> Solution:
@@ -100,7 +132,7 @@ def solve_tridiagonal(lower: Any, diagonal: Any, upper: Any, d: Any) -> Solution
     >>> s.stability.reliable
     True
     """
-    return _solve(_mechaudit.solve_tridiagonal, lower, diagonal, upper, d)
+    return _solve(_mechaudit.solve_tridiagonal, _mechaudit.tridiagonal_stability, lower, diagonal, upper, d)
 
 
 def solve_cyclic(lower: Any, diagonal: Any, upper: Any, d: Any) -> Solution:
@@ -131,4 +163,4 @@ def solve_cyclic(lower: Any, diagonal: Any, upper: Any, d: Any) -> Solution:
     >>> solve_cyclic([1] * 4, [4] * 4, [1] * 4, [6, 6, 6, 6]).x
     array([1., 1., 1., 1.])
     """
-    return _solve(_mechaudit.solve_cyclic, lower, diagonal, upper, d)
+    return _solve(_mechaudit.solve_cyclic, _mechaudit.cyclic_stability, lower, diagonal, upper, d)

@@ -1,4 +1,4 @@
-//! What each ufunc computes.
+//! The function that each ufunc computes.
 
 use mechaudit::solvers::faddeeva as solver;
 use num_complex::Complex;
@@ -12,12 +12,12 @@ pub trait Function<T> {
 
 /// A function with a batch of its own.
 macro_rules! batch {
-    ($name:ident, $one:path, $many:path) => {
-        impl Function<Complex<f64>> for $name {
-            fn one(x: Complex<f64>) -> Complex<f64> {
+    ($name:ident, $type:ty, $one:path, $many:path) => {
+        impl Function<$type> for $name {
+            fn one(x: $type) -> $type {
                 $one(x)
             }
-            fn many(x: &[Complex<f64>], y: &mut [Complex<f64>]) {
+            fn many(x: &[$type], y: &mut [$type]) {
                 let done = $many(x, y);
                 debug_assert!(done.is_ok());
             }
@@ -42,27 +42,27 @@ macro_rules! pointwise {
 }
 
 pub struct Wofz;
-batch!(Wofz, solver::faddeeva, solver::faddeeva_batch);
+batch!(Wofz, Complex<f64>, solver::faddeeva, solver::faddeeva_batch);
 
 pub struct WofzDerivative;
 pointwise!(WofzDerivative, Complex<f64>, solver::w_derivative);
 
 pub struct Erf;
 pointwise!(Erf, Complex<f64>, solver::erf);
-pointwise!(Erf, f64, solver::erf_real);
+batch!(Erf, f64, solver::erf_real, solver::erf_real_batch);
 
 pub struct Erfc;
 pointwise!(Erfc, Complex<f64>, solver::erfc);
-pointwise!(Erfc, f64, solver::erfc_real);
+batch!(Erfc, f64, solver::erfc_real, solver::erfc_real_batch);
 
 pub struct Erfcx;
-batch!(Erfcx, solver::erfcx, solver::erfcx_batch);
-pointwise!(Erfcx, f64, solver::erfcx_real);
+batch!(Erfcx, Complex<f64>, solver::erfcx, solver::erfcx_batch);
+batch!(Erfcx, f64, solver::erfcx_real, solver::erfcx_real_batch);
 
 pub struct Erfi;
 pointwise!(Erfi, Complex<f64>, solver::erfi);
-pointwise!(Erfi, f64, solver::erfi_real);
+batch!(Erfi, f64, solver::erfi_real, solver::erfi_real_batch);
 
 pub struct Dawsn;
-batch!(Dawsn, solver::dawson, solver::dawson_batch);
-pointwise!(Dawsn, f64, solver::dawson_real);
+batch!(Dawsn, Complex<f64>, solver::dawson, solver::dawson_batch);
+batch!(Dawsn, f64, solver::dawson_real, solver::dawson_real_batch);

@@ -4,7 +4,7 @@ use num_complex::Complex;
 
 /// A number in an array; single precision is computed in double and rounded once.
 pub trait Stored: Copy + 'static {
-    /// What it is computed in.
+    /// The type that it is computed in.
     type Wide: Copy + Default + 'static;
     fn widen(self) -> Self::Wide;
     fn round(wide: Self::Wide) -> Self;

@@ -13,6 +13,7 @@ Examples:
   mechaudit judge faddeeva --inputs points.txt --values values.txt --line 17
   mechaudit judge faddeeva --table published.csv
   mechaudit judge faddeeva --table published.csv --format csv
+  mechaudit judge examples/studies/motion/lorenz.toml --table simulation.csv
 
 Answers are matched with inputs in their order; comments (#) are skipped in both files. An \
 answer that cannot be read is judged as one, and those after it still count. See mechaudit \
@@ -26,6 +27,11 @@ Im z the inputs are real, and x and erf are short for Re z and Re erf. Inputs ar
 printed; outputs are printed decimals, an empty field none, and NaN and infinities entries like \
 others. An entry agrees if the reference is certainly within half a unit of its last digit: 1.2e4 \
 has units of 1000. The reference is shown to as many digits as the entry has, and 20 at least.
+
+Where METHOD is a study with [ode], the table is that of a simulation: the time and what else is an input in \
+columns of their names, then states and outputs, some or all. Every entry is judged by the budget of its \
+output; the report has the largest error of each column, the time of it and the digits that are \
+right, csv has all rows, and html draws the errors over time.
 
 Limits: a line has 1 MiB and 100000 fields at most, a table 64 MiB, a field of one 1000 bytes.
 

@@ -13,6 +13,7 @@ mod hunt;
 mod identity;
 mod judge;
 mod linkage;
+mod motion;
 mod number;
 mod paper;
 mod points;
@@ -38,6 +39,7 @@ pub use hunt::HuntArgs;
 pub use identity::IdentityArgs;
 pub use judge::JudgeArgs;
 pub use linkage::LinkageArgs;
+pub use motion::{MotionArgs, MotionFormat};
 pub use paper::{PaperArgs, PaperFormat};
 pub use points::PointsArgs;
 pub use prove::{Part, ProveArgs};
@@ -150,6 +152,9 @@ pub enum Command {
     /// Compute a linkage given in a file over the crank's turn
     #[command(after_help = help::text(linkage::AFTER_HELP, &["linkage"]))]
     Linkage(LinkageArgs),
+    /// Compute the certified motion of an initial value problem given in a file
+    #[command(after_help = help::text(motion::AFTER_HELP, &[]))]
+    Motion(MotionArgs),
     /// Compute the run-up of a machine given in a file: its linkage under its motor
     #[command(after_help = help::text(runup::AFTER_HELP, &["runup", "work-precision"]))]
     Runup(RunupArgs),

@@ -11,19 +11,25 @@ Examples:
   mechaudit paper andrews
   mechaudit paper n-four-bar
   mechaudit paper pmksweb
+  mechaudit paper new my-paper
+  mechaudit paper my-paper --check
   mechaudit paper gembara-senyk --ledger
   mechaudit paper gembara-senyk --ledger --format html --output ledger.html";
 
 /// Arguments of `paper`.
 #[derive(ClapArgs, Debug)]
 pub struct PaperArgs {
-    /// The paper's key, see `mechaudit list`
+    /// The paper's key, see `mechaudit list`; a folder with paper.toml, or a file; or `new`
+    #[arg(value_name = "PAPER")]
     pub key: String,
+    /// With `new`: the folder that a commented skeleton of a paper is written to
+    pub folder: Option<PathBuf>,
     /// Show every formula with its proof, its refutation or its smallest repair
     #[arg(long)]
     pub ledger: bool,
-    /// Compare the ledger with the file instead of writing it; exit code 1 if they differ
-    #[arg(long, requires_all = ["ledger", "output"])]
+    /// Print verdicts that are not those on record and nothing else; exit code 1 if there are any. With
+    /// `--ledger --output FILE`: compare the ledger with the file instead of writing it
+    #[arg(long)]
     pub check: bool,
     /// Form of the report
     #[arg(long, value_enum, default_value = "text")]

@@ -12,6 +12,7 @@ pub mod hunt;
 pub mod identity;
 pub mod judge;
 pub mod linkage;
+pub mod motion;
 pub mod paper;
 pub mod points;
 pub mod prove;

@@ -2,6 +2,7 @@
 
 mod lower;
 mod real;
+mod study;
 #[cfg(test)]
 mod tests;
 
@@ -29,6 +30,18 @@ use std::time::{Duration, Instant};
 
 /// Proves, and prints what is proved.
 pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
+    if mechaudit::study::is_path(&args.function) {
+        return study::prove(args);
+    }
+    let of_studies = [
+        ("--solver", args.solver.is_some()),
+        ("--target", args.target.is_some()),
+        ("--round-inputs", args.round_inputs),
+        ("--correctly-rounded", args.correctly_rounded),
+    ];
+    if let Some((name, _)) = of_studies.into_iter().find(|(_, given)| *given) {
+        return Err(Failure::new(format!("{name} is for studies alone")));
+    }
     if let Some(function) = Function::ALL
         .into_iter()
         .find(|f| f.name() == args.function)

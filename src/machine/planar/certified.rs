@@ -82,7 +82,7 @@ impl<'a> Certifier<'a> {
     /// # Errors
     /// [`NotExact`].
     pub fn new(machine: &'a Machine, digits: u32) -> Result<Certifier<'a>, NotExact> {
-        let joints = reference_joints(machine)?;
+        let joints = reference_joints(&machine.exactly())?;
         let names = machine.bodies[1..].iter();
         let bodies = names.map(|name| Body::massless(name)).collect();
         let mechanism = Mechanism::new(bodies, joints)?;
@@ -110,7 +110,8 @@ impl<'a> Certifier<'a> {
             Some([along(px, qx)?, along(py, qy)?])
         };
         let of = |k: usize| line(k).filter(|_| machine.lines[k] != 0.0);
-        let points = machine.points.iter().map(|(_, p)| attached(machine, p));
+        let exactly = machine.exactly();
+        let points = machine.points.iter().map(|(_, p)| attached(&exactly, p));
         let linkage = Linkage::new(&mechanism, &drive, 64)?;
         Ok(Certifier {
             machine,

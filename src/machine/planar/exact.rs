@@ -5,8 +5,8 @@ use super::bodies::Bodies;
 use super::certified::NotExact;
 use super::file::{Drive, Joint as Section, Kind};
 use crate::reference::class_iii::ExactAngle;
-use crate::reference::planar::{self as reference, Attachment, Frame, Real};
-use crate::solvers::planar::{GROUND, Joint, Point};
+use crate::reference::planar::{self as reference, Attachment, Frame, Place, Real};
+use crate::solvers::planar::{Description, GROUND, Joint, Point};
 use rug::Rational;
 
 /// The numbers of a joint.
@@ -34,7 +34,8 @@ pub(super) fn joints(sections: &[Section], bodies: &Bodies) -> Vec<Option<ExactJ
 }
 
 /// First value, last value and step of a drive by displacement, in metres.
-pub(super) fn window(drive: &Drive) -> Option<[Rational; 3]> {
+pub(super) fn window(drive: &Option<Drive>) -> Option<[Rational; 3]> {
+    let drive = drive.as_ref()?;
     let ([from, to], step) = (drive.range.as_ref()?, drive.step.as_ref()?);
     Some([from, to, step].map(|q| q.value.clone()))
 }
@@ -88,13 +89,31 @@ fn direction(s: &Section, bodies: &Bodies) -> Option<[Real; 2]> {
     Real::along(&along)
 }
 
+/// The exact numbers of a description.
+pub(super) struct Exact<'a> {
+    pub description: &'a Description,
+    /// The exact places of all points of each body.
+    pub points: &'a [Vec<(Point, Option<Place>)>],
+    pub joints: &'a [Option<ExactJoint>],
+}
+
+impl Machine {
+    pub(super) fn exactly(&self) -> Exact<'_> {
+        Exact {
+            description: self.solver.description(),
+            points: &self.exact,
+            joints: &self.exact_joints,
+        }
+    }
+}
+
 /// The joints as the reference takes them.
-pub(super) fn reference_joints(machine: &Machine) -> Result<Vec<reference::Joint>, NotExact> {
+pub(super) fn reference_joints(machine: &Exact) -> Result<Vec<reference::Joint>, NotExact> {
     let mut joints = Vec::new();
     // Where the parts of each joint begin; a pin of n bodies is n − 1 pairs.
     let mut first = Vec::new();
-    let described = &machine.solver.description().joints;
-    for (joint, exact) in described.iter().zip(&machine.exact_joints) {
+    let described = &machine.description.joints;
+    for (joint, exact) in described.iter().zip(machine.joints) {
         first.push(joints.len());
         let Some(exact) = exact else {
             let joint = joint.name.clone();
@@ -152,7 +171,7 @@ pub(super) fn reference_joints(machine: &Machine) -> Result<Vec<reference::Joint
     Ok(joints)
 }
 
-fn frame(body: usize) -> Frame {
+pub(super) fn frame(body: usize) -> Frame {
     match body {
         GROUND => Frame::Ground,
         body => Frame::Body(body - 1),
@@ -160,9 +179,9 @@ fn frame(body: usize) -> Frame {
 }
 
 /// A point exactly.
-pub(super) fn attached(machine: &Machine, point: &Point) -> Result<Attachment, NotExact> {
-    let body = || machine.bodies[point.body].clone();
-    let same = machine.exact[point.body].iter().filter(|p| p.0 == *point);
+pub(super) fn attached(machine: &Exact, point: &Point) -> Result<Attachment, NotExact> {
+    let body = || machine.description.bodies[point.body].clone();
+    let same = machine.points[point.body].iter().filter(|p| p.0 == *point);
     let mut places = same.map(|p| p.1.as_ref());
     let first = places
         .next()

@@ -31,9 +31,11 @@ pub(super) struct File {
     pub body: Vec<Body>,
     #[serde(default)]
     pub joint: Vec<Joint>,
-    pub drive: Drive,
+    /// A file for a motion alone has none.
+    pub drive: Option<Drive>,
     #[serde(default)]
     pub start: Start,
+    pub motion: Option<Motion>,
     #[serde(default)]
     pub force: Vec<Force>,
     #[serde(default)]
@@ -135,7 +137,7 @@ pub(super) struct Joint {
     pub offset: Option<Quantity<Length>>,
 }
 
-#[derive(Deserialize)]
+#[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Drive {
     pub body: Option<String>,
@@ -155,9 +157,56 @@ pub(super) struct Start {
     pub mode: Option<usize>,
     #[serde(default)]
     pub near: BTreeMap<String, Quantity<Angle>>,
-    /// This belongs to a run-up.
-    #[serde(rename = "speed")]
-    _speed: Option<IgnoredAny>,
+    /// Of the drive, where a run-up or a motion begins.
+    pub speed: Option<String>,
+}
+
+/// Where a motion begins, and what drives it by formulas.
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Motion {
+    /// As many coordinates as there are degrees of freedom, by the names of bodies and of slides.
+    #[serde(default)]
+    pub start: BTreeMap<String, Coordinate>,
+    /// Bodies with the angles of their lines, near which they are.
+    #[serde(default)]
+    pub near: BTreeMap<String, Quantity<Angle>>,
+    /// Names that the formulas may use, with their values as formulas.
+    #[serde(default)]
+    pub parameters: BTreeMap<String, String>,
+    #[serde(default)]
+    pub torque: Vec<TorqueLaw>,
+    #[serde(default)]
+    pub force: Vec<ForceLaw>,
+    /// The motion ends where this formula changes its sign.
+    pub until: Option<String>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Coordinate {
+    pub at: String,
+    pub speed: Option<String>,
+    /// The body that an angle is measured from.
+    pub from: Option<String>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct TorqueLaw {
+    pub body: String,
+    pub from: Option<String>,
+    /// In N·m.
+    pub formula: String,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ForceLaw {
+    pub at: String,
+    /// In N.
+    pub x: Option<String>,
+    pub y: Option<String>,
 }
 
 #[derive(Deserialize)]

@@ -1,7 +1,7 @@
 //! Joints and drive.
 
 use super::bodies::Bodies;
-use super::file::{File, Joint as Section, Kind};
+use super::file::{Drive as DriveSection, File, Joint as Section, Kind};
 use crate::machine::quantity::{AngularAcceleration, Dimension, Quantity, Velocity};
 use crate::machine::source::{Refusal, Source};
 use crate::reference::nearest_f64;
@@ -46,7 +46,11 @@ pub(super) fn read(
         joints.push(Named { name, part });
     }
     pinned(source, bodies, &joints)?;
-    let drive = driven(source, file, bodies, &joints)?;
+    let drive = match &file.drive {
+        Some(drive) => driven(source, drive, bodies, &joints)?,
+        // Nothing holds a coordinate: no one looks at it.
+        None => Description::new().drive,
+    };
     let names = joints.iter().map(|j| j.name.clone()).collect();
     Ok((
         Description {
@@ -269,11 +273,10 @@ impl Reader<'_> {
 
 fn driven(
     source: &Source,
-    file: &File,
+    d: &DriveSection,
     bodies: &Bodies,
     joints: &[Named<Joint>],
 ) -> Result<Drive, Refusal> {
-    let d = &file.drive;
     match (&d.body, &d.joint) {
         (Some(body), None) => {
             let body = bodies.find(source, "drive.body", body)?;
@@ -335,8 +338,11 @@ pub(super) fn drive_value(
     }
 }
 
-pub(super) fn drive(source: &Source, file: &File, rotary: bool) -> Result<DriveMotion, Refusal> {
-    let d = &file.drive;
+pub(super) fn drive(
+    source: &Source,
+    d: &DriveSection,
+    rotary: bool,
+) -> Result<DriveMotion, Refusal> {
     let speed = |text: &str| match rotary {
         true => quantity::<AngularVelocity>(source, "drive.speed", text),
         false => quantity::<Velocity>(source, "drive.speed", text),

@@ -66,6 +66,18 @@ pub(super) fn read(
         rotary: !mechanism.drive_is_displacement(),
         offset,
     };
+    let masses = masses(source, file)?;
+    let loads = loads(source, file, bodies, &courses)?;
+    if masses.is_empty() && loads.is_empty() {
+        return Ok(None);
+    }
+    let gravity = gravity(file);
+    let loads = Loads::new(mechanism, masses, loads, gravity);
+    loads.map(Some).map_err(|e| source.refuse("body", e))
+}
+
+/// Masses of the bodies.
+fn masses(source: &Source, file: &File) -> Result<Vec<BodyMass>, Refusal> {
     let mut masses = Vec::new();
     for (k, body) in file.body.iter().enumerate() {
         let at = format!("body[{k}]");
@@ -88,23 +100,37 @@ pub(super) fn read(
             centre: [m(&centre[0]), m(&centre[1])],
         });
     }
-    let loads = loads(source, file, bodies, &courses)?;
-    if masses.is_empty() && loads.is_empty() {
-        return Ok(None);
-    }
+    Ok(masses)
+}
+
+/// The acceleration of gravity in m/s².
+fn gravity(file: &File) -> [f64; 2] {
     let g = file
         .gravity
         .as_ref()
         .map_or(9.80665, |g| nearest_f64(&g.value));
-    let gravity = match &file.gravity_direction {
+    match &file.gravity_direction {
         None => [0.0, -g],
         Some(a) => {
             let (s, c) = a.to_f64().sin_cos();
             [g * c, g * s]
         }
+    }
+}
+
+/// Masses, loads and gravity of a mechanism without a drive, whose loads have no tables.
+pub(super) fn parts(
+    source: &Source,
+    file: &File,
+    bodies: &Bodies,
+) -> Result<(Vec<BodyMass>, Vec<Load>, [f64; 2]), Refusal> {
+    let courses = Courses {
+        source,
+        rotary: false,
+        offset: 0.0,
     };
-    let loads = Loads::new(mechanism, masses, loads, gravity);
-    loads.map(Some).map_err(|e| source.refuse("body", e))
+    let loads = loads(source, file, bodies, &courses)?;
+    Ok((masses(source, file)?, loads, gravity(file)))
 }
 
 fn loads(

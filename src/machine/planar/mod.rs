@@ -9,6 +9,8 @@ mod file;
 mod joints;
 mod loads;
 mod motion;
+#[cfg(feature = "report")]
+mod moving;
 mod of_dyad;
 mod path;
 mod rows;
@@ -17,6 +19,8 @@ pub(in crate::machine) use bodies::check_name;
 pub use branch::{Branch, End, MARGIN, PlanarError, Reach, choose};
 pub use certified::{CertifiedRow, Certifier, NotExact};
 pub use motion::motion;
+#[cfg(feature = "report")]
+pub use moving::{Certified, Moving, MovingError, MovingQuantity};
 pub use of_dyad::{Further, FurtherError, LinkPoint};
 pub use path::{path, positions};
 pub use rows::{Columns, certified_names, names, values};
@@ -82,6 +86,17 @@ impl Machine {
     /// [`Refusal`].
     pub fn read(source: &Source) -> Result<Machine, Refusal> {
         let file: File = source.parse()?;
+        let Some(section) = &file.drive else {
+            let rule = match file.motion {
+                Some(_) => {
+                    "drive is missing: without it the file has a motion alone, see `mechaudit motion`"
+                }
+                None => {
+                    "drive is missing: it names the body or the slide that everything is a function of"
+                }
+            };
+            return Err(source.breach("drive", rule));
+        };
         let bodies = Bodies::new(source, &file)?;
         let (description, joints) = joints::read(source, &file, &bodies)?;
         let drawing = drawn::freedom(&file, &bodies);
@@ -103,7 +118,7 @@ impl Machine {
         })?;
         let offset = offset(solver.description().drive, &bodies.lines);
         let loads = loads::read(source, &file, &bodies, &solver, offset)?;
-        let drive = joints::drive(source, &file, !solver.drive_is_displacement())?;
+        let drive = joints::drive(source, section, !solver.drive_is_displacement())?;
         let start = start(source, &file, &bodies, solver.description())?;
         let exact_joints = exact::joints(&file.joint, &bodies);
         Ok(Machine {

@@ -1,10 +1,12 @@
 //! A machine as its file describes it: the linkage, and the sections of its motor, load and run.
 
 mod columns;
+mod drivetrain;
 mod precision;
 mod steady;
 
 pub use columns::{COLUMNS, row};
+pub use drivetrain::{Drivetrain, drivetrain};
 pub use precision::{FINEST, MOMENTS, Point, work_precision};
 pub use steady::Steady;
 

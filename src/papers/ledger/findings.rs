@@ -72,6 +72,21 @@ pub fn finding(e: &LedgerEntry) -> Option<Finding> {
     })
 }
 
+/// The finding that the dimensions of a printed form are wrong.
+pub fn dimension(e: &LedgerEntry) -> Option<Finding> {
+    let fault = e.dimension.as_ref()?;
+    let id = crate::study::intern(&format!("{}-dimension", e.id));
+    let printed = e.printed.as_ref()?;
+    Some(
+        Draft::new(id, Subject::Formula, e.place)
+            .verdict(FindingVerdict::ErrorOfPaper)
+            .titled(format!("{} has a wrong dimension", e.place))
+            .text(format!("By the units of the symbols, {fault}."))
+            .figures(figures! { "printed": "{}", printed.text => "1"; })
+            .recorded_if(e.as_recorded),
+    )
+}
+
 /// The finding that the formulas of a ledger are proved, but for those with findings of their own.
 pub(in crate::papers) fn proved(
     ledger: &Ledger,

@@ -1,7 +1,8 @@
 //! An undecided entry of a ledger.
 
-use super::{Kind, Verdict};
-use crate::symbolic::{Family, Outcome};
+use super::{Conditions, Kind, Names, Verdict};
+use crate::symbolic::{Dimensions, Family, Outcome};
+use std::sync::Arc;
 
 /// An entry of a ledger as data. Built with the methods below; nothing is evaluated before
 /// [`decide`](super::decide()).
@@ -33,6 +34,16 @@ pub struct Item {
     pub expected: Verdict,
     /// A further remark.
     pub note: &'static str,
+    /// The smallest repair on record, where the entry states one.
+    pub repair: Option<&'static str>,
+    /// The names that its formulas may use.
+    pub names: Names,
+    /// The values that its symbols may have.
+    pub conditions: Arc<Conditions>,
+    /// The units of its symbols, where they are known.
+    pub dimensions: Option<Arc<Dimensions>>,
+    /// Its file and line, where it comes from one.
+    pub origin: Option<(&'static str, usize)>,
 }
 
 impl Item {
@@ -52,6 +63,11 @@ impl Item {
             most_edits: 1,
             expected: Verdict::Proved,
             note: "",
+            repair: None,
+            names: Names::default(),
+            conditions: Arc::default(),
+            dimensions: None,
+            origin: None,
         }
     }
 

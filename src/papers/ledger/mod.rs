@@ -10,16 +10,21 @@
 //! Every edit that does not work is refuted by an enclosure that excludes zero at a rational point;
 //! every edit that works is proved.
 
+pub(super) mod boxes;
+mod conditions;
 mod decide;
 mod findings;
 mod item;
+mod names;
 mod repair;
 mod requirement;
 
+pub use conditions::{Conditions, Domain};
 pub use decide::decide;
-pub use findings::finding;
+pub use findings::{dimension, finding};
 pub(super) use findings::proved;
 pub use item::Item;
+pub use names::Names;
 pub use requirement::Requirement;
 
 use super::Citation;
@@ -56,6 +61,8 @@ pub enum Verdict {
     Refuted,
     /// Wrong as printed, with a smallest repair for which everything is proved.
     Misprint,
+    /// Everything it has to satisfy is proved, but its parts have different dimensions.
+    Undimensional,
     /// A claim about the model rather than about the formula, tested; its requirements say how.
     Model,
     /// A definition or datum: nothing follows that could be tested.
@@ -73,6 +80,7 @@ impl Verdict {
             Verdict::Proved => "proved",
             Verdict::Refuted => "refuted",
             Verdict::Misprint => "misprint",
+            Verdict::Undimensional => "wrong dimension",
             Verdict::Model => "model claim tested",
             Verdict::Definition => "definition",
             Verdict::Undefined => "undefined in the paper",
@@ -159,11 +167,20 @@ pub struct LedgerEntry {
     /// How the correction was found.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub repair: Option<Repair>,
+    /// The part whose dimension is wrong, and how.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dimension: Option<String>,
     /// A further remark.
     #[serde(skip_serializing_if = "str::is_empty")]
     pub note: &'static str,
     /// True if the verdict and every outcome are those on record.
     pub as_recorded: bool,
+    /// The verdict on record.
+    #[serde(skip)]
+    pub expected: Verdict,
+    /// Its file and line, where it comes from one.
+    #[serde(skip)]
+    pub origin: Option<(&'static str, usize)>,
 }
 
 /// A paper's ledger.

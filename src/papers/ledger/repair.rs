@@ -1,6 +1,6 @@
 //! The search for the smallest repair.
 
-use super::{Formula, Repair, Requirement};
+use super::{Conditions, Formula, Repair, Requirement};
 use crate::reference::ComplexBall;
 use crate::symbolic::{
     Cache, Definitions, Edit, Enclosures, Equation, Exact, Expr, Family, Outcome, Point,
@@ -33,8 +33,10 @@ struct Judge<'a> {
     printed: &'a Equation,
     definitions: &'a Definitions,
     requirements: &'a [Requirement],
+    conditions: &'a Conditions,
     fixed: Vec<[Option<ComplexBall>; 2]>,
-    point: Point,
+    /// The point of the first look; none where no point is known to be one of the domain.
+    point: Option<Point>,
     cache: Cache,
 }
 
@@ -43,15 +45,16 @@ impl<'a> Judge<'a> {
         printed: &'a Equation,
         definitions: &'a Definitions,
         requirements: &'a [Requirement],
+        conditions: &'a Conditions,
     ) -> Judge<'a> {
-        let point = Point::sample(0);
+        let point = conditions.first_point();
         let mut names = vec!["left", "right"];
         if let Expr::Sym(name) = &printed.left {
             names.push(name);
         }
         let enclosed = |e: &Expr| match definitions.reaches(e, &names) {
             true => None,
-            false => enclose(definitions, e, &point).ok(),
+            false => enclose(definitions, e, point.as_ref()?).ok(),
         };
         let fixed = requirements
             .iter()
@@ -64,6 +67,7 @@ impl<'a> Judge<'a> {
             printed,
             definitions,
             requirements,
+            conditions,
             fixed,
             point,
             cache: Cache::new(&names),
@@ -72,6 +76,9 @@ impl<'a> Judge<'a> {
 
     /// Returns true if an enclosure refutes an equation at the first point.
     fn fails_quickly(&self, with: &Definitions) -> bool {
+        let Some(point) = &self.point else {
+            return false;
+        };
         self.requirements.iter().zip(&self.fixed).any(|(r, fixed)| {
             let Requirement::Equal(e) = r else {
                 return false;
@@ -80,7 +87,7 @@ impl<'a> Judge<'a> {
             let value = |e: &Expr, fixed: &Option<ComplexBall>| match fixed {
                 Some(v) => Some(v.clone()),
                 None => {
-                    let mut enclosures = Enclosures::remembering(&self.point, &self.cache);
+                    let mut enclosures = Enclosures::remembering(point, &self.cache);
                     enclosures.value(with, e).ok()
                 }
             };
@@ -101,7 +108,7 @@ impl<'a> Judge<'a> {
         }
         let mut out = Judged::Holds;
         for r in self.requirements {
-            let found = r.decide(&with);
+            let found = self.conditions.decide(r, &with);
             match (found.outcome, found.error) {
                 (Outcome::Refuted, _) => return Judged::Fails,
                 (Outcome::Proved, _) => {}
@@ -134,6 +141,11 @@ fn same(definitions: &Definitions, a: &Equation, b: &Equation) -> bool {
     vanishes(minus) || vanishes(Expr::Add(vec![a, b]))
 }
 
+/// Candidates of one search, ten times as many as any formula of the papers has had.
+const MOST: usize = 50_000;
+/// Undecided candidates after which a search is given up: each may have cost all the work allowed.
+const MOST_UNDECIDED: usize = 200;
+
 /// Looks for the smallest repair of a printed form that fails. Gives the first one that holds.
 pub(super) fn search(
     printed: &Equation,
@@ -141,16 +153,23 @@ pub(super) fn search(
     most: usize,
     definitions: &Definitions,
     requirements: &[Requirement],
+    conditions: &Conditions,
 ) -> (Repair, Option<Equation>) {
     let singles = edits(printed, family);
-    let judge = Judge::new(printed, definitions, requirements);
+    let judge = Judge::new(printed, definitions, requirements, conditions);
     let mut out = Repair {
         single_edits: singles.len(),
         ..Repair::default()
     };
     let mut holding: Vec<(Vec<Edit>, Equation)> = Vec::new();
     let mut tried: BTreeSet<String> = BTreeSet::from([printed.to_string()]);
+    let given_up =
+        |out: &Repair| out.single_edits + out.pairs > MOST || out.undecided > MOST_UNDECIDED;
     for (edit, candidate) in &singles {
+        if given_up(&out) {
+            out.undecided += 1;
+            break;
+        }
         tried.insert(candidate.to_string());
         match judge.judge(candidate) {
             Judged::Holds => holding.push((vec![edit.clone()], candidate.clone())),
@@ -161,10 +180,14 @@ pub(super) fn search(
     }
     out.single_that_hold = holding.len();
     if holding.is_empty() && most > 1 {
-        for (first, between) in &singles {
+        'search: for (first, between) in &singles {
             for (second, candidate) in edits(between, family) {
                 if !tried.insert(candidate.to_string()) {
                     continue;
+                }
+                if given_up(&out) {
+                    out.undecided += 1;
+                    break 'search;
                 }
                 out.pairs += 1;
                 match judge.judge(&candidate) {
@@ -209,7 +232,16 @@ mod tests {
         let found = |most| {
             let family = Family::default();
             let (definitions, requirements) = (Definitions::default(), [requirement.clone()]);
-            search(&printed, &family, most, &definitions, &requirements).0
+            let conditions = Conditions::default();
+            search(
+                &printed,
+                &family,
+                most,
+                &definitions,
+                &requirements,
+                &conditions,
+            )
+            .0
         };
         let singles = found(1);
         assert!(singles.single_edits > 2 && singles.pairs == 0);

@@ -1,10 +1,13 @@
 //! Requirements: equations, closeness, inequalities.
 
+use super::Names;
 use crate::reference::Ball;
 use crate::symbolic::{
-    Definitions, Equation, Expr, Identity, Outcome, Point, SymbolicError, Witness, enclose,
-    is_real, latex, parse, parse_equation,
+    Definitions, Equation, Expr, Func, Identity, Outcome, Point, SymbolicError, Witness, enclose,
+    is_real, latex,
 };
+use rug::Rational;
+use std::collections::BTreeMap;
 
 /// A requirement of an entry.
 #[derive(Clone, Debug)]
@@ -23,6 +26,21 @@ impl Requirement {
     /// # Errors
     /// As [`parse()`].
     pub fn parse(text: &str) -> Result<Requirement, SymbolicError> {
+        Requirement::read(text, &Names::default())
+    }
+
+    /// Reads a requirement that uses these names.
+    ///
+    /// # Errors
+    /// As [`parse()`]; a name that is not declared.
+    pub fn read(text: &str, names: &Names) -> Result<Requirement, SymbolicError> {
+        // The place of an error is that in the whole text.
+        let parse = |part: &str| {
+            names.expression(part).map_err(|e| {
+                let before = part.as_ptr() as usize - text.as_ptr() as usize;
+                moved(e, before)
+            })
+        };
         if let Some((left, rest)) = text.split_once('~') {
             let (right, bound) =
                 rest.split_once(" within ")
@@ -39,7 +57,7 @@ impl Requirement {
         if let Some((left, right)) = text.split_once('<') {
             return Ok(Requirement::Less(parse(left)?, parse(right)?));
         }
-        parse_equation(text).map(Requirement::Equal)
+        names.equation(text).map(Requirement::Equal)
     }
 
     /// The text and LaTeX forms.
@@ -57,7 +75,33 @@ impl Requirement {
         super::Formula { text, latex }
     }
 
-    fn sides(&self) -> [&Expr; 2] {
+    /// The requirement with an expression in the place of a symbol, after all derivatives.
+    pub(super) fn at(self, name: &str, value: &Expr) -> Requirement {
+        let at = |e: Expr| Expr::At(Box::new(e), name.into(), Box::new(value.clone()));
+        match self {
+            Requirement::Equal(e) => Requirement::Equal(Equation {
+                left: at(e.left),
+                right: at(e.right),
+            }),
+            Requirement::Near(a, b, c) => Requirement::Near(at(a), at(b), at(c)),
+            Requirement::Less(a, b) => Requirement::Less(at(a), at(b)),
+        }
+    }
+
+    /// What an inequality requires to be positive.
+    pub(super) fn slack(&self) -> Option<Expr> {
+        match self {
+            Requirement::Equal(_) => None,
+            Requirement::Near(a, b, c) => {
+                let size = Expr::call(Func::Abs, minus(a, b));
+                Some(minus(c, &size))
+            }
+            Requirement::Less(a, b) => Some(minus(b, a)),
+        }
+    }
+
+    /// The sides.
+    pub(super) fn sides(&self) -> [&Expr; 2] {
         match self {
             Requirement::Equal(e) => [&e.left, &e.right],
             Requirement::Near(a, b, _) | Requirement::Less(a, b) => [a, b],
@@ -65,20 +109,31 @@ impl Requirement {
     }
 
     /// Decides it. An inequality with free symbols is not proved by what holds at a point, but it
-    /// is refuted by one sample at which it fails.
-    pub fn decide(&self, definitions: &Definitions) -> Identity {
+    /// is refuted by one sample at which it fails. The named values are those of symbols at which
+    /// it is to be refuted.
+    pub fn decide(
+        &self,
+        definitions: &Definitions,
+        named: &BTreeMap<String, Rational>,
+    ) -> Identity {
+        if let Requirement::Equal(e) = self {
+            return Identity::near(definitions, e, named);
+        }
         let found = self.decide_at(definitions, &Point::default());
         if !matches!(found.error, Some(SymbolicError::NoValue(_))) {
             return found;
         }
+        let point = |number| Point {
+            named: named.clone(),
+            sample: Some(number),
+        };
         (0..SAMPLES)
-            .map(|number| self.decide_at(definitions, &Point::sample(number)))
+            .map(|number| self.decide_at(definitions, &point(number)))
             .find(|sample| sample.outcome == Outcome::Refuted)
             .unwrap_or(found)
     }
 
     fn decide_at(&self, definitions: &Definitions, point: &Point) -> Identity {
-        let minus = |a: &Expr, b: &Expr| Expr::Add(vec![a.clone(), Expr::Neg(Box::new(b.clone()))]);
         // A number that may be complex is not less than another.
         let real = |e: &Expr| {
             let z = enclose(definitions, e, point)?;
@@ -89,7 +144,7 @@ impl Requirement {
         };
         // The slack has to be non-negative, or positive.
         let (difference, slack, strict) = match self {
-            Requirement::Equal(e) => return Identity::of(definitions, e),
+            Requirement::Equal(e) => return Identity::near(definitions, e, &point.named),
             Requirement::Near(a, b, bound) => {
                 let e = minus(a, b);
                 let difference = enclose(definitions, &e, point);
@@ -119,6 +174,22 @@ impl Requirement {
             witness: witness.filter(|_| outcome == Outcome::Refuted),
             error: slack.err(),
         }
+    }
+}
+
+fn minus(a: &Expr, b: &Expr) -> Expr {
+    Expr::Add(vec![a.clone(), Expr::Neg(Box::new(b.clone()))])
+}
+
+/// An error at a place that lies further on.
+fn moved(error: SymbolicError, by: usize) -> SymbolicError {
+    match error {
+        SymbolicError::Parse { at, reason } => SymbolicError::Parse {
+            at: at + by,
+            reason,
+        },
+        SymbolicError::Unknown { at, name } => SymbolicError::Unknown { at: at + by, name },
+        other => other,
     }
 }
 

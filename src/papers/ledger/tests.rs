@@ -4,6 +4,7 @@ use super::*;
 use crate::papers::{FindingVerdict, Subject};
 use crate::symbolic::{Definitions, Family};
 use Kind::{Formula as Numbered, Statement};
+use std::collections::BTreeMap;
 
 /// Neither sign of √2·√2 − 2 can be told in balls.
 const OPEN: &str = "sqrt(2)*sqrt(2) < 2";
@@ -19,6 +20,7 @@ fn citation() -> Citation {
         title: "",
         year: None,
         venue: "",
+        source: "",
     }
 }
 
@@ -149,7 +151,7 @@ fn numbers_are_compared_within_bounds() {
     let decided = |text: &str| {
         let found = Requirement::parse(text)
             .unwrap()
-            .decide(&Definitions::default());
+            .decide(&Definitions::default(), &BTreeMap::new());
         (found.outcome, found.witness.map(|w| w.residual))
     };
     let (yes, no) = (Outcome::Proved, Outcome::Refuted);

@@ -3,32 +3,17 @@
 //! lengths; pull request 231, a slider that passes through the position in which its two roots
 //! meet.
 //!
-//! [`drawing`] has the positions in balls from the drawn decimals; [`items()`] proves what they
+//! [`drawing`] has the positions in balls from the drawn decimals; the ledger proves what they
 //! rest on.
 
 pub mod drawing;
 mod findings;
-mod ledger;
 
-pub use ledger::items;
-
-use super::ledger::Ledger;
-use super::{Citation, PaperReport, Progress};
+use super::{PaperReport, Progress, file_of_known};
 use crate::reference::Undecided;
 
 /// The name used on the command line.
 pub const KEY: &str = "pmksweb";
-
-/// The source.
-pub fn citation() -> Citation {
-    Citation {
-        key: KEY,
-        authors: "PMKS-Web",
-        title: "Issues 91 and 92, pull request 231 of PMKSWeb",
-        year: Some(2023),
-        venue: "github.com/PMKS-Web/PMKSWeb, 2023 to 2026",
-    }
-}
 
 /// The verdicts.
 ///
@@ -36,9 +21,12 @@ pub fn citation() -> Citation {
 /// [`Undecided`] if a sign cannot be told.
 pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
     progress("ledger", 0, 2);
-    let ledger = Ledger::of(citation(), &items());
+    let ledger = file_of_known(KEY).ledger();
     progress("drawings", 1, 2);
     let findings = findings::all(&ledger)?;
     progress("done", 2, 2);
-    Ok(PaperReport::new(citation(), findings))
+    Ok(PaperReport::new(
+        file_of_known(KEY).citation.clone(),
+        findings,
+    ))
 }

@@ -1,10 +1,9 @@
 //! Every printed entry against its recomputed value.
 
 use super::tables::{Column, Printed, ROWS};
-use crate::audit::{Agreement, agreement};
-use crate::papers::number::tally;
+use crate::papers::number::{explained, tally};
 use crate::papers::{Entry, EntryVerdict, Tally, VariantJudgement, decided};
-use crate::reference::{Ball, Decimal};
+use crate::reference::Ball;
 use std::collections::BTreeMap;
 
 /// Digits of the recomputed values.
@@ -14,43 +13,6 @@ const DIGITS: usize = 25;
 pub(super) struct Variant {
     pub name: &'static str,
     pub columns: Vec<Vec<Ball>>,
-}
-
-/// One digit other than the last replaced or left out, or two neighbours exchanged, such that the
-/// result is the correct rounding. (A change of the last digit would explain anything.)
-fn single_edit(text: &str, value: &Ball) -> Option<String> {
-    let chars: Vec<char> = text.chars().collect();
-    let digits: Vec<usize> = (0..chars.len())
-        .filter(|&i| chars[i].is_ascii_digit())
-        .collect();
-    let last = *digits.last()?;
-    let with = |change: &dyn Fn(&mut Vec<char>)| {
-        let mut c = chars.clone();
-        change(&mut c);
-        c.into_iter().collect::<String>()
-    };
-    // The least change first: the length stays, then a character goes.
-    let mut edits: Vec<(String, String)> = Vec::new();
-    for &i in digits.iter().filter(|&&i| i != last) {
-        for d in '0'..='9' {
-            edits.push((with(&|c| c[i] = d), "one wrong digit".into()));
-        }
-        if chars[i + 1].is_ascii_digit() {
-            edits.push((with(&|c| c.swap(i, i + 1)), "two digits exchanged".into()));
-        }
-    }
-    for &i in digits.iter().filter(|&&i| i != last) {
-        let what = format!("one digit too many ({})", chars[i]);
-        let shorter = with(&|c| {
-            c.remove(i);
-        });
-        edits.push((shorter, what));
-    }
-    edits.into_iter().find_map(|(edited, what)| {
-        let written = Decimal::parse(&edited).ok()?;
-        (agreement(&written, value) == Agreement::Agrees)
-            .then(|| format!("{what}: {edited} would agree"))
-    })
 }
 
 fn judge(
@@ -67,9 +29,9 @@ fn judge(
         let says = || format!("Table {table} prints {text} for the same quantity, which agrees");
         t.number.is_rounded(v).then(says)
     };
-    let explained = || by_twin().or_else(|| single_edit(&p.text, value));
+    let reason = || by_twin().or_else(|| explained(&p.text, value));
     let (verdict, note) = match p.verdict(value) {
-        EntryVerdict::Unexplained if column_agrees => match explained() {
+        EntryVerdict::Unexplained if column_agrees => match reason() {
             Some(note) => (EntryVerdict::Misprint, Some(note)),
             None => (EntryVerdict::Unexplained, None),
         },
@@ -138,6 +100,7 @@ mod tests {
     use super::super::tables;
     use super::*;
     use crate::papers::number::Number;
+    use crate::reference::Decimal;
 
     fn ball(text: &str) -> Ball {
         Ball::rational(200, &Decimal::parse(text).unwrap().value)
@@ -145,18 +108,18 @@ mod tests {
 
     #[test]
     fn single_edits() {
-        let note = single_edit("-10.553", &ball("-10.5334")).unwrap();
+        let note = explained("-10.553", &ball("-10.5334")).unwrap();
         assert!(note.contains("-10.533"), "{note}");
-        let note = single_edit("-110.0421", &ball("-110.04103")).unwrap();
+        let note = explained("-110.0421", &ball("-110.04103")).unwrap();
         assert!(
             note.contains("-110.041") && note.contains("too many"),
             "{note}"
         );
-        let note = single_edit("1325", &ball("1235")).unwrap();
+        let note = explained("1325", &ball("1235")).unwrap();
         assert_eq!(note, "two digits exchanged: 1235 would agree");
         // Merely a few units off is no misprint.
-        assert_eq!(single_edit("3.060", &ball("3.0634")), None);
-        assert_eq!(single_edit("3.060", &ball("3.0671")), None);
+        assert_eq!(explained("3.060", &ball("3.0634")), None);
+        assert_eq!(explained("3.060", &ball("3.0671")), None);
     }
 
     /// Misprints are told as long as nine tenths of the column agree.

@@ -13,7 +13,6 @@ mod extreme;
 mod findings;
 mod fitted_nodes;
 mod hidden_recipe;
-mod ledger;
 mod moment_residual;
 mod motion;
 mod recipe;
@@ -21,11 +20,9 @@ mod recovery;
 mod run_up;
 mod tables;
 
-pub use ledger::items;
 pub use motion::motion;
 
-use super::ledger::Ledger;
-use super::{Citation, Finding, PaperReport, Progress};
+use super::{Finding, PaperReport, Progress, file_of_known};
 use crate::reference::{Ball, Undecided};
 use crate::solvers::cubic_spline::Boundary;
 use entries::Variant;
@@ -39,17 +36,6 @@ const BITS: u32 = 192;
 
 /// The name used on the command line.
 pub const KEY: &str = "zinchenko";
-
-/// The paper.
-pub fn citation() -> Citation {
-    Citation {
-        key: KEY,
-        authors: "O. I. Zinchenko",
-        title: "Dynamic study of a sieving mechanism for moulding sand",
-        year: Some(2008),
-        venue: "NTU KhPI, Kharkiv (in Ukrainian)",
-    }
-}
 
 /// Audits the paper.
 ///
@@ -93,12 +79,16 @@ pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
     progress("run-up", 5, STEPS);
     all.extend(findings::run_up(run_up::figures().as_ref()));
     progress("formulas", 6, STEPS);
-    all.extend(findings::formulas(
-        &Ledger::of(citation(), &items()),
-        extreme::finding(&extreme::PRINTED),
-    ));
+    let file = file_of_known(KEY);
+    for finding in file.summaries(&file.ledger()) {
+        // It stands before the velocities that follow from it.
+        if finding.id == "velocity-system" {
+            all.push(extreme::finding(&extreme::PRINTED));
+        }
+        all.push(finding);
+    }
     progress("done", STEPS, STEPS);
-    Ok(PaperReport::new(citation(), all).with_entries(entries, tallies))
+    Ok(PaperReport::new(file.citation.clone(), all).with_entries(entries, tallies))
 }
 
 /// A fitted node: a multiple of 1e-6, exactly.

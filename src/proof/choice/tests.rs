@@ -56,7 +56,7 @@ fn parts_cover_their_rectangle() {
                 .iter()
                 .all(|p| holds(&at, p.a[0], p.b[0]) && holds(&at, p.a[1], p.b[1]))
         );
-        // What is left of the quadrant, and the others in their place.
+        // The rest of the quadrant, and the others in their place.
         let (below, above) = (
             |x: f64| [0.0, x.next_down()],
             |x: f64| [x.next_up(), f64::MAX],

@@ -292,7 +292,7 @@ fn scaled_rectangles_hold_the_quotients() {
                     && *due <= exact(x.next_up().next_up())
             };
             assert!(few(lo, &p) && few(hi, &q), "{r:?} {scaled:?}");
-            // What is exact stays as it is.
+            // Exact values stay as they are.
             let kept =
                 |x: f64, due: &rug::Rational| exact(due.to_f64()) != *due || exact(x) == *due;
             assert!(kept(lo, &p) && kept(hi, &q), "{r:?} {scaled:?}");

@@ -42,7 +42,7 @@ fn powers_of_two_at_the_ends_of_the_range() {
         let found = of(lo, hi);
         assert_eq!((found.tiny, found.error), (tiny, 0.0), "{lo} {hi}");
     }
-    // What overflows has no bound.
+    // An overflow has no bound.
     let over = |k| {
         let x = || Tracked::input(0, [2f64.powi(1000), 2f64.powi(1001)]);
         ways(|| (x() * x_of(2f64.powi(k))).result())

@@ -96,7 +96,7 @@ fn what_sums_and_products_leave_out_is_attained() {
         panic!("two terms");
     };
     assert!(is_near(c.lo, 4.0 * 0.0625 + 2.0 * 0.125) && is_near(d.hi, 2.0 * 0.5));
-    // What one takes back is gone.
+    // Subtracted terms vanish.
     assert!(sum(&x, &x.negative()).deviation <= 2.0 * x.rest + 1e-15);
 }
 
@@ -147,7 +147,7 @@ fn no_quotient_by_what_may_be_zero() {
     let mut small = form(1.0, &[], 0.0);
     small.small = true;
     assert!(quotient(&x, &small).is_none());
-    // What underflowed in the dividend is divided by the least divisor.
+    // An underflow of the dividend is divided by the least divisor.
     let divided = quotient(&tiny, &form(0.5, &[(1, 0.25)], 0.0)).expect("no zero");
     assert!(is_near(divided.tiny, 4.0));
     assert_eq!(divided.grain, i32::MIN);
@@ -332,7 +332,7 @@ fn one_rounding_beside_the_small_factor() {
     assert!(absolute == 1.0 || error >= u, "{error} {absolute}");
     let below = f64::MIN_POSITIVE.next_down();
     assert!(with(1.75, 0.0, Interval::new(below / 1.75, 1.0)).1 >= 1.0);
-    // What underflowed before is rounded with the number.
+    // An earlier underflow is rounded with the number.
     let (_, absolute) = with(1.75, 8.0, Interval::new(1e-200, 1.0));
     assert!((1.0..1.01).contains(&absolute));
     let (_, absolute) = with(1.75, 8.0, Interval::new(0.0, 1.0));
@@ -495,7 +495,7 @@ fn shares_end_at_the_normal_numbers() {
     };
     assert_eq!(of(1.9 * f64::MIN_POSITIVE), f64::INFINITY);
     assert!(of(2.1 * f64::MIN_POSITIVE) < 1e-15);
-    // What may be off by most of itself may be below them from any size on.
+    // A number with a relative error near one may be below them from any size on.
     let far = form(
         3.0 * f64::MIN_POSITIVE,
         &[(5, 2.1 * f64::MIN_POSITIVE)],

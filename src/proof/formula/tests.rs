@@ -67,7 +67,7 @@ fn components_in_units_of_their_least_value() {
     assert!(near(units, 2.0));
     let negative = part(-1.75, -1.5, u);
     assert!(near(of(&negative, 0.0, 0.0).0, 1.0));
-    // What may be zero has no bound, unless it is zero.
+    // A value that may be zero has no bound, unless it is zero.
     assert_eq!(of(&part(-1.0, 1.0, u), 0.0, 0.0).0, f64::INFINITY);
     assert_eq!(of(&part(0.5, 1.0, u), 0.5, 1.0).0, f64::INFINITY);
     assert_eq!(
@@ -219,7 +219,7 @@ fn norms_from_components() {
     };
     assert!(with_sum(FAR_ABOVE).tiny == 0.0 && with_sum(FAR_ABOVE).re > 2.0);
     assert!(with_sum(0.1 * FAR_ABOVE).tiny == 1e16 && near(with_sum(0.1 * FAR_ABOVE).re, 2.0));
-    // What may be zero has no bound.
+    // A value that may be zero has no bound.
     assert_eq!(
         of([part(-1.0, 1.0, u), part(-1.0, 1.0, u)], NONE).norm,
         f64::INFINITY

@@ -102,7 +102,7 @@ fn image(u: f64, e: &Exponential, limits: &Limits, w: f64) -> f64 {
     let d = down(limits.dominant - 1e-12);
     let q = quotient_up(up(2.0 * exp_up(-d)), down(w));
     let rho = up(e.short[0] + up(e.short[1] * d)) * TWO_52;
-    // What is left out beyond the second limit.
+    // The part that is left out beyond the second limit.
     let left_out = quotient_up(up(2.0 * exp_up(-limits.negligible)), down(w)) * TWO_52;
     // The worst is at the limit from D = 1 on.
     match d > 1.0 && q < 1.0 {

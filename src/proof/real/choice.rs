@@ -5,7 +5,7 @@ use crate::tables::imaginary_axis_at;
 use mechaudit_solvers::faddeeva::Branch;
 use mechaudit_solvers::faddeeva::proof::real_line as code;
 
-/// A formula for erfcx x, or for `(2/√π) F(x)`, F Dawson's function.
+/// A formula for erfcx x, for erf x, or for `(2/√π) F(x)`, F Dawson's function.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Inner {
     /// Taylor series.
@@ -25,11 +25,11 @@ pub enum Inner {
 pub enum Formula {
     /// Maclaurin series of erf or of Dawson's function; for erfc 1 less that of erf.
     Near,
-    /// erfcx, or Dawson's function.
+    /// erfcx, erf, or Dawson's function.
     Value(Inner),
     /// `e^{−x²}` erfcx x.
     Product(Inner),
-    /// 1 or 2 less that; `2e^{x²}` less erfcx.
+    /// 2 less that; `2e^{x²}` less erfcx.
     Difference(Inner),
     /// `2e^{x²}`.
     Exponential,
@@ -56,7 +56,6 @@ impl Formula {
             Formula::Value(Series { .. }) => "asymptotic, 2 terms",
             Formula::Product(Row { .. }) => "exp(-x^2) erfcx x, Taylor",
             Formula::Product(Series { .. }) => "exp(-x^2) erfcx x, asymptotic",
-            Formula::Difference(_) if function == Erf => "1 - erfc x",
             Formula::Difference(_) if function == Erfc => "2 - erfc |x|",
             Formula::Difference(_) => "2 exp(x^2) - erfcx |x|",
             Formula::Exponential => "2 exp(x^2)",
@@ -96,13 +95,15 @@ fn of_erfcx(x: f64) -> Inner {
 /// The formula of the solver at x or −x, `x ≥ 0`. Its choices are comparisons of x with constants,
 /// and of numbers that never fall when x grows.
 pub fn choice(function: Function, negative: bool, x: f64) -> Formula {
-    let [series, complement, one, far] = code::LIMITS;
+    let [near, series, complement, one, far] = code::LIMITS;
     match function {
-        Function::Erf if x < series => Formula::Near,
-        Function::Erf if x < one => Formula::Difference(of_erfcx(x)),
+        Function::Erf if x < near => Formula::Near,
+        Function::Erf if x < one => Formula::Value(Inner::Row {
+            centre: x - code::erf_row(x).1,
+        }),
         Function::Erf => Formula::Constant,
         Function::Erfc if x < complement => Formula::Near,
-        Function::Erfc if x >= far => Formula::Constant,
+        Function::Erfc if x >= if negative { one } else { far } => Formula::Constant,
         Function::Erfc if negative => Formula::Difference(of_erfcx(x)),
         Function::Erfc => Formula::Product(of_erfcx(x)),
         Function::Erfcx if code::is_huge(x) && !negative => Formula::Far,

@@ -34,7 +34,7 @@ impl Way {
     }
 }
 
-/// erfcx, or `(2/√π) F`, over an interval.
+/// erfcx, erf, or `(2/√π) F`, over an interval.
 struct Operand<'a> {
     function: Function,
     row: Option<(&'a AxisRow, f64, i32)>,
@@ -80,9 +80,10 @@ impl<'a> Operand<'a> {
         let dawson = self.function == Function::Dawson;
         if let Some((row, centre, grain)) = self.row {
             let t = x.offset(centre, grain);
-            return match dawson {
-                true => code::dawson_row_value(Tracking, row, t),
-                false => code::erfcx_row(Tracking, row, t),
+            return match self.function {
+                Function::Dawson => code::dawson_row_value(Tracking, row, t),
+                Function::Erf => code::erf_row_value(Tracking, row, t),
+                _ => code::erfcx_row(Tracking, row, t),
             };
         }
         let series = match (self.terms, dawson) {
@@ -194,7 +195,6 @@ pub(super) fn bound(
                         let (t, n) = code::erfc_right(x, w);
                         (t, n.constant().map(|n| n - ROUND))
                     }
-                    Function::Erf => (code::erf_right(x, w), None),
                     Function::Erfc => (code::erfc_left(x, w), None),
                     _ => (code::erfcx_left(code::exponential(x), w), None),
                 };

@@ -51,6 +51,7 @@ pub(super) fn near_error(function: Function, (c, low): (&[f64], f64)) -> f64 {
 fn centres(function: Function) -> Vec<f64> {
     match function {
         Function::Dawson => (8..=144).map(|k| f64::from(k) / 16.0).collect(),
+        Function::Erf => (1..=24).map(|k| f64::from(k) / 4.0).collect(),
         _ => on_imaginary_axis().collect(),
     }
 }
@@ -60,6 +61,10 @@ fn row_of(function: Function, x: f64) -> (f64, AxisRow) {
         Function::Dawson => {
             let (row, t) = code::dawson_row(x);
             (x - t, row)
+        }
+        Function::Erf => {
+            let (row, t) = code::erf_row(x);
+            (x - t, *row)
         }
         _ => {
             let (centre, row) = imaginary_axis_at(x);
@@ -79,6 +84,7 @@ impl Tables {
             let (centre, row) = row_of(function, x);
             let errors = match function {
                 Function::Dawson => RowErrors::of_dawson(&row, centre)?,
+                Function::Erf => RowErrors::of_erf(&row, centre)?,
                 _ => RowErrors::on_axis(&row, centre)?,
             };
             Ok((centre.to_bits(), (row, errors)))

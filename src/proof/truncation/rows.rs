@@ -95,22 +95,43 @@ impl RowErrors {
         RowErrors::of_real(row, (t, 0.0), |_, c| c.im.clone())
     }
 
+    /// Of a row of erf about `t` on the real axis, where `Re w = e^{−x²}`: with the coefficients `c_n`
+    /// of w those of erf are erf t and `(2/√π) Re c_{n−1}/n`. Beyond the last one they are less than
+    /// `(2/√π) M ρ^{1−n}/41`, which is less than `M ρ^{−n}`.
+    ///
+    /// # Errors
+    /// If the reference is undecided.
+    pub fn of_erf(row: &AxisRow, t: f64) -> Result<RowErrors, ProofError> {
+        let zero = rug::Rational::new();
+        let value = faddeeva::erf(&rational(t), &zero, BITS).map_err(ProofError::from)?;
+        let factor = &Ball::integer(BITS, 2) / &Ball::pi(BITS).sqrt();
+        let c = certified((t, 0.0))?;
+        let all = (0..c.len()).map(|n| match n {
+            0 => value.re.clone(),
+            _ => &(&factor * &c[n - 1].re) / &Ball::integer(BITS, n as i64),
+        });
+        Ok(RowErrors::of_balls(row, (t, 0.0), all))
+    }
+
     fn of_real(
         row: &AxisRow,
         centre: (f64, f64),
         real: impl Fn(usize, &ComplexBall) -> Ball,
     ) -> Result<RowErrors, ProofError> {
         let c = certified(centre)?;
-        let parts = c.iter().enumerate().map(|(n, c)| {
-            let real = real(n, c);
-            match n {
-                0 | 1 => [difference([row[2 * n], row[2 * n + 1]], &real), 0.0],
-                _ if n < STORED => [difference([row[n + 2], 0.0], &real), 0.0],
-                _ => [above(&real), 0.0],
-            }
+        let all = c.iter().enumerate().map(|(n, c)| real(n, c));
+        Ok(RowErrors::of_balls(row, centre, all))
+    }
+
+    /// From the exact coefficients.
+    fn of_balls(row: &AxisRow, centre: (f64, f64), exact: impl Iterator<Item = Ball>) -> RowErrors {
+        let parts = exact.enumerate().map(|(n, real)| match n {
+            0 | 1 => [difference([row[2 * n], row[2 * n + 1]], &real), 0.0],
+            _ if n < STORED => [difference([row[n + 2], 0.0], &real), 0.0],
+            _ => [above(&real), 0.0],
         });
         let parts = parts.collect();
-        Ok(RowErrors { centre, parts })
+        RowErrors { centre, parts }
     }
 
     /// Of the absolute values.

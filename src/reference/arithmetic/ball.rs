@@ -9,7 +9,7 @@
 
 use super::mag::Mag;
 use gmp_mpfr_sys::gmp::LIMB_BITS;
-use rug::float::{Constant, Round};
+use rug::float::{Constant, Round, exp_min};
 use rug::ops::{AddAssignRound, AssignRound, NegAssign};
 use rug::{Float, Rational};
 use std::borrow::Borrow;
@@ -32,6 +32,8 @@ fn rounding(mid: &Float, ordering: Ordering) -> Mag {
         return Mag::ZERO;
     }
     match mid.get_exp() {
+        // The least positive number of MPFR stands for all below it.
+        Some(e) if e == exp_min() => Mag::power_of_two(i64::from(e)),
         Some(e) => Mag::power_of_two(i64::from(e) - i64::from(mid.prec()) - 1),
         // Rounded to zero or infinity: outside MPFR's exponent range.
         None => Mag::INFINITY,
@@ -101,7 +103,7 @@ impl Ball {
         self.mid.prec()
     }
 
-    /// Whether the ball bounds anything.
+    /// Returns true if the ball bounds anything.
     pub fn is_finite(&self) -> bool {
         self.rad.is_finite()
     }
@@ -151,7 +153,7 @@ impl Ball {
         let shift = (bits << 1 >> 53) as i64 - 1075 - e;
         // No bit is lost.
         let x = (0..=SPARE).contains(&shift).then(|| m << shift)?;
-        // What is cut off of mid is less than a unit.
+        // The part that is cut off of mid is less than a unit.
         let d = mid.abs_diff(x);
         let rest = u128::from(rest);
         Some(([d.saturating_sub(rest), d.checked_add(rest)?], e))
@@ -167,7 +169,7 @@ impl Ball {
         Mag::below(&self.mid).sub_below(self.rad)
     }
 
-    /// Whether zero may be the value.
+    /// Returns true if zero may be the value.
     pub fn contains_zero(&self) -> bool {
         !self.is_off_zero()
     }
@@ -182,7 +184,7 @@ impl Ball {
         self.mid.is_sign_negative() && self.is_off_zero()
     }
 
-    /// Whether `|mid| > rad`.
+    /// Returns true if `|mid| > rad`.
     fn is_off_zero(&self) -> bool {
         // A bound has 53 bits: |mid| rounded up to as many is above it where |mid| is, and only there.
         Mag::above(&self.mid) > self.rad
@@ -223,7 +225,7 @@ impl Ball {
         Ball::between(self.prec().max(other.prec()), &low, &high)
     }
 
-    /// Whether the exact number `x` lies in the ball.
+    /// Returns true if the exact number `x` lies in the ball.
     pub fn contains(&self, x: &Rational) -> bool {
         if !self.is_finite() {
             return true;
@@ -233,12 +235,12 @@ impl Ball {
         (x - mid).abs() <= rad
     }
 
-    /// Whether every point of `other` lies in the ball.
+    /// Returns true if every point of `other` lies in the ball.
     pub fn contains_ball(&self, other: &Ball) -> bool {
         !self.is_finite() || self.exactly(other).is_some_and(|[gap, r, s]| gap + s <= r)
     }
 
-    /// Whether the two balls share a point.
+    /// Returns true if the two balls share a point.
     pub fn overlaps(&self, other: &Ball) -> bool {
         self.exactly(other).is_none_or(|[gap, r, s]| gap <= r + s)
     }
@@ -427,5 +429,4 @@ impl Neg for Ball {
 }
 
 #[cfg(test)]
-#[path = "ball_tests.rs"]
 mod tests;

@@ -305,5 +305,4 @@ fn plain(text: &str) -> String {
 }
 
 #[cfg(test)]
-#[path = "decimal_tests.rs"]
 mod tests;

@@ -87,12 +87,12 @@ impl ComplexBall {
         x.mul(x).add(y.mul(y)).sqrt()
     }
 
-    /// Whether both components bound anything.
+    /// Returns true if both components bound anything.
     pub fn is_finite(&self) -> bool {
         self.re.is_finite() && self.im.is_finite()
     }
 
-    /// Whether the two rectangles share a point.
+    /// Returns true if the two rectangles share a point.
     pub fn overlaps(&self, other: &ComplexBall) -> bool {
         self.re.overlaps(&other.re) && self.im.overlaps(&other.im)
     }

@@ -121,13 +121,13 @@ impl Mag {
         Mag::normal(m as f64, e + cut)
     }
 
-    /// Whether this is exactly zero.
+    /// Returns true if this is exactly zero.
     #[inline]
     pub fn is_zero(self) -> bool {
         self.m == 0.0
     }
 
-    /// Whether this bounds anything.
+    /// Returns true if this bounds anything.
     #[inline]
     pub fn is_finite(self) -> bool {
         self.m.is_finite()
@@ -244,7 +244,7 @@ impl Mag {
         }
         let small = other.m * pow2(-(self.e - other.e).min(FAR));
         let sum = self.m + small;
-        // What was rounded off, exactly.
+        // The exact rounding error.
         let rest = small - (sum - self.m);
         Mag::normal(if rest < 0.0 { sum.next_down() } else { sum }, self.e)
     }
@@ -303,13 +303,15 @@ impl Mag {
         }
     }
 
-    /// The exact value as a 53-bit float.
+    /// The value as a 53-bit float; outside MPFR's range of exponents the least positive float, or infinity.
     pub fn to_float(self) -> Float {
-        let f = Float::with_val(f64::MANTISSA_DIGITS, self.m);
-        match self.exponent() {
-            Some(e) => f << i32::try_from(e).unwrap_or(i32::MAX),
-            None => f,
+        let mut f = Float::with_val(f64::MANTISSA_DIGITS, self.m);
+        let Some(e) = self.exponent() else { return f };
+        f <<= i32::try_from(e).unwrap_or(if e < 0 { i32::MIN } else { i32::MAX });
+        if f.is_zero() {
+            f.next_up();
         }
+        f
     }
 }
 
@@ -328,5 +330,4 @@ impl PartialOrd for Mag {
 }
 
 #[cfg(test)]
-#[path = "mag_tests.rs"]
 mod tests;

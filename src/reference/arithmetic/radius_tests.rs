@@ -286,7 +286,7 @@ fn intervals_are_held_by_their_balls() {
     }
 }
 
-/// What lies outside of a function's domain bounds nothing.
+/// Checks that an argument outside of a function's domain bounds nothing.
 #[test]
 fn outside_of_the_domain_is_the_whole_line() {
     let open = |b: Ball| assert!(!b.is_finite(), "{b:?}");

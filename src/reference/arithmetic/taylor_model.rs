@@ -379,5 +379,4 @@ fn left_out(a: &[Float], b: &[Float], order: usize) -> Mag {
 }
 
 #[cfg(test)]
-#[path = "taylor_model_tests.rs"]
 mod tests;

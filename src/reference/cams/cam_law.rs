@@ -361,7 +361,7 @@ impl Law {
         }
     }
 
-    /// What the zones reach, by which they are to be divided; exactly one for pieces.
+    /// Returns the lift of the zones, by which they are divided; exactly one for pieces.
     pub(super) fn reached(&self, bits: u32) -> Ball {
         match &self.0 {
             Form::Pieces(_) => Ball::integer(bits, 1),
@@ -470,5 +470,4 @@ impl State {
 }
 
 #[cfg(test)]
-#[path = "cam_law_tests.rs"]
 mod tests;

@@ -211,5 +211,4 @@ fn by_moments(moments: &[Ball], q: &Ball, bits: u32) -> ComplexBall {
 }
 
 #[cfg(test)]
-#[path = "fourier_series_tests.rs"]
 mod tests;

@@ -133,7 +133,7 @@ fn quarter(x: &Rational, bits: u32) -> Option<ComplexBall> {
     ))
 }
 
-/// What a law contributes at its corners.
+/// The contributions of a law at its corners.
 enum Parts<'a> {
     /// Jumps of the derivatives from the first on, at each corner.
     Jumps(Vec<Vec<Ball>>),
@@ -242,5 +242,4 @@ pub(super) fn by_jumps(jumps: &[Vec<Ball>], angle: &Ball, phases: &[ComplexBall]
 }
 
 #[cfg(test)]
-#[path = "fourier_transform_tests.rs"]
 mod tests;

@@ -127,7 +127,7 @@ fn erfcx_at(x: &Float, prec: u32) -> Evaluated {
             Mag::above(x).shift(2),
         );
     }
-    if i64::from(e) > bits / 2 + 8 {
+    if *x > 0 && i64::from(e) > bits / 2 + 8 {
         let root = Ball::pi(prec + GUARD).sqrt();
         let ball = Ball::new(x.clone(), Mag::ZERO);
         let lead = super::recip(&super::mul(&root, &ball, prec + GUARD)?, prec)?;

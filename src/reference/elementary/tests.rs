@@ -430,6 +430,17 @@ fn overflow_has_a_sign_and_underflow_a_ball() {
     assert!(is_near(sin(&number(1e22), 64), -0.8522008497671888));
 }
 
+/// Far left of zero the expansion at infinity does not hold, however few bits are asked for.
+#[test]
+fn erfcx_left_of_zero_to_a_few_bits() {
+    for x in [-600.0, -1000.5, -20_000.0] {
+        let [few, more] = [2, 64].map(|prec| erfcx(&number(x), prec).unwrap());
+        assert!(few.overlaps(&more), "{x}: {few:?}");
+    }
+    let beyond = erfcx(&number(-29_999.998), 2);
+    assert_eq!(beyond.err(), Some(NoValue::Overflow { negative: false }));
+}
+
 #[test]
 fn special_values() {
     for (found, due) in [

@@ -491,5 +491,4 @@ fn nearby(x: &Float) -> Option<Rational> {
 }
 
 #[cfg(test)]
-#[path = "banded_tests.rs"]
 mod tests;

@@ -299,5 +299,4 @@ pub fn least_squares_balls(
 }
 
 #[cfg(test)]
-#[path = "dense_tests.rs"]
 mod tests;

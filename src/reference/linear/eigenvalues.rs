@@ -390,5 +390,4 @@ fn not_positive(b: &Matrix<Rational>, bits: u32) -> Option<Vec<Rational>> {
 }
 
 #[cfg(test)]
-#[path = "eigenvalues_tests.rs"]
 mod tests;

@@ -419,5 +419,4 @@ pub(super) fn normal_equations(
 }
 
 #[cfg(test)]
-#[path = "exact_tests.rs"]
 mod tests;

@@ -119,7 +119,7 @@ impl<T: Scalar> Minors<T> {
         &self.leading[self.diagonal.len()]
     }
 
-    /// Whether a leading minor of an order less than `n` has the property.
+    /// Returns true if a leading minor of an order less than `n` has the property.
     pub(super) fn any_leading(&self, has: impl Fn(&T) -> bool) -> bool {
         self.leading[1..self.diagonal.len()].iter().any(has)
     }
@@ -190,7 +190,7 @@ impl<T: Scalar> Minors<T> {
 const FIRST: u32 = 512;
 const LAST: u32 = 1 << 15;
 
-/// Whether all are known to `2^-bits` of their size.
+/// Returns true if all are known to `2^-bits` of their size.
 fn are_known(values: &[Ball], bits: u32) -> bool {
     let is_known = |x: &Ball| x.is_finite() && x.rad() <= x.mignitude().shift(-i64::from(bits));
     values.iter().all(is_known)
@@ -250,5 +250,4 @@ pub(super) fn conditions(parts: [&[Rational]; 4]) -> Option<Vec<Ball>> {
 }
 
 #[cfg(test)]
-#[path = "generators_tests.rs"]
 mod tests;

@@ -386,7 +386,7 @@ pub fn conditions_cyclic(
     Some(inverse.iter().map(sum).collect())
 }
 
-/// Whether elimination without row exchanges certainly meets a pivot that is exactly zero before
+/// Returns true if elimination without row exchanges certainly meets a pivot that is exactly zero before
 /// the last row, where the matrix may be regular. Only short matrices are searched.
 ///
 /// # Panics

@@ -250,6 +250,15 @@ impl Germ {
         })
     }
 
+    /// A function that lies between f and g at every s, which are positive, and f the smaller one.
+    pub fn between(&self, other: &Germ) -> Option<Germ> {
+        let (a, b) = (self.bounds()?, other.bounds()?);
+        let positive = a.sign == Sign::Positive && b.sign == Sign::Positive;
+        let (sign, lower, upper) = (a.sign, a.lower, b.upper);
+        let bounds = Bounds { sign, lower, upper };
+        positive.then(|| Germ::of(self.k.max(other.k), bounds))
+    }
+
     /// A function that equals f or g at every s, as a maximum or a choice by cases does.
     pub fn either(&self, other: &Germ) -> Option<Germ> {
         let (a, b) = (self.bounds()?, other.bounds()?);
@@ -426,5 +435,4 @@ fn powers(x: &Ball, a: &Ball, n: usize) -> Option<Vec<Ball>> {
 }
 
 #[cfg(test)]
-#[path = "germ_tests.rs"]
 mod tests;

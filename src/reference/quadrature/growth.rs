@@ -325,6 +325,15 @@ impl Growth {
         there.at(&logarithm(k), Upper).div(Mag::from_f64(divisor))
     }
 
+    /// A bound on the sum of the function over all integers beyond `2^k`, in an infinite direction: the
+    /// integral from there on, if the bound is known and falls from there on; none where that is not sure.
+    pub fn rest_of_sum(&self, k: u32) -> Option<Mag> {
+        let falls = self.k <= k && (self.c.is_zero() || self.fall(self.p, k) > 0.0);
+        falls
+            .then(|| self.rest(k, true))
+            .filter(|rest| rest.is_finite())
+    }
+
     /// The greatest value of the quotient of an upper and a lower bound.
     pub(super) fn over(&self, lower: &Growth) -> Option<Mag> {
         if self.c.is_zero() {
@@ -383,5 +392,4 @@ fn exponent_sum([a, b]: [&Growth; 2], k: u32, side: Side) -> (f64, f64) {
 }
 
 #[cfg(test)]
-#[path = "growth_tests.rs"]
 mod tests;

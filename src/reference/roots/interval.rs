@@ -35,8 +35,8 @@ const FIRST: u32 = 64;
 /// Bits up to which the sign at an end of the interval is sought.
 const SIGN: u32 = 4096;
 
-/// Pieces that [`unique_root`] looks at.
-const PIECES: usize = 20_000;
+/// Pieces of an interval that [`unique_root`] looks at; a reasonable limit for [`all_roots`], too.
+pub const PIECES: usize = 20_000;
 
 /// Rounds of one refinement; Newton's method doubles the bits in a round once it converges.
 const ROUNDS: u32 = 400;
@@ -462,5 +462,4 @@ where
 }
 
 #[cfg(test)]
-#[path = "interval_tests.rs"]
 mod tests;

@@ -503,5 +503,4 @@ fn halves(part: &Part) -> Verdict {
 }
 
 #[cfg(test)]
-#[path = "systems_tests.rs"]
 mod tests;

@@ -153,7 +153,7 @@ fn solve(n: usize, rows: Vec<Equation>) -> Vec<Rational> {
     x.into_iter().flatten().collect()
 }
 
-/// What is asked of a spline at one end.
+/// The condition of a spline at one end.
 #[derive(Clone, Copy, Debug)]
 pub enum End<'a> {
     /// The second derivative there.
@@ -477,5 +477,4 @@ impl PeriodicUniform {
 }
 
 #[cfg(test)]
-#[path = "cubic_spline_tests.rs"]
 mod tests;

@@ -52,6 +52,7 @@ fn entry(e: &LedgerEntry) -> Markup {
             @if !e.as_recorded { p.alarm { "Not as recorded." } "\n" }
             p { (prose(e.claim)) } "\n"
             @if let Some(printed) = &e.printed { (pair(e, printed)) }
+            @if let Some(fault) = &e.dimension { p { "Dimension: " (fault) "." } "\n" }
             @if let Some(r) = &e.repair {
                 @for edit in &r.edits {
                     p {

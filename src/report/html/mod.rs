@@ -22,3 +22,5 @@ mod prose;
 #[cfg(feature = "report")]
 pub mod run;
 mod spark;
+#[cfg(feature = "report")]
+pub mod trajectory;

@@ -161,7 +161,7 @@ pub fn section(motion: &Motion, about: &Markup) -> Markup {
                     input #drive type="range" min="0" max=(last) step="1" value=(motion.start);
                     output #drive-value for="drive" {}
                 } "\n"
-                figure { (drawing(motion))
+                @if !motion.points.is_empty() { figure { (drawing(motion))
                     figcaption {
                         (motion.drive.symbol) " = "
                         span #drawn-at { (format!("{:.3}", motion.drive.values[motion.start])) (motion.drive.unit) }
@@ -171,7 +171,7 @@ pub fn section(motion: &Motion, about: &Markup) -> Markup {
                         @if !motion.wheels.is_empty() { "; circles: pitch circles" }
                         "."
                     }
-                } "\n"
+                } } "\n"
                 div.beside {
                     @if choice { p.soft.small.js { "Choose what is drawn over the drive." } "\n" }
                     dl.now.js { "\n"

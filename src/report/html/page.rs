@@ -298,6 +298,7 @@ pub(crate) mod tests {
                     title: "On tests",
                     year,
                     venue: "Nowhere",
+                    source: "",
                 },
                 kind: "audit",
                 verdict: (recorded, "2 findings".into()),

@@ -43,6 +43,9 @@ fn entry(e: &LedgerEntry, width: usize) -> String {
     if let Some(f) = &e.corrected {
         out.push_str(&labelled("corrected", &f.text, width));
     }
+    if let Some(fault) = &e.dimension {
+        out.push_str(&labelled("dimension", fault, width));
+    }
     if let Some(r) = &e.repair {
         for edit in &r.edits {
             let text = format!("{}: {} becomes {}", edit.kind, edit.before, edit.after);
@@ -104,6 +107,7 @@ pub(crate) mod tests {
             title: "On <tests>",
             year: None,
             venue: "Nowhere",
+            source: "",
         };
         Ledger::of(
             paper,

@@ -6,16 +6,16 @@ use anstyle::Style;
 /// A table with aligned columns. Columns named in `left` are flush left, others right.
 #[derive(Clone)]
 pub struct Table {
-    header: Vec<&'static str>,
+    header: Vec<String>,
     left: Vec<usize>,
     rows: Vec<Vec<(String, Style)>>,
 }
 
 impl Table {
     /// A table without rows.
-    pub fn new(header: &[&'static str], left: &[usize]) -> Table {
+    pub fn new(header: &[&str], left: &[usize]) -> Table {
         Table {
-            header: header.to_vec(),
+            header: header.iter().map(|h| h.to_string()).collect(),
             left: left.to_vec(),
             rows: Vec::new(),
         }
@@ -47,7 +47,7 @@ impl Table {
     }
 
     fn widths(&self) -> Vec<usize> {
-        let of = |(i, head): (usize, &&str)| {
+        let of = |(i, head): (usize, &String)| {
             let cells = self.rows.iter().map(|r| r[i].0.chars().count());
             cells.chain([head.chars().count()]).max().unwrap_or(0)
         };
@@ -77,7 +77,7 @@ impl Table {
             out.push('\n');
             out
         };
-        let mut out = line(self.header.iter().map(|h| (*h, DIM)).collect());
+        let mut out = line(self.header.iter().map(|h| (h.as_str(), DIM)).collect());
         for r in &self.rows {
             out.push_str(&line(r.iter().map(|c| (c.0.as_str(), c.1)).collect()));
         }

@@ -1,10 +1,12 @@
 //! Vectors of four (AVX2) and eight (AVX-512) numbers as [`Real`]s, and the rows of a table for
 //! as many points, transposed.
 
-use crate::real::Real;
+use crate::lanes::Lanes;
+use crate::real::{Masked, Real};
 use pulp::x86::{V3, V4};
 use pulp::{NullaryFnOnce, Simd, cast, f64x4};
 use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::sync::OnceLock;
 
 /// A set of instructions for several points at once.
 pub(crate) trait Wide: Simd {
@@ -170,21 +172,16 @@ impl Wide for V4 {
     }
     #[inline(always)]
     fn columns<const N: usize>(self, rows: &[&[f64; N]; 8], at: usize) -> [Self::f64s; 4] {
-        // Two rows side by side; the order of the rows is such that the shuffles restore it.
-        let r = |i: usize, j: usize| -> pulp::f64x8 {
-            let (p, q) = (four(rows[i], at), four(rows[j], at));
-            cast([p, q])
+        let x = self.avx512f;
+        // Two rows side by side; the order of the rows is such that the shuffles restore it. By
+        // instructions: of numbers side by side in memory the compiler makes twice as many.
+        let r = |i: usize, j: usize| {
+            let (p, q) = (cast(four(rows[i], at)), cast(four(rows[j], at)));
+            x._mm512_insertf64x4::<1>(x._mm512_castpd256_pd512(p), q)
         };
         let (a, b, c, d) = (r(0, 2), r(1, 3), r(4, 6), r(5, 7));
-        let x = self.avx512f;
-        let (p, q) = (
-            x._mm512_unpacklo_pd(cast(a), cast(b)),
-            x._mm512_unpackhi_pd(cast(a), cast(b)),
-        );
-        let (s, t) = (
-            x._mm512_unpacklo_pd(cast(c), cast(d)),
-            x._mm512_unpackhi_pd(cast(c), cast(d)),
-        );
+        let (p, q) = (x._mm512_unpacklo_pd(a, b), x._mm512_unpackhi_pd(a, b));
+        let (s, t) = (x._mm512_unpacklo_pd(c, d), x._mm512_unpackhi_pd(c, d));
         [
             cast(x._mm512_shuffle_f64x2::<0b10_00_10_00>(p, s)),
             cast(x._mm512_shuffle_f64x2::<0b10_00_10_00>(q, t)),
@@ -209,15 +206,6 @@ impl<S: Wide> Pack<S> {
     #[inline(always)]
     pub(crate) fn store_at(self, x: &mut [f64], at: usize) {
         self.0.store_at(self.1, x, at);
-    }
-
-    /// `self`, negated where `x` has a minus sign.
-    #[inline(always)]
-    pub(crate) fn with_sign_of(self, x: Self) -> Self {
-        let s = self.0;
-        let sign = s.and_u64s(s.transmute_u64s_f64s(x.1), s.splat_u64s(1 << 63));
-        let bits = s.xor_u64s(s.transmute_u64s_f64s(self.1), sign);
-        Pack(s, s.transmute_f64s_u64s(bits))
     }
 
     /// The numbers; those beyond its width are zero.
@@ -325,6 +313,101 @@ impl<S: Wide> Real for Pack<S> {
         let bits = s.and_u64s(s.transmute_u64s_f64s(self.1), s.splat_u64s(2));
         let x = s.transmute_u64s_f64s(x.1);
         Pack(s, s.transmute_f64s_u64s(s.xor_u64s(x, s.to_sign(bits))))
+    }
+}
+
+impl<S: Wide> Masked for Pack<S> {
+    #[inline(always)]
+    fn any(self, mask: S::m64s) -> bool {
+        self.0.first_true_m64s(mask) < S::WIDTH
+    }
+    #[inline(always)]
+    fn both(self, a: S::m64s, b: S::m64s) -> S::m64s {
+        self.0.and_m64s(a, b)
+    }
+    #[inline(always)]
+    fn except(self, a: S::m64s, b: S::m64s) -> S::m64s {
+        self.0.and_m64s(a, self.0.not_m64s(b))
+    }
+    #[inline(always)]
+    fn with_sign_of(self, x: Self) -> Self {
+        let s = self.0;
+        let sign = s.and_u64s(s.transmute_u64s_f64s(x.1), s.splat_u64s(1 << 63));
+        let bits = s.xor_u64s(s.transmute_u64s_f64s(self.1), sign);
+        Pack(s, s.transmute_f64s_u64s(bits))
+    }
+}
+
+/// Something to be computed by vectors.
+pub(crate) trait WideTask: Sized {
+    type Output;
+    /// Computes it, inlined.
+    fn run<S: Wide, L: Lanes>(self, simd: S, lanes: L) -> Self::Output;
+}
+
+/// The widest vectors of this processor.
+#[derive(Clone, Copy)]
+enum Widest {
+    Eight(V4),
+    Four(V3),
+}
+
+/// Runs the task with the widest vectors of this processor; without vectors it comes back.
+#[inline(always)]
+pub(crate) fn with_widest<T: WideTask>(task: T) -> Result<T::Output, T> {
+    static WIDEST: OnceLock<Option<Widest>> = OnceLock::new();
+    let find = || {
+        let eight = V4::try_new().map(Widest::Eight);
+        eight.or_else(|| V3::try_new().map(Widest::Four))
+    };
+    match *WIDEST.get_or_init(find) {
+        Some(Widest::Eight(v)) => Ok(v.vectorize(
+            #[inline(always)]
+            || task.run(v, *v),
+        )),
+        Some(Widest::Four(v)) => Ok(v.vectorize(
+            #[inline(always)]
+            || task.run(v, v),
+        )),
+        None => Err(task),
+    }
+}
+
+/// Puts `f` of the numbers of N columns, as many at a time as a vector has places, into `values`. A
+/// column has as many numbers, or one for all.
+#[inline(always)]
+pub(crate) fn by_groups<S: Wide, const N: usize>(
+    simd: S,
+    columns: [&[f64]; N],
+    values: &mut [f64],
+    f: impl Fn([Pack<S>; N]) -> Pack<S>,
+) {
+    let n = values.len();
+    let mut at = 0;
+    while at + S::WIDTH <= n {
+        let group = columns.map(
+            #[inline(always)]
+            |c| match c {
+                [one] => Pack(simd, simd.splat_f64s(*one)),
+                _ => Pack::load(simd, c, at),
+            },
+        );
+        f(group).store_at(values, at);
+        at += S::WIDTH;
+    }
+    if at < n {
+        // The last number again in the places that are left: it needs no other formula.
+        let group = columns.map(
+            #[inline(always)]
+            |c| {
+                let mut block = [c[c.len() - 1]; 8];
+                if c.len() > 1 {
+                    block[..n - at].copy_from_slice(&c[at..]);
+                }
+                Pack::load(simd, &block, 0)
+            },
+        );
+        values[at..].copy_from_slice(&f(group).array()[..n - at]);
     }
 }
 

@@ -144,6 +144,38 @@ pub(crate) fn with_sign_of(t: f64, x: f64) -> f64 {
     f64::from_bits(t.to_bits() ^ (x.to_bits() & (1 << 63)))
 }
 
+/// Numbers whose formula is chosen place by place: all places take a formula if any needs it, and
+/// those that need it keep its value.
+pub(crate) trait Masked: Real {
+    /// Returns whether the mask is true in any place.
+    fn any(self, mask: Self::Mask) -> bool;
+    /// Where both are true.
+    fn both(self, a: Self::Mask, b: Self::Mask) -> Self::Mask;
+    /// Where `a` is true and `b` is not.
+    fn except(self, a: Self::Mask, b: Self::Mask) -> Self::Mask;
+    /// `self`, negated where `x` has a minus sign.
+    fn with_sign_of(self, x: Self) -> Self;
+}
+
+impl Masked for f64 {
+    #[inline(always)]
+    fn any(self, mask: bool) -> bool {
+        mask
+    }
+    #[inline(always)]
+    fn both(self, a: bool, b: bool) -> bool {
+        a & b
+    }
+    #[inline(always)]
+    fn except(self, a: bool, b: bool) -> bool {
+        a & !b
+    }
+    #[inline(always)]
+    fn with_sign_of(self, x: f64) -> f64 {
+        with_sign_of(self, x)
+    }
+}
+
 /// Four numbers as an array, for processors without vectors of four.
 #[derive(Clone, Copy)]
 pub(crate) struct Four(pub [f64; 4]);

@@ -1,7 +1,6 @@
 //! Two numbers, or two vectors of them, as one [`Real`].
 
-use crate::pack::{Pack, Wide};
-use crate::real::Real;
+use crate::real::{Masked, Real};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Two of them side by side: twice as many operations that need not wait for each other.
@@ -91,10 +90,21 @@ impl<R: Real> Real for Two<R> {
     }
 }
 
-impl<S: Wide> Two<Pack<S>> {
-    /// `self`, negated where `x` has a minus sign.
+impl<R: Masked> Masked for Two<R> {
     #[inline(always)]
-    pub(crate) fn with_sign_of(self, x: Self) -> Self {
+    fn any(self, mask: Self::Mask) -> bool {
+        self.0.any(mask.0) | self.1.any(mask.1)
+    }
+    #[inline(always)]
+    fn both(self, a: Self::Mask, b: Self::Mask) -> Self::Mask {
+        (self.0.both(a.0, b.0), self.1.both(a.1, b.1))
+    }
+    #[inline(always)]
+    fn except(self, a: Self::Mask, b: Self::Mask) -> Self::Mask {
+        (self.0.except(a.0, b.0), self.1.except(a.1, b.1))
+    }
+    #[inline(always)]
+    fn with_sign_of(self, x: Self) -> Self {
         Two(self.0.with_sign_of(x.0), self.1.with_sign_of(x.1))
     }
 }

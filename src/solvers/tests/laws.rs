@@ -13,7 +13,7 @@ fn table(ends: [End; 2]) -> MotionLaw {
 #[test]
 fn peaks_of_tables() {
     use End::{FirstDerivative as First, NotAKnot, SecondDerivative as Second};
-    // What jumps at the ends: the velocity, or the acceleration alone.
+    // The derivative that jumps at the ends: the velocity, or the acceleration alone.
     for (ends, velocity, acceleration) in [
         ([First(0.0); 2], false, true),
         ([NotAKnot; 2], true, true),

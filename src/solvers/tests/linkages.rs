@@ -73,7 +73,7 @@ fn class_iii() {
         let (_, state, masses) = chosen(x)?;
         Ok(row(&state, &masses))
     };
-    // What a run-up uses: velocities first, accelerations when they are wanted.
+    // The calls of a run-up: velocities first, accelerations when they are wanted.
     let velocities = |x: &[f64]| -> Answer {
         let (linkage, state, masses) = chosen(x)?;
         let v = linkage

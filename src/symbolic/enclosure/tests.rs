@@ -64,7 +64,7 @@ fn pieces_add_up() {
     }
 }
 
-/// What is bound inside an integral is free again behind it.
+/// Checks that a variable bound inside an integral is free again behind it.
 #[test]
 fn bound_variables_end_with_their_integrals() {
     assert!(rational(&value("int(x, 0, 1, x) + x").unwrap(), (5, 2)));
@@ -99,7 +99,7 @@ fn points_are_distinct() {
     assert_eq!(at(2).value("x").unwrap(), 2);
 }
 
-/// What does not depend on a changing name is kept, of definitions and of integrals, and nothing else.
+/// Checks that definitions and integrals are kept if they do not depend on a changing name, and only then.
 #[test]
 fn caches_keep_what_does_not_change() {
     let lines = ["fixed = 3*x", "changing = k + x", "through = 2*changing"];
@@ -173,7 +173,7 @@ fn arc_tangents_beside_the_real_axis() {
     assert!(real.im.is_zero());
 }
 
-/// What an integral binds is free again after it.
+/// Checks that a variable of an integral is free again after it.
 #[test]
 fn variables_of_integrals_end_with_them() {
     let named = [("s".to_string(), Rational::from(5))].into();

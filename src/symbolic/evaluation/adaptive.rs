@@ -1,9 +1,9 @@
 //! Certified values of graphs: the working precision is raised until they are accurate enough.
 
 use super::ball::{Balls, MAY_BE_EQUAL, Value, ball_of};
-use super::{Evaluator, Stop};
+use super::{Evaluator, Interpretation, Stop};
 use crate::exact::proves_zero;
-use crate::graph::{Graph, Id};
+use crate::graph::{Graph, Id, Node};
 use crate::{Definitions, Expr};
 use mechaudit_reference::elementary::NoValue;
 use mechaudit_reference::{Ball, Mag};
@@ -65,6 +65,7 @@ impl Balls {
             goal: prec,
             exact: false,
             holomorphic: false,
+            wide: false,
         }
     }
 }
@@ -87,7 +88,22 @@ pub struct Certified {
     constants: u32,
     /// The expressions of nodes, by which the symbolic algebra proves zeros.
     algebra: Option<Arc<Algebraic>>,
+    /// Nodes on whose operands the algebra was asked at these inputs.
+    asked: Vec<Id>,
+    /// What it proved of them.
+    proved: Vec<Proved>,
 }
+
+/// What the symbolic algebra proves of a node at the inputs.
+enum Proved {
+    /// It is zero.
+    Zero(Id),
+    /// It is a comparison of two equal numbers.
+    Equal(Id),
+}
+
+/// Parts of an expression of which the algebra is asked.
+const LARGEST: u32 = 1000;
 
 /// The working precision that is tried first to name the nearest binary64.
 const FIRST: u32 = 63;
@@ -110,6 +126,8 @@ impl Certified {
             limit: limit.max(64),
             constants: 0,
             algebra: None,
+            asked: Vec::new(),
+            proved: Vec::new(),
         }
     }
 
@@ -124,6 +142,8 @@ impl Certified {
     pub fn values(&mut self, inputs: &[Rational], nodes: &[Id], goal: Goal) -> Vec<Answer> {
         let mut answers: Vec<Option<Answer>> = vec![None; nodes.len()];
         let mut asked = vec![false; nodes.len()];
+        self.asked.clear();
+        self.proved.clear();
         if std::mem::take(&mut self.evaluator.interpretation.exact) {
             self.constants = 0;
         }
@@ -228,6 +248,16 @@ impl Certified {
                 self.constants = 0;
                 continue;
             }
+            // A divisor or a difference that decides may be zero.
+            if prec >= ASK_ALGEBRA.min(self.limit) {
+                let before = self.proved.len();
+                for (_, node, _) in &open {
+                    self.ask_of_operands(*node, inputs);
+                }
+                if self.proved.len() > before {
+                    continue;
+                }
+            }
             // A value whose balls hold zero may be zero.
             for (k, _, _) in &open {
                 let is_new =
@@ -271,6 +301,47 @@ impl Certified {
                 false => Value::Real(ball),
             };
             self.evaluator.set_input(k, value);
+        }
+        for proved in &self.proved {
+            match proved {
+                Proved::Zero(node) => {
+                    let zero = self.evaluator.interpretation.integer(0);
+                    self.evaluator.set(*node, zero);
+                }
+                Proved::Equal(node) => self.evaluator.set_equal(*node),
+            }
+        }
+    }
+
+    /// Asks the symbolic algebra about the operands of a node that balls do not decide.
+    fn ask_of_operands(&mut self, node: Id, inputs: &[Rational]) {
+        if self.algebra.is_none() || self.asked.contains(&node) {
+            return;
+        }
+        self.asked.push(node);
+        let graph = self.evaluator.graph().clone();
+        let expression = |id: Id| graph.expression(id, &mut LARGEST.clone());
+        let is_zero = |e: Option<Expr>| {
+            e.is_some_and(|e| proves_zero(&Definitions::default(), &e, graph.inputs(), inputs))
+        };
+        if let Node::Compare(_, a, b) = graph.node(node) {
+            let difference = expression(a).zip(expression(b));
+            let difference = difference.map(|(a, b)| Expr::Add(vec![a, Expr::Neg(Box::new(b))]));
+            if is_zero(difference) {
+                self.proved.push(Proved::Equal(node));
+            }
+            return;
+        }
+        for operand in graph.operands(graph.node(node)) {
+            let may_be_zero = match self.evaluator.known[operand as usize].as_ref() {
+                Some(value) => value
+                    .real()
+                    .is_some_and(|x| x.contains_zero() && !x.is_zero()),
+                None => false,
+            };
+            if may_be_zero && is_zero(expression(operand)) {
+                self.proved.push(Proved::Zero(operand));
+            }
         }
     }
 

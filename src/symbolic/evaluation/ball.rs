@@ -65,6 +65,8 @@ pub struct Balls {
     pub exact: bool,
     /// True if values have to be holomorphic functions of the variable that is continued.
     pub holomorphic: bool,
+    /// True if a wide enclosure is of use: of an integrand over an interval.
+    pub wide: bool,
 }
 
 /// A value of a real function; one that is too large for MPFR is huge.
@@ -302,9 +304,7 @@ impl Interpretation for Balls {
                 _ => real::voigt(x, y, z, p),
             }),
             x if x.iter().any(|x| matches!(x, Value::Huge { .. })) => huge::call(f, x, p),
-            x if x.iter().any(|x| matches!(x, Value::Complex(_))) => {
-                complex::call(f, x, self.holomorphic, p)
-            }
+            x if x.iter().any(|x| matches!(x, Value::Complex(_))) => complex::call(f, x, self, p),
             x => complex::continued(f, x, p),
         }
     }
@@ -380,8 +380,12 @@ impl Interpretation for Balls {
                 to,
                 body,
                 slope,
-            } => super::root::root(evaluator, binder, node, [from, to, body, slope]),
-            _ => Err(stop(NoValue::Undecided("a sum to infinity"))),
+                which,
+            } => super::root::root(evaluator, binder, node, [from, to, body, slope], which),
+            Binding::Sum { from, body, .. } => {
+                super::sum::infinite(evaluator, binder, node, [from, body])
+            }
+            _ => Err(stop(NoValue::Undecided("a binder without a value"))),
         }
     }
 

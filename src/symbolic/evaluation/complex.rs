@@ -1,10 +1,10 @@
 //! Functions of complex balls, and continuations of real functions to complex arguments.
 
-use super::ball::{Value, unary};
+use super::ball::{Balls, Value, unary};
 use crate::Func;
 use mechaudit_reference::elementary as real;
 use mechaudit_reference::elementary::{ComplexEvaluated, NoValue};
-use mechaudit_reference::{Ball, ComplexBall};
+use mechaudit_reference::{Ball, ComplexBall, Mag};
 
 type Found = Result<Value, NoValue>;
 
@@ -19,8 +19,14 @@ pub(super) fn div(a: &ComplexBall, b: &ComplexBall, p: u32) -> ComplexEvaluated 
     real::complex::div(a, b, p)
 }
 
-/// An integer power, by squarings.
+/// An integer power, by squarings; one of the inverse where the exponent is negative, because the
+/// power of a rectangle may hold zero.
 pub(super) fn power(z: &ComplexBall, k: i32, p: u32) -> ComplexEvaluated {
+    let one = ComplexBall::new(Ball::integer(p, 1), Ball::integer(p, 0));
+    let z = &match k < 0 {
+        true => div(&one, z, p)?,
+        false => z.clone(),
+    };
     let mut product: Option<ComplexBall> = None;
     let bits = k.unsigned_abs();
     for place in (0..32 - bits.leading_zeros()).rev() {
@@ -32,12 +38,7 @@ pub(super) fn power(z: &ComplexBall, k: i32, p: u32) -> ComplexEvaluated {
             });
         }
     }
-    let one = ComplexBall::new(Ball::integer(p, 1), Ball::integer(p, 0));
-    let product = product.unwrap_or_else(|| one.clone());
-    match k < 0 {
-        true => div(&one, &product, p),
-        false => Ok(product),
-    }
+    Ok(product.unwrap_or(one))
 }
 
 /// A holomorphic function of one complex number, principal branches.
@@ -105,8 +106,46 @@ fn holomorphic(f: Func, z: &ComplexBall, p: u32) -> Option<ComplexEvaluated> {
     })
 }
 
+/// The principal logarithm on a box that may meet its cut: |Im| ≤ π.
+fn log_across(z: &ComplexBall, p: u32) -> ComplexEvaluated {
+    let size = real::hypot(&z.re, &z.im, p)?;
+    let turn = Ball::integer(p, 0).widened(Ball::pi(64).magnitude());
+    Ok(ComplexBall::new(real::log(&size, p)?, turn))
+}
+
+/// A square root, a logarithm or a power on a box that meets the cut along the negative real axis.
+fn across_cut(f: Func, x: &[&Value], p: u32) -> Option<ComplexEvaluated> {
+    let z = complex(x.first()?).ok()?;
+    Some(match (f, x) {
+        (Func::Sqrt, _) => {
+            // |√z|² = |z|, and the real part is not negative.
+            let size = Ball::new(z.magnitude().to_float(), Mag::ZERO);
+            let size = real::sqrt(&size, p).ok()?.magnitude();
+            let re = Ball::new(size.shift(-1).to_float(), Mag::ZERO).widened(size.shift(-1));
+            Ok(ComplexBall::new(re, Ball::integer(p, 0).widened(size)))
+        }
+        (Func::Log, _) => log_across(&z, p),
+        (Func::Pow, [_, w]) => {
+            let w = complex(w).ok()?;
+            log_across(&z, p).and_then(|log| real::complex::exp(&(&w * &log), p))
+        }
+        _ => return None,
+    })
+}
+
 /// A function of complex numbers.
-pub(super) fn call(f: Func, x: &[&Value], must_be_holomorphic: bool, p: u32) -> Found {
+pub(super) fn call(f: Func, x: &[&Value], balls: &Balls, p: u32) -> Found {
+    let found = off_cuts(f, x, balls.holomorphic, p);
+    match found {
+        Err(NoValue::Undecided(_)) if balls.wide && !balls.holomorphic => {
+            across_cut(f, x, p).map_or(found, |z| z.map(Value::Complex))
+        }
+        found => found,
+    }
+}
+
+/// A function of complex numbers, undecided where they may be on both sides of a cut.
+fn off_cuts(f: Func, x: &[&Value], must_be_holomorphic: bool, p: u32) -> Found {
     if let [x] = x {
         let z = complex(x)?;
         if let Some(found) = holomorphic(f, &z, p) {

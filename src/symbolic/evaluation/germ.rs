@@ -132,6 +132,13 @@ impl Germs {
             Func::Erfc => Some(self.within(0, 2)),
             Func::Erfcx if x.is_positive() => Some(self.within(0, 1)),
             Func::Erf | Func::Dawson => Some(self.within(-1, 1)),
+            // e^x ≤ Γ(x) ≤ x^x ≤ e^{x²} for x ≥ 8: Γ(8) = 5040 > e^8, and ψ(x) > 1 from there on.
+            Func::Tgamma => {
+                let eight = Germ::constant(&Ball::integer(self.bits, 8), self.k);
+                let is_large = x.sub(&eight)?.is_positive();
+                is_large.then_some(())?;
+                x.exp()?.between(&x.powi(2)?.exp()?)
+            }
             // At most one away from the argument.
             Func::Floor | Func::Ceil | Func::Round | Func::Trunc | Func::Nearbyint => {
                 x.add(&self.within(-1, 1))
@@ -151,7 +158,6 @@ impl Germs {
             | Func::Acos
             | Func::Erfcx
             | Func::Erfi
-            | Func::Tgamma
             | Func::Lgamma
             | Func::Digamma
             | Func::W

@@ -12,7 +12,7 @@ use mechaudit_reference::{Ball, ComplexBall, Mag};
 const EVALUATIONS: u64 = 1 << 18;
 
 /// The body of an integral as a function of its variable.
-struct Body<'e> {
+pub(super) struct Body<'e> {
     evaluator: &'e mut Evaluator<Balls>,
     binder: u32,
     body: Id,
@@ -20,16 +20,27 @@ struct Body<'e> {
     undefined: Option<Stop>,
 }
 
-impl Body<'_> {
+impl<'e> Body<'e> {
+    /// The body of a binder of one variable.
+    pub(super) fn new(evaluator: &'e mut Evaluator<Balls>, binder: u32, body: Id) -> Body<'e> {
+        Body {
+            evaluator,
+            binder,
+            body,
+            undefined: None,
+        }
+    }
+
     fn value(&mut self, variable: Value, holomorphic: bool, bits: u32) -> Result<Value, Stop> {
         let balls = &mut self.evaluator.interpretation;
-        let outside = (balls.prec, balls.holomorphic);
+        let outside = (balls.prec, balls.holomorphic, balls.wide);
         // Around a continuation everything has to be holomorphic in its variable, too.
         (balls.prec, balls.holomorphic) = (bits, holomorphic || outside.1);
+        balls.wide |= variable.real().is_some_and(|x| !x.rad().is_zero());
         self.evaluator.set_variables(self.binder, [variable]);
         let value = self.evaluator.value(self.body).cloned();
         let balls = &mut self.evaluator.interpretation;
-        (balls.prec, balls.holomorphic) = outside;
+        (balls.prec, balls.holomorphic, balls.wide) = outside;
         value
     }
 
@@ -127,6 +138,25 @@ fn limit(evaluator: &mut Evaluator<Balls>, id: Id) -> Result<Limit, Stop> {
     }
 }
 
+/// Bits by which parts that do not depend on the variable are known more closely than a panel is due.
+const CLOSER: u32 = 64;
+
+/// Gives parts of a body that do not depend on the variable their values, to more bits: what is uncertain
+/// in them is so on every panel.
+fn prepare(evaluator: &mut Evaluator<Balls>, binder: u32, body: Id) {
+    let graph = evaluator.graph().clone();
+    let outside = evaluator.interpretation.prec;
+    evaluator.interpretation.prec = outside.saturating_add(CLOSER);
+    super::system::prepare(evaluator, &graph, &[body]);
+    for id in leaves(&graph, body, binder) {
+        if graph.node(id) != Node::Infinity {
+            // A part without a value is reported where it is needed.
+            let _ = evaluator.value(id);
+        }
+    }
+    evaluator.interpretation.prec = outside;
+}
+
 /// The value of an integral from one node to another.
 pub(super) fn integral(
     evaluator: &mut Evaluator<Balls>,
@@ -135,16 +165,10 @@ pub(super) fn integral(
     [from, to, body]: [Id; 3],
 ) -> Result<Value, Stop> {
     let limits = [limit(evaluator, from)?, limit(evaluator, to)?];
-    let graph = evaluator.graph().clone();
-    super::system::prepare(evaluator, &graph, &[body]);
+    prepare(evaluator, binder, body);
     let bits = evaluator.interpretation.goal;
     let is_complex = evaluator.graph().is_complex(body);
-    let mut integrand = Body {
-        evaluator,
-        binder,
-        body,
-        undefined: None,
-    };
+    let mut integrand = Body::new(evaluator, binder, body);
     let prec = integrand.evaluator.interpretation.prec;
     // An integral next to zero gets its relative accuracy as the working precision is raised.
     let goal = Goal {

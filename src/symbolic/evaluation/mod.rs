@@ -14,6 +14,7 @@ mod huge;
 mod initial_value;
 mod integral;
 mod root;
+mod sum;
 mod system;
 mod taylor;
 #[cfg(test)]
@@ -162,6 +163,17 @@ impl<I: Interpretation> Evaluator<I> {
     /// Gives a node a value.
     fn set(&mut self, id: Id, value: I::V) {
         self.known[id as usize] = Some(value);
+    }
+
+    /// Gives a comparison of two numbers that are equal its truth.
+    fn set_equal(&mut self, id: Id) {
+        if let Node::Compare(relation, ..) = self.graph.node(id) {
+            let holds = matches!(
+                relation,
+                Relation::LessEqual | Relation::Equal | Relation::GreaterEqual
+            );
+            self.truths[id as usize] = Some(holds);
+        }
     }
 
     /// Gives the variables of a binder values and forgets what depends on the old ones.
@@ -352,7 +364,14 @@ impl<I: Interpretation> Evaluator<I> {
                 "a limit of a sum that is no integer",
             )))
         };
-        let (from, to) = (limit(from)?, limit(to)?);
+        let limits = [limit(from)?, limit(to)?];
+        self.terms(binder, id, body, limits)
+    }
+
+    /// The sum of a body over the integers from one to another.
+    fn terms(&mut self, binder: u32, id: Id, body: Id, limits: [i64; 2]) -> Result<I::V, Stop> {
+        let [from, to] = limits;
+        let stop = |reason| Stop { node: id, reason };
         let mut sum: Option<I::V> = None;
         for k in from..=to {
             self.count(id)?;

@@ -2,18 +2,20 @@
 
 use super::ball::{Balls, Value};
 use super::{Evaluator, Stop};
+use crate::Roots;
 use crate::graph::Id;
 use mechaudit_reference::elementary::NoValue;
-use mechaudit_reference::roots::interval::{RootError, unique_root};
+use mechaudit_reference::roots::interval::{PIECES, RootError, all_roots, unique_root};
 use mechaudit_reference::{Ball, Mag};
 use std::cell::RefCell;
 
-/// The only root of a body between two nodes.
+/// A root of a body between two nodes, or the number of roots.
 pub(super) fn root(
     evaluator: &mut Evaluator<Balls>,
     binder: u32,
     node: Id,
     [from, to, body, slope]: [Id; 4],
+    which: Roots,
 ) -> Result<Value, Stop> {
     let stop = |reason| Stop { node, reason };
     let mut end = |id: Id| match evaluator.value(id)?.real() {
@@ -52,19 +54,30 @@ pub(super) fn root(
             }
         }
     };
-    let found = unique_root(of(body), of(slope), &outer_low, &outer_high, goal);
+    let (f, slope) = (of(body), of(slope));
+    let found = match which {
+        Roots::Only => unique_root(f, slope, &outer_low, &outer_high, goal).map(|root| vec![root]),
+        _ => all_roots(f, slope, &outer_low, &outer_high, goal, PIECES),
+    };
+    // The roots found lie in the larger interval; they have to lie in the one that is meant.
+    let is_inside = |root: &Ball| {
+        (low.rad().is_zero() || root.lower() >= low.upper())
+            && (high.rad().is_zero() || root.upper() <= high.lower())
+    };
     match found {
-        Ok(root) => {
-            // The root found lies in the larger interval; it has to lie in the one that is meant.
-            let is_inside = (low.rad().is_zero() || root.lower() >= low.upper())
-                && (high.rad().is_zero() || root.upper() <= high.lower());
-            match is_inside {
-                true => Ok(Value::Real(root)),
-                false => Err(stop(NoValue::Undecided(
-                    "a root next to the end of its interval",
-                ))),
+        Ok(roots) if !roots.iter().all(is_inside) => Err(stop(NoValue::Undecided(
+            "a root next to the end of its interval",
+        ))),
+        Ok(mut roots) => match which {
+            Roots::Number => Ok(Value::Real(Ball::integer(64, roots.len() as i64))),
+            Roots::Only => Ok(Value::Real(roots.remove(0))),
+            Roots::One { place, count } if roots.len() == count as usize => {
+                Ok(Value::Real(roots.swap_remove(place as usize - 1)))
             }
-        }
+            Roots::One { .. } => Err(stop(NoValue::Undefined(
+                "another number of roots in the interval",
+            ))),
+        },
         Err(RootError::None) => Err(stop(NoValue::Undefined("no root in the interval"))),
         Err(RootError::Several { .. }) => Err(stop(NoValue::Undefined(
             "more than one root in the interval",

@@ -96,7 +96,114 @@ fn formulas_at_a_point() {
             (1, 1),
             "2.4528927280692988577e-87",
         ),
+        (
+            "int(t, 0, inf, t/tgamma(1 + t))",
+            (1, 1),
+            "2.8077702420285193652",
+        ),
+        // Three peaks of different width.
+        (
+            "int(t, 0, 1, 1/cosh(10*(t - 0.2))^2 + 1/cosh(100*(t - 0.4))^4 + 1/cosh(1000*(t - 0.6))^6)",
+            (1, 1),
+            "0.21080273550054927738",
+        ),
+        (
+            "sum(n, 0, inf, 1/tgamma(n + 1))",
+            (1, 1),
+            "2.7182818284590452354",
+        ),
+        (
+            "sum(n, 1, inf, n*exp(-n*x))",
+            (1, 1),
+            "0.92067359420779231895",
+        ),
+        ("sum(n, -2, inf, x^n)", (1, 3), "13.500000000000000000"),
+        (
+            "sum(n, 1, inf, 1/n^2)",
+            (1, 1),
+            "undecided: the limit on rounds of loops and terms of sums: sum(n, 1, inf, n^-2)",
+        ),
+        (
+            "sum(n, 1, inf, x^n)",
+            (1, 1),
+            "undecided: a sum to infinity whose terms are not bounded: sum(n, 1, inf, pow(x, n))",
+        ),
+        // Across the cut of the square root and of a power.
+        (
+            "im(int(t, -1, 1, i*sqrt(-1 + i*t)))",
+            (1, 1),
+            "0.47520766279255650035",
+        ),
+        (
+            "im(int(t, -1, 1, i*(-1 + i*t)^(-1/2)))",
+            (1, 1),
+            "0.39473645387123986416",
+        ),
         ("int(t, 0, 3, floor(t)*x)", (1, 1), "3.0000000000000000000"),
+        // All roots, in ascending order, of exactly as many; their number.
+        (
+            "root(y, -2, 2, y^3 - x*y, 1, 3)",
+            (2, 1),
+            "-1.4142135623730950488",
+        ),
+        (
+            "root(y, -2, 2, y^3 - x*y, 3, 3)",
+            (2, 1),
+            "1.4142135623730950488",
+        ),
+        (
+            "D(root(y, -2, 2, y^3 - x*y, 3, 3), x)",
+            (2, 1),
+            "0.35355339059327376220",
+        ),
+        ("roots(y, 0, 10, sin(x*y))", (2, 1), "7.0000000000000000000"),
+        (
+            "root(y, -2, 2, y^3 - x*y, 1, 2)",
+            (2, 1),
+            "undefined: another number of roots in the interval: root(y, -2, 2, y^3 - x*y)",
+        ),
+        // What balls cannot compare the algebra does.
+        (
+            "if(sqrt(x)*sqrt(3) < sqrt(6), 1, 2)",
+            (2, 1),
+            "2.0000000000000000000",
+        ),
+        (
+            "if(sqrt(x)*sqrt(3) == sqrt(6), 1, 2)",
+            (2, 1),
+            "1.0000000000000000000",
+        ),
+        (
+            "if(sqrt(x)*sqrt(3) != sqrt(6), 1, x)",
+            (2, 1),
+            "2.0000000000000000000",
+        ),
+        (
+            "if(sqrt(x)*sqrt(3) >= sqrt(6), 1/x, x)",
+            (2, 1),
+            "0.50000000000000000000",
+        ),
+        (
+            "if(sqrt(x)*sqrt(3) == sqrt(6), 1, 3)",
+            (3, 1),
+            "3.0000000000000000000",
+        ),
+        (
+            "sqrt(sqrt(x)*sqrt(3) - sqrt(6)) + x",
+            (2, 1),
+            "2.0000000000000000000",
+        ),
+        // Too close for the balls, and not equal.
+        (
+            "if(x + exp(-4000) == x, 1, 2)",
+            (1, 1),
+            "undecided: a comparison of numbers that may be equal: x + exp(-4000) == x",
+        ),
+        (
+            "1/(sqrt(x)*sqrt(3) - sqrt(6))",
+            (2, 1),
+            "undefined: division by zero: 1/(sqrt(x)*sqrt(3) - sqrt(6))",
+        ),
         ("re(W(x + i))", (1, 1), "0.30474420525691259246"),
         (
             "D(while(k < 3, k, 0, k + 1, p, 1, p*x, p), x)",
@@ -106,6 +213,28 @@ fn formulas_at_a_point() {
     ] {
         assert_eq!(value(text, x, 20), due, "{text}");
     }
+}
+
+/// Sums to infinity against their closed forms.
+#[test]
+fn sums_to_infinity_have_their_closed_forms() {
+    for (sum, closed) in [
+        ("sum(n, 0, inf, x^n)", "1/(1 - x)"),
+        ("sum(n, 0, inf, n^3*x^n)", "x*(1 + 4*x + x^2)/(1 - x)^4"),
+        ("sum(n, 0, inf, x^n/tgamma(n + 1))", "exp(x)"),
+        (
+            "sum(n, -3, inf, n*exp(-n*x))",
+            "exp(-x)/(1 - exp(-x))^2 - exp(x) - 2*exp(2*x) - 3*exp(3*x)",
+        ),
+    ] {
+        for x in [(1, 10), (1, 3), (5, 8), (37, 40)] {
+            assert_eq!(value(sum, x, 30), value(closed, x, 30), "{sum} at {x:?}");
+        }
+    }
+    // A derivative term by term is not proved to be one.
+    let mut graph = Graph::new(["x".to_string()]);
+    let slope = parse("D(sum(n, 0, inf, x^n), x)").unwrap();
+    assert!(graph.build(&Definitions::default(), &slope).is_err());
 }
 
 #[test]
@@ -167,6 +296,7 @@ fn continuations_are_holomorphic() {
         let id = graph.build(&Definitions::default(), &parse(text).unwrap());
         let balls = Balls {
             holomorphic: true,
+            wide: true,
             ..Balls::new(64)
         };
         let mut evaluator = Evaluator::new(Arc::new(graph), balls);
@@ -177,6 +307,9 @@ fn continuations_are_holomorphic() {
     };
     for (text, re, due) in [
         ("exp(i*x)*x", 1.0, true),
+        ("sqrt(i*x - 1)", 1.0, true),
+        // Across the cut.
+        ("sqrt(i*x - 1)", 0.0, false),
         ("abs(exp(i*x))", 1.0, false),
         ("re(exp(i*x))", 1.0, false),
         ("re(W(x))", 1.0, false),

@@ -2,7 +2,7 @@
 
 use super::{Binding, Graph, Id, Node};
 use crate::error::unsupported;
-use crate::expr::{Bound, Expr, Loop};
+use crate::expr::{Bound, Expr, Loop, Roots};
 use crate::walk::{Definitions, Domain, Scope, walk};
 use crate::{Constant, Func, Gauss, SymbolicError};
 use std::collections::HashMap;
@@ -172,7 +172,7 @@ impl Domain for Builder<'_> {
         Ok(self.close(binder, Binding::Sum { from, to, body }))
     }
 
-    fn root(&mut self, scope: &mut Scope<Id>, bound: &Bound) -> Built {
+    fn root(&mut self, scope: &mut Scope<Id>, bound: &Bound, which: Roots) -> Built {
         let (binder, [from, to, body]) = self.bound(scope, bound)?;
         let variable = self.graph.push(Node::Variable(binder, 0));
         let slope = self.graph.derivative(body, variable)?;
@@ -181,6 +181,7 @@ impl Domain for Builder<'_> {
             to,
             body,
             slope,
+            which,
         };
         Ok(self.close(binder, binding))
     }

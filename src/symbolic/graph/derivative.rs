@@ -2,7 +2,7 @@
 
 use super::{Binding, Graph, Id, Node};
 use crate::error::unsupported;
-use crate::{Constant, Func, Relation, SymbolicError};
+use crate::{Constant, Func, Relation, Roots, SymbolicError};
 use std::collections::HashMap;
 
 /// A derivative; nothing stands for zero.
@@ -473,6 +473,10 @@ impl Graph {
                 let Some(slope) = d(body) else {
                     return Ok(None);
                 };
+                // Term by term only where that is known to converge.
+                if self.node(to) == Node::Infinity {
+                    return unsupported("the derivative of a sum to infinity");
+                }
                 let new = self.open(names, depth);
                 let inner = self.push(Node::Variable(new, 0));
                 let body = self.substitute(slope, variable, inner)?;
@@ -500,6 +504,11 @@ impl Graph {
                 }
                 Ok(sum)
             }
+            // A number of roots jumps where one enters or leaves.
+            Binding::Root {
+                which: Roots::Number,
+                ..
+            } => unsupported("the derivative of a number of roots"),
             // f(x, p) = 0: x′ = −f_p/f_x.
             Binding::Root { body, slope, .. } => {
                 let mut inner = seeds.clone();
@@ -670,7 +679,9 @@ impl Graph {
                 to,
                 body,
                 slope,
+                which,
             } => Binding::Root {
+                which,
                 from: outer(from),
                 to: outer(to),
                 body: self.replaced(body, &inner)?,

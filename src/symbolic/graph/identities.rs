@@ -1,11 +1,12 @@
-//! Identities of real functions that spare the precision that a difference would cancel.
+//! Identities of real functions that spare precision, or are enclosed more closely.
 
 use super::{Graph, Id, Node};
 use crate::Func;
 
 impl Graph {
     /// The same real function without some differences that cancel: `e^x − 1` is `expm1(x)`,
-    /// `log(1 + x)` is `log1p(x)`, and `1 − cos x` is `2 sin²(x/2)`.
+    /// `log(1 + x)` is `log1p(x)`, and `1 − cos x` is `2 sin²(x/2)`. Of a bound variable, whose values
+    /// are wide, `a/x^k` is `a x^{−k}`: a power of a rectangle holds zero where its base does not.
     ///
     /// This is for definitions, which are meant over the reals; a formula in floating point would be
     /// another one.
@@ -43,6 +44,16 @@ impl Graph {
                 Node::Sub(x, y) if one(self, x) => {
                     let minus = self.push(Node::Neg(y));
                     Node::Unary(Func::Log1p, minus)
+                }
+                _ => node,
+            },
+            Node::Div(a, b) => match self.node(b) {
+                Node::Power(x, k) if k > 1 && !self.facts[x as usize].binders.is_empty() => {
+                    let power = self.push(Node::Power(x, -k));
+                    match one(self, a) {
+                        true => Node::Power(x, -k),
+                        false => Node::Mul(a, power),
+                    }
                 }
                 _ => node,
             },

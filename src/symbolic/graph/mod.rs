@@ -12,7 +12,7 @@ mod text;
 
 pub use system::Start;
 
-use crate::{Constant, Func, Relation};
+use crate::{Constant, Func, Relation, Roots};
 use rug::Rational;
 use std::collections::HashMap;
 
@@ -96,7 +96,7 @@ pub enum Binding {
         /// The integrand.
         body: Id,
     },
-    /// The only root of the body between two limits.
+    /// A root of the body between two limits, or the number of roots.
     Root {
         /// The lower limit.
         from: Id,
@@ -106,6 +106,8 @@ pub enum Binding {
         body: Id,
         /// Its derivative.
         slope: Id,
+        /// The root that is meant.
+        which: Roots,
     },
     /// A loop: all variables are replaced at once while the condition holds.
     Loop {
@@ -319,6 +321,7 @@ impl Graph {
                 to,
                 body,
                 slope,
+                ..
             } => vec![*from, *to, *body, *slope],
             Binding::Loop {
                 condition,

@@ -1,6 +1,7 @@
 //! Texts of nodes, for messages.
 
 use super::{Binding, Graph, Id, Node};
+use crate::{Expr, Roots};
 
 /// Characters after which a text is cut.
 const LONGEST: usize = 60;
@@ -16,6 +17,36 @@ impl Graph {
             return cut;
         }
         out
+    }
+
+    /// The expression of a node that depends on no bound variable and holds no binder, if it has at
+    /// most so many parts when it is written out; those are counted down.
+    pub fn expression(&self, id: Id, parts: &mut u32) -> Option<Expr> {
+        *parts = parts.checked_sub(1)?;
+        let mut of = |id: Id| self.expression(id, parts);
+        Some(match self.node(id) {
+            Node::Number(place) => {
+                let value = self.rational(place);
+                let size = Expr::Num(value.clone().abs().to_string());
+                match *value < 0 {
+                    true => Expr::Neg(Box::new(size)),
+                    false => size,
+                }
+            }
+            Node::Constant(c) => Expr::Constant(c),
+            Node::ImaginaryUnit => Expr::I,
+            Node::Input(k) => Expr::Sym(self.inputs.get(k as usize)?.clone()),
+            Node::Neg(a) => Expr::Neg(Box::new(of(a)?)),
+            Node::Add(a, b) => Expr::Add(vec![of(a)?, of(b)?]),
+            Node::Sub(a, b) => Expr::Add(vec![of(a)?, Expr::Neg(Box::new(of(b)?))]),
+            Node::Mul(a, b) => Expr::Mul(vec![of(a)?, of(b)?]),
+            Node::Div(a, b) => Expr::Div(Box::new(of(a)?), Box::new(of(b)?)),
+            Node::Power(a, k) => Expr::Pow(Box::new(of(a)?), k),
+            Node::Unary(f, a) => Expr::Call(f, vec![of(a)?]),
+            Node::Binary(f, a, b) => Expr::Call(f, vec![of(a)?, of(b)?]),
+            Node::Ternary(f, a, b, c) => Expr::Call(f, vec![of(a)?, of(b)?, of(c)?]),
+            _ => return None,
+        })
     }
 
     /// Writes a node that stands where `strength` binds: 0 conditions, 1 sums, 2 products, 3 powers.
@@ -87,7 +118,19 @@ impl Graph {
                 let (name, parts) = match binder.binding {
                     Binding::Sum { from, to, body } => ("sum", [from, to, body]),
                     Binding::Integral { from, to, body } => ("int", [from, to, body]),
-                    Binding::Root { from, to, body, .. } => ("root", [from, to, body]),
+                    Binding::Root {
+                        from,
+                        to,
+                        body,
+                        which,
+                        ..
+                    } => {
+                        let name = match which {
+                            Roots::Number => "roots",
+                            _ => "root",
+                        };
+                        (name, [from, to, body])
+                    }
                     _ => return,
                 };
                 out.push_str(&format!("{name}({}", binder.names.join(", ")));

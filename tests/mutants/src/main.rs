@@ -221,7 +221,7 @@ fn all(sources: &[Source]) -> Vec<Mutant> {
     mutants
 }
 
-/// What the compiler is asked for.
+/// The work asked of the compiler.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Step {
     Check,
@@ -274,7 +274,7 @@ fn compile(
             continue;
         }
         let before = left_out.len();
-        // What stands beside the errors is to blame only where nothing at them is.
+        // A place beside the errors is to blame only where nothing at them is.
         for primary in [true, false] {
             for e in built.errors.iter().filter(|e| e.primary == primary) {
                 let file = sources.iter().position(|s| s.name == e.file);

@@ -10,7 +10,7 @@ use syn::{
     ItemStatic, Lit, ReturnType, Signature, Stmt, TraitItemFn, UnOp,
 };
 
-/// What a place is.
+/// The kind of a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// An expression, replaced by another.
@@ -30,7 +30,7 @@ pub struct Place {
     pub column: usize,
     /// The function it lies in.
     pub function: String,
-    /// What stands there instead; nothing for a statement left out.
+    /// The text that replaces it; nothing for a statement left out.
     pub instead: Vec<String>,
 }
 
@@ -164,7 +164,7 @@ impl Finder<'_> {
     }
 }
 
-/// Whether a condition binds variables.
+/// Returns true if a condition binds variables.
 fn has_let(e: &Expr) -> bool {
     match e {
         Expr::Let(_) => true,
@@ -174,7 +174,7 @@ fn has_let(e: &Expr) -> bool {
     }
 }
 
-/// What a function of that type may return at once.
+/// Returns the values that a function of that type may return at once.
 fn returned(written: &str) -> Vec<&'static str> {
     let plain: String = written.split_whitespace().collect();
     match plain.as_str() {
@@ -234,7 +234,7 @@ fn test_only(attributes: &[Attribute]) -> bool {
 }
 
 impl<'ast> Visit<'ast> for Finder<'_> {
-    // What is evaluated by the compiler cannot be switched at run time.
+    // A constant evaluated by the compiler cannot be switched at run time.
     fn visit_item_const(&mut self, _: &'ast ItemConst) {}
     fn visit_item_static(&mut self, _: &'ast ItemStatic) {}
     fn visit_impl_item_const(&mut self, _: &'ast syn::ImplItemConst) {}

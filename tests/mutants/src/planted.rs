@@ -18,17 +18,17 @@ use std::time::{Duration, Instant};
 struct Row {
     package: String,
     file: String,
-    /// What it is for, in words.
+    /// Describes the condition in words.
     condition: String,
     /// The expression in the file, which stands there once.
     code: String,
-    /// What stands there in the fault.
+    /// The text that replaces it in the fault.
     fault: String,
     /// The test, by its path in the crate.
     test: String,
 }
 
-/// Whether every fault makes its test fail, and without one every test passes.
+/// Returns true if every fault makes its test fail and without one every test passes.
 pub fn check(project: &Path, work: &Path, table: &Path) -> Result<bool> {
     let mut reader = csv::Reader::from_path(table).with_context(|| table.display().to_string())?;
     let rows = reader.deserialize().collect::<Result<Vec<Row>, _>>();
@@ -63,7 +63,7 @@ pub fn check(project: &Path, work: &Path, table: &Path) -> Result<bool> {
     }
     let named = |row: &Row| (row.package.clone(), row.test.clone());
     let asked: BTreeSet<(String, String)> = rows.iter().map(named).collect();
-    // What each test takes without a fault; nothing if it fails.
+    // The time of each test without a fault; nothing if it fails.
     let sound = asked
         .par_iter()
         .filter_map(|test| Some((test, *there.get(test)?)));

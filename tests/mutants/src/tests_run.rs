@@ -93,14 +93,14 @@ pub fn run(
     limit: Duration,
 ) -> Result<Ended> {
     let mut command = Command::new(&executable.path);
-    // What the test starts is ended with it.
+    // Processes that the test starts end with it.
     #[cfg(unix)]
     std::os::unix::process::CommandExt::process_group(&mut command, 0);
     let mut child = command
         .current_dir(&executable.folder)
         .args(["--exact", name, "--test-threads", "1", "--include-ignored"])
         .env("PROPTEST_CASES", "32")
-        // What a mutant fails on is no case for those after it.
+        // A case that a mutant fails on is not kept for those after it.
         .env("PROPTEST_DISABLE_FAILURE_PERSISTENCE", "true")
         .env("INSTA_UPDATE", "no")
         .envs(environment.iter().copied())
@@ -297,7 +297,7 @@ mod tests {
         assert!(slow.price(8) > slow.price(7));
     }
 
-    /// What a test has started ends with it, whether it ends by itself or takes too long.
+    /// Checks that processes of a test end with it, by itself or by the time limit.
     #[cfg(unix)]
     #[test]
     fn nothing_is_left_behind() {

@@ -23,7 +23,7 @@ pub const UNOPTIMISED: [&str; 6] = [
 pub struct Tree {
     pub root: PathBuf,
     target: PathBuf,
-    /// What cargo is told besides.
+    /// Further options of cargo.
     options: &'static [&'static str],
 }
 
@@ -31,7 +31,7 @@ pub struct Tree {
 pub struct CompileError {
     pub file: String,
     pub bytes: Range<usize>,
-    /// Whether the error stands here; beside it is where a value went that is missing, say.
+    /// True if the error stands here; beside it is where a value went that is missing, say.
     pub primary: bool,
     pub message: String,
 }
@@ -45,7 +45,7 @@ pub struct Executable {
     pub folder: PathBuf,
 }
 
-/// What a build gave.
+/// The results of a build.
 pub struct Built {
     pub executables: Vec<Executable>,
     pub errors: Vec<CompileError>,

@@ -300,10 +300,13 @@ impl Answer {
         let open = values.iter().filter(|v| v.decimal.is_none()).count();
         let all = values.len();
         let known = values.iter().filter(|v| v.decimal.is_none());
-        let reasons: Vec<String> = known.filter_map(|v| v.why.clone()).collect();
+        let mut reasons: Vec<String> = known.filter_map(|v| v.why.clone()).collect();
+        // One reason may be that of several values: all states of a motion end together.
+        reasons.dedup();
         let is_undefined = |v: &&CertifiedValue| v.decimal.as_deref() == Some("nan");
         let undefined = values.iter().filter(is_undefined);
-        let undefined: Vec<String> = undefined.filter_map(|v| v.why.clone()).collect();
+        let mut undefined: Vec<String> = undefined.filter_map(|v| v.why.clone()).collect();
+        undefined.dedup();
         let word = |decimal: Option<String>| decimal.unwrap_or_else(|| UNDECIDED.into());
         Answer {
             text: joined(values.into_iter().map(|v| word(v.decimal))),

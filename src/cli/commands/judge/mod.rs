@@ -1,6 +1,7 @@
 //! Judging answers in a file against the inputs they belong to.
 
 pub mod published;
+mod trajectory;
 
 use crate::cli::args::{AuditFormat, JudgeArgs, WhereArgs};
 use crate::cli::failure::{Failure, Outcome};
@@ -18,12 +19,19 @@ use mechaudit::audit::{
     CandidateReport, Case, Layout, Method, Origin, Panel, Reproduce, Settings, SolverAnswer,
     judge_case,
 };
+use mechaudit::study::{Study, is_path};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 
 /// Judges them.
 pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
+    if let Some(path) = args.table.as_ref().filter(|_| is_path(&args.method)) {
+        let study = Study::open(&args.method).map_err(Failure::caused)?;
+        if study.problem().initial_value.is_some() {
+            return trajectory::judge(&study, path, args);
+        }
+    }
     let method = lookup::method(&args.method)?;
     if let Some(path) = &args.table {
         return published::judge(&*method, path, args);

@@ -11,12 +11,12 @@ use mechaudit::audit::{
     Judgement, Kind, Layout, LayoutError, Limit, Method, Origin, Printed, PrintedUnit, Reproduce,
     Settings, SolverAnswer, Tally, Variant, Verdict, csv_line, did_you_mean, judge_printed,
 };
-use mechaudit::machine::quantity;
 use mechaudit::reference::{Decimal, DecimalError, nearest_f64};
 use mechaudit::report::json as in_json;
 use mechaudit::report::text::style::{BAD, BOLD, DIM, DOUBT, GOOD, PLAIN, paint};
 use mechaudit::report::text::table::Table;
 use mechaudit::report::words::numbers::short;
+use mechaudit::symbolic;
 use rayon::prelude::*;
 use rug::Rational;
 use serde_json::json;
@@ -95,18 +95,23 @@ pub enum RowError {
 
 /// A line of the table as printed.
 pub struct Row {
-    line: u64,
-    input: Vec<Rational>,
-    entries: Vec<Entry>,
+    /// The line of the file.
+    pub line: u64,
+    /// The inputs, exactly as printed.
+    pub input: Vec<Rational>,
+    /// The values.
+    pub entries: Vec<Entry>,
 }
 
 /// A printed value.
-struct Entry {
+pub struct Entry {
     /// Its index among the method's.
-    value: usize,
+    pub value: usize,
     column: usize,
-    text: String,
-    printed: Printed,
+    /// As printed.
+    pub text: String,
+    /// The number.
+    pub printed: Printed,
 }
 
 /// A column of the table, and its unit if that is not the method's.
@@ -428,7 +433,7 @@ fn heading(method: &dyn Method, layout: &Layout, text: &str) -> Result<Heading, 
 
 /// The factor from a unit to another of the same dimension.
 fn factor(from: &str, to: &str) -> Option<PrintedUnit> {
-    let [from, to] = [from, to].map(|text| quantity::unit(text).ok());
+    let [from, to] = [from, to].map(|text| symbolic::unit(text).ok());
     let (from, to) = (from?, to?);
     let is_same = from.dimension == to.dimension;
     let degrees = from.dimension[3] * (i32::from(to.degrees) - i32::from(from.degrees));

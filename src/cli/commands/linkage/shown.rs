@@ -4,7 +4,6 @@ use crate::cli::args::{LinkageArgs, RowsFormat};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
 use mechaudit::machine::crank_angles::{Grid, Plan};
-use mechaudit::machine::quantity;
 use mechaudit::machine::{class_iii, dyad, planar};
 use mechaudit::motion::Motion;
 use mechaudit::reference::nearest_f64;
@@ -14,6 +13,7 @@ use mechaudit::report::svg::linkage::SAMPLES;
 use mechaudit::report::{dxf, html};
 use mechaudit::solvers::dyad::Assembly;
 use mechaudit::solvers::units::Angle;
+use mechaudit::symbolic;
 use rug::Rational;
 use std::io::Write;
 
@@ -24,7 +24,7 @@ pub fn rows(format: RowsFormat) -> Form {
 
 /// Returns true if a unit is one of length.
 pub fn is_length(name: &str) -> bool {
-    let dimension = |n: &str| quantity::unit(n.trim()).ok().map(|u| u.dimension);
+    let dimension = |n: &str| symbolic::unit(n.trim()).ok().map(|u| u.dimension);
     dimension(name).is_some_and(|d| Some(d) == dimension("m"))
 }
 

@@ -4,19 +4,17 @@ use crate::cli::args::{PaperArgs, PaperFormat};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::{errata, output::Output};
 use crate::cli::{complain, terminal};
-use mechaudit::papers;
+use mechaudit::papers::Named;
 use mechaudit::report::{html, latex, text};
 use std::time::Instant;
 
 /// Decides the ledger and writes it, or compares it with the file.
-pub fn ledger(args: &PaperArgs) -> Result<Outcome, Failure> {
+pub fn ledger(args: &PaperArgs, paper: &Named) -> Result<Outcome, Failure> {
     // With --check the file is read.
     let output = Output::open(args.output.as_deref().filter(|_| !args.check))?;
     let standard = output.is_standard() && !args.check;
     let started = Instant::now();
-    let Some(ledger) = papers::ledger_of(&args.key) else {
-        return Err(super::unknown(&args.key));
-    };
+    let ledger = paper.ledger();
     let seconds = started.elapsed().as_secs_f64();
     let width = match standard {
         true => terminal::width(),
@@ -68,6 +66,7 @@ mod tests {
     use super::*;
     use crate::cli::args::{Args, Command};
     use clap::Parser;
+    use mechaudit::papers;
 
     fn asked(line: &str) -> PaperArgs {
         let words = ["mechaudit", "paper"]
@@ -90,7 +89,10 @@ mod tests {
         let due = wide(100);
         assert!(wide(99) != due && wide(101) != due);
         let file = path.display();
-        let run = |more: &str| ledger(&asked(&format!("n-four-bar --ledger {more}")));
+        let run = |more: &str| {
+            let paper = Named::open("n-four-bar").unwrap().unwrap();
+            ledger(&asked(&format!("n-four-bar --ledger {more}")), &paper)
+        };
         let good = Outcome::of(found.as_recorded());
         assert_eq!(run(&format!("--output {file}")).unwrap(), good);
         assert_eq!(std::fs::read_to_string(&path).unwrap(), due);

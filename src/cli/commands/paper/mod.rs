@@ -1,13 +1,15 @@
 //! One paper's report in the form asked for.
 
+mod check;
 mod ledger;
+mod new;
 
 use crate::cli::args::{PaperArgs, PaperFormat};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
 use crate::cli::progress::Progress;
-use crate::cli::{commands::audit, complain, terminal};
-use mechaudit::papers;
+use crate::cli::{complain, terminal};
+use mechaudit::papers::{self, Named};
 use mechaudit::report::{csv, html, text};
 
 /// No paper of that key.
@@ -17,15 +19,40 @@ pub fn unknown(key: &str) -> Failure {
 
 /// Audits the paper and writes its report.
 pub fn paper(args: &PaperArgs) -> Result<Outcome, Failure> {
+    match (&*args.key, &args.folder) {
+        ("new", Some(folder)) => return new::write(folder),
+        ("new", None) => {
+            return Err(Failure::new(
+                "paper new needs a folder: mechaudit paper new FOLDER",
+            ));
+        }
+        (_, None) => {}
+        (key, Some(more)) => {
+            let more = more.display();
+            return Err(Failure::new(format!(
+                "one paper at a time: {key} or {more}"
+            )));
+        }
+    }
+    let named = Named::open(&args.key).map_err(Failure::caused)?;
+    let named = named.ok_or_else(|| unknown(&args.key))?;
+    if args.check && !args.ledger {
+        if args.output.is_some() {
+            return Err(Failure::new(
+                "--check compares a file with the ledger: add --ledger",
+            ));
+        }
+        return check::check(&named, &args.key);
+    }
     if args.ledger {
-        return ledger::ledger(args);
+        return ledger::ledger(args, &named);
     }
     if matches!(args.format, PaperFormat::Latex | PaperFormat::Errata) {
         return Err(Failure::new("this form is one of the ledger: add --ledger"));
     }
     let output = Output::open(args.output.as_deref())?;
     let progress = Progress::new();
-    let report = audit::paper(&args.key, &progress).ok_or_else(|| unknown(&args.key))?;
+    let report = named.report(&|phase: &str, done, total| progress.show(phase, done, total));
     progress.clear();
     let report = match report {
         Ok(report) => report,
@@ -46,9 +73,9 @@ pub fn paper(args: &PaperArgs) -> Result<Outcome, Failure> {
         }
         PaperFormat::Csv => Ok(csv::paper(&report, out)?),
         PaperFormat::Latex | PaperFormat::Errata => Ok(()),
-        PaperFormat::Html => Ok(out.write_all(
-            html::paper::page(&report, papers::motion_of(&args.key).as_ref()).as_bytes(),
-        )?),
+        PaperFormat::Html => {
+            Ok(out.write_all(html::paper::page(&report, named.motion().as_ref()).as_bytes())?)
+        }
     })?;
     Ok(Outcome::of(report.as_recorded()))
 }
@@ -57,6 +84,7 @@ pub fn paper(args: &PaperArgs) -> Result<Outcome, Failure> {
 mod tests {
     use super::*;
     use crate::cli::args::{Args, Command};
+    use crate::cli::commands::audit;
     use clap::Parser;
 
     /// A report in a file has 100 columns, and the forms of ledgers are for these.

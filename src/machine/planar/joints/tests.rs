@@ -35,7 +35,8 @@ fn with_drive(
     let bodies = Bodies::new(&source, &file)?;
     let (description, names) = read(&source, &file, &bodies)?;
     let rotary = matches!(description.drive, Drive::Angle { .. });
-    let motion = super::drive(&source, &file, rotary)?;
+    let section = file.drive.as_ref().expect("a drive");
+    let motion = super::drive(&source, section, rotary)?;
     Ok((description, names, motion))
 }
 

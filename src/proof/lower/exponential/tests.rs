@@ -110,7 +110,7 @@ fn circles_at_points_are_within_their_errors() {
                 most[i] = most[i].max(off[i] / bound);
             }
         }
-        // What the phase is wrong by is added to each.
+        // The error of the phase is added to each.
         let off = Phase {
             error: 1e-3,
             ..none

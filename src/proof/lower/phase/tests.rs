@@ -233,7 +233,7 @@ fn quarters_and_rest_are_coordinates() {
         assert!(error >= most && error < 2.1 * most, "{error:e} {most:e}");
     }
     assert_eq!([0.0, 1.0, 2.0].map(grain), [-1074, -53, -53]);
-    // What a phase of a quarter or more is a multiple of: h0 and the rest from a quarter of it on.
+    // A phase of a quarter or more is a multiple of h0 and the rest, from a quarter of it on.
     assert_eq!((h0 * 2f64.powi(53)).fract(), 0.0);
 }
 

@@ -87,7 +87,7 @@ fn the_least_of_w_is_below_w() {
             least <= size && least > 0.97 * size,
             "{a} {b} {least} {size}"
         );
-        // What it is at the centre less the distance of a corner times the slope there.
+        // The value at the centre less the distance of a corner times the slope there.
         let (d, far) = (
             0.5e-3 * std::f64::consts::SQRT_2,
             (a + 1e-3).hypot(b + 1e-3),
@@ -117,7 +117,7 @@ fn values_of_components() {
     assert!(is_near(w.norm(), 6e-3 / w.least * TWO_52 * (1.0 - 1e-15)));
     let w = Value::of([part(3.0, 4.0, 0.0, 1.0), part(4.0, 5.0, 0.0, 2.0)], 0.0);
     assert!(w.error >= 1.5 * TINIEST && w.error <= 4.0 * TINIEST);
-    // What may be zero has no bound.
+    // A value that may be zero has no bound.
     assert_eq!(value(0.0, 1.0).norm(), f64::INFINITY);
     assert_eq!(
         Value::of([part(-1.0, 1.0, 1.0, 0.0); 2], 0.0).norm(),

@@ -76,7 +76,7 @@ fn what_is_left_out_is_below_its_bounds() {
             let found = asymptotic(terms, &at);
             for (x, y) in [(at.a[0], at.b[0]), (at.a[0], at.b[1]), (at.a[1], at.b[0])] {
                 let off = &w(x, y) - &sum(x, y, terms, false);
-                // What e^{−z²} is below the diagonal is in the real part alone.
+                // Below the diagonal e^{−z²} is in the real part alone.
                 let norm = size(&off.norm_sqr().sqrt());
                 let beside = y <= x && size(&gaussian(x, y).re) > 1e-3 * norm;
                 let tiny = found.tiny * f64::from_bits(1);
@@ -211,7 +211,7 @@ fn sums_beside_the_real_axis() {
     assert!(most > 0.3, "{most}");
     assert!(split.most < 1.001 * (-8.5f64 * 8.5).exp() && split.exponential.is_infinite());
     assert!(found.re.is_infinite());
-    // What is added, and twice what should be.
+    // The added term, and twice the right one.
     let near = Rectangle {
         a: [3.0, 3.001],
         ..at
@@ -278,7 +278,7 @@ fn sums_next_to_the_real_axis() {
     let cubed = 0.7 * a.powi(-4) * b * b;
     assert!(near(split.slope, beside(25, &at) + cubed), "{split:?}");
     assert!(near(split.least, 0.564 / at.a[1].powi(2)));
-    // What the polynomials and the exponential are off by.
+    // The errors of the polynomials and of the exponential.
     let size = 0.5642 / a.powi(3);
     let more = on_real_line(&at, [1e-3, 0.0], 0.0);
     assert!(near(more.norm - found.norm, size * 1e-3));

@@ -49,7 +49,7 @@ fn odd_series_are_within_their_errors() {
         );
         assert!(worst(&c, 0.0) <= found);
     }
-    // What the second coefficient lacks is taken back by its low part.
+    // The low part restores the deficit of the second coefficient.
     let mut c = sine(9);
     c[1] -= 1e-3;
     let found = odd_series_error(&c, 1e-3, next);

@@ -21,7 +21,7 @@ const BITS_OF_DERIVATIVES: [u32; 2] = [160, 320];
 const SHARP: i64 = 44;
 /// Working precisions of the differences.
 const BITS: [u32; 4] = [160, 320, 960, 2560];
-/// What the values have to be accurate to, relative to the largest part.
+/// The accuracy that the values need, in bits relative to the largest part.
 const ACCURACY: i64 = 70;
 /// Relative step of its differences, a power of two.
 const STEP: u32 = 40;
@@ -40,7 +40,7 @@ pub fn conditions(problem: &Problem) -> Option<[f64; 5]> {
         .or_else(|| BITS.into_iter().find_map(|bits| at(problem, bits)))
 }
 
-/// What a change of one input, multiplied by it, changes at a time: `E[λ₊, λ₋]`, `(λE)[λ₊, λ₋]`, θ, w²
+/// The effect of a change of one input, multiplied by it, at a time: on `E[λ₊, λ₋]`, `(λE)[λ₊, λ₋]`, θ, w²
 /// and n.
 struct Change {
     amplitude: ComplexBall,

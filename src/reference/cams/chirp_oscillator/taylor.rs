@@ -186,7 +186,7 @@ struct Tail {
 }
 
 impl Tail {
-    /// What is left of the integral after m terms.
+    /// Bounds the rest of the integral after m terms.
     fn after(&self, m: i64) -> Mag {
         let radius = self.half.mul(Mag::from_f64(self.ratio));
         let exponent = self.rate.add(self.kappa.mul(radius)).mul(radius);
@@ -202,5 +202,4 @@ impl Tail {
 }
 
 #[cfg(test)]
-#[path = "taylor_tests.rs"]
 mod tests;

@@ -65,7 +65,7 @@ fn the_closed_form_and_the_panels_overlap() {
         for x in panels.components() {
             assert!(x.rad() < Mag::power_of_two(-120), "{what}: {:?}", x.rad());
         }
-        // What is promised about the closed form.
+        // The accuracy promised of the closed form.
         let decided = response(&p, 100).unwrap();
         overlap(&decided, &panels, &what);
         for x in decided.components() {

@@ -96,7 +96,7 @@ impl Coefficients {
         })
     }
 
-    /// What Zinchenko (2008) recommends: exact I_n and M_o, and in the place of dI_n/dφ the
+    /// The model that Zinchenko (2008) recommends: exact I_n and M_o, and in the place of dI_n/dφ the
     /// derivative of the periodic spline through I_n at `nodes` equal steps.
     ///
     /// # Errors

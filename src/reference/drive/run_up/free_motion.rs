@@ -21,7 +21,7 @@ use rug::{Float, Rational};
 pub struct FreeTurn {
     /// `∮ S/(I_n + I_1) dφ`.
     pub integral: Ball,
-    /// What the turn multiplies the speed by: `exp(−½ integral)`.
+    /// The factor by which the turn multiplies the speed: `exp(−½ integral)`.
     pub factor: Ball,
 }
 

@@ -34,7 +34,7 @@ pub struct Sample {
 }
 
 impl Sample {
-    /// What holds both, of the same time.
+    /// Returns the hull of both, of the same time.
     fn union(&self, other: &Sample) -> Sample {
         Sample {
             time: self.time.clone(),

@@ -20,7 +20,7 @@ pub struct LinkageCurve {
     chain: Mutex<Chain>,
 }
 
-/// What has been computed: centres and panels forward and backward from the start.
+/// The computed centres and panels, forward and backward from the start.
 #[derive(Default)]
 struct Chain {
     forward: Vec<Link>,
@@ -78,7 +78,7 @@ impl LinkageCurve {
             .ok_or_else(|| self.undecided("the linkage cannot be followed over the turn"))
     }
 
-    /// Whether the branch is back after one turn.
+    /// Returns true if the branch is back after one turn.
     fn closes(&self, chain: &mut Chain) -> Result<bool, Undecided> {
         if let Some(known) = chain.closed {
             return Ok(known);
@@ -96,7 +96,7 @@ impl LinkageCurve {
         Ok(closed)
     }
 
-    /// Whether the configuration after one turn touches that of the start and no other of all
+    /// Returns true if the configuration after one turn touches that of the start and no other of all
     /// assembly modes, which are disjoint.
     fn is_back(&self, end: &Configuration) -> Result<bool, Undecided> {
         let modes = self.linkage.modes(&self.offset.to_ball(self.bits))?;

@@ -332,7 +332,7 @@ impl Mechanism {
         ]
     }
 
-    /// What an entry of G_z, linear in z, changes by per change of z: at most max(2, s²) with
+    /// Bounds the change of an entry of G_z, linear in z, per change of z: at most max(2, s²) with
     /// s = |Re κ| + |Im κ| + |Re (1 − κ)| + |Im (1 − κ)|.
     fn lipschitz(&self) -> Mag {
         let s = [&self.kappa, &self.one_minus_kappa].map(|k| [&k.re, &k.im]);
@@ -434,5 +434,4 @@ fn invert(mut a: Vec<Vec<Float>>, bits: u32) -> Option<Vec<Vec<Float>>> {
 }
 
 #[cfg(test)]
-#[path = "linkage_panel_tests.rs"]
 mod tests;

@@ -91,10 +91,10 @@ fn start_error(inertia: &Float, v: &Ball) -> Mag {
     j0.mul(v.magnitude()).mul(v.rad())
 }
 
-/// What (2) and (3) are made of, over one step.
+/// The terms of (2) and (3), over one step.
 pub(super) struct Proof<'a> {
     pub set: &'a Setting,
-    /// Whether w = 1.
+    /// True if w = 1.
     pub rest: bool,
     /// χ̃.
     pub chi: TaylorModel,
@@ -108,7 +108,7 @@ pub(super) struct Proof<'a> {
     pub s1: &'a Ball,
 }
 
-/// What is proved.
+/// The proved bounds.
 pub(super) struct Bounds {
     /// |χ − χ̃| over the step.
     pub chi_error: Mag,
@@ -255,5 +255,4 @@ pub(super) mod planted {
 }
 
 #[cfg(test)]
-#[path = "proof_tests.rs"]
 mod tests;

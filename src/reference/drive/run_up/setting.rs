@@ -3,7 +3,7 @@
 use super::motor::Characteristic;
 use crate::Ball;
 
-/// What stays the same over a run.
+/// The constants of a run.
 pub(super) struct Setting {
     pub bits: u32,
     pub order: usize,
@@ -13,7 +13,7 @@ pub(super) struct Setting {
     pub rotor: Ball,
     /// Along the path.
     pub motor: Characteristic,
-    /// Whether φ falls along the path.
+    /// True if φ falls along the path.
     pub backward: bool,
 }
 

@@ -1,4 +1,4 @@
-//! What a step carries on: an uncertain start, and a motion that touches its bound.
+//! Tests of steps from an uncertain start, and of a motion that touches its bound.
 
 use super::integrate::{Walk, integrate_within};
 use super::linkage_panel::Panel;
@@ -209,7 +209,7 @@ fn starts_at_the_ends_of_panels() {
     assert!(Walk::new(&turned, &run, 40).is_err());
 }
 
-/// What is no motor is refused; the least overload is one.
+/// Checks that a curve that is no motor is refused; the least overload is one.
 #[test]
 fn motors_that_are_none() {
     let q = |n: i32, d: i32| Rational::from((n, d));

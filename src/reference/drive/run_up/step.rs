@@ -28,7 +28,7 @@ pub(super) const GRID: u32 = 64;
 pub(super) struct Start {
     /// `w = (φ − φ_c)/h`.
     pub x: Float,
-    /// What the true position may differ by.
+    /// A bound on the distance to the true position.
     pub slack: Mag,
     /// `None` at rest.
     pub speed: Option<Ball>,

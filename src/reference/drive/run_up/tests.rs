@@ -335,7 +335,7 @@ fn steps_without_rounding_against_fractions() {
     assert!(got.iter().all(|b| b.rad() < Mag::power_of_two(-100)));
 }
 
-/// What is found at a low precision holds what is found at a high one.
+/// Checks that an enclosure at a low precision holds that at a high one.
 #[test]
 fn steps_without_rounding_hold_those_at_more_bits() {
     let kutta = kutta();

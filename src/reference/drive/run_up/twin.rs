@@ -1,6 +1,6 @@
 //! An explicit Runge–Kutta method along given steps, without its rounding.
 //!
-//! What a program computes from those steps differs from this by rounding alone, and this differs
+//! The answer of a program that takes those steps differs from this by rounding alone, and this differs
 //! from the motion by the truncation of the method alone.
 //!
 //! # Proof
@@ -286,11 +286,10 @@ fn within(double: Ball) -> Ball {
 pub(super) mod planted {
     use std::cell::Cell;
     thread_local! {
-        /// What earlier steps added is forgotten.
+        /// The contributions of earlier steps are dropped.
         pub static FORGET_EARLIER: Cell<bool> = const { Cell::new(false) };
     }
 }
 
 #[cfg(test)]
-#[path = "twin_tests.rs"]
 mod tests;

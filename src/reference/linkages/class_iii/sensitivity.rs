@@ -139,7 +139,7 @@ impl<'a> Base<'a> {
             links: Vec::new(),
         };
         for j in 0..=order {
-            // What the links change by while C and D stay.
+            // The change of the links while C and D stay.
             let arm = &(&d.kappa * &self.links[2][j]) - &d.pin[j];
             let pivots = [-&d.o3, -&d.o5];
             let [u, v] = pivots.each_ref().map(|own| (j == 0).then_some(own));

@@ -218,7 +218,7 @@ impl Drawing {
                 return false;
             }
             if open.len() == before {
-                // What hangs on nothing moves as it likes.
+                // A body that hangs on nothing is free.
                 return open.is_empty();
             }
         }

@@ -9,10 +9,10 @@ use super::parts::{Attachment, Body, Frame, Joint, MechanismError, Place};
 use crate::class_iii::ExactAngle;
 use rug::Rational;
 
-/// `z s u`.
+/// `z s u` with a complex z, a displacement s and a direction u.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Term {
-    /// z.
+pub struct Term {
+    /// The real and the imaginary part of z.
     pub z: Place,
     /// The coordinate s; none is one.
     pub slide: Option<usize>,
@@ -21,18 +21,20 @@ pub(super) struct Term {
 }
 
 /// A point or a difference of points.
-pub(super) type Form = Vec<Term>;
+pub type Form = Vec<Term>;
 
 /// `Σ k x = constant` in the coordinates x.
 #[derive(Clone, Debug)]
-pub(super) struct Relation {
+pub struct Relation {
+    /// Coordinates with their factors k.
     pub terms: Vec<(usize, Rational)>,
+    /// The constant: an angle, or metres as radians.
     pub constant: ExactAngle,
 }
 
-/// Bodies' origins, loops and relations.
+/// Bodies' origins, loops and relations of a mechanism with any number of degrees of freedom.
 #[derive(Clone, Debug)]
-pub(super) struct Loops {
+pub struct Loops {
     /// Angles and displacements.
     pub coordinates: usize,
     /// Where each body's origin is.
@@ -119,8 +121,12 @@ impl Link<'_> {
 }
 
 impl Loops {
-    /// Walks from the ground; joints that locate no body close loops.
-    pub(super) fn close(bodies: &[Body], joints: &[Joint]) -> Result<Loops, MechanismError> {
+    /// Walks from the ground; joints that locate no body close loops. Coordinates are the bodies'
+    /// angles, then the displacements of slides and slots in the order of the joints.
+    ///
+    /// # Errors
+    /// [`MechanismError::Loose`] for a body that hangs on nothing.
+    pub fn close(bodies: &[Body], joints: &[Joint]) -> Result<Loops, MechanismError> {
         let mut coordinates = bodies.len();
         let mut slides = vec![None; joints.len()];
         for (i, j) in joints.iter().enumerate() {
@@ -167,12 +173,12 @@ impl Loops {
     }
 
     /// How many real equations there are.
-    pub(super) fn equations(&self) -> usize {
+    pub fn equations(&self) -> usize {
         2 * self.closures.len() + self.relations.len()
     }
 
     /// The point of an attachment.
-    pub(super) fn point(&self, at: &Attachment) -> Form {
+    pub fn point(&self, at: &Attachment) -> Form {
         let body = at.frame.body();
         attached(body.map_or_else(Form::new, |i| self.origins[i].clone()), at)
     }

@@ -3,7 +3,7 @@
 //! A sum or product rounded to nearest is off by at most u = 2⁻⁵³ of its size or by half the
 //! smallest subnormal, and so is each of the operations by which a radius is computed, of which
 //! there are fewer than eight: a factor of 1 + 16 u and the smallest normal number take them in.
-//! What is not finite is unbounded.
+//! A value that is not finite is unbounded.
 
 use super::scalar::Scalar;
 use crate::{Ball, Mag};

@@ -83,6 +83,7 @@ pub use energy::{Forces, Spring};
 pub use exact_rates::ExactRates;
 pub use freedom::{Drawing, DrawnPin, Freedom, Mobility};
 pub use joint_forces::JointForces;
+pub use loops::{Form, Loops, Relation, Term};
 pub use mechanism::Mechanism;
 pub use parts::{Attachment, Body, Drive, Frame, Joint, MechanismError, Place, Point};
 pub use reactions::Rates;

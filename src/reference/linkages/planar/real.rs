@@ -207,6 +207,31 @@ impl Real {
         }
     }
 
+    /// The number as a formula, in parentheses where it is more than a whole number.
+    ///
+    /// ```
+    /// use mechaudit_reference::planar::Real;
+    /// use rug::Rational;
+    /// let mut x = Real::root(&Rational::from((1, 2)).into());
+    /// x += &Rational::from(-3).into();
+    /// assert_eq!(x.formula(), "((-3) + (1/2)*sqrt(2))");
+    /// ```
+    pub fn formula(&self) -> String {
+        let mut parts = Vec::new();
+        if !self.rational.is_zero() || self.terms.is_empty() {
+            parts.push(rational_formula(&self.rational));
+        }
+        let terms = self.terms.iter();
+        parts.extend(terms.map(|(k, a)| match *k == 1 {
+            true => a.formula(),
+            false => format!("{}*{}", rational_formula(k), a.formula()),
+        }));
+        match &parts[..] {
+            [one] if self.terms.is_empty() => one.clone(),
+            _ => format!("({})", parts.join(" + ")),
+        }
+    }
+
     /// Its value, enclosed.
     pub fn to_ball(&self, bits: u32) -> Ball {
         let terms = self.terms.iter();
@@ -215,7 +240,32 @@ impl Real {
     }
 }
 
+/// A fraction as a formula.
+pub(super) fn rational_formula(q: &Rational) -> String {
+    match q.is_integer() && *q >= 0 {
+        true => q.to_string(),
+        false => format!("({q})"),
+    }
+}
+
 impl Irrational {
+    fn formula(&self) -> String {
+        let angle = |a: &ExactAngle| match a {
+            ExactAngle::Radians(q) => rational_formula(q),
+            ExactAngle::Degrees(q) => {
+                format!("{}*pi", rational_formula(&Rational::from(q / 180u32)))
+            }
+        };
+        match self {
+            Irrational::Surd(n) => format!("sqrt({n})"),
+            Irrational::Root(x) => format!("sqrt({})", x.formula()),
+            Irrational::Reciprocal(x) => format!("(1/{})", x.formula()),
+            Irrational::Product(both) => format!("{}*{}", both[0].formula(), both[1].formula()),
+            Irrational::Cosine(a) => format!("cos({})", angle(a)),
+            Irrational::Sine(a) => format!("sin({})", angle(a)),
+        }
+    }
+
     fn to_ball(&self, bits: u32) -> Ball {
         match self {
             Irrational::Surd(n) => Ball::rational(bits, &Rational::from(n)).sqrt(),

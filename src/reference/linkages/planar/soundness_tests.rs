@@ -397,7 +397,7 @@ fn the_drive_at_a_time_is_a_newton_step_that_stays_inside() {
     for k in 0..40 {
         let radius = due.magnitude().mul(Mag::from_f64(4.0 * 0.8f64.powi(k)));
         match path.invert(&panel, &due.widened(radius), middle.mid()) {
-            // What comes back holds the drive at both ends of the time.
+            // The result holds the drive at both ends of the time.
             Ok(drive) => {
                 narrow += 1;
                 let wide = |b: &rug::Float| path.integral(&panel, &exact(b)).unwrap();

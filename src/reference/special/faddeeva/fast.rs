@@ -128,7 +128,7 @@ fn near(a: &Coordinate, h: &Coordinate, wanted: Wanted) -> Option<ComplexBall> {
             (Part::plain(p), Part::plain(q))
         }
     };
-    // What there is: D in the cells on the real axis, else w.
+    // The stored function: D in the cells on the real axis, else w.
     let dawson = j == 0.0;
     if (wanted == Wanted::Dawson) == dawson && wanted != Wanted::Lower {
         return Some(ComplexBall::new(re.ball(), im.ball()));

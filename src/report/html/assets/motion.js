@@ -15,8 +15,8 @@ document.addEventListener("DOMContentLoaded", () => {
     .map((e) => ({ e, points: e.dataset.points.split(" ").map(Number) }));
   const placed = mechaudit.all("#mechanism [data-at]").map((e) => ({ e, point: Number(e.dataset.at) }));
   const buttons = mechaudit.all("button[data-course]");
-  const drive = (k) => `${motion.drive[k].toFixed(motion.unit === "°" ? 3 : 5)}${motion.unit === "°" ? "°" : ` ${motion.unit}`}`;
-  const axis = `${motion.symbol}, ${motion.unit === "°" ? "degrees" : motion.unit}`;
+  const drive = (k) => `${motion.drive[k].toFixed(motion.unit === "°" ? 3 : 5)}${motion.unit === "°" ? "°" : ` ${motion.unit}`}`.trim();
+  const axis = motion.symbol + (motion.unit && `, ${motion.unit === "°" ? "degrees" : motion.unit}`);
 
   let charts = [];
   function draw() {
@@ -76,7 +76,7 @@ document.addEventListener("DOMContentLoaded", () => {
     for (const { e, points } of shapes) e.setAttribute("points", points.map((p) => place(p, k).join(",")).join(" "));
     for (const { e, point } of placed) e.setAttribute("transform", `translate(${place(point, k).join(" ")})`);
     for (const c of charts) c.move(k);
-    for (const id of ["drive-value", "drawn-at"]) document.getElementById(id).textContent = drive(k);
+    for (const e of mechaudit.all("#drive-value, #drawn-at")) e.textContent = drive(k);
     slider.setAttribute("aria-valuetext", drive(k));
     motion.courses.forEach((course, i) => {
       const value = course.variants[0][k];

@@ -31,6 +31,7 @@ pub fn fabricated() -> PaperReport {
             title: "On <tests> & such",
             year: Some(1900),
             venue: "Proceedings of Nowhere 1, 1–2",
+            source: "",
         },
         findings: vec![
             Finding {

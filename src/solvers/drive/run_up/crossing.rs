@@ -87,7 +87,7 @@ pub(super) fn crossing(
                 }
                 let y = stepper.between(middle);
                 let now = reference.map(|_| acceleration(middle, &y));
-                // What is found first may change on the way.
+                // The first crossing may change on the way.
                 match here(&y, now) {
                     Some(earlier) => (hi, pause) = (middle, earlier),
                     None => lo = middle,

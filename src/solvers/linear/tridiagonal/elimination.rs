@@ -18,11 +18,43 @@ pub struct Elimination<S> {
     pub(crate) shape: S,
 }
 
+/// Right-hand sides that are solved for side by side: their chains of operations do not wait for each
+/// other.
+pub(crate) const SEVERAL: usize = 8;
+
+/// Row by row what lies column by column.
+pub(crate) fn gather(columns: &[f64], rows: &mut [[f64; SEVERAL]]) {
+    let n = rows.len();
+    for (k, column) in columns.chunks_exact(n).enumerate() {
+        for (row, x) in rows.iter_mut().zip(column) {
+            row[k] = *x;
+        }
+    }
+}
+
+/// The reverse of it.
+pub(crate) fn scatter(rows: &[[f64; SEVERAL]], columns: &mut [f64]) {
+    let n = rows.len();
+    for (k, column) in columns.chunks_exact_mut(n).enumerate() {
+        for (row, x) in rows.iter().zip(column) {
+            *x = row[k];
+        }
+    }
+}
+
 /// How the matrix is closed.
 pub trait Shape: Sized {
     /// Solves with the matrix in place.
     #[doc(hidden)]
     fn run(s: &Elimination<Self>, d: &mut [f64]);
+    /// Solves for [`SEVERAL`] right-hand sides that lie one after the other; `rows` has room for as
+    /// many rows as the matrix has. The solutions have the bits of single ones.
+    #[doc(hidden)]
+    fn run_several(s: &Elimination<Self>, d: &mut [f64], _rows: &mut [[f64; SEVERAL]]) {
+        for column in d.chunks_exact_mut(s.n()) {
+            Self::run(s, column);
+        }
+    }
     /// Solves with the transposed matrix in place.
     #[doc(hidden)]
     fn run_transposed(s: &Elimination<Self>, d: &mut [f64]);
@@ -61,7 +93,8 @@ impl<S: Shape> Elimination<S> {
         check_solution(d)
     }
 
-    /// Solves for several right-hand sides that lie one after the other, `n` entries each.
+    /// Solves for several right-hand sides that lie one after the other, `n` entries each; eight at a
+    /// time where there are as many. The solutions have the bits of single ones.
     ///
     /// # Errors
     /// As [`Elimination::solve`]; the length has to be a multiple of `n`. An overflow names the
@@ -70,7 +103,14 @@ impl<S: Shape> Elimination<S> {
         let n = self.n();
         check_length("right-hand sides", d, d.len().div_ceil(n) * n)?;
         check_finite("right-hand sides", d)?;
-        for column in d.chunks_exact_mut(n) {
+        let mut groups = d.chunks_exact_mut(n * SEVERAL);
+        if groups.len() > 0 {
+            let mut rows = vec![[0.0; SEVERAL]; n];
+            for group in groups.by_ref() {
+                S::run_several(self, group, &mut rows);
+            }
+        }
+        for column in groups.into_remainder().chunks_exact_mut(n) {
             S::run(self, column);
         }
         check_solution(d)

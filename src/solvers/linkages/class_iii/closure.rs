@@ -5,7 +5,7 @@
 //! would show all of that several times. So a link's vector is `l e(φ) = l v (1 + η + iδ)` here,
 //! with `v` the rounded sine and cosine, `η = (1 − |v|²)/2` what `v` is short of a unit vector, and
 //! `δ` the turn that closes the loops: `J δ` is minus their residual, computed in double-double.
-//! What is left of the residual is of the order of `δ²`. Derivatives are solved for in `f64` and
+//! The rest of the residual is of the order of `δ²`. Derivatives are solved for in `f64` and
 //! refined once with residuals in double-double (Higham, *Accuracy and Stability of Numerical
 //! Algorithms*, 2nd ed., 12.1).
 

@@ -295,7 +295,7 @@ mod tests {
             small in -3.0f64..3.0,
         ) {
             use super::super::Geometry;
-            // What is not too far is followed turn by turn.
+            // An angle that is not too far is followed turn by turn.
             let to = if (50.0..=1e6).contains(&to.abs()) { to % 50.0 } else { to };
             for values in [geometry, scale] {
                 let Ok(linkage) = ClassIii::new(Geometry::from_values(&values)) else {

@@ -188,7 +188,7 @@ fn points_by_differences() {
             };
             let off = (at.r[0] - origin[0]).hypot(at.r[1] - origin[1]);
             assert!((off - r).abs() < 1e-14, "{link:?}");
-            // What is asked for without accelerations is the same.
+            // The results without accelerations are the same.
             let v = linkage
                 .velocities(Angle::from_rad(s.phi1), s.positions)
                 .expect("regular");

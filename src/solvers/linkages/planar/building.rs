@@ -17,6 +17,8 @@ struct Candidate {
 
 struct Builder<'a> {
     description: &'a Description,
+    /// The drive, where one holds a coordinate.
+    drive: Option<Drive>,
     metres: f64,
     placed: Vec<bool>,
     used: Vec<(usize, usize)>,
@@ -28,11 +30,32 @@ struct Builder<'a> {
 impl Chain {
     /// `metres` is the unit of length, a power of two.
     pub(super) fn new(description: &Description, structure: &Structure, metres: f64) -> Chain {
+        let groups = structure.groups.iter().map(|g| &g.bodies[..]);
+        let drive = Some(description.drive);
+        let mut chain = Chain::of_groups(description, drive, groups, metres);
+        chain.bounds = super::bounds::constant(&chain);
+        chain
+    }
+
+    /// The chain of all bodies without a drive: more unknowns than rows by the degrees of freedom.
+    /// Bodies that hang on nothing are not in its order.
+    pub(super) fn free(description: &Description, metres: f64) -> Chain {
+        let all: Vec<usize> = (1..description.bodies.len()).collect();
+        Chain::of_groups(description, None, std::iter::once(&all[..]), metres)
+    }
+
+    fn of_groups<'g>(
+        description: &Description,
+        drive: Option<Drive>,
+        groups: impl Iterator<Item = &'g [usize]>,
+        metres: f64,
+    ) -> Chain {
         let n = description.bodies.len();
         let mut placed = vec![false; n];
         placed[GROUND] = true;
         let mut builder = Builder {
             description,
+            drive,
             metres,
             placed,
             used: Vec::new(),
@@ -50,18 +73,17 @@ impl Chain {
                 arms: Vec::new(),
                 blocks: Vec::new(),
                 group: vec![0; n],
-                ties: ties(description),
+                ties: ties(description, drive),
                 unknowns: 0,
                 lengths: Vec::new(),
                 metres,
-                linear: matches!(description.drive, Drive::Displacement { .. }),
+                linear: matches!(drive, Some(Drive::Displacement { .. })),
             },
         };
-        for group in &structure.groups {
-            builder.block(&group.bodies);
+        for group in groups {
+            builder.block(group);
         }
         let mut chain = builder.chain;
-        chain.bounds = super::bounds::constant(&chain);
         chain.arms = super::arms::constant(&chain);
         chain
     }
@@ -80,7 +102,7 @@ fn forces(description: &Description) -> Vec<usize> {
     all
 }
 
-fn ties(description: &Description) -> Vec<Tie> {
+fn ties(description: &Description, drive: Option<Drive>) -> Vec<Tie> {
     let joints = description.joints.iter().enumerate();
     let slides = joints.filter_map(|(k, j)| match &j.part {
         Joint::Slide {
@@ -96,15 +118,15 @@ fn ties(description: &Description) -> Vec<Tie> {
         }),
         _ => None,
     });
-    let drive = match description.drive {
-        Drive::Angle { body, from } => Some(Tie {
+    let drive = match drive {
+        Some(Drive::Angle { body, from }) => Some(Tie {
             joint: None,
             a: from,
             b: body,
             offset: 0.0,
             drive: 1.0,
         }),
-        Drive::Displacement { .. } => None,
+        _ => None,
     };
     slides.chain(drive).collect()
 }
@@ -147,9 +169,9 @@ impl Builder<'_> {
     /// others.
     fn candidates(&self) -> Vec<Candidate> {
         let mut all = Vec::new();
-        let driven = match self.description.drive {
-            Drive::Displacement { joint } => Some(joint),
-            Drive::Angle { .. } => None,
+        let driven = match self.drive {
+            Some(Drive::Displacement { joint }) => Some(joint),
+            _ => None,
         };
         for (k, joint) in self.description.joints.iter().enumerate() {
             match &joint.part {

@@ -272,7 +272,7 @@ impl Mechanism {
         let [first, second] = &from.rates;
         let Step { radius, kappa, .. } = anchor.step;
         let n = self.chain.unknowns;
-        // What `next` held, the state before, gives third derivatives.
+        // The state before, which `next` held, gives third derivatives.
         let before = from.pose.drive - next.pose.drive;
         let third = match before.abs() <= 2.0 * s.abs() && before != 0.0 {
             true => 1.0 / before,

@@ -295,7 +295,7 @@ impl Factors {
                 }
                 z[r] = sum;
             }
-            // What the block gives in the equations of the columns before it.
+            // The contribution of the block to the equations of the columns before it.
             for c in 0..from {
                 for r in from..end {
                     z[c] -= lu[r * n + c] * z[r];

@@ -469,7 +469,7 @@ mod tests {
                 None => assert!(!solved, "{off}"),
             }
         }
-        // What is left of 1e-12 is no equation; a little more is.
+        // A rest of 1e-12 is no equation; a little more is.
         let (n, _) = eliminate(&mut [form(&[0.9e-12, 0.0, 0.0])], 2).unwrap();
         assert_eq!(n, 2);
         let (n, found) = eliminate(&mut [form(&[1.1e-12, 0.0, 2.2e-12])], 2).unwrap();

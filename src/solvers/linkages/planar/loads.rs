@@ -246,8 +246,21 @@ impl Loads {
         loads: Vec<Load>,
         gravity: [f64; 2],
     ) -> Result<Loads, LoadError> {
-        let last = mechanism.description().bodies.len() - 1;
+        let bodies = mechanism.description().bodies.len();
         let linear = mechanism.drive_is_displacement();
+        Loads::checked(bodies, linear, masses, loads, gravity)
+    }
+
+    /// [`Loads::new`] for so many bodies, the ground included, and tables over a displacement where
+    /// `linear`.
+    pub(super) fn checked(
+        bodies: usize,
+        linear: bool,
+        masses: Vec<BodyMass>,
+        loads: Vec<Load>,
+        gravity: [f64; 2],
+    ) -> Result<Loads, LoadError> {
+        let last = bodies - 1;
         let body = |what, body: usize| match body <= last {
             true => Ok(()),
             false => Err(LoadError::NoSuchBody { what, body }),

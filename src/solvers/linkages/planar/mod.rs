@@ -22,6 +22,7 @@ mod check;
 mod circles;
 mod continuation;
 mod dense;
+pub mod dynamics;
 mod error;
 mod homotopy;
 mod isotropic;

@@ -293,7 +293,14 @@ impl Pose {
     }
 
     /// The row of a point's displacement along a rail.
-    fn travelled(&self, chain: &Chain, rail: Rail, point: Spot, row: usize, out: &mut Matrix) {
+    pub(super) fn travelled(
+        &self,
+        chain: &Chain,
+        rail: Rail,
+        point: Spot,
+        row: usize,
+        out: &mut Matrix,
+    ) {
         let (u, d) = self.along(rail, point);
         let origin = rail.at(0.0);
         self.walk(chain, point, &mut |k, x| out[(row, k)] += dot(u, x));

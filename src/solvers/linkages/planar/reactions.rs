@@ -182,7 +182,7 @@ impl Loads {
             pose,
             on: vec![Wrench::default(); chain.body_count()],
         };
-        // What is known: loads less inertia.
+        // The known side: loads less inertia.
         for m in &self.masses {
             let [x, y] = m.centre;
             let centre = Point::new(m.body, x, y);
@@ -261,7 +261,7 @@ fn gathered(mechanism: &Mechanism, all: &mut Wrenches, sizes: &[f64]) -> Vec<Joi
         found.force_n[0] += force.re;
         found.force_n[1] += force.im;
     };
-    // What a pin exerts on the body of one of its points, and the opposite on the one that carries
+    // Adds the force of a pin on the body of one of its points, and the opposite on the one that carries
     // the others.
     let mut pin = |(joint, point): (usize, usize), on: usize, force: Complex64| {
         let own = &mut found[chain.forces[joint]..chain.forces[joint + 1]];

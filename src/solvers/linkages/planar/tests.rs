@@ -191,7 +191,7 @@ fn a_four_bar_is_that_of_the_dyads() {
                 apart(x, f).total_cmp(&apart(y, f))
             });
             let state = near.unwrap();
-            // What rounding may do grows as the sides meet at a small angle.
+            // The effect of rounding grows as the sides meet at a small angle.
             let bad = 1e-14 / s.transmission.rad().sin().powi(2);
             for (body, link) in [(2, s.coupler), (3, s.rocker)] {
                 let g = general.body_angle(state, body);

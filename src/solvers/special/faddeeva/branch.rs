@@ -286,6 +286,35 @@ pub(super) fn formula_of_pairs(a: f64, b: f64) -> Branch {
     }
 }
 
+/// |z|² where the rows for pairs and the series with 26, 14, 6 and 2 terms end. The last one does
+/// not: callers see to huge points, by |z|² rounded in another order perhaps.
+pub(super) const ENDS_OF_PAIRS: [f64; 5] = {
+    let formulas = [CELL, SERIES_26, SERIES_14, SERIES_6];
+    let mut ends = [f64::INFINITY; 5];
+    let mut k = 0;
+    while k < formulas.len() {
+        let mut last = SCALED - 1;
+        while !RINGS[last].pairs.same(formulas[k]) {
+            last -= 1;
+        }
+        ends[k] = RINGS[last + 1].from;
+        k += 1;
+    }
+    ends
+};
+
+/// |z|² between which the strip beside the real axis has formulas of its own.
+pub(super) const STRIP_ENDS: [f64; 2] = [STRIP_FROM, STRIP_TO];
+
+/// |z|² from which rows about the real axis serve on it, and where they end.
+pub(super) const ROWS_ON_REAL_AXIS: [f64; 2] = {
+    let mut last = SCALED;
+    while !matches!(RINGS[last].strip, Some(REAL_AXIS)) {
+        last -= 1;
+    }
+    [STRIP_FROM, RINGS[last + 1].from]
+};
+
 /// The series of it, whether or not `e^{−z²}` is added.
 #[inline(always)]
 pub(super) fn series_of_pairs(a: f64, b: f64) -> Branch {

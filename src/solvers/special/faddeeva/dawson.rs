@@ -21,7 +21,6 @@ use super::quadrant::{
     circle, dawson_in_strip, gaussian, gaussian_exact, lifted, pair_times_power, times_power, w,
     w_exact,
 };
-use super::real_line::{SERIES, dawson_beyond, dawson_near};
 use super::relatives_tables::{MAXIMUM_OF_DAWSON as MAXIMUM, MINUS_INVERSE_MAXIMUM};
 use crate::double_double::{Dd, two_prod, two_sum};
 use crate::lanes::{Lanes, Task, with_best};
@@ -251,26 +250,6 @@ impl Task for Dawson {
     }
 }
 
-/// Dawson's function of a real argument.
-struct DawsonReal(f64);
-
-impl Task for DawsonReal {
-    type Output = f64;
-    #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L) -> f64 {
-        let x = self.0.abs();
-        let value = if x < SERIES {
-            dawson_near(x).value()
-        } else if is_huge(x, 0.0) {
-            // NaN stays NaN.
-            0.5 / x
-        } else {
-            dawson_beyond(dawson_in_strip(lanes, x, 0.0).0).value()
-        };
-        value.copysign(self.0)
-    }
-}
-
 /// Dawson's function `F(z) = e^{−z²} ∫₀^z e^{t²} dt` (DLMF 7.2.5), on the whole plane.
 ///
 /// # Accuracy
@@ -301,19 +280,6 @@ impl Task for DawsonReal {
 pub fn dawson(z: Complex<f64>) -> Complex<f64> {
     let (re, im) = with_best(Dawson(z.re, z.im));
     Complex::new(re, im)
-}
-
-/// [`dawson`] of a real argument.
-///
-/// Proved for every finite argument: within 7/8 of a unit in the last place
-/// (`mechaudit prove dawson`). ±0 at ±∞, NaN for NaN.
-///
-/// ```
-/// use mechaudit_solvers::faddeeva::dawson_real;
-/// assert!((dawson_real(1.0) - 0.5380795069127684).abs() < 1e-15);
-/// ```
-pub fn dawson_real(x: f64) -> f64 {
-    with_best(DawsonReal(x))
 }
 
 struct Batch<'a>(&'a [Complex<f64>], &'a mut [Complex<f64>]);

@@ -58,7 +58,7 @@ impl Task for Exact {
         } else {
             series_derivative::<3>(a, b)
         };
-        // What is lost of the upper half-plane's terms, by its size, and the terms of the other
+        // The lost part of the upper half-plane's terms, by its size, and the terms of the other
         // one.
         let r2 = a.mul_add(a, b * b);
         let upper = match (near, lower) {

@@ -87,7 +87,7 @@ pub(super) fn twenty_one_terms<R: Real>(x: R, y: R) -> (R, R) {
         times_argument(s, minus, &EVEN),
         times_argument(s, minus, &ODD),
     );
-    // What c₀ leaves out is added where it costs no operation.
+    // The remainder of c₀ is added where it costs no operation.
     let (e, g) = (minus * e, minus.fma(g, like(FIRST_LO)));
     // Re v³/y and −Im v³/x.
     let (re3, im3) = (xx.fma(like(-2.0), q), (y * y).fma(like(2.0), q));

@@ -68,7 +68,6 @@ mod constants;
 mod dawson;
 mod derivative;
 mod erf;
-mod erf_real;
 mod erf_zeros;
 mod erfcx;
 mod extended;
@@ -80,12 +79,15 @@ mod long_w;
 mod maclaurin;
 mod many;
 mod odd_series;
+mod pairs;
+mod places;
 mod plane;
 mod points;
 #[cfg(feature = "proof")]
 #[doc(hidden)]
 pub mod proof;
 mod quadrant;
+mod real_argument;
 mod real_line;
 mod reflection;
 mod relatives_tables;
@@ -104,13 +106,16 @@ mod zeros;
 pub use branch::Branch;
 pub use seams::{LIMITS_OF_VOIGT, LIMITS_OF_VOIGT_HWHM, SEAMS, SEAMS_OF_RELATIVES, Seams};
 
-pub use dawson::{dawson, dawson_batch, dawson_real};
+pub use dawson::{dawson, dawson_batch};
 pub use derivative::w_derivative;
 pub use erf::{erf, erfc, erfi};
-pub use erf_real::{erf_real, erfc_real, erfcx_real, erfi_real};
 pub use erfcx::{erfcx, erfcx_batch};
 pub use lengths::LengthMismatch;
-pub use voigt::{voigt, voigt_batch};
+pub use real_argument::{
+    dawson_real, dawson_real_batch, erf_real, erf_real_batch, erfc_real, erfc_real_batch,
+    erfcx_real, erfcx_real_batch, erfi_real, erfi_real_batch,
+};
+pub use voigt::{voigt, voigt_batch, voigt_each};
 pub use voigt_hwhm::voigt_hwhm;
 
 use branch::{CELL, IMAGINARY_AXIS, MACLAURIN_21, formula_at};

@@ -18,7 +18,7 @@ use super::rows::{
     above_real_axis, below_real_axis, disc_cell, disc_row, imaginary_axis_row, in_cell,
     nearest_zero, on_axis, on_real_axis, real_axis_row, zero_row,
 };
-use super::taylor::{complex_row, complex_row_rounded, real_row};
+use super::taylor::{axis_row, complex_row, complex_row_rounded};
 use super::{special, trapezoidal, zeros};
 use crate::double_double::{Dd, fast_two_sum, two_prod};
 use crate::exponential::{
@@ -131,7 +131,7 @@ fn on_imaginary_axis<L: Lanes>(lanes: L, b: f64) -> f64 {
     let re = match formula_at(0.0, b) {
         CELL | MACLAURIN_21 => {
             let (n, t) = on_axis(b);
-            real_row(lanes, imaginary_axis_row(n), t, 0.0).0
+            axis_row(lanes, imaginary_axis_row(n), t)
         }
         SERIES_26 => series::<_, 26>(0.0, b).0,
         SERIES_14 => series::<_, 14>(0.0, b).0,

@@ -1,14 +1,19 @@
 //! W(z) and W′(z) in the first quadrant as unevaluated sums, for the functions that are built on
 //! them.
 
-use super::asymptotic::{four_terms, series};
+use super::asymptotic::four_terms;
 use super::branch::{
-    CELL, IMAGINARY_AXIS, IN_STRIP, REAL_AXIS, SERIES_6, SERIES_14, SERIES_26, formula_of_pairs,
-    series_of_pairs,
+    CELL, IMAGINARY_AXIS, IN_STRIP, REAL_AXIS, ROWS_ON_REAL_AXIS, SERIES_6, SERIES_14, SERIES_26,
+    formula_of_pairs, modulus_squared, series_of_pairs,
 };
 use super::constants::INV_SQRT_PI;
+use super::pairs;
+use super::places::One;
 use super::plane::from_erfcx;
-use super::rows::{imaginary_axis_row, in_cell, on_axis, on_real_axis, real_axis_row};
+use super::rows::{
+    dawson_row, imaginary_axis_row, in_cell, on_axis, on_axis_of_dawson, on_real_axis,
+    real_axis_row,
+};
 use super::taylor::{ComplexRow, RealRow, complex_row, real_row};
 use super::trapezoidal;
 use crate::double_double::{Dd, fast_two_sum, two_prod};
@@ -60,40 +65,10 @@ pub(super) fn lifted(x: f64, other: f64) -> (f64, f64) {
     }
 }
 
-/// The series without `e^{−z²}`, where the ring of the point has it.
-#[inline(always)]
-pub(super) fn far(a: f64, b: f64) -> (Dd, Dd) {
-    match series_of_pairs(a, b) {
-        SERIES_26 => series::<_, 26>(a, b),
-        SERIES_14 => series::<_, 14>(a, b),
-        SERIES_6 => series::<_, 6>(a, b),
-        _ => series::<_, 2>(a, b),
-    }
-}
-
 /// `(Re w, Im w)` at `a + i b`, `a, b ≥ 0`, `|z| < 10¹⁰⁰`.
 #[inline(always)]
 pub(super) fn w<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
-    match formula_of_pairs(a, b) {
-        CELL => {
-            let (row, dx, dy) = in_cell(a, b);
-            complex_row(lanes, row, dx, dy)
-        }
-        IMAGINARY_AXIS => {
-            let (n, t) = on_axis(b);
-            from_erfcx(a, real_row(lanes, imaginary_axis_row(n), t, a))
-        }
-        REAL_AXIS => {
-            let (n, t) = on_real_axis(a);
-            complex_row(lanes, real_axis_row(n), t, b)
-        }
-        IN_STRIP => {
-            let (u, v) = far(a, b);
-            let (c, _, n) = exp_minus_square_any(a, b);
-            (u + pair_times_power(c, n), v)
-        }
-        _ => far(a, b),
-    }
+    pairs::w(One(lanes), a, b, true)
 }
 
 /// `(a + i b)(c + i d)`, rounded.
@@ -271,42 +246,18 @@ pub(super) fn derivative<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd, bool) {
     }
 }
 
-/// For `(2/√π) F` with Dawson's function `F` at `t + i b`: the row about a real centre.
-#[inline(always)]
-pub(super) fn dawson_part(row: &ComplexRow) -> RealRow {
-    // On the real axis w = e^{−x²} + i (2/√π) F(x).
-    let c = &row.0;
-    let mut d = [0.0; 20];
-    (d[0], d[1], d[2], d[3]) = (c[2], c[3], c[6], c[7]);
-    let mut k = 0;
-    while k < 4 {
-        d[4 + 4 * k..8 + 4 * k].copy_from_slice(&c[12 + 8 * k..16 + 8 * k]);
-        k += 1;
-    }
-    RealRow(d)
-}
-
 /// `(2/√π) F(t + i b)`, `F` Dawson's function: real part, and imaginary part, `½ ≤ t < 10¹⁰⁰`,
 /// `b ≤` [`STRIP`].
 #[inline(always)]
 pub(super) fn dawson_in_strip<L: Lanes>(lanes: L, t: f64, b: f64) -> (Dd, Dd) {
-    let (row, dx) = match formula_of_pairs(t, 0.0) {
-        CELL => {
-            let (row, dx, _) = in_cell(t, 0.0);
-            (row, dx)
-        }
-        REAL_AXIS => {
-            let (n, dx) = on_real_axis(t);
-            (real_axis_row(n), dx)
-        }
-        _ => {
-            // (2/√π) F = −i (w − e^{−z²}).
-            let (u, v) = far(t, b);
-            return (v, -u);
-        }
-    };
-    let (re, im) = real_row(lanes, &dawson_part(row), dx, b);
-    (re, im.mul_f(b))
+    if modulus_squared(t, 0.0) < ROWS_ON_REAL_AXIS[1] {
+        let (n, dx) = on_axis_of_dawson(t);
+        let (re, im) = real_row(lanes, dawson_row(n), dx, b);
+        return (re, im.mul_f(b));
+    }
+    // (2/√π) F = −i (w − e^{−z²}).
+    let (u, v) = pairs::far(t, b, true);
+    (v, -u)
 }
 
 /// w at `a + i b`, `a, b ≥ 0`, `|z| < 10¹⁰⁰`, in double-double; to about 2⁻¹⁰⁰ of the larger

@@ -1,16 +1,19 @@
 //! Formulas of erf, erfc, erfcx and Dawson's function of a real argument, for any type of number,
 //! as sums of two that are not rounded to one yet.
 
+use super::branch::STRIP;
 use super::constants::{HALF_SQRT_PI, INV_SQRT_PI, TWO_OVER_SQRT_PI};
-use super::odd_series::{DAWSON, ERF, odd_real};
-use crate::double_double::Dd;
-use crate::exponential::{exp, exponent, pair_times_power};
+use super::odd_series::{DAWSON, ERF, ERFI, odd_real};
+use crate::double_double::{Dd, two_prod};
+use crate::exponential::{exp, pair_times_power};
 use crate::real::{ROUND, Real};
 
 /// Re z from which erfc is not computed as 1 − erf.
 pub(super) const COMPLEMENT: f64 = 0.25;
-/// |x| below which erf x and Dawson's function are Maclaurin series.
+/// |x| below which erfi x and Dawson's function are Maclaurin series.
 pub(super) const SERIES: f64 = 0.5;
+/// |x| below which erf x is one: half the distance of the centres of its rows.
+pub(super) const SERIES_OF_ERF: f64 = STRIP;
 /// |x| from which |erf x| rounds to 1.
 pub(super) const ONE: f64 = 6.0;
 /// |x| from which erfc x rounds to 0 or 2; beyond it `e^{x²}` overflows.
@@ -18,17 +21,28 @@ pub(super) const FAR: f64 = 30.0;
 /// The binary exponent of `e^{x²}` above which erfcx |x| is nothing beside it.
 const ALONE: f64 = 200.0;
 
-/// erf x for `|x| <` [`SERIES`].
+/// erf x next to zero.
 #[inline(always)]
 pub(super) fn erf_near<R: Real>(x: R) -> Dd<R> {
     odd_real(ERF, x) * TWO_OVER_SQRT_PI.like(x)
 }
 
-/// erf x for [`SERIES`] `≤ x <` [`ONE`], from erfcx x.
+/// erfi x for `|x| <` [`SERIES`].
 #[inline(always)]
-pub(super) fn erf_right<R: Real>(x: R, w: Dd<R>) -> Dd<R> {
-    let (t, n) = erfc_right(x, w);
-    (-pair_times_power(t, n)).add_f(x.like(1.0))
+pub(super) fn erfi_near<R: Real>(x: R) -> Dd<R> {
+    odd_real(ERFI, x) * TWO_OVER_SQRT_PI.like(x)
+}
+
+/// A constant less a number that is a mantissa and `ROUND` plus an exponent.
+#[inline(always)]
+pub(super) fn less<R: Real>(constant: f64, (t, n): (Dd<R>, R)) -> Dd<R> {
+    (-pair_times_power(t, n)).add_f(n.like(constant))
+}
+
+/// `e^{x²}` as a mantissa and `ROUND` plus the exponent.
+#[inline(always)]
+pub(super) fn growth<R: Real>(x: R) -> (Dd<R>, R) {
+    exp(two_prod(x, x))
 }
 
 /// erfc x for `|x| <` [`COMPLEMENT`].
@@ -41,22 +55,15 @@ pub(super) fn erfc_near<R: Real>(x: R) -> Dd<R> {
 /// exponent.
 #[inline(always)]
 pub(super) fn erfc_right<R: Real>(x: R, w: Dd<R>) -> (Dd<R>, R) {
-    let (e, n) = exp(exponent(x, x.like(0.0)));
+    let (e, n) = exp(-two_prod(x, x));
     (e * w, n)
-}
-
-/// erfc −x there.
-#[inline(always)]
-pub(super) fn erfc_left<R: Real>(x: R, w: Dd<R>) -> Dd<R> {
-    let (t, n) = erfc_right(x, w);
-    (-pair_times_power(t, n)).add_f(x.like(2.0))
 }
 
 /// Returns whether erfcx −x is `2e^{x²}` to the last place, from `ROUND` plus the exponent of
 /// `e^{x²}`.
 #[inline(always)]
-pub(super) fn alone(n: f64) -> bool {
-    n > ROUND + ALONE
+pub(super) fn alone<R: Real>(n: R) -> R::Mask {
+    n.like(ROUND + ALONE).below(n)
 }
 
 /// erfcx −x = `2e^{x²}` − erfcx x, from mantissa and `ROUND` plus the exponent of `e^{x²}` and

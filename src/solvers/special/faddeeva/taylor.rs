@@ -217,6 +217,82 @@ fn real_polynomial<L: Vectors>(
     (block(c, 0).map(|c| t.like(c)), bb, (p[2], s[2]), (qr, qs))
 }
 
+/// [`real_row`] on the axis, `b = 0`: `f(c + t)`, with the same bits.
+#[inline(always)]
+pub(super) fn axis_row<L: Vectors>(lanes: L, row: &RealRow, t: L::Scalar) -> Dd<L::Scalar> {
+    let c = &row.0;
+    let t4 = lanes.splat(fourth_power(t));
+    let mut sums = lanes.entries(block(c, 16));
+    for at in [12, 8, 4] {
+        sums = lanes.mul_add(t4, sums, lanes.entries(block(c, at)));
+    }
+    axis_sum(block(c, 0).map(|c| t.like(c)), t, lanes.parts(sums))
+}
+
+#[inline(always)]
+fn fourth_power<R: Real>(t: R) -> R {
+    let t2 = t * t;
+    t2 * t2
+}
+
+/// `c₀ + c₁t + t²(p₀ + p₁t + p₂t² + p₃t³)`; `c` as at the beginning of a [`RealRow`].
+#[inline(always)]
+fn axis_sum<R: Real>(c: [R; 4], t: R, p: [R; 4]) -> Dd<R> {
+    let t2 = t * t;
+    let q = (p[0] + t2 * p[2]) + (t * p[1] + (t * t2) * p[3]);
+    let a = two_prod(c[2], t);
+    let h = two_sum(c[0], a.hi);
+    fast_two_sum(h.hi, h.lo + (a.lo + c[3].fma(t, c[1]) + t2 * q))
+}
+
+/// [`axis_row`] for several points with a row each.
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
+#[inline(always)]
+pub(super) fn axis_rows<S: Wide>(simd: S, rows: &[&[f64; 20]; 8], t: Pack<S>) -> Dd<Pack<S>> {
+    let t4 = fourth_power(t);
+    let mut sums = columns(simd, rows, 16);
+    for at in [12, 8, 4] {
+        let c = columns(simd, rows, at);
+        for m in 0..4 {
+            sums[m] = t4.fma(sums[m], c[m]);
+        }
+    }
+    axis_sum(columns(simd, rows, 0), t, sums)
+}
+
+/// [`real_row`] for several points with a row each.
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
+#[inline(always)]
+pub(super) fn real_rows<S: Wide>(
+    simd: S,
+    rows: &[&[f64; 20]; 8],
+    t: Pack<S>,
+    b: Pack<S>,
+) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
+    let bb = b * b;
+    let (p, s) = real_powers(t, bb);
+    let bs4 = -(bb * s[4]);
+    let mut re = columns(simd, rows, 16);
+    let mut im = re.map(|r| s[4] * r);
+    let c = columns(simd, rows, 12);
+    for m in 0..4 {
+        re[m] = p[4].fma(re[m], c[m]);
+    }
+    for at in [8, 4] {
+        let c = columns(simd, rows, at);
+        for m in 0..4 {
+            let r = p[4].fma(re[m], bs4.fma(im[m], c[m]));
+            im[m] = p[4].fma(im[m], s[4] * re[m]);
+            re[m] = r;
+        }
+    }
+    let part = |m: usize| (-(bb * s[m])).fma(im[m], p[m] * re[m]);
+    let slope = |m: usize| p[m].fma(im[m], s[m] * re[m]);
+    let qr = (re[0] + part(2)) + (part(1) + part(3));
+    let qs = (im[0] + slope(2)) + (slope(1) + slope(3));
+    real_sum(columns(simd, rows, 0), (t, bb), (p[2], s[2]), (qr, qs))
+}
+
 /// [`polynomial`] for several points with a row each.
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 #[inline(always)]

@@ -1,12 +1,19 @@
 //! The Voigt profile.
 
-use super::constants::{INV_PI, INV_SQRT_2, INV_SQRT_2_PI};
+use super::constants::{INV_PI, INV_SQRT_2, INV_SQRT_2_PI, TWO_OVER_SQRT_PI};
 use super::lengths::{LengthMismatch, same_length};
+use super::pairs;
+use super::places::{Number, One, Places};
 use super::quadrant::{derivative, exp_wide, times_power, w};
 use crate::double_double::{Dd, two_prod};
 use crate::hex::hex;
 use crate::lanes::{Lanes, Task, with_best};
-use crate::real::ROUND;
+use crate::real::{Masked, ROUND, Real};
+
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
+use super::places::Several;
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
+use crate::pack::{Wide, WideTask, by_groups, with_widest};
 
 /// Distance from the centre in units of `σ√2` from which the profile is Lorentz's.
 pub(super) const LORENTZ: f64 = hex("0x1p27");
@@ -54,17 +61,62 @@ fn gauss(t: Dd, (m, e): (f64, f64)) -> f64 {
     times_power((g * INV_SQRT_2_PI).div(Dd::from(m)).value(), n - e)
 }
 
-struct Voigt {
+/// Between these widths, and for x below the larger one, nothing has to be scaled.
+const THIN: f64 = hex("0x1p-300");
+const BROAD: f64 = hex("0x1p300");
+
+#[inline(always)]
+fn twice<R: Real>(t: Dd<R>) -> Dd<R> {
+    Dd::new(t.hi + t.hi, t.lo + t.lo)
+}
+
+/// The profile at one place or several.
+#[inline(always)]
+fn profile<P: Places>(places: P, [x, sigma, gamma]: [Number<P>; 3]) -> Number<P> {
+    let like = |c: f64| x.like(c);
+    let a = x.magnitude();
+    let within = |v: Number<P>| v.except(v.below(like(BROAD)), v.below(like(THIN)));
+    // |x|/(σ√2), γ/(σ√2) to 100 bits.
+    let over = |v: Number<P>| {
+        let exactly = |v| Dd::new(v, like(0.0));
+        exactly(v).div(exactly(sigma)) * INV_SQRT_2.like(v)
+    };
+    let (p, q) = (over(a), over(gamma));
+    let widths = x.both(within(sigma), within(gamma));
+    let near = x.both(p.hi.below(like(LORENTZ)), q.hi.below(like(LORENTZ)));
+    let kept = x.both(x.both(widths, near), a.below(like(BROAD)));
+    let kept = x.except(kept, q.hi.below(like(LINEAR)));
+    let mut value = a;
+    if x.any(kept) {
+        let (u, v) = pairs::w(places, p.hi, q.hi, kept);
+        // By the low parts of the argument, with w′ = −2zw + 2i/√π.
+        let re = (v.mul_f(q.hi) + -u.mul_f(p.hi)).hi;
+        let im = (TWO_OVER_SQRT_PI.like(x) + twice(-(v.mul_f(p.hi) + u.mul_f(q.hi)))).hi;
+        let u = u.add_f((re + re) * p.lo - im * q.lo);
+        let density = u * INV_SQRT_2_PI.like(x);
+        value = density.div(Dd::new(sigma, like(0.0))).value();
+    }
+    places.replaced(kept, value, [x, sigma, gamma], anywhere)
+}
+
+/// The profile where its arguments have to be scaled or are no densities.
+#[cold]
+#[inline(never)]
+fn anywhere([x, sigma, gamma]: [f64; 3]) -> f64 {
+    with_best(Anywhere { x, sigma, gamma })
+}
+
+struct Anywhere {
     x: f64,
     sigma: f64,
     gamma: f64,
 }
 
-impl Task for Voigt {
+impl Task for Anywhere {
     type Output = f64;
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> f64 {
-        let Voigt { x, sigma, gamma } = self;
+        let Anywhere { x, sigma, gamma } = self;
         let x = x.abs();
         if !(sigma >= 0.0 && gamma >= 0.0) || x.is_nan() {
             return f64::NAN;
@@ -137,28 +189,57 @@ impl Task for Voigt {
 /// assert!(voigt(0.0, -1.0, 1.0).is_nan());
 /// ```
 pub fn voigt(x: f64, sigma: f64, gamma: f64) -> f64 {
-    with_best(Voigt { x, sigma, gamma })
+    with_best(At([x, sigma, gamma]))
 }
 
-struct Batch<'a> {
-    x: &'a [f64],
-    sigma: f64,
-    gamma: f64,
-    v: &'a mut [f64],
+/// One place.
+struct At([f64; 3]);
+
+impl Task for At {
+    type Output = f64;
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) -> f64 {
+        profile(One(lanes), self.0)
+    }
 }
 
-impl Task for Batch<'_> {
+/// Many places: x, σ and γ, each as long as the values or one number.
+struct Many<'a>([&'a [f64]; 3], &'a mut [f64]);
+
+impl Task for Many<'_> {
     type Output = ();
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) {
-        let Batch { x, sigma, gamma, v } = self;
-        for (v, &x) in v.iter_mut().zip(x) {
-            *v = Voigt { x, sigma, gamma }.run(lanes);
+        for (i, v) in self.1.iter_mut().enumerate() {
+            let at = self.0.map(|c| if c.len() == 1 { c[0] } else { c[i] });
+            *v = profile(One(lanes), at);
         }
     }
 }
 
-/// [`voigt`] at many x; the values have the same bits.
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
+impl WideTask for Many<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Wide, L: Lanes>(self, simd: S, _: L) {
+        by_groups(
+            simd,
+            self.0,
+            self.1,
+            #[inline(always)]
+            |at| profile(Several(simd), at),
+        );
+    }
+}
+
+fn many(columns: [&[f64]; 3], v: &mut [f64]) {
+    let task = Many(columns, v);
+    #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
+    let Err(task) = with_widest(task) else { return };
+    with_best(task);
+}
+
+/// [`voigt`] at many x, by vectors; the values have the same bits.
 ///
 /// # Errors
 /// [`LengthMismatch`] if the slices differ in length; nothing is written then.
@@ -174,6 +255,31 @@ impl Task for Batch<'_> {
 /// ```
 pub fn voigt_batch(x: &[f64], sigma: f64, gamma: f64, v: &mut [f64]) -> Result<(), LengthMismatch> {
     same_length(x.len(), [v.len()])?;
-    with_best(Batch { x, sigma, gamma, v });
+    many([x, &[sigma], &[gamma]], v);
+    Ok(())
+}
+
+/// [`voigt`] at many x with widths of their own; the values have the same bits.
+///
+/// # Errors
+/// [`LengthMismatch`] if the slices differ in length; nothing is written then.
+///
+/// ```
+/// use mechaudit_solvers::faddeeva::{voigt, voigt_each};
+///
+/// let (x, sigma, gamma) = ([-1.0, 0.0, 3.5], [1.0, 2.0, 0.5], [0.2, 0.0, 1.0]);
+/// let mut v = [0.0; 3];
+/// voigt_each(&x, &sigma, &gamma, &mut v)?;
+/// assert_eq!(v[2], voigt(3.5, 0.5, 1.0));
+/// # Ok::<(), mechaudit_solvers::faddeeva::LengthMismatch>(())
+/// ```
+pub fn voigt_each(
+    x: &[f64],
+    sigma: &[f64],
+    gamma: &[f64],
+    v: &mut [f64],
+) -> Result<(), LengthMismatch> {
+    same_length(x.len(), [sigma.len(), gamma.len(), v.len()])?;
+    many([x, sigma, gamma], v);
     Ok(())
 }

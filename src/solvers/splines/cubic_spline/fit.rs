@@ -164,14 +164,6 @@ impl OneCubic {
     }
 }
 
-/// Row `a m_{i−1} + b m_i + c m_{i+1} = d`.
-struct Row {
-    a: f64,
-    b: f64,
-    c: f64,
-    d: f64,
-}
-
 fn open(h: &[f64], slope: &[f64], first: End, last: End) -> Result<Vec<f64>, TridiagonalError> {
     use End::{FirstDerivative, NotAKnot, SecondDerivative};
     let n = h.len();
@@ -190,74 +182,47 @@ fn open(h: &[f64], slope: &[f64], first: End, last: End) -> Result<Vec<f64>, Tri
     // A not-a-knot end is eliminated from the row of its neighbour.
     let s = usize::from(first == NotAKnot);
     let e = n - usize::from(last == NotAKnot);
-    let row = |i: usize| -> Row {
-        if i == 0 {
-            return match first {
-                FirstDerivative(v) => Row {
-                    a: 0.0,
-                    b: 2.0 * h[0],
-                    c: h[0],
-                    d: 6.0 * (slope[0] - v),
-                },
-                SecondDerivative(v) => Row {
-                    a: 0.0,
-                    b: 1.0,
-                    c: 0.0,
-                    d: v,
-                },
-                NotAKnot => unreachable!("row 0 is eliminated"),
-            };
-        }
-        if i == n {
-            return match last {
-                FirstDerivative(v) => Row {
-                    a: h[n - 1],
-                    b: 2.0 * h[n - 1],
-                    c: 0.0,
-                    d: 6.0 * (v - slope[n - 1]),
-                },
-                SecondDerivative(v) => Row {
-                    a: 0.0,
-                    b: 1.0,
-                    c: 0.0,
-                    d: v,
-                },
-                NotAKnot => unreachable!("row n is eliminated"),
-            };
-        }
-        let (p, q) = (h[i - 1], h[i]);
-        if i == 1 && first == NotAKnot {
-            // m_0 = m_1 + (p/q)(m_1 − m_2); the row divided by (p + q)/q.
-            return Row {
-                a: 0.0,
-                b: p + 2.0 * q,
-                c: q - p,
-                d: jump(i) * (q / (p + q)),
-            };
-        }
-        if i == n - 1 && last == NotAKnot {
-            return Row {
-                a: p - q,
-                b: q + 2.0 * p,
-                c: 0.0,
-                d: jump(i) * (p / (p + q)),
-            };
-        }
-        Row {
-            a: p,
-            b: 2.0 * (p + q),
-            c: q,
-            d: jump(i),
-        }
-    };
-    let rows: Vec<Row> = (s..=e).map(row).collect();
-    let lower: Vec<f64> = rows[1..].iter().map(|r| r.a).collect();
-    let diagonal: Vec<f64> = rows.iter().map(|r| r.b).collect();
-    let upper: Vec<f64> = rows[..rows.len() - 1].iter().map(|r| r.c).collect();
-    let d: Vec<f64> = rows.iter().map(|r| r.d).collect();
-    let inner = Sweep::factor(&lower, &diagonal, &upper)?.solve(&d)?;
+    // Rows s … e: `h_{i−1} m_{i−1} + 2 (h_{i−1} + h_i) m_i + h_i m_{i+1} = d_i` but for the ends.
+    let (mut lower, mut upper) = (h[s..e].to_vec(), h[s..e].to_vec());
+    let (mut diagonal, mut d) = (Vec::with_capacity(n + 1), Vec::with_capacity(n + 1));
+    if s == 0 {
+        let (b, c, right) = match first {
+            FirstDerivative(v) => (2.0 * h[0], h[0], 6.0 * (slope[0] - v)),
+            SecondDerivative(v) => (1.0, 0.0, v),
+            NotAKnot => unreachable!("row 0 is eliminated"),
+        };
+        diagonal.push(b);
+        upper[0] = c;
+        d.push(right);
+    }
+    let neighbours = s.max(1) - 1..e.min(n - 1) + 1;
+    let steps = h[neighbours.clone()].windows(2);
+    diagonal.extend(steps.map(|h| 2.0 * (h[0] + h[1])));
+    let slopes = slope[neighbours].windows(2);
+    d.extend(slopes.map(|slope| 6.0 * (slope[1] - slope[0])));
+    if e == n {
+        let (a, b, right) = match last {
+            FirstDerivative(v) => (h[n - 1], 2.0 * h[n - 1], 6.0 * (v - slope[n - 1])),
+            SecondDerivative(v) => (0.0, 1.0, v),
+            NotAKnot => unreachable!("row n is eliminated"),
+        };
+        lower[n - 1 - s] = a;
+        diagonal.push(b);
+        d.push(right);
+    }
+    if s == 1 {
+        // m_0 = m_1 + (p/q)(m_1 − m_2); the row divided by (p + q)/q.
+        let (p, q) = (h[0], h[1]);
+        (diagonal[0], upper[0], d[0]) = (p + 2.0 * q, q - p, jump(1) * (q / (p + q)));
+    }
+    if e == n - 1 {
+        let (p, q, row) = (h[n - 2], h[n - 1], e - s);
+        (lower[row - 1], diagonal[row]) = (p - q, q + 2.0 * p);
+        d[row] = jump(e) * (p / (p + q));
+    }
     let mut m = vec![0.0; n + 1];
-    m[s..=e].copy_from_slice(&inner);
+    Sweep::factor(&lower, &diagonal, &upper)?.solve_in_place(&mut d)?;
+    m[s..=e].copy_from_slice(&d);
     // The end from whichever equation does not magnify: the straight line of S'' while the end
     // step is the smaller one, the smoothness equation otherwise.
     let end = |p: f64, q: f64, near: f64, far: f64, jump: f64| {

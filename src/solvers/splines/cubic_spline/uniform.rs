@@ -54,7 +54,7 @@ impl UniformCubicSpline {
             Boundary::Periodic => periodic(&y),
             Boundary::Ends(first, last) => open(&y, step, first, last),
         };
-        // What is not finite, or too large, in `y` has reached the ends of the sweep.
+        // A value of `y` that is not finite, or too large, has reached the ends of the sweep.
         let Some(bend) = bend else {
             check_values(&y)?;
             return Err(Error::Overflow { knot: 0 });

@@ -72,7 +72,7 @@ fn bounds_are_those_of_the_head() {
     };
     let [plain, steep] = [tail(false), tail(true)];
     assert!(plain <= 4.0 && steep <= 240.0, "{plain} {steep}");
-    // What `Part` has for each of these.
+    // The value of `Part` for each of these.
     let most = Part::plain(0).ball().rad().to_float().to_f64() * unit;
     for bound in [
         complex + plain,

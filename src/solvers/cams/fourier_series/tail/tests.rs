@@ -95,7 +95,7 @@ fn variations_are_those_of_the_derivatives() {
                 _ => variation_of(&sampled(&law, d.order)),
             };
             let ratio = d.variation / due;
-            // What the samples miss of a peak, and what Bernstein's coefficients exceed it by.
+            // The deficit of the samples at a peak, and the excess of Bernstein's coefficients.
             assert!((0.9999..1.01).contains(&ratio), "{law:?}, {d:?}: {due}");
             met[d.order as usize] += 1;
         }

@@ -112,7 +112,7 @@ fn a_state_is_sound_when_finite_and_not_refused() {
         let e = EquationError::Model(ModelError::NotPeriodic);
         *i.rhs.refused.borrow_mut() = Some(e.clone());
         assert!(!i.sound(&good) && !i.sound(&bad));
-        // What the equation says comes before what the method says, once.
+        // The reason of the equation comes before that of the method, once.
         assert_eq!(i.stuck("a".into()), Stuck::Equation(e));
         assert_eq!(i.stuck("a".into()), Stuck::Method("a".into()));
     });

@@ -60,7 +60,7 @@ fn the_polynomial_and_its_coefficients() {
                 let terms = q.norm() * pp + p.norm() * qq + 2.0 * l.l3 * p.norm() * q.norm();
                 let ratio = v.noise / (16.0 * f64::EPSILON * terms * terms);
                 assert!((ratio - 1.0).abs() < 1e-10, "{ratio}");
-                // What T measures: |u|² against l3².
+                // T compares |u|² with l3².
                 let (left, right) = (v.u.norm_sqr() / (l.l3 * l.l3) - 1.0, v.right * v.right);
                 assert!((left * right - v.t).abs() <= v.noise, "{left} {right}");
                 // u lies on both lines.

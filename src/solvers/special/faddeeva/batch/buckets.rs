@@ -6,7 +6,7 @@ use super::formulas::Formula;
 use super::tables::Rows;
 use crate::lanes::Lanes;
 use crate::pack::{Pack, Wide};
-use crate::real::Real;
+use crate::real::{Masked, Real};
 use crate::two::Two;
 use num_complex::Complex;
 

@@ -19,15 +19,14 @@ use super::points::Points;
 use super::rows::{nearest_zero, zero_row};
 use super::zeros;
 use crate::lanes::Lanes;
-use crate::pack::Wide;
-use crate::real::{Real, with_sign_of};
+use crate::pack::{Wide, WideTask, with_widest};
+use crate::real::{Masked, Real, with_sign_of};
 use bucket::LOWER;
 use chunk::{Buffers, CHUNK, Chunk, GROUPS, ROOM};
 use formulas::{InStrip, Maclaurin9, Maclaurin21, OnRealLine, Series, TwoTerms, UnlessLost};
 use later::Later;
 use num_complex::Complex;
 use pulp::NullaryFnOnce;
-use pulp::x86::{V3, V4};
 use tables::{Cells, LowerDisc, RealAxis};
 
 /// Batches of fewer points do not let any wait for others.
@@ -308,21 +307,18 @@ fn window(numbers: &[u8; ROOM], at: usize) -> &[u8; GROUPS] {
         .expect("there is room")
 }
 
+/// W at all points.
+struct Batch<'a, P>(&'a mut P);
+
+impl<P: Points> WideTask for Batch<'_, P> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Wide, L: Lanes>(self, simd: S, lanes: L) {
+        batch(simd, lanes, self.0);
+    }
+}
+
 /// Runs the batch with the widest vectors of this processor; `false` if it has none.
 pub(super) fn with_best_vectors<P: Points>(points: &mut P) -> bool {
-    if let Some(v) = V4::try_new() {
-        v.vectorize(
-            #[inline(always)]
-            || batch(v, *v, points),
-        );
-        return true;
-    }
-    if let Some(v) = V3::try_new() {
-        v.vectorize(
-            #[inline(always)]
-            || batch(v, v, points),
-        );
-        return true;
-    }
-    false
+    with_widest(Batch(points)).is_ok()
 }

@@ -15,7 +15,7 @@ use crate::double_double::Dd;
 use crate::exponential::{LARGE_PHASE, exp_minus_square};
 use crate::lanes::Lanes;
 use crate::pack::{Pack, Wide};
-use crate::real::{ROUND, Real};
+use crate::real::{Masked, ROUND, Real};
 
 /// Why a point has to be computed again: it may be next to a zero; its terms cancel; it is one of
 /// those that only the scalar code takes care of.

@@ -4,19 +4,20 @@
 
 use super::{AxisRow, Real, Vectors};
 use crate::double_double::Dd;
-use crate::exponential::{exp, exponent, of_pairs};
+use crate::exponential::of_pairs;
 use crate::faddeeva::asymptotic::series;
 use crate::faddeeva::branch::{Branch, formula_of_pairs, series_of_pairs};
 use crate::faddeeva::constants::{HALF_SQRT_PI, INV_SQRT_PI, TWO_OVER_SQRT_PI};
 use crate::faddeeva::odd_series;
-use crate::faddeeva::quadrant::dawson_part;
-use crate::faddeeva::rows::{in_cell, on_real_axis, real_axis_row};
-use crate::faddeeva::taylor::{RealRow, real_row};
+use crate::faddeeva::rows::{self, on_axis_of_dawson};
+use crate::faddeeva::taylor::{RealRow, axis_row};
 use crate::faddeeva::{branch, real_line as formulas};
 
-/// |x| below which erf x and Dawson's function are Maclaurin series; below which erfc x is 1 − erf
-/// x; from which |erf x| is 1; from which erfc x is 0 or 2, and beyond which erfcx −x is infinite.
-pub const LIMITS: [f64; 4] = [
+/// |x| below which erf x is a Maclaurin series, and Dawson's function; below which erfc x is 1 − erf
+/// x; from which |erf x| is 1 and erfc −|x| is 2; from which erfc x is 0, and beyond which erfcx −x is
+/// infinite.
+pub const LIMITS: [f64; 5] = [
+    formulas::SERIES_OF_ERF,
     formulas::SERIES,
     formulas::COMPLEMENT,
     formulas::ONE,
@@ -46,7 +47,7 @@ pub fn erfcx_branch(x: f64) -> Branch {
 
 /// erfcx at distance t from a centre.
 pub fn erfcx_row<L: Vectors>(lanes: L, row: &AxisRow, t: L::Scalar) -> Pair<L::Scalar> {
-    of(real_row(lanes, &RealRow(*row), t, t.like(0.0)).0)
+    of(axis_row(lanes, &RealRow(*row), t))
 }
 
 /// erfcx x by the asymptotic series.
@@ -61,7 +62,7 @@ pub fn erfcx_far<R: Real>(x: R) -> Pair<R> {
 
 /// `e^{x²}` as a mantissa and `ROUND` plus the exponent.
 pub fn exponential<R: Real>(x: R) -> (Pair<R>, R) {
-    let (e, n) = exp(exponent(x.like(0.0), x));
+    let (e, n) = formulas::growth(x);
     (of(e), n)
 }
 
@@ -80,9 +81,15 @@ pub fn erf_near<R: Real>(x: R) -> Pair<R> {
     of(formulas::erf_near(x))
 }
 
-/// erf x from erfcx x.
-pub fn erf_right<R: Real>(x: R, w: Pair<R>) -> Pair<R> {
-    of(formulas::erf_right(x, dd(w)))
+/// The row of erf, and the distance from its centre.
+pub fn erf_row(x: f64) -> (&'static AxisRow, f64) {
+    let (n, t) = rows::on_axis(x);
+    (&rows::erf_row(n).0, t)
+}
+
+/// erf x at distance t from a centre.
+pub fn erf_row_value<L: Vectors>(lanes: L, row: &AxisRow, t: L::Scalar) -> Pair<L::Scalar> {
+    of(axis_row(lanes, &RealRow(*row), t))
 }
 
 /// erfc x by the series of erf x.
@@ -98,7 +105,7 @@ pub fn erfc_right<R: Real>(x: R, w: Pair<R>) -> (Pair<R>, R) {
 
 /// erfc −x from erfcx x.
 pub fn erfc_left<R: Real>(x: R, w: Pair<R>) -> Pair<R> {
-    of(formulas::erfc_left(x, dd(w)))
+    of(formulas::less(2.0, formulas::erfc_right(x, dd(w))))
 }
 
 /// The formula for Dawson's function, `½ ≤ x`, not huge.
@@ -111,23 +118,13 @@ pub fn dawson_branch(x: f64) -> Branch {
 
 /// The row of `(2/√π) F` for that formula, F Dawson's function, and the distance from its centre.
 pub fn dawson_row(x: f64) -> (AxisRow, f64) {
-    let (row, t) = match dawson_branch(x) {
-        Branch::Cell { .. } => {
-            let (row, t, _) = in_cell(x, 0.0);
-            (row, t)
-        }
-        _ => {
-            let (n, t) = on_real_axis(x);
-            (real_axis_row(n), t)
-        }
-    };
-    (dawson_part(row).0, t)
+    let (n, t) = on_axis_of_dawson(x);
+    (rows::dawson_row(n).0, t)
 }
 
 /// Dawson's function at distance t from a centre.
 pub fn dawson_row_value<L: Vectors>(lanes: L, row: &AxisRow, t: L::Scalar) -> Pair<L::Scalar> {
-    let (v, _) = real_row(lanes, &RealRow(*row), t, t.like(0.0));
-    of(formulas::dawson_beyond(v))
+    of(formulas::dawson_beyond(axis_row(lanes, &RealRow(*row), t)))
 }
 
 /// Dawson's function by the asymptotic series.

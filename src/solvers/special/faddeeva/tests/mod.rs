@@ -4,6 +4,7 @@ mod bits;
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 mod branch;
 mod paths;
+mod real_argument;
 mod seams;
 mod signs_of_zero;
 mod special_values;

@@ -1,0 +1,129 @@
+//! The motion of a mechanism: certified, or in floating point.
+
+use super::{Column, Table};
+use crate::cli::args::MotionArgs;
+use crate::cli::complain;
+use crate::cli::failure::Failure;
+use crate::cli::files::source;
+use mechaudit::machine::planar::{Certified, Moving};
+use mechaudit::machine::{Linkage, Source};
+use mechaudit::methods::CertifiedValue;
+use mechaudit::reference::faddeeva::Scaled;
+use mechaudit::reference::{Ball, nearest_f64};
+use mechaudit::solvers::planar::dynamics::Settings;
+use rug::Rational;
+
+/// A mechanism with what is asked of its motion.
+pub struct Problem {
+    moving: Moving,
+    source: String,
+    digits: Option<u32>,
+}
+
+/// The source of a machine's file; `None` for other files.
+pub fn source(args: &MotionArgs) -> Option<Source> {
+    let source = source::open(&args.file).ok()?;
+    Linkage::names_type(&source).then_some(source)
+}
+
+impl Problem {
+    /// Reads the mechanism; refuses times before the start.
+    pub fn open(args: &MotionArgs, source: &Source) -> Result<Problem, Failure> {
+        let about = |text: String| Failure::new(text).about(args.file.display());
+        if let Some((name, _)) = args.set.first() {
+            let text = format!("--set {name}: a machine's file has its values itself");
+            return Err(about(text));
+        }
+        let moving = Moving::read(source).map_err(|e| Failure::in_file(&args.file, e))?;
+        if let Some(first) = args.times.0.first().filter(|t| **t < 0) {
+            return Err(about(format!("the time {first} comes before the start 0")));
+        }
+        Ok(Problem {
+            source: args.file.display().to_string(),
+            digits: args.digits,
+            moving,
+        })
+    }
+
+    /// The rows at these times.
+    pub fn table(&self, times: &[Rational]) -> Result<Table, Failure> {
+        let about = |e: &dyn std::fmt::Display| Failure::new(e.to_string()).about(&self.source);
+        let rows = match self.digits {
+            Some(digits) => {
+                let mut certified = Certified::new(&self.moving, digits).map_err(|e| about(&e))?;
+                times
+                    .iter()
+                    .map(|t| (t.clone(), certified_row(&mut certified, t)))
+                    .collect()
+            }
+            None => self.floating(times).map_err(|e| about(&e))?,
+        };
+        let time = Column {
+            name: "t",
+            unit: "s",
+            text: "the time".into(),
+        };
+        let quantities = self.moving.quantities().into_iter().map(|q| Column {
+            name: q.name.clone().leak(),
+            unit: q.unit,
+            text: format!("{}: {}", q.name, q.text),
+        });
+        Ok(Table {
+            title: self
+                .moving
+                .name
+                .clone()
+                .unwrap_or_else(|| "mechanism".into()),
+            source: self.source.clone(),
+            columns: std::iter::once(time).chain(quantities).collect(),
+            inputs: Vec::new(),
+            digits: self.digits,
+            rows,
+        })
+    }
+
+    fn floating(
+        &self,
+        times: &[Rational],
+    ) -> Result<Vec<(Rational, Vec<CertifiedValue>)>, mechaudit::machine::planar::MovingError> {
+        let seconds: Vec<f64> = times.iter().map(nearest_f64).collect();
+        let mut rows = Vec::new();
+        let ended = self.moving.run(&seconds, Settings::default(), |moment| {
+            let time = times
+                .get(rows.len())
+                .filter(|t| nearest_f64(t) == moment.time);
+            let time = time.cloned().or_else(|| Rational::from_f64(moment.time));
+            let values = self.moving.values(moment).into_iter().map(number);
+            rows.push((time.unwrap_or_default(), values.collect()));
+        })?;
+        if let Some(t) = ended {
+            complain(&format!(
+                "motion.until changes its sign at t = {t} s, where the motion ends"
+            ));
+        }
+        Ok(rows)
+    }
+}
+
+fn ball(x: f64) -> Scaled {
+    Ball::exact(64, if x.is_finite() { x } else { 0.0 }).into()
+}
+
+/// A number in floating point.
+fn number(x: f64) -> CertifiedValue {
+    CertifiedValue {
+        value: ball(x),
+        decimal: Some(format!("{x:?}")),
+        why: None,
+    }
+}
+
+fn certified_row(certified: &mut Certified, time: &Rational) -> Vec<CertifiedValue> {
+    let (digits, why) = certified.at(time);
+    let value = |decimal: Option<String>| CertifiedValue {
+        value: ball(decimal.as_ref().and_then(|d| d.parse().ok()).unwrap_or(0.0)),
+        why: why.clone().filter(|_| decimal.is_none()),
+        decimal,
+    };
+    digits.into_iter().map(value).collect()
+}

@@ -1,0 +1,154 @@
+//! What is known of a solver beside a proof: the worst input found, and whether its formula is the definition.
+
+use crate::cli::args::ProveArgs;
+use crate::cli::failure::Failure;
+use crate::cli::process::interrupt;
+use mechaudit::audit::{HuntSettings, Limit, Worst, hunt_until};
+use mechaudit::proof::program::{Measure, Setting};
+use mechaudit::study::{Problem, Study, StudySolver};
+use mechaudit::symbolic::evaluation::{Answer, Goal};
+use mechaudit::symbolic::graph::Graph;
+use mechaudit::symbolic::{Equation, Identity, Outcome as Decision};
+use rug::Rational;
+
+/// Whether solver and definition are the same function over the reals.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Same {
+    /// They are, and how it is known.
+    Proved(&'static str),
+    /// They differ at an input.
+    Refuted(Vec<f64>),
+    /// Neither is known, and why.
+    Undecided(&'static str),
+}
+
+/// The largest error that the hunt finds.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// The error in the measure asked for.
+    pub error: f64,
+    /// Where.
+    pub input: Vec<f64>,
+}
+
+/// The study whose definition is the solver's own formula: its references are what rounding alone
+/// is off from.
+pub fn own_study(
+    problem: &Problem,
+    solver: &StudySolver,
+    setting: Setting,
+    k: usize,
+) -> Result<Problem, Failure> {
+    let mut own = problem.clone();
+    let mut output = problem.outputs[k].clone();
+    output.is = solver.formulas[k].clone();
+    output.text = output.is.to_string();
+    own.outputs = vec![output];
+    // The condition keeps its own names.
+    let clash = |name: &str| {
+        let (a, b) = (
+            problem.definitions.names.get(name),
+            solver.definitions.names.get(name),
+        );
+        matches!((a, b), (Some(a), Some(b)) if a.to_string() != b.to_string())
+    };
+    if let Some(name) = solver.definitions.names.keys().find(|n| clash(n)) {
+        return Err(Failure::new(format!(
+            "the solver and the study define {name} differently"
+        )));
+    }
+    for (name, e) in &solver.definitions.names {
+        own.definitions.set(name, e.clone());
+    }
+    let mut alone = solver.clone();
+    alone.formulas = vec![solver.formulas[k].clone()];
+    alone.elementary = setting.elementary;
+    own.solvers = vec![alone];
+    Ok(own)
+}
+
+/// The largest error that a hunt finds at numbers of the format.
+pub fn worst(
+    own: &Problem,
+    measure: Measure,
+    bound: f64,
+    args: &ProveArgs,
+) -> Result<Option<Found>, Failure> {
+    if args.evals == 0 || bound == 0.0 {
+        return Ok(None);
+    }
+    let unit = if bound.is_finite() { bound } else { 1.0 };
+    let limit = match measure {
+        Measure::Absolute => Limit::Absolute(unit),
+        Measure::Relative => Limit::Relative(unit),
+        Measure::Ulps => Limit::Ulps(unit),
+    };
+    let mut problem = own.clone();
+    problem.outputs[0].budget = (limit, "the proved bound".into());
+    let study = Study::new(problem).map_err(Failure::caused)?;
+    let settings = HuntSettings {
+        evaluations: args.evals,
+        seed: 1,
+    };
+    let found = hunt_until(&study, &settings, &|_| {}, interrupt::flag());
+    let worst = found.worst.into_iter().next();
+    Ok(worst.map(|Worst { share, input, .. }| Found {
+        error: share * unit,
+        input,
+    }))
+}
+
+/// Decides whether the solver's formula is the definition over the reals.
+pub fn same(
+    problem: &Problem,
+    solver: &StudySolver,
+    k: usize,
+    own: &Problem,
+    study: &Study,
+    inputs: Vec<Vec<f64>>,
+) -> Same {
+    let is = &problem.outputs[k].is;
+    let mut graph = Graph::new(problem.inputs.iter().map(|i| i.name.clone()));
+    let both = [
+        graph.build(&problem.definitions, is),
+        graph.build(&solver.definitions, &solver.formulas[k]),
+    ];
+    if let [Ok(a), Ok(b)] = both
+        && a == b
+    {
+        return Same::Proved("the same formula");
+    }
+    if let Ok(of_solver) = Study::new(own.clone()) {
+        for input in inputs {
+            let exact: Option<Vec<Rational>> =
+                input.iter().map(|x| Rational::from_f64(*x)).collect();
+            let Some(exact) = exact else { continue };
+            let ours = of_solver
+                .answers(&exact, Goal::Double(72))
+                .into_iter()
+                .next();
+            let due = study.answers(&exact, Goal::Double(72)).into_iter().nth(k);
+            let differ = match (ours, due) {
+                (Some(Answer::Number(a)), Some(Answer::Number(b))) => !a.overlaps(&b),
+                (Some(Answer::Zero), Some(Answer::Number(b))) => !b.contains_zero(),
+                (Some(Answer::Number(a)), Some(Answer::Zero)) => !a.contains_zero(),
+                _ => false,
+            };
+            if differ {
+                return Same::Refuted(input);
+            }
+        }
+    }
+    // The algebra takes names without a definition for positive numbers.
+    let positive = |i: &mechaudit::study::StudyInput| i.from.as_ref().is_some_and(|q| *q > 0);
+    let equation = Equation {
+        left: is.clone(),
+        right: solver.formulas[k].clone(),
+    };
+    let decided = Identity::of(&own.definitions, &equation);
+    match decided.outcome {
+        Decision::Proved if problem.inputs.iter().all(positive) => Same::Proved("by the algebra"),
+        Decision::Proved => Same::Undecided("proved by the algebra for positive inputs alone"),
+        _ => Same::Undecided("the algebra does not decide it, and no point tried tells them apart"),
+    }
+}

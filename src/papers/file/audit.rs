@@ -1,0 +1,318 @@
+//! The report of a paper that its files state.
+
+use super::claim::Quantity;
+use super::table::{Column, Rounding};
+use super::{Accuracy, Claim, PaperFile, Table};
+use crate::papers::ledger::{Verdict, dimension, finding, proved};
+use crate::papers::number::{AS_PRINTED, Number, explained, tally};
+use crate::papers::{
+    Draft, Entry, EntryVerdict, Figure, Finding, FindingVerdict, PaperReport, Progress, Subject,
+    Tally, VariantJudgement, figure,
+};
+use crate::reference::{Ball, Undecided};
+use crate::symbolic::Outcome;
+use crate::symbolic::evaluation::{Answer, Goal};
+use rayon::prelude::*;
+use rug::Rational;
+use std::collections::BTreeMap;
+
+/// Significant digits of recomputed values beyond those that are printed.
+const MORE_DIGITS: usize = 10;
+
+impl PaperFile {
+    /// Audits the paper: the ledger, the tables entry by entry, the claims.
+    ///
+    /// # Errors
+    /// None; the signature is that of every paper.
+    pub fn report(&self, progress: Progress) -> Result<PaperReport, Undecided> {
+        progress("ledger", 0, 3);
+        let mut findings = self.of_the_ledger();
+        progress("tables", 1, 3);
+        let (mut entries, mut tallies) = (Vec::new(), Vec::new());
+        for table in &self.tables {
+            let (found, of_table, of_columns) = judge_table(table);
+            findings.push(found);
+            entries.extend(of_table);
+            tallies.extend(of_columns);
+        }
+        progress("claims", 2, 3);
+        findings.par_extend(self.claims.par_iter().map(judge_claim));
+        findings.extend(self.accuracies.iter().map(Accuracy::finding));
+        progress("done", 3, 3);
+        Ok(PaperReport::new(self.citation.clone(), findings).with_entries(entries, tallies))
+    }
+
+    /// A finding for each entry that is wrong or open, and one for those that are proved.
+    fn of_the_ledger(&self) -> Vec<Finding> {
+        if self.items.is_empty() {
+            return Vec::new();
+        }
+        let ledger = self.ledger();
+        let count = ledger.count(Verdict::Proved);
+        let title = match count {
+            1 => "One entry of the ledger is proved as printed".to_string(),
+            count => format!("{count} entries of the ledger are proved as printed"),
+        };
+        let text = "The difference of both sides has the normal form zero in the exact algebra, or \
+                    lies within its bound in balls. The ledger lists every entry with its requirements.";
+        let whole = proved(&ledger, ["ledger-proved", "all formulas"], title, text);
+        let alone = ledger.entries.iter();
+        let alone = alone.filter(|e| !self.summaries.iter().any(|s| s.covers(e.id)));
+        let alone = alone
+            .flat_map(|e| [finding(e), dimension(e)])
+            .flatten()
+            .chain([whole]);
+        self.summaries(&ledger).into_iter().chain(alone).collect()
+    }
+}
+
+/// A value as far as it is known.
+type Known = Result<Ball, String>;
+
+/// The certified value of a column in a row.
+fn value_in_row(column: &Column, inputs: &[Rational], printed: &Number) -> Known {
+    let digits = printed.text.len() + MORE_DIGITS;
+    known(column.study.answers(inputs, Goal::Bits(bits(digits))))
+}
+
+fn bits(digits: usize) -> u32 {
+    (digits as f64 * std::f64::consts::LOG2_10).ceil() as u32 + 10
+}
+
+fn known(answers: Vec<Answer>) -> Known {
+    match answers.into_iter().next() {
+        Some(Answer::Number(ball)) => Ok(ball),
+        Some(Answer::Zero) => Ok(Ball::integer(64, 0)),
+        Some(Answer::Huge { .. }) => Err("beyond all exponents".into()),
+        Some(Answer::Undefined { reason, place }) => Err(format!("undefined: {reason} in {place}")),
+        Some(Answer::Undecided(open)) => Err(format!("undecided: {open}")),
+        None => Err("undecided".into()),
+    }
+}
+
+/// Returns true if a printed number is right by a rule of rounding.
+fn is_right(printed: &Number, value: &Ball, rounding: Rounding) -> bool {
+    match rounding {
+        Rounding::Nearest => printed.is_rounded(value),
+        Rounding::LastDigit => printed.is_within_one(value),
+        Rounding::Cut => printed.is_cut(value),
+    }
+}
+
+/// Judges every entry of a table.
+fn judge_table(table: &Table) -> (Finding, Vec<Entry>, Vec<Tally>) {
+    let inputs: Vec<Vec<Rational>> = (0..table.rows.len())
+        .map(|k| {
+            table
+                .given
+                .iter()
+                .map(|g| g.1[k].value.value.clone())
+                .collect()
+        })
+        .collect();
+    let (mut entries, mut tallies) = (Vec::new(), Vec::new());
+    let (mut figures, mut as_recorded, mut right) = (Vec::new(), true, 0);
+    let mut of_print = true;
+    for column in &table.columns {
+        let cells: Vec<(usize, &Number)> = column
+            .printed
+            .iter()
+            .enumerate()
+            .filter_map(|(k, number)| Some((k, number.as_ref()?)))
+            .collect();
+        let values: Vec<Known> = cells
+            .par_iter()
+            .map(|(k, number)| value_in_row(column, &inputs[*k], number))
+            .collect();
+        let pairs = cells.iter().zip(&values);
+        let pairs = pairs.filter_map(|((_, number), value)| Some((*number, value.as_ref().ok()?)));
+        let of_column = Tally {
+            entries: cells.len(),
+            ..tally([AS_PRINTED, column.name], table.number, pairs)
+        };
+        // A misprint stands out only where nearly everything else agrees.
+        let agrees = cells.len() - of_column.within_one <= cells.len() / 10;
+        let mut wrong = Vec::new();
+        for ((k, number), value) in cells.iter().zip(&values) {
+            let row = table.rows[*k];
+            let judged = judged(number, value, column.rounding, agrees);
+            if matches!(judged.verdict, EntryVerdict::Agrees) {
+                right += 1;
+            } else {
+                wrong.push(row);
+                of_print &= judged.verdict == EntryVerdict::Misprint;
+                figures.push(off(column, row, number, &judged));
+            }
+            entries.push(Entry {
+                table: table.number,
+                row,
+                column: column.name,
+                printed: number.text.clone(),
+                variants: BTreeMap::from([(AS_PRINTED, judged)]),
+            });
+        }
+        as_recorded &= wrong == column.wrong;
+        tallies.push(of_column);
+    }
+    let verdict = match (right == entries.len(), of_print) {
+        (true, _) => FindingVerdict::Confirmed,
+        (false, true) => FindingVerdict::PrintOrScan,
+        (false, false) => FindingVerdict::ErrorOfPaper,
+    };
+    let of = entries.len();
+    let name = crate::study::intern(&format!("table-{}", table.number));
+    let place = crate::study::intern(&format!("table {}", table.number));
+    let sentence = "Every printed number is compared with the certified value of its column's definition in the \
+                    numbers of its row, by the rule of rounding of its column.";
+    let text = match table.title {
+        "" => sentence.to_string(),
+        title => format!("{title}. {sentence}"),
+    };
+    let found = Draft::new(name, Subject::Tables, place)
+        .verdict(verdict)
+        .titled(format!("{right} of {of} printed numbers are right"))
+        .text(text)
+        .figures(figures)
+        .recorded_if(as_recorded && of > 0);
+    (found, entries, tallies)
+}
+
+/// The judgement of one entry: it agrees if it is right by its rule.
+fn judged(number: &Number, value: &Known, rounding: Rounding, agrees: bool) -> VariantJudgement {
+    let value = match value {
+        Ok(value) => value,
+        Err(reason) => {
+            return VariantJudgement {
+                recomputed: reason.clone(),
+                units_in_last_digit: f64::NAN,
+                verdict: EntryVerdict::Unexplained,
+                note: None,
+            };
+        }
+    };
+    let mut found = number.judged(value, number.text.len() + MORE_DIGITS);
+    if is_right(number, value, rounding) {
+        (found.verdict, found.note) = (EntryVerdict::Agrees, None);
+    } else if found.verdict == EntryVerdict::Agrees {
+        // The nearest number, where the digits had to be cut off.
+        found.verdict = EntryVerdict::Rounding;
+    } else if found.verdict == EntryVerdict::Unexplained
+        && agrees
+        && let Some(note) = explained(&number.text, value)
+    {
+        (found.verdict, found.note) = (EntryVerdict::Misprint, Some(note));
+    }
+    found
+}
+
+fn off(column: &Column, row: u32, number: &Number, judged: &VariantJudgement) -> Figure {
+    let name = format!("row {row}, {}, printed {}", column.name, number.text);
+    let value = match &judged.note {
+        Some(note) => format!("{} ({note})", judged.recomputed),
+        None => judged.recomputed.clone(),
+    };
+    figure(name, value, "1")
+}
+
+/// Decides a claim.
+fn judge_claim(claim: &Claim) -> Finding {
+    let numbers = claim.printed.iter().chain(claim.bounds.iter().flatten());
+    let longest = numbers.map(|n| n.text.len()).max().unwrap_or_default();
+    let value = match &claim.quantity {
+        Quantity::Value(study) => {
+            known(study.answers(&[], Goal::Bits(bits(longest + MORE_DIGITS))))
+        }
+        Quantity::Largest(f) => f.largest(within(claim)).ok_or_else(not_enclosed),
+        Quantity::Smallest(f) => {
+            let found = f.largest(within(claim)).map(|b| -&b);
+            found.ok_or_else(not_enclosed)
+        }
+    };
+    let outcome = match &value {
+        Ok(value) => outcome(claim, value),
+        Err(_) => Outcome::Undecided,
+    };
+    let verdict = match outcome {
+        Outcome::Proved => FindingVerdict::Confirmed,
+        Outcome::Refuted => FindingVerdict::Refuted,
+        Outcome::Undecided => FindingVerdict::Unexplained,
+    };
+    let mut figures = Vec::new();
+    if let Some(printed) = &claim.printed {
+        figures.push(figure("printed", &printed.text, claim.unit));
+    }
+    for (name, bound) in ["printed lower bound", "printed upper bound"]
+        .iter()
+        .zip(&claim.bounds)
+    {
+        if let Some(bound) = bound {
+            figures.push(figure(*name, &bound.text, claim.unit));
+        }
+    }
+    figures.push(figure(
+        "recomputed",
+        shown(&value, longest + MORE_DIGITS),
+        claim.unit,
+    ));
+    let text = match claim.note {
+        "" => claim.claim.to_string(),
+        note => format!("{} {note}", claim.claim),
+    };
+    Draft::new(claim.id, claim.subject, claim.place)
+        .verdict(verdict)
+        .titled(claim.claim.trim_end_matches('.'))
+        .text(text)
+        .figures(figures)
+        .recorded_if(outcome == claim.expected)
+}
+
+fn not_enclosed() -> String {
+    "undecided: the extreme is not enclosed within the limit on subdivisions".into()
+}
+
+/// The radius of an extreme that decides its claim, unless the number is close to a limit.
+fn within(claim: &Claim) -> f64 {
+    let numbers = claim.printed.iter().chain(claim.bounds.iter().flatten());
+    let units = numbers.map(|n| n.value.unit().to_f64());
+    units.fold(f64::INFINITY, f64::min) / 64.0
+}
+
+/// The digits that are known.
+fn shown(value: &Known, digits: usize) -> String {
+    let value = match value {
+        Ok(value) => value,
+        Err(reason) => return reason.clone(),
+    };
+    let shown = (1..=digits)
+        .rev()
+        .find_map(|digits| value.to_decimal(digits));
+    shown.unwrap_or_else(|| "undecided".into())
+}
+
+/// All parts of the claim have to hold; one that fails refutes it.
+fn outcome(claim: &Claim, value: &Ball) -> Outcome {
+    let mut parts = Vec::new();
+    if let Some(printed) = &claim.printed {
+        parts.push(match is_right(printed, value, claim.rounding) {
+            true => Outcome::Proved,
+            false if printed.is_wrong(value, claim.rounding) => Outcome::Refuted,
+            false => Outcome::Undecided,
+        });
+    }
+    for (bound, sign) in claim.bounds.iter().zip([-1, 1]) {
+        let Some(bound) = bound else { continue };
+        // Positive if the bound is kept.
+        let slack = bound.difference(value);
+        let slack = if sign < 0 { -&slack } else { slack };
+        parts.push(match () {
+            () if slack.is_positive() || slack.is_zero() => Outcome::Proved,
+            () if slack.is_negative() => Outcome::Refuted,
+            () => Outcome::Undecided,
+        });
+    }
+    match () {
+        () if parts.contains(&Outcome::Refuted) => Outcome::Refuted,
+        () if parts.contains(&Outcome::Undecided) || parts.is_empty() => Outcome::Undecided,
+        () => Outcome::Proved,
+    }
+}

@@ -1,0 +1,109 @@
+//! A paper as a folder of text files: symbols, entries, tables and claims, read with their places.
+//!
+//! The format is described in the chapter [Auditing a paper](crate::book::audit_a_paper).
+
+mod accuracy;
+mod audit;
+mod claim;
+mod entry;
+#[cfg(test)]
+mod planted_tests;
+mod read;
+mod source;
+mod summary;
+mod symbols;
+mod table;
+#[cfg(test)]
+mod tests;
+
+pub use accuracy::Accuracy;
+pub use claim::Claim;
+pub use source::Texts;
+pub use summary::Summary;
+pub use symbols::Symbol;
+pub use table::{Column, Rounding, Table};
+
+use super::ledger::{Item, Ledger};
+use super::{Citation, Finding};
+use crate::study::StudyError;
+use source::Source;
+use std::path::Path;
+
+/// A paper as its files state it.
+#[derive(Clone, Debug)]
+pub struct PaperFile {
+    /// The paper.
+    pub citation: Citation,
+    /// The declared symbols.
+    pub symbols: Vec<Symbol>,
+    /// The entries of the ledger in the order of the files.
+    pub items: Vec<Item>,
+    /// The tables.
+    pub tables: Vec<Table>,
+    /// The claims with numbers.
+    pub claims: Vec<Claim>,
+    /// The claims about the accuracy of algorithms.
+    pub accuracies: Vec<Accuracy>,
+    /// The findings that sum up entries.
+    pub summaries: Vec<Summary>,
+}
+
+/// A skeleton of a paper, which is one itself.
+pub const SKELETON: Texts = &[
+    ("paper.toml", include_str!("skeleton/paper.toml")),
+    ("table-1.csv", include_str!("skeleton/table-1.csv")),
+];
+
+impl PaperFile {
+    /// Opens a folder that holds `paper.toml`, or a single file.
+    ///
+    /// # Errors
+    /// The file, the place and the rule that is broken.
+    pub fn open(path: &Path) -> Result<PaperFile, StudyError> {
+        let named = |path: &Path| {
+            let absolute = std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf());
+            let stem = match path.is_dir() {
+                true => absolute.file_name(),
+                false => absolute.file_stem(),
+            };
+            stem.map_or_else(|| "paper".into(), |s| s.to_string_lossy().into_owned())
+        };
+        let (folder, file) = match path.is_dir() {
+            true => (path, "paper.toml".into()),
+            false => {
+                let file = path.file_name().map(|n| n.to_string_lossy().into_owned());
+                let folder = path.parent().unwrap_or(Path::new(""));
+                (folder, file.unwrap_or_default())
+            }
+        };
+        let source = Source::Folder(folder.to_path_buf());
+        let shown = folder.display().to_string();
+        read::paper(&named(path), &source, &file).map_err(|mut e| {
+            // The whole path, as the user wrote it.
+            let file = e.file.unwrap_or(file);
+            e.file = Some(match shown.as_str() {
+                "" => file,
+                shown => format!("{}/{file}", shown.trim_end_matches('/')),
+            });
+            e
+        })
+    }
+
+    /// Reads a paper from texts, the first of which is `paper.toml`.
+    ///
+    /// # Errors
+    /// As [`PaperFile::open`].
+    pub fn parse(key: &str, texts: Texts) -> Result<PaperFile, StudyError> {
+        read::paper(key, &Source::Texts(texts), "paper.toml")
+    }
+
+    /// The findings that sum up entries of the ledger, in the order of the files.
+    pub(super) fn summaries(&self, ledger: &Ledger) -> Vec<Finding> {
+        self.summaries.iter().map(|s| s.finding(ledger)).collect()
+    }
+
+    /// Decides every entry.
+    pub fn ledger(&self) -> Ledger {
+        Ledger::of(self.citation.clone(), &self.items)
+    }
+}

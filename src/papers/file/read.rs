@@ -1,0 +1,260 @@
+//! The files of a paper, read in their order.
+
+use super::source::Source;
+use super::symbols::{self, Symbols};
+use super::{PaperFile, accuracy, claim, entry, summary, table};
+use crate::papers::Citation;
+use crate::study::document::{self, Item as Node, Value};
+use crate::study::{StudyError, intern, is_name};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Keys of the first file, and of those that it names.
+const KEYS: [&str; 14] = [
+    "title",
+    "authors",
+    "year",
+    "venue",
+    "source",
+    "parts",
+    "units",
+    "symbols",
+    "definitions",
+    "entry",
+    "table",
+    "claim",
+    "accuracy",
+    "finding",
+];
+const KEYS_OF_PARTS: [&str; 6] = [
+    "definitions",
+    "entry",
+    "table",
+    "claim",
+    "accuracy",
+    "finding",
+];
+
+/// The largest number of entries, tables and claims of a paper.
+const MOST: usize = 10_000;
+
+/// What has been read so far, and what later parts need of it.
+pub(super) struct Reading<'a> {
+    pub source: &'a Source,
+    pub symbols: Symbols,
+    /// Groups of definitions by their names.
+    pub groups: BTreeMap<String, Vec<String>>,
+    /// Names of entries and claims.
+    ids: BTreeSet<String>,
+    /// The name of the file that is being read, kept for good.
+    pub file: &'static str,
+}
+
+impl Reading<'_> {
+    /// The name of an entry or claim, which has to be new.
+    pub fn id(&mut self, node: &Node) -> Result<&'static str, StudyError> {
+        let id = required(node, "id")?;
+        let text = id.text()?;
+        let is_word = !text.is_empty() && text.chars().all(|c| c.is_ascii_graphic());
+        if !is_word {
+            return Err(id.fault(format!("the name {text:?} is not one word")));
+        }
+        if !self.ids.insert(text.into()) {
+            return Err(id.fault(format!("the name {text:?} is taken")));
+        }
+        match self.ids.len() > MOST {
+            true => Err(id.fault(format!("more than {MOST} entries and claims"))),
+            false => Ok(intern(text)),
+        }
+    }
+
+    /// The definitions that a list names: groups, and definitions of its own.
+    pub fn definitions(&self, node: Option<&Node>) -> Result<Vec<&'static str>, StudyError> {
+        let mut all: Vec<&'static str> = Vec::new();
+        let mut own = BTreeSet::new();
+        for item in texts(node)? {
+            let text = item.text()?;
+            if text.contains('=') {
+                if let Some(name) = defined(text)
+                    && !own.insert(name.to_string())
+                {
+                    return Err(item.fault(format!("{name} is defined twice")));
+                }
+                all.push(intern(text));
+                continue;
+            }
+            let Some(group) = self.groups.get(text) else {
+                let known: Vec<&str> = self.groups.keys().map(String::as_str).collect();
+                let hint = crate::audit::did_you_mean(text, &known);
+                let reason = format!(
+                    "{text:?} is neither a definition, \"name = expression\", nor a group of [definitions]{hint}"
+                );
+                return Err(item.fault(reason));
+            };
+            all.extend(group.iter().map(|text| intern(text)));
+        }
+        Ok(all)
+    }
+}
+
+/// The name that a definition gives; none of a derivative.
+pub(super) fn defined(text: &str) -> Option<&str> {
+    let (left, _) = text.split_once('=')?;
+    (!left.contains(':')).then(|| left.trim())
+}
+
+/// A key that has to be there.
+pub(super) fn required<'a>(node: &'a Node, key: &str) -> Result<&'a Node, StudyError> {
+    node.get(key)
+        .ok_or_else(|| node.fault(format!("the key {key:?} is missing")))
+}
+
+/// A text that may be missing, kept for good.
+pub(super) fn text(node: &Node, key: &str) -> Result<&'static str, StudyError> {
+    node.get(key).map_or(Ok(""), |item| item.text().map(intern))
+}
+
+/// A text or a list of texts.
+pub(super) fn texts(node: Option<&Node>) -> Result<Vec<&Node>, StudyError> {
+    match node {
+        None => Ok(Vec::new()),
+        Some(node) => match &node.value {
+            Value::List(items) => Ok(items.iter().collect()),
+            _ => Ok(vec![node]),
+        },
+    }
+}
+
+/// True or false; false if it is missing.
+pub(super) fn truth(node: &Node, key: &str) -> Result<bool, StudyError> {
+    match node.get(key).map(|item| (&item.value, item)) {
+        None => Ok(false),
+        Some((Value::Truth(b), _)) => Ok(*b),
+        Some((_, item)) => Err(item.fault("expected true or false")),
+    }
+}
+
+/// A number without sign that is not larger than a limit.
+pub(super) fn count(node: &Node, most: u32) -> Result<u32, StudyError> {
+    let text = node.text()?;
+    match text.parse::<u32>() {
+        Ok(n) if n <= most => Ok(n),
+        _ => Err(node.fault(format!("{text:?} is no number from 0 to {most}"))),
+    }
+}
+
+/// One of some words.
+pub(super) fn word<T: Copy>(
+    node: Option<&Node>,
+    words: &[(&str, T)],
+    default: T,
+) -> Result<T, StudyError> {
+    let Some(node) = node else { return Ok(default) };
+    let text = node.text()?;
+    let found = words.iter().find(|w| w.0 == text);
+    found.map(|w| w.1).ok_or_else(|| {
+        let known: Vec<&str> = words.iter().map(|w| w.0).collect();
+        let known = known.join(", ");
+        node.fault(format!("{text:?} is none of: {known}"))
+    })
+}
+
+/// Reads a paper.
+pub(super) fn paper(key: &str, source: &Source, first: &str) -> Result<PaperFile, StudyError> {
+    let read = |name: &str| {
+        let text = source.read(name)?;
+        document::read(&text).map_err(|e| e.in_file(name))
+    };
+    let file = read(first)?;
+    let in_first = |e: StudyError| e.in_file(first);
+    file.only(&KEYS).map_err(in_first)?;
+    let mut paper = PaperFile {
+        citation: citation(key, &file).map_err(in_first)?,
+        symbols: Vec::new(),
+        items: Vec::new(),
+        tables: Vec::new(),
+        claims: Vec::new(),
+        accuracies: Vec::new(),
+        summaries: Vec::new(),
+    };
+    paper.symbols = symbols::read(&file).map_err(in_first)?;
+    let dimensions = symbols::dimensions(&file, &paper.symbols).map_err(in_first)?;
+    let mut reading = Reading {
+        source,
+        symbols: Symbols::new(&paper.symbols, file.get("symbols").is_some(), dimensions),
+        groups: BTreeMap::new(),
+        ids: BTreeSet::new(),
+        file: intern(first),
+    };
+    part(&mut reading, &file, &mut paper).map_err(in_first)?;
+    for name in texts(file.get("parts")).map_err(in_first)? {
+        let text = name.text().map_err(in_first)?;
+        let more = read(text).map_err(|e| e.at(name.place).in_file(first))?;
+        let here = |e: StudyError| e.in_file(text);
+        more.only(&KEYS_OF_PARTS).map_err(here)?;
+        reading.file = intern(text);
+        part(&mut reading, &more, &mut paper).map_err(here)?;
+    }
+    for summary in &paper.summaries {
+        summary.check(&paper.items)?;
+    }
+    let is_empty = paper.items.is_empty() && paper.tables.is_empty();
+    if is_empty && paper.claims.is_empty() && paper.accuracies.is_empty() {
+        let reason = "a paper has at least one [[entry]], [[table]], [[claim]] or [[accuracy]]";
+        return Err(in_first(StudyError::new(reason)));
+    }
+    Ok(paper)
+}
+
+fn citation(key: &str, file: &Node) -> Result<Citation, StudyError> {
+    let year = match file.get("year") {
+        None => None,
+        Some(year) => Some(count(year, 9999)? as u16),
+    };
+    required(file, "title")?;
+    Ok(Citation {
+        key: intern(key),
+        authors: text(file, "authors")?,
+        title: text(file, "title")?,
+        year,
+        venue: text(file, "venue")?,
+        source: text(file, "source")?,
+    })
+}
+
+/// The definitions, entries, tables and claims of one file.
+fn part(reading: &mut Reading, file: &Node, paper: &mut PaperFile) -> Result<(), StudyError> {
+    for (name, group) in file.get("definitions").map_or(Ok(&[][..]), Node::table)? {
+        is_name(name, group)?;
+        let mut lines = Vec::new();
+        for item in texts(Some(group))? {
+            let line = item.text()?;
+            let Some((left, _)) = line.split_once('=') else {
+                let reason = format!("{line:?} is no definition: \"name = expression\"");
+                return Err(item.fault(reason));
+            };
+            let left = left.rsplit(':').next().unwrap_or(left).trim();
+            is_name(left, item)?;
+            lines.push(line.to_string());
+        }
+        if reading.groups.insert(name.clone(), lines).is_some() {
+            return Err(group.fault(format!("the group {name} is defined twice")));
+        }
+    }
+    let list = |key: &str| file.get(key).map_or(Ok(&[][..]), Node::list);
+    for node in list("entry")? {
+        paper.items.push(entry::read(reading, node)?);
+    }
+    for node in list("table")? {
+        paper.tables.push(table::read(reading, node)?);
+    }
+    for node in list("claim")? {
+        paper.claims.push(claim::read(reading, node)?);
+    }
+    for node in list("accuracy")? {
+        paper.accuracies.push(accuracy::read(reading, node)?);
+    }
+    for node in list("finding")? {
+        paper.summaries.push(summary::read(reading, node)?);
+    }
+    Ok(())
+}

@@ -1,0 +1,324 @@
+//! Printed tables: CSV files with the definition of each column.
+
+use super::entry::{circular, fault};
+use super::read::{Reading, count, defined, required, text, texts, word};
+use crate::audit::Limit;
+use crate::papers::number::Number;
+use crate::reference::Decimal;
+use crate::study::document::{Item as Node, Value};
+use crate::study::{Problem, Spacing, Study, StudyError, StudyInput, StudyOutput, intern, is_name};
+use crate::symbolic::Definitions;
+
+/// The rule by which a printed number was rounded.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Rounding {
+    /// To the nearest: within half a unit of the last digit.
+    #[default]
+    Nearest,
+    /// From inexact intermediate values: within one unit of the last digit.
+    LastDigit,
+    /// The digits that follow are left out.
+    Cut,
+}
+
+pub(super) const ROUNDINGS: [(&str, Rounding); 3] = [
+    ("nearest", Rounding::Nearest),
+    ("last-digit", Rounding::LastDigit),
+    ("cut", Rounding::Cut),
+];
+
+/// A printed table.
+#[derive(Clone, Debug)]
+pub struct Table {
+    /// Its number.
+    pub number: u32,
+    /// Its title.
+    pub title: &'static str,
+    /// The numbers of its rows as printed, or from 1.
+    pub rows: Vec<u32>,
+    /// Columns that are taken as printed: their names and numbers.
+    pub given: Vec<(&'static str, Vec<Number>)>,
+    /// Columns that are judged.
+    pub columns: Vec<Column>,
+}
+
+/// A column that is judged.
+#[derive(Clone)]
+pub struct Column {
+    /// Its name.
+    pub name: &'static str,
+    /// The numbers as printed; none where a cell is empty.
+    pub printed: Vec<Option<Number>>,
+    /// Its definition, with the given columns as inputs.
+    pub study: Study,
+    /// The rule of rounding.
+    pub rounding: Rounding,
+    /// The rows that are known to be wrong.
+    pub wrong: Vec<u32>,
+}
+
+impl std::fmt::Debug for Column {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Column")
+            .field("name", &self.name)
+            .finish_non_exhaustive()
+    }
+}
+
+/// The largest number of rows.
+const MOST_ROWS: usize = 100_000;
+
+/// The cells of a CSV file by column.
+struct Cells {
+    file: String,
+    headers: Vec<String>,
+    lines: Vec<u64>,
+    rows: Vec<Vec<String>>,
+}
+
+impl Cells {
+    fn fault(&self, line: u64, reason: String) -> StudyError {
+        StudyError::new(format!("line {line}: {reason}")).in_file(&self.file)
+    }
+
+    fn read(reading: &Reading, node: &Node) -> Result<Cells, StudyError> {
+        let file = node.text()?;
+        let text = reading.source.read(file).map_err(|e| e.at(node.place))?;
+        let mut reader = csv::ReaderBuilder::new()
+            .comment(Some(b'#'))
+            .flexible(true)
+            .trim(csv::Trim::All)
+            .from_reader(text.as_bytes());
+        let mut cells = Cells {
+            file: file.into(),
+            headers: Vec::new(),
+            lines: Vec::new(),
+            rows: Vec::new(),
+        };
+        let bad = |e: csv::Error| StudyError::new(e.to_string()).in_file(file);
+        cells.headers = reader
+            .headers()
+            .map_err(bad)?
+            .iter()
+            .map(String::from)
+            .collect();
+        for record in reader.records() {
+            let record = record.map_err(bad)?;
+            let line = record.position().map_or(0, csv::Position::line);
+            let (found, due) = (record.len(), cells.headers.len());
+            if found != due {
+                let reason = format!("the row has {found} cells where the head has {due}");
+                return Err(cells.fault(line, reason));
+            }
+            cells.lines.push(line);
+            cells.rows.push(record.iter().map(String::from).collect());
+            if cells.rows.len() > MOST_ROWS {
+                return Err(cells.fault(line, format!("more than {MOST_ROWS} rows")));
+            }
+        }
+        match cells.rows.is_empty() {
+            true => Err(StudyError::new("the table has no rows").in_file(file)),
+            false => Ok(cells),
+        }
+    }
+
+    fn column(&self, name: &str, node: &Node) -> Result<usize, StudyError> {
+        self.headers.iter().position(|h| h == name).ok_or_else(|| {
+            let known = self.headers.join(", ");
+            node.fault(format!(
+                "{} has no column {name:?}; there are: {known}",
+                self.file
+            ))
+        })
+    }
+
+    fn number(&self, row: usize, column: usize) -> Result<Number, StudyError> {
+        let text = &self.rows[row][column];
+        let value = Decimal::parse(text).map_err(|_| {
+            let name = &self.headers[column];
+            self.fault(
+                self.lines[row],
+                format!("column {name}: {text:?} is no number"),
+            )
+        })?;
+        Ok(Number {
+            text: text.clone(),
+            value,
+        })
+    }
+}
+
+/// Reads a table, its file and the definitions of its columns.
+pub(super) fn read(reading: &Reading, node: &Node) -> Result<Table, StudyError> {
+    node.only(&[
+        "number", "title", "file", "row", "given", "with", "rounding", "columns",
+    ])?;
+    let cells = Cells::read(reading, required(node, "file")?)?;
+    let rounding = word(node.get("rounding"), &ROUNDINGS, Rounding::Nearest)?;
+    let number = count(required(node, "number")?, 100_000)?;
+    let rows = match node.get("row") {
+        None => (1..=cells.rows.len() as u32).collect(),
+        Some(row) => {
+            let column = cells.column(row.text()?, row)?;
+            let of = |k: usize| {
+                let text = &cells.rows[k][column];
+                text.parse::<u32>().map_err(|_| {
+                    cells.fault(cells.lines[k], format!("{text:?} is no number of a row"))
+                })
+            };
+            (0..cells.rows.len())
+                .map(of)
+                .collect::<Result<Vec<_>, _>>()?
+        }
+    };
+    let mut given = Vec::new();
+    for item in texts(node.get("given"))? {
+        let name = item.text()?;
+        is_name(name, item)?;
+        let column = cells.column(name, item)?;
+        let numbers = (0..cells.rows.len()).map(|k| cells.number(k, column));
+        given.push((intern(name), numbers.collect::<Result<Vec<_>, _>>()?));
+    }
+    let inputs: Vec<&str> = given.iter().map(|g| g.0).collect();
+    let shared = shared(reading, node)?;
+    let columns = required(node, "columns")?
+        .table()?
+        .iter()
+        .map(|(name, node)| {
+            let column = cells.column(name, node)?;
+            let of = |k: usize| match cells.rows[k][column].is_empty() {
+                true => Ok(None),
+                false => cells.number(k, column).map(Some),
+            };
+            let printed = (0..cells.rows.len())
+                .map(of)
+                .collect::<Result<Vec<_>, _>>()?;
+            self::column(
+                reading,
+                name,
+                node,
+                (&inputs, &shared, &rows),
+                rounding,
+                printed,
+            )
+        });
+    let table = Table {
+        number,
+        title: text(node, "title")?,
+        columns: columns.collect::<Result<_, _>>()?,
+        rows,
+        given,
+    };
+    match table.columns.is_empty() {
+        true => Err(node.fault("a table has at least one column with a definition")),
+        false => Ok(table),
+    }
+}
+
+/// The definitions that all columns of a table, or a claim, may use: values of symbols and groups.
+pub(super) fn shared(
+    reading: &Reading,
+    node: &Node,
+) -> Result<(Definitions, Vec<String>), StudyError> {
+    let with = reading.definitions(node.get("with"))?;
+    let own: Vec<String> = with
+        .iter()
+        .filter_map(|t| defined(t))
+        .map(String::from)
+        .collect();
+    let names = reading.symbols.names.with(own.clone());
+    let place = node.get("with").unwrap_or(node);
+    let mut all = names
+        .definitions(&with)
+        .map_err(|e| fault(e, place, &names))?;
+    for (name, value) in &reading.symbols.values {
+        all.names
+            .entry(name.clone())
+            .or_insert_with(|| value.clone());
+    }
+    match circular(&all) {
+        Some(name) => Err(place.fault(format!("the definition of {name} leads back to {name}"))),
+        None => Ok((all, own)),
+    }
+}
+
+type Context<'a> = (&'a [&'a str], &'a (Definitions, Vec<String>), &'a [u32]);
+
+fn column(
+    reading: &Reading,
+    name: &str,
+    node: &Node,
+    (inputs, shared, rows): Context,
+    rounding: Rounding,
+    printed: Vec<Option<Number>>,
+) -> Result<Column, StudyError> {
+    let (is, rounding, wrong) = match node.value {
+        Value::Table(_) => {
+            node.only(&["is", "rounding", "wrong"])?;
+            let mut wrong = Vec::new();
+            for row in texts(node.get("wrong"))? {
+                let found = count(row, u32::MAX)?;
+                if !rows.contains(&found) {
+                    return Err(row.fault(format!("the table has no row {found}")));
+                }
+                wrong.push(found);
+            }
+            let rounding = word(node.get("rounding"), &ROUNDINGS, rounding)?;
+            (required(node, "is")?, rounding, wrong)
+        }
+        _ => (node, rounding, Vec::new()),
+    };
+    Ok(Column {
+        name: intern(name),
+        printed,
+        study: study(reading, is, inputs, shared)?,
+        rounding,
+        wrong,
+    })
+}
+
+/// An expression of named inputs as a study, whose values are certified.
+pub(super) fn study(
+    reading: &Reading,
+    node: &Node,
+    inputs: &[&str],
+    (definitions, own): &(Definitions, Vec<String>),
+) -> Result<Study, StudyError> {
+    let text = node.text()?;
+    let more = inputs
+        .iter()
+        .map(|n| n.to_string())
+        .chain(own.iter().cloned());
+    let names = reading.symbols.names.with(more);
+    let is = names.expression(text).map_err(|e| fault(e, node, &names))?;
+    let mut definitions = definitions.clone();
+    for name in inputs {
+        definitions.names.remove(*name);
+    }
+    let free = StudyInput {
+        name: String::new(),
+        unit: "1".into(),
+        from: None,
+        to: None,
+        spacing: Spacing::Linear,
+    };
+    let input = |name: &&str| StudyInput {
+        name: name.to_string(),
+        ..free.clone()
+    };
+    let problem = Problem {
+        name: "value".into(),
+        title: text.into(),
+        inputs: inputs.iter().map(input).collect(),
+        outputs: vec![StudyOutput {
+            name: "value".into(),
+            unit: "1".into(),
+            is,
+            text: text.into(),
+            budget: (Limit::Ulps(1.0), "the value alone is asked for".into()),
+        }],
+        definitions,
+        ..Problem::default()
+    };
+    Study::new(problem).map_err(|e| e.at(node.place))
+}

@@ -1,0 +1,347 @@
+//! Ranges, rounding errors and derivatives of all operations of a tape over a box of inputs.
+//!
+//! For an input x of the box let `δ_i` be the error that operation i makes in the execution: the
+//! number computed less what exact arithmetic makes of its computed operands. Multiplied by `θ` in
+//! `[0, 1]` these errors lead from the exact values (`θ = 0`) to the computed ones (`θ = 1`), and by
+//! the mean value theorem along this path
+//!
+//! ```text
+//! f̂(x) − f(x) = Σ_i δ_i ∂f/∂δ_i    at some θ.
+//! ```
+//!
+//! A [`Pass`] encloses every operation over the box twice: what the execution may give ([`Pass::float`]),
+//! from which `|δ_i|` follows, and all values on the path ([`Pass::value`]), over which derivatives
+//! are taken. So no term of second order is left to be added: it is in the width of the path.
+
+mod condition;
+mod derivative;
+mod operation;
+
+use operation::Ends;
+
+use super::Setting;
+use super::elementary::{pi, power, range};
+use super::tape::{Op, Place, Tape};
+use crate::form::{exponent, grain_of_point, power_of_two};
+use crate::interval::{Interval, product_up, sum_up};
+use mechaudit_symbolic::Func;
+
+/// Why an operation has no bound over a box.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Stop {
+    /// The reason.
+    pub reason: &'static str,
+}
+
+fn stop<T>(reason: &'static str) -> Result<T, Stop> {
+    Err(Stop { reason })
+}
+
+/// Ranges, errors and derivatives over one box; see the [module](self).
+#[derive(Clone, Debug)]
+pub(crate) struct Pass {
+    setting: Setting,
+    /// The number of inputs.
+    inputs: usize,
+    /// What the execution may give.
+    pub float: Vec<Interval>,
+    /// Values on the path from exact to computed.
+    pub value: Vec<Interval>,
+    /// What is computed is a multiple of `2^grain`.
+    grain: Vec<i32>,
+    /// Bounds of `|δ_i|`.
+    pub noise: Vec<f64>,
+    /// Bounds of the difference between computed and exact values, operation by operation.
+    pub error: Vec<f64>,
+    /// Derivatives by the operands.
+    partial: Vec<[Interval; 3]>,
+    /// Derivatives by the inputs, input by input.
+    pub slope: Vec<Interval>,
+    /// Derivatives of the partial ones by the inputs.
+    curve: Vec<Interval>,
+    /// `∂f/∂δ_i`.
+    pub adjoint: Vec<Interval>,
+    /// Derivatives of these by the inputs.
+    pub adjoint_slope: Vec<Interval>,
+    /// Operations whose error counts: their own or that of an operand is not zero.
+    noisy: Vec<bool>,
+    /// Conditions that the box does not decide, in the order of the tape.
+    pub open: Vec<usize>,
+    /// Errors that operations may make elsewhere, where the path of another point is followed.
+    pub given: Vec<f64>,
+}
+
+fn one() -> Interval {
+    Interval::point(1.0)
+}
+
+impl Pass {
+    /// Creates a pass without a tape.
+    pub fn new(setting: Setting, inputs: usize) -> Pass {
+        Pass {
+            setting,
+            inputs,
+            float: Vec::new(),
+            value: Vec::new(),
+            grain: Vec::new(),
+            noise: Vec::new(),
+            error: Vec::new(),
+            partial: Vec::new(),
+            slope: Vec::new(),
+            curve: Vec::new(),
+            adjoint: Vec::new(),
+            adjoint_slope: Vec::new(),
+            noisy: Vec::new(),
+            open: Vec::new(),
+            given: Vec::new(),
+        }
+    }
+
+    /// The exponent of the last bit of numbers not smaller than `least` in magnitude.
+    fn last_bit(&self, least: f64) -> i32 {
+        let lowest = self.setting.lowest();
+        if least == 0.0 {
+            return lowest;
+        }
+        (exponent(least) + 1 - self.setting.bits()).max(lowest)
+    }
+
+    /// Half a unit in the last place of the largest result.
+    fn half_ulp(&self, most: f64, beyond: bool) -> f64 {
+        let e = exponent(most);
+        let whole = e >= -1022 && most == power_of_two(e);
+        let e = if whole && !beyond { e - 1 } else { e };
+        let last = (e + 1 - self.setting.bits()).max(self.setting.lowest());
+        power_of_two((last - 1).max(-1074))
+    }
+
+    /// The format's numbers next to the ends, which rounding does not leave.
+    fn rounded(&self, x: f64) -> f64 {
+        if self.setting.is_single() {
+            f64::from(x as f32)
+        } else {
+            x
+        }
+    }
+
+    /// Computes ranges, errors and, if asked, derivatives by inputs. Of the conditions that the box
+    /// does not decide, those at the end of `picks` are taken as it says: it holds the branch of the
+    /// exact value.
+    pub fn forward(
+        &mut self,
+        tape: &Tape,
+        at: &[Interval],
+        slopes: bool,
+        picks: &[bool],
+    ) -> Result<(), Stop> {
+        self.float.clear();
+        self.value.clear();
+        self.grain.clear();
+        self.noise.clear();
+        self.error.clear();
+        self.partial.clear();
+        self.noisy.clear();
+        self.slope.clear();
+        self.curve.clear();
+        self.open.clear();
+        for op in &tape.ops {
+            self.step(tape, *op, at, slopes, picks)?;
+        }
+        Ok(())
+    }
+
+    fn push(&mut self, float: Interval, value: Interval, noise: f64, grain: i32, error: f64) {
+        let given = self.given.get(self.noise.len()).copied().unwrap_or(0.0);
+        let error = match given > noise {
+            true => sum_up(error, given),
+            false => error,
+        };
+        let noise = noise.max(given);
+        let value = value.widened(noise);
+        // Without any error all of the path is what is computed.
+        let value = if error == 0.0 {
+            value.meet(float)
+        } else {
+            value
+        };
+        // Rounding gives a multiple of the last bit of the smallest result, and keeps the grain.
+        let grain = grain.max(self.last_bit(float.mignitude()));
+        self.float.push(float);
+        self.value.push(value);
+        self.noise.push(noise);
+        self.grain.push(grain);
+        self.error.push(error);
+        self.partial.push([Interval::ZERO; 3]);
+        self.noisy.push(noise > 0.0);
+    }
+
+    fn step(
+        &mut self,
+        tape: &Tape,
+        op: Op,
+        at: &[Interval],
+        slopes: bool,
+        picks: &[bool],
+    ) -> Result<(), Stop> {
+        let lowest = self.setting.lowest();
+        match op {
+            Op::Input(k) => {
+                let x = at[k];
+                match self.setting.round_inputs {
+                    false => self.push(x, x, 0.0, lowest, 0.0),
+                    true => {
+                        let mut ends = Ends::new();
+                        ends.take(x.lo, 0.0);
+                        ends.take(x.hi, 0.0);
+                        let noise = match x.is_point() && self.rounded(x.lo) == x.lo {
+                            true => 0.0,
+                            false => self.rounding(ends, i32::MIN)?,
+                        };
+                        self.push(self.rounded_ends(ends), x, noise, lowest, noise);
+                    }
+                }
+            }
+            Op::Constant(real, nearest, noise) => {
+                let point = Interval::point(nearest);
+                if !(nearest.abs() <= self.setting.largest()) {
+                    return stop("a constant overflows");
+                }
+                self.push(point, real, noise, grain_of_point(nearest), noise);
+            }
+            Op::Neg(a) => {
+                let (f, v) = (-self.float[a], -self.value[a]);
+                self.push(f, v, 0.0, self.grain[a], self.error[a]);
+            }
+            Op::Abs(a) => {
+                let of = |x: Interval| Interval::new(x.mignitude(), x.magnitude());
+                let (f, v) = (of(self.float[a]), of(self.value[a]));
+                self.push(f, v, 0.0, self.grain[a], self.error[a]);
+            }
+            Op::Add(a, b) => self.sum(a, b, false)?,
+            Op::Sub(a, b) => self.sum(a, b, true)?,
+            Op::Mul(a, b) => self.product(a, b)?,
+            Op::Div(a, b) => self.quotient(a, b)?,
+            Op::Sqrt(a) => self.root(a)?,
+            Op::Fma(a, b, c) => self.fused(a, b, c)?,
+            Op::Smooth(f, a, accuracy) => {
+                let value = range(f, self.value[a]);
+                let [first, _] = super::elementary::slopes(f, self.value[a], value);
+                let error = product_up(first.magnitude(), self.error[a]);
+                self.function(value, accuracy.ulps, error)?;
+            }
+            Op::Power(a, k, accuracy) => {
+                let x = self.value[a];
+                let slope = Interval::point(k.into()) * power(x, k - 1);
+                let error = product_up(slope.magnitude(), self.error[a]);
+                self.function(power(x, k), accuracy.ulps, error)?;
+            }
+            Op::Pow(a, b, accuracy) => {
+                let (x, y) = (self.value[a], self.value[b]);
+                if !(x.lo > 0.0) {
+                    return stop("a power whose base may be zero or negative");
+                }
+                let log = range(Func::Log, x);
+                let value = range(Func::Exp, y * log);
+                let error = sum_up(
+                    product_up((value * y / x).magnitude(), self.error[a]),
+                    product_up((value * log).magnitude(), self.error[b]),
+                );
+                self.function(value, accuracy.ulps, error)?;
+            }
+            Op::Hypot(a, b, accuracy) => {
+                let (x, y) = (self.value[a], self.value[b]);
+                let value = (x.square() + y.square()).sqrt();
+                let error = sum_up(self.error[a], self.error[b]);
+                self.function(value, accuracy.ulps, error)?;
+            }
+            Op::Atan2(a, b, accuracy) => {
+                let (y, x) = (self.value[a], self.value[b]);
+                let half = pi() * Interval::point(0.5);
+                let value = if x.lo > 0.0 {
+                    range(Func::Arctan, y / x)
+                } else if y.lo > 0.0 {
+                    half - range(Func::Arctan, x / y)
+                } else if y.hi < 0.0 {
+                    -half - range(Func::Arctan, x / y)
+                } else {
+                    return stop("an angle that may jump");
+                };
+                let square = x.square() + y.square();
+                let error = sum_up(
+                    product_up((x / square).magnitude(), self.error[a]),
+                    product_up((y / square).magnitude(), self.error[b]),
+                );
+                self.function(value, accuracy.ulps, error)?;
+            }
+            Op::Min(a, b) | Op::Max(a, b) => {
+                let is_min = matches!(op, Op::Min(..));
+                let of = |x: Interval, y: Interval| match is_min {
+                    true => Interval::new(x.lo.min(y.lo), x.hi.min(y.hi)),
+                    false => Interval::new(x.lo.max(y.lo), x.hi.max(y.hi)),
+                };
+                let f = of(self.float[a], self.float[b]);
+                let v = of(self.value[a], self.value[b]);
+                let grain = self.grain[a].min(self.grain[b]);
+                let error = self.error[a].max(self.error[b]);
+                self.push(f, v, 0.0, grain, error);
+            }
+            Op::Step(f, a) => {
+                let of = |x: f64| match f {
+                    Func::Floor => x.floor(),
+                    Func::Ceil => x.ceil(),
+                    Func::Trunc => x.trunc(),
+                    Func::Round => x.round(),
+                    _ => x.round_ties_even(),
+                };
+                let x = self.value[a];
+                let (from, to) = (of(x.lo), of(x.hi));
+                if !(from == to) {
+                    return stop("a step function that jumps");
+                }
+                let value = Interval::point(from);
+                self.push(value, value, 0.0, grain_of_point(from), 0.0);
+            }
+            Op::If(condition, a, b) => self.choose(tape, condition, a, b, picks)?,
+        }
+        self.link(op, slopes);
+        Ok(())
+    }
+
+    /// The result of a function that is off by some units in the last place.
+    fn function(&mut self, exact: Interval, ulps: f64, carried: f64) -> Result<(), Stop> {
+        let most = exact.magnitude();
+        if !(most <= self.setting.largest()) {
+            return stop("may be undefined or overflow");
+        }
+        let noise = match exact.is_zero() {
+            true => 0.0,
+            false => product_up(2.0 * ulps, self.half_ulp(most, false)),
+        };
+        let computed = exact.widened(noise);
+        if !(computed.magnitude() <= self.setting.largest()) {
+            return stop("may overflow");
+        }
+        let error = sum_up(carried, noise);
+        self.push(computed, exact, noise, self.setting.lowest(), error);
+        Ok(())
+    }
+
+    /// The unit in the last place of numbers not smaller than `least` in magnitude.
+    pub fn ulp(&self, least: f64) -> f64 {
+        power_of_two(self.last_bit(least).max(-1074))
+    }
+
+    /// `Σ |δ_i| |∂f/∂δ_i|`, and not more than the error carried forward.
+    pub fn total(&self, root: Place) -> f64 {
+        let mut sum = 0.0;
+        for i in 0..=root {
+            sum = sum_up(sum, product_up(self.noise[i], self.adjoint[i].magnitude()));
+        }
+        let carried = self.error[root];
+        match sum <= carried {
+            true => sum,
+            false if carried.is_nan() => f64::INFINITY,
+            false => carried,
+        }
+    }
+}

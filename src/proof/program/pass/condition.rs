@@ -1,0 +1,90 @@
+//! Conditions over a box, and the choice between two branches.
+
+use super::super::tape::{Condition, Place, Tape};
+use super::{Pass, Stop, one, stop};
+use crate::interval::sum_up;
+use mechaudit_symbolic::Relation;
+
+impl Pass {
+    /// Returns whether a condition holds for every value on the path, or for none.
+    pub fn holds(&self, tape: &Tape, condition: usize) -> Option<bool> {
+        match tape.conditions[condition] {
+            Condition::Truth(t) => Some(t),
+            Condition::Not(a) => self.holds(tape, a).map(|t| !t),
+            Condition::And(a, b) => match (self.holds(tape, a), self.holds(tape, b)) {
+                (Some(false), _) | (_, Some(false)) => Some(false),
+                (Some(true), Some(true)) => Some(true),
+                _ => None,
+            },
+            Condition::Or(a, b) => match (self.holds(tape, a), self.holds(tape, b)) {
+                (Some(true), _) | (_, Some(true)) => Some(true),
+                (Some(false), Some(false)) => Some(false),
+                _ => None,
+            },
+            Condition::Compare(relation, a, b) => {
+                let (x, y) = (self.value[a], self.value[b]);
+                let all = |all: bool, none: bool| match (all, none) {
+                    (true, _) => Some(true),
+                    (_, true) => Some(false),
+                    _ => None,
+                };
+                let equal = x.is_point() && y.is_point() && x.lo == y.lo;
+                let apart = x.hi < y.lo || y.hi < x.lo;
+                match relation {
+                    Relation::Less => all(x.hi < y.lo, x.lo >= y.hi),
+                    Relation::LessEqual => all(x.hi <= y.lo, x.lo > y.hi),
+                    Relation::Greater => all(x.lo > y.hi, x.hi <= y.lo),
+                    Relation::GreaterEqual => all(x.lo >= y.hi, x.hi < y.lo),
+                    Relation::Equal => all(equal, apart),
+                    Relation::NotEqual => all(apart, equal),
+                }
+            }
+        }
+    }
+
+    /// The branch of the exact value, and what the other one differs by where the execution may take
+    /// it.
+    pub(super) fn choose(
+        &mut self,
+        tape: &Tape,
+        condition: usize,
+        a: Place,
+        b: Place,
+        picks: &[bool],
+    ) -> Result<(), Stop> {
+        let (taken, jump) = match self.holds(tape, condition) {
+            Some(true) => (a, 0.0),
+            Some(false) => (b, 0.0),
+            None => {
+                let known = self.open.iter().position(|c| *c == condition);
+                let place = known.unwrap_or_else(|| {
+                    self.open.push(condition);
+                    self.open.len() - 1
+                });
+                let first = picks.get(place).copied().unwrap_or(true);
+                let jump = match a == b {
+                    true => 0.0,
+                    false => (self.float[a] - self.float[b]).magnitude(),
+                };
+                if !jump.is_finite() {
+                    return stop("a jump without a bound");
+                }
+                (if first { a } else { b }, jump)
+            }
+        };
+        let (f, grain) = match jump > 0.0 {
+            true => (
+                self.float[a].hull(self.float[b]),
+                self.grain[a].min(self.grain[b]),
+            ),
+            false => (self.float[taken], self.grain[taken]),
+        };
+        let value = self.value[taken];
+        let error = sum_up(self.error[taken], jump);
+        self.push(f, value, jump, grain, error);
+        let last = self.partial.len() - 1;
+        let side = usize::from(taken == b && a != b);
+        self.partial[last][side] = one();
+        Ok(())
+    }
+}

@@ -1,0 +1,385 @@
+//! Bounds beside errors in exact arithmetic.
+
+use super::*;
+use crate::certificate::Watch;
+use mechaudit_symbolic::evaluation::{Evaluator, Floating};
+use mechaudit_symbolic::graph::Node;
+use mechaudit_symbolic::{Definitions, parse};
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
+use rug::Rational;
+use std::sync::Arc;
+
+/// A formula of inputs x, y, z with its domain.
+struct Kernel {
+    graph: Arc<Graph>,
+    root: Id,
+    domain: Vec<Interval>,
+    setting: Setting,
+}
+
+fn kernel(text: &str, domain: &[[f64; 2]]) -> Kernel {
+    let names = ["x", "y", "z"].iter().take(domain.len());
+    let mut graph = Graph::new(names.map(|n| n.to_string()));
+    let root = graph.build(&Definitions::default(), &parse(text).unwrap());
+    Kernel {
+        root: root.unwrap(),
+        graph: Arc::new(graph),
+        domain: domain.iter().map(|d| Interval::new(d[0], d[1])).collect(),
+        setting: Setting::default(),
+    }
+}
+
+impl Kernel {
+    fn program(&self) -> Program {
+        Program::new(&self.graph, self.root, None, &self.domain, self.setting).unwrap()
+    }
+
+    fn proof(&self, measure: Measure) -> Proof {
+        let limits = Limits {
+            boxes: 2_000,
+            target: 0.0,
+        };
+        prove(&self.program(), measure, &limits, &Watch::default()).unwrap()
+    }
+
+    fn bound(&self, measure: Measure) -> f64 {
+        self.proof(measure).bound
+    }
+
+    /// The value of a node over the rationals; none where it divides by zero.
+    fn exact(&self, id: Id, x: &[f64]) -> Option<Rational> {
+        let of = |id| self.exact(id, x);
+        Some(match self.graph.node(id) {
+            Node::Number(k) => self.graph.rational(k).clone(),
+            Node::Input(k) => Rational::from_f64(x[k as usize])?,
+            Node::Neg(a) => -of(a)?,
+            Node::Add(a, b) => of(a)? + of(b)?,
+            Node::Sub(a, b) => of(a)? - of(b)?,
+            Node::Mul(a, b) => of(a)? * of(b)?,
+            Node::Div(a, b) => {
+                let b = of(b)?;
+                (b != 0).then(|| of(a).map(|a| a / b))??
+            }
+            Node::Power(a, 2) => of(a)?.square(),
+            Node::Unary(mechaudit_symbolic::Func::Abs, a) => of(a)?.abs(),
+            Node::Ternary(_, a, b, c) => of(a)? * of(b)? + of(c)?,
+            Node::If(condition, a, b) => {
+                let Node::Compare(_, p, q) = self.graph.node(condition) else {
+                    panic!("another condition");
+                };
+                if of(p)? < of(q)? { of(a)? } else { of(b)? }
+            }
+            node => panic!("{node:?} is not rational"),
+        })
+    }
+
+    /// The largest error found at random inputs and at corners: absolute, relative, in ulps.
+    fn worst(&self, tries: u32) -> [f64; 3] {
+        let meaning = Floating {
+            format: self.setting.format,
+            elementary: self.setting.elementary,
+        };
+        let mut evaluator = Evaluator::new(self.graph.clone(), meaning);
+        let mut random = ChaCha8Rng::seed_from_u64(59);
+        let mut worst = [0.0f64; 3];
+        for k in 0..tries {
+            let x: Vec<f64> = self
+                .domain
+                .iter()
+                .map(|d| {
+                    let at = match k % 4 {
+                        0 => [d.lo, d.hi][random.random_range(0..2usize)],
+                        1 => d.hi - (d.hi - d.lo) * random.random_range(0.0..1e-3),
+                        _ => random.random_range(d.lo..=d.hi),
+                    };
+                    let at = if self.setting.format == Format::Single {
+                        f64::from(at as f32)
+                    } else {
+                        at
+                    };
+                    at.clamp(d.lo, d.hi)
+                })
+                .collect();
+            evaluator.reset(false);
+            for (k, x) in x.iter().enumerate() {
+                evaluator.set_input(k, *x);
+            }
+            let computed = *evaluator.value(self.root).unwrap();
+            let Some(exact) = self.exact(self.root, &x) else {
+                continue;
+            };
+            let error = (Rational::from_f64(computed).unwrap() - &exact).abs();
+            worst[0] = worst[0].max(error.to_f64());
+            if exact != 0 {
+                worst[1] = worst[1].max((error.clone() / exact.clone().abs()).to_f64());
+            }
+            let size = exact.to_f64().abs();
+            let ulp = if size < f64::MIN_POSITIVE {
+                f64::from_bits(1)
+            } else {
+                size.next_up() - size
+            };
+            let ulp = if self.setting.format == Format::Single {
+                ulp * (2f64).powi(29)
+            } else {
+                ulp
+            };
+            worst[2] = worst[2].max(error.to_f64() / ulp);
+        }
+        worst
+    }
+}
+
+/// Formulas with the factor by which the bound may exceed what random inputs reach.
+const KERNELS: &[(&str, &[[f64; 2]], f64)] = &[
+    ("x + y", &[[1.0, 2.0], [-1.0, 3.0]], 1.05),
+    ("x*y - z", &[[-1.0, 1.0], [-1.0, 1.0], [-1.0, 1.0]], 2.0),
+    ("4*x/(1 + x/1.11)", &[[0.1, 0.3]], 3.0),
+    ("x*x*x/6 - x", &[[-1.5, 1.5]], 3.0),
+    ("(x + y)*(x - y)", &[[1.0, 2.0], [3.0, 4.0]], 2.0),
+    ("x^2 - y^2", &[[1.0, 2.0], [3.0, 4.0]], 2.0),
+    ("1/(x - y)", &[[1.0, 2.0], [2.125, 3.0]], 4.0),
+    ("fma(x, y, -1)*x", &[[1.0, 2.0], [3.0, 4.0]], 2.0),
+    ("abs(x - 0.1)*y", &[[-1.0, 1.0], [1.0, 2.0]], 3.0),
+    ("if(x < 1, x*0.1, x*x*0.1)", &[[0.5, 1.5]], 3.0),
+    (
+        "(-(331.4 + 0.6*z)*y)/((331.4 + 0.6*z + x)*(331.4 + 0.6*z + x))",
+        &[[-100.0, 100.0], [20.0, 20000.0], [-30.0, 50.0]],
+        4.0,
+    ),
+    ("1 + 0.5*x - 0.125*x*x + 0.0625*x*x*x", &[[0.0, 1.0]], 3.0),
+];
+
+#[test]
+fn bounds_hold_and_are_near_what_is_found() {
+    for format in [Format::Double, Format::Single] {
+        for (text, domain, factor) in KERNELS {
+            let mut kernel = kernel(text, domain);
+            kernel.setting.format = format;
+            let found = kernel.worst(4_000);
+            for (k, measure) in [Measure::Absolute, Measure::Relative, Measure::Ulps]
+                .into_iter()
+                .enumerate()
+            {
+                let proof = kernel.proof(measure);
+                let bound = proof.bound;
+                assert!(
+                    bound >= found[k],
+                    "{text} {measure:?} {format:?}: {bound:e} < {:e}",
+                    found[k]
+                );
+                if measure == Measure::Absolute {
+                    assert!(
+                        bound <= factor * found[k],
+                        "{text} {format:?}: {bound:e}, found {:e}",
+                        found[k]
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// Random formulas over random boxes: no error in exact arithmetic is above the bound.
+#[test]
+fn no_random_formula_exceeds_its_bound() {
+    let mut random = ChaCha8Rng::seed_from_u64(60);
+    for round in 0..60 {
+        let mut terms = vec!["x".to_string(), "y".into(), "0.3".into(), "2".into()];
+        for _ in 0..random.random_range(2..7) {
+            let mut pick = || terms[random.random_range(0..terms.len())].clone();
+            let (a, b) = (pick(), pick());
+            let op = ["+", "-", "*", "/"][random.random_range(0..4usize)];
+            terms.push(format!("({a} {op} {b})"));
+        }
+        let text = terms.last().unwrap().clone();
+        let mut end = || {
+            let lo = random.random_range(-2.0..2.0f64);
+            [
+                lo,
+                lo + random.random_range(0.0..1.0) * (0.1f64).powi(random.random_range(0..12)),
+            ]
+        };
+        let mut kernel = kernel(&text, &[end(), end()]);
+        if round % 3 == 0 {
+            kernel.setting.format = Format::Single;
+            for d in &mut kernel.domain {
+                *d = Interval::new(f64::from(d.lo as f32), f64::from(d.hi as f32));
+                if d.hi < d.lo {
+                    *d = Interval::point(d.lo);
+                }
+            }
+        }
+        let measures = [Measure::Absolute, Measure::Relative, Measure::Ulps];
+        let limits = Limits {
+            boxes: 60,
+            target: 0.0,
+        };
+        let bounds = measures.map(|m| {
+            prove(&kernel.program(), m, &limits, &Watch::default())
+                .unwrap()
+                .bound
+        });
+        if !bounds[0].is_finite() {
+            continue;
+        }
+        let found = kernel.worst(300);
+        for k in 0..3 {
+            assert!(
+                bounds[k] >= found[k],
+                "{text} over {:?} {:?}: {:e} < {:e}",
+                kernel.domain,
+                measures[k],
+                bounds[k],
+                found[k]
+            );
+        }
+    }
+}
+
+/// Results that are numbers of the format whatever the inputs.
+#[test]
+fn exact_operations_have_no_error() {
+    for (text, domain) in [
+        ("2*x", &[[-3.0, 5.0]][..]),
+        ("x/8", &[[1.0, 5.0]]),
+        ("-abs(x)*0.5", &[[1.0, 5.0]]),
+        ("x - y", &[[1.0, 1.5], [0.8, 1.4]]),
+        ("x - x", &[[1.0, 1.9]]),
+        ("max(x, y) + 0", &[[1.0, 1.9], [-4.0, 7.0]]),
+    ] {
+        assert_eq!(kernel(text, domain).bound(Measure::Absolute), 0.0, "{text}");
+    }
+    // 0.1 is no number of the format, and its error is that of the nearest one.
+    let bound = kernel("0.1 + 0*x", &[[1.0, 2.0]]).bound(Measure::Absolute);
+    let exact = (Rational::from_f64(0.1).unwrap() - Rational::from((1, 10))).to_f64();
+    assert!(
+        bound >= exact && bound <= exact * 1.001,
+        "{bound:e} {exact:e}"
+    );
+}
+
+/// Half an ulp of the value, in the binade of the exact product: the end of a box that is a power of
+/// two belongs to the binade below.
+#[test]
+fn one_rounding_is_half_an_ulp() {
+    let product = kernel("x*y", &[[0.5, 1.0], [0.5, 1.0]]);
+    assert_eq!(product.bound(Measure::Absolute), (0.5f64).powi(54));
+    let ulps = product.bound(Measure::Ulps);
+    assert!((0.5..0.51).contains(&ulps), "{ulps}");
+    let above = kernel("x*y", &[[0.5, 1.0], [0.5, 1.25]]);
+    assert_eq!(above.bound(Measure::Absolute), (0.5f64).powi(53));
+    let mut single = kernel("x*y", &[[0.5, 1.0], [0.5, 1.0]]);
+    single.setting.format = Format::Single;
+    assert_eq!(single.bound(Measure::Absolute), (0.5f64).powi(25));
+}
+
+/// In binary32 near a pole the derivative changes much between the exact and the computed divisor:
+/// here the product is rounded towards the pole by nearly half a unit.
+#[test]
+fn errors_of_second_order_are_held() {
+    let unit = (0.5f64).powi(24);
+    let (x, y) = (0.5 + 2149.0 * unit, 0.5 - 2147.0 * unit);
+    let mut pole = kernel("1/(x*y - 0.25)", &[[x, x], [y, y]]);
+    pole.setting.format = Format::Single;
+    let (found, bound) = (pole.worst(4)[0], pole.bound(Measure::Absolute));
+    assert!(found > 1e6 && bound >= found, "{bound:e} {found:e}");
+}
+
+/// `a − 1/a` has the derivative `1 + 1/a²`.
+#[test]
+fn derivatives_have_their_signs() {
+    for (text, domain) in [
+        ("x*0.1 - 1/(x*0.1)", [9.0, 11.0]),
+        ("x*0.1 + 1/(x*0.1)", [1.0, 2.0]),
+        ("(x*0.1 + 1)*(1 - x*0.1)", [1.0, 20.0]),
+    ] {
+        let kernel = kernel(text, &[domain]);
+        let (found, bound) = (kernel.worst(3_000)[0], kernel.bound(Measure::Absolute));
+        assert!(bound >= found, "{text}: {bound:e} {found:e}");
+    }
+}
+
+#[test]
+fn what_has_no_bound_says_so() {
+    let at_zero = kernel("1/x", &[[-1.0, 1.0]]).proof(Measure::Absolute);
+    assert!(at_zero.bound == f64::INFINITY && at_zero.at.unwrap().why.is_some());
+    let large = kernel("x*x", &[[1e200, 1e300]]).proof(Measure::Absolute);
+    assert!(large.bound == f64::INFINITY);
+    let zero = kernel("x - y*y", &[[-1.0, 1.0], [0.0, 1.0]]).proof(Measure::Relative);
+    assert!(zero.bound == f64::INFINITY && zero.looked_at < 2_000);
+    // The sum of errors rises or falls with every input here, the quotient by the value does not.
+    let turbine = kernel(
+        "6*x - (0.5*x*(y*y*z*z))/(1 - x) - 2.5",
+        &[[-4.5, -0.3], [0.4, 0.9], [3.8, 7.8]],
+    );
+    for measure in [Measure::Relative, Measure::Ulps] {
+        assert!(turbine.bound(measure) == f64::INFINITY, "{measure:?}");
+    }
+    let mut complex = Graph::new(["x".to_string()]);
+    let id = complex
+        .build(&Definitions::default(), &parse("W(x)").unwrap())
+        .unwrap();
+    let refused = Program::new(
+        &complex,
+        id,
+        None,
+        &[Interval::point(1.0)],
+        Setting::default(),
+    );
+    assert!(refused.is_err());
+}
+
+/// Subnormal products may lose all their digits: by less than the smallest number.
+#[test]
+fn underflow_counts() {
+    let tiny = kernel("x*y", &[[1e-170, 1e-160], [1e-170, 1e-160]]);
+    let found = tiny.worst(2_000);
+    let bound = tiny.bound(Measure::Absolute);
+    assert!(bound >= found[0] && bound <= 1e-323, "{bound:e}");
+}
+
+#[test]
+fn boxes_cover_the_domain() {
+    let kernel = kernel("x*y - x", &[[1.0, 2.0], [-1.0, 1.0]]);
+    let proof = kernel.proof(Measure::Absolute);
+    let mut random = ChaCha8Rng::seed_from_u64(61);
+    for _ in 0..2_000 {
+        let x: Vec<f64> = kernel
+            .domain
+            .iter()
+            .map(|d| random.random_range(d.lo..=d.hi))
+            .collect();
+        let holds = |b: &&ProvedBox| b.at.iter().zip(&x).all(|(d, x)| d.lo <= *x && *x <= d.hi);
+        let held = proof.boxes.iter().find(holds).expect("a box");
+        assert!(held.bound <= proof.bound);
+    }
+}
+
+/// Loops run as often as their counters say; one that depends on rounding is refused.
+#[test]
+fn bounded_loops_are_unrolled() {
+    let build = |text: &str| {
+        let mut graph = Graph::new(["x".to_string()]);
+        let id = graph
+            .build(&Definitions::default(), &parse(text).unwrap())
+            .unwrap();
+        Program::new(
+            &graph,
+            id,
+            None,
+            &[Interval::new(1.0, 2.0)],
+            Setting::default(),
+        )
+    };
+    let unrolled = build("while_all(k < 3, s, 0, s + x, k, 0, k + 1, s)").unwrap();
+    let limits = Limits {
+        boxes: 500,
+        target: 0.0,
+    };
+    let proof = prove(&unrolled, Measure::Absolute, &limits, &Watch::default()).unwrap();
+    let same = kernel("0 + x + x + x", &[[1.0, 2.0]]).bound(Measure::Absolute);
+    assert_eq!(proof.bound, same);
+    assert!(build("while_all(s < 3, s, 0, s + x*x, s)").is_err());
+}

@@ -1,0 +1,225 @@
+//! Tests of `ball`.
+
+use super::*;
+use crate::pinned::{Answers, Draw, pin};
+use proptest::prelude::*;
+
+const P: u32 = 60;
+const HIGH: u32 = 400;
+
+/// A ball of low precision and a point of high precision inside it.
+fn ball() -> impl Strategy<Value = (Ball, Float)> {
+    (-1e3f64..1e3, 0u32..60, -1.0f64..1.0).prop_map(|(m, k, t)| {
+        let rad = Mag::power_of_two(-i64::from(k));
+        let point = Float::with_val(HIGH, t) * rad.to_float() + m;
+        (Ball::new(Float::with_val(P, m), rad), point)
+    })
+}
+
+fn holds(b: &Ball, x: &Float) -> bool {
+    // The high-precision value is itself within 2^-300 of the truth.
+    b.widened(Mag::power_of_two(-300))
+        .contains(&x.to_rational().unwrap())
+}
+
+proptest! {
+    #[test]
+    fn containment((a, x) in ball(), (b, y) in ball()) {
+        prop_assert!(holds(&(&a + &b), &Float::with_val(HIGH, &x + &y)));
+        prop_assert!(holds(&(&a - &b), &Float::with_val(HIGH, &x - &y)));
+        prop_assert!(holds(&(&a * &b), &Float::with_val(HIGH, &x * &y)));
+        prop_assert!(holds(&(&a / &b), &Float::with_val(HIGH, &x / &y)));
+        prop_assert!(holds(&a.square(), &Float::with_val(HIGH, x.square_ref())));
+        prop_assert!(holds(&a.abs(), &Float::with_val(HIGH, x.abs_ref())));
+        let (s, c) = a.sin_cos();
+        prop_assert!(holds(&s, &Float::with_val(HIGH, x.sin_ref())));
+        prop_assert!(holds(&c, &Float::with_val(HIGH, x.cos_ref())));
+        if a.is_positive() {
+            prop_assert!(holds(&a.sqrt(), &Float::with_val(HIGH, x.sqrt_ref())));
+        }
+        let u = a.union(&b);
+        prop_assert!(u.contains_ball(&a) && u.contains_ball(&b));
+    }
+
+    #[test]
+    fn angle_containment((a, y) in ball(), (b, x) in ball()) {
+        let angle = a.atan2(&b);
+        let exact = Float::with_val(HIGH, y.atan2_ref(&x));
+        let turn = Float::with_val(HIGH, Constant::Pi) * 2;
+        let shifted = [exact.clone(), Float::with_val(HIGH, &exact + &turn), Float::with_val(HIGH, &exact - &turn)];
+        prop_assert!(shifted.iter().any(|t| holds(&angle, t)));
+    }
+
+    #[test]
+    fn radii_are_tight(m in 1.0f64..1e3, n in 1.0f64..1e3) {
+        let (a, b) = (Ball::exact(P, m), Ball::exact(P, n));
+        prop_assert!((&a + &b).accuracy_bits() >= 58);
+        prop_assert!((&a * &b).accuracy_bits() >= 58);
+        prop_assert!((&a / &b).accuracy_bits() >= 58);
+        prop_assert!(a.sqrt().accuracy_bits() >= 57);
+    }
+}
+
+#[test]
+fn what_cannot_be_decided_is_the_whole_line() {
+    let wide = Ball::new(Float::with_val(P, 0.5), Mag::from_f64(1.0));
+    assert!(!(Ball::integer(P, 1) / &wide).is_finite());
+    assert!(!wide.sqrt().is_finite());
+    assert!(!Ball::exact(P, f64::NAN).is_finite());
+    assert!(!Ball::exact(P, f64::INFINITY).is_finite());
+    assert!(!wide.atan2(&wide).is_finite());
+    assert!(wide.contains_zero() && !wide.is_positive() && !wide.is_negative());
+}
+
+#[test]
+fn a_ball_that_only_touches_zero_has_no_sign() {
+    // The radius is the midpoint, or a unit of 2⁻⁹⁰ more or less.
+    let mid = Float::with_val(120, 1) + (Float::with_val(120, 1) >> 90u32);
+    let ball = |mid: &Float, rad: f64| Ball::new(mid.clone(), Mag::from_f64(rad));
+    let one = Float::with_val(120, 1);
+    for sign in [1, -1] {
+        let at = |mid: &Float, rad| ball(&Float::with_val(120, mid * sign), rad);
+        let signs = |b: &Ball| (b.is_positive(), b.is_negative(), b.contains_zero());
+        let apart = (sign > 0, sign < 0, false);
+        assert_eq!(signs(&at(&mid, 1.0)), apart);
+        assert_eq!(signs(&at(&one, 1.0)), (false, false, true));
+        assert_eq!(signs(&at(&mid, 1.0f64.next_up())), (false, false, true));
+        assert_eq!(signs(&at(&mid, 0.0)), apart);
+    }
+    assert!(Ball::integer(120, 0).contains_zero());
+}
+
+/// A box whose corner may be the origin has no angle, the next smaller one has.
+#[test]
+fn angles_end_where_the_box_reaches_the_origin() {
+    let one = Mag::from_f64(1.0);
+    let sizes = (0..9).map(|k| Mag::from_f64(1.0 - f64::from(k) * f64::EPSILON / 2.0));
+    let mut reaching = 0;
+    for rad in sizes {
+        let rho = rad.mul(rad).sqrt();
+        let y = Ball::integer(P, 0).widened(rad);
+        let angle = y.atan2(&Ball::integer(P, 1));
+        assert_eq!(angle.is_finite(), rho < one, "{rad:?}");
+        reaching += u32::from(rho == one);
+    }
+    assert!(reaching > 0);
+    assert!(!Ball::integer(P, 0).atan2(&Ball::integer(P, 0)).is_finite());
+}
+
+/// Against differences in MPFR that lose nothing.
+#[test]
+fn distances_are_exact_and_hold_the_radius() {
+    let exact = |m: Mag| Float::with_val(4000, m.to_float());
+    let mut on_integers = 0;
+    for bits in [53, 64, 65, 100, 128, 129, 300] {
+        for k in [-1080, -1022, -3, 0, 1, 1000] {
+            let third: Float = Float::with_val(bits, 1) / 3;
+            let below = Float::with_val(bits, 1) - (Float::with_val(bits, 1) >> (bits - 1));
+            for mid in [third.clone(), below, -third, Float::with_val(bits, 1)] {
+                let mid: Float = mid << k;
+                let near = mid.to_f64();
+                let wrong = [
+                    -near,
+                    2.0 * near,
+                    near / 3.0,
+                    0.0,
+                    1e-320,
+                    f64::MAX,
+                    near * 1e9,
+                ];
+                for x in [near, near.next_up(), near.next_down()]
+                    .into_iter()
+                    .chain(wrong)
+                {
+                    let x = x.clamp(f64::MIN, f64::MAX);
+                    let rad = Mag::power_of_two(i64::from(k) - 60);
+                    let truth = (Float::with_val(4000, x) - &mid).abs();
+                    let sharp = Ball::new(mid.clone(), Mag::ZERO);
+                    on_integers += u32::from(sharp.mid_from(x).is_some());
+                    let (low, high) = sharp.distance_from(x);
+                    assert!(exact(low) <= truth && truth <= exact(high), "{mid} {x}");
+                    let gap = exact(high) - exact(low);
+                    assert!(gap <= truth.clone() * 1e-15, "{mid} {x}");
+                    let (low, high) = Ball::new(mid.clone(), rad).distance_from(x);
+                    let r = exact(rad);
+                    let (least, most) = (truth.clone() - &r, truth + &r);
+                    assert!(
+                        exact(high) >= most && exact(low) <= least.clone().max(&Float::new(64))
+                    );
+                    assert!(exact(low) > 0 || least <= 1e-15 * r, "{mid} {x}");
+                }
+            }
+        }
+    }
+    assert!(on_integers > 100, "{on_integers}");
+}
+
+#[test]
+fn exact_stays_exact() {
+    let a = Ball::exact(P, 0.75);
+    assert!((&a + &a).rad().is_zero());
+    assert!((&a * &a).rad().is_zero());
+    assert!(Ball::rational(P, &Rational::from((3, 8))).rad().is_zero());
+    assert!(!Ball::rational(P, &Rational::from((1, 3))).rad().is_zero());
+}
+
+/// Doubles next to a number, and so much smaller that their significands just fit beside it or no longer.
+fn doubles_beside(x: f64) -> Vec<f64> {
+    let part = |k: u64| x * f64::from_bits((1023 - k) << 52);
+    let beside = [x, x.next_up(), x * 0.75, part(1), -x, 0.0, 5e-324];
+    (beside.into_iter())
+        .chain([74, 75, 76, 77].map(part))
+        .collect()
+}
+
+#[test]
+fn operations_bit_by_bit() {
+    let lines = [24, 60, 128, 200].map(|bits| {
+        Answers::line(bits, |all| {
+            let mut draw = Draw(u64::from(bits));
+            for _ in 0..60 {
+                let other = [bits, 70, 128][draw.below(3) as usize];
+                let (a, b) = (draw.ball(bits, -3, 3), draw.ball(other, -3, 3));
+                all.add(&[&a + &b, &a - &b, &a * &b, &a / &b, a.square()]);
+                all.add(&[a.atan2(&b), b.atan2(&a), a.union(&b), a.abs().sqrt()]);
+                all.add(&a.sin_cos());
+                all.add(&Ball::between(bits, &a.lower(), &a.upper()));
+                all.add(&[a.with_prec(other), Ball::exact(bits, b.to_f64())]);
+                all.add(&[(a.lower(), a.upper())]);
+                for x in doubles_beside(a.to_f64()) {
+                    let (least, most) = a.distance_from(x);
+                    all.add(&[least, most]);
+                }
+            }
+        })
+    });
+    pin(
+        &[
+            "24: f2722ef3, -6 to 19 bits",
+            "60: cda939c4, -4 to 33 bits",
+            "128: 11155567, -5 to 68 bits",
+            "200: ea2446d1, -8 to 76 bits",
+        ],
+        lines,
+    );
+}
+
+/// Checks that a product below MPFR's least positive number stays inside its ball.
+#[test]
+fn underflow_is_part_of_the_radius() {
+    let power = |e: i32| Ball::new(Float::with_val(64, 1) << e, Mag::ZERO);
+    // 3/4 of the least positive number rounds to it, 1/4 of it to zero.
+    let three_quarters = Ball::new(Float::with_val(64, 3) << (exp_min() / 2), Mag::ZERO);
+    for (a, b) in [
+        (three_quarters, power(exp_min() - 3 - exp_min() / 2)),
+        (power(exp_min() / 2), power(exp_min() - 3 - exp_min() / 2)),
+    ] {
+        let product = &a * &b;
+        // The exact product is below the least positive number, 2^(exp_min − 1).
+        let off = Mag::power_of_two(i64::from(exp_min()) - 3);
+        assert!(
+            product.mid().is_zero() && !product.is_finite() || product.rad() >= off,
+            "{product:?}"
+        );
+    }
+}

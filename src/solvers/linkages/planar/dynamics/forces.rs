@@ -1,0 +1,170 @@
+//! What loads do to the independent coordinates, and the energies.
+
+use super::super::chain::{Spot, spot};
+use super::super::loads::{Course, Load};
+use super::super::motion::Motion;
+use super::super::plane::dot;
+use super::super::pose::Pose;
+use super::flow::Instant;
+use super::{DrivenLoad, Dynamics, Law};
+use num_complex::Complex64;
+
+/// Generalised forces that loads add to.
+pub(super) struct Pushed<'a> {
+    pub pose: &'a Pose,
+    pub partial: &'a [Motion],
+    pub force: &'a mut [f64],
+    pub mass: &'a mut [f64],
+    pub metres: f64,
+}
+
+impl Pushed<'_> {
+    fn push(&mut self, at: Spot, force: Complex64) {
+        for (sum, partial) in self.force.iter_mut().zip(self.partial) {
+            *sum += dot(force, partial.spot(self.pose, at)[1]) * self.metres;
+        }
+    }
+
+    fn turn(&mut self, body: usize, from: usize, torque: f64) {
+        for (sum, partial) in self.force.iter_mut().zip(self.partial) {
+            *sum += torque * (partial.bodies[body].turn[0] - partial.bodies[from].turn[0]);
+        }
+    }
+
+    pub fn driven(&mut self, load: &DrivenLoad, instant: &Instant) {
+        let value = |law: &Law| law(instant);
+        match load {
+            DrivenLoad::Torque { body, from, torque } => self.turn(*body, *from, value(torque)),
+            DrivenLoad::Force { at, components } => {
+                let [x, y] = components.each_ref().map(value);
+                self.push(spot(at, self.metres), Complex64::new(x, y));
+            }
+            DrivenLoad::Inertia {
+                body,
+                from,
+                inertia,
+            } => {
+                let turn = |m: &Motion, k: usize| m.bodies[*body].turn[k] - m.bodies[*from].turn[k];
+                let d = self.force.len();
+                self.turn(*body, *from, -inertia * turn(instant.flow, 1));
+                for i in 0..d {
+                    for j in 0..=i {
+                        let both = turn(&self.partial[i], 0) * turn(&self.partial[j], 0);
+                        self.mass[i * d + j] += inertia * both;
+                    }
+                }
+            }
+        }
+    }
+
+    pub fn load(&mut self, dynamics: &Dynamics, flow: &Motion, load: &Load) {
+        let chain = &dynamics.chain;
+        let constant = |c: &Course| match c {
+            Course::Constant(x) => *x,
+            // Refused when the mechanism was made.
+            Course::Table(_) => f64::NAN,
+        };
+        let between = |b: usize, f: usize| self.pose.angle(chain, b) - self.pose.angle(chain, f);
+        let rate = |b: usize, f: usize| flow.bodies[b].turn[0] - flow.bodies[f].turn[0];
+        match load {
+            Load::Torque { body, from, torque } => self.turn(*body, *from, constant(torque)),
+            Load::TorsionSpring {
+                body,
+                from,
+                stiffness,
+                angle,
+            } => self.turn(*body, *from, -stiffness * (between(*body, *from) - angle)),
+            Load::TorsionDamper {
+                body,
+                from,
+                damping,
+            } => self.turn(*body, *from, -damping * rate(*body, *from)),
+            Load::Force {
+                at,
+                components,
+                along,
+            } => {
+                let [x, y] = components.each_ref().map(constant);
+                let force = self.pose.e[*along] * Complex64::new(x, y);
+                self.push(spot(at, self.metres), force);
+            }
+            Load::Spring { ends, .. } | Load::Damper { ends, .. } => {
+                let [p, q] = ends.map(|e| spot(&e, self.metres));
+                let ([a, va, _], [b, vb, _]) = (flow.spot(self.pose, p), flow.spot(self.pose, q));
+                let (along, apart) = (b - a, vb - va);
+                let length = along.norm();
+                let tension = match load {
+                    Load::Spring {
+                        stiffness,
+                        length: rest,
+                        ..
+                    } if *rest == 0.0 => stiffness * length * self.metres,
+                    Load::Spring {
+                        stiffness,
+                        length: rest,
+                        ..
+                    } => stiffness * (length * self.metres - rest),
+                    Load::Damper { damping, .. } => {
+                        damping * dot(along, apart) / length * self.metres
+                    }
+                    _ => 0.0,
+                };
+                // A spring without length at rest may pass through zero.
+                let pull = match tension == 0.0 {
+                    true => Complex64::ZERO,
+                    false => along / length * tension,
+                };
+                self.push(p, pull);
+                self.push(q, -pull);
+            }
+        }
+    }
+}
+
+impl Dynamics {
+    /// Kinetic and potential energy in J: that of weights, springs and torsion springs.
+    pub(super) fn energies(&self, pose: &Pose, flow: &Motion) -> [f64; 2] {
+        let metres = self.chain.metres;
+        let (mut kinetic, mut potential) = (0.0, 0.0);
+        for body in &self.rigid {
+            let [r, v, _] = flow.spot(pose, body.centre);
+            let w = flow.bodies[body.centre.body].turn[0];
+            kinetic += 0.5 * (body.kg * (v * metres).norm_sqr() + body.inertia * w * w);
+            potential -= body.kg * dot(self.gravity, r * metres);
+        }
+        for load in &self.driven {
+            if let DrivenLoad::Inertia {
+                body,
+                from,
+                inertia,
+            } = load
+            {
+                let w = flow.bodies[*body].turn[0] - flow.bodies[*from].turn[0];
+                kinetic += 0.5 * inertia * w * w;
+            }
+        }
+        for load in &self.loads {
+            potential += match load {
+                Load::Spring {
+                    ends,
+                    stiffness,
+                    length,
+                } => {
+                    let [a, b] = ends.map(|e| pose.at(spot(&e, metres)));
+                    0.5 * stiffness * ((b - a).norm() * metres - length).powi(2)
+                }
+                Load::TorsionSpring {
+                    body,
+                    from,
+                    stiffness,
+                    angle,
+                } => {
+                    let turn = pose.angle(&self.chain, *body) - pose.angle(&self.chain, *from);
+                    0.5 * stiffness * (turn - angle).powi(2)
+                }
+                _ => 0.0,
+            };
+        }
+        [kinetic, potential]
+    }
+}

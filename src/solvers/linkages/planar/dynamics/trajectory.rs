@@ -1,0 +1,300 @@
+//! The motion over time.
+
+use super::super::chain::spot;
+use super::super::model::Point;
+use super::super::motion::Motion;
+use super::super::pose::Pose;
+use super::assembly::Assembly;
+use super::flow::{Flow, Instant};
+use super::{Dynamics, DynamicsError, Law};
+use crate::initial_value::Dop853;
+
+/// How a motion is integrated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// The error allowed in a step, relative to one radian or the size of the mechanism.
+    pub tolerance: f64,
+    /// The most steps.
+    pub steps: usize,
+}
+
+impl Default for Settings {
+    /// A tolerance of 1e-12 and a million steps.
+    fn default() -> Settings {
+        Settings {
+            tolerance: 1e-12,
+            steps: 1_000_000,
+        }
+    }
+}
+
+/// The mechanism at one time.
+#[derive(Clone, Debug)]
+pub struct Moment {
+    /// Time in seconds.
+    pub time: f64,
+    pub(super) pose: Pose,
+    /// Velocities and accelerations.
+    pub(super) motion: Motion,
+}
+
+/// The basis may grow to this before other coordinates are independent: after complete pivoting it
+/// is about one.
+const AMPLIFIED: f64 = 3.0;
+/// Halvings of a step to find where a law changes its sign.
+const HALVINGS: u32 = 60;
+/// Places within a step at which a law's sign is looked at.
+const LOOKS: u32 = 4;
+
+/// A motion under way: the state is (z, ż).
+struct Run<'a> {
+    dynamics: &'a Dynamics,
+    flow: Flow,
+    /// Unknowns at the end of the last step.
+    anchor: Vec<f64>,
+    freedoms: usize,
+}
+
+impl Run<'_> {
+    /// `d(z, ż)/dt`.
+    fn rate(&mut self, t: f64, y: &[f64], out: &mut [f64]) -> Result<(), DynamicsError> {
+        let (z, speeds) = y.split_at(self.freedoms);
+        if !self.flow.set(self.dynamics, z, speeds, Some(&self.anchor)) {
+            return Err(DynamicsError::Singular { t });
+        }
+        let (first, second) = out.split_at_mut(self.freedoms);
+        first.copy_from_slice(speeds);
+        self.flow.accelerations(self.dynamics, t, second)
+    }
+
+    /// Positions and velocities at a state.
+    fn set(&mut self, t: f64, y: &[f64]) -> Result<(), DynamicsError> {
+        let (z, speeds) = y.split_at(self.freedoms);
+        match self.flow.set(self.dynamics, z, speeds, Some(&self.anchor)) {
+            true => Ok(()),
+            false => Err(DynamicsError::Singular { t }),
+        }
+    }
+
+    fn moment(&mut self, t: f64, y: &[f64], work: &mut [f64]) -> Result<Moment, DynamicsError> {
+        self.set(t, y)?;
+        self.flow.accelerations(self.dynamics, t, work)?;
+        Ok(Moment {
+            time: t,
+            motion: self.flow.accelerated(self.dynamics, work),
+            pose: self.flow.pose.clone(),
+        })
+    }
+
+    /// After a step: notes where it ended, and chooses other independent coordinates where these
+    /// determine the others badly; then `y` is the state in the new ones.
+    fn settle(&mut self, t: f64, y: &mut [f64]) -> Result<bool, DynamicsError> {
+        self.set(t, y)?;
+        self.anchor.copy_from_slice(&self.flow.pose.u);
+        if self.flow.amplification() <= AMPLIFIED {
+            return Ok(false);
+        }
+        if !self.flow.choose(self.dynamics) {
+            return Err(DynamicsError::Singular { t });
+        }
+        self.flow.z(&mut y[..self.freedoms]);
+        for (k, c) in self.flow.independent.iter().enumerate() {
+            y[self.freedoms + k] = self.flow.rates[*c];
+        }
+        Ok(true)
+    }
+
+    fn law(&mut self, law: &Law, t: f64, y: &[f64]) -> Result<f64, DynamicsError> {
+        self.set(t, y)?;
+        Ok(law(&Instant {
+            dynamics: self.dynamics,
+            pose: &self.flow.pose,
+            flow: &self.flow.flow,
+            time: t,
+        }))
+    }
+}
+
+impl Dynamics {
+    /// The motion from a start at t = 0: calls `visit` at each of the times, which ascend from zero
+    /// or later, until it returns `false`. The method is DOP853 with its interpolant; `visit` sees
+    /// positions whose loops are closed to rounding.
+    ///
+    /// # Errors
+    /// [`DynamicsError`]: a singular position, a coordinate without inertia, a law without value, a
+    /// used-up budget.
+    pub fn motion(
+        &self,
+        start: &Assembly,
+        times: &[f64],
+        settings: Settings,
+        visit: impl FnMut(&Moment) -> bool,
+    ) -> Result<(), DynamicsError> {
+        self.motion_until(start, times, settings, None, visit)
+            .map(|_| ())
+    }
+
+    /// [`Dynamics::motion`] until a law changes its sign, if it does before the last time: the time
+    /// at which it does, which is visited last.
+    ///
+    /// # Errors
+    /// As [`Dynamics::motion`].
+    pub fn motion_until(
+        &self,
+        start: &Assembly,
+        times: &[f64],
+        settings: Settings,
+        until: Option<&Law>,
+        mut visit: impl FnMut(&Moment) -> bool,
+    ) -> Result<Option<f64>, DynamicsError> {
+        let singular = DynamicsError::Singular { t: 0.0 };
+        let flow = Flow::new(self, &start.u).ok_or(singular)?;
+        let freedoms = flow.independent.len();
+        let mut run = Run {
+            dynamics: self,
+            anchor: start.u.clone(),
+            flow,
+            freedoms,
+        };
+        let mut y = vec![0.0; 2 * freedoms];
+        run.flow.z(&mut y[..freedoms]);
+        for (k, c) in run.flow.independent.iter().enumerate() {
+            y[freedoms + k] = start.rates[*c];
+        }
+        let mut work = vec![0.0; freedoms];
+        let mut solution = Dop853::new(0.0, &y, settings.tolerance);
+        let mut side = match until {
+            Some(law) => run.law(law, 0.0, &y)?,
+            None => 0.0,
+        };
+        let Some(&end) = times.last() else {
+            return Ok(None);
+        };
+        let mut times = times.iter().copied().peekable();
+        let mut at = y.clone();
+        while let Some(t) = times.next_if(|t| *t <= 0.0) {
+            if !visit(&run.moment(t, &y, &mut work)?) {
+                return Ok(None);
+            }
+        }
+        let mut steps = 0;
+        while times.peek().is_some() {
+            if steps == settings.steps {
+                let t = solution.t();
+                return Err(DynamicsError::Budget { t, steps });
+            }
+            steps += 1;
+            solution.step(end, &mut |t, y: &[f64], out: &mut [f64]| {
+                run.rate(t, y, out)
+            })?;
+            let mut stop = None;
+            if let Some(law) = until {
+                stop = crossing(&mut run, &mut solution, law, &mut side, &mut at)?;
+            }
+            let reached = stop.unwrap_or(solution.t());
+            while let Some(t) = times.next_if(|t| *t <= reached) {
+                solution.between(
+                    t,
+                    &mut |t, y: &[f64], out: &mut [f64]| run.rate(t, y, out),
+                    &mut at,
+                )?;
+                if !visit(&run.moment(t, &at, &mut work)?) {
+                    return Ok(None);
+                }
+            }
+            if let Some(t) = stop {
+                solution.between(
+                    t,
+                    &mut |t, y: &[f64], out: &mut [f64]| run.rate(t, y, out),
+                    &mut at,
+                )?;
+                visit(&run.moment(t, &at, &mut work)?);
+                return Ok(Some(t));
+            }
+            y.copy_from_slice(solution.y());
+            if run.settle(solution.t(), &mut y)? {
+                solution.set(&y);
+            }
+        }
+        Ok(None)
+    }
+
+    /// A body's angle in radians, not reduced by whole turns, with its first and second derivative
+    /// by time.
+    pub fn angle(&self, moment: &Moment, body: usize) -> [f64; 3] {
+        let [first, second] = moment.motion.bodies[body].turn;
+        [moment.pose.angle(&self.chain, body), first, second]
+    }
+
+    /// The displacement of a slide or slot in metres and its rate; NaN for other joints.
+    pub fn displacement(&self, moment: &Moment, joint: usize) -> [f64; 2] {
+        self.displaced(&moment.pose, &moment.motion, joint)
+    }
+
+    /// A point's place, velocity and acceleration in metres and seconds.
+    pub fn point(&self, moment: &Moment, point: &Point) -> [[f64; 2]; 3] {
+        let metres = self.chain.metres;
+        let jet = moment.motion.spot(&moment.pose, spot(point, metres));
+        jet.map(|z| [z.re * metres, z.im * metres])
+    }
+
+    /// Kinetic and potential energy in J: the latter of weights and springs.
+    pub fn energy(&self, moment: &Moment) -> [f64; 2] {
+        self.energies(&moment.pose, &moment.motion)
+    }
+
+    /// The largest distance between the sides of a joint in metres (gears and racks: radians or
+    /// metres).
+    pub fn gap(&self, moment: &Moment) -> f64 {
+        let mut rows = Vec::new();
+        let chain = &self.chain;
+        moment.pose.residual(chain, &chain.closures, &mut rows);
+        rows.iter().fold(0.0, |m: f64, x| m.max(x.abs())) * chain.metres
+    }
+}
+
+/// Where within the last step a law changes its sign, by halving.
+fn crossing(
+    run: &mut Run,
+    solution: &mut Dop853,
+    law: &Law,
+    side: &mut f64,
+    at: &mut [f64],
+) -> Result<Option<f64>, DynamicsError> {
+    let (from, to) = (solution.t_before(), solution.t());
+    let mut value = |run: &mut Run, t: f64| -> Result<f64, DynamicsError> {
+        solution.between(
+            t,
+            &mut |t, y: &[f64], out: &mut [f64]| run.rate(t, y, out),
+            at,
+        )?;
+        run.law(law, t, at)
+    };
+    let mut left = from;
+    for look in 1..=LOOKS {
+        let right = match look {
+            LOOKS => to,
+            _ => from + (to - from) * f64::from(look) / f64::from(LOOKS),
+        };
+        let here = value(run, right)?;
+        if *side * here < 0.0 || (*side != 0.0 && here == 0.0) {
+            let (mut low, mut high) = (left, right);
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (low + high);
+                if !(low < middle && middle < high) {
+                    break;
+                }
+                match value(run, middle)? * *side > 0.0 {
+                    true => low = middle,
+                    false => high = middle,
+                }
+            }
+            return Ok(Some(high));
+        }
+        if here != 0.0 {
+            *side = here;
+        }
+        left = right;
+    }
+    Ok(None)
+}

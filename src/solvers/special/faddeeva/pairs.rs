@@ -1,0 +1,118 @@
+//! W in the closed first quadrant as pairs of numbers, at one point or at several side by side.
+
+use super::asymptotic::series;
+use super::branch::{ENDS_OF_PAIRS, FINE, ROWS_ON_REAL_AXIS, STRIP, STRIP_ENDS, modulus_squared};
+use super::places::{Mask, Number, Places, by_ends};
+use super::plane::from_erfcx;
+use super::rows::{
+    cell, cell_row, dawson_row, imaginary_axis_row, on_axis, on_axis_of_dawson, on_real_axis,
+    real_axis_row,
+};
+use crate::double_double::Dd;
+use crate::exponential::{exp_minus_square, pair_times_power};
+use crate::real::{Masked, Real};
+
+/// Real and imaginary part.
+pub(super) type Parts<R> = (Dd<R>, Dd<R>);
+
+/// `e^{x²} erfc x` for `0 ≤ x < 10¹⁰⁰`, in the places `among`.
+#[inline(always)]
+pub(super) fn erfcx_right<P: Places>(places: P, x: Number<P>, among: Mask<P>) -> Dd<Number<P>> {
+    let zero = x.like(0.0);
+    by_ends!(modulus_squared(zero, x), among;
+        ENDS_OF_PAIRS[0] => {
+            let (n, t) = on_axis(x);
+            places.axis_rows(imaginary_axis_row, n, t)
+        },
+        ENDS_OF_PAIRS[1] => series::<_, 26>(zero, x).0,
+        ENDS_OF_PAIRS[2] => series::<_, 14>(zero, x).0,
+        ENDS_OF_PAIRS[3] => series::<_, 6>(zero, x).0,
+        ENDS_OF_PAIRS[4] => series::<_, 2>(zero, x).0
+    )
+}
+
+/// `(2/√π) F(x)`, F Dawson's function, for `½ ≤ x < 10¹⁰⁰`, in the places `among`.
+#[inline(always)]
+pub(super) fn dawson_right<P: Places>(places: P, x: Number<P>, among: Mask<P>) -> Dd<Number<P>> {
+    let zero = x.like(0.0);
+    by_ends!(modulus_squared(x, zero), among;
+        ROWS_ON_REAL_AXIS[1] => {
+            let (n, t) = on_axis_of_dawson(x);
+            places.axis_rows(dawson_row, n, t)
+        },
+        ENDS_OF_PAIRS[1] => series::<_, 26>(x, zero).1,
+        ENDS_OF_PAIRS[2] => series::<_, 14>(x, zero).1,
+        ENDS_OF_PAIRS[3] => series::<_, 6>(x, zero).1,
+        ENDS_OF_PAIRS[4] => series::<_, 2>(x, zero).1
+    )
+}
+
+/// The series without `e^{−z²}`, `48 ≤ |z|² < 10²⁰⁰`, in the places `among`.
+#[inline(always)]
+pub(super) fn far<R: Masked>(a: R, b: R, among: R::Mask) -> Parts<R> {
+    by_ends!(modulus_squared(a, b), among;
+        ENDS_OF_PAIRS[1] => series::<_, 26>(a, b),
+        ENDS_OF_PAIRS[2] => series::<_, 14>(a, b),
+        ENDS_OF_PAIRS[3] => series::<_, 6>(a, b),
+        ENDS_OF_PAIRS[4] => series::<_, 2>(a, b)
+    )
+}
+
+/// `(Re w, Im w)` at `a + i b`, `a, b ≥ 0`, `|z| < 10¹⁰⁰`, in the places `among`; elsewhere
+/// anything. Beside either axis w is expanded about centres on it.
+#[inline(always)]
+pub(super) fn w<P: Places>(
+    places: P,
+    a: Number<P>,
+    b: Number<P>,
+    among: Mask<P>,
+) -> Parts<Number<P>> {
+    use super::places::Choose;
+
+    let like = |c: f64| a.like(c);
+    let r2 = modulus_squared(a, b);
+    let below = |end: f64| r2.below(like(end));
+    // The strip beside the real axis, where it has formulas of its own.
+    let beside = a.both(among, b.below(like(STRIP)));
+    let strip = a.except(a.both(beside, below(STRIP_ENDS[1])), below(STRIP_ENDS[0]));
+    let on_real = a.both(strip, below(ROWS_ON_REAL_AXIS[1]));
+    let near = a.except(a.both(among, below(ENDS_OF_PAIRS[0])), strip);
+    let width = a.pick(
+        a.at_least(b).below(like(FINE)),
+        like(STRIP),
+        like(2.0 * STRIP),
+    );
+    let on_imaginary = a.both(near, a.below(width));
+    let in_cell = a.except(near, on_imaginary);
+    let beyond = a.except(a.except(among, near), on_real);
+
+    let mut value = Choose::none(a);
+    if a.any(in_cell) {
+        let [n, dx, dy] = cell(a, b);
+        value = places
+            .complex_rows(cell_row, n, (dx, dy))
+            .or_else(in_cell, value);
+    }
+    if a.any(on_imaginary) {
+        let (n, t) = on_axis(b);
+        let parts = from_erfcx(a, places.real_rows(imaginary_axis_row, n, (t, a)));
+        value = parts.or_else(on_imaginary, value);
+    }
+    if a.any(on_real) {
+        let (n, t) = on_real_axis(a);
+        value = places
+            .complex_rows(real_axis_row, n, (t, b))
+            .or_else(on_real, value);
+    }
+    if a.any(beyond) {
+        let (u, v) = far(a, b, beyond);
+        let with_exponential = a.both(beyond, strip);
+        let mut parts = (u, v);
+        if a.any(with_exponential) {
+            let (c, _, n) = exp_minus_square(a, b);
+            parts = (u + pair_times_power(c, n), v).or_else(with_exponential, parts);
+        }
+        value = parts.or_else(beyond, value);
+    }
+    value
+}

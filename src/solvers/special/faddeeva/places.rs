@@ -1,0 +1,215 @@
+//! One point, or several side by side: how formulas that are written for both find rows of tables.
+
+use super::taylor::{ComplexRow, RealRow, axis_row, complex_row, real_row};
+use crate::double_double::Dd;
+use crate::lanes::Lanes;
+use crate::real::{Masked, Real};
+
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
+use super::taylor::{OnRows, axis_rows, real_rows};
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
+use crate::pack::{Pack, Wide};
+
+/// One point or several.
+pub(super) trait Places: Copy {
+    /// A number for each.
+    type Number: Masked;
+    /// [`axis_row`] at each, `t` from the centre of the row that belongs to the number in `n`.
+    fn axis_rows(
+        self,
+        row: impl Fn(f64) -> &'static RealRow,
+        n: Self::Number,
+        t: Self::Number,
+    ) -> Dd<Self::Number>;
+    /// [`real_row`] likewise.
+    fn real_rows(
+        self,
+        row: impl Fn(f64) -> &'static RealRow,
+        n: Self::Number,
+        delta: (Self::Number, Self::Number),
+    ) -> (Dd<Self::Number>, Dd<Self::Number>);
+    /// [`complex_row`] likewise.
+    fn complex_rows(
+        self,
+        row: impl Fn(f64) -> &'static ComplexRow,
+        n: Self::Number,
+        delta: (Self::Number, Self::Number),
+    ) -> (Dd<Self::Number>, Dd<Self::Number>);
+    /// The values where the mask is true, and `f` of the places elsewhere.
+    fn replaced<const N: usize>(
+        self,
+        mask: <Self::Number as Real>::Mask,
+        values: Self::Number,
+        arguments: [Self::Number; N],
+        f: impl Fn([f64; N]) -> f64,
+    ) -> Self::Number;
+}
+
+/// The number at one point or several.
+pub(super) type Number<P> = <P as Places>::Number;
+/// Where something holds.
+pub(super) type Mask<P> = <Number<P> as Real>::Mask;
+
+/// Values that are chosen place by place.
+pub(super) trait Choose: Copy {
+    type Number: Real;
+    /// `self` where the mask is true, `other` elsewhere.
+    fn or_else(self, mask: <Self::Number as Real>::Mask, other: Self) -> Self;
+    /// Zero everywhere.
+    fn none(like: Self::Number) -> Self;
+}
+
+impl<R: Real> Choose for Dd<R> {
+    type Number = R;
+    #[inline(always)]
+    fn or_else(self, mask: R::Mask, other: Self) -> Self {
+        let pick = |yes: R, no: R| yes.pick(mask, yes, no);
+        Dd::new(pick(self.hi, other.hi), pick(self.lo, other.lo))
+    }
+    #[inline(always)]
+    fn none(like: R) -> Self {
+        Dd::new(like.like(0.0), like.like(0.0))
+    }
+}
+
+impl<R: Real> Choose for (Dd<R>, Dd<R>) {
+    type Number = R;
+    #[inline(always)]
+    fn or_else(self, mask: R::Mask, other: Self) -> Self {
+        (self.0.or_else(mask, other.0), self.1.or_else(mask, other.1))
+    }
+    #[inline(always)]
+    fn none(like: R) -> Self {
+        (Dd::none(like), Dd::none(like))
+    }
+}
+
+/// In the places `among` the first of the formulas whose end a number is below; elsewhere anything.
+macro_rules! by_ends {
+    ($number:expr, $among:expr; $($end:expr => $formula:expr),+) => {{
+        let (number, mut among) = ($number, $among);
+        let mut value = $crate::faddeeva::places::Choose::none(number);
+        $(
+            let inside = number.below(number.like($end));
+            let here = number.both(among, inside);
+            if number.any(here) {
+                value = $crate::faddeeva::places::Choose::or_else($formula, here, value);
+            }
+            among = number.except(among, inside);
+        )+
+        let _ = among;
+        value
+    }};
+}
+pub(super) use by_ends;
+
+/// One point.
+#[derive(Clone, Copy)]
+pub(super) struct One<L>(pub L);
+
+impl<L: Lanes> Places for One<L> {
+    type Number = f64;
+    #[inline(always)]
+    fn axis_rows(self, row: impl Fn(f64) -> &'static RealRow, n: f64, t: f64) -> Dd {
+        axis_row(self.0, row(n), t)
+    }
+    #[inline(always)]
+    fn real_rows(
+        self,
+        row: impl Fn(f64) -> &'static RealRow,
+        n: f64,
+        (t, b): (f64, f64),
+    ) -> (Dd, Dd) {
+        real_row(self.0, row(n), t, b)
+    }
+    #[inline(always)]
+    fn complex_rows(
+        self,
+        row: impl Fn(f64) -> &'static ComplexRow,
+        n: f64,
+        (dx, dy): (f64, f64),
+    ) -> (Dd, Dd) {
+        complex_row(self.0, row(n), dx, dy)
+    }
+    #[inline(always)]
+    fn replaced<const N: usize>(
+        self,
+        mask: bool,
+        value: f64,
+        arguments: [f64; N],
+        f: impl Fn([f64; N]) -> f64,
+    ) -> f64 {
+        if mask { value } else { f(arguments) }
+    }
+}
+
+/// As many points as a vector has places.
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
+#[derive(Clone, Copy)]
+pub(super) struct Several<S>(pub S);
+
+/// The rows of as many points as there are.
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
+#[inline(always)]
+fn rows_of<S: Wide, T: 'static>(n: Pack<S>, row: impl Fn(f64) -> &'static T) -> [&'static T; 8] {
+    let n = n.array();
+    let mut rows = [row(n[0]); 8];
+    for m in 1..S::WIDTH {
+        rows[m] = row(n[m]);
+    }
+    rows
+}
+
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
+impl<S: Wide> Places for Several<S> {
+    type Number = Pack<S>;
+    #[inline(always)]
+    fn axis_rows(
+        self,
+        row: impl Fn(f64) -> &'static RealRow,
+        n: Pack<S>,
+        t: Pack<S>,
+    ) -> Dd<Pack<S>> {
+        axis_rows(self.0, &rows_of(n, row).map(|r| &r.0), t)
+    }
+    #[inline(always)]
+    fn real_rows(
+        self,
+        row: impl Fn(f64) -> &'static RealRow,
+        n: Pack<S>,
+        (t, b): (Pack<S>, Pack<S>),
+    ) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
+        real_rows(self.0, &rows_of(n, row).map(|r| &r.0), t, b)
+    }
+    #[inline(always)]
+    fn complex_rows(
+        self,
+        row: impl Fn(f64) -> &'static ComplexRow,
+        n: Pack<S>,
+        (dx, dy): (Pack<S>, Pack<S>),
+    ) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
+        let rows = rows_of(n, row).map(|r| &r.0);
+        OnRows { rows, dx, dy }.unevaluated(self.0)
+    }
+    #[inline(always)]
+    fn replaced<const N: usize>(
+        self,
+        mask: S::m64s,
+        values: Pack<S>,
+        arguments: [Pack<S>; N],
+        f: impl Fn([f64; N]) -> f64,
+    ) -> Pack<S> {
+        if values.all(mask) {
+            return values;
+        }
+        let kept = values.pick(mask, values.like(1.0), values.like(0.0));
+        let (kept, arguments) = (kept.array(), arguments.map(Pack::array));
+        let mut values = values.array();
+        for m in 0..S::WIDTH {
+            if kept[m] == 0.0 {
+                values[m] = f(arguments.map(|a| a[m]));
+            }
+        }
+        Pack::load(self.0, &values, 0)
+    }
+}

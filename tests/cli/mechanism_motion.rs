@@ -1,0 +1,112 @@
+//! `mechaudit motion` for mechanisms, as its user meets it.
+
+use crate::common::{column, command, file, run, said};
+use std::f64::consts::PI;
+use tempfile::tempdir;
+
+const EXAMPLES: [&str; 5] = [
+    "four-bar-damped",
+    "four-bar-spring",
+    "slider-crank-damped",
+    "double-pendulum",
+    "watt-six-bar",
+];
+
+fn table(line: &str) -> String {
+    let d = command(line);
+    assert_eq!(d.code, 0, "{line}: {}", d.err);
+    d.out
+}
+
+/// The solver's kinematics and the enclosed solution of the formulas share nothing, and agree.
+#[test]
+fn floating_point_agrees_with_certified_digits() {
+    for name in EXAMPLES {
+        let line = format!("motion examples/motion/{name}.toml --times 0:0.4:0.2 --format csv");
+        let (found, due) = (table(&line), table(&format!("{line} --digits 15")));
+        let names: Vec<&str> = found.lines().next().unwrap().split(',').collect();
+        assert_eq!(due.lines().next().unwrap(), names.join(","));
+        for of in &names[1..] {
+            for (x, y) in column(&found, of).iter().zip(column(&due, of)) {
+                assert!(
+                    (x - y).abs() < 1e-9 * (1.0 + y.abs()),
+                    "{name} {of}: {x} {y}"
+                );
+            }
+        }
+    }
+}
+
+/// The loop of the four-bar stays closed, and the crank turns to and fro.
+#[test]
+fn a_four_bar_swings() {
+    let out = table("motion examples/motion/four-bar-damped.toml --times 0:5:0.01 --format csv");
+    let [a, b, c] = ["crank", "coupler", "rocker"].map(|n| column(&out, &format!("theta_{n}")));
+    for ((a, b), c) in a.iter().zip(b).zip(c) {
+        let x = 0.1 * a.cos() + 0.4 * b.cos() - 0.35 - 0.3 * c.cos();
+        let y = 0.1 * a.sin() + 0.4 * b.sin() - 0.3 * c.sin();
+        assert!(x.hypot(y) < 1e-14, "{x} {y}");
+    }
+    assert!((a[0] - PI / 3.0).abs() < 1e-15);
+    let rates = column(&out, "omega_crank");
+    assert!(rates.windows(2).filter(|w| w[0] * w[1] < 0.0).count() > 5);
+}
+
+#[test]
+fn a_motion_ends_at_an_event() {
+    let folder = tempdir().unwrap();
+    let text = include_str!("../../examples/motion/four-bar-damped.toml");
+    let text = text.replace(
+        "[motion.start]",
+        "[motion]\nuntil = \"omega_crank\"\n[motion.start]",
+    );
+    let path = file(&folder, "m.toml", &text);
+    let d = run(&["motion", &path, "--times", "0:5:0.1", "--format", "csv"]);
+    assert_eq!(d.code, 0, "{}", d.err);
+    said(&d, "motion.until changes its sign at t = ");
+    let rates = column(&d.out, "omega_crank");
+    assert!(rates[rates.len() - 1].abs() < 1e-9, "{rates:?}");
+    assert!(rates[..rates.len() - 1].iter().all(|w| *w > 0.0));
+}
+
+#[test]
+fn bad_files_and_arguments_exit_with_two() {
+    let folder = tempdir().unwrap();
+    let good = include_str!("../../examples/motion/slider-crank-damped.toml");
+    for (k, (text, due)) in [
+        (
+            good.replace("omega_crank", "omega_crnk"),
+            "the names are t, theta_crank, omega_crank",
+        ),
+        (
+            good.replace("[motion.near]\nrod = \"-8 deg\"", ""),
+            "which position? there are ",
+        ),
+        (
+            good.replace("mass", "# mass")
+                .replace("inertia", "# ")
+                .replace("centre", "# "),
+            "no body has a mass",
+        ),
+        (
+            good.replace("35 cm", "3 cm"),
+            "the mechanism cannot be assembled at the start",
+        ),
+        (
+            good.replace("crank = { at", "slide = { at"),
+            "motion.start.slide = \"slide\" is no body",
+        ),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let path = file(&folder, &format!("{k}.toml"), &text);
+        let d = run(&["motion", &path, "--times", "0:1:0.5"]);
+        assert_eq!((d.code, d.out.as_str()), (2, ""), "{due}: {}", d.err);
+        said(&d, due);
+        assert_eq!(d.err.lines().count(), 1, "{}", d.err);
+    }
+    let early = command("motion examples/motion/double-pendulum.toml --times=-1:1:0.5");
+    assert_eq!(early.code, 2);
+    said(&early, "comes before the start 0");
+}
