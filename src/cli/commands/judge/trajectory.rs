@@ -289,7 +289,7 @@ impl Report<'_> {
     fn csv(&self) -> String {
         let inputs: Vec<&str> = self.study.inputs().iter().map(|i| i.name).collect();
         let heads = "output,printed,reference,error,of_budget,verdict";
-        let text = format!("line,{},{heads}\n", inputs.join(","));
+        let mut text = format!("line,{},{heads}\n", inputs.join(","));
         for e in &self.entries {
             let input: Vec<String> = e.input.iter().map(shown).collect();
             let number = |x: Option<f64>| {
