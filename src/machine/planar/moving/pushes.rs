@@ -2,6 +2,7 @@
 
 use super::MovingError;
 use super::equations::Writer;
+use super::laws::INNER;
 use super::loads::ExactLoad;
 use super::places::Position;
 use super::text::{Vector, add, angle, dot, mul, rational, sub, sum};
