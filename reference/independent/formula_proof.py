@@ -21,10 +21,8 @@ ctx.prec = 300
 
 
 def tokens(text):
-    lines = (line.split(";")[0] for line in text.splitlines())
-    for bracket in "()[]":
-        lines = (line.replace(bracket, f" {'(' if bracket in '([' else ')'} ") for line in lines)
-    return " ".join(lines).split()
+    text = "\n".join(line.split(";")[0] for line in text.splitlines())
+    return text.translate(str.maketrans({"(": " ( ", "[": " ( ", ")": " ) ", "]": " ) "})).split()
 
 
 def tree(words):
