@@ -38,10 +38,10 @@ mod arithmetic;
 mod cams;
 #[cfg(feature = "drive")]
 mod drive;
-#[cfg(feature = "splines")]
-mod linear;
 #[cfg(feature = "linkages")]
 pub mod initial_value;
+#[cfg(feature = "splines")]
+mod linear;
 #[cfg(feature = "linkages")]
 mod linkages;
 #[cfg(feature = "special")]

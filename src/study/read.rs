@@ -6,8 +6,8 @@ use super::error::StudyError;
 use super::initial_value;
 use super::linear;
 use super::problem::{
-    Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver, default_budget, limit,
-    fault_in,
+    Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver, default_budget, fault_in,
+    limit,
 };
 use super::system;
 use mechaudit_symbolic::evaluation::{Elementary, Format};

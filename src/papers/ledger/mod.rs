@@ -21,8 +21,8 @@ mod requirement;
 
 pub use conditions::{Conditions, Domain};
 pub use decide::decide;
-pub use findings::{dimension, finding};
 pub(super) use findings::proved;
+pub use findings::{dimension, finding};
 pub use item::Item;
 pub use names::Names;
 pub use requirement::Requirement;

@@ -190,7 +190,12 @@ mod tests {
     fn a_page_has_its_curves_and_digits() {
         let (motion, rows) = moving(3);
         let names = ["t", "theta [rad]"].map(String::from);
-        let text = page(&motion, Some(15), &["theta' = omega".into()], (&names, &rows));
+        let text = page(
+            &motion,
+            Some(15),
+            &["theta' = omega".into()],
+            (&names, &rows),
+        );
         whole(&text);
         for part in [
             "<title>a &lt;swing&gt;: motion</title>",

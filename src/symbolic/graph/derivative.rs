@@ -39,11 +39,7 @@ impl Graph {
     ///
     /// # Errors
     /// As [`Graph::derivative`].
-    pub fn derivative_along(
-        &mut self,
-        root: Id,
-        path: &[(Id, Id)],
-    ) -> Result<Id, SymbolicError> {
+    pub fn derivative_along(&mut self, root: Id, path: &[(Id, Id)]) -> Result<Id, SymbolicError> {
         let seeds = path.iter().map(|(leaf, slope)| (*leaf, Some(*slope)));
         let slope = self.slope(root, &seeds.collect())?;
         Ok(slope.unwrap_or_else(|| self.number(0)))
