@@ -126,7 +126,7 @@ fn faults_have_their_place() {
         (
             "",
             "x = { start = \"1\", rate = \"-z\" }",
-            "column 28: the name z is not declared",
+            "column 29: the name z is not declared",
         ),
         (
             "",

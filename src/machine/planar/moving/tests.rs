@@ -224,6 +224,7 @@ const LEVER: &str = r#"
     crank = { at = "40 deg", speed = "6 rad/s" }
     [motion.near]
     lever = "76 deg"
+    wheel = "-17 deg"
 "#;
 
 #[test]
@@ -259,7 +260,7 @@ fn bad_files_have_one_clear_line() {
         ),
         (
             bar.replace("crank = { at", "crnk = { at"),
-            "did you mean crank",
+            "did you mean \"crank\"?",
         ),
         (
             bar.replace(
