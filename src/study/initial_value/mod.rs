@@ -46,10 +46,11 @@ pub(super) struct Solution {
     at_start: AtStart,
 }
 
-/// Starts and rates at the start, as expressions of the inputs.
+/// Starts, rates and outputs at the start, as expressions of the inputs.
 struct AtStart {
     graph: Arc<Graph>,
     nodes: Vec<(String, Id)>,
+    outputs: Vec<Id>,
 }
 
 /// An output.
@@ -167,6 +168,11 @@ impl Solution {
                 place: time.to_string(),
             };
             return vec![undefined; self.outputs.len()];
+        }
+        // No enclosure tells a start that is zero from others.
+        if *time == self.start {
+            let mut certified = Certified::new(self.at_start.graph.clone(), self.limits.bits);
+            return certified.values(inputs, &self.at_start.outputs, goal);
         }
         let states = match self.trajectories.at(inputs, time, goal) {
             Ok(states) => states,
@@ -352,8 +358,17 @@ impl AtStart {
                 nodes.push((format!("{part} of {}{at}", state.name), id));
             }
         }
+        let mut outputs = Vec::new();
+        for output in &problem.outputs {
+            let built = graph.build(&definitions, &output.is);
+            outputs.push(built.map_err(|e| StudyError::new(format!("{}: {e}", output.name)))?);
+        }
         let graph = Arc::new(graph);
-        Ok(AtStart { graph, nodes })
+        Ok(AtStart {
+            graph,
+            nodes,
+            outputs,
+        })
     }
 
     /// The first part that is proved to be undefined, and why it is.
