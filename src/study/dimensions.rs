@@ -7,7 +7,9 @@ use super::read::entries;
 use mechaudit_symbolic::{Dimensions, Equation, Expr, Undimensional, unit};
 
 /// Checks that every output has the dimension of its unit and that its parts agree. Names without a unit, and parameters
-/// that are numbers without one, may have any. Returns a note if a unit cannot be read, so that nothing is checked.
+/// that are numbers without one, may have any. Returns a note about the first fault, or about a unit that cannot be read, so
+/// that nothing is checked. A wrong dimension is a remark of every report and no refusal: numbers in a formula may stand for
+/// quantities whose unit it leaves out.
 pub(super) fn check(
     file: &Item,
     problem: &Problem,
@@ -45,7 +47,7 @@ pub(super) fn check(
         Undimensional::NoUnit { .. } | Undimensional::Circular { .. } => None,
         e => Some(e.to_string()),
     };
-    for (name, item) in parameters.iter().chain(outputs) {
+    for (name, _) in parameters.iter().chain(outputs) {
         let Some(is) = problem.definitions.names.get(name) else {
             continue;
         };
@@ -58,14 +60,12 @@ pub(super) fn check(
             && units.of(&problem.definitions, is) == Ok(Some(Default::default()));
         let checked = units.check(&problem.definitions, &equation);
         if let Some(fault) = checked.err().and_then(found).filter(|_| !is_datum) {
-            return Err(item.fault(format!("the dimension of {name} is wrong: {fault}")));
+            return Ok(Some(format!("the dimension of {name} is wrong: {fault}")));
         }
     }
     for e in problem.system.iter().flat_map(|s| &s.equations) {
         if let Some(fault) = units.of(&problem.definitions, e).err().and_then(found) {
-            return Err(StudyError::new(format!(
-                "the dimension of an equation is wrong: {fault}"
-            )));
+            return Ok(Some(format!("the dimension of an equation is wrong: {fault}")));
         }
     }
     Ok(None)

@@ -599,7 +599,7 @@ fn formulas_bit_by_bit() {
     ];
     let due = [
         ("names", 0x5db1b567a4d103ca, 13.0),
-        ("bounds", 0x814cb2cb858e5954, 1.769563358723438),
+        ("bounds", 0xe43ad7215f868b79, 1.769563358723438),
         ("kept", 0x0000000000000000, 2.0),
     ];
     bit_by_bit(&found, &due);

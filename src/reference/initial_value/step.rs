@@ -332,7 +332,7 @@ impl Step {
     /// The time of the end.
     pub fn end(&self) -> Rational {
         let h = Rational::from_f64(self.h).expect("a finite length");
-        Rational::from(&self.start.time + h)
+        (&self.start.time + h).into()
     }
 
     /// The solution from the midpoint of the start, without the errors of the start, and the linearised flow, at all
@@ -349,7 +349,7 @@ impl Step {
             sum.widened(*error)
         });
         let h = Rational::from_f64(self.h).expect("a finite length");
-        let tau = Rational::from(since / h);
+        let tau = since / h;
         let near = tau.to_f64().clamp(0.0, 1.0);
         let share = reach.div(Mag::from_f64(self.h)).to_f64();
         let flow = self.flow.at(near, (share + f64::EPSILON).next_up());

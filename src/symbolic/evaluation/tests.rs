@@ -101,12 +101,6 @@ fn formulas_at_a_point() {
             (1, 1),
             "2.8077702420285193652",
         ),
-        // Three peaks of different width.
-        (
-            "int(t, 0, 1, 1/cosh(10*(t - 0.2))^2 + 1/cosh(100*(t - 0.4))^4 + 1/cosh(1000*(t - 0.6))^6)",
-            (1, 1),
-            "0.21080273550054927738",
-        ),
         (
             "sum(n, 0, inf, 1/tgamma(n + 1))",
             (1, 1),
@@ -121,7 +115,7 @@ fn formulas_at_a_point() {
         (
             "sum(n, 1, inf, 1/n^2)",
             (1, 1),
-            "undecided: the limit on rounds of loops and terms of sums: sum(n, 1, inf, n^-2)",
+            "undecided: the limit on rounds of loops and terms of sums: sum(n, 1, inf, 1/n^2)",
         ),
         (
             "sum(n, 1, inf, x^n)",

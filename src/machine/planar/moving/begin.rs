@@ -40,7 +40,7 @@ impl Writer<'_> {
             texts.push(given.unwrap_or_else(|| {
                 let near = near(self.free[k]);
                 [0, 1].map(|c| {
-                    let name = format!("{INNER}start_{}", self.q[k][c]);
+                    let name = format!("{INNER}start_{k}_{c}");
                     self.out.unknowns.push((name.clone(), near[c]));
                     name
                 })

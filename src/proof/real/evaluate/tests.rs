@@ -475,10 +475,10 @@ fn formulas_bit_by_bit() {
         counted("overflow", over),
     ]);
     let due = [
-        ("erf", 0x3208374b07af4dd7, 0.5682206508950784),
-        ("erfc", 0x500e57c789aa0c4d, 1.0161458706390418),
+        ("erf", 0x8d0b9b5aed3b187d, 0.5042079575219875),
+        ("erfc", 0x726badcfc7211407, 1.0161458706390418),
         ("erfcx", 0xd4f9cc92bf7415d5, 0.8386382116760135),
-        ("dawson", 0xe1eb37053969e1b9, 0.7298588782757869),
+        ("dawson", 0xf74c5468f8ff0801, 0.7298588782757869),
         ("above one", 0x6bf1dfe6c438348e, 75.0),
         ("roundings", 0xf1a8f848acb1b367, 201.0),
         ("underflow", 0x346f4d7cb1b0eb70, 5.0),
