@@ -102,7 +102,12 @@ impl Pass {
         let near = |x: Interval, y: Interval| {
             x.lo > 0.0 && y.lo > 0.0 && x.hi <= 2.0 * y.lo && y.hi <= 2.0 * x.lo
         };
-        let exact = x.is_zero() || y.is_zero() || near(x, opposite) || near(-x, -opposite);
+        // Two numbers whose sum is a number of the format, as those of counters.
+        let known = x.is_point() && y.is_point() && {
+            let (s, rest) = two_sum(x.lo, y.lo);
+            rest == 0.0 && s.is_finite() && self.rounded(s) == s
+        };
+        let exact = known || x.is_zero() || y.is_zero() || near(x, opposite) || near(-x, -opposite);
         let noise = if exact {
             0.0
         } else {
