@@ -118,8 +118,9 @@ pub(super) fn solution(
     }
     prepare(evaluator, &graph, equations);
     prepare(evaluator, &graph, jacobian);
-    let goal = evaluator.interpretation.goal;
     let bits = evaluator.interpretation.prec;
+    // Parts that do not depend on an unknown are known to the working precision alone.
+    let goal = evaluator.interpretation.goal.min(bits.saturating_sub(32));
     let mut system = Equations {
         evaluator,
         binder,

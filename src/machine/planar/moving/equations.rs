@@ -184,7 +184,7 @@ impl Writer<'_> {
         let state = |i: usize| {
             let [place, rate] = names_of(i);
             let place = if lined(i) {
-                format!("{INNER}of_{place}")
+                format!("{INNER}of_{i}")
             } else {
                 place
             };
