@@ -5,15 +5,15 @@ use super::laws::TIME;
 use super::{Moving, MovingError};
 use crate::reference::Ball;
 use mechaudit_symbolic::evaluation::{
-    Balls, Evaluator, Goal, InitialValueProblem, Limits, Trajectory, Value,
+    Balls, Evaluator, InitialValueProblem, Limits, Trajectory, Value,
 };
 use mechaudit_symbolic::graph::{Graph, Id, Start};
 use mechaudit_symbolic::{Definitions, SymbolicError, parse};
-use rug::Rational;
+use rug::{Complete, Integer, Rational};
 use std::sync::Arc;
 
 /// Times that the working precision is raised for a quantity that cancels.
-const RAISED: u32 = 5;
+const RAISED: u32 = 3;
 
 /// Certified values of a motion.
 pub struct Certified {
@@ -64,13 +64,14 @@ impl Certified {
         })
     }
 
-    /// The quantities at a time in seconds.
+    /// The quantities at a time in seconds. One whose enclosure holds zero is `0` if it is proved to be smaller than
+    /// `10^−digits` of its unit.
     pub fn at(&mut self, time: &Rational) -> Digits {
         let mut bits = crate::machine::first_bits(self.digits) - 40;
         let mut found = vec![None; self.outputs.len()];
         let mut reason = None;
         for _ in 0..=RAISED {
-            let states = match self.trajectory.at(time, Goal::Bits(bits)) {
+            let states = match self.trajectory.enclosed(time, bits) {
                 Ok(states) => states,
                 Err(e) => {
                     reason = Some(e.to_string());
@@ -80,7 +81,7 @@ impl Certified {
             let values = self.values(time, &states, bits + 64);
             for (found, value) in found.iter_mut().zip(values) {
                 if found.is_none() {
-                    *found = value.and_then(|v| v.to_decimal(self.digits as usize));
+                    *found = value.and_then(|v| self.decimal(&v));
                 }
             }
             if found.iter().all(Option::is_some) {
@@ -90,6 +91,17 @@ impl Certified {
         }
         let narrow = "the enclosure is not narrow enough for all digits";
         (found, Some(reason.unwrap_or_else(|| narrow.into())))
+    }
+
+    fn decimal(&self, value: &Ball) -> Option<String> {
+        let least = Ball::rational(
+            64,
+            &Rational::from((1, Integer::u_pow_u(10, self.digits).complete())),
+        );
+        match value.contains_zero() && value.magnitude() < least.mignitude() {
+            true => Some("0".into()),
+            false => value.to_decimal(self.digits as usize),
+        }
     }
 
     /// The quantities about enclosed states.

@@ -180,6 +180,14 @@ impl Trajectory {
         })
     }
 
+    /// The states at an exact time by a run of at least so many working bits, as narrow as they come out.
+    ///
+    /// # Errors
+    /// See [`MotionError`].
+    pub fn enclosed(&mut self, time: &Rational, bits: u32) -> Result<Vec<Ball>, MotionError> {
+        self.until(time, bits, |_| 0)
+    }
+
     /// The states at a time, at precisions that are raised by the bits that are lacking.
     fn until(
         &mut self,
