@@ -332,7 +332,7 @@ impl Step {
     /// The time of the end.
     pub fn end(&self) -> Rational {
         let h = Rational::from_f64(self.h).expect("a finite length");
-        (&self.start.time + h).into()
+        &self.start.time + h
     }
 
     /// The solution from the midpoint of the start, without the errors of the start, and the linearised flow, at all
