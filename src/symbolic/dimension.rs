@@ -79,7 +79,7 @@ impl Powers {
             if divisor > LARGEST_DIVISOR {
                 divisor = rest;
             }
-            while rest % divisor == 0 {
+            while rest.is_multiple_of(divisor) {
                 self.multiply(Factor::Number(divisor), &Rational::from(power));
                 rest /= divisor;
             }

@@ -108,7 +108,7 @@ fn times(text: &str) -> Result<Times, TimesError> {
                 let Some(steps) = steps.trunc().numer().to_usize().filter(|n| *n < MOST) else {
                     return Err(TimesError::TooMany);
                 };
-                all.extend((0..=steps).map(|k| Rational::from(&step * Rational::from(k)) + &first));
+                all.extend((0..=steps).map(|k| (&step * Rational::from(k)) + &first));
             }
             _ => return Err(TimesError::Range(part.into())),
         }

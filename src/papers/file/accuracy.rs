@@ -198,13 +198,10 @@ struct Found {
 impl Accuracy {
     /// Decides the claim.
     pub(super) fn finding(&self) -> Finding {
-        let found = match &self.test {
-            None => None,
-            Some(test) => Some(match test.statistic {
+        let found = self.test.as_ref().map(|test| match test.statistic {
                 Statistic::Largest => test.largest(),
                 Statistic::Mean => test.mean(),
-            }),
-        };
+            });
         let held = found.as_ref().map_or(Held::NotTestable, |f| f.held);
         let (verdict, word) = match held {
             Held::AsFarAsSearched => (FindingVerdict::Confirmed, "Holds as far as searched."),

@@ -78,7 +78,7 @@ impl Part {
             Part::Signed(_, _, None) => sample(),
             Part::Signed(_, low, Some(high)) => {
                 let x = sample()?;
-                let share = Rational::from(&x / Rational::from(&x + 1));
+                let share = &x / Rational::from(&x + 1);
                 Some(Rational::from(high - low) * share + low)
             }
         }
@@ -194,7 +194,7 @@ impl Conditions {
             })
             .collect::<Option<_>>()?;
         let f = Function::new(definitions, &slack, &region).ok()?;
-        f.is_positive().then(|| Identity {
+        f.is_positive().then_some(Identity {
             outcome: Outcome::Proved,
             residual: None,
             witness: None,

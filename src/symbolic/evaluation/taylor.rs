@@ -670,7 +670,7 @@ impl Compiler<'_> {
 
 /// The open interval on which a step function is n; none for an end that is infinite.
 fn ends(f: Func, n: &Rational) -> [Option<Rational>; 2] {
-    let shifted = |by: (i32, i32)| Some(Rational::from(n + Rational::from(by)));
+    let shifted = |by: (i32, i32)| Some(n + Rational::from(by));
     match f {
         Func::Floor => [shifted((0, 1)), shifted((1, 1))],
         Func::Ceil => [shifted((-1, 1)), shifted((0, 1))],

@@ -66,7 +66,7 @@ pub(super) fn reduced(
         zero.add(&Rational::from(-1), &Linear::constant(&relation.constant));
         let free = zero.terms.iter().map(|t| t.0);
         let gone = free.max_by_key(|i| (!keep.contains(i), *i))?;
-        let factor = Rational::from(-zero.factor(gone)?.clone().recip());
+        let factor = -zero.factor(gone)?.clone().recip();
         let mut by_others = Linear::default();
         by_others.add(&factor, &zero);
         by_others.terms.retain(|t| t.0 != gone);

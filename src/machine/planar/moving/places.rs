@@ -23,7 +23,7 @@ impl Writer<'_> {
             let fixed = linear.terms.is_empty() && linear.plain.is_zero();
             units.push(match fixed {
                 true => {
-                    let degrees = Rational::from(&linear.by_pi * Rational::from(180));
+                    let degrees = &linear.by_pi * Rational::from(180);
                     Real::unit(&ExactAngle::Degrees(degrees)).map(|x| x.formula())
                 }
                 false => {

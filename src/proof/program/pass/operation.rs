@@ -129,7 +129,7 @@ impl Pass {
         let x = self.float[a];
         let known = x.is_point() && self.noise[a] == 0.0 && self.error[a] == 0.0;
         let size = x.lo.abs();
-        let normal = known && size >= f64::MIN_POSITIVE && size < f64::INFINITY;
+        let normal = known && (f64::MIN_POSITIVE..f64::INFINITY).contains(&size);
         (normal && size == power_of_two(exponent(size))).then(|| exponent(size))
     }
 

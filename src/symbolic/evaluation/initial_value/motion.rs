@@ -369,7 +369,7 @@ impl Piece {
             }
             // Switching times at simple fractions of a step are not met.
             let part = Rational::from(&to - &from) * Rational::from((29, 64));
-            let middle = Rational::from(&from + part);
+            let middle = &from + part;
             open.push((middle.clone(), to, depth + 1));
             open.push((from, middle, depth + 1));
         }
