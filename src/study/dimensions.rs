@@ -65,7 +65,9 @@ pub(super) fn check(
     }
     for e in problem.system.iter().flat_map(|s| &s.equations) {
         if let Some(fault) = units.of(&problem.definitions, e).err().and_then(found) {
-            return Ok(Some(format!("the dimension of an equation is wrong: {fault}")));
+            return Ok(Some(format!(
+                "the dimension of an equation is wrong: {fault}"
+            )));
         }
     }
     Ok(None)

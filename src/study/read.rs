@@ -158,9 +158,12 @@ pub fn is_name(name: &str, item: &Item) -> Result<(), StudyError> {
     }
 }
 
+/// Outputs, and of each its place among the roots of one equation, or 0.
+type OneByOne = (Vec<(String, Item)>, Vec<u32>);
+
 /// Outputs with each root of an equation by itself: its name ends in its place, from 1 to `count`;
 /// the places of roots beside them, 0 elsewhere.
-fn one_by_one(stated: &[(String, Item)]) -> Result<(Vec<(String, Item)>, Vec<u32>), StudyError> {
+fn one_by_one(stated: &[(String, Item)]) -> Result<OneByOne, StudyError> {
     /// The most roots that one output may stand for.
     const MOST: u32 = 1000;
     let mut places = Vec::new();

@@ -118,12 +118,11 @@ fn gravity(file: &File) -> [f64; 2] {
     }
 }
 
+/// Masses, loads and gravity.
+type Parts = (Vec<BodyMass>, Vec<Load>, [f64; 2]);
+
 /// Masses, loads and gravity of a mechanism without a drive, whose loads have no tables.
-pub(super) fn parts(
-    source: &Source,
-    file: &File,
-    bodies: &Bodies,
-) -> Result<(Vec<BodyMass>, Vec<Load>, [f64; 2]), Refusal> {
+pub(super) fn parts(source: &Source, file: &File, bodies: &Bodies) -> Result<Parts, Refusal> {
     let courses = Courses {
         source,
         rotary: false,

@@ -199,9 +199,9 @@ impl Accuracy {
     /// Decides the claim.
     pub(super) fn finding(&self) -> Finding {
         let found = self.test.as_ref().map(|test| match test.statistic {
-                Statistic::Largest => test.largest(),
-                Statistic::Mean => test.mean(),
-            });
+            Statistic::Largest => test.largest(),
+            Statistic::Mean => test.mean(),
+        });
         let held = found.as_ref().map_or(Held::NotTestable, |f| f.held);
         let (verdict, word) = match held {
             Held::AsFarAsSearched => (FindingVerdict::Confirmed, "Holds as far as searched."),

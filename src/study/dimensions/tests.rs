@@ -13,7 +13,9 @@ period = { is = "2*pi*sqrt(l/g)", unit = "s", budget = "4 ulp", why = "a test" }
 
 fn fault(text: &str) -> Option<String> {
     let notes = problem(text, "pendulum").unwrap().notes;
-    notes.into_iter().find(|n| n.starts_with("the dimension of"))
+    notes
+        .into_iter()
+        .find(|n| n.starts_with("the dimension of"))
 }
 
 #[test]

@@ -215,7 +215,12 @@ fn random_polynomial_fields_with_a_known_solution() {
                 c[i][0], c[i][1], c[i][2], c[i][3]
             )
         };
-        let rate = |i: usize| format!("(({})/8 + ({})*t/4 + 3*({})*t^2/16)", c[i][1], c[i][2], c[i][3]);
+        let rate = |i: usize| {
+            format!(
+                "(({})/8 + ({})*t/4 + 3*({})*t^2/16)",
+                c[i][1], c[i][2], c[i][3]
+            )
+        };
         let exact = |i: usize, t: &Rational| {
             let mut sum = Rational::from((c[i][3], 16));
             for k in (0..3).rev() {
@@ -236,7 +241,11 @@ fn random_polynomial_fields_with_a_known_solution() {
                 f += &format!(" + ({k})*y{a}^{power}*y{b}");
                 g += &format!(" + ({k})*{}^{power}*{}", q(a), q(b));
             }
-            lines.push(format!("y{i} = ({})/8 -> {f} - ({g}) + {}", c[i][0], rate(i)));
+            lines.push(format!(
+                "y{i} = ({})/8 -> {f} - ({g}) + {}",
+                c[i][0],
+                rate(i)
+            ));
         }
         let mut motion = trajectory(&lines.join("; "));
         for t in [(1, 3), (-2, 5), (1, 1)] {
