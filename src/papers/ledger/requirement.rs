@@ -24,7 +24,7 @@ impl Requirement {
     /// Reads a requirement.
     ///
     /// # Errors
-    /// As [`parse()`].
+    /// A formula that cannot be parsed.
     pub fn parse(text: &str) -> Result<Requirement, SymbolicError> {
         Requirement::read(text, &Names::default())
     }
@@ -32,7 +32,7 @@ impl Requirement {
     /// Reads a requirement that uses these names.
     ///
     /// # Errors
-    /// As [`parse()`]; a name that is not declared.
+    /// A formula that cannot be parsed, or a name that is not declared.
     pub fn read(text: &str, names: &Names) -> Result<Requirement, SymbolicError> {
         // The place of an error is that in the whole text.
         let parse = |part: &str| {
