@@ -10,7 +10,7 @@
 //! | `papers` | published papers: data, tables, formulas, findings | feature `report` |
 //! | `proof` (`mechaudit-proof`) | error bounds of solvers proved for every input | feature `report` |
 //! | `report` | audits as text and HTML, drawings of linkages; JSON, CSV, JUnit, LaTeX, charts, papers | feature `pages`; `report` |
-//! | `symbolic` (`mechaudit-symbolic`) | polynomials, roots, exponentials and their derivatives, exactly; proofs of formulas | feature `report` |
+//! | [`symbolic`] (`mechaudit-symbolic`) | polynomials, roots, exponentials and their derivatives, exactly; proofs of formulas | |
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 // Parts of the pages are those of papers alone.
@@ -35,6 +35,5 @@ pub use mechaudit::{
 #[cfg(feature = "report")]
 #[doc(inline)]
 pub use mechaudit_proof as proof;
-#[cfg(feature = "report")]
 #[doc(inline)]
 pub use mechaudit_symbolic as symbolic;
