@@ -206,6 +206,32 @@ def erfcx_right(x):
     return None, n, series(0.0, x, n, True)
 
 
+def split_product(a, b):
+    """The product of two sums of two numbers by halves of their bits."""
+    def halves(x):
+        c = 134217729.0 * x
+        high = c - (c - x)
+        return high, x - high
+    p = a[0] * b[0]
+    (a1, a2), (b1, b2) = halves(a[0]), halves(b[0])
+    lost = ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2
+    return fast_two_sum(p, lost + (a[0] * b[1] + a[1] * b[0]))
+
+
+@functools.cache
+def erf_row(centre):
+    """Value, slope and higher coefficients of erf at a centre, from the rows of w and of erfcx."""
+    c = centre_row(CELLS if centre <= 1.0 else REAL_AXIS, (centre, 0.0))
+    e, w = c[:2], ERFCX_ROWS[int(4 * centre)][:2]
+    p = split_product(e, w)
+    s = 1.0 - p[0]
+    value = fast_two_sum(s, (1.0 - s) - p[0] - p[1])
+    slope = split_product(e, TWO_OVER_ROOT)
+    scale = TWO_OVER_ROOT[0]
+    rest = [scale * c[8 + 8 * ((n - 3) // 4) + (n - 3) % 4] / n for n in range(3, 18)]
+    return [*value, *slope, scale * c[4] / 2.0, *rest]
+
+
 @functools.cache
 def dawson_row(centre, near):
     c = centre_row(CELLS if near else REAL_AXIS, (centre, 0.0))
@@ -233,17 +259,17 @@ def computed(function, x):
     if function in ODD:
         x = b
     if function == "erf":
-        if b < 0.5:
+        if b <= 0.125:
             return "Maclaurin series", None, sum(times(odd_real(ERF, THIRD_LOW, x), TWO_OVER_ROOT))
         if b < 6.0:
-            t, k, centre, _ = product(x)
-            return "1 - erfc x", centre, sum(plus_number(negative(pair_scaled(t, k)), 1.0))
+            centre = nearest(x, 4)
+            return "Taylor series", centre, sum(real_row(erf_row(centre), x - centre))
         return "1", None, 1.0
     if function == "erfc":
         if b < 0.25:
             t = times(odd_real(ERF, THIRD_LOW, x), TWO_OVER_ROOT)
             return "1 - Maclaurin series", None, sum(plus_number(negative(t), 1.0))
-        if b >= 30.0:
+        if b >= (30.0 if x > 0.0 else 6.0):
             return ("0", None, 0.0) if x > 0.0 else ("2", None, 2.0)
         t, k, centre, n = product(b)
         if x < 0.0:
