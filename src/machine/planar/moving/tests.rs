@@ -251,7 +251,7 @@ fn bad_files_have_one_clear_line() {
             "which position? there are",
         ),
         (
-            bar.replace("100 deg", "10 deg"),
+            bar.replace("82 deg", "10 deg"),
             "no position at the start has its bodies within 15 deg",
         ),
         (
