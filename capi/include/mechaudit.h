@@ -31,7 +31,7 @@ typedef double _Complex mechaudit_complex;
 #define MECHAUDIT_MESSAGE 160
 
 /**
- * What a function returns that can fail.
+ * The status that a function returns if it can fail.
  */
 typedef enum mechaudit_status {
     /**
@@ -120,7 +120,7 @@ typedef enum mechaudit_function {
 } mechaudit_function;
 
 /**
- * What is given at an end of a spline.
+ * The condition at an end of a spline.
  */
 typedef enum mechaudit_spline_end {
     /**
@@ -138,7 +138,7 @@ typedef enum mechaudit_spline_end {
 } mechaudit_spline_end;
 
 /**
- * What a spline is outside its knots.
+ * The continuation of a spline outside its knots.
  */
 typedef enum mechaudit_spline_outside {
     /**
@@ -196,7 +196,7 @@ extern "C" {
 #endif // __cplusplus
 
 /**
- * What the status means, a constant string; that of `INTERNAL` for any other number.
+ * Returns the meaning of the status, a constant string; that of `INTERNAL` for any other number.
  */
 const char *mechaudit_status_message(int status);
 
@@ -594,7 +594,7 @@ enum mechaudit_status mechaudit_spline_integral(const struct mechaudit_spline *s
                                                 struct mechaudit_error *error);
 
 /**
- * Solves a tridiagonal system of n equations by elimination without pivoting: row i is
+ * Solves a tridiagonal system of n equations by elimination without pivoting from both ends: row i is
  * `lower[i-1] x[i-1] + diagonal[i] x[i] + upper[i] x[i+1] = d[i]`; `lower` and `upper` have n - 1 numbers,
  * `diagonal`, `d` and `x` n. `x` may be `d`. For a matrix that is diagonally dominant by rows or columns the
  * solution is that of a system off by a few roundings (Higham, Accuracy and Stability, theorems 9.11-9.13).
