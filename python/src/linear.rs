@@ -46,7 +46,7 @@ pub fn solve_tridiagonal<'py>(
     Ok(x.into_pyarray(py))
 }
 
-/// How far solutions with a tridiagonal matrix can be trusted.
+/// Error bound and condition of solutions with a tridiagonal matrix.
 #[pyfunction]
 pub fn tridiagonal_stability<'py>(
     py: Python<'py>,
@@ -79,7 +79,7 @@ pub fn solve_cyclic<'py>(
     Ok(x.into_pyarray(py))
 }
 
-/// How far solutions with a cyclic matrix can be trusted.
+/// Error bound and condition of solutions with a cyclic matrix.
 #[pyfunction]
 pub fn cyclic_stability<'py>(
     py: Python<'py>,

@@ -20,7 +20,7 @@ pub struct Citation {
     pub year: Option<u16>,
     /// Where it appeared.
     pub venue: &'static str,
-    /// What was read of it, where that is stated.
+    /// The source that was read, where that is stated.
     #[serde(skip_serializing_if = "str::is_empty")]
     pub source: &'static str,
 }

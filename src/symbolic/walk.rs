@@ -364,7 +364,7 @@ pub(super) fn integer<V>(scope: &Scope<V>, e: &Expr) -> Option<i64> {
 /// The value of an expression.
 ///
 /// # Errors
-/// What the domain cannot do, and definitions that do not end.
+/// Operations that the domain cannot do, and definitions that do not end.
 pub fn walk<D: Domain>(
     d: &mut D,
     scope: &mut Scope<D::V>,

@@ -11,7 +11,7 @@ use crate::study::document::Item as Node;
 use crate::study::{Study, StudyError, intern, rational};
 use rayon::prelude::*;
 
-/// What is measured.
+/// The measure of an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measure {
     /// `|got − ref|/|ref|` of each output.
@@ -22,7 +22,7 @@ pub enum Measure {
     Norm,
 }
 
-/// What is claimed of the errors.
+/// The claim about the errors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Statistic {
     /// Every one is at most the bound.
@@ -31,7 +31,7 @@ pub enum Statistic {
     Mean,
 }
 
-/// What became of a claim.
+/// The verdict on a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Held {
     /// At every point tried, or the interval of the mean is below the bound.
@@ -68,7 +68,7 @@ impl std::fmt::Debug for Accuracy {
     }
 }
 
-/// What decides a claim.
+/// The evidence that decides a claim.
 #[derive(Clone)]
 struct Test {
     study: Study,
@@ -185,7 +185,7 @@ fn test(reading: &Reading, node: &Node, bound: &Node) -> Result<Test, StudyError
     })
 }
 
-/// What a test found.
+/// The findings of a test.
 struct Found {
     held: Held,
     /// The largest error, or the mean, in words.
@@ -300,7 +300,7 @@ impl Test {
                 .chain(climbed.failures.iter().map(|f| &f.input));
             for input in audited.chain(climbed) {
                 let (share, over) = Test::share(&variant, input);
-                // What is certain comes before what is not; a share that is no number is the worst.
+                // Certain errors come before uncertain ones; a share that is no number is the worst.
                 let size = if share.is_nan() { f64::INFINITY } else { share };
                 if worst.as_ref().is_none_or(|w| (over, size) > (w.0, w.1)) {
                     worst = Some((over, size, input.clone()));

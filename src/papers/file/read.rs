@@ -37,7 +37,7 @@ const KEYS_OF_PARTS: [&str; 6] = [
 /// The largest number of entries, tables and claims of a paper.
 const MOST: usize = 10_000;
 
-/// What has been read so far, and what later parts need of it.
+/// The parts that have been read, with the names that later parts need.
 pub(super) struct Reading<'a> {
     pub source: &'a Source,
     pub symbols: Symbols,

@@ -102,7 +102,7 @@ fn domain(node: &Node) -> Result<Option<Domain>, StudyError> {
     }
 }
 
-/// What formulas need to know of the symbols.
+/// The facts about symbols that formulas need.
 #[derive(Clone, Debug)]
 pub(super) struct Symbols {
     /// The declared names; any name without `[symbols]`.

@@ -88,7 +88,7 @@ impl Requirement {
         }
     }
 
-    /// What an inequality requires to be positive.
+    /// Returns the expression that an inequality requires to be positive.
     pub(super) fn slack(&self) -> Option<Expr> {
         match self {
             Requirement::Equal(_) => None,

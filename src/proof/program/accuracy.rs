@@ -1,4 +1,4 @@
-//! How far the elementary functions of the platform may be off.
+//! Accuracy of the platform's elementary functions.
 
 use super::{ProgramError, Setting, refused};
 use mechaudit_symbolic::Func;

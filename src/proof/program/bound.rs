@@ -5,7 +5,7 @@ use super::tape::Op;
 use super::{Measure, Program};
 use crate::interval::{Interval, product_up, quotient_up, sum_up};
 
-/// What is known of one box.
+/// The bounds over one box.
 #[derive(Clone, Debug)]
 pub(super) struct Found {
     /// The bound in the measure.

@@ -69,7 +69,7 @@ impl Setting {
     }
 }
 
-/// What a bound measures.
+/// The measure of an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measure {
     /// `|f̂ − f|`.
@@ -98,7 +98,7 @@ impl Program {
     /// included; the condition narrows it.
     ///
     /// # Errors
-    /// What has no floating-point operation, a function whose accuracy nobody states, a loop whose
+    /// An expression without a floating-point operation, a function whose accuracy nobody states, a loop whose
     /// number of rounds is not the same for all inputs.
     pub fn new(
         graph: &Graph,

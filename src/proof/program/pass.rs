@@ -43,11 +43,11 @@ pub(crate) struct Pass {
     setting: Setting,
     /// The number of inputs.
     inputs: usize,
-    /// What the execution may give.
+    /// The values that the execution may give.
     pub float: Vec<Interval>,
     /// Values on the path from exact to computed.
     pub value: Vec<Interval>,
-    /// What is computed is a multiple of `2^grain`.
+    /// Computed values are multiples of `2^grain`.
     grain: Vec<i32>,
     /// Bounds of `|δ_i|`.
     pub noise: Vec<f64>,

@@ -1,4 +1,4 @@
-//! What the Taylor polynomials of a program's values leave out over a step.
+//! Remainders of the Taylor polynomials of a program's values over a step.
 //!
 //! # Statement
 //! Let `s` be the variable of the expansion, `|s| ≤ h`, and let each state i be any number within `tube_i` of its

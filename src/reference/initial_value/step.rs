@@ -64,7 +64,7 @@ pub(super) struct Step {
     bits: u32,
 }
 
-/// What a step is made with.
+/// The field, constants and precision of a step.
 pub(super) struct Setting<'a> {
     pub field: &'a Field,
     pub constants: &'a Constants,

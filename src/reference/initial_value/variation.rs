@@ -38,7 +38,7 @@ pub(super) struct Flow {
 pub(super) struct Scaled {
     /// Coefficients by states.
     pub terms: Vec<Vec<f64>>,
-    /// What they leave out.
+    /// The remainders.
     pub radii: Vec<Mag>,
 }
 

@@ -90,11 +90,11 @@ pub struct Certified {
     algebra: Option<Arc<Algebraic>>,
     /// Nodes on whose operands the algebra was asked at these inputs.
     asked: Vec<Id>,
-    /// What it proved of them.
+    /// The facts that it proved of them.
     proved: Vec<Proved>,
 }
 
-/// What the symbolic algebra proves of a node at the inputs.
+/// Returns the facts that the symbolic algebra proves of a node at the inputs.
 enum Proved {
     /// It is zero.
     Zero(Id),

@@ -156,7 +156,7 @@ fn formulas_at_a_point() {
             (2, 1),
             "undefined: another number of roots in the interval: root(y, -2, 2, y^3 - x*y)",
         ),
-        // What balls cannot compare the algebra does.
+        // The algebra compares numbers that balls cannot.
         (
             "if(sqrt(x)*sqrt(3) < sqrt(6), 1, 2)",
             (2, 1),

@@ -79,7 +79,7 @@ pub struct MovingQuantity {
     pub name: String,
     /// Its unit.
     pub unit: &'static str,
-    /// What it is.
+    /// The kind of the quantity.
     pub text: String,
 }
 

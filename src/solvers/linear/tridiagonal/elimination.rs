@@ -116,7 +116,7 @@ impl<S: Shape> Elimination<S> {
         check_solution(d)
     }
 
-    /// How far solutions can be trusted; costs up to a dozen and a half solves.
+    /// Returns the error bound and condition of solutions; costs up to a dozen and a half solves.
     pub fn stability(&self) -> Stability {
         stability(
             self.growth,

@@ -162,7 +162,7 @@ impl Elimination<Open> {
 pub struct Solution {
     /// The unknowns.
     pub x: Vec<f64>,
-    /// How far they can be trusted.
+    /// Their error bound and condition.
     pub stability: Stability,
 }
 

@@ -1,4 +1,4 @@
-//! What is known of a solver beside a proof: the worst input found, and whether its formula is the definition.
+//! Evidence beside a proof: the worst input found, and the comparison of the solver's formula with the definition.
 
 use crate::cli::args::ProveArgs;
 use crate::cli::failure::Failure;
@@ -11,7 +11,7 @@ use mechaudit::symbolic::graph::Graph;
 use mechaudit::symbolic::{Equation, Identity, Outcome as Decision};
 use rug::Rational;
 
-/// Whether solver and definition are the same function over the reals.
+/// The verdict on solver and definition as functions over the reals.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Same {
     /// They are, and how it is known.

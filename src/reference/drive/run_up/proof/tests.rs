@@ -37,7 +37,7 @@ struct Case {
     moment: Vec<f64>,
     motor: Characteristic,
     s1: Ball,
-    /// How far the speed at the start may be from the candidate's.
+    /// The distance of the speed at the start from the candidate's.
     start: f64,
 }
 

@@ -1,4 +1,4 @@
-//! What loads do to the independent coordinates, and the energies.
+//! Generalised forces of loads on the independent coordinates, and the energies.
 
 use super::super::chain::{Spot, spot};
 use super::super::loads::{Course, Load};
