@@ -94,7 +94,7 @@ pub struct Certified {
     proved: Vec<Proved>,
 }
 
-/// Returns the facts that the symbolic algebra proves of a node at the inputs.
+/// A fact that the symbolic algebra proves of a node at the inputs.
 enum Proved {
     /// It is zero.
     Zero(Id),

@@ -79,7 +79,7 @@ pub struct MovingQuantity {
     pub name: String,
     /// Its unit.
     pub unit: &'static str,
-    /// The kind of the quantity.
+    /// Describes the quantity in words.
     pub text: String,
 }
 
