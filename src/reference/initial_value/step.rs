@@ -27,6 +27,13 @@ const GUARD: i64 = 12;
 /// Terms of the linearised flow at first.
 const FLOW_TERMS: usize = 18;
 
+/// Terms of the linearised flow at most: beyond them the cancellation of `exp(−x)` in doubles is as large as what is
+/// left out.
+const MOST_FLOW_TERMS: usize = 90;
+
+/// The largest relative error of a linearised flow by truncation and rounding.
+const LARGEST_TRUNCATION: f64 = 1e-4;
+
 /// A state of the motion: an exact time, a midpoint and the set of its errors.
 #[derive(Clone, Debug)]
 pub(super) struct Place {
@@ -245,8 +252,9 @@ impl Setting<'_> {
             .map(|(e, size)| e.shift(4).max(size.shift(-56)).max(Mag::power_of_two(-900)))
             .collect();
         let time = Ball::rational(64, &place.time);
+        let highest = self.order.max(MOST_FLOW_TERMS);
         let mut order = FLOW_TERMS.min(self.order);
-        for _ in 0..8 {
+        for _ in 0..16 {
             let states = Scaled::new(p, h, order);
             let flow = Flow::new(
                 self.field,
@@ -293,9 +301,14 @@ impl Setting<'_> {
             if Remainders::new(expansion, Mag::from_f64(h), &tubes).is_err() {
                 return Err(Failure::Wide);
             }
-            if flow.relative_error(&weights) > 1e-9 && order < self.order {
-                order = (order + 12).min(self.order);
+            let error = flow.truncation(&weights);
+            if error > 1e-9 && order < highest {
+                order = (order + 12).min(highest);
                 continue;
+            }
+            // Errors of the start would grow by it at each step, even where the motion contracts them.
+            if !(error < LARGEST_TRUNCATION) {
+                return Err(Failure::Wide);
             }
             return Ok(Step {
                 start: place.clone(),

@@ -30,6 +30,8 @@ pub(super) struct Flow {
     terms: Vec<Vec<f64>>,
     /// The error of the polynomial.
     error: Vec<f64>,
+    /// The part of it that comes from terms that are left out and from rounding, not from the width of the Jacobian.
+    truncation: Vec<f64>,
     /// The exponential of the majorant.
     growth: Vec<f64>,
 }
@@ -43,16 +45,16 @@ pub(super) struct Scaled {
 }
 
 impl Scaled {
-    /// The terms up to an order of polynomials in s, for the length h of a step.
+    /// The terms up to an order of polynomials in s, for the length h of a step; those above the degree are zero.
     pub fn new(p: &[Vec<Float>], h: f64, order: usize) -> Scaled {
         const BITS: u32 = 64;
         let powers = super::remainder::powers(Mag::from_f64(h), p[0].len());
         let mut power = Float::with_val(BITS, 1);
-        let mut terms = vec![Vec::with_capacity(order + 1); p.len()];
+        let mut terms = vec![vec![0.0; order + 1]; p.len()];
         let top = order.min(p[0].len() - 1);
         for k in 0..=top {
             for (terms, p) in terms.iter_mut().zip(p) {
-                terms.push(Float::with_val(BITS, &p[k] * &power).to_f64());
+                terms[k] = Float::with_val(BITS, &p[k] * &power).to_f64();
             }
             power *= h;
         }
@@ -163,10 +165,10 @@ impl Flow {
             .collect();
         let mut longest = vec![0; n];
         entries.iter().for_each(|e| longest[e.row] += order + 1);
-        let mut defect = vec![0.0; n * n];
+        let (mut cut, mut wide) = (vec![0.0; n * n], vec![0.0; n * n]);
         for e in &entries {
             let norms = tails(e.terms.iter().copied());
-            let rounded = norms[0] * gamma(longest[e.row] + 3) + e.radius;
+            let rounded = norms[0] * gamma(longest[e.row] + 3);
             for j in 0..n {
                 let tails = &sizes[e.column * n + j];
                 let mut sum = rounded * tails[0];
@@ -174,23 +176,33 @@ impl Flow {
                     // Powers of τ from `order` on are left out.
                     sum += c.abs() * tails.get(order.saturating_sub(l)).copied().unwrap_or(0.0);
                 }
-                defect[e.row * n + j] += up(sum);
+                cut[e.row * n + j] += up(sum);
+                wide[e.row * n + j] += e.radius * tails[0];
             }
         }
-        let mut error = vec![0.0; n * n];
-        for i in 0..n {
-            for k in 0..n {
-                let g = growth[i * n + k];
-                for j in 0..n {
-                    error[i * n + j] += g * defect[k * n + j];
+        let grown = |defect: &[f64]| -> Vec<f64> {
+            let mut error = vec![0.0; n * n];
+            for i in 0..n {
+                for k in 0..n {
+                    let g = growth[i * n + k];
+                    for j in 0..n {
+                        error[i * n + j] += g * defect[k * n + j];
+                    }
                 }
             }
-        }
-        error.iter_mut().for_each(|e| *e = up(*e));
+            error.into_iter().map(up).collect()
+        };
+        let truncation = grown(&cut);
+        let error = truncation
+            .iter()
+            .zip(grown(&wide))
+            .map(|(cut, wide)| up(cut + wide))
+            .collect();
         Flow {
             n,
             terms,
             error,
+            truncation,
             growth,
         }
     }
@@ -204,14 +216,15 @@ impl Flow {
         (0..self.n).map(row).collect()
     }
 
-    /// The largest error relative to the largest entry, both in the sizes of the coordinates.
-    pub fn relative_error(&self, weights: &[f64]) -> f64 {
+    /// The largest error by terms that are left out and by rounding, relative to the largest entry at the end, both
+    /// in the sizes of the coordinates.
+    pub fn truncation(&self, weights: &[f64]) -> f64 {
         let n = self.n;
         let weighted = |x: &[f64]| {
             let entries = (0..n * n).map(|k| x[k].abs() * weights[k % n] / weights[k / n]);
             entries.fold(0.0, |m: f64, x| if x.is_nan() { x } else { m.max(x) })
         };
-        weighted(&self.error)
+        weighted(&self.truncation) / weighted(&self.at(1.0, 0.0).mid).max(1.0)
     }
 
     /// The flow at τ, which is given as a double number and a bound on its error.
