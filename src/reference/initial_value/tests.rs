@@ -57,6 +57,15 @@ fn functions() -> Vec<(&'static str, Written, Function)> {
             },
             |x| real::powi(x, 3, 300),
         ),
+        (
+            "sixth power",
+            |p, a| {
+                let square = p.push(Operation::Square(a));
+                let cube = p.push(Operation::Mul(a, square));
+                p.push(Operation::Mul(cube, cube))
+            },
+            |x| real::powi(x, 6, 300),
+        ),
         ("1/a", inverse, |x| real::recip(x, 300)),
         (
             "sqrt",
