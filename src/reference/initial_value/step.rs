@@ -205,12 +205,13 @@ impl Setting<'_> {
                 None => Failure::Short { pole: length },
             });
         };
-        for _ in 0..12 {
+        // Ever faster: of a solution whose coefficients vanish the first length is no guess.
+        for k in 0..16 {
             match self.proved(place, (&expansion, &p[..]), sign * length, &defect) {
                 Err(Failure::Wide) => {}
                 done => return done,
             }
-            length = short(length * 0.5);
+            length = short(length * (-1.0 - f64::from(k / 2)).exp2());
             defect = self
                 .defect(&expansion, &p, sign * length)
                 .map_err(in_rates)?;

@@ -89,6 +89,56 @@ pub(super) fn cross(
     Err(TOUCHES)
 }
 
+/// The same way across where states after the first `n` are derivatives of those by parameters: with the switching
+/// time τ they jump by `(f_1 − f_2) ∂τ/∂p`, and `∂τ/∂p = −(∂g/∂p)/ġ` for the value g of the switch, derived along the
+/// motion before it (Aizerman, Gantmakher, *Quart. J. Mech. Appl. Math.* 11 (1958) 101–117).
+///
+/// `slopes` gives `∂g/∂p` for all times and states of some balls.
+///
+/// # Errors
+/// Why the jump is not enclosed.
+pub(super) fn jumped(
+    crossing: Crossing,
+    pieces: [&Smooth; 2],
+    switch: Switch,
+    (n, slopes): (usize, &mut dyn FnMut(&Ball, &[Ball]) -> Option<Vec<Ball>>),
+    bits: u32,
+) -> Result<Crossing, &'static str> {
+    const OPEN: &str = "the derivatives are not enclosed across a switch";
+    let Crossing {
+        before,
+        after,
+        hull,
+        states,
+    } = crossing;
+    let span = times(bits, &before, &after);
+    let guards = pieces[0].guards(&span, &hull).map_err(|_| OPEN)?;
+    let pace = guards.into_iter().find(|guard| guard.switch == switch);
+    let pace = pace.and_then(|guard| guard.rate).ok_or(OPEN)?;
+    if pace.contains_zero() {
+        return Err(TOUCHES);
+    }
+    let slopes = slopes(&span, &hull).ok_or(OPEN)?;
+    let [first, second] = pieces.map(|piece| piece.rates(&span, &hull).map_err(|_| OPEN));
+    let (first, second) = (first?, second?);
+    let mut jumped = hull.clone();
+    for (k, derivative) in jumped[n..].iter_mut().enumerate() {
+        let (state, parameter) = (k / slopes.len(), k % slopes.len());
+        let delay = &slopes[parameter] / &pace;
+        *derivative = &*derivative + &((&second[state] - &first[state]) * &delay);
+    }
+    // The motion from any time between, for the time that is left at most.
+    let way = Ball::rational(bits, &Rational::from(&after - &before));
+    let (rest, _) = enclosed(&jumped, pieces, &span, &way).ok_or(OPEN)?;
+    let union = |(a, b): (&Ball, &Ball)| a.union(b);
+    Ok(Crossing {
+        before,
+        after,
+        hull: hull.iter().zip(&rest).map(union).collect(),
+        states: states[..n].iter().chain(&rest[n..]).cloned().collect(),
+    })
+}
+
 /// Boxes of the states while they cross, and at the end.
 fn enclosed(
     states: &[Ball],
@@ -119,9 +169,9 @@ fn enclosed(
         around = boxes
             .into_iter()
             .map(|[some, _]| {
-                let spare = some
-                    .rad()
-                    .max(some.magnitude().shift(-i64::from(some.prec())));
+                // Ends are rounded outward to the precision, those of the inner ball too.
+                let rounding = some.magnitude().shift(4 - i64::from(some.prec()));
+                let spare = some.rad().max(rounding);
                 some.widened(spare.max(Mag::power_of_two(-4096)))
             })
             .collect();

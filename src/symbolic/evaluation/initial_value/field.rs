@@ -8,7 +8,6 @@ use crate::graph::Id;
 use mechaudit_reference::elementary::NoValue;
 use mechaudit_reference::initial_value::{Constants, Field, Obstacle, Slot, values};
 use mechaudit_reference::{Ball, Mag};
-use rug::Rational;
 use std::collections::HashMap;
 
 /// The sides of the switches that a motion has met.
@@ -203,11 +202,10 @@ impl Guarded {
 pub(super) fn set(
     evaluator: &mut Evaluator<Balls>,
     problem: &InitialValueProblem,
-    time: &Rational,
+    time: &Ball,
     states: &[Ball],
 ) {
-    let bits = evaluator.interpretation.prec;
-    evaluator.set_input(problem.inputs, Value::Real(Ball::rational(bits, time)));
+    evaluator.set_input(problem.inputs, Value::Real(time.clone()));
     for (k, state) in states.iter().enumerate() {
         evaluator.set_input(problem.inputs + 1 + k, Value::Real(state.clone()));
     }

@@ -1,6 +1,6 @@
 //! A motion in one direction at one working precision: smooth pieces, one after another.
 
-use super::crossing::{Crossing, TOUCHES, cross, times};
+use super::crossing::{Crossing, TOUCHES, cross, jumped, times};
 use super::field::{AT_SWITCH, Guarded, Sides, Smooth, set, side};
 use super::{InitialValueProblem, MotionError};
 use crate::evaluation::ball::unary;
@@ -58,7 +58,7 @@ pub(super) struct Motion {
 }
 
 /// Parts of a step are halved so often before a guard is given up.
-const DEPTH: u32 = 48;
+const DEPTH: u32 = 128;
 
 impl Motion {
     /// Begins a motion from the states at the start.
@@ -72,7 +72,8 @@ impl Motion {
         starts: Vec<Ball>,
         (bits, is_backward): (u32, bool),
     ) -> Result<Motion, Halt> {
-        set(&mut evaluator, problem, &start, &starts);
+        let exact = Ball::rational(evaluator.interpretation.prec, &start);
+        set(&mut evaluator, problem, &exact, &starts);
         let at_switch = problem
             .switches
             .iter()
@@ -84,7 +85,8 @@ impl Motion {
             time: start.clone(),
         };
         let mut piece = None;
-        if let Some(switch) = at_switch {
+        // Derivatives by the inputs have no value where the start is at a switch for one value of them only.
+        if let Some(switch) = at_switch.filter(|_| problem.derivatives.is_none()) {
             piece = Motion::away(
                 problem,
                 &mut evaluator,
@@ -225,7 +227,12 @@ impl Motion {
             reason,
         };
         let states = piece.at(&before, steps)?;
-        set_again(&mut self.evaluator, problem, &before, &states);
+        set_again(
+            &mut self.evaluator,
+            problem,
+            &Ball::rational(bits + 16, &before),
+            &states,
+        );
         let mut sides = piece.field.active();
         let side = other_side(&sides, &guarded).ok_or(halt(TOUCHES))?;
         sides.insert(guarded.switch, side);
@@ -240,7 +247,23 @@ impl Motion {
         let from = (&before, states.as_slice());
         let pieces = [&piece.field, &next];
         let crossing = cross(from, pieces, guarded.switch, (width, is_backward), bits);
-        let crossing = crossing.map_err(halt)?;
+        let mut crossing = crossing.map_err(halt)?;
+        if let Some(derivatives) = &problem.derivatives {
+            let mut slopes = |span: &Ball, hull: &[Ball]| {
+                set_again(&mut self.evaluator, problem, span, hull);
+                let nodes = derivatives.switches.get(&guarded.switch)?;
+                let value = |id: &Id| self.evaluator.value(*id).ok()?.real().cloned();
+                nodes.iter().map(value).collect()
+            };
+            crossing = jumped(
+                crossing,
+                pieces,
+                guarded.switch,
+                (derivatives.states, &mut slopes),
+                bits,
+            )
+            .map_err(halt)?;
+        }
         piece.verified = before;
         self.pieces.push(Piece::after(next, crossing, bits));
         Ok(())
@@ -268,7 +291,7 @@ fn about(evaluator: &mut Evaluator<Balls>, switch: Switch) -> Option<[Side; 2]> 
 fn set_again(
     evaluator: &mut Evaluator<Balls>,
     problem: &InitialValueProblem,
-    time: &Rational,
+    time: &Ball,
     states: &[Ball],
 ) {
     use crate::graph::Node;

@@ -5,6 +5,7 @@ use crate::evaluation::taylor::Switch;
 use crate::graph::{Graph, Id, Node};
 use crate::{Definitions, Expr, SymbolicError};
 use rug::Rational;
+use std::collections::HashMap;
 use std::sync::Arc;
 
 /// A state: its value at the start and its rate.
@@ -77,6 +78,17 @@ pub struct InitialValueProblem {
     pub(super) jacobian: Vec<(usize, usize, Id)>,
     /// The switches of the rates, and the rates of the values that change their signs there.
     pub(super) switches: Vec<(Switch, Option<Id>)>,
+    /// The derivatives by the inputs that are carried along as further states.
+    pub(super) derivatives: Option<Derivatives>,
+}
+
+/// Derivatives of states by inputs, which are states themselves: they jump where the rates of the states do.
+#[derive(Clone, Debug)]
+pub(super) struct Derivatives {
+    /// The number of states that are derived.
+    pub states: usize,
+    /// For each switch, the derivatives by the inputs of the value that changes its sign.
+    pub switches: HashMap<Switch, Vec<Id>>,
 }
 
 impl InitialValueProblem {
@@ -192,6 +204,7 @@ impl InitialValueProblem {
             starts: states.iter().map(|s| s.0).collect(),
             rates,
             graph: Arc::new(graph),
+            derivatives: None,
         })
     }
 
@@ -214,12 +227,19 @@ impl InitialValueProblem {
             .copied()
             .zip(self.rates.iter().copied())
             .collect();
-        for k in 0..n {
-            for input in 0..self.inputs {
-                let by = graph.input(input);
+        // One derivative of everything by each input, through the states.
+        let paths: Vec<Vec<(Id, Id)>> = (0..self.inputs)
+            .map(|input| {
                 let columns = slopes.iter().skip(input).step_by(self.inputs);
-                let mut path = vec![(by, one)];
-                path.extend(own.iter().copied().zip(columns.copied()));
+                let by_states = own.iter().copied().zip(columns.copied());
+                [(graph.input(input), one)]
+                    .into_iter()
+                    .chain(by_states)
+                    .collect()
+            })
+            .collect();
+        for k in 0..n {
+            for path in &paths {
                 let fault = |error| ProblemError::Expression {
                     part: "rate",
                     name: self.states[k].clone(),
@@ -228,13 +248,27 @@ impl InitialValueProblem {
                 let start = graph
                     .derivative_along(self.starts[k], &path[..1])
                     .map_err(fault)?;
-                let rate = graph
-                    .derivative_along(self.rates[k], &path)
-                    .map_err(fault)?;
+                let rate = graph.derivative_along(self.rates[k], path).map_err(fault)?;
                 states.push((start, rate));
             }
         }
-        InitialValueProblem::of_graph(graph, self.start, &states)
+        let mut switches = HashMap::new();
+        for (switch, _) in &self.switches {
+            let value = value_of_switch(&mut graph, *switch);
+            let found = paths
+                .iter()
+                .map(|path| graph.derivative_along(value, path))
+                .collect::<Result<Vec<Id>, _>>();
+            if let Ok(found) = found {
+                switches.insert(*switch, found);
+            }
+        }
+        let mut problem = InitialValueProblem::of_graph(graph, self.start, &states)?;
+        problem.derivatives = Some(Derivatives {
+            states: n,
+            switches,
+        });
+        Ok(problem)
     }
 
     /// The names of the inputs.
@@ -285,10 +319,14 @@ fn rate_of_switch(
     for (k, rate) in rates.iter().enumerate() {
         path.push((graph.input(inputs + 1 + k), *rate));
     }
-    let (a, b) = switch.parts();
-    let difference = match b {
-        Some(b) => graph.difference(a, b),
-        None => a,
-    };
-    graph.derivative_along(difference, &path)
+    let value = value_of_switch(graph, switch);
+    graph.derivative_along(value, &path)
+}
+
+/// The value whose sign, or whose integer part, decides a switch.
+fn value_of_switch(graph: &mut Graph, switch: Switch) -> Id {
+    match switch.parts() {
+        (a, Some(b)) => graph.difference(a, b),
+        (a, None) => a,
+    }
 }

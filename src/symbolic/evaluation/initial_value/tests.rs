@@ -3,8 +3,8 @@
 use super::{InitialValueProblem, Limits, MotionError, ProblemError, State, Trajectory};
 use crate::evaluation::Goal;
 use crate::{Definitions, parse};
-use mechaudit_reference::Ball;
 use mechaudit_reference::elementary as real;
+use mechaudit_reference::{Ball, Mag};
 use rug::Rational;
 
 /// A problem without inputs: a text `name = start, rate; …`.
@@ -453,4 +453,46 @@ fn switches() {
         matches!(touching.0, Err(MotionError::Undecided { .. })),
         "{touching:?}"
     );
+}
+
+/// Rates that jump: the derivative by a parameter jumps with them.
+#[test]
+fn derivatives_across_switches() {
+    let motion = |inputs: &[&str], values: &[(i64, i64)], text: &str| {
+        let definitions = Definitions::default();
+        let states: Vec<State> = text
+            .split(';')
+            .map(|line| {
+                let (name, rest) = line.split_once('=').unwrap();
+                let (start, rate) = rest.split_once("->").unwrap();
+                State::new(name.trim(), parse(start).unwrap(), parse(rate).unwrap())
+            })
+            .collect();
+        let start = parse("0").unwrap();
+        let problem = InitialValueProblem::new(&definitions, inputs, "t", &start, &states).unwrap();
+        let values: Vec<Rational> = values.iter().map(|q| Rational::from(*q)).collect();
+        problem.trajectory(&values, limited()).unwrap()
+    };
+    let check = |mut m: Trajectory, t: (i64, i64), due: &[(i64, i64)]| {
+        let found = m.sensitivities(&Rational::from(t), 60).unwrap();
+        for (found, due) in found.iter().flatten().zip(due) {
+            assert!(found.contains(&Rational::from(*due)), "{found:?} {due:?}");
+            assert!(found.rad() < Mag::power_of_two(-50), "{found:?}");
+        }
+    };
+    // Reaches 1 at t = 1 − p, then moves twice as fast: y = 1 + 2 (t − 1 + p).
+    let m = motion(&["p"], &[(1, 4)], "y = p -> if(y < 1, 1, 2)");
+    check(m, (1, 2), &[(1, 1)]);
+    let m = motion(&["p"], &[(1, 4)], "y = p -> if(y < 1, 1, 2)");
+    check(m, (2, 1), &[(2, 1)]);
+    // The time of the switch is a parameter: y = q + k (t − q).
+    let m = motion(&["q", "k"], &[(1, 3), (5, 1)], "y = 0 -> if(t < q, 1, k)");
+    check(m, (3, 1), &[(-4, 1), (8, 3)]);
+    // Rates that are continuous: y = −(p − t)²/2 up to t = p, then (t − p)²/2.
+    let m = motion(&["p"], &[(1, 3)], "y = -p^2/2 -> abs(t - p)");
+    check(m, (1, 1), &[(-2, 3)]);
+    // Up with 1 and down with −3, and the sum of both as a second state.
+    let text = "y = 0 -> if(t < p, 1, -3); z = 0 -> y";
+    let m = motion(&["p"], &[(1, 2)], text);
+    check(m, (1, 1), &[(4, 1), (2, 1)]);
 }
