@@ -34,6 +34,11 @@ pub struct Panel<'a> {
 }
 
 impl<'a> Panel<'a> {
+    /// The method that is judged.
+    pub fn method(&self) -> &'a dyn Method {
+        self.method
+    }
+
     /// Creates a panel for reports.
     pub fn new(method: &'a dyn Method, settings: &'a Settings) -> Panel<'a> {
         Panel::counting_in(Tally::new(method, settings), method, settings)

@@ -4,7 +4,7 @@ use crate::cli::args::{ProgramArgs, RunArgs, ScopeArgs, WhereArgs};
 use crate::cli::failure::Failure;
 use crate::cli::files::hard_folder;
 use crate::cli::forecast;
-use crate::cli::process::answers::Form;
+use crate::cli::process::answers::{AnswerLines, Form};
 use crate::cli::process::candidate::Candidate;
 use mechaudit::audit::{
     Case, Cases, Format, Layout, Limit, Method, Near, Origin, SampleBox, Sampling, Settings,
@@ -115,6 +115,7 @@ pub fn candidate(command: &str, program: &ProgramArgs) -> Candidate {
             false => Form::Lines,
         },
         decimal: program.decimal,
+        lines: AnswerLines::default(),
     }
 }
 

@@ -9,8 +9,8 @@ use crate::audit::{
     Uncertified, conditions_by_differences,
 };
 use crate::methods::{CertifiedValue, Evaluable};
-use crate::reference::Ball;
 use crate::reference::faddeeva::Scaled;
+use crate::reference::{Ball, nearest_f64};
 use mechaudit_symbolic::evaluation::{self, Answer, Goal};
 use rug::Rational;
 
@@ -49,7 +49,7 @@ impl Method for Study {
             let units = self.problem().inputs.iter().map(|i| intern(&i.unit));
             return linear.inputs(&units.collect::<Vec<_>>());
         }
-        let inputs = self.problem().inputs.iter();
+        let inputs = self.problem().given().iter();
         let input = |i: &super::StudyInput| Input {
             name: intern(&i.name),
             unit: intern(&i.unit),
@@ -68,6 +68,14 @@ impl Method for Study {
     }
 
     fn rows(&self) -> Option<Rows> {
+        let times = self.problem().times();
+        if !times.is_empty() {
+            return Some(Rows {
+                index: "k",
+                count: intern(&times.len().to_string()),
+                meaning: "time",
+            });
+        }
         self.problem().linear.as_ref()?.rows()
     }
 
@@ -79,11 +87,13 @@ impl Method for Study {
         let Some(solver) = self.solvers.get(self.chosen) else {
             return SolverAnswer::Declines(None);
         };
-        if input.len() != self.problem().inputs.len() {
+        if input.len() != self.problem().given().len() {
             return SolverAnswer::Refuses("bad layout");
         }
-        match solver.values(input) {
-            Ok(values) => SolverAnswer::Values(values),
+        let rows = self.problem().of_rows(input, nearest_f64);
+        let values: Result<Vec<Vec<f64>>, _> = rows.iter().map(|row| solver.values(row)).collect();
+        match values {
+            Ok(values) => SolverAnswer::Values(values.concat()),
             Err(reason) => SolverAnswer::Refuses(reason),
         }
     }
@@ -92,15 +102,14 @@ impl Method for Study {
         if let Some(linear) = &self.problem().linear {
             return linear.reference(input, bits);
         }
-        if input.len() != self.problem().inputs.len() {
+        if input.len() != self.problem().given().len() {
             return ReferenceAnswer::Refuses("bad layout");
         }
-        if self
-            .compiled
-            .motion
-            .as_ref()
-            .is_some_and(|m| m.is_before_start(input))
-        {
+        let is_before = self.compiled.motion.as_ref().is_some_and(|motion| {
+            let rows = self.problem().of_rows(input, Rational::clone);
+            rows.iter().any(|row| motion.is_before_start(row))
+        });
+        if is_before {
             return ReferenceAnswer::Refuses("before the start");
         }
         let goal = Goal::Double(bits.saturating_sub(GUARD).max(72));
@@ -122,8 +131,10 @@ impl Method for Study {
         if let Some(linear) = &self.problem().linear {
             return linear::conditions(linear, &exact?);
         }
-        let exact = exact.filter(|x| x.len() == self.problem().inputs.len())?;
-        let found = self.compiled.conditions(&exact);
+        let exact = exact.filter(|x| x.len() == self.problem().given().len())?;
+        let rows = self.problem().of_rows(&exact, Rational::clone);
+        let found = rows.iter().map(|row| self.compiled.conditions(row));
+        let found = found.collect::<Option<Vec<_>>>().map(|rows| rows.concat());
         // Differences of a motion take a trajectory for each input.
         match self.compiled.motion.is_some() {
             true => found,
@@ -163,8 +174,9 @@ impl Evaluable for Study {
     }
 
     fn refusal(&self, numbers: &[f64]) -> Option<String> {
-        if let (Some(motion), Some(time)) = (&self.compiled.motion, numbers.last()) {
-            return motion.refusal(*time);
+        if let Some(motion) = &self.compiled.motion {
+            let rows = self.problem().of_rows(numbers, nearest_f64);
+            return rows.iter().find_map(|row| motion.refusal(*row.last()?));
         }
         self.problem().linear.as_ref()?.refusal(numbers.len())
     }
@@ -173,7 +185,7 @@ impl Evaluable for Study {
         let exact: Option<Vec<Rational>> = numbers.iter().map(|x| Rational::from_f64(*x)).collect();
         let outputs = self.problem().outputs.iter();
         let answers = self.answers(&exact?, Goal::Double(72));
-        let reasons = outputs.zip(answers).filter_map(|(output, answer)| {
+        let reasons = outputs.cycle().zip(answers).filter_map(|(output, answer)| {
             let Answer::Undefined { reason, place } = answer else {
                 return None;
             };

@@ -106,7 +106,7 @@ mod system;
 
 pub use builder::{Formula, absolute, conditioned, relative, ulps};
 pub use error::{Place, StudyError};
-pub use initial_value::InitialValue;
+pub use initial_value::{InitialValue, TimesError, times};
 pub use linear::{Linear, Task, Tensor};
 pub use problem::{
     Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver, StudySystem, fault_in,
@@ -276,6 +276,22 @@ impl Study {
         Ok(self)
     }
 
+    /// The same study with the time as an input, where an answer is a whole trajectory.
+    ///
+    /// # Errors
+    /// None of a study that was made before.
+    pub fn with_time_as_input(&self) -> Result<Study, StudyError> {
+        let mut problem = self.problem().clone();
+        if let Some(initial_value) = &mut problem.initial_value {
+            initial_value.times.clear();
+        }
+        let name = self.name;
+        Ok(Study {
+            name,
+            ..Study::new(problem)?
+        })
+    }
+
     /// The problem as it was read.
     pub fn problem(&self) -> &Problem {
         &self.compiled.problem
@@ -288,7 +304,9 @@ impl Study {
             return linear.answers(inputs, goal);
         }
         if let Some(motion) = &self.compiled.motion {
-            return motion.values(inputs, goal);
+            let rows = self.problem().of_rows(inputs, Rational::clone);
+            let values = rows.iter().map(|inputs| motion.values(inputs, goal));
+            return values.flatten().collect();
         }
         self.compiled.values(inputs, goal)
     }

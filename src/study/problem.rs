@@ -126,6 +126,39 @@ pub struct Problem {
     pub notes: Vec<String>,
 }
 
+impl Problem {
+    /// The times of whole trajectories, each of which is one answer; none where the time is an input.
+    pub fn times(&self) -> &[Rational] {
+        self.initial_value
+            .as_ref()
+            .map_or(&[], |problem| &problem.times)
+    }
+
+    /// The inputs of an answer: all but the time, where an answer is a whole trajectory.
+    pub fn given(&self) -> &[StudyInput] {
+        match self.times() {
+            [] => &self.inputs,
+            _ => &self.inputs[..self.inputs.len() - 1],
+        }
+    }
+
+    /// The inputs of each row of an answer.
+    pub(super) fn of_rows<T: Clone>(
+        &self,
+        given: &[T],
+        time: impl Fn(&Rational) -> T,
+    ) -> Vec<Vec<T>> {
+        let rows = self.times().iter();
+        let rows: Vec<Vec<T>> = rows
+            .map(|t| given.iter().cloned().chain([time(t)]).collect())
+            .collect();
+        match rows.is_empty() {
+            true => vec![given.to_vec()],
+            false => rows,
+        }
+    }
+}
+
 /// The budget of an output that states none.
 pub(super) fn default_budget() -> (Limit, String) {
     let reason = "none is stated: eight roundings of a backward stable formula";

@@ -288,14 +288,17 @@ impl Names {
 /// A text that is no finite number.
 pub fn rational(item: &Item) -> Result<Rational, StudyError> {
     let text = item.text()?;
-    let (sign, size) = match text.trim().strip_prefix('-') {
+    exact(text).ok_or_else(|| item.fault(format!("{text:?} is no finite number")))
+}
+
+/// The number that a text is; none where it is no finite number.
+pub(super) fn exact(text: &str) -> Option<Rational> {
+    let text = text.trim();
+    let (sign, size) = match text.strip_prefix('-') {
         Some(size) => (-1, size),
-        None => (1, text.trim().strip_prefix('+').unwrap_or(text.trim())),
+        None => (1, text.strip_prefix('+').unwrap_or(text)),
     };
-    match number(&size.replace('_', "")) {
-        Some(value) => Ok(value * sign),
-        None => Err(item.fault(format!("{text:?} is no finite number"))),
-    }
+    Some(number(&size.replace('_', ""))? * sign)
 }
 
 /// An input: a table of ends, spacing and unit.

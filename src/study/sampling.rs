@@ -179,7 +179,7 @@ fn region(
 /// # Errors
 /// A condition that no input satisfies that was drawn.
 pub(super) fn domain(problem: &Problem, sketch: &Arc<Sketch>) -> Result<Domain, StudyError> {
-    let ranges: Vec<Range> = problem.inputs.iter().map(Range::of).collect();
+    let ranges: Vec<Range> = problem.given().iter().map(Range::of).collect();
     if let Some((input, _)) = problem
         .inputs
         .iter()
@@ -197,12 +197,12 @@ pub(super) fn domain(problem: &Problem, sketch: &Arc<Sketch>) -> Result<Domain, 
     };
     let mut regions = Vec::new();
     let texts = |ranges: &[Range]| {
-        let ranges = problem.inputs.iter().zip(ranges);
+        let ranges = problem.given().iter().zip(ranges);
         let parts = ranges.map(|(i, r)| format!("{} = {:e}..{:e}", i.name, r.low, r.high));
         let text = parts.collect::<Vec<_>>().join(", ");
         intern(if text.is_empty() { "no inputs" } else { &text })
     };
-    if problem.inputs.is_empty() {
+    if problem.given().is_empty() {
         regions.push(region("domain", "no inputs", filter.clone(), |_| {
             Vec::new()
         }));
@@ -249,7 +249,7 @@ pub(super) fn domain(problem: &Problem, sketch: &Arc<Sketch>) -> Result<Domain, 
     for (stated, condition) in problem.regions.iter().zip(&sketch.regions) {
         let mut own = ranges.clone();
         for input in &stated.inputs {
-            if let Some(k) = problem.inputs.iter().position(|i| i.name == input.name) {
+            if let Some(k) = problem.given().iter().position(|i| i.name == input.name) {
                 own[k] = Range::of(input);
             }
         }
@@ -409,7 +409,7 @@ fn unordered(place: i128) -> f64 {
 
 /// Returns true if an input lies in the ranges and satisfies the condition.
 pub(super) fn admits(problem: &Problem, sketch: &Arc<Sketch>, input: &[f64]) -> bool {
-    let within = problem.inputs.iter().zip(input).all(|(i, x)| {
+    let within = problem.given().iter().zip(input).all(|(i, x)| {
         let Some(x) = rug::Rational::from_f64(*x) else {
             return false;
         };
@@ -419,5 +419,5 @@ pub(super) fn admits(problem: &Problem, sketch: &Arc<Sketch>, input: &[f64]) -> 
         sketch: sketch.clone(),
         conditions: sketch.condition.into_iter().collect(),
     };
-    within && input.len() == problem.inputs.len() && filter.admits(&mut filter.evaluator(), input)
+    within && input.len() == problem.given().len() && filter.admits(&mut filter.evaluator(), input)
 }

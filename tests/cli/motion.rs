@@ -293,3 +293,67 @@ fn an_integrator_is_audited_as_a_candidate() {
     let d = command(&format!("describe {path}"));
     assert!(d.out.contains("energy"), "{}", d.out);
 }
+
+/// One line of inputs, and a row of states for each time.
+#[test]
+fn a_whole_trajectory_is_one_answer() {
+    let folder = tempdir().unwrap();
+    let text = r#"
+[inputs]
+k = { from = "1", to = "2" }
+[ode]
+times = "0:1:1/4,3"
+[ode.states]
+x = { start = "1", rate = "-k*x", budget = "1e-12 relative", why = "a test" }
+"#;
+    let path = file(&folder, "decay.toml", text);
+    let program = |row: &str| {
+        let times = "split(\"0 0.25 0.5 0.75 1 3\", t, \" \")";
+        format!(
+            "awk '{{ {times}; for (i = 1; i <= 6; i++) printf {row}, exp(-$1*t[i]); fflush() }}'"
+        )
+    };
+    let audit = |row: &str| {
+        let program = program(row);
+        run(&[
+            "audit",
+            &path,
+            "--cases",
+            "20",
+            "--decimal",
+            "--exec",
+            &program,
+        ])
+    };
+    let d = audit("\"%.17g\\n\"");
+    assert_eq!(d.code, 0, "{}{}", d.out, d.err);
+    // All on one line; then a row that is wrong.
+    let d = audit("(i < 6 ? \"%.17g,\" : \"%.17g\\n\")");
+    assert_eq!(d.code, 0, "{}{}", d.out, d.err);
+    let d = audit("(i == 4 ? \"%.7g\\n\" : \"%.17g\\n\")");
+    assert_eq!(d.code, 1, "{}{}", d.out, d.err);
+    let d = run_on("1\n", &["eval", &path, "--digits", "6"]);
+    assert_eq!(
+        d.out,
+        "1.00000,0.778801,0.606531,0.472367,0.367879,0.0497871\n"
+    );
+    let d = run(&[
+        "motion", &path, "--set", "k=2", "--times", "1", "--format", "csv", "--digits", "5",
+    ]);
+    assert_eq!(d.out, "t,x\n1,0.13534\n");
+    for (times, said_so) in [
+        ("0:1", "neither a time nor FIRST:LAST:STEP"),
+        ("-1,1", "comes before the start"),
+        ("0:1:1e-5", "at most 10000 rows"),
+        ("1,1", "do not increase"),
+    ] {
+        let path = file(&folder, "bad.toml", &text.replace("0:1:1/4,3", times));
+        let d = run(&["describe", &path]);
+        assert_eq!(d.code, 2, "{times}");
+        assert!(
+            d.err.contains(said_so) && d.err.contains("line 5"),
+            "{}",
+            d.err
+        );
+    }
+}

@@ -3,6 +3,7 @@
 use super::number;
 use crate::cli::number::{Number, NumberError};
 use clap::{Args as ClapArgs, ValueEnum};
+use mechaudit::study::TimesError;
 use rug::Rational;
 use std::path::PathBuf;
 
@@ -22,9 +23,6 @@ many certified digits is undecided, and one that does not exist, as after a blow
 on standard error.
 
 Exit codes: 0, all digits are certified; 1, some are undecided or nan; 2, bad usage or input.";
-
-/// The most rows of a table.
-const MOST: usize = 1_000_000;
 
 /// Forms of a table of motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -65,104 +63,31 @@ pub struct MotionArgs {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Times(pub Vec<Rational>);
 
-/// The reason why a text is no list of times, or no setting.
-#[derive(Debug, thiserror::Error)]
-pub enum TimesError {
-    #[error(transparent)]
-    Number(#[from] NumberError),
-    #[error("{0:?} is neither a time nor FIRST:LAST:STEP")]
-    Range(String),
-    #[error("the step of {0:?} is not positive")]
-    Step(String),
-    #[error("{0:?} ends before it begins")]
-    Backwards(String),
-    #[error("more than {MOST} times")]
-    TooMany,
-    #[error("the times do not increase at {0}")]
-    Order(String),
-    #[error("{0:?} is not NAME=NUMBER")]
-    Setting(String),
-}
-
-/// An exact number.
-fn exact(text: &str) -> Result<Rational, NumberError> {
-    Number::parse(text)?.exact()
-}
-
 /// Reads times.
 fn times(text: &str) -> Result<Times, TimesError> {
-    let mut all: Vec<Rational> = Vec::new();
-    for part in text.split(',') {
-        let fields: Vec<&str> = part.split(':').collect();
-        match fields[..] {
-            [time] => all.push(exact(time)?),
-            [first, last, step] => {
-                let [first, last, step] = [exact(first)?, exact(last)?, exact(step)?];
-                if step <= 0 {
-                    return Err(TimesError::Step(part.into()));
-                }
-                if last < first {
-                    return Err(TimesError::Backwards(part.into()));
-                }
-                let steps = Rational::from(&last - &first) / &step;
-                let Some(steps) = steps.trunc().numer().to_usize().filter(|n| *n < MOST) else {
-                    return Err(TimesError::TooMany);
-                };
-                all.extend((0..=steps).map(|k| (&step * Rational::from(k)) + &first));
-            }
-            _ => return Err(TimesError::Range(part.into())),
-        }
-        if all.len() > MOST {
-            return Err(TimesError::TooMany);
-        }
-    }
-    match all.windows(2).find(|w| w[0] >= w[1]) {
-        Some(w) => Err(TimesError::Order(w[1].to_string())),
-        None => Ok(Times(all)),
-    }
+    mechaudit::study::times(text).map(Times)
+}
+
+/// The reason why a text is no setting.
+#[derive(Debug, thiserror::Error)]
+pub enum SettingError {
+    #[error(transparent)]
+    Number(#[from] NumberError),
+    #[error("{0:?} is not NAME=NUMBER")]
+    Form(String),
 }
 
 /// Reads the value of an input.
-fn setting(text: &str) -> Result<(String, Rational), TimesError> {
+fn setting(text: &str) -> Result<(String, Rational), SettingError> {
     let Some((name, value)) = text.split_once('=') else {
-        return Err(TimesError::Setting(text.into()));
+        return Err(SettingError::Form(text.into()));
     };
-    Ok((name.trim().into(), exact(value)?))
+    Ok((name.trim().into(), Number::parse(value)?.exact()?))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn times_are_exact_and_increase() {
-        let due = |all: &[(i32, i32)]| Times(all.iter().map(|q| Rational::from(*q)).collect());
-        for (text, all) in [
-            ("0:1:0.5", &[(0, 1), (1, 2), (1, 1)][..]),
-            ("0:1:0.4", &[(0, 1), (2, 5), (4, 5)]),
-            ("-1/3,0x1p-1", &[(-1, 3), (1, 2)]),
-            ("0,1:2:1,5", &[(0, 1), (1, 1), (2, 1), (5, 1)]),
-            ("3:3:1", &[(3, 1)]),
-        ] {
-            assert_eq!(times(text).unwrap(), due(all), "{text}");
-        }
-        for (text, due) in [
-            ("0:1", "is neither a time nor"),
-            ("", "is neither a decimal"),
-            ("0:1:0", "is not positive"),
-            ("0:1:-1", "is not positive"),
-            ("1:0:1", "ends before it begins"),
-            ("0:1:1e-7", "more than 1000000 times"),
-            ("0:1e30:1e-30", "more than 1000000 times"),
-            ("1,0", "do not increase at 0"),
-            ("1,1", "do not increase at 1"),
-            ("0,inf", "must be finite"),
-            ("0:nan:1", "must be finite"),
-        ] {
-            let found = times(text).unwrap_err().to_string();
-            assert!(found.contains(due), "{text}: {found}");
-        }
-    }
 
     #[test]
     fn a_setting_is_a_name_and_a_number() {

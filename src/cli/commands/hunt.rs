@@ -55,7 +55,9 @@ pub fn hunt(args: &HuntArgs) -> Result<Outcome, Failure> {
     }
     let progress = Progress::new();
     let show = |made| progress.show(method.name(), made, args.evals);
-    let program = candidate.as_ref().map(|c| RefCell::new(Batches::new(c)));
+    let program = candidate
+        .as_ref()
+        .map(|c| RefCell::new(Batches::new(&c.answering(&method))));
     let found = match &program {
         Some(program) => {
             let answers = |inputs: &[Vec<f64>]| {

@@ -3,7 +3,7 @@
 use crate::cli::process::frames::{Frame, Frames};
 use crate::cli::process::interrupt;
 use crate::cli::process::wire::Lines;
-use mechaudit::audit::SolverAnswer;
+use mechaudit::audit::{Method, SolverAnswer};
 use std::io::{BufReader, Read};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -24,6 +24,34 @@ const LONGEST: usize = 80;
 pub enum Form {
     Lines,
     Frames,
+}
+
+/// The lines of an answer: one, or one for each of its rows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct AnswerLines {
+    /// Rows of an answer.
+    rows: usize,
+    /// Numbers of a row.
+    width: usize,
+}
+
+impl Default for AnswerLines {
+    /// One line.
+    fn default() -> AnswerLines {
+        AnswerLines { rows: 1, width: 0 }
+    }
+}
+
+impl AnswerLines {
+    /// The lines of an answer of a method: its rows may stand on a line each where their number is
+    /// known.
+    pub fn of(method: &(impl Method + ?Sized)) -> AnswerLines {
+        let rows = method.rows().and_then(|rows| rows.count.parse().ok());
+        AnswerLines {
+            rows: rows.unwrap_or(1),
+            width: method.outputs().len(),
+        }
+    }
 }
 
 /// The header of a candidate: lines `name: …`, `version: …` and `ns: …` before its first answer.
@@ -89,13 +117,13 @@ pub enum End {
 }
 
 impl Answers {
-    pub fn of(input: impl Read + Send + 'static, form: Form) -> Answers {
+    pub fn of(input: impl Read + Send + 'static, form: Form, lines: AnswerLines) -> Answers {
         let (sender, from) = sync_channel(AHEAD);
         let header = Arc::new(Mutex::new(Header::default()));
         let filled = Arc::clone(&header);
         let input = BufReader::with_capacity(1 << 16, input);
         thread::spawn(move || match form {
-            Form::Lines => listen(&mut Lines::new(input), &filled, &sender),
+            Form::Lines => listen(&mut Rows(Lines::new(input), lines), &filled, &sender),
             Form::Frames => listen(&mut Frames::new(input), &filled, &sender),
         });
         Answers {
@@ -171,10 +199,14 @@ trait Source {
     fn is_drained(&self) -> bool;
 }
 
-impl<R: Read> Source for Lines<BufReader<R>> {
-    fn answer(&mut self, header: &mut dyn FnMut(&str)) -> Option<std::io::Result<SolverAnswer>> {
+/// Lines, of which several may be one answer.
+struct Rows<R>(Lines<BufReader<R>>, AnswerLines);
+
+impl<R: Read> Rows<R> {
+    /// The answer on the next line.
+    fn row(&mut self, header: &mut dyn FnMut(&str)) -> Option<std::io::Result<SolverAnswer>> {
         loop {
-            match self.read_any() {
+            match self.0.read_any() {
                 Ok(Some(line)) if line.is_comment() => {
                     line.comment().into_iter().for_each(&mut *header)
                 }
@@ -184,9 +216,31 @@ impl<R: Read> Source for Lines<BufReader<R>> {
             }
         }
     }
+}
+
+impl<R: Read> Source for Rows<R> {
+    fn answer(&mut self, header: &mut dyn FnMut(&str)) -> Option<std::io::Result<SolverAnswer>> {
+        let first = self.row(header)?;
+        let AnswerLines { rows, width } = self.1;
+        let mut values = match first {
+            Ok(SolverAnswer::Values(values)) if rows > 1 && values.len() == width => values,
+            other => return Some(other),
+        };
+        for k in 1..rows {
+            match self.row(header) {
+                Some(Ok(SolverAnswer::Values(row))) if row.len() == width => values.extend(row),
+                Some(Ok(SolverAnswer::Values(row))) => {
+                    let why = format!("row {k} has {} numbers in the place of {width}", row.len());
+                    return Some(Ok(SolverAnswer::Fails(why)));
+                }
+                other => return other,
+            }
+        }
+        Some(Ok(SolverAnswer::Values(values)))
+    }
 
     fn is_drained(&self) -> bool {
-        Lines::is_drained(self)
+        Lines::is_drained(&self.0)
     }
 }
 
@@ -245,7 +299,7 @@ mod tests {
     use crate::cli::process::frames;
 
     fn header(bytes: &'static [u8], form: Form) -> (Header, usize) {
-        let mut answers = Answers::of(bytes, form);
+        let mut answers = Answers::of(bytes, form, AnswerLines::default());
         let mut count = 0;
         while answers.next(None).is_ok() {
             count += 1;
@@ -273,6 +327,39 @@ mod tests {
         assert_eq!(found.version, None);
     }
 
+    /// Lines, each an answer.
+    fn one<R: Read>(input: BufReader<R>) -> Rows<R> {
+        Rows(Lines::new(input), AnswerLines::default())
+    }
+
+    /// Rows of an answer on lines of their own, or on one line.
+    #[test]
+    fn rows_of_an_answer() {
+        let read = |text: &'static [u8]| {
+            let lines = AnswerLines { rows: 3, width: 2 };
+            let mut answers = Answers::of(text, Form::Lines, lines);
+            let mut all = Vec::new();
+            while let Ok(answer) = answers.next(None) {
+                all.push(answer);
+            }
+            all
+        };
+        let whole = SolverAnswer::Values(vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
+        let both = read(b"# name: x\n1,2\n3,4\n5,6\n1,2,3,4,5,6\n");
+        assert_eq!(both, [whole.clone(), whole.clone()]);
+        // A line that is no row is an answer, as a whole answer of another size is.
+        assert_eq!(read(b"1\n1,2\n3,4\n5,6\n")[1], whole);
+        let short = read(b"1,2\n3\n1,2\n3,4\n5,6\n");
+        assert!(matches!(&short[0], SolverAnswer::Fails(why) if why.contains("row 1 has 1")));
+        assert_eq!(short[1], whole);
+        assert!(matches!(
+            read(b"1,2\nrefuse\n")[0],
+            SolverAnswer::Declines(_)
+        ));
+        // An answer that is cut off is none.
+        assert_eq!(read(b"1,2\n3,4\n"), []);
+    }
+
     /// Answers that have arrived are handed over together.
     #[test]
     fn answers_come_together() {
@@ -290,12 +377,12 @@ mod tests {
         let mut whole = Frames::new(BufReader::new(&bytes[..]));
         assert_eq!(batches(&mut whole), [3]);
         let lines = b"1,2\n1,2\n1,2\n";
-        assert_eq!(batches(&mut Lines::new(BufReader::new(&lines[..]))), [3]);
+        assert_eq!(batches(&mut one(BufReader::new(&lines[..]))), [3]);
         // Those that have arrived do not wait for others.
         let rest = (&lines[..8]).chain(&lines[8..]);
-        assert_eq!(batches(&mut Lines::new(BufReader::new(rest))), [2, 1]);
+        assert_eq!(batches(&mut one(BufReader::new(rest))), [2, 1]);
         let many = "1\n".repeat(TOGETHER + 1);
-        let mut many = Lines::new(BufReader::with_capacity(many.len(), many.as_bytes()));
+        let mut many = one(BufReader::with_capacity(many.len(), many.as_bytes()));
         assert_eq!(batches(&mut many), [TOGETHER, 1]);
     }
 
@@ -312,7 +399,11 @@ mod tests {
     #[test]
     fn answers_are_taken_in_pieces() {
         let patience = Duration::from_secs(60);
-        let mut answers = Answers::of(&b"1\n2\n3\n4\n5\n6\n"[..], Form::Lines);
+        let mut answers = Answers::of(
+            &b"1\n2\n3\n4\n5\n6\n"[..],
+            Form::Lines,
+            AnswerLines::default(),
+        );
         let mut all = Batch::default();
         for (most, due) in [(2, 2), (1, 3)] {
             assert!(answers.take(most, patience, &mut all).is_ok());
@@ -342,7 +433,11 @@ mod tests {
         frames::encode(&[7.0], &mut bytes);
         frames::encode(&[8.0], &mut bytes);
         bytes.truncate(bytes.len() - 1);
-        let mut answers = Answers::of(std::io::Cursor::new(bytes), Form::Frames);
+        let mut answers = Answers::of(
+            std::io::Cursor::new(bytes),
+            Form::Frames,
+            AnswerLines::default(),
+        );
         match answers.next(None) {
             Ok(SolverAnswer::Values(v)) => assert_eq!(v, [7.0]),
             _ => panic!("an answer"),
@@ -359,7 +454,7 @@ mod tests {
                 Err(std::io::Error::other("broken"))
             }
         }
-        let mut answers = Answers::of(Broken, Form::Lines);
+        let mut answers = Answers::of(Broken, Form::Lines, AnswerLines::default());
         match answers.next(None) {
             Err(End::Unreadable(why)) => assert_eq!(why.to_string(), "broken"),
             _ => panic!("an error"),
@@ -379,7 +474,7 @@ mod tests {
                 Ok(bytes.len())
             }
         }
-        let mut answers = Answers::of(Later(receiver), Form::Lines);
+        let mut answers = Answers::of(Later(receiver), Form::Lines, AnswerLines::default());
         for patience in [Duration::ZERO, interrupt::POLL / 4, interrupt::POLL * 5 / 2] {
             let start = Instant::now();
             let end = answers.next(Some(patience));

@@ -4,7 +4,7 @@
 //! are judged batch by batch, those of several programs to a case together.
 
 use crate::cli::failure::Failure;
-use crate::cli::process::answers::{Answers, Batch, End, Form, Header};
+use crate::cli::process::answers::{AnswerLines, Answers, Batch, End, Form, Header};
 use crate::cli::process::inputs::Inputs;
 use crate::cli::process::interrupt::{self, POLL};
 use crate::cli::process::program::Program;
@@ -35,6 +35,18 @@ pub struct Candidate {
     pub form: Form,
     /// True if inputs are written as decimals instead of hexadecimal floats.
     pub decimal: bool,
+    /// The lines of its answers.
+    pub lines: AnswerLines,
+}
+
+impl Candidate {
+    /// The candidate that answers as a method does.
+    pub fn answering(&self, method: &(impl Method + ?Sized)) -> Candidate {
+        Candidate {
+            lines: AnswerLines::of(method),
+            ..self.clone()
+        }
+    }
 }
 
 /// A running candidate that gets a number of inputs, from the first to the last and round again.
@@ -70,7 +82,7 @@ impl CandidateProcess {
         Ok(CandidateProcess {
             command: candidate.command.clone(),
             child,
-            answers: Answers::of(stdout, form),
+            answers: Answers::of(stdout, form, candidate.lines),
             timeout: candidate.timeout,
             run: candidate.run_timeout,
             deadline: Instant::now().checked_add(candidate.run_timeout),
@@ -182,7 +194,7 @@ pub fn audit(
 ) -> Result<MethodReport, Failure> {
     let inputs = Inputs::of(method, one, settings)?;
     let total = inputs.len();
-    let mut process = CandidateProcess::start(candidate, &inputs, total)?;
+    let mut process = CandidateProcess::start(&candidate.answering(method), &inputs, total)?;
     let panel = Panel::new(method, settings);
     let progress = Progress::new();
     let show = |answered| progress.show(method.name(), answered, total as u64);
@@ -218,7 +230,8 @@ pub fn gather(
     progress: &(dyn Fn(u64) + Sync),
 ) -> Result<Option<CandidateReport>, Failure> {
     let inputs = Arc::new(inputs);
-    let mut process = CandidateProcess::start(candidate, &inputs, inputs.len())?;
+    let candidate = candidate.answering(panel.method());
+    let mut process = CandidateProcess::start(&candidate, &inputs, inputs.len())?;
     let told = Cell::new(0);
     let show = |answered| progress(answered - told.replace(answered));
     let end = judged(&mut process, &inputs, panel, &show);

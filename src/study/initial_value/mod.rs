@@ -6,7 +6,10 @@
 
 mod conditions;
 pub(super) mod read;
+mod times;
 mod trajectories;
+
+pub use times::{TimesError, times};
 
 use super::error::StudyError;
 use super::problem::{Problem, intern};
@@ -29,6 +32,9 @@ pub struct InitialValue {
     pub start: Rational,
     /// The states in the order of the file.
     pub states: Vec<State>,
+    /// The times of a whole trajectory, which is one answer with a row for each; none where the time
+    /// is an input.
+    pub times: Vec<Rational>,
 }
 
 /// Times that the working precision is raised for an output that cancels.

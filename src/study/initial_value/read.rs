@@ -1,6 +1,6 @@
 //! `[ode]` of a study in TOML.
 
-use super::InitialValue;
+use super::{InitialValue, times};
 use crate::audit::Limit;
 use crate::study::document::{Item, Value};
 use crate::study::error::StudyError;
@@ -13,6 +13,9 @@ use rug::Rational;
 /// The most states of a problem.
 const MOST: usize = 200;
 
+/// The most times of a trajectory that is one answer.
+const MOST_TIMES: usize = 10_000;
+
 /// The length of the range of times of a study that states no end.
 const LENGTH: u32 = 10;
 
@@ -21,7 +24,7 @@ pub fn states(file: &Item) -> Result<&[(String, Item)], StudyError> {
     let Some(ode) = file.get("ode") else {
         return Ok(&[]);
     };
-    ode.only(&["time", "unit", "start", "until", "states"])?;
+    ode.only(&["time", "unit", "start", "until", "times", "states"])?;
     if let Some(other) = file.get("system") {
         return Err(other.fault("a study has either [ode] or [system]"));
     }
@@ -104,8 +107,34 @@ pub fn read(names: &Names, ode: &Item, problem: &mut Problem) -> Result<(), Stud
         states.push(state);
         problem.outputs.push(output);
     }
-    problem.initial_value = Some(InitialValue { start, states });
+    let times = listed_times(ode, &start)?;
+    problem.initial_value = Some(InitialValue {
+        start,
+        states,
+        times,
+    });
     Ok(())
+}
+
+/// The times of a whole trajectory; none where the file lists none.
+fn listed_times(ode: &Item, start: &Rational) -> Result<Vec<Rational>, StudyError> {
+    let Some(item) = ode.get("times") else {
+        return Ok(Vec::new());
+    };
+    let all = times(item.text()?).map_err(|e| item.fault(e.to_string()))?;
+    if all.len() > MOST_TIMES {
+        let text = format!(
+            "{} times where an answer has at most {MOST_TIMES} rows",
+            all.len()
+        );
+        return Err(item.fault(text));
+    }
+    match all.first() {
+        Some(first) if first < start => {
+            Err(item.fault(format!("the time {first} comes before the start {start}")))
+        }
+        _ => Ok(all),
+    }
 }
 
 /// A state: where it starts, its rate, its unit and budget.

@@ -134,6 +134,7 @@ fn answered(
         run_timeout: Duration::from_secs(3600),
         form: Form::Lines,
         decimal: false,
+        lines: crate::cli::process::answers::AnswerLines::default(),
     };
     let total = inputs.len();
     let cases = inputs.into_iter().map(|z| given("faddeeva", z));

@@ -5,7 +5,7 @@ use crate::cli::args::CampaignRunArgs;
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::write_to;
-use crate::cli::process::answers::Form;
+use crate::cli::process::answers::{AnswerLines, Form};
 use crate::cli::process::candidate::{Candidate, gather};
 use crate::cli::process::inputs::Inputs;
 use crate::cli::process::interrupt;
@@ -224,6 +224,7 @@ fn answers(
             false => Form::Lines,
         },
         decimal: program.decimal,
+        lines: AnswerLines::default(),
     };
     let inputs = Inputs::dealt(cases, stride);
     let found = gather(panel, inputs, &candidate, progress);

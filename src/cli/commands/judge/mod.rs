@@ -9,7 +9,7 @@ use crate::cli::files::bounded::Bounded;
 use crate::cli::files::output::Output;
 use crate::cli::lookup;
 use crate::cli::number::LONGEST;
-use crate::cli::process::answers::{Answers, End, Form};
+use crate::cli::process::answers::{AnswerLines, Answers, End, Form};
 use crate::cli::process::candidate::{BATCH, judge_batch};
 use crate::cli::process::wire::{Line, Lines};
 use crate::cli::progress::Progress;
@@ -29,6 +29,7 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
     if let Some(path) = args.table.as_ref().filter(|_| is_path(&args.method)) {
         let study = Study::open(&args.method).map_err(Failure::caused)?;
         if study.problem().initial_value.is_some() {
+            let study = study.with_time_as_input().map_err(Failure::caused)?;
             return trajectory::judge(&study, path, args);
         }
     }
@@ -60,7 +61,7 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
     let (method, settings) = (&workload.methods[0], &workload.settings);
     let mut inputs = Inputs::open(method, inputs_path)?;
     let total = count(inputs_path);
-    let mut values = Answers::of(reader(values_path)?, Form::Lines);
+    let mut values = Answers::of(reader(values_path)?, Form::Lines, AnswerLines::of(method));
     let unreadable = |e| Failure::cannot("read", values_path, e);
     let panel = Panel::new(method, settings);
     let mut next = || match values.next(None) {

@@ -26,6 +26,7 @@ impl Problem {
         let path = args.file.to_string_lossy();
         let about = |f: Failure| f.about(args.file.display());
         let study = Study::open(&path).map_err(Failure::caused)?;
+        let study = study.with_time_as_input().map_err(Failure::caused)?;
         if study.problem().initial_value.is_none() {
             return Err(about(Failure::new(
                 "the study states no initial value problem: [ode]",

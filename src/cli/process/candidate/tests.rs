@@ -27,6 +27,7 @@ fn spoken(script: &str, seconds: f64) -> Candidate {
         run_timeout: Duration::from_secs(3600),
         form: Form::Lines,
         decimal: false,
+        lines: AnswerLines::default(),
     }
 }
 
