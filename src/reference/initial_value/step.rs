@@ -304,7 +304,7 @@ impl Setting<'_> {
             }
             let error = flow.truncation(&weights);
             if error > 1e-9 && order < highest {
-                order = (order + 12).min(highest);
+                order = flow.order_for(1e-12).max(order + 12).min(highest);
                 continue;
             }
             // Errors of the start would grow by it at each step, even where the motion contracts them.

@@ -6,7 +6,7 @@ use super::expansion::Expansion;
 use super::remainder::Remainders;
 use super::set::ErrorSet;
 use super::step::{Failure, Place, Setting};
-use super::variation::{Flow, Scaled};
+use super::variation::{Flow, Scaled, without_tail};
 use super::*;
 use crate::elementary as real;
 use crate::pinned::Draw;
@@ -312,6 +312,14 @@ fn bases_are_orthogonal() {
             }
         }
     }
+}
+
+#[test]
+fn terms_that_are_left_out_are_counted() {
+    let (kept, rest) = without_tail(vec![1.0, -1e-3, 1e-18, -2e-18]);
+    assert_eq!(kept, [1.0, -1e-3]);
+    assert!((3e-18..3.1e-18).contains(&rest), "{rest}");
+    assert!(without_tail(vec![1.0, f64::INFINITY]).1.is_infinite());
 }
 
 /// The flow of `y′ = A y` at few orders, where truncation is far above rounding.

@@ -34,6 +34,8 @@ pub(super) struct Flow {
     truncation: Vec<f64>,
     /// The exponential of the majorant.
     growth: Vec<f64>,
+    /// The largest sum of magnitudes in a row of the Jacobian times the length of the step.
+    norm: f64,
 }
 
 /// The polynomials of the states over a step, in the variable `τ = s/h`.
@@ -81,6 +83,18 @@ fn tails(terms: impl DoubleEndedIterator<Item = f64> + ExactSizeIterator) -> Vec
     sums
 }
 
+/// Terms without those at the end that are small beside the others, and the sum of their magnitudes.
+pub(super) fn without_tail(mut terms: Vec<f64>) -> (Vec<f64>, f64) {
+    /// A share beside which a double number's rounding is not small.
+    const SHARE: f64 = f64::EPSILON / 8.0;
+    let sums = tails(terms.iter().copied());
+    let kept = sums.iter().position(|sum| *sum <= SHARE * sums[0]);
+    // A sum that is no number is kept as it is.
+    let kept = kept.unwrap_or(terms.len()).max(1).min(terms.len());
+    terms.truncate(kept);
+    (terms, sums[kept])
+}
+
 impl Flow {
     /// The flow of a step of length h from a time, whose states are within `tubes` of the polynomials.
     ///
@@ -111,9 +125,11 @@ impl Flow {
                 .iter()
                 .map(|c| c * h)
                 .collect();
-            // One rounding a term.
+            // One rounding a term, and what is left out.
             let size = bounds.norm(*slot).to_f64() * h.abs();
-            let radius = up(bounds.radius(*slot).to_f64() * h.abs() + size * f64::EPSILON);
+            let (terms, rest) = without_tail(terms);
+            let radius = bounds.radius(*slot).to_f64() * h.abs() + size * f64::EPSILON;
+            let radius = up(radius + rest);
             let upper = match row == column {
                 true => {
                     let rounding = size * 4.0 * f64::EPSILON;
@@ -134,11 +150,22 @@ impl Flow {
             });
         }
         let growth = exponential_above(&majorant, weights);
-        Ok(Flow::of_entries(n, scaled, growth, order))
+        let mut rows = vec![0.0; n];
+        for e in &scaled {
+            let size = e.terms.iter().fold(0.0, |sum, c| sum + c.abs());
+            rows[e.row] += size * weights[e.column] / weights[e.row];
+        }
+        let norm = rows.into_iter().fold(0.0, f64::max);
+        Ok(Flow::of_entries(n, scaled, (growth, norm), order))
     }
 
     /// The polynomial up to an order, and its error.
-    fn of_entries(n: usize, entries: Vec<Entry>, growth: Vec<f64>, order: usize) -> Flow {
+    fn of_entries(
+        n: usize,
+        entries: Vec<Entry>,
+        (growth, norm): (Vec<f64>, f64),
+        order: usize,
+    ) -> Flow {
         let mut identity = vec![0.0; n * n];
         (0..n).for_each(|i| identity[i * n + i] = 1.0);
         let mut terms = vec![identity];
@@ -164,7 +191,7 @@ impl Flow {
             .map(|e| tails(terms.iter().map(|terms| terms[e])))
             .collect();
         let mut longest = vec![0; n];
-        entries.iter().for_each(|e| longest[e.row] += order + 1);
+        entries.iter().for_each(|e| longest[e.row] += e.terms.len());
         let (mut cut, mut wide) = (vec![0.0; n * n], vec![0.0; n * n]);
         for e in &entries {
             let norms = tails(e.terms.iter().copied());
@@ -204,7 +231,19 @@ impl Flow {
             error,
             truncation,
             growth,
+            norm,
         }
+    }
+
+    /// The order at which the terms of `exp(x)` are below a share of 1, for x the size of the Jacobian over the step.
+    pub fn order_for(&self, share: f64) -> usize {
+        let mut term = 1.0;
+        let mut k = 0;
+        while term > share && k < 1000 {
+            k += 1;
+            term *= self.norm / k as f64;
+        }
+        k
     }
 
     /// `exp(M) x`: a bound over the whole step on errors that begin with x, or are driven by x.
