@@ -5,6 +5,10 @@
 //! `M_ij ≥ 0`, a function with `e′ = h J e + d` satisfies `|e_i|′ ≤ Σ M_ij |e_j| + |d_i|`, and so `|e| ≤ exp(M)
 //! (|e(0)| + max |d|)` over `0 ≤ τ ≤ 1` (Walter, *Ordinary Differential Equations*, 1998, §10.XII: M is
 //! quasi-monotone).
+//!
+//! With `h J = A + δ`, A a polynomial and `|δ_ij| ≤ ρ_ij`, the polynomial P has the error `e = Φ − P` with `e′ = A e +
+//! δ Φ + (A P − P′)`, and also `e′ = (A + δ) e + δ P + (A P − P′)`: entry by entry the smaller bound of `|Φ| ≤ exp(M)`
+//! and of `|P|` serves. Where the motion contracts fast, P has terms far larger than itself.
 
 use super::coefficient::Coefficient;
 use super::enclosed::{Enclosed, exponential_above, gamma, up};
@@ -204,7 +208,7 @@ impl Flow {
                     sum += c.abs() * tails.get(order.saturating_sub(l)).copied().unwrap_or(0.0);
                 }
                 cut[e.row * n + j] += up(sum);
-                wide[e.row * n + j] += e.radius * tails[0];
+                wide[e.row * n + j] += e.radius * tails[0].min(growth[e.column * n + j]);
             }
         }
         let grown = |defect: &[f64]| -> Vec<f64> {
