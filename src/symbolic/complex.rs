@@ -1,19 +1,7 @@
 //! Functions of complex balls that the enclosures need.
 
-use super::{Func, SymbolicError};
-use mechaudit_reference::faddeeva::w_ball;
+use super::SymbolicError;
 use mechaudit_reference::{Ball, ComplexBall, Mag};
-
-/// Sine or cosine, by exponentials as the algebra has them.
-pub(super) fn sine_and_cosine(f: Func, z: &ComplexBall) -> ComplexBall {
-    let (up, down) = (z.turned().exp(), (-&z.turned()).exp());
-    match f {
-        Func::Cos => (&up + &down).scaled(&Ball::exact(z.re.prec(), 0.5)),
-        _ => -&(&up - &down)
-            .turned()
-            .scaled(&Ball::exact(z.re.prec(), 0.5)),
-    }
-}
 
 /// Returns `a/b`; `None` if b may be zero.
 pub(super) fn quotient(a: &ComplexBall, b: &ComplexBall) -> Option<ComplexBall> {
@@ -41,17 +29,6 @@ pub(super) fn sqrt(z: &ComplexBall) -> Result<ComplexBall, SymbolicError> {
         return Ok(ComplexBall::new(x, y));
     }
     Err(wide())
-}
-
-/// The argument in (−π, π]; refused for what may lie on either side of the cut.
-pub(super) fn arg(z: &ComplexBall) -> Result<Ball, SymbolicError> {
-    let p = z.re.prec();
-    match () {
-        () if z.im.is_zero() && z.re.is_positive() => Ok(Ball::integer(p, 0)),
-        () if z.im.is_zero() && z.re.is_negative() => Ok(Ball::pi(p)),
-        () if z.re.is_positive() || !z.im.contains_zero() => Ok(z.arg()),
-        () => Err(SymbolicError::Wide("an argument".into())),
-    }
 }
 
 /// Upper bound on `|z|`.
@@ -84,15 +61,6 @@ pub(super) fn antiderivative(z: &ComplexBall) -> Result<ComplexBall, SymbolicErr
         }
     }
     Err(SymbolicError::Wide("an integral of e^(s^2)".into()))
-}
-
-/// Returns `W(z)`.
-pub(super) fn w(z: &ComplexBall) -> Result<ComplexBall, SymbolicError> {
-    let value = w_ball(z, z.re.prec());
-    match value.is_finite() {
-        true => Ok(value),
-        false => Err(SymbolicError::Wide("W".into())),
-    }
 }
 
 #[cfg(test)]
@@ -130,34 +98,6 @@ mod tests {
             Ball::integer(64, 0),
         );
         assert!(sqrt(&around).is_err());
-    }
-
-    #[test]
-    fn the_probability_integral() {
-        // Computed with another library (scipy.special.wofz).
-        for (re, im, x, y) in [
-            ((2, 5), (1, 1), 0.40381810194892653, 0.10438045886960581),
-            ((6, 5), (1, 5), 0.2709276879663836, 0.4694884732147171),
-        ] {
-            let value = w(&at(re, im)).unwrap();
-            assert!(
-                (value.re.to_f64() - x).abs() < 1e-15,
-                "{}",
-                value.re.to_f64()
-            );
-            assert!(
-                (value.im.to_f64() - y).abs() < 1e-15,
-                "{}",
-                value.im.to_f64()
-            );
-        }
-        // w(−z̄) is the conjugate of w(z).
-        let (a, b) = (
-            w(&at((1, 2), (3, 4))).unwrap(),
-            w(&at((-1, 2), (3, 4))).unwrap(),
-        );
-        assert!(a.re.overlaps(&b.re) && a.im.overlaps(&-&b.im));
-        assert!(antiderivative(&at((40, 1), (0, 1))).is_err());
     }
 
     fn rational(z: &ComplexBall, due: (Rational, Rational)) -> bool {
@@ -252,23 +192,5 @@ mod tests {
             let found = sqrt(&ComplexBall::new(re, im)).unwrap_err();
             assert_eq!(found.to_string(), "an enclosure is too wide for a root");
         }
-    }
-
-    /// A number on the cut has the argument π, and one that may lie on either side has none.
-    #[test]
-    fn arguments_at_the_cut() {
-        let exact = arg(&at((-3, 2), (0, 1))).unwrap();
-        assert!(exact.overlaps(&Ball::pi(128)) && exact.rad().to_f64() < 1e-30);
-        assert!(arg(&at((3, 2), (0, 1))).unwrap().is_zero());
-        for sign in [1, -1] {
-            let beside = arg(&at((-3, 2), (sign, 1_000_000))).unwrap();
-            assert_eq!(beside.is_positive(), sign > 0);
-        }
-        let tiny = Ball::integer(128, 0).widened(Mag::power_of_two(-100));
-        let crossing = ComplexBall::new(Ball::integer(128, -1), tiny.clone());
-        assert!(matches!(arg(&crossing), Err(SymbolicError::Wide(_))));
-        let right = ComplexBall::new(Ball::integer(128, 1), tiny.clone());
-        assert!(arg(&right).unwrap().contains_zero());
-        assert!(arg(&ComplexBall::new(tiny.clone(), tiny)).is_err());
     }
 }

@@ -2,17 +2,20 @@
 
 use super::complex;
 use super::error::unsupported;
+use super::evaluation::{Balls, Evaluator, ROUNDS, Stop, Value};
 use super::exact::Exact;
-use super::expr::{Bound, Expr, Func};
-use super::jet::Jets;
+use super::expr::Expr;
+use super::graph::{Graph, Id, Node};
+use super::identity::free_symbols;
 use super::series;
-use super::walk::{Definitions, Domain, Scope, walk};
+use super::walk::Definitions;
 use super::work::{LIMIT, limited, step};
-use super::{Algebra, ExpSum, Fraction, Gauss, Poly, Symbol, SymbolicError};
-use mechaudit_reference::{Ball, ComplexBall, Mag};
+use super::{Algebra, ExpSum, Fraction, Poly, Symbol, SymbolicError};
+use mechaudit_reference::elementary::NoValue;
+use mechaudit_reference::{Ball, ComplexBall};
 use rug::Rational;
-use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
+use std::sync::Arc;
 
 /// Working precision of enclosures.
 pub const BITS: u32 = 128;
@@ -75,59 +78,43 @@ impl Point {
     }
 }
 
-/// Values of definitions and integrals at one point, for the many candidates of a search that
-/// differ in the printed form only.
-#[derive(Debug, Default)]
-pub struct Cache {
+/// Bits to which integrals are enclosed.
+const GOAL: u32 = 64;
+
+/// Precisions that are tried in turn where one is too low to tell that an operation is defined.
+const HIGHER: [u32; 2] = [4 * BITS, 16 * BITS];
+
+/// Evaluates in balls at a point. Values of what several expressions have in common are kept.
+pub struct Enclosures {
+    point: Point,
+    /// Names whose definitions differ from one expression to the next.
     changing: Vec<String>,
-    values: RefCell<BTreeMap<String, ComplexBall>>,
+    /// Nodes of the definitions that do not depend on them.
+    known: HashMap<String, Id>,
+    evaluator: Evaluator<Balls>,
 }
 
-impl Cache {
-    /// Empty; whatever depends on one of these names is not kept.
-    pub fn new(changing: &[&str]) -> Cache {
-        Cache {
-            changing: changing.iter().map(|n| n.to_string()).collect(),
-            values: RefCell::default(),
-        }
-    }
-
-    fn get(&self, key: &str) -> Option<ComplexBall> {
-        self.values.borrow().get(key).cloned()
-    }
-
-    fn keep(&self, definitions: &Definitions, e: &Expr, key: String, value: &ComplexBall) {
-        let changing: Vec<&str> = self.changing.iter().map(String::as_str).collect();
-        if !definitions.reaches(e, &changing) {
-            self.values.borrow_mut().insert(key, value.clone());
-        }
-    }
-}
-
-/// Evaluates in balls at a point.
-pub struct Enclosures<'a> {
-    point: &'a Point,
-    cache: Option<&'a Cache>,
-}
-
-impl<'a> Enclosures<'a> {
+impl Enclosures {
     /// At that point.
-    pub fn new(point: &'a Point) -> Enclosures<'a> {
-        Enclosures { point, cache: None }
+    pub fn new(point: &Point) -> Enclosures {
+        Enclosures::of_changing(point, &[])
     }
 
-    /// At that point, which has to be the same whenever this cache is used.
-    pub fn remembering(point: &'a Point, cache: &'a Cache) -> Enclosures<'a> {
+    /// At that point, of expressions whose definitions of these names differ.
+    pub fn of_changing(point: &Point, changing: &[&str]) -> Enclosures {
         Enclosures {
-            point,
-            cache: Some(cache),
+            point: point.clone(),
+            changing: changing.iter().map(|name| name.to_string()).collect(),
+            known: HashMap::new(),
+            evaluator: evaluator(Arc::new(Graph::new([])), BITS),
         }
     }
 
     /// An enclosure of the value.
     ///
     /// # Errors
-    /// Divisors that may be zero, roots of complex numbers, derivatives.
+    /// A name without a value, an operation that is not defined or may not be, and what has no meaning in
+    /// balls.
     pub fn value(
         &mut self,
         definitions: &Definitions,
@@ -135,147 +122,95 @@ impl<'a> Enclosures<'a> {
     ) -> Result<ComplexBall, SymbolicError> {
         limited(LIMIT, || {
             series::check(definitions, e)?;
-            walk(self, &mut Scope::new(definitions), e)
+            if series::is_formal(definitions, e) {
+                return unsupported("a formal series in balls");
+            }
+            let node = self.node(definitions, e)?;
+            let mut found = complex_value(&mut self.evaluator, node);
+            for bits in HIGHER {
+                let Err(Stop {
+                    reason: NoValue::Undecided(_),
+                    ..
+                }) = found
+                else {
+                    break;
+                };
+                let mut higher = evaluator(self.evaluator.graph().clone(), bits);
+                for k in 0..higher.graph().inputs().len() {
+                    self.give(&mut higher, k)?;
+                }
+                found = complex_value(&mut higher, node);
+            }
+            found.map_err(|stop| self.error(stop))
         })
     }
-}
 
-/// Radius of the circle for Cauchy's bound, the path of integration having length one.
-const CIRCLE: i64 = 4;
-const _: () = assert!((CIRCLE as u64).is_power_of_two());
-
-impl Enclosures<'_> {
-    /// The integral over a straight path, by the Taylor series of the integrand, with Cauchy's
-    /// bound `|f_k| ≤ M R^{-k}` for the coefficients that are left out.
-    fn piece(
-        &mut self,
-        scope: &mut Scope<ComplexBall>,
-        bound: &Bound,
-        from: &ComplexBall,
-        step: &ComplexBall,
-    ) -> Result<ComplexBall, SymbolicError> {
-        // The products of series below are many times the nodes of the expression.
-        super::work::step(200)?;
-        let mut jets = Jets { point: self.point };
-        let mut inner = scope.with_values(|v| vec![v.clone()]);
-        let path = vec![from.clone(), step.clone()];
-        let series = inner.binding(&bound.var, path, |scope| {
-            walk(&mut jets, scope, &bound.body)
+    /// The node of an expression; its free symbols have their values.
+    fn node(&mut self, definitions: &Definitions, e: &Expr) -> Result<Id, SymbolicError> {
+        let graph = self.evaluator.graph();
+        let names = free_symbols(definitions, e).into_iter();
+        let new: Vec<String> = names
+            .filter(|name| !graph.inputs().contains(name))
+            .collect();
+        let first = graph.inputs().len();
+        for name in &new {
+            self.point.value(name)?;
+        }
+        let (changing, known) = (&self.changing, &mut self.known);
+        let node = self.evaluator.extend(|graph| {
+            new.iter().for_each(|name| {
+                graph.add_input(name.clone());
+            });
+            graph.build_keeping(definitions, e, known)
         })?;
-        let mut sum = ComplexBall::zero(BITS);
-        for (k, c) in series.iter().enumerate() {
-            sum = &sum + &c.scaled(&Ball::integer(BITS, k as i64 + 1).recip());
+        let changing: Vec<&str> = changing.iter().map(String::as_str).collect();
+        known.retain(|name, _| !definitions.reaches(&Expr::Sym(name.clone()), &changing));
+        for k in first..first + new.len() {
+            let value = self.input(k, BITS)?;
+            self.evaluator.set_input(k, value);
         }
-        let reach = Mag::from_f64(complex::size(step) * CIRCLE as f64);
-        let disc = from.widened(reach);
-        let on_disc = scope.binding(&bound.var, disc, |scope| walk(self, scope, &bound.body));
-        let largest = on_disc?.magnitude();
-        // Σ_{k≥N} R^{-k}/(k+1) ≤ R^{-N} (4/3)/(N+1).
-        let n = Jets::ORDER as i64;
-        let share = Mag::from_f64(4.0).div(Mag::from_f64(3.0 * (n + 1) as f64));
-        let tail = largest.mul(share).shift(-n * i64::from(CIRCLE.ilog2()));
-        Ok(&sum.widened(tail) * step)
+        Ok(node)
+    }
+
+    /// The value of an input.
+    fn input(&self, k: usize, bits: u32) -> Result<Value, SymbolicError> {
+        let value = self.point.value(&self.evaluator.graph().inputs()[k])?;
+        let ball = Ball::rational(bits, &value);
+        Ok(Value::Exact(Box::new((value, ball))))
+    }
+
+    fn give(&self, to: &mut Evaluator<Balls>, k: usize) -> Result<(), SymbolicError> {
+        let value = self.input(k, to.interpretation.prec)?;
+        to.set_input(k, value);
+        Ok(())
+    }
+
+    /// The reason why a node has no value.
+    fn error(&self, stop: Stop) -> SymbolicError {
+        let graph = self.evaluator.graph();
+        let text = graph.text(stop.node);
+        match graph.node(stop.node) {
+            Node::Div(_, divisor) => SymbolicError::NotInvertible(graph.text(divisor)),
+            // The normal form may know the integral.
+            Node::Bound(_) => SymbolicError::Unsupported(format!("{text} in balls")),
+            _ => SymbolicError::Wide(text),
+        }
     }
 }
 
-impl Domain for Enclosures<'_> {
-    type V = ComplexBall;
+fn evaluator(graph: Arc<Graph>, bits: u32) -> Evaluator<Balls> {
+    let mut balls = Balls::new(bits);
+    balls.exact = true;
+    balls.goal = GOAL;
+    Evaluator::new(graph, balls)
+}
 
-    fn constant(&mut self, c: &Gauss) -> ComplexBall {
-        ComplexBall::rational(BITS, &c.re, &c.im)
-    }
-
-    fn symbol(&mut self, name: &str) -> Result<ComplexBall, SymbolicError> {
-        let re = match name {
-            "pi" => Ball::pi(BITS),
-            name => Ball::rational(BITS, &self.point.value(name)?),
-        };
-        Ok(ComplexBall::new(re, Ball::integer(BITS, 0)))
-    }
-
-    fn add(&mut self, a: &ComplexBall, b: &ComplexBall) -> ComplexBall {
-        a + b
-    }
-
-    fn mul(&mut self, a: &ComplexBall, b: &ComplexBall) -> ComplexBall {
-        a * b
-    }
-
-    fn div(&mut self, a: &ComplexBall, b: &ComplexBall) -> Result<ComplexBall, SymbolicError> {
-        complex::quotient(a, b)
-            .ok_or_else(|| SymbolicError::NotInvertible("a number that may be zero".into()))
-    }
-
-    fn call(&mut self, f: Func, x: &[ComplexBall]) -> Result<ComplexBall, SymbolicError> {
-        let [x] = x else {
-            return unsupported(f.name());
-        };
-        let real = |re: Ball| ComplexBall::new(re, Ball::integer(BITS, 0));
-        match f {
-            Func::Exp => Ok(x.exp()),
-            Func::Sqrt => complex::sqrt(x),
-            Func::W => complex::w(x),
-            Func::Re => Ok(real(x.re.clone())),
-            Func::Im => Ok(real(x.im.clone())),
-            Func::Abs => Ok(real(x.norm_sqr().sqrt())),
-            Func::Arg => complex::arg(x).map(real),
-            Func::Arctan if x.im.is_zero() => Ok(real(x.re.atan2(&Ball::integer(BITS, 1)))),
-            // |arctan′| = 1/|1 + z²| ≤ 1/(1 − |Im z|)² ≤ 4 on the way from Re z to z.
-            Func::Arctan if x.im.contains_zero() && x.im.magnitude() <= Mag::from_f64(0.5) => {
-                let off = x.im.magnitude().shift(2);
-                let re = x.re.atan2(&Ball::integer(BITS, 1)).widened(off);
-                Ok(ComplexBall::new(re, Ball::integer(BITS, 0).widened(off)))
-            }
-            Func::Arctan => unsupported("arctan of a complex number"),
-            Func::Sin | Func::Cos => Ok(complex::sine_and_cosine(f, x)),
-            f => unsupported(f.name()),
-        }
-    }
-
-    fn integral(
-        &mut self,
-        scope: &mut Scope<ComplexBall>,
-        bound: &Bound,
-    ) -> Result<ComplexBall, SymbolicError> {
-        let whole = Expr::Int(Box::new(bound.clone()));
-        let cache = self.cache.filter(|_| scope.bound.is_empty());
-        if let Some(found) = cache.and_then(|cache| cache.get(&whole.to_string())) {
-            return Ok(found);
-        }
-        let a = walk(self, scope, &bound.from)?;
-        let b = walk(self, scope, &bound.to)?;
-        let step = &b - &a;
-        let mut found = Err(SymbolicError::Wide("an integral".into()));
-        // Shorter pieces if the bound on a disc is too coarse.
-        for pieces in [1_i64, 4, 16, 64] {
-            let part = step.scaled(&Ball::rational(BITS, &Rational::from((1, pieces))));
-            let mut sum = ComplexBall::zero(BITS);
-            let mut from = a.clone();
-            for _ in 0..pieces {
-                sum = &sum + &self.piece(scope, bound, &from, &part)?;
-                from = &from + &part;
-            }
-            let narrow = sum.re.rad().max(sum.im.rad()) < Mag::power_of_two(-40);
-            found = Ok(sum);
-            if narrow {
-                break;
-            }
-        }
-        if let (Some(cache), Ok(value)) = (cache, &found) {
-            cache.keep(scope.definitions, &whole, whole.to_string(), value);
-        }
-        found
-    }
-
-    fn recall(&mut self, name: &str) -> Option<ComplexBall> {
-        self.cache?.get(name)
-    }
-
-    fn keep(&mut self, definitions: &Definitions, name: &str, value: &ComplexBall) {
-        if let Some(cache) = self.cache {
-            cache.keep(definitions, &Expr::Sym(name.into()), name.into(), value);
-        }
-    }
+/// The value of a node as a complex number.
+fn complex_value(evaluator: &mut Evaluator<Balls>, node: Id) -> Result<ComplexBall, Stop> {
+    evaluator.rounds = ROUNDS;
+    let value = evaluator.value(node)?.to_complex();
+    let reason = NoValue::Undefined("a value beyond every exponent");
+    value.ok_or(Stop { node, reason })
 }
 
 /// Returns true if a derivative occurs, definitions followed.

@@ -3,6 +3,7 @@
 use super::enclosure::{Point, enclose, enclose_form, has_derivative};
 use super::exact::Exact;
 use super::expr::{EACH, Equation, Expr};
+use super::series;
 use super::walk::Definitions;
 use super::work::{LIMIT, limited};
 use super::{Algebra, ExpSum, Symbol, SymbolicError};
@@ -72,12 +73,7 @@ impl Identity {
         let proved = form.as_ref().is_ok_and(vanishes);
         // A formal series may have the value of what stands beside it, though not term by term.
         let undecidable = form.as_ref().map_or_else(
-            |_| {
-                definitions.any(
-                    &difference,
-                    |e| matches!(e, Expr::Sum(b) if b.to == Expr::Sym(EACH.into())),
-                )
-            },
+            |_| series::is_formal(definitions, &difference),
             mixes_series,
         );
         let points = if proved || undecidable { 0 } else { POINTS };
@@ -200,7 +196,7 @@ impl Point {
 }
 
 /// The names of the free symbols, definitions followed.
-fn free_symbols(definitions: &Definitions, e: &Expr) -> BTreeSet<String> {
+pub(super) fn free_symbols(definitions: &Definitions, e: &Expr) -> BTreeSet<String> {
     fn collect(d: &Definitions, e: &Expr, names: &mut BTreeSet<String>, seen: &mut Vec<String>) {
         if let Expr::Sym(name) = e {
             match d.names.get(name) {
@@ -215,6 +211,10 @@ fn free_symbols(definitions: &Definitions, e: &Expr) -> BTreeSet<String> {
             }
         }
         let mut inner = BTreeSet::new();
+        // A name that is bound in here may be free in the same definition elsewhere.
+        let mut within = seen.clone();
+        let binds = matches!(e, Expr::Int(_) | Expr::Sum(_) | Expr::At(..));
+        let seen = if binds { &mut within } else { seen };
         for c in e.children() {
             collect(d, c, &mut inner, seen);
         }

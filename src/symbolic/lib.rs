@@ -76,7 +76,6 @@ mod gcd;
 pub mod graph;
 mod identity;
 mod integral;
-mod jet;
 mod kernel;
 mod latex;
 #[cfg(test)]
@@ -100,9 +99,7 @@ mod work;
 pub use algebra::{Algebra, Derivation};
 pub use dimension::{Dimensions, Powers, Undimensional};
 pub use edit::{Edit, Family, edits};
-pub use enclosure::{
-    BITS, Cache, Enclosures, Point, enclose, enclose_form, has_derivative, is_real,
-};
+pub use enclosure::{BITS, Enclosures, Point, enclose, enclose_form, has_derivative, is_real};
 pub use error::SymbolicError;
 pub use exact::Exact;
 pub use expr::{Bound, Constant, Equation, Expr, Loop, Relation, Roots};

@@ -5,6 +5,14 @@ use super::expr::{EACH, Expr, Func};
 use super::{Definitions, SymbolicError};
 use std::collections::{BTreeMap, BTreeSet};
 
+/// Returns true if a formal series occurs, definitions followed.
+pub(super) fn is_formal(definitions: &Definitions, e: &Expr) -> bool {
+    definitions.any(
+        e,
+        |e| matches!(e, Expr::Sum(b) if b.to == Expr::Sym(EACH.into())),
+    )
+}
+
 /// Checks that `series(n, f)` occurs in an expression only where the value is linear in it.
 ///
 /// Series are compared term by term, so that a product or a function of a series has no meaning:

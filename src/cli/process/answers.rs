@@ -233,6 +233,8 @@ impl<R: Read> Source for Rows<R> {
                     let why = format!("row {k} has {} numbers in the place of {width}", row.len());
                     return Some(Ok(SolverAnswer::Fails(why)));
                 }
+                // An answer of too few numbers is told so.
+                None => break,
                 other => return other,
             }
         }
@@ -356,8 +358,11 @@ mod tests {
             read(b"1,2\nrefuse\n")[0],
             SolverAnswer::Declines(_)
         ));
-        // An answer that is cut off is none.
-        assert_eq!(read(b"1,2\n3,4\n"), []);
+        // An answer that is cut off has too few numbers.
+        assert_eq!(
+            read(b"1,2\n3,4\n"),
+            [SolverAnswer::Values(vec![1.0, 2.0, 3.0, 4.0])]
+        );
     }
 
     /// Answers that have arrived are handed over together.

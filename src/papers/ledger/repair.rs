@@ -3,9 +3,10 @@
 use super::{Conditions, Formula, Repair, Requirement};
 use crate::reference::ComplexBall;
 use crate::symbolic::{
-    Cache, Definitions, Edit, Enclosures, Equation, Exact, Expr, Family, Outcome, Point,
-    SymbolicError, edits, enclose, latex_equation,
+    Definitions, Edit, Enclosures, Equation, Exact, Expr, Family, Outcome,
+    SymbolicError, edits, latex_equation,
 };
+use std::cell::RefCell;
 use std::collections::BTreeSet;
 
 /// The outcome of a candidate.
@@ -35,9 +36,8 @@ struct Judge<'a> {
     requirements: &'a [Requirement],
     conditions: &'a Conditions,
     fixed: Vec<[Option<ComplexBall>; 2]>,
-    /// The point of the first look; none where no point is known to be one of the domain.
-    point: Option<Point>,
-    cache: Cache,
+    /// Values at the point of the first look; none where no point is known to be one of the domain.
+    enclosures: Option<RefCell<Enclosures>>,
 }
 
 impl<'a> Judge<'a> {
@@ -52,9 +52,10 @@ impl<'a> Judge<'a> {
         if let Expr::Sym(name) = &printed.left {
             names.push(name);
         }
-        let enclosed = |e: &Expr| match definitions.reaches(e, &names) {
+        let mut enclosures = point.map(|point| Enclosures::of_changing(&point, &names));
+        let mut enclosed = |e: &Expr| match definitions.reaches(e, &names) {
             true => None,
-            false => enclose(definitions, e, point.as_ref()?).ok(),
+            false => enclosures.as_mut()?.value(definitions, e).ok(),
         };
         let fixed = requirements
             .iter()
@@ -69,14 +70,13 @@ impl<'a> Judge<'a> {
             requirements,
             conditions,
             fixed,
-            point,
-            cache: Cache::new(&names),
+            enclosures: enclosures.map(RefCell::new),
         }
     }
 
     /// Returns true if an enclosure refutes an equation at the first point.
     fn fails_quickly(&self, with: &Definitions) -> bool {
-        let Some(point) = &self.point else {
+        let Some(enclosures) = &self.enclosures else {
             return false;
         };
         self.requirements.iter().zip(&self.fixed).any(|(r, fixed)| {
@@ -86,10 +86,7 @@ impl<'a> Judge<'a> {
             // Of derivatives there are no enclosures.
             let value = |e: &Expr, fixed: &Option<ComplexBall>| match fixed {
                 Some(v) => Some(v.clone()),
-                None => {
-                    let mut enclosures = Enclosures::remembering(point, &self.cache);
-                    enclosures.value(with, e).ok()
-                }
+                None => enclosures.borrow_mut().value(with, e).ok(),
             };
             let Some(left) = value(&e.left, &fixed[0]) else {
                 return false;

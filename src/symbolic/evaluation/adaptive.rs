@@ -66,6 +66,7 @@ impl Balls {
             exact: false,
             holomorphic: false,
             wide: false,
+            known: i64::MAX,
         }
     }
 }

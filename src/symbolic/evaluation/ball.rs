@@ -67,6 +67,8 @@ pub struct Balls {
     pub holomorphic: bool,
     /// True if a wide enclosure is of use: of an integrand over an interval.
     pub wide: bool,
+    /// Bits to which the variables of integrals around are known.
+    pub known: i64,
 }
 
 /// A value of a real function; one that is too large for MPFR is huge.

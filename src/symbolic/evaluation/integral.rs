@@ -11,6 +11,31 @@ use mechaudit_reference::{Ball, ComplexBall, Mag};
 /// Evaluations of an integrand before an integral is given up.
 const EVALUATIONS: u64 = 1 << 18;
 
+/// Bits to which an integral under another is enclosed beyond the goal of the outer one, whose sum is to reach it.
+const INNER: u32 = 16;
+
+/// Bits by which it is less accurate than the variable of the outer one.
+const SPARE: i64 = 8;
+
+/// Evaluations of the integrand of an inner integral.
+const INNER_EVALUATIONS: u64 = 1 << 13;
+
+/// Bits and evaluations of an inner integral for an interval or a rectangle of the outer variable.
+const COARSE_BITS: u32 = 8;
+const COARSE_EVALUATIONS: u64 = 1 << 7;
+
+/// Bits to which a variable is known, relative to its size or to 1.
+fn known_bits(variable: &Value) -> i64 {
+    let of = |x: &Ball| {
+        let absolute = x.rad().exponent().map_or(i64::MAX, |e| -e);
+        absolute.max(x.accuracy_bits())
+    };
+    match variable {
+        Value::Continued(z) | Value::Complex(z) => of(&z.re).min(of(&z.im)),
+        other => other.real().map_or(i64::MAX, of),
+    }
+}
+
 /// The body of an integral as a function of its variable.
 pub(super) struct Body<'e> {
     evaluator: &'e mut Evaluator<Balls>,
@@ -33,14 +58,15 @@ impl<'e> Body<'e> {
 
     fn value(&mut self, variable: Value, holomorphic: bool, bits: u32) -> Result<Value, Stop> {
         let balls = &mut self.evaluator.interpretation;
-        let outside = (balls.prec, balls.holomorphic, balls.wide);
+        let outside = (balls.prec, balls.holomorphic, balls.wide, balls.known);
         // Around a continuation everything has to be holomorphic in its variable, too.
         (balls.prec, balls.holomorphic) = (bits, holomorphic || outside.1);
         balls.wide |= variable.real().is_some_and(|x| !x.rad().is_zero());
+        balls.known = balls.known.min(known_bits(&variable));
         self.evaluator.set_variables(self.binder, [variable]);
         let value = self.evaluator.value(self.body).cloned();
         let balls = &mut self.evaluator.interpretation;
-        (balls.prec, balls.holomorphic, balls.wide) = outside;
+        (balls.prec, balls.holomorphic, balls.wide, balls.known) = outside;
         value
     }
 
@@ -166,14 +192,21 @@ pub(super) fn integral(
 ) -> Result<Value, Stop> {
     let limits = [limit(evaluator, from)?, limit(evaluator, to)?];
     prepare(evaluator, binder, body);
-    let bits = evaluator.interpretation.goal;
-    let is_complex = evaluator.graph().is_complex(body);
+    let balls = &evaluator.interpretation;
+    let (prec, is_continued) = (balls.prec, balls.holomorphic);
+    // Under another integral a bound serves where no more is to be had: for many values of its variable at once.
+    let is_inner = balls.known < i64::MAX;
+    let (bits, evaluations) = match u32::try_from(balls.known.saturating_sub(SPARE)) {
+        _ if !is_inner => (balls.goal, EVALUATIONS),
+        Ok(known) if known >= COARSE_BITS => ((balls.goal + INNER).min(known), INNER_EVALUATIONS),
+        _ => (COARSE_BITS, COARSE_EVALUATIONS),
+    };
+    let is_complex = evaluator.graph().is_complex(body) || is_continued;
     let mut integrand = Body::new(evaluator, binder, body);
-    let prec = integrand.evaluator.interpretation.prec;
     // An integral next to zero gets its relative accuracy as the working precision is raised.
     let goal = Goal {
         absolute: Mag::power_of_two(-i64::from(prec)),
-        evaluations: EVALUATIONS,
+        evaluations,
         ..Goal::bits(bits)
     };
     let [from, to] = &limits;
@@ -186,7 +219,11 @@ pub(super) fn integral(
         };
         let [a, b] = [a, b].map(|x| ComplexBall::new(x.clone(), Ball::integer(x.prec(), 0)));
         let found = quadrature::integrate_segment(&mut integrand, &a, &b, &goal);
-        (found.value.map(Value::Complex), found.hindrance)
+        let kind = match is_continued {
+            true => Value::Continued,
+            false => Value::Complex,
+        };
+        (found.value.map(kind), found.hindrance)
     } else {
         let found = quadrature::integrate(&mut integrand, from, to, &goal);
         (found.value.map(Value::Real), found.hindrance)
@@ -195,7 +232,7 @@ pub(super) fn integral(
         return Err(stop);
     }
     // A second try with more bits may serve an integrand that is enclosed badly; a third would not end.
-    if matches!(hindrance, Some(Hindrance::Interval(..))) && prec > 2 * bits {
+    if matches!(hindrance, Some(Hindrance::Interval(..))) && prec > 2 * bits && !is_inner {
         return Err(Stop {
             node,
             reason: NoValue::Undecided(super::EVALUATIONS_REASON),

@@ -101,6 +101,12 @@ pub struct Evaluator<I: Interpretation> {
     pub rounds: u64,
 }
 
+/// The nodes of a graph's inputs.
+fn input_nodes(graph: &Graph) -> Vec<Option<Id>> {
+    let all = 0..graph.inputs().len() as u32;
+    all.map(|k| graph.find(Node::Input(k))).collect()
+}
+
 const NOT_A_NUMBER: NoValue = NoValue::Undefined("a condition or a name without a value");
 
 /// Rounds of loops and terms of sums that one evaluation may take.
@@ -120,9 +126,7 @@ impl<I: Interpretation> Evaluator<I> {
             truths: vec![None; graph.len()],
             interpretation,
             orders: vec![None; graph.len()],
-            inputs: (0..graph.inputs().len() as u32)
-                .map(|k| graph.find(Node::Input(k)))
-                .collect(),
+            inputs: input_nodes(&graph),
             varying: (0..graph.len() as Id)
                 .filter(|id| graph.varies(*id))
                 .collect(),
@@ -134,6 +138,20 @@ impl<I: Interpretation> Evaluator<I> {
     /// The graph.
     pub fn graph(&self) -> &Arc<Graph> {
         &self.graph
+    }
+
+    /// Adds nodes to the graph; values that are known are kept.
+    pub fn extend<T>(&mut self, add: impl FnOnce(&mut Graph) -> T) -> T {
+        let before = self.graph.len();
+        let found = add(Arc::make_mut(&mut self.graph));
+        let graph = &self.graph;
+        self.known.resize(graph.len(), None);
+        self.truths.resize(graph.len(), None);
+        self.orders.resize(graph.len(), None);
+        self.inputs = input_nodes(graph);
+        let new = (before as Id..graph.len() as Id).filter(|id| graph.varies(*id));
+        self.varying.extend(new);
+        found
     }
 
     /// Forgets what depends on inputs and variables; everything if `constants` as well.

@@ -134,6 +134,32 @@ fn formulas_at_a_point() {
             "0.39473645387123986416",
         ),
         ("int(t, 0, 3, floor(t)*x)", (1, 1), "3.0000000000000000000"),
+        // Integrals under integrals, with limits that move, and along a segment of the plane (mpmath).
+        (
+            "int(t, 0, 1, int(u, 0, t, exp(x*u^2)))",
+            (1, 1),
+            "0.60351083167765899112",
+        ),
+        (
+            "int(t, 0, 1, int(u, 0, t, sin(t*u)))",
+            (1, 1),
+            "0.11990587100028236297",
+        ),
+        (
+            "int(t, 0, 1, int(u, t, 2*t, 1/(x + u)))",
+            (1, 1),
+            "0.26162407188227391826",
+        ),
+        (
+            "re(int(t, 0, 1 + 2*i, exp(-t^2)))",
+            (1, 1),
+            "-0.47558797736394259587",
+        ),
+        (
+            "im(int(t, 0, 1 + 2*i, exp(-t^2)))",
+            (1, 1),
+            "-4.4746871004750177094",
+        ),
         // All roots, in ascending order, of exactly as many; their number.
         (
             "root(y, -2, 2, y^3 - x*y, 1, 3)",

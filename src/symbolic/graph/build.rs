@@ -14,10 +14,20 @@ impl Graph {
     /// [`SymbolicError::NoValue`] for a name that is neither an input nor defined, and what has no
     /// meaning in a graph: formal series, derivatives by what is not a variable.
     pub fn build(&mut self, definitions: &Definitions, e: &Expr) -> Result<Id, SymbolicError> {
-        let mut builder = Builder {
-            graph: self,
-            known: HashMap::new(),
-        };
+        self.build_keeping(definitions, e, &mut HashMap::new())
+    }
+
+    /// As [`Graph::build`], with nodes of definitions from before, to which those of others are added.
+    ///
+    /// # Errors
+    /// As [`Graph::build`].
+    pub fn build_keeping(
+        &mut self,
+        definitions: &Definitions,
+        e: &Expr,
+        known: &mut HashMap<String, Id>,
+    ) -> Result<Id, SymbolicError> {
+        let mut builder = Builder { graph: self, known };
         walk(&mut builder, &mut Scope::new(definitions), e)
     }
 
@@ -36,7 +46,7 @@ impl Graph {
 struct Builder<'a> {
     graph: &'a mut Graph,
     /// Nodes of definitions.
-    known: HashMap<String, Id>,
+    known: &'a mut HashMap<String, Id>,
 }
 
 type Built = Result<Id, SymbolicError>;
@@ -60,10 +70,38 @@ impl Builder<'_> {
             walk(self, scope, &bound.from)?,
             walk(self, scope, &bound.to)?,
         ];
+        let (binder, body) = self.body(scope, bound)?;
+        Ok((binder, [from, to, body]))
+    }
+
+    /// A new binder's body.
+    fn body(&mut self, scope: &mut Scope<Id>, bound: &Bound) -> Result<(u32, Id), SymbolicError> {
         let binder = self.open(scope, vec![bound.var.clone()]);
         let variable = self.graph.push(Node::Variable(binder, 0));
         let body = scope.binding(&bound.var, variable, |scope| walk(self, scope, &bound.body))?;
-        Ok((binder, [from, to, body]))
+        Ok((binder, body))
+    }
+
+    /// Returns true if a limit is a number.
+    fn is_finite(&self, limit: Id) -> bool {
+        let below = match self.graph.node(limit) {
+            Node::Neg(a) => a,
+            _ => limit,
+        };
+        self.graph.node(below) != Node::Infinity
+    }
+
+    /// The integral from a to b along the segment between them: `(b − a) ∫_0^1 f(a + (b − a) s) ds`.
+    fn along_segment(&mut self, scope: &mut Scope<Id>, bound: &Bound, [a, b]: [Id; 2]) -> Built {
+        let binder = self.open(scope, vec![bound.var.clone()]);
+        let share = self.graph.push(Node::Variable(binder, 0));
+        let way = self.graph.push(Node::Sub(b, a));
+        let along = self.graph.push(Node::Mul(way, share));
+        let place = self.graph.push(Node::Add(a, along));
+        let body = scope.binding(&bound.var, place, |scope| walk(self, scope, &bound.body))?;
+        let [from, to] = [0, 1].map(|n| self.graph.number(n));
+        let integral = self.close(binder, Binding::Integral { from, to, body });
+        Ok(self.graph.push(Node::Mul(way, integral)))
     }
 
     fn close(&mut self, binder: u32, binding: Binding) -> Id {
@@ -156,7 +194,18 @@ impl Domain for Builder<'_> {
     }
 
     fn integral(&mut self, scope: &mut Scope<Id>, bound: &Bound) -> Built {
-        let (binder, [from, to, body]) = self.bound(scope, bound)?;
+        let limits = [
+            walk(self, scope, &bound.from)?,
+            walk(self, scope, &bound.to)?,
+        ];
+        // An integral with constant limits is continued to complex values of what its integrand depends on.
+        let is_complex = limits.iter().any(|limit| self.graph.is_complex(*limit));
+        let moves = self.graph.depth_above(&limits) > 0;
+        if (is_complex || moves) && limits.iter().all(|limit| self.is_finite(*limit)) {
+            return self.along_segment(scope, bound, limits);
+        }
+        let (binder, body) = self.body(scope, bound)?;
+        let [from, to] = limits;
         Ok(self.close(binder, Binding::Integral { from, to, body }))
     }
 

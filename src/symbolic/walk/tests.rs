@@ -1,7 +1,7 @@
 //! Definitions, indices and what is bound.
 
 use super::*;
-use crate::{Cache, Enclosures, Exact, ExpSum, Point};
+use crate::{Enclosures, Exact, ExpSum, Point};
 
 fn value(definitions: &Definitions, text: &str) -> Result<ExpSum, SymbolicError> {
     Exact::default().value(definitions, &parse(text).unwrap())
@@ -99,9 +99,8 @@ fn nothing_bound_is_kept() {
         ("c*sum(x, 1, 2, c)", 125),
         ("sum(k, 1, 1, d + x) + c", 35),
     ] {
-        let cache = Cache::new(&[]);
         let e = parse(text).unwrap();
-        let found = Enclosures::remembering(&point, &cache).value(&definitions, &e);
+        let found = Enclosures::new(&point).value(&definitions, &e);
         let found = found.unwrap();
         assert!(found.re.contains(&Rational::from(due)), "{text}: {found:?}");
         assert!(found.im.contains_zero());
