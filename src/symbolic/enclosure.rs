@@ -6,7 +6,6 @@ use super::evaluation::{Balls, Evaluator, ROUNDS, Stop, Value};
 use super::exact::Exact;
 use super::expr::Expr;
 use super::graph::{Graph, Id, Node};
-use super::identity::free_symbols;
 use super::series;
 use super::walk::Definitions;
 use super::work::{LIMIT, limited, step};
@@ -91,6 +90,8 @@ pub struct Enclosures {
     changing: Vec<String>,
     /// Nodes of the definitions that do not depend on them.
     known: HashMap<String, Id>,
+    /// For each definition met, whether it depends on them.
+    depends: HashMap<String, bool>,
     evaluator: Evaluator<Balls>,
 }
 
@@ -106,7 +107,8 @@ impl Enclosures {
             point: point.clone(),
             changing: changing.iter().map(|name| name.to_string()).collect(),
             known: HashMap::new(),
-            evaluator: evaluator(Arc::new(Graph::new([])), BITS),
+            depends: HashMap::new(),
+            evaluator: evaluator(Arc::new(Graph::new([]).of_any_names()), BITS),
         }
     }
 
@@ -122,8 +124,9 @@ impl Enclosures {
     ) -> Result<ComplexBall, SymbolicError> {
         limited(LIMIT, || {
             series::check(definitions, e)?;
-            if series::is_formal(definitions, e) {
-                return unsupported("a formal series in balls");
+            // Derivations say what a derivative is; the graph has none.
+            if has_derivative(definitions, e) {
+                return unsupported("a derivative in balls");
             }
             let node = self.node(definitions, e)?;
             let mut found = complex_value(&mut self.evaluator, node);
@@ -137,7 +140,9 @@ impl Enclosures {
                 };
                 let mut higher = evaluator(self.evaluator.graph().clone(), bits);
                 for k in 0..higher.graph().inputs().len() {
-                    self.give(&mut higher, k)?;
+                    if let Ok(value) = self.input(k, bits) {
+                        higher.set_input(k, value);
+                    }
                 }
                 found = complex_value(&mut higher, node);
             }
@@ -145,31 +150,26 @@ impl Enclosures {
         })
     }
 
-    /// The node of an expression; its free symbols have their values.
+    /// The node of an expression; the symbols in it have their values.
     fn node(&mut self, definitions: &Definitions, e: &Expr) -> Result<Id, SymbolicError> {
-        let graph = self.evaluator.graph();
-        let names = free_symbols(definitions, e).into_iter();
-        let new: Vec<String> = names
-            .filter(|name| !graph.inputs().contains(name))
-            .collect();
-        let first = graph.inputs().len();
-        for name in &new {
-            self.point.value(name)?;
+        let first = self.evaluator.graph().inputs().len();
+        let known = &mut self.known;
+        let node = self
+            .evaluator
+            .extend(|graph| graph.build_keeping(definitions, e, known));
+        let changing: Vec<&str> = self.changing.iter().map(String::as_str).collect();
+        let depends = &mut self.depends;
+        known.retain(|name, _| {
+            let of_name = || definitions.reaches(&Expr::Sym(name.clone()), &changing);
+            !*depends.entry(name.clone()).or_insert_with(of_name)
+        });
+        for k in first..self.evaluator.graph().inputs().len() {
+            // A symbol without a value is told of where it is needed.
+            if let Ok(value) = self.input(k, BITS) {
+                self.evaluator.set_input(k, value);
+            }
         }
-        let (changing, known) = (&self.changing, &mut self.known);
-        let node = self.evaluator.extend(|graph| {
-            new.iter().for_each(|name| {
-                graph.add_input(name.clone());
-            });
-            graph.build_keeping(definitions, e, known)
-        })?;
-        let changing: Vec<&str> = changing.iter().map(String::as_str).collect();
-        known.retain(|name, _| !definitions.reaches(&Expr::Sym(name.clone()), &changing));
-        for k in first..first + new.len() {
-            let value = self.input(k, BITS)?;
-            self.evaluator.set_input(k, value);
-        }
-        Ok(node)
+        node
     }
 
     /// The value of an input.
@@ -179,17 +179,12 @@ impl Enclosures {
         Ok(Value::Exact(Box::new((value, ball))))
     }
 
-    fn give(&self, to: &mut Evaluator<Balls>, k: usize) -> Result<(), SymbolicError> {
-        let value = self.input(k, to.interpretation.prec)?;
-        to.set_input(k, value);
-        Ok(())
-    }
-
     /// The reason why a node has no value.
     fn error(&self, stop: Stop) -> SymbolicError {
         let graph = self.evaluator.graph();
         let text = graph.text(stop.node);
         match graph.node(stop.node) {
+            Node::Input(k) => SymbolicError::NoValue(graph.inputs()[k as usize].clone()),
             Node::Div(_, divisor) => SymbolicError::NotInvertible(graph.text(divisor)),
             // The normal form may know the integral.
             Node::Bound(_) => SymbolicError::Unsupported(format!("{text} in balls")),

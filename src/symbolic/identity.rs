@@ -196,7 +196,7 @@ impl Point {
 }
 
 /// The names of the free symbols, definitions followed.
-pub(super) fn free_symbols(definitions: &Definitions, e: &Expr) -> BTreeSet<String> {
+fn free_symbols(definitions: &Definitions, e: &Expr) -> BTreeSet<String> {
     fn collect(d: &Definitions, e: &Expr, names: &mut BTreeSet<String>, seen: &mut Vec<String>) {
         if let Expr::Sym(name) = e {
             match d.names.get(name) {

@@ -30,6 +30,7 @@ pub use initial_value::{
 use crate::graph::{Binding, Graph, Id, Node};
 use crate::{Constant, Func, Relation};
 use mechaudit_reference::elementary::NoValue;
+use std::collections::HashSet;
 use std::sync::Arc;
 
 /// Reason why a node has no value.
@@ -240,10 +241,11 @@ impl<I: Interpretation> Evaluator<I> {
         if let Some(order) = &self.orders[root as usize] {
             return order.clone();
         }
-        let mut seen = vec![false; root as usize + 1];
+        // A graph that has grown may be far larger than what one node needs.
+        let mut seen = HashSet::new();
         let mut open = vec![root];
         while let Some(id) = open.pop() {
-            if std::mem::replace(&mut seen[id as usize], true) {
+            if !seen.insert(id) {
                 continue;
             }
             match self.graph.node(id) {
@@ -266,7 +268,8 @@ impl<I: Interpretation> Evaluator<I> {
                 node => open.extend(self.graph.operands(node)),
             }
         }
-        let order: Vec<Id> = (0..=root).filter(|id| seen[*id as usize]).collect();
+        let mut order: Vec<Id> = seen.into_iter().collect();
+        order.sort_unstable();
         let order: Arc<[Id]> = order.into();
         self.orders[root as usize] = Some(order.clone());
         order

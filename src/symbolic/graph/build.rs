@@ -153,6 +153,7 @@ impl Domain for Builder<'_> {
         }
         match name {
             "pi" => Ok(self.graph.push(Node::Constant(Constant::Pi))),
+            _ if self.graph.takes_any_name => Ok(self.graph.add_input(name.into())),
             _ => Err(SymbolicError::NoValue(name.into())),
         }
     }

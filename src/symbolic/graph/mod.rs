@@ -172,6 +172,8 @@ pub struct Graph {
     is_real_function: bool,
     /// The unknowns of a system with the nodes that stand for them.
     unknowns: Vec<(String, Id)>,
+    /// True if a name that is not declared becomes an input.
+    takes_any_name: bool,
 }
 
 impl Graph {
@@ -188,6 +190,13 @@ impl Graph {
     #[must_use]
     pub fn of_real_functions(mut self) -> Graph {
         self.is_real_function = true;
+        self
+    }
+
+    /// Makes an input of each name that is not declared.
+    #[must_use]
+    pub fn of_any_names(mut self) -> Graph {
+        self.takes_any_name = true;
         self
     }
 
