@@ -77,8 +77,14 @@ impl Point {
     }
 }
 
+/// Nodes of a graph after which another is begun: some costs of a binder grow with all nodes.
+const NODES: usize = 700;
+
 /// Bits to which integrals are enclosed.
-const GOAL: u32 = 64;
+const GOAL: u32 = 40;
+
+/// Evaluations of an integrand before an integral is given up: searches try thousands of formulas.
+const EVALUATIONS: u64 = 1 << 12;
 
 /// Precisions that are tried in turn where one is too low to tell that an operation is defined.
 const HIGHER: [u32; 2] = [4 * BITS, 16 * BITS];
@@ -131,13 +137,14 @@ impl Enclosures {
             let node = self.node(definitions, e)?;
             let mut found = complex_value(&mut self.evaluator, node);
             for bits in HIGHER {
-                let Err(Stop {
-                    reason: NoValue::Undecided(_),
-                    ..
-                }) = found
-                else {
-                    break;
+                // More bits do not help an integral that takes too many evaluations.
+                let is_open = |stop: &Stop| {
+                    matches!(stop.reason, NoValue::Undecided(_))
+                        && !matches!(self.evaluator.graph().node(stop.node), Node::Bound(_))
                 };
+                if !found.as_ref().is_err_and(is_open) {
+                    break;
+                }
                 let mut higher = evaluator(self.evaluator.graph().clone(), bits);
                 for k in 0..higher.graph().inputs().len() {
                     if let Ok(value) = self.input(k, bits) {
@@ -152,6 +159,10 @@ impl Enclosures {
 
     /// The node of an expression; the symbols in it have their values.
     fn node(&mut self, definitions: &Definitions, e: &Expr) -> Result<Id, SymbolicError> {
+        if self.evaluator.graph().len() > NODES {
+            self.known.clear();
+            self.evaluator = evaluator(Arc::new(Graph::new([]).of_any_names()), BITS);
+        }
         let first = self.evaluator.graph().inputs().len();
         let known = &mut self.known;
         let node = self
@@ -195,8 +206,10 @@ impl Enclosures {
 
 fn evaluator(graph: Arc<Graph>, bits: u32) -> Evaluator<Balls> {
     let mut balls = Balls::new(bits);
-    balls.exact = true;
+    // Rational numbers that grow long are slow: they serve where balls have not decided.
+    balls.exact = bits > BITS;
     balls.goal = GOAL;
+    balls.evaluations = EVALUATIONS;
     Evaluator::new(graph, balls)
 }
 

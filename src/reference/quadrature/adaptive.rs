@@ -410,7 +410,7 @@ fn gauss<P: Path>(
     let (Some(top), Some(bottom)) = (direct.magnitude().exponent(), tolerance.exponent()) else {
         return Outcome::Costly;
     };
-    let mut bits = u32::try_from((top - bottom).max(8)).unwrap_or(u32::MAX / 4) + 8 + n.ilog2();
+    let mut bits = u32::try_from((top - bottom).max(8)).unwrap_or(u32::MAX / 4) + 16 + n.ilog2();
     for _ in 0..ATTEMPTS {
         let Some(rule) = nodes::rule(n, bits) else {
             return Outcome::Costly;

@@ -66,6 +66,7 @@ impl Balls {
             exact: false,
             holomorphic: false,
             wide: false,
+            evaluations: EVALUATIONS,
             known: i64::MAX,
         }
     }
@@ -115,6 +116,9 @@ const ASK_ALGEBRA: u32 = 2048;
 
 /// Reason that exact rational numbers may settle.
 const MAY_BE_ZERO: &str = "the divisor may be zero";
+
+/// Evaluations of an integrand before an integral is given up, unless another limit is set.
+const EVALUATIONS: u64 = 1 << 18;
 
 /// The highest working precision unless another is set.
 pub const LIMIT: u32 = 16_384;

@@ -67,6 +67,8 @@ pub struct Balls {
     pub holomorphic: bool,
     /// True if a wide enclosure is of use: of an integrand over an interval.
     pub wide: bool,
+    /// Evaluations of an integrand before an integral is given up.
+    pub evaluations: u64,
     /// Bits to which the variables of integrals around are known.
     pub known: i64,
 }

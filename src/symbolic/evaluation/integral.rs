@@ -8,17 +8,17 @@ use mechaudit_reference::elementary::NoValue;
 use mechaudit_reference::quadrature::{self, End, Goal, Growth, Hindrance, Integrand, Limit};
 use mechaudit_reference::{Ball, ComplexBall, Mag};
 
-/// Evaluations of an integrand before an integral is given up.
-const EVALUATIONS: u64 = 1 << 18;
-
 /// Bits to which an integral under another is enclosed beyond the goal of the outer one, whose sum is to reach it.
 const INNER: u32 = 16;
+
+/// Bits below the relative goal at which a small value is accurate enough.
+const ROOM: u32 = 32;
 
 /// Bits by which it is less accurate than the variable of the outer one.
 const SPARE: i64 = 8;
 
-/// Evaluations of the integrand of an inner integral.
-const INNER_EVALUATIONS: u64 = 1 << 13;
+/// The binary logarithm of the share of evaluations that an inner integral may take.
+const INNER_SHARE: u32 = 5;
 
 /// Bits and evaluations of an inner integral for an interval or a rectangle of the outer variable.
 const COARSE_BITS: u32 = 8;
@@ -197,15 +197,19 @@ pub(super) fn integral(
     // Under another integral a bound serves where no more is to be had: for many values of its variable at once.
     let is_inner = balls.known < i64::MAX;
     let (bits, evaluations) = match u32::try_from(balls.known.saturating_sub(SPARE)) {
-        _ if !is_inner => (balls.goal, EVALUATIONS),
-        Ok(known) if known >= COARSE_BITS => ((balls.goal + INNER).min(known), INNER_EVALUATIONS),
+        _ if !is_inner => (balls.goal, balls.evaluations),
+        Ok(known) if known >= COARSE_BITS => (
+            (balls.goal + INNER).min(known),
+            balls.evaluations >> INNER_SHARE,
+        ),
         _ => (COARSE_BITS, COARSE_EVALUATIONS),
     };
+    let least = balls.goal;
     let is_complex = evaluator.graph().is_complex(body) || is_continued;
     let mut integrand = Body::new(evaluator, binder, body);
     // An integral next to zero gets its relative accuracy as the working precision is raised.
     let goal = Goal {
-        absolute: Mag::power_of_two(-i64::from(prec)),
+        absolute: Mag::power_of_two(-i64::from(prec.min(least.saturating_add(ROOM)))),
         evaluations,
         ..Goal::bits(bits)
     };
