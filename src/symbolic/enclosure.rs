@@ -209,6 +209,7 @@ fn evaluator(graph: Arc<Graph>, bits: u32) -> Evaluator<Balls> {
     // Rational numbers that grow long are slow: they serve where balls have not decided.
     balls.exact = bits > BITS;
     balls.goal = GOAL;
+    balls.places = GOAL + 32;
     balls.evaluations = EVALUATIONS;
     Evaluator::new(graph, balls)
 }

@@ -66,6 +66,7 @@ impl Balls {
             exact: false,
             holomorphic: false,
             wide: false,
+            places: u32::MAX,
             evaluations: EVALUATIONS,
             known: i64::MAX,
         }

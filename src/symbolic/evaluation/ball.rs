@@ -67,6 +67,8 @@ pub struct Balls {
     pub holomorphic: bool,
     /// True if a wide enclosure is of use: of an integrand over an interval.
     pub wide: bool,
+    /// Binary places to which an integral next to zero is enclosed, if they are fewer than the precision.
+    pub places: u32,
     /// Evaluations of an integrand before an integral is given up.
     pub evaluations: u64,
     /// Bits to which the variables of integrals around are known.

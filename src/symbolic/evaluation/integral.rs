@@ -11,9 +11,6 @@ use mechaudit_reference::{Ball, ComplexBall, Mag};
 /// Bits to which an integral under another is enclosed beyond the goal of the outer one, whose sum is to reach it.
 const INNER: u32 = 16;
 
-/// Bits below the relative goal at which a small value is accurate enough.
-const ROOM: u32 = 32;
-
 /// Bits by which it is less accurate than the variable of the outer one.
 const SPARE: i64 = 8;
 
@@ -204,12 +201,12 @@ pub(super) fn integral(
         ),
         _ => (COARSE_BITS, COARSE_EVALUATIONS),
     };
-    let least = balls.goal;
+    let places = prec.min(balls.places);
     let is_complex = evaluator.graph().is_complex(body) || is_continued;
     let mut integrand = Body::new(evaluator, binder, body);
     // An integral next to zero gets its relative accuracy as the working precision is raised.
     let goal = Goal {
-        absolute: Mag::power_of_two(-i64::from(prec.min(least.saturating_add(ROOM)))),
+        absolute: Mag::power_of_two(-i64::from(places)),
         evaluations,
         ..Goal::bits(bits)
     };
