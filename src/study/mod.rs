@@ -112,12 +112,13 @@ pub use problem::{
     Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver, StudySystem, fault_in,
     intern, limit,
 };
-pub use read::{is_name, rational};
+pub use read::{input, is_name, rational};
 
 use crate::audit::{Domain, did_you_mean};
 use crate::methods::CertifiedValue;
 use crate::reference::Ball;
 use compiled::{Compiled, FloatSolver, Sketch};
+use mechaudit_symbolic::Expr;
 use mechaudit_symbolic::evaluation::{Answer, Goal};
 use rug::Rational;
 use std::path::Path;
@@ -262,6 +263,70 @@ impl Study {
                     "there is no solver {name:?}{hint}; there are: {known}"
                 )))
             }
+        }
+    }
+
+    /// The same study with one solver more, which is taken.
+    ///
+    /// # Errors
+    /// As of a solver in the study's own file.
+    pub fn and_solver(&self, name: &str, item: &document::Item) -> Result<Study, StudyError> {
+        let mut problem = self.problem().clone();
+        if problem.solvers.iter().any(|s| s.name == name) {
+            return Err(item.fault(format!("the solver {name} is stated twice")));
+        }
+        let solver = read::solver(&problem, name, item)?;
+        problem.solvers.push(solver);
+        Ok(Study {
+            chosen: problem.solvers.len() - 1,
+            name: self.name,
+            ..Study::new(problem).map_err(|e| e.at(item.place))?
+        })
+    }
+
+    /// The same study over a part of its domain: a region by its name, and inputs with other ends.
+    ///
+    /// # Errors
+    /// A region that there is not, and a part that holds no input.
+    pub fn within(
+        &self,
+        region: Option<&str>,
+        narrowed: &[StudyInput],
+    ) -> Result<Study, StudyError> {
+        let mut problem = self.problem().clone();
+        let regions = std::mem::take(&mut problem.regions);
+        let mut inputs = Vec::new();
+        if let Some(region) = region {
+            let known: Vec<&str> = regions.iter().map(|r| r.name.as_str()).collect();
+            let Some(found) = regions.iter().find(|r| r.name == region) else {
+                let hint = did_you_mean(region, &known);
+                return Err(StudyError::new(format!(
+                    "the study states no region {region:?}{hint}"
+                )));
+            };
+            inputs.extend(found.inputs.clone());
+            let both = problem.condition.into_iter().chain(found.condition.clone());
+            problem.condition = both.reduce(|a, b| Expr::And(vec![a, b]));
+        }
+        inputs.extend(narrowed.iter().cloned());
+        for input in inputs {
+            if let Some(own) = problem.inputs.iter_mut().find(|i| i.name == input.name) {
+                *own = input;
+            }
+        }
+        Ok(Study {
+            chosen: self.chosen,
+            name: self.name,
+            ..Study::new(problem)?
+        })
+    }
+
+    /// Neighbouring inputs between which a condition of the chosen solver flips: where one of its formulas takes over from
+    /// another.
+    pub fn seams(&self) -> Vec<[Vec<f64>; 2]> {
+        match self.solvers.get(self.chosen) {
+            Some(solver) => sampling::seams(self.problem(), &self.sketch, solver),
+            None => Vec::new(),
         }
     }
 

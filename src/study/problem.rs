@@ -108,6 +108,8 @@ pub struct Problem {
     pub inputs: Vec<StudyInput>,
     /// Names with their definitions, parameters among them.
     pub definitions: Definitions,
+    /// Names that take an index: `a` where `a_1` and `a_2` are defined.
+    pub lists: Vec<String>,
     /// Outputs in the order of the file.
     pub outputs: Vec<StudyOutput>,
     /// A condition on all inputs.

@@ -55,7 +55,7 @@ pub(super) fn problem(text: &str, name: &str) -> Result<Problem, StudyError> {
         problem.inputs.push(input(name, item)?);
     }
     let parameters = entries(&file, "parameters")?;
-    let lets = entries(&file, "let")?;
+    let (lets, listed) = definitions(entries(&file, "let")?)?;
     let stated = entries(&file, "outputs")?;
     let (outputs, places) = one_by_one(stated)?;
     let unknowns = system::unknowns(&file)?;
@@ -74,7 +74,7 @@ pub(super) fn problem(text: &str, name: &str) -> Result<Problem, StudyError> {
     let is_unknown = |name: &str| unknowns.iter().any(|u| u.0 == name);
     // An output may be an unknown, which is declared where the system is.
     let defined = outputs.iter().filter(|o| !is_unknown(&o.0));
-    let defined: Vec<&(String, Item)> = parameters.iter().chain(lets).chain(defined).collect();
+    let defined: Vec<&(String, Item)> = parameters.iter().chain(&lets).chain(defined).collect();
     for (name, item) in defined.iter().copied().chain(unknowns).chain(states) {
         is_name(name, item)?;
         if declared.contains(name) {
@@ -82,18 +82,12 @@ pub(super) fn problem(text: &str, name: &str) -> Result<Problem, StudyError> {
         }
         declared.push(name.clone());
     }
+    declared.extend(listed.iter().cloned());
+    problem.lists = listed;
     let names = Names { declared };
     problem.notes.extend(names.hidden());
-    for (name, item) in parameters.iter().chain(lets) {
-        let is = match item.value {
-            Value::Table(_) => {
-                item.only(&["is", "unit"])?;
-                let is = item.get("is");
-                is.ok_or_else(|| item.fault(format!("{name} needs is = ...")))?
-            }
-            _ => item,
-        };
-        problem.definitions.set(name, names.expression(is)?);
+    for (name, item) in parameters.iter().chain(&lets) {
+        problem.definitions.set(name, names.definition(name, item)?);
     }
     if let Some(ode) = file.get("ode") {
         initial_value::read::read(&names, ode, &mut problem)?;
@@ -127,7 +121,7 @@ pub(super) fn problem(text: &str, name: &str) -> Result<Problem, StudyError> {
         }
     }
     for (name, item) in entries(&file, "solver")? {
-        problem.solvers.push(solver(&names, &problem, name, item)?);
+        problem.solvers.push(solver(&problem, name, item)?);
     }
     problem.notes.extend(dependent(&problem));
     let note = dimensions::check(&file, &problem, unknowns)?;
@@ -195,6 +189,68 @@ fn one_by_one(stated: &[(String, Item)]) -> Result<OneByOne, StudyError> {
     Ok((outputs, places))
 }
 
+/// Definitions, of which a list and a formula with an index stand for several: `a = ["1/2", "3"]` for `a_1` and
+/// `a_2`, `a = { is = "1/n", n = [0, 9] }` for `a_0` to `a_9`; and the names that take an index.
+fn definitions(
+    stated: &[(String, Item)],
+) -> Result<(Vec<(String, Item)>, Vec<String>), StudyError> {
+    let (mut all, mut listed) = (Vec::new(), Vec::new());
+    for (name, item) in stated {
+        let one = |k: i64, value: Value| {
+            let place = item.place;
+            (format!("{name}_{k}"), Item { place, value })
+        };
+        match &item.value {
+            Value::List(items) => {
+                all.extend((1..).zip(items).map(|(k, x)| one(k, x.value.clone())));
+            }
+            Value::Table(entries) if index_of(entries).is_some_and(|e| e.1.list().is_ok()) => {
+                let (index, range) = index_of(entries).unwrap_or(&entries[0]);
+                for k in indices(range)? {
+                    let number = Item {
+                        place: range.place,
+                        value: Value::Number(k.to_string()),
+                    };
+                    let mut own = entries.clone();
+                    own.retain(|e| e.0 != *index);
+                    own.push((index.clone(), number));
+                    all.push(one(k, Value::Table(own)));
+                }
+            }
+            _ => {
+                all.push((name.clone(), item.clone()));
+                continue;
+            }
+        }
+        listed.push(name.clone());
+    }
+    Ok((all, listed))
+}
+
+/// The entry of a definition's index: the key that is no other.
+fn index_of(entries: &[(String, Item)]) -> Option<&(String, Item)> {
+    let known = ["is", "unit", "of"];
+    entries.iter().find(|e| !known.contains(&e.0.as_str()))
+}
+
+/// The integers from the first number of a range to the second.
+fn indices(range: &Item) -> Result<std::ops::RangeInclusive<i64>, StudyError> {
+    /// The most definitions of one formula.
+    const MOST: i64 = 1000;
+    let ends: Result<Vec<Option<i64>>, StudyError> = range
+        .list()?
+        .iter()
+        .map(|end| Ok(end.text()?.parse().ok()))
+        .collect();
+    match ends?[..] {
+        [Some(from), Some(to)] if 0 <= from && from <= to && to < MOST => Ok(from..=to),
+        _ => Err(range.fault(format!(
+            "an index goes from one integer to another, both from 0 to {}",
+            MOST - 1
+        ))),
+    }
+}
+
 /// The name that an equation gives its unknown: that of the output, without the place of a root.
 fn unknown_of(name: &str, place: u32) -> &str {
     match place {
@@ -236,6 +292,37 @@ impl Names {
         } else {
             found
         })
+    }
+
+    /// A definition: an expression, or a table of it, its unit, the names that `let` gives it where it is used, and an
+    /// index with its number.
+    fn definition(&self, name: &str, item: &Item) -> Result<Expr, StudyError> {
+        let Value::Table(entries) = &item.value else {
+            return self.expression(item);
+        };
+        let is = item.get("is");
+        let is = is.ok_or_else(|| item.fault(format!("{name} needs is = ...")))?;
+        let mut given = Vec::new();
+        for name in item.get("of").map_or(Ok(&[][..]), Item::list)? {
+            is_name(name.text()?, name)?;
+            given.push(name.text()?);
+        }
+        let Some((index, number)) = index_of(entries) else {
+            return self.expression_with(is, &given);
+        };
+        given.push(index);
+        item.only(&["is", "unit", "of", index])?;
+        is_name(index, number)?;
+        let Value::Number(k) = &number.value else {
+            return Err(number.fault(format!("{name} has the unknown key {index:?}")));
+        };
+        // A sum of one term gives the index its number.
+        Ok(Expr::Sum(Box::new(Bound {
+            var: index.clone(),
+            from: Expr::Num(k.clone()),
+            to: Expr::Num(k.clone()),
+            body: self.expression_with(is, &given)?,
+        })))
     }
 
     /// `left = right`, or an expression that is to be zero.
@@ -299,7 +386,10 @@ pub fn rational(item: &Item) -> Result<Rational, StudyError> {
 }
 
 /// An input: a table of ends, spacing and unit.
-fn input(name: &str, item: &Item) -> Result<StudyInput, StudyError> {
+///
+/// # Errors
+/// An unknown key, an end that is no number, and a range that is empty.
+pub fn input(name: &str, item: &Item) -> Result<StudyInput, StudyError> {
     item.only(&["from", "to", "spacing", "unit"])?;
     let end = |key: &str| item.get(key).map(rational).transpose();
     let spacing = match item.get("spacing").map(Item::text).transpose()? {
@@ -452,20 +542,24 @@ fn region(names: &Names, problem: &Problem, item: &Item) -> Result<StudyRegion, 
     })
 }
 
-/// A solver: a formula for each output; names of its own in `let`, `format`, `elementary`.
-fn solver(
-    names: &Names,
+/// A solver: a formula for each output; names of its own in `let`, `format`, `elementary`; in words `title`, `source`
+/// and `read`, what was read.
+pub(super) fn solver(
     problem: &Problem,
     name: &str,
     item: &Item,
 ) -> Result<StudySolver, StudyError> {
-    let lets = entries(item, "let")?;
-    let mut declared = names.declared.clone();
-    for (own, value) in lets {
+    let (lets, listed) = definitions(entries(item, "let")?)?;
+    for (own, value) in &lets {
         is_name(own, value)?;
-        declared.push(own.clone());
     }
-    let own = Names { declared };
+    let inputs = problem.inputs.iter().map(|i| &i.name);
+    let stated = problem.definitions.names.keys().chain(&problem.lists);
+    let own = lets.iter().map(|l| &l.0).chain(&listed);
+    let outputs = problem.outputs.iter().map(|o| &o.name);
+    let own = Names {
+        declared: inputs.chain(stated).chain(outputs).chain(own).cloned().collect(),
+    };
     // Outputs have no values in a solver, or it would be the definition.
     let mut definitions = Definitions::default();
     for (key, value) in &problem.definitions.names {
@@ -473,8 +567,8 @@ fn solver(
             definitions.set(key, value.clone());
         }
     }
-    for (key, value) in lets {
-        definitions.set(key, own.expression(value)?);
+    for (key, value) in &lets {
+        definitions.set(key, own.definition(key, value)?);
     }
     let mut formulas = Vec::new();
     for output in &problem.outputs {
@@ -487,7 +581,8 @@ fn solver(
         formulas.push(formula);
     }
     for (key, value) in item.table()? {
-        let known = ["let", "format", "elementary"].contains(&key.as_str())
+        let known = ["let", "format", "elementary", "title", "source", "read"]
+            .contains(&key.as_str())
             || problem.outputs.iter().any(|o| o.name == *key);
         if !known {
             return Err(value.fault(format!("the solver {name} has the unknown key {key:?}")));

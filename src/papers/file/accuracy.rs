@@ -1,14 +1,14 @@
 //! Claims about the accuracy of algorithms: a solver, a region, a measure and a bound, tested by an audit and a hunt.
 
-use super::read::{Reading, count, required, text, word};
+use super::read::{Reading, count, required, text, texts, word};
 use crate::audit::{
-    Case, Cases, HuntSettings, Limit, Method, Origin, Settings, Variant, Verdict as Judged,
-    audit_method, hunt, judge_case_briefly, selected_outputs,
+    Case, CaseReport, Cases, HuntSettings, Limit, Method, Origin, Settings, Variant,
+    Verdict as Judged, audit_method, hunt, judge_case_briefly, selected_outputs,
 };
-use crate::claims::mean;
-use crate::papers::{Draft, Finding, FindingVerdict, Subject, figure};
+use crate::papers::{Draft, Figure, Finding, FindingVerdict, Subject, figure};
+use crate::reference::nearest_f64;
 use crate::study::document::Item as Node;
-use crate::study::{Study, StudyError, intern, rational};
+use crate::study::{Study, StudyError, StudyInput, input, intern, rational};
 use rayon::prelude::*;
 
 /// The measure of an error.
@@ -36,6 +36,8 @@ pub enum Statistic {
 pub enum Held {
     /// At every point tried, or the interval of the mean is below the bound.
     AsFarAsSearched,
+    /// Refuted in the region, but at every point tried of a part that the claim names.
+    InPart,
     /// At a point that is named it certainly does not hold, or the interval of the mean is above the bound.
     Refuted,
     /// The reference could not tell, or the interval of the mean holds the bound.
@@ -71,8 +73,12 @@ impl std::fmt::Debug for Accuracy {
 /// The evidence that decides a claim.
 #[derive(Clone)]
 struct Test {
-    study: Study,
-    region: Option<&'static str>,
+    /// The study over each region of the claim.
+    studies: Vec<Study>,
+    /// The same over the part where the claim holds, with the part in words.
+    part: Option<(Vec<Study>, String)>,
+    /// The only input, where the claim is about one.
+    at: Option<Vec<f64>>,
     output: Option<&'static str>,
     measure: Measure,
     statistic: Statistic,
@@ -81,7 +87,7 @@ struct Test {
     cases: u64,
 }
 
-const KEYS: [&str; 13] = [
+const KEYS: [&str; 15] = [
     "id",
     "place",
     "claims",
@@ -89,6 +95,8 @@ const KEYS: [&str; 13] = [
     "study",
     "solver",
     "region",
+    "part",
+    "at",
     "output",
     "measure",
     "statistic",
@@ -106,8 +114,9 @@ const MEASURES: [(&str, Measure); 3] = [
 const STATISTICS: [(&str, Statistic); 2] =
     [("largest", Statistic::Largest), ("mean", Statistic::Mean)];
 
-const VERDICTS: [(&str, Held); 4] = [
+const VERDICTS: [(&str, Held); 5] = [
     ("holds", Held::AsFarAsSearched),
+    ("in part", Held::InPart),
     ("refuted", Held::Refuted),
     ("open", Held::Open),
     ("not testable", Held::NotTestable),
@@ -145,37 +154,45 @@ pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Accuracy, Study
     })
 }
 
-fn test(reading: &Reading, node: &Node, bound: &Node) -> Result<Test, StudyError> {
+fn test(reading: &mut Reading, node: &Node, bound: &Node) -> Result<Test, StudyError> {
     let number = rational(bound)?.to_f64();
     if !(number > 0.0 && number.is_finite()) {
         return Err(bound.fault("a bound is a positive number"));
     }
-    let file = required(node, "study")?;
-    let name = file.text()?;
-    let stem = name.rsplit('/').next().unwrap_or(name);
-    let stem = stem.split('.').next().unwrap_or(stem);
-    let read = reading.source.read(name).map_err(|e| e.at(file.place))?;
-    let study = Study::parse(&read, stem).map_err(|e| file.fault(format!("{name}: {e}")))?;
     let solver = required(node, "solver")?;
-    let study = study
-        .with_solver(solver.text()?)
-        .map_err(|e| e.at(solver.place))?;
+    let known = reading.solver(solver.text()?);
+    let study = match (known, node.get("study")) {
+        (Some(study), None) => study,
+        _ => {
+            let study = reading.study(required(node, "study")?)?;
+            let chosen = study.with_solver(solver.text()?);
+            chosen.map_err(|e| e.at(solver.place))?
+        }
+    };
     let part = |key: &str| node.get(key).map(|n| n.text().map(intern)).transpose();
-    let (region, output) = (part("region")?, part("output")?);
-    if let (Some(region), Some(at)) = (region, node.get("region")) {
-        Variant::new(&study)
-            .region(region)
-            .map_err(|e| at.fault(e.to_string()))?;
+    let output = part("output")?;
+    let at = node.get("at").map(|at| point(&study, at)).transpose()?;
+    let mut studies = Vec::new();
+    for region in texts(node.get("region"))? {
+        let within = study.within(Some(region.text()?), &[]);
+        studies.push(within.map_err(|e| e.at(region.place))?);
     }
+    if studies.is_empty() {
+        studies.push(study.clone());
+    }
+    let part = node.get("part");
+    let part = part.map(|part| narrowed(&studies, part)).transpose()?;
     if let (Some(output), Some(at)) = (output, node.get("output")) {
-        selected_outputs(&study, &[output]).map_err(|e| at.fault(e.to_string()))?;
+        let study = &studies[0];
+        selected_outputs(study, &[output]).map_err(|e| at.fault(e.to_string()))?;
     }
     let cases = node
         .get("cases")
         .map_or(Ok(CASES), |n| count(n, MOST_CASES))?;
     Ok(Test {
-        study,
-        region,
+        studies,
+        part,
+        at,
         output,
         measure: word(node.get("measure"), &MEASURES, Measure::Relative)?,
         statistic: word(node.get("statistic"), &STATISTICS, Statistic::Largest)?,
@@ -185,14 +202,86 @@ fn test(reading: &Reading, node: &Node, bound: &Node) -> Result<Test, StudyError
     })
 }
 
+/// The input that a claim is about: a number for each input of the study.
+fn point(study: &Study, node: &Node) -> Result<Vec<f64>, StudyError> {
+    let inputs = &study.problem().inputs;
+    let names: Vec<&str> = inputs.iter().map(|i| i.name.as_str()).collect();
+    node.only(&names)?;
+    let number = |name: &&str| -> Result<f64, StudyError> {
+        Ok(nearest_f64(&rational(required(node, name)?)?))
+    };
+    names.iter().map(number).collect()
+}
+
+/// The studies over a part: inputs with nearer ends. A region without a point of it is left out.
+fn narrowed(studies: &[Study], node: &Node) -> Result<(Vec<Study>, String), StudyError> {
+    let mut words = Vec::new();
+    let mut all = Vec::new();
+    for study in studies {
+        let own = &study.problem().inputs;
+        let names: Vec<&str> = own.iter().map(|i| i.name.as_str()).collect();
+        node.only(&names)?;
+        let mut inputs: Vec<StudyInput> = Vec::new();
+        words.clear();
+        for own in own {
+            let Some(item) = node.get(&own.name) else {
+                continue;
+            };
+            item.only(&["from", "to"])?;
+            let stated = input(&own.name, item)?;
+            for (key, sign) in [("from", ">="), ("to", "<=")] {
+                if let Some(end) = item.get(key) {
+                    words.push(format!("{} {sign} {}", own.name, end.text()?));
+                }
+            }
+            inputs.push(StudyInput {
+                from: stated.from.into_iter().chain(own.from.clone()).max(),
+                to: stated.to.into_iter().chain(own.to.clone()).min(),
+                ..own.clone()
+            });
+        }
+        let is_empty = |i: &StudyInput| i.from.as_ref().zip(i.to.as_ref()).is_some_and(|e| e.0 > e.1);
+        if !inputs.iter().any(is_empty) {
+            all.push(study.within(None, &inputs).map_err(|e| e.at(node.place))?);
+        }
+    }
+    match all.is_empty() {
+        true => Err(node.fault("no region of the claim has a point of this part")),
+        false => Ok((all, words.join(", "))),
+    }
+}
+
 /// The findings of a test.
 struct Found {
     held: Held,
+    /// The largest error in units of the bound.
+    size: f64,
     /// The largest error, or the mean, in words.
     error: String,
-    /// The input with the largest error.
-    at: Option<String>,
+    /// The input with the largest error, with what the solver gave and what is due there.
+    at: Vec<Figure>,
     points: u64,
+}
+
+impl Found {
+    /// The order of findings: what is refuted is worse than what is open, and that than what holds.
+    fn rank(&self) -> (u8, f64) {
+        let held = match self.held {
+            Held::Refuted => 2,
+            Held::Open => 1,
+            _ => 0,
+        };
+        (held, self.size)
+    }
+}
+
+/// A mean of errors, and four standard errors: by the central limit theorem the interval misses the mean once in 16000
+/// samples; where a few points carry the mean it may miss it more often.
+fn mean(errors: &[f64]) -> [f64; 2] {
+    let n = errors.len() as f64;
+    let mean = errors.iter().sum::<f64>() / n;
+    let squares: f64 = errors.iter().map(|e| (e - mean) * (e - mean)).sum();
+    [mean, 4.0 * (squares / (n - 1.0).max(1.0) / n).sqrt()]
 }
 
 impl Accuracy {
@@ -202,9 +291,11 @@ impl Accuracy {
             Statistic::Largest => test.largest(),
             Statistic::Mean => test.mean(),
         });
+        let part = self.test.as_ref().and_then(|test| test.part.as_ref());
         let held = found.as_ref().map_or(Held::NotTestable, |f| f.held);
         let (verdict, word) = match held {
             Held::AsFarAsSearched => (FindingVerdict::Confirmed, "Holds as far as searched."),
+            Held::InPart => (FindingVerdict::Refuted, "Holds in part alone."),
             Held::Refuted => (FindingVerdict::Refuted, "Refuted."),
             Held::Open => (
                 FindingVerdict::Unexplained,
@@ -219,7 +310,10 @@ impl Accuracy {
         if let (Some(test), Some(found)) = (&self.test, &found) {
             figures.push(figure("claimed bound", test.printed, "1"));
             figures.push(figure("found", &found.error, "1"));
-            figures.extend(found.at.as_ref().map(|at| figure("at", at, "1")));
+            figures.extend(found.at.iter().cloned());
+            if let (Held::InPart, Some((_, words))) = (held, part) {
+                figures.push(figure("holds where", words, "1"));
+            }
             figures.push(figure("points", found.points.to_string(), "1"));
         }
         let text = [word, self.note].join(" ");
@@ -233,13 +327,9 @@ impl Accuracy {
 }
 
 impl Test {
-    /// The study with its solver, judged by a limit in the region of the claim.
-    fn variant(&self, limit: f64) -> Option<Variant<'_>> {
-        let variant = Variant::new(&self.study);
-        let variant = match self.region {
-            Some(region) => variant.region(region).ok()?,
-            None => variant,
-        };
+    /// A study with its solver, judged by a limit.
+    fn variant<'a>(&self, study: &'a Study, limit: f64) -> Option<Variant<'a>> {
+        let variant = Variant::new(study);
         let variant = match self.measure {
             Measure::Norm => variant.norm_limit(limit),
             Measure::Absolute => variant.limit(Limit::Absolute(limit)),
@@ -259,52 +349,85 @@ impl Test {
         }
     }
 
-    /// The error at an input in units of the limit, and whether it certainly is over it.
-    fn share(method: &dyn Method, input: &[f64]) -> (f64, bool) {
+    fn judged(method: &dyn Method, input: &[f64]) -> CaseReport {
         let case = Case {
             method: method.name(),
             region: "given",
             input: input.to_vec(),
             origin: Origin::Given,
         };
-        let report = judge_case_briefly(method, case, method.solve(input), &Settings::default());
-        let j = &report.judgement;
-        (
-            j.share(),
-            matches!(j.verdict, Judged::Over | Judged::WrongKind),
-        )
+        judge_case_briefly(method, case, method.solve(input), &Settings::default())
     }
 
-    /// The largest error that an audit and a hunt find.
+    /// The error at an input in units of the limit, and whether it certainly is over it.
+    fn share(method: &dyn Method, input: &[f64]) -> (f64, bool) {
+        let judgement = Test::judged(method, input).judgement;
+        let over = matches!(judgement.verdict, Judged::Over | Judged::WrongKind);
+        (judgement.share(), over)
+    }
+
+    /// The largest error that an audit and a hunt find, in the part that the claim names as well where it is refuted.
     fn largest(&self) -> Found {
-        let mut worst: Option<(bool, f64, Vec<f64>)> = None;
-        let mut points = 0;
-        if let Some(variant) = self.variant(self.bound) {
-            let report = audit_method(&variant, &self.settings(), &|| ());
-            let hunted = HuntSettings {
-                evaluations: self.cases * HUNTED,
-                seed: SEED,
-            };
-            let climbed = hunt(&variant, &hunted, &|_| ());
-            points = report.cases + climbed.evaluations;
-            let audited = report
-                .failures
-                .iter()
-                .chain(&report.worst)
-                .chain(&report.wrong);
-            let audited = audited.map(|c| &c.case.input);
-            let climbed = climbed
-                .worst
-                .iter()
-                .map(|w| &w.input)
-                .chain(climbed.failures.iter().map(|f| &f.input));
-            for input in audited.chain(climbed) {
-                let (share, over) = Test::share(&variant, input);
-                // Certain errors come before uncertain ones; a share that is no number is the worst.
-                let size = if share.is_nan() { f64::INFINITY } else { share };
-                if worst.as_ref().is_none_or(|w| (over, size) > (w.0, w.1)) {
-                    worst = Some((over, size, input.clone()));
-                }
+        let mut found = match &self.at {
+            Some(input) => self.worst_of(&self.studies[0], [input], 1),
+            None => self.searched(&self.studies),
+        };
+        if let (Held::Refuted, Some((part, _))) = (found.held, &self.part) {
+            let of_part = self.searched(part);
+            found.points += of_part.points;
+            if of_part.held == Held::AsFarAsSearched {
+                found.held = Held::InPart;
+            }
+        }
+        found
+    }
+
+    /// The worst that is found over some studies.
+    fn searched(&self, studies: &[Study]) -> Found {
+        let found = studies.iter().map(|study| self.searched_one(study));
+        let worse = |a: Found, b: Found| {
+            let points = a.points + b.points;
+            let worst = if b.rank() > a.rank() { b } else { a };
+            Found { points, ..worst }
+        };
+        let none = || self.worst_of(&self.studies[0], [], 0);
+        found.reduce(worse).unwrap_or_else(none)
+    }
+
+    fn searched_one(&self, study: &Study) -> Found {
+        let Some(variant) = self.variant(study, self.bound) else {
+            return self.worst_of(study, [], 0);
+        };
+        let report = audit_method(&variant, &self.settings(), &|| ());
+        let hunted = HuntSettings {
+            evaluations: self.cases * HUNTED,
+            seed: SEED,
+        };
+        let climbed = hunt(&variant, &hunted, &|_| ());
+        let audited = report.failures.iter().chain(&report.worst);
+        let audited = audited.chain(&report.wrong).map(|c| &c.case.input);
+        let worst = climbed.worst.iter().map(|w| &w.input);
+        let climbed_to = worst.chain(climbed.failures.iter().map(|f| &f.input));
+        let points = report.cases + climbed.evaluations;
+        self.worst_of(study, audited.chain(climbed_to), points)
+    }
+
+    /// The verdict that the worst of some inputs gives.
+    fn worst_of<'a>(
+        &self,
+        study: &Study,
+        inputs: impl IntoIterator<Item = &'a Vec<f64>>,
+        points: u64,
+    ) -> Found {
+        let mut worst: Option<(bool, f64, &Vec<f64>)> = None;
+        let variant = self.variant(study, self.bound);
+        for input in inputs {
+            let Some(variant) = &variant else { break };
+            let (share, over) = Test::share(variant, input);
+            // Certain errors come before uncertain ones; a share that is no number is the worst.
+            let size = if share.is_nan() { f64::INFINITY } else { share };
+            if worst.is_none_or(|w| (over, size) > (w.0, w.1)) {
+                worst = Some((over, size, input));
             }
         }
         let held = match &worst {
@@ -312,54 +435,70 @@ impl Test {
             Some((false, share, _)) if *share <= 1.0 => Held::AsFarAsSearched,
             _ => Held::Open,
         };
-        let error = worst
-            .as_ref()
-            .map_or("nothing".into(), |w| format!("{:.2e}", w.1 * self.bound));
-        let names: Vec<&str> = self.study.inputs().iter().map(|i| i.name).collect();
-        let at = worst.filter(|_| held != Held::AsFarAsSearched).map(|w| {
-            let values = names
-                .iter()
-                .zip(&w.2)
-                .map(|(name, x)| format!("{name} = {x:?}"));
-            values.collect::<Vec<_>>().join(", ")
-        });
+        let error = worst.map_or("nothing".into(), |w| format!("{:.2e}", w.1 * self.bound));
+        let shown = worst.filter(|_| held != Held::AsFarAsSearched || self.at.is_some());
         Found {
             held,
+            size: worst.map_or(0.0, |w| w.1),
             error,
-            at,
+            at: shown.map_or_else(Vec::new, |w| self.shown(study, w.2)),
             points,
         }
     }
 
-    /// The mean of the errors with four standard errors.
+    /// An input, the numbers of the solver there, and those that are due.
+    fn shown(&self, study: &Study, input: &[f64]) -> Vec<Figure> {
+        let inputs = study.inputs();
+        let values = inputs.iter().zip(input);
+        let values = values.map(|(i, x)| format!("{} = {x:?}", i.name));
+        let mut figures = vec![figure("at", values.collect::<Vec<_>>().join(", "), "1")];
+        let outputs = study.outputs();
+        let exact: Option<Vec<_>> = input.iter().map(|x| rug::Rational::from_f64(*x)).collect();
+        let due = exact.map_or_else(Vec::new, |exact| study.digits(&exact, 12));
+        if let crate::audit::SolverAnswer::Values(got) = study.solve(input) {
+            for ((output, got), due) in outputs.iter().zip(got).zip(due) {
+                if self.output.is_none_or(|o| o == output.name) {
+                    let due = due.decimal.unwrap_or_else(|| "undecided".into());
+                    let value = format!("{got:.11e}, due {due}");
+                    figures.push(figure(output.name, value, output.unit));
+                }
+            }
+        }
+        figures
+    }
+
+    /// The mean of the errors over points drawn as the inputs are spaced.
     fn mean(&self) -> Found {
-        let errors: Vec<f64> = self.variant(1.0).map_or_else(Vec::new, |variant| {
+        let mut errors: Vec<f64> = Vec::new();
+        for study in &self.studies {
+            let variant = self.variant(study, 1.0);
+            let Some(variant) = variant.and_then(|v| v.region("domain").ok()) else {
+                continue;
+            };
             let cases = Cases::new(&variant, &self.settings());
             let all = (0..cases.len()).into_par_iter();
-            all.map(|k| Test::share(&variant, &cases.get(k).input).0)
-                .collect()
-        });
-        let points = errors.len() as u64;
-        if errors.is_empty() || !errors.iter().all(|e| e.is_finite()) {
-            let (held, error) = (Held::Open, "an error that is no number".into());
-            return Found {
-                held,
-                error,
-                at: None,
-                points,
-            };
+            let found = all.map(|k| Test::share(&variant, &cases.get(k).input).0);
+            errors.extend(found.collect::<Vec<f64>>());
         }
-        let m = mean(&errors);
+        let points = errors.len() as u64;
+        // Without a sample, or with an error that is no number, the mean is none, and the claim is open.
+        let [mean, within] = match errors.iter().all(|e| e.is_finite()) {
+            true => mean(&errors),
+            false => [f64::NAN; 2],
+        };
         let held = match self.bound {
-            b if m.mean + m.within <= b => Held::AsFarAsSearched,
-            b if m.mean - m.within > b => Held::Refuted,
+            b if mean + within <= b => Held::AsFarAsSearched,
+            b if mean - within > b => Held::Refuted,
             _ => Held::Open,
         };
-        let error = format!("{:.2e} within {:.1e}", m.mean, m.within);
         Found {
             held,
-            error,
-            at: None,
+            size: mean,
+            error: match mean.is_nan() {
+                true => "an error that is no number".into(),
+                false => format!("{mean:.2e} within {within:.1e}"),
+            },
+            at: Vec::new(),
             points,
         }
     }
