@@ -284,7 +284,7 @@ impl Study {
         })
     }
 
-    /// The same study over a part of its domain: a region by its name, and inputs with other ends.
+    /// The same study with its chosen solver over a part of its domain: a region by its name, and inputs with other ends.
     ///
     /// # Errors
     /// A region that there is not, and a part that holds no input.
@@ -314,7 +314,10 @@ impl Study {
                 *own = input;
             }
         }
+        // They are ready already.
+        problem.solvers.clear();
         Ok(Study {
+            solvers: self.solvers.clone(),
             chosen: self.chosen,
             name: self.name,
             ..Study::new(problem)?

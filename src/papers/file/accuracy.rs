@@ -122,7 +122,7 @@ const VERDICTS: [(&str, Held); 5] = [
     ("not testable", Held::NotTestable),
 ];
 
-/// Points in each region, unless the claim says how many, and the largest number.
+/// Points that the regions of a claim share, unless it says how many, and the largest number.
 const CASES: u32 = 300;
 const MOST_CASES: u32 = 100_000;
 /// Evaluations of the hunt for each point.
@@ -190,7 +190,6 @@ fn test(reading: &mut Reading, node: &Node, bound: &Node) -> Result<Test, StudyE
         .get("cases")
         .map_or(Ok(CASES), |n| count(n, MOST_CASES))?;
     Ok(Test {
-        studies,
         part,
         at,
         output,
@@ -198,7 +197,8 @@ fn test(reading: &mut Reading, node: &Node, bound: &Node) -> Result<Test, StudyE
         statistic: word(node.get("statistic"), &STATISTICS, Statistic::Largest)?,
         bound: number,
         printed: intern(bound.text()?),
-        cases: u64::from(cases.max(1)),
+        cases: u64::from(cases).div_ceil(studies.len() as u64).max(1),
+        studies,
     })
 }
 
