@@ -1,9 +1,9 @@
 //! Studies: problems that users bring as text, certified and audited like the built-in methods.
 //!
-//! A [`Study`] states inputs, what outputs mean mathematically, and how accurate answers have to be.
-//! It is a [`Method`](crate::audit::Method): whatever takes a method takes a study. Its references
-//! are balls with proved radii, at a precision that is raised until the value is decided; where balls
-//! cannot decide that a value is zero, the symbolic algebra is asked.
+//! A [`Study`] states inputs, what outputs mean mathematically, and how accurate answers have to
+//! be. It is a [`Method`](crate::audit::Method): whatever takes a method takes a study. Its
+//! references are balls with proved radii, at a precision that is raised until the value is
+//! decided; where balls cannot decide that a value is zero, the symbolic algebra is asked.
 //!
 //! # A formula in a test
 //! ```
@@ -45,9 +45,10 @@
 //! # Systems of equations
 //! `[system]` states unknowns and as many equations, which may use inputs, parameters and `[let]`;
 //! outputs may use the unknowns, and are the unknowns where there is no `[outputs]`. Where every
-//! unknown has `between`, the only solution in that box is found and proved to be; elsewhere Newton's
-//! method starts near the numbers given (in the middle of a range), and the solution it finds is
-//! proved to be the only one around it. A solution outside of a range that is stated is undecided.
+//! unknown has `between`, the only solution in that box is found and proved to be; elsewhere
+//! Newton's method starts near the numbers given (in the middle of a range), and the solution it
+//! finds is proved to be the only one around it. A solution outside of a range that is stated is
+//! undecided.
 //! ```
 //! # use mechaudit::study::Study;
 //! let study = Study::parse(
@@ -66,8 +67,8 @@
 //! An input with a `shape` is a matrix or a vector; outputs are `solve`, `det`, `inverse`,
 //! `least_squares` or `eigenvalues` (of a symmetric matrix, or of two where the second is positive
 //! definite). A length that `[parameters]` does not state follows from the count of numbers. The
-//! numbers come row by row, one matrix after the other, of a matrix that is `banded = [lower, upper]`
-//! those within the band alone.
+//! numbers come row by row, one matrix after the other, of a matrix that is `banded = [lower,
+//! upper]` those within the band alone.
 //! ```
 //! # use mechaudit::study::Study;
 //! use mechaudit::methods::certified_digits;
@@ -93,6 +94,7 @@
 mod builder;
 mod compiled;
 mod core;
+mod definitions;
 mod dimensions;
 pub mod document;
 mod error;
@@ -284,7 +286,8 @@ impl Study {
         })
     }
 
-    /// The same study with its chosen solver over a part of its domain: a region by its name, and inputs with other ends.
+    /// The same study with its chosen solver over a part of its domain: a region by its name, and
+    /// inputs with other ends.
     ///
     /// # Errors
     /// A region that there is not, and a part that holds no input.
@@ -324,8 +327,8 @@ impl Study {
         })
     }
 
-    /// Neighbouring inputs between which a condition of the chosen solver flips: where one of its formulas takes over from
-    /// another.
+    /// Neighbouring inputs between which a condition of the chosen solver flips: where one of its
+    /// formulas takes over from another.
     pub fn seams(&self) -> Vec<[Vec<f64>; 2]> {
         match self.solvers.get(self.chosen) {
             Some(solver) => sampling::seams(self.problem(), &self.sketch, solver),
@@ -362,7 +365,8 @@ impl Study {
     }
 
     /// Certified decimals of all outputs: `0` where a value is exactly zero, `nan` where it is
-    /// undefined, `inf` or `-inf` where it is beyond every exponent, and none where it is undecided.
+    /// undefined, `inf` or `-inf` where it is beyond every exponent, and none where it is
+    /// undecided.
     pub fn digits(&self, inputs: &[Rational], digits: u32) -> Vec<CertifiedValue> {
         // One hundredth of a unit in the last digit, and a guard bit or two.
         let bits = (f64::from(digits) * std::f64::consts::LOG2_10).ceil() as u32 + 10;

@@ -173,7 +173,8 @@ pub(super) fn kept(budget: &(Limit, String)) -> Budget {
     Budget::new(budget.0, intern(&budget.1))
 }
 
-/// The same text with the life of the program: methods name their parts so. Every text is kept once.
+/// The same text with the life of the program: methods name their parts so. Every text is kept
+/// once.
 pub fn intern(text: &str) -> &'static str {
     use std::collections::BTreeSet;
     use std::sync::Mutex;

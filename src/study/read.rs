@@ -1,5 +1,6 @@
 //! Studies in TOML.
 
+use super::definitions::definitions;
 use super::dimensions;
 use super::document::{Item, Value, read as document};
 use super::error::StudyError;
@@ -137,7 +138,8 @@ pub(super) fn entries<'a>(file: &'a Item, key: &str) -> Result<&'a [(String, Ite
 /// Checks that a text is a name.
 ///
 /// # Errors
-/// A text that is not a letter or an underscore, then up to 63 letters, digits, underscores and primes.
+/// A text that is not a letter or an underscore, then up to 63 letters, digits, underscores and
+/// primes.
 pub fn is_name(name: &str, item: &Item) -> Result<(), StudyError> {
     let mut letters = name.chars();
     let first = letters
@@ -189,68 +191,6 @@ fn one_by_one(stated: &[(String, Item)]) -> Result<OneByOne, StudyError> {
     Ok((outputs, places))
 }
 
-/// Definitions, of which a list and a formula with an index stand for several: `a = ["1/2", "3"]` for `a_1` and
-/// `a_2`, `a = { is = "1/n", n = [0, 9] }` for `a_0` to `a_9`; and the names that take an index.
-fn definitions(
-    stated: &[(String, Item)],
-) -> Result<(Vec<(String, Item)>, Vec<String>), StudyError> {
-    let (mut all, mut listed) = (Vec::new(), Vec::new());
-    for (name, item) in stated {
-        let one = |k: i64, value: Value| {
-            let place = item.place;
-            (format!("{name}_{k}"), Item { place, value })
-        };
-        match &item.value {
-            Value::List(items) => {
-                all.extend((1..).zip(items).map(|(k, x)| one(k, x.value.clone())));
-            }
-            Value::Table(entries) if index_of(entries).is_some_and(|e| e.1.list().is_ok()) => {
-                let (index, range) = index_of(entries).unwrap_or(&entries[0]);
-                for k in indices(range)? {
-                    let number = Item {
-                        place: range.place,
-                        value: Value::Number(k.to_string()),
-                    };
-                    let mut own = entries.clone();
-                    own.retain(|e| e.0 != *index);
-                    own.push((index.clone(), number));
-                    all.push(one(k, Value::Table(own)));
-                }
-            }
-            _ => {
-                all.push((name.clone(), item.clone()));
-                continue;
-            }
-        }
-        listed.push(name.clone());
-    }
-    Ok((all, listed))
-}
-
-/// The entry of a definition's index: the key that is no other.
-fn index_of(entries: &[(String, Item)]) -> Option<&(String, Item)> {
-    let known = ["is", "unit", "of"];
-    entries.iter().find(|e| !known.contains(&e.0.as_str()))
-}
-
-/// The integers from the first number of a range to the second.
-fn indices(range: &Item) -> Result<std::ops::RangeInclusive<i64>, StudyError> {
-    /// The most definitions of one formula.
-    const MOST: i64 = 1000;
-    let ends: Result<Vec<Option<i64>>, StudyError> = range
-        .list()?
-        .iter()
-        .map(|end| Ok(end.text()?.parse().ok()))
-        .collect();
-    match ends?[..] {
-        [Some(from), Some(to)] if 0 <= from && from <= to && to < MOST => Ok(from..=to),
-        _ => Err(range.fault(format!(
-            "an index goes from one integer to another, both from 0 to {}",
-            MOST - 1
-        ))),
-    }
-}
-
 /// The name that an equation gives its unknown: that of the output, without the place of a root.
 fn unknown_of(name: &str, place: u32) -> &str {
     match place {
@@ -278,7 +218,7 @@ impl Names {
         self.expression_with(item, &[])
     }
 
-    fn expression_with(&self, item: &Item, more: &[&str]) -> Result<Expr, StudyError> {
+    pub(super) fn expression_with(&self, item: &Item, more: &[&str]) -> Result<Expr, StudyError> {
         let text = item.text()?;
         let (text, sign) = match (&item.value, text.strip_prefix('-')) {
             (Value::Number(_), Some(rest)) => (rest, true),
@@ -292,37 +232,6 @@ impl Names {
         } else {
             found
         })
-    }
-
-    /// A definition: an expression, or a table of it, its unit, the names that `let` gives it where it is used, and an
-    /// index with its number.
-    fn definition(&self, name: &str, item: &Item) -> Result<Expr, StudyError> {
-        let Value::Table(entries) = &item.value else {
-            return self.expression(item);
-        };
-        let is = item.get("is");
-        let is = is.ok_or_else(|| item.fault(format!("{name} needs is = ...")))?;
-        let mut given = Vec::new();
-        for name in item.get("of").map_or(Ok(&[][..]), Item::list)? {
-            is_name(name.text()?, name)?;
-            given.push(name.text()?);
-        }
-        let Some((index, number)) = index_of(entries) else {
-            return self.expression_with(is, &given);
-        };
-        given.push(index);
-        item.only(&["is", "unit", "of", index])?;
-        is_name(index, number)?;
-        let Value::Number(k) = &number.value else {
-            return Err(number.fault(format!("{name} has the unknown key {index:?}")));
-        };
-        // A sum of one term gives the index its number.
-        Ok(Expr::Sum(Box::new(Bound {
-            var: index.clone(),
-            from: Expr::Num(k.clone()),
-            to: Expr::Num(k.clone()),
-            body: self.expression_with(is, &given)?,
-        })))
     }
 
     /// `left = right`, or an expression that is to be zero.
@@ -542,8 +451,8 @@ fn region(names: &Names, problem: &Problem, item: &Item) -> Result<StudyRegion, 
     })
 }
 
-/// A solver: a formula for each output; names of its own in `let`, `format`, `elementary`; in words `title`, `source`
-/// and `read`, what was read.
+/// A solver: a formula for each output; names of its own in `let`, `format`, `elementary`; in words
+/// `title`, `source` and `read`, what was read.
 pub(super) fn solver(
     problem: &Problem,
     name: &str,
@@ -558,7 +467,12 @@ pub(super) fn solver(
     let own = lets.iter().map(|l| &l.0).chain(&listed);
     let outputs = problem.outputs.iter().map(|o| &o.name);
     let own = Names {
-        declared: inputs.chain(stated).chain(outputs).chain(own).cloned().collect(),
+        declared: inputs
+            .chain(stated)
+            .chain(outputs)
+            .chain(own)
+            .cloned()
+            .collect(),
     };
     // Outputs have no values in a solver, or it would be the definition.
     let mut definitions = Definitions::default();

@@ -90,8 +90,8 @@ impl Range {
         x.clamp(self.low, self.high)
     }
 
-    /// The ends and their neighbours, zeros, subnormal and huge numbers, powers of two that the range
-    /// holds.
+    /// The ends and their neighbours, zeros, subnormal and huge numbers, powers of two that the
+    /// range holds.
     fn edges(self) -> Vec<f64> {
         let mut all = vec![
             self.low,
@@ -390,7 +390,8 @@ fn nodes(graph: &Graph, roots: &[Id], wanted: impl Fn(Node) -> bool) -> Vec<Id> 
     nodes
 }
 
-/// Neighbouring inputs that differ in one of them, with different truths of a condition or signs of a difference.
+/// Neighbouring inputs that differ in one of them, with different truths of a condition or signs of
+/// a difference.
 struct Flip {
     input: Vec<f64>,
     axis: usize,

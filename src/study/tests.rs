@@ -101,9 +101,18 @@ fn lists_indices_and_names_that_are_given() {
         ("f = \"z\"", "complex formula"),
         ("f = \"c\"", "c has no value"),
         ("f = \"d[1]\"", "the name d is not declared"),
-        ("f = \"x\"\nlet = { a = { is = \"n\", n = [3, 1] } }", "an index goes from"),
-        ("f = \"x\"\nlet = { a = { is = \"n\", n = [0, 1000] } }", "an index goes from"),
-        ("f = \"x\"\nlet = { a = { is = \"n\", n = \"1\" } }", "unknown key \"n\""),
+        (
+            "f = \"x\"\nlet = { a = { is = \"n\", n = [3, 1] } }",
+            "an index goes from",
+        ),
+        (
+            "f = \"x\"\nlet = { a = { is = \"n\", n = [0, 1000] } }",
+            "an index goes from",
+        ),
+        (
+            "f = \"x\"\nlet = { a = { is = \"n\", n = \"1\" } }",
+            "unknown key \"n\"",
+        ),
     ] {
         let fault = poles(solver).err().unwrap().to_string();
         assert!(fault.contains(due), "{solver}: {fault}");

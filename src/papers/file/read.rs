@@ -49,7 +49,8 @@ pub(super) struct Reading<'a> {
     pub groups: BTreeMap<String, Vec<String>>,
     /// Studies by the names of their files.
     studies: BTreeMap<String, Study>,
-    /// Studies with the solvers that the paper states, in their order, each with the name of the study's file.
+    /// Studies with the solvers that the paper states, in their order, each with the name of the
+    /// study's file.
     pub solvers: Vec<(&'static str, &'static str, Study)>,
     /// Names of entries and claims.
     ids: BTreeSet<String>,
@@ -110,7 +111,8 @@ impl Reading<'_> {
         Ok(())
     }
 
-    /// A solver with the definitions of the files that it names in `with` before its own, as a study takes it.
+    /// A solver with the definitions of the files that it names in `with` before its own, as a
+    /// study takes it.
     fn with_definitions(&self, node: &Node) -> Result<Node, StudyError> {
         let mut lets = Vec::new();
         for file in texts(node.get("with"))? {

@@ -1,10 +1,8 @@
-//! Surveys of solvers: how near to zero of an input each keeps an accuracy, how far its values jump where one formula takes
-//! over from another, and what follows for whoever has to choose.
+//! Surveys of solvers: how near to zero of an input each keeps an accuracy, how far its values jump
+//! where one formula takes over from another, and what follows for whoever has to choose.
 
 use super::read::{Reading, count, required, text, texts};
-use crate::audit::{
-    Case, Cases, Judge, Limit, Method, Origin, Settings, SolverAnswer, Variant,
-};
+use crate::audit::{Case, Cases, Judge, Limit, Method, Origin, Settings, SolverAnswer, Variant};
 use crate::papers::{Draft, Figure, Finding, FindingVerdict, Subject, figure};
 use crate::study::document::Item as Node;
 use crate::study::{Study, StudyError, StudyInput, intern, rational};
@@ -33,7 +31,9 @@ pub struct Survey {
 
 impl std::fmt::Debug for Survey {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Survey").field("id", &self.id).finish_non_exhaustive()
+        f.debug_struct("Survey")
+            .field("id", &self.id)
+            .finish_non_exhaustive()
     }
 }
 
@@ -47,8 +47,8 @@ const MOST_CASES: u32 = 10_000;
 const SEED: u64 = 1;
 /// The lowest power of ten above zero.
 const LOWEST: i32 = -20;
-/// The relative limit that errors are measured by: no answer is off by exactly that much by an accident that happens,
-/// as zero for a value is by 1.
+/// The relative limit that errors are measured by: no answer is off by exactly that much by an
+/// accident that happens, as zero for a value is by 1.
 const WHOLE: f64 = 3.0;
 /// Jumps that are not larger are rounding.
 const LEAST: f64 = 1e-14;
@@ -109,7 +109,9 @@ pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Survey, StudyEr
             Some(entries)
         }
     };
-    let cases = node.get("cases").map_or(Ok(CASES), |n| count(n, MOST_CASES))?;
+    let cases = node
+        .get("cases")
+        .map_or(Ok(CASES), |n| count(n, MOST_CASES))?;
     let survey = Survey {
         id,
         place: text(node, "place")?,
@@ -199,7 +201,9 @@ impl Survey {
                 let none = || vec![[0.0; 2]; self.solvers.len()];
                 found.reduce(none, |a, b| {
                     let pairs = a.iter().zip(&b);
-                    pairs.map(|(a, b)| [a[0].max(b[0]), a[1].max(b[1])]).collect()
+                    pairs
+                        .map(|(a, b)| [a[0].max(b[0]), a[1].max(b[1])])
+                        .collect()
                 })
             });
             let worst = worst.unwrap_or_else(|| vec![[f64::INFINITY; 2]; rows.len()]);
@@ -234,7 +238,12 @@ impl Survey {
     }
 
     fn height(&self, row: &Heights, of: Of, target: f64) -> Height {
-        let good = row.bands.iter().rev().take_while(|b| b[of as usize] <= target).count();
+        let good = row
+            .bands
+            .iter()
+            .rev()
+            .take_while(|b| b[of as usize] <= target)
+            .count();
         match good {
             0 => Height::Nowhere,
             n if n == row.bands.len() => Height::Everywhere,
@@ -252,7 +261,10 @@ impl Survey {
                 part => intern(&format!("{}-{part}", self.id)),
             };
             let draft = Draft::new(id, Subject::Claim, self.place);
-            draft.verdict(FindingVerdict::Recovered).titled(title).text(of)
+            draft
+                .verdict(FindingVerdict::Recovered)
+                .titled(title)
+                .text(of)
         };
         let heights: Vec<Figure> = rows.iter().map(|row| self.words(row)).collect();
         let as_recorded = self.recorded.as_ref().is_none_or(|on_record| {
@@ -261,13 +273,21 @@ impl Survey {
         });
         let title = format!("The power of ten of {name} from which each solver keeps an accuracy");
         let text = "Relative errors at every point tried, of the norm of all outputs and then of each output.";
-        let heights = draft("", title, text).figures(heights).recorded_if(as_recorded);
-        let title = "The largest jump of each solver between neighbouring inputs with different formulas";
+        let heights = draft("", title, text)
+            .figures(heights)
+            .recorded_if(as_recorded);
+        let title =
+            "The largest jump of each solver between neighbouring inputs with different formulas";
         let text = "Conditions of the solver are followed to the neighbouring numbers between which they flip; the \
                     jump is that of the norm, relative.";
-        let jumps = self.solvers.par_iter().filter_map(|(name, study)| self.jump(*name, study));
+        let jumps = self
+            .solvers
+            .par_iter()
+            .filter_map(|(name, study)| self.jump(*name, study));
         let jumps: Vec<Figure> = jumps.collect();
-        let seams = draft("seams", title.into(), text).figures(jumps).recorded_if(true);
+        let seams = draft("seams", title.into(), text)
+            .figures(jumps)
+            .recorded_if(true);
         let text = "Of the solvers of this survey, at every point tried.";
         let advice = draft("advice", "The solvers that meet a need".into(), text);
         let advice = advice.figures(self.advice(&rows)).recorded_if(true);
@@ -301,9 +321,8 @@ impl Survey {
                         Height::Nowhere => false,
                     };
                     let (good, bad): (Vec<&Heights>, Vec<_>) = rows.iter().partition(meets);
-                    let names = |of: &[&Heights]| {
-                        of.iter().map(|r| r.name).collect::<Vec<_>>().join(", ")
-                    };
+                    let names =
+                        |of: &[&Heights]| of.iter().map(|r| r.name).collect::<Vec<_>>().join(", ");
                     let value = match (good.len(), bad.len()) {
                         (0, _) => "none".into(),
                         (_, 0) => "all".into(),
@@ -331,9 +350,8 @@ impl Survey {
             };
             let size = match (values(&a), values(&b)) {
                 (Some(v), Some(w)) => {
-                    let norm = |x: &mut dyn Iterator<Item = f64>| {
-                        x.fold(0.0, |sum: f64, x| sum.hypot(x))
-                    };
+                    let norm =
+                        |x: &mut dyn Iterator<Item = f64>| x.fold(0.0, |sum: f64, x| sum.hypot(x));
                     let change = norm(&mut v.iter().zip(&w).map(|(v, w)| v - w));
                     let of = norm(&mut v.iter().copied());
                     if change == 0.0 { 0.0 } else { change / of }
@@ -348,7 +366,11 @@ impl Survey {
         let (size, at) = largest?;
         let inputs = self.study.problem().inputs.iter().zip(&at);
         let at: Vec<String> = inputs.map(|(i, x)| format!("{} = {x:?}", i.name)).collect();
-        Some(figure(name, format!("{size:.1e} at {}", at.join(", ")), "1"))
+        Some(figure(
+            name,
+            format!("{size:.1e} at {}", at.join(", ")),
+            "1",
+        ))
     }
 }
 

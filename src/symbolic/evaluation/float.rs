@@ -139,13 +139,10 @@ impl Floating {
         Ok(self.round(value))
     }
 
-    /// A function of MPFR, or one that balls enclose, rounded once to the format; none for those that
-    /// are exact.
+    /// A function of MPFR, or one that balls enclose, rounded once to the format; none for those
+    /// that are exact.
     fn correct(self, f: Func, x: f64) -> Option<f64> {
-        if matches!(
-            f,
-            Func::Erfcx | Func::Erfi | Func::Dawson | Func::Digamma
-        ) {
+        if matches!(f, Func::Erfcx | Func::Erfi | Func::Dawson | Func::Digamma) {
             return self.enclosed(f, x);
         }
         let x = Float::with_val(53, x);
@@ -188,8 +185,8 @@ impl Floating {
         })
     }
 
-    /// The number that both ends of an enclosure are rounded to, at a precision that is raised until
-    /// they are the same.
+    /// The number that both ends of an enclosure are rounded to, at a precision that is raised
+    /// until they are the same.
     fn enclosed(self, f: Func, x: f64) -> Option<f64> {
         /// A function whose value is so close to a tie is not decided.
         const MOST: u32 = 2048;
@@ -198,9 +195,8 @@ impl Floating {
             let x = Value::Real(Ball::exact(bits, x));
             let value = Balls::new(bits).call(f, &[&x]).ok()?;
             let ball = value.real()?;
-            let [low, high] = [ball.lower(), ball.upper()].map(|end| {
-                self.nearest(|bits| Float::with_val_round(bits, &end, Round::Nearest))
-            });
+            let [low, high] = [ball.lower(), ball.upper()]
+                .map(|end| self.nearest(|bits| Float::with_val_round(bits, &end, Round::Nearest)));
             if low == high {
                 return Some(low);
             }

@@ -79,7 +79,10 @@ fn claims_hold_in_a_part_and_at_an_input() {
     use FindingVerdict::{Confirmed, Refuted};
     let naive = "study = 'half.toml'\nsolver = 'naive'\nbound = '1e-9'\n";
     for (rest, due) in [
-        ("part = { x = { from = '0.01' } }\nverdict = 'in part'", Refuted),
+        (
+            "part = { x = { from = '0.01' } }\nverdict = 'in part'",
+            Refuted,
+        ),
         ("at = { x = '1e-6' }\nverdict = 'refuted'", Refuted),
         ("at = { x = 2 }", Confirmed),
         ("region = ['large', 'large']", Confirmed),
@@ -95,12 +98,20 @@ fn claims_hold_in_a_part_and_at_an_input() {
 #[test]
 fn means_are_decided_by_their_intervals() {
     use FindingVerdict::{Confirmed, Refuted, Unexplained};
-    assert_eq!(super::mean(&[3.0]), [3.0, 0.0]);
+    assert_eq!(super::search::mean(&[3.0]), [3.0, 0.0]);
     // The standard error of two values is half their distance.
-    assert_eq!(super::mean(&[0.0, 1.0]), [0.5, 2.0]);
+    assert_eq!(super::search::mean(&[0.0, 1.0]), [0.5, 2.0]);
     let constant = "study = 'half.toml'\nsolver = 'half'\nregion = 'large'\nstatistic = 'mean'\nmeasure = 'absolute'\n";
-    for (bound, due) in [("0.5", Confirmed), ("0.01", Refuted), ("0.1505", Unexplained)] {
-        assert_eq!(decided(&format!("{constant}bound = '{bound}'")).0, due, "{bound}");
+    for (bound, due) in [
+        ("0.5", Confirmed),
+        ("0.01", Refuted),
+        ("0.1505", Unexplained),
+    ] {
+        assert_eq!(
+            decided(&format!("{constant}bound = '{bound}'")).0,
+            due,
+            "{bound}"
+        );
     }
     // An answer that is no number is no part of a mean.
     let none = constant.replace("'half'\nr", "'none'\nr");
@@ -111,14 +122,28 @@ fn means_are_decided_by_their_intervals() {
 #[test]
 fn solvers_of_the_paper_itself() {
     let solver = "[solver.own]\nstudy = 'half.toml'\nwith = 'shared.toml'\ny = '2*s^2'\n";
-    let own = |more: &str| paper(&format!("{solver}{more}{}", claim("solver = 'own'\nbound = '1e-15'")));
+    let own = |more: &str| {
+        paper(&format!(
+            "{solver}{more}{}",
+            claim("solver = 'own'\nbound = '1e-15'")
+        ))
+    };
     let report = own("").unwrap().report(&|_, _, _| {}).unwrap();
     assert!(report.findings[0].as_recorded);
     for (more, due) in [
         ("[solver.other]\ny = '1'\n", "\"study\" is missing"),
-        ("[solver.other]\nstudy = 'half.toml'\ny = 'z'\n", "the name z is not declared"),
-        ("[solver.other]\nstudy = 'half.toml'\nwith = 'none.toml'\ny = '1'\n", "none.toml"),
-        ("[solver.naive]\nstudy = 'half.toml'\ny = '1'\n", "stated twice"),
+        (
+            "[solver.other]\nstudy = 'half.toml'\ny = 'z'\n",
+            "the name z is not declared",
+        ),
+        (
+            "[solver.other]\nstudy = 'half.toml'\nwith = 'none.toml'\ny = '1'\n",
+            "none.toml",
+        ),
+        (
+            "[solver.naive]\nstudy = 'half.toml'\ny = '1'\n",
+            "stated twice",
+        ),
     ] {
         let fault = own(more).unwrap_err();
         assert!(fault.contains(due), "{more}: {fault}");

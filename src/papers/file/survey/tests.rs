@@ -35,7 +35,9 @@ fn surveyed(survey: &str) -> Result<Vec<Finding>, String> {
 
 fn figures(finding: &Finding) -> Vec<(&str, &str)> {
     let figures = finding.figures.iter();
-    figures.map(|f| (f.name.as_str(), f.value.as_str())).collect()
+    figures
+        .map(|f| (f.name.as_str(), f.value.as_str()))
+        .collect()
 }
 
 /// The error of the naive formula is about 1e-16/x², and that of the patched one x²/12 up to 1.
@@ -49,7 +51,10 @@ fn heights_jumps_and_advice() {
         figures(heights),
         [
             ("naive", "1e-9: 1e-3, 1e-3; 1e-17: nowhere, nowhere"),
-            ("stable", "1e-9: everywhere, everywhere; 1e-17: nowhere, nowhere"),
+            (
+                "stable",
+                "1e-9: everywhere, everywhere; 1e-17: nowhere, nowhere"
+            ),
             ("patched", "1e-9: 1e0, 1e0; 1e-17: nowhere, nowhere"),
         ]
     );
@@ -58,7 +63,10 @@ fn heights_jumps_and_advice() {
     assert!(jumps[0].1.starts_with("8.1e-2 at x = ") || jumps[0].1.starts_with("8.8e-2 at x = "));
     let advice = figures(advice);
     assert_eq!(advice[0], ("1e-9 of the norm, every x", "stable"));
-    assert_eq!(advice[2], ("1e-9 of the norm, x >= 0.01", "all but patched"));
+    assert_eq!(
+        advice[2],
+        ("1e-9 of the norm, x >= 0.01", "all but patched")
+    );
     assert_eq!(advice[4], ("1e-17 of the norm, every x", "none"));
 }
 
@@ -69,7 +77,10 @@ fn heights_are_compared_with_those_on_record() {
     for (recorded, due) in [
         ("stable = '1e-9: everywhere, everywhere'", true),
         ("stable = '1e-9: 1e-3, everywhere'", false),
-        ("stable = '1e-9: everywhere, everywhere'\nnaive = '1e-9: 1e-3, 1e-3'", false),
+        (
+            "stable = '1e-9: everywhere, everywhere'\nnaive = '1e-9: 1e-3, 1e-3'",
+            false,
+        ),
         ("", false),
     ] {
         let found = surveyed(&format!("{of}{recorded}")).unwrap();
@@ -82,9 +93,15 @@ fn faults_of_surveys_are_named() {
     for (survey, due) in [
         ("targets = []", "a survey has targets"),
         ("targets = ['-1']", "targets are positive numbers"),
-        ("targets = ['1e-9']\nsolvers = ['none']", "there is no such solver"),
+        (
+            "targets = ['1e-9']\nsolvers = ['none']",
+            "there is no such solver",
+        ),
         ("targets = ['1e-9']\nregion = 'none'", "no region"),
-        ("targets = ['1e-9']\ncases = 100000", "no number from 0 to 10000"),
+        (
+            "targets = ['1e-9']\ncases = 100000",
+            "no number from 0 to 10000",
+        ),
     ] {
         let fault = surveyed(survey).unwrap_err();
         assert!(fault.contains(due), "{survey}: {fault}");

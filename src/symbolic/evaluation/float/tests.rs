@@ -13,7 +13,10 @@ fn value(text: &str, meaning: Floating, x: f64, y: f64) -> Result<FloatValue, No
     let mut evaluator = Evaluator::new(Arc::new(graph), meaning);
     evaluator.set_input(0, x.into());
     evaluator.set_input(1, y.into());
-    evaluator.value(id.unwrap()).copied().map_err(|stop| stop.reason)
+    evaluator
+        .value(id.unwrap())
+        .copied()
+        .map_err(|stop| stop.reason)
 }
 
 fn double(text: &str, x: f64, y: f64) -> [f64; 2] {
@@ -63,7 +66,13 @@ fn quotients_do_not_overflow() {
 
 #[test]
 fn roots_and_powers_of_complex_numbers() {
-    for (x, y) in [(3.0, 4.0), (-3.0, 4.0), (-3.0, -4.0), (1e-200, 1e-200), (1e200, -1e200)] {
+    for (x, y) in [
+        (3.0, 4.0),
+        (-3.0, 4.0),
+        (-3.0, -4.0),
+        (1e-200, 1e-200),
+        (1e200, -1e200),
+    ] {
         let [re, im] = double("sqrt(x + i*y)", x, y);
         assert!(re >= 0.0 && im.is_sign_negative() == (y < 0.0), "{x} {y}");
         let size = x.hypot(y);
@@ -90,7 +99,10 @@ fn single_precision_rounds_each_part() {
 #[test]
 fn what_has_no_complex_value_is_refused() {
     for text in ["if(i < x, 1, 2)", "erf(i*x)", "atan2(i, x)", "W(x)"] {
-        assert!(value(text, Floating::default(), 1.0, 1.0).is_err(), "{text}");
+        assert!(
+            value(text, Floating::default(), 1.0, 1.0).is_err(),
+            "{text}"
+        );
     }
 }
 
@@ -109,7 +121,10 @@ fn functions_without_a_library_are_rounded_from_enclosures() {
     ] {
         let found = value(text, correct, 1.0, 0.0).unwrap();
         assert_eq!(found.real(), Some(due), "{text}");
-        assert!(value(text, Floating::default(), 1.0, 0.0).is_err(), "{text}");
+        assert!(
+            value(text, Floating::default(), 1.0, 0.0).is_err(),
+            "{text}"
+        );
     }
     assert!(value("erfcx(x)", correct, f64::NAN, 0.0).is_err());
 }

@@ -4,7 +4,8 @@ use super::Floating;
 use crate::Func;
 use mechaudit_reference::elementary::NoValue;
 
-/// A number in floating point. A part that is missing is exactly zero: a real number has no imaginary part.
+/// A number in floating point. A part that is missing is exactly zero: a real number has no
+/// imaginary part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FloatValue {
     re: Option<f64>,
@@ -107,7 +108,8 @@ impl Floating {
         }
     }
 
-    /// `a/b`, of complex numbers by R. L. Smith's algorithm (Comm. ACM 5, 1962, 435), which forms no `|b|²`.
+    /// `a/b`, of complex numbers by R. L. Smith's algorithm (Comm. ACM 5, 1962, 435), which forms
+    /// no `|b|²`.
     pub(super) fn quotient(self, a: &FloatValue, b: &FloatValue) -> FloatValue {
         let Some(c) = b.im else {
             let by = |x: f64| self.round(x / b.re());
