@@ -4,7 +4,6 @@
 //! | module | what it holds | needs |
 //! |---|---|---|
 //! | `campaign` | audits and hunts cut into shards, and their exact sum | feature `report` |
-//! | `claims` | claims about published algorithms for W and Voigt (`mechaudit-atlas`), decided | feature `report` |
 //! | [`machine`] | machines as their files describe them: certified rows and branches in the user's units | |
 //! | [`motion`] | a mechanism in motion, as pages and drawings show it | |
 //! | `papers` | published papers: data, tables, formulas, findings | feature `report` |
@@ -18,8 +17,6 @@
 
 #[cfg(feature = "report")]
 pub mod campaign;
-#[cfg(feature = "report")]
-pub mod claims;
 pub mod machine;
 pub mod motion;
 #[cfg(feature = "report")]

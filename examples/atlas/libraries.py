@@ -1,15 +1,11 @@
-"""w(z) by libraries that Python reaches: candidates for `mechaudit atlas --libraries` and `mechaudit audit`.
+"""w(z) by libraries that Python reaches: candidates for `mechaudit audit reference/atlas/w.toml --exec`.
 
     python3 libraries.py NAME            reads "re,im" in hexadecimal, writes a line for each
-    python3 libraries.py NAME --version  writes the version
-    python3 libraries.py NAME --time     measures itself before it reads, and writes "# ns: ..."
 
 Ends with 3 where the library is not installed. astropy and lmfit have the profile alone: Re w, with sigma and gamma so
 that the profile's argument is z (sigma = 1/sqrt 2 is rounded: up to an ulp of Re z is theirs). mht is N. Stolarczyk's
 spectral-line-shapes, whose folder Python has to be on PYTHONPATH; numba compiles it. numba-scipy has no w: its
 functions are those of real arguments.
-
-Times are of arrays where a library takes arrays, else of calls from Python.
 """
 
 import ctypes
@@ -18,7 +14,6 @@ import importlib.metadata
 import math
 import os
 import sys
-import time
 
 SQRT_PI = math.sqrt(math.pi)
 
@@ -26,7 +21,7 @@ SQRT_PI = math.sqrt(math.pi)
 def scipy():
     from scipy.special import wofz
 
-    return wofz, importlib.metadata.version("scipy"), wofz
+    return wofz, importlib.metadata.version("scipy")
 
 
 def libcerf():
@@ -39,7 +34,7 @@ def libcerf():
         function.restype = ctypes.c_double
         function.argtypes = [ctypes.c_double, ctypes.c_double]
     w = lambda z: complex(library.re_w_of_z(z.real, z.imag), library.im_w_of_z(z.real, z.imag))
-    return w, loaded(path), None
+    return w, loaded(path)
 
 
 def loaded(name):
@@ -64,7 +59,7 @@ def mpmath():
         except (OverflowError, ValueError, mp.libmp.NoConvergence):
             return complex(math.nan, math.nan)
 
-    return w, mp.__version__ + " at 15 digits", None
+    return w, mp.__version__ + " at 15 digits"
 
 
 def jax():
@@ -74,7 +69,7 @@ def jax():
     from jax.scipy.special import wofz
 
     function = package.jit(wofz)
-    return lambda z: complex(function(z)), package.__version__, lambda z: function(z).block_until_ready()
+    return lambda z: complex(function(z)), package.__version__
 
 
 def astropy():
@@ -91,11 +86,7 @@ def astropy():
         profile = Voigt1D(x_0=0.0, amplitude_L=1.0, fwhm_L=2 * z.imag, fwhm_G=width)
         return float(profile(z.real)) / (SQRT_PI * z.imag)
 
-    def many(z):
-        # One profile for all: that its width is not each point's makes no difference to the time.
-        return Voigt1D(x_0=0.0, amplitude_L=1.0, fwhm_L=2.0, fwhm_G=width)(z.real)
-
-    return w, package.__version__, many
+    return w, package.__version__
 
 
 def lmfit():
@@ -103,25 +94,23 @@ def lmfit():
     from lmfit.lineshapes import voigt
 
     sigma = math.sqrt(0.5)
-    many = lambda z: voigt(z.real, 1.0, 0.0, sigma, z.imag)
-    return lambda z: float(many(z)) * SQRT_PI, package.__version__, many
+    return lambda z: float(voigt(z.real, 1.0, 0.0, sigma, z.imag)) * SQRT_PI, package.__version__
 
 
-def mht(scalar, vector):
+def mht(name):
     import numba
     from mHT import CPF
 
-    one, many = getattr(CPF, scalar), getattr(CPF, vector)
-    version = "mHT on numba " + numba.__version__
-    return lambda z: one(z.real, z.imag), version, lambda z: many(z.real.copy(), z.imag.copy())
+    one = getattr(CPF, name)
+    return lambda z: one(z.real, z.imag), "mHT on numba " + numba.__version__
 
 
 def mht_accurate():
-    return mht("cpf_accurate", "cpf_accurate_vector")
+    return mht("cpf_accurate")
 
 
 def mht_fast():
-    return mht("cpf_fast", "cpf_fast_vector")
+    return mht("cpf_fast")
 
 
 def hapi():
@@ -133,51 +122,20 @@ def hapi():
         import hapi as package
     import numpy
 
-    def many(z):
-        re, im = package.hum1_wei(z.real, z.imag)
-        return re + 1j * im
+    def w(z):
+        re, im = package.hum1_wei(numpy.array([z.real]), numpy.array([z.imag]))
+        return complex(re[0], im[0])
 
-    version = importlib.metadata.version("hitran-api")
-    return lambda z: many(numpy.array([z]))[0], version, many
-
-
-def nanoseconds(one, many):
-    """The best of some rounds at points of the ordinary region, a value; every round at least a millisecond."""
-    count = 2000 if many else 200
-    points = []
-    for k in range(count):
-        t = k * 0.618033988749895
-        points.append(complex(8 * (t - math.floor(t)), 0.1 + 7.9 * k / count))
-    if many:
-        import numpy
-
-        points = numpy.array(points)
-
-    def round():
-        start = time.perf_counter()
-        if many:
-            many(points)
-        else:
-            for z in points:
-                one(z)
-        return (time.perf_counter() - start) * 1e9 / count
-
-    round()
-    return min(round() for _ in range(7))
+    return w, importlib.metadata.version("hitran-api")
 
 
 def main():
     name = sys.argv[1].replace("-", "_")
     try:
-        w, version, many = globals()[name]()
+        w, version = globals()[name]()
     except (ImportError, OSError, AttributeError, importlib.metadata.PackageNotFoundError):
         sys.exit(3)
-    if "--version" in sys.argv:
-        print(version)
-        return
     print(f"# name: {sys.argv[1]}\n# version: {version}")
-    if "--time" in sys.argv:
-        print(f"# ns: {nanoseconds(w, many):.1f}", flush=True)
     for line in sys.stdin:
         if line.startswith("#") or not line.strip():
             continue

@@ -18,7 +18,7 @@ mod workload;
 use args::{Args, Command};
 use clap::{CommandFactory, FromArgMatches};
 use commands::{
-    atlas, audit, campaign, chirp, compare, converge, describe, eval, hunt, identity, judge,
+    audit, campaign, chirp, compare, converge, describe, eval, hunt, identity, judge,
     linkage, motion, paper, points, prove, regenerate, runup, shell,
 };
 use failure::{Failure, Outcome};
@@ -56,7 +56,6 @@ fn run(args: Args) -> Result<Outcome, Failure> {
     match args.command {
         None => audit::everything(&args.run, args.verbose),
         Some(Command::Audit(a)) => audit::methods(&a),
-        Some(Command::Atlas(a)) => atlas::atlas(&a),
         Some(Command::Compare(a)) => compare::compare(&a),
         Some(Command::Describe(a)) => describe::describe(&a),
         Some(Command::Points(a)) => points::points(&a),

@@ -4,8 +4,6 @@
 //! in the same words stands in [`words`]. HTML and SVG are written by `maud`, which escapes every
 //! text.
 
-#[cfg(feature = "report")]
-pub mod atlas;
 mod axis;
 pub mod baseline;
 pub mod cell;

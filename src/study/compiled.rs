@@ -265,7 +265,12 @@ impl FloatSolver {
         let mut formulas = Vec::new();
         for formula in &solver.formulas {
             let of = format!("the solver {}", solver.name);
-            formulas.push(build(&mut graph, &solver.definitions, formula, &of)?);
+            let id = build(&mut graph, &solver.definitions, formula, &of)?;
+            if graph.is_complex(id) {
+                let reason = format!("{of} has a complex formula: take re(...) or im(...)");
+                return Err(StudyError::new(reason));
+            }
+            formulas.push(id);
         }
         Ok(FloatSolver {
             graph: Arc::new(graph),
@@ -283,18 +288,27 @@ impl FloatSolver {
         self.meaning.format
     }
 
+    /// The graph and the nodes of its formulas.
+    pub fn graph(&self) -> (&Graph, &[Id]) {
+        (&self.graph, &self.formulas)
+    }
+
+    /// An evaluator of the formulas.
+    pub fn evaluator(&self) -> Evaluator<Floating> {
+        Evaluator::new(self.graph.clone(), self.meaning)
+    }
+
     /// The values at an input, or the reason why the formulas have none in floating point.
     pub fn values(&self, input: &[f64]) -> Result<Vec<f64>, &'static str> {
         let lock = || self.idle.lock().unwrap_or_else(PoisonError::into_inner);
         let idle = lock().pop();
-        let mut evaluator =
-            idle.unwrap_or_else(|| Evaluator::new(self.graph.clone(), self.meaning));
+        let mut evaluator = idle.unwrap_or_else(|| self.evaluator());
         evaluator.reset(false);
         for (k, x) in input.iter().enumerate() {
-            evaluator.set_input(k, *x);
+            evaluator.set_input(k, (*x).into());
         }
         let value = |id: &Id| match evaluator.value(*id) {
-            Ok(x) => Ok(*x),
+            Ok(x) => Ok(x.re()),
             Err(stop) => Err(intern(&stop.reason.to_string())),
         };
         let found = self.formulas.iter().map(value).collect();

@@ -1,9 +1,9 @@
 //! Studies: problems that users bring as text, certified and audited like the built-in methods.
 //!
-//! A [`Study`] states inputs, what outputs mean mathematically, and how accurate answers have to be.
-//! It is a [`Method`](crate::audit::Method): whatever takes a method takes a study. Its references
-//! are balls with proved radii, at a precision that is raised until the value is decided; where balls
-//! cannot decide that a value is zero, the symbolic algebra is asked.
+//! A [`Study`] states inputs, what outputs mean mathematically, and how accurate answers have to
+//! be. It is a [`Method`](crate::audit::Method): whatever takes a method takes a study. Its
+//! references are balls with proved radii, at a precision that is raised until the value is
+//! decided; where balls cannot decide that a value is zero, the symbolic algebra is asked.
 //!
 //! # A formula in a test
 //! ```
@@ -45,9 +45,10 @@
 //! # Systems of equations
 //! `[system]` states unknowns and as many equations, which may use inputs, parameters and `[let]`;
 //! outputs may use the unknowns, and are the unknowns where there is no `[outputs]`. Where every
-//! unknown has `between`, the only solution in that box is found and proved to be; elsewhere Newton's
-//! method starts near the numbers given (in the middle of a range), and the solution it finds is
-//! proved to be the only one around it. A solution outside of a range that is stated is undecided.
+//! unknown has `between`, the only solution in that box is found and proved to be; elsewhere
+//! Newton's method starts near the numbers given (in the middle of a range), and the solution it
+//! finds is proved to be the only one around it. A solution outside of a range that is stated is
+//! undecided.
 //! ```
 //! # use mechaudit::study::Study;
 //! let study = Study::parse(
@@ -66,8 +67,8 @@
 //! An input with a `shape` is a matrix or a vector; outputs are `solve`, `det`, `inverse`,
 //! `least_squares` or `eigenvalues` (of a symmetric matrix, or of two where the second is positive
 //! definite). A length that `[parameters]` does not state follows from the count of numbers. The
-//! numbers come row by row, one matrix after the other, of a matrix that is `banded = [lower, upper]`
-//! those within the band alone.
+//! numbers come row by row, one matrix after the other, of a matrix that is `banded = [lower,
+//! upper]` those within the band alone.
 //! ```
 //! # use mechaudit::study::Study;
 //! use mechaudit::methods::certified_digits;
@@ -93,6 +94,7 @@
 mod builder;
 mod compiled;
 mod core;
+mod definitions;
 mod dimensions;
 pub mod document;
 mod error;
@@ -112,12 +114,13 @@ pub use problem::{
     Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver, StudySystem, fault_in,
     intern, limit,
 };
-pub use read::{is_name, rational};
+pub use read::{input, is_name, rational};
 
 use crate::audit::{Domain, did_you_mean};
 use crate::methods::CertifiedValue;
 use crate::reference::Ball;
 use compiled::{Compiled, FloatSolver, Sketch};
+use mechaudit_symbolic::Expr;
 use mechaudit_symbolic::evaluation::{Answer, Goal};
 use rug::Rational;
 use std::path::Path;
@@ -265,6 +268,74 @@ impl Study {
         }
     }
 
+    /// The same study with one solver more, which is taken.
+    ///
+    /// # Errors
+    /// As of a solver in the study's own file.
+    pub fn and_solver(&self, name: &str, item: &document::Item) -> Result<Study, StudyError> {
+        let mut problem = self.problem().clone();
+        if problem.solvers.iter().any(|s| s.name == name) {
+            return Err(item.fault(format!("the solver {name} is stated twice")));
+        }
+        let solver = read::solver(&problem, name, item)?;
+        problem.solvers.push(solver);
+        Ok(Study {
+            chosen: problem.solvers.len() - 1,
+            name: self.name,
+            ..Study::new(problem).map_err(|e| e.at(item.place))?
+        })
+    }
+
+    /// The same study with its chosen solver over a part of its domain: a region by its name, and
+    /// inputs with other ends.
+    ///
+    /// # Errors
+    /// A region that there is not, and a part that holds no input.
+    pub fn within(
+        &self,
+        region: Option<&str>,
+        narrowed: &[StudyInput],
+    ) -> Result<Study, StudyError> {
+        let mut problem = self.problem().clone();
+        let regions = std::mem::take(&mut problem.regions);
+        let mut inputs = Vec::new();
+        if let Some(region) = region {
+            let known: Vec<&str> = regions.iter().map(|r| r.name.as_str()).collect();
+            let Some(found) = regions.iter().find(|r| r.name == region) else {
+                let hint = did_you_mean(region, &known);
+                return Err(StudyError::new(format!(
+                    "the study states no region {region:?}{hint}"
+                )));
+            };
+            inputs.extend(found.inputs.clone());
+            let both = problem.condition.into_iter().chain(found.condition.clone());
+            problem.condition = both.reduce(|a, b| Expr::And(vec![a, b]));
+        }
+        inputs.extend(narrowed.iter().cloned());
+        for input in inputs {
+            if let Some(own) = problem.inputs.iter_mut().find(|i| i.name == input.name) {
+                *own = input;
+            }
+        }
+        // They are ready already.
+        problem.solvers.clear();
+        Ok(Study {
+            solvers: self.solvers.clone(),
+            chosen: self.chosen,
+            name: self.name,
+            ..Study::new(problem)?
+        })
+    }
+
+    /// Neighbouring inputs between which a condition of the chosen solver flips: where one of its
+    /// formulas takes over from another.
+    pub fn seams(&self) -> Vec<[Vec<f64>; 2]> {
+        match self.solvers.get(self.chosen) {
+            Some(solver) => sampling::seams(self.problem(), &self.sketch, solver),
+            None => Vec::new(),
+        }
+    }
+
     /// The same study with another limit on the working precision, in bits; 16384 is the first.
     ///
     /// # Errors
@@ -312,7 +383,8 @@ impl Study {
     }
 
     /// Certified decimals of all outputs: `0` where a value is exactly zero, `nan` where it is
-    /// undefined, `inf` or `-inf` where it is beyond every exponent, and none where it is undecided.
+    /// undefined, `inf` or `-inf` where it is beyond every exponent, and none where it is
+    /// undecided.
     pub fn digits(&self, inputs: &[Rational], digits: u32) -> Vec<CertifiedValue> {
         // One hundredth of a unit in the last digit, and a guard bit or two.
         let bits = (f64::from(digits) * std::f64::consts::LOG2_10).ceil() as u32 + 10;

@@ -108,6 +108,8 @@ pub struct Problem {
     pub inputs: Vec<StudyInput>,
     /// Names with their definitions, parameters among them.
     pub definitions: Definitions,
+    /// Names that take an index: `a` where `a_1` and `a_2` are defined.
+    pub lists: Vec<String>,
     /// Outputs in the order of the file.
     pub outputs: Vec<StudyOutput>,
     /// A condition on all inputs.
@@ -204,7 +206,8 @@ pub(super) fn kept(budget: &(Limit, String)) -> Budget {
     Budget::new(budget.0, intern(&budget.1))
 }
 
-/// The same text with the life of the program: methods name their parts so. Every text is kept once.
+/// The same text with the life of the program: methods name their parts so. Every text is kept
+/// once.
 pub fn intern(text: &str) -> &'static str {
     use std::collections::BTreeSet;
     use std::sync::Mutex;

@@ -1,5 +1,6 @@
 //! Studies in TOML.
 
+use super::definitions::definitions;
 use super::dimensions;
 use super::document::{Item, Value, read as document};
 use super::error::StudyError;
@@ -55,7 +56,7 @@ pub(super) fn problem(text: &str, name: &str) -> Result<Problem, StudyError> {
         problem.inputs.push(input(name, item)?);
     }
     let parameters = entries(&file, "parameters")?;
-    let lets = entries(&file, "let")?;
+    let (lets, listed) = definitions(entries(&file, "let")?)?;
     let stated = entries(&file, "outputs")?;
     let (outputs, places) = one_by_one(stated)?;
     let unknowns = system::unknowns(&file)?;
@@ -74,7 +75,7 @@ pub(super) fn problem(text: &str, name: &str) -> Result<Problem, StudyError> {
     let is_unknown = |name: &str| unknowns.iter().any(|u| u.0 == name);
     // An output may be an unknown, which is declared where the system is.
     let defined = outputs.iter().filter(|o| !is_unknown(&o.0));
-    let defined: Vec<&(String, Item)> = parameters.iter().chain(lets).chain(defined).collect();
+    let defined: Vec<&(String, Item)> = parameters.iter().chain(&lets).chain(defined).collect();
     for (name, item) in defined.iter().copied().chain(unknowns).chain(states) {
         is_name(name, item)?;
         if declared.contains(name) {
@@ -82,18 +83,12 @@ pub(super) fn problem(text: &str, name: &str) -> Result<Problem, StudyError> {
         }
         declared.push(name.clone());
     }
+    declared.extend(listed.iter().cloned());
+    problem.lists = listed;
     let names = Names { declared };
     problem.notes.extend(names.hidden());
-    for (name, item) in parameters.iter().chain(lets) {
-        let is = match item.value {
-            Value::Table(_) => {
-                item.only(&["is", "unit"])?;
-                let is = item.get("is");
-                is.ok_or_else(|| item.fault(format!("{name} needs is = ...")))?
-            }
-            _ => item,
-        };
-        problem.definitions.set(name, names.expression(is)?);
+    for (name, item) in parameters.iter().chain(&lets) {
+        problem.definitions.set(name, names.definition(name, item)?);
     }
     if let Some(ode) = file.get("ode") {
         initial_value::read::read(&names, ode, &mut problem)?;
@@ -127,7 +122,7 @@ pub(super) fn problem(text: &str, name: &str) -> Result<Problem, StudyError> {
         }
     }
     for (name, item) in entries(&file, "solver")? {
-        problem.solvers.push(solver(&names, &problem, name, item)?);
+        problem.solvers.push(solver(&problem, name, item)?);
     }
     problem.notes.extend(dependent(&problem));
     let note = dimensions::check(&file, &problem, unknowns)?;
@@ -143,7 +138,8 @@ pub(super) fn entries<'a>(file: &'a Item, key: &str) -> Result<&'a [(String, Ite
 /// Checks that a text is a name.
 ///
 /// # Errors
-/// A text that is not a letter or an underscore, then up to 63 letters, digits, underscores and primes.
+/// A text that is not a letter or an underscore, then up to 63 letters, digits, underscores and
+/// primes.
 pub fn is_name(name: &str, item: &Item) -> Result<(), StudyError> {
     let mut letters = name.chars();
     let first = letters
@@ -222,7 +218,7 @@ impl Names {
         self.expression_with(item, &[])
     }
 
-    fn expression_with(&self, item: &Item, more: &[&str]) -> Result<Expr, StudyError> {
+    pub(super) fn expression_with(&self, item: &Item, more: &[&str]) -> Result<Expr, StudyError> {
         let text = item.text()?;
         let (text, sign) = match (&item.value, text.strip_prefix('-')) {
             (Value::Number(_), Some(rest)) => (rest, true),
@@ -302,7 +298,10 @@ pub(super) fn exact(text: &str) -> Option<Rational> {
 }
 
 /// An input: a table of ends, spacing and unit.
-fn input(name: &str, item: &Item) -> Result<StudyInput, StudyError> {
+///
+/// # Errors
+/// An unknown key, an end that is no number, and a range that is empty.
+pub fn input(name: &str, item: &Item) -> Result<StudyInput, StudyError> {
     item.only(&["from", "to", "spacing", "unit"])?;
     let end = |key: &str| item.get(key).map(rational).transpose();
     let spacing = match item.get("spacing").map(Item::text).transpose()? {
@@ -455,20 +454,29 @@ fn region(names: &Names, problem: &Problem, item: &Item) -> Result<StudyRegion, 
     })
 }
 
-/// A solver: a formula for each output; names of its own in `let`, `format`, `elementary`.
-fn solver(
-    names: &Names,
+/// A solver: a formula for each output; names of its own in `let`, `format`, `elementary`; in words
+/// `title`, `source` and `read`, what was read.
+pub(super) fn solver(
     problem: &Problem,
     name: &str,
     item: &Item,
 ) -> Result<StudySolver, StudyError> {
-    let lets = entries(item, "let")?;
-    let mut declared = names.declared.clone();
-    for (own, value) in lets {
+    let (lets, listed) = definitions(entries(item, "let")?)?;
+    for (own, value) in &lets {
         is_name(own, value)?;
-        declared.push(own.clone());
     }
-    let own = Names { declared };
+    let inputs = problem.inputs.iter().map(|i| &i.name);
+    let stated = problem.definitions.names.keys().chain(&problem.lists);
+    let own = lets.iter().map(|l| &l.0).chain(&listed);
+    let outputs = problem.outputs.iter().map(|o| &o.name);
+    let own = Names {
+        declared: inputs
+            .chain(stated)
+            .chain(outputs)
+            .chain(own)
+            .cloned()
+            .collect(),
+    };
     // Outputs have no values in a solver, or it would be the definition.
     let mut definitions = Definitions::default();
     for (key, value) in &problem.definitions.names {
@@ -476,8 +484,8 @@ fn solver(
             definitions.set(key, value.clone());
         }
     }
-    for (key, value) in lets {
-        definitions.set(key, own.expression(value)?);
+    for (key, value) in &lets {
+        definitions.set(key, own.definition(key, value)?);
     }
     let mut formulas = Vec::new();
     for output in &problem.outputs {
@@ -490,7 +498,8 @@ fn solver(
         formulas.push(formula);
     }
     for (key, value) in item.table()? {
-        let known = ["let", "format", "elementary"].contains(&key.as_str())
+        let known = ["let", "format", "elementary", "title", "source", "read"]
+            .contains(&key.as_str())
             || problem.outputs.iter().any(|o| o.name == *key);
         if !known {
             return Err(value.fault(format!("the solver {name} has the unknown key {key:?}")));

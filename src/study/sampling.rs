@@ -1,12 +1,12 @@
 //! Cases of a study, drawn from its domain: at random, and where formulas are apt to fail.
 
-use super::compiled::Sketch;
+use super::compiled::{FloatSolver, Sketch};
 use super::error::StudyError;
 use super::problem::{Problem, Spacing, StudyInput, intern};
 use crate::audit::{CheckPoint, Domain, Draw, Region};
 use crate::reference::nearest_f64;
 use mechaudit_symbolic::evaluation::{Evaluator, Floating};
-use mechaudit_symbolic::graph::{Id, Node};
+use mechaudit_symbolic::graph::{Graph, Id, Node};
 use std::sync::Arc;
 
 /// Draws after which a condition counts as one that nothing satisfies.
@@ -90,8 +90,8 @@ impl Range {
         x.clamp(self.low, self.high)
     }
 
-    /// The ends and their neighbours, zeros, subnormal and huge numbers, powers of two that the range
-    /// holds.
+    /// The ends and their neighbours, zeros, subnormal and huge numbers, powers of two that the
+    /// range holds.
     fn edges(self) -> Vec<f64> {
         let mut all = vec![
             self.low,
@@ -145,7 +145,7 @@ impl Filter {
 fn set(evaluator: &mut Evaluator<Floating>, input: &[f64]) {
     evaluator.reset(false);
     for (k, x) in input.iter().enumerate() {
-        evaluator.set_input(k, *x);
+        evaluator.set_input(k, (*x).into());
     }
 }
 
@@ -238,7 +238,7 @@ pub(super) fn domain(problem: &Problem, sketch: &Arc<Sketch>) -> Result<Domain, 
         let text =
             "ends of ranges and their neighbours, signed zeros, subnormal numbers, powers of two";
         regions.push(region("edges", text, filter.clone(), draw));
-        let flips = Arc::new(flips(sketch, &filter, &ranges));
+        let flips = Arc::new(beside_flips(sketch, &filter, &ranges));
         if !flips.is_empty() {
             let all = flips.clone();
             let draw = move |d: &mut Draw| all[d.integer(0, all.len() - 1)].clone();
@@ -324,19 +324,62 @@ fn check_points(ranges: &[Range], filter: &Filter) -> Vec<CheckPoint> {
     found
 }
 
-/// Neighbouring inputs between which a condition flips or a difference changes its sign.
-fn flips(sketch: &Sketch, filter: &Filter, ranges: &[Range]) -> Vec<Vec<f64>> {
-    let graph = sketch.graph();
+/// Inputs next to where a condition flips or a difference changes its sign.
+fn beside_flips(sketch: &Sketch, filter: &Filter, ranges: &[Range]) -> Vec<Vec<f64>> {
+    let outputs = sketch.outputs.iter().chain(&sketch.condition);
+    let roots: Vec<Id> = outputs
+        .chain(sketch.regions.iter().flatten())
+        .copied()
+        .collect();
+    let mut found = Vec::new();
+    let wanted = |node| matches!(node, Node::Compare(..) | Node::Sub(..));
+    let nodes = nodes(sketch.graph(), &roots, wanted);
+    flips(&nodes, &mut sketch.evaluator(), ranges, PAIRS, |flip| {
+        let [from, to] = flip.places;
+        for k in [from - 1, from, to, to + 1] {
+            let input = flip.at(k);
+            let holds = ranges[flip.axis].holds(input[flip.axis]);
+            if holds && filter.admits(&mut filter.evaluator(), &input) {
+                found.push(input);
+            }
+        }
+        found.len() < MOST
+    });
+    found
+}
+
+/// Pairs of neighbouring inputs between which a condition of a solver flips.
+pub(super) fn seams(
+    problem: &Problem,
+    sketch: &Arc<Sketch>,
+    solver: &FloatSolver,
+) -> Vec<[Vec<f64>; 2]> {
+    /// Pairs of inputs between which a flip is sought, for each condition.
+    const PAIRS: u64 = 150;
+    let ranges: Vec<Range> = problem.inputs.iter().map(Range::of).collect();
+    let (graph, roots) = solver.graph();
+    let nodes = nodes(graph, roots, |node| matches!(node, Node::Compare(..)));
+    let mut found = Vec::new();
+    if ranges.is_empty() {
+        return found;
+    }
+    flips(&nodes, &mut solver.evaluator(), &ranges, PAIRS, |flip| {
+        let both = flip.places.map(|k| flip.at(k));
+        if both.iter().all(|input| admits(problem, sketch, input)) {
+            found.push(both);
+        }
+        true
+    });
+    found
+}
+
+/// The nodes of a kind that roots depend on and that have values of their own.
+fn nodes(graph: &Graph, roots: &[Id], wanted: impl Fn(Node) -> bool) -> Vec<Id> {
     let mut seen = vec![false; graph.len()];
     let mut nodes = Vec::new();
-    let roots = sketch
-        .outputs
-        .iter()
-        .chain(&sketch.condition)
-        .chain(sketch.regions.iter().flatten());
     for root in roots {
         for id in graph.reach(*root) {
-            let wanted = matches!(graph.node(id), Node::Compare(..) | Node::Sub(..));
+            let wanted = wanted(graph.node(id));
             // A node that depends on a bound variable has no value of its own.
             let is_free = (0..graph.binders() as u32).all(|b| !graph.depends_on(id, b));
             if wanted && is_free && !std::mem::replace(&mut seen[id as usize], true) {
@@ -344,13 +387,38 @@ fn flips(sketch: &Sketch, filter: &Filter, ranges: &[Range]) -> Vec<Vec<f64>> {
             }
         }
     }
-    let mut evaluator = sketch.evaluator();
-    let mut found = Vec::new();
-    for id in nodes {
-        for pair in 0..PAIRS {
-            if found.len() >= MOST {
-                return found;
-            }
+    nodes
+}
+
+/// Neighbouring inputs that differ in one of them, with different truths of a condition or signs of
+/// a difference.
+struct Flip {
+    input: Vec<f64>,
+    axis: usize,
+    /// The places of both in the order of the numbers.
+    places: [i128; 2],
+}
+
+impl Flip {
+    /// The input with the number at a place.
+    fn at(&self, place: i128) -> Vec<f64> {
+        let mut input = self.input.clone();
+        input[self.axis] = unordered(place);
+        input
+    }
+}
+
+/// Calls `f` with flips of nodes, until it returns false.
+fn flips(
+    nodes: &[Id],
+    evaluator: &mut Evaluator<Floating>,
+    ranges: &[Range],
+    pairs: u64,
+    mut f: impl FnMut(&Flip) -> bool,
+) {
+    let graph = evaluator.graph().clone();
+    for &id in nodes {
+        for pair in 0..pairs {
             let mut d = Draw::new(pair, "flips", "", id.into());
             let axis = d.integer(0, ranges.len() - 1);
             let mut low: Vec<f64> = ranges.iter().map(|r| r.draw(&mut d)).collect();
@@ -358,10 +426,10 @@ fn flips(sketch: &Sketch, filter: &Filter, ranges: &[Range]) -> Vec<Vec<f64>> {
             let ends = [ranges[axis].magnitudes(&mut d), ranges[axis].draw(&mut d)];
             (low[axis], high[axis]) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
             let mut side = |input: &[f64]| -> Option<bool> {
-                set(&mut evaluator, input);
+                set(evaluator, input);
                 match graph.node(id) {
                     Node::Compare(..) => evaluator.holds(id).ok(),
-                    _ => evaluator.value(id).ok().map(|x| *x > 0.0),
+                    _ => Some(evaluator.value(id).ok()?.real()? > 0.0),
                 }
             };
             let (Some(a), Some(b)) = (side(&low), side(&high)) else {
@@ -382,17 +450,16 @@ fn flips(sketch: &Sketch, filter: &Filter, ranges: &[Range]) -> Vec<Vec<f64>> {
                     None => break,
                 }
             }
-            for k in [from - 1, from, to, to + 1] {
-                let mut input = low.clone();
-                input[axis] = unordered(k);
-                if ranges[axis].holds(input[axis]) && filter.admits(&mut filter.evaluator(), &input)
-                {
-                    found.push(input);
-                }
+            let flip = Flip {
+                input: low,
+                axis,
+                places: [from, to],
+            };
+            if !f(&flip) {
+                return;
             }
         }
     }
-    found
 }
 
 /// The place of a number in the order of all.

@@ -60,3 +60,80 @@ fn keys_of_roots_that_do_not_fit() {
         assert!(fault.to_string().contains(due), "{keys}: {fault}");
     }
 }
+
+const POLES: &str = "
+[inputs]
+x = { from = 1, to = 4 }
+y = { from = 0, to = 1 }
+[let]
+z = \"x + i*y\"
+pole = { is = \"c/(z - p)\", of = [\"c\", \"p\"] }
+c = [\"1/2\", \"3\"]
+squares = { is = \"n^2\", n = [0, 3] }
+[outputs]
+f = { is = \"re(1/z)\", budget = \"1e-9 relative\", why = \"a test\" }
+[[region]]
+name = \"left\"
+x = { from = 1, to = 2 }
+where = \"y < x/4\"
+";
+
+fn poles(solver: &str) -> Result<Study, super::StudyError> {
+    Study::parse(&format!("{POLES}[solver.s]\n{solver}\n"), "poles")
+}
+
+fn solved(formula: &str) -> f64 {
+    use crate::audit::{Method, SolverAnswer};
+    let study = poles(&format!("f = \"{formula}\"")).unwrap();
+    match study.solve(&[2.0, 0.5]) {
+        SolverAnswer::Values(values) => values[0],
+        other => panic!("{formula}: {other:?}"),
+    }
+}
+
+#[test]
+fn lists_indices_and_names_that_are_given() {
+    assert_eq!(solved("c[1] + 10*c[2]"), 30.5);
+    assert_eq!(solved("sum(k, 0, 3, squares[k]) + squares[3 - 1]"), 18.0);
+    assert_eq!(solved("re(let(c, 1, p, i*y, pole))"), 0.5);
+    assert_eq!(solved("re(let(c, 1, p, 0, z, 4, pole))"), 0.25);
+    for (solver, due) in [
+        ("f = \"z\"", "complex formula"),
+        ("f = \"c\"", "c has no value"),
+        ("f = \"d[1]\"", "the name d is not declared"),
+        (
+            "f = \"x\"\nlet = { a = { is = \"n\", n = [3, 1] } }",
+            "an index goes from",
+        ),
+        (
+            "f = \"x\"\nlet = { a = { is = \"n\", n = [0, 1000] } }",
+            "an index goes from",
+        ),
+        (
+            "f = \"x\"\nlet = { a = { is = \"n\", n = \"1\" } }",
+            "unknown key \"n\"",
+        ),
+    ] {
+        let fault = poles(solver).err().unwrap().to_string();
+        assert!(fault.contains(due), "{solver}: {fault}");
+    }
+}
+
+#[test]
+fn a_part_of_the_domain_and_the_seams_of_a_solver() {
+    use crate::audit::Method;
+    let study = poles("f = \"if(x < 3, 1/x, 2/x)\"").unwrap();
+    let left = study.within(Some("left"), &[]).unwrap();
+    assert!(study.admits(&[3.0, 0.9]) && left.admits(&[1.5, 0.25]));
+    assert!(!left.admits(&[3.0, 0.25]) && !left.admits(&[1.5, 0.5]));
+    assert!(left.domain().regions.iter().all(|r| r.name != "left"));
+    assert!(left.seams().is_empty());
+    let seams = study.seams();
+    assert!(!seams.is_empty());
+    for [a, b] in seams {
+        let low = a[0].min(b[0]);
+        assert!(low.next_up() == a[0].max(b[0]) && low == 3f64.next_down() && a[1] == b[1]);
+    }
+    let fault = study.within(Some("lift"), &[]).err().unwrap().to_string();
+    assert!(fault.contains("did you mean \"left\""), "{fault}");
+}

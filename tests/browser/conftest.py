@@ -48,7 +48,6 @@ PAGES = {
         ["compare", "faddeeva", "--cases", "10", "--with", "ours", "--exec", f"{sys.executable} {BAD}"],
         [1],
     ),
-    "atlas": (["atlas", "--cases", "10"], [0]),
     "campaign": (["campaign", "report"], [0]),
     "paper": (["paper", "zinchenko"], [0]),
     "plain-paper": (["paper", "gembara-senyk"], [0]),

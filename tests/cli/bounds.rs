@@ -41,7 +41,6 @@ fn arguments_that_ask_for_too_much() {
         audit --cases 1e15 | years; more than 30 days
         compare erf --exec true --cases 1e15 | years; more than 30 days
         points erf --count 1e15 | more than 30 days or 1e12 bytes
-        atlas --cases 1e15 | from 1 to 1000000
         campaign plan examples/campaign.toml --shards 1e9 --output none | from 1 to 1000000
         --cases 99999999999999 | years; more than 30 days
         audit erf --cases 99999999999999 --exec cat | years; more than 30 days

@@ -5,7 +5,6 @@
 #[allow(unused_extern_crates)]
 extern crate mechaudit_cli as mechaudit;
 
-mod atlas;
 mod bounds;
 #[cfg(unix)]
 mod campaign;

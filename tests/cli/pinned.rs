@@ -3,8 +3,7 @@
 //! The numbers are tested elsewhere. Here layouts, drawings and pages are held, whose marks
 //! no other test names. To see what has changed, run the command before and after.
 
-use crate::common::{Done, command, digest, pin, run, text};
-use serde_json::Value;
+use crate::common::{Done, command, digest, pin, text};
 use std::fmt::Write;
 use std::path::Path;
 use tempfile::tempdir;
@@ -117,39 +116,6 @@ fn audits() {
             "converge spline-natural",
             "converge spline-not-a-knot --format json",
             "converge run-up-dop853-rotor",
-        ],
-    );
-}
-
-/// A row of the atlas and what is decided of a claim, each by itself.
-#[test]
-fn atlas() {
-    let d = run(&["atlas", "--cases", "10", "--no-speed", "--format", "json"]);
-    assert_eq!(d.code, 0, "{}", d.err);
-    let found: Value = serde_json::from_str(&d.out).unwrap();
-    let mut all = String::new();
-    for (part, value) in found.as_object().unwrap() {
-        let Some(entries) = value.as_array() else {
-            continue;
-        };
-        writeln!(all, "{part}").unwrap();
-        for entry in entries {
-            let named = ["name", "code", "algorithm", "verdict"].iter();
-            let names: Vec<&str> = named.filter_map(|key| entry[key].as_str()).collect();
-            writeln!(all, "  {}: {}", names.join(" "), digest(entry.to_string())).unwrap();
-        }
-    }
-    pin("cli-atlas", &all);
-    let only = "atlas --only weideman-1994-32 --cases 10 --no-speed";
-    outputs(
-        "cli-atlas-forms",
-        &[
-            only,
-            &format!("{only} --format html"),
-            &format!("{only} --format csv"),
-            "atlas --only hapi-pcqsdhc --cases 10 --no-speed",
-            "atlas --at 0.5,-1",
-            "atlas --at 6,0.25",
         ],
     );
 }

@@ -6,7 +6,7 @@ use tempfile::tempdir;
 
 #[test]
 fn help_and_version() {
-    let commands = "atlas audit compare describe list paper linkage eval motion runup points judge \
+    let commands = "audit compare describe list paper linkage eval motion runup points judge \
                     hunt converge prove identity regenerate chirp completions man";
     let own = commands.split(' ').map(|command| vec![command, "--help"]);
     for args in own.chain([vec!["--help"]]) {

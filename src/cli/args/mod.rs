@@ -1,6 +1,5 @@
 //! The grammar of the command line.
 
-mod atlas;
 mod audit;
 mod campaign;
 mod chirp;
@@ -24,7 +23,6 @@ mod scope;
 mod shell;
 mod units;
 
-pub use atlas::{AtlasArgs, AtlasFormat, AtlasTable};
 pub use audit::{AuditArgs, AuditFormat, ProgramArgs};
 pub use campaign::{
     CampaignArgs, CampaignReportArgs, CampaignRunArgs, CampaignStep, MergeArgs, PlanArgs,
@@ -112,10 +110,6 @@ pub enum Command {
     /// Judge several programs at the same cases, side by side
     #[command(after_help = help::text(compare::AFTER_HELP, &["compare"]))]
     Compare(CompareArgs),
-    /// Compare published algorithms for W(z) and Voigt, and the claims about them, with certified
-    /// values
-    #[command(after_help = help::text(atlas::AFTER_HELP, &["atlas", "claims"]))]
-    Atlas(AtlasArgs),
     /// Show a method's inputs, outputs, budgets and protocol
     #[command(after_help = help::text(describe::AFTER_DESCRIBE, &["describe"]))]
     Describe(DescribeArgs),

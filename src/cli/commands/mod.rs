@@ -1,6 +1,5 @@
 //! The commands: a file or folder each.
 
-pub mod atlas;
 pub mod audit;
 pub mod campaign;
 pub mod chirp;

@@ -54,13 +54,11 @@ impl AnswerLines {
     }
 }
 
-/// The header of a candidate: lines `name: …`, `version: …` and `ns: …` before its first answer.
+/// The header of a candidate: lines `name: …` and `version: …` before its first answer.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Header {
     pub name: Option<String>,
     pub version: Option<String>,
-    /// Nanoseconds a value, as it has measured itself.
-    pub ns: Option<f64>,
 }
 
 impl Header {
@@ -71,13 +69,6 @@ impl Header {
         let place = match key.trim() {
             "name" => &mut self.name,
             "version" => &mut self.version,
-            "ns" => {
-                let ns = value.trim().parse().ok();
-                self.ns = self
-                    .ns
-                    .or(ns.filter(|ns: &f64| *ns > 0.0 && ns.is_finite()));
-                return;
-            }
             _ => return,
         };
         let printable = value.trim().chars().filter(|c| !c.is_control());
@@ -311,10 +302,6 @@ mod tests {
 
     #[test]
     fn a_header_names_the_code() {
-        let (found, _) = header(b"# ns: -1\n# ns: 47.5\n# ns: 1\n1\n", Form::Lines);
-        assert_eq!(found.ns, Some(47.5));
-        let (found, _) = header(b"# ns: 0\n# ns: inf\n# ns: 0.5\n1\n", Form::Lines);
-        assert_eq!(found.ns, Some(0.5));
         let text = b"# name: libcerf\n# version:  2.4 \n# other: x\n# name: second\n1,2\n# version: 3\n1\n";
         let (found, answers) = header(text, Form::Lines);
         assert_eq!(found.name.as_deref(), Some("libcerf"));

@@ -4,7 +4,7 @@
 //! are judged batch by batch, those of several programs to a case together.
 
 use crate::cli::failure::Failure;
-use crate::cli::process::answers::{AnswerLines, Answers, Batch, End, Form, Header};
+use crate::cli::process::answers::{AnswerLines, Answers, Batch, End, Form};
 use crate::cli::process::inputs::Inputs;
 use crate::cli::process::interrupt::{self, POLL};
 use crate::cli::process::program::Program;
@@ -170,11 +170,6 @@ impl CandidateProcess {
             answered: self.answered as u64,
             trouble,
         }
-    }
-
-    /// Returns its header as far as it is read.
-    pub fn header(&self) -> Header {
-        self.answers.header()
     }
 
     /// Returns the number of answers.

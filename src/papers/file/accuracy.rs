@@ -1,15 +1,14 @@
-//! Claims about the accuracy of algorithms: a solver, a region, a measure and a bound, tested by an audit and a hunt.
+//! Claims about the accuracy of algorithms: a solver, a region, a measure and a bound, tested by an
+//! audit and a hunt.
 
-use super::read::{Reading, count, required, text, word};
-use crate::audit::{
-    Case, Cases, HuntSettings, Limit, Method, Origin, Settings, Variant, Verdict as Judged,
-    audit_method, hunt, judge_case_briefly, selected_outputs,
-};
-use crate::claims::mean;
+mod search;
+
+use super::read::{Reading, count, required, text, texts, word};
+use crate::audit::selected_outputs;
 use crate::papers::{Draft, Finding, FindingVerdict, Subject, figure};
+use crate::reference::nearest_f64;
 use crate::study::document::Item as Node;
-use crate::study::{Study, StudyError, intern, rational};
-use rayon::prelude::*;
+use crate::study::{Study, StudyError, StudyInput, input, intern, rational};
 
 /// The measure of an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,7 +35,10 @@ pub enum Statistic {
 pub enum Held {
     /// At every point tried, or the interval of the mean is below the bound.
     AsFarAsSearched,
-    /// At a point that is named it certainly does not hold, or the interval of the mean is above the bound.
+    /// Refuted in the region, but at every point tried of a part that the claim names.
+    InPart,
+    /// At a point that is named it certainly does not hold, or the interval of the mean is above
+    /// the bound.
     Refuted,
     /// The reference could not tell, or the interval of the mean holds the bound.
     Open,
@@ -71,8 +73,12 @@ impl std::fmt::Debug for Accuracy {
 /// The evidence that decides a claim.
 #[derive(Clone)]
 struct Test {
-    study: Study,
-    region: Option<&'static str>,
+    /// The study over each region of the claim.
+    studies: Vec<Study>,
+    /// The same over the part where the claim holds, with the part in words.
+    part: Option<(Vec<Study>, String)>,
+    /// The only input, where the claim is about one.
+    at: Option<Vec<f64>>,
     output: Option<&'static str>,
     measure: Measure,
     statistic: Statistic,
@@ -81,7 +87,7 @@ struct Test {
     cases: u64,
 }
 
-const KEYS: [&str; 13] = [
+const KEYS: [&str; 15] = [
     "id",
     "place",
     "claims",
@@ -89,6 +95,8 @@ const KEYS: [&str; 13] = [
     "study",
     "solver",
     "region",
+    "part",
+    "at",
     "output",
     "measure",
     "statistic",
@@ -106,19 +114,17 @@ const MEASURES: [(&str, Measure); 3] = [
 const STATISTICS: [(&str, Statistic); 2] =
     [("largest", Statistic::Largest), ("mean", Statistic::Mean)];
 
-const VERDICTS: [(&str, Held); 4] = [
+const VERDICTS: [(&str, Held); 5] = [
     ("holds", Held::AsFarAsSearched),
+    ("in part", Held::InPart),
     ("refuted", Held::Refuted),
     ("open", Held::Open),
     ("not testable", Held::NotTestable),
 ];
 
-/// Points in each region, unless the claim says how many, and the largest number.
+/// Points that the regions of a claim share, unless it says how many, and the largest number.
 const CASES: u32 = 300;
 const MOST_CASES: u32 = 100_000;
-/// Evaluations of the hunt for each point.
-const HUNTED: u64 = 2;
-const SEED: u64 = 1;
 
 /// Reads a claim; without a bound it is not testable.
 pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Accuracy, StudyError> {
@@ -145,54 +151,106 @@ pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Accuracy, Study
     })
 }
 
-fn test(reading: &Reading, node: &Node, bound: &Node) -> Result<Test, StudyError> {
+fn test(reading: &mut Reading, node: &Node, bound: &Node) -> Result<Test, StudyError> {
     let number = rational(bound)?.to_f64();
     if !(number > 0.0 && number.is_finite()) {
         return Err(bound.fault("a bound is a positive number"));
     }
-    let file = required(node, "study")?;
-    let name = file.text()?;
-    let stem = name.rsplit('/').next().unwrap_or(name);
-    let stem = stem.split('.').next().unwrap_or(stem);
-    let read = reading.source.read(name).map_err(|e| e.at(file.place))?;
-    let study = Study::parse(&read, stem).map_err(|e| file.fault(format!("{name}: {e}")))?;
     let solver = required(node, "solver")?;
-    let study = study
-        .with_solver(solver.text()?)
-        .map_err(|e| e.at(solver.place))?;
+    let known = reading.solver(solver.text()?);
+    let study = match (known, node.get("study")) {
+        (Some(study), None) => study,
+        _ => {
+            let study = reading.study(required(node, "study")?)?;
+            let chosen = study.with_solver(solver.text()?);
+            chosen.map_err(|e| e.at(solver.place))?
+        }
+    };
     let part = |key: &str| node.get(key).map(|n| n.text().map(intern)).transpose();
-    let (region, output) = (part("region")?, part("output")?);
-    if let (Some(region), Some(at)) = (region, node.get("region")) {
-        Variant::new(&study)
-            .region(region)
-            .map_err(|e| at.fault(e.to_string()))?;
+    let output = part("output")?;
+    let at = node.get("at").map(|at| point(&study, at)).transpose()?;
+    let mut studies = Vec::new();
+    for region in texts(node.get("region"))? {
+        let within = study.within(Some(region.text()?), &[]);
+        studies.push(within.map_err(|e| e.at(region.place))?);
     }
+    if studies.is_empty() {
+        studies.push(study.clone());
+    }
+    let part = node.get("part");
+    let part = part.map(|part| narrowed(&studies, part)).transpose()?;
     if let (Some(output), Some(at)) = (output, node.get("output")) {
-        selected_outputs(&study, &[output]).map_err(|e| at.fault(e.to_string()))?;
+        let study = &studies[0];
+        selected_outputs(study, &[output]).map_err(|e| at.fault(e.to_string()))?;
     }
     let cases = node
         .get("cases")
         .map_or(Ok(CASES), |n| count(n, MOST_CASES))?;
     Ok(Test {
-        study,
-        region,
+        part,
+        at,
         output,
         measure: word(node.get("measure"), &MEASURES, Measure::Relative)?,
         statistic: word(node.get("statistic"), &STATISTICS, Statistic::Largest)?,
         bound: number,
         printed: intern(bound.text()?),
-        cases: u64::from(cases.max(1)),
+        cases: u64::from(cases).div_ceil(studies.len() as u64).max(1),
+        studies,
     })
 }
 
-/// The findings of a test.
-struct Found {
-    held: Held,
-    /// The largest error, or the mean, in words.
-    error: String,
-    /// The input with the largest error.
-    at: Option<String>,
-    points: u64,
+/// The input that a claim is about: a number for each input of the study.
+fn point(study: &Study, node: &Node) -> Result<Vec<f64>, StudyError> {
+    let inputs = &study.problem().inputs;
+    let names: Vec<&str> = inputs.iter().map(|i| i.name.as_str()).collect();
+    node.only(&names)?;
+    let number = |name: &&str| -> Result<f64, StudyError> {
+        Ok(nearest_f64(&rational(required(node, name)?)?))
+    };
+    names.iter().map(number).collect()
+}
+
+/// The studies over a part: inputs with nearer ends. A region without a point of it is left out.
+fn narrowed(studies: &[Study], node: &Node) -> Result<(Vec<Study>, String), StudyError> {
+    let mut words = Vec::new();
+    let mut all = Vec::new();
+    for study in studies {
+        let own = &study.problem().inputs;
+        let names: Vec<&str> = own.iter().map(|i| i.name.as_str()).collect();
+        node.only(&names)?;
+        let mut inputs: Vec<StudyInput> = Vec::new();
+        words.clear();
+        for own in own {
+            let Some(item) = node.get(&own.name) else {
+                continue;
+            };
+            item.only(&["from", "to"])?;
+            let stated = input(&own.name, item)?;
+            for (key, sign) in [("from", ">="), ("to", "<=")] {
+                if let Some(end) = item.get(key) {
+                    words.push(format!("{} {sign} {}", own.name, end.text()?));
+                }
+            }
+            inputs.push(StudyInput {
+                from: stated.from.into_iter().chain(own.from.clone()).max(),
+                to: stated.to.into_iter().chain(own.to.clone()).min(),
+                ..own.clone()
+            });
+        }
+        let is_empty = |i: &StudyInput| {
+            i.from
+                .as_ref()
+                .zip(i.to.as_ref())
+                .is_some_and(|e| e.0 > e.1)
+        };
+        if !inputs.iter().any(is_empty) {
+            all.push(study.within(None, &inputs).map_err(|e| e.at(node.place))?);
+        }
+    }
+    match all.is_empty() {
+        true => Err(node.fault("no region of the claim has a point of this part")),
+        false => Ok((all, words.join(", "))),
+    }
 }
 
 impl Accuracy {
@@ -202,9 +260,11 @@ impl Accuracy {
             Statistic::Largest => test.largest(),
             Statistic::Mean => test.mean(),
         });
+        let part = self.test.as_ref().and_then(|test| test.part.as_ref());
         let held = found.as_ref().map_or(Held::NotTestable, |f| f.held);
         let (verdict, word) = match held {
             Held::AsFarAsSearched => (FindingVerdict::Confirmed, "Holds as far as searched."),
+            Held::InPart => (FindingVerdict::Refuted, "Holds in part alone."),
             Held::Refuted => (FindingVerdict::Refuted, "Refuted."),
             Held::Open => (
                 FindingVerdict::Unexplained,
@@ -219,7 +279,10 @@ impl Accuracy {
         if let (Some(test), Some(found)) = (&self.test, &found) {
             figures.push(figure("claimed bound", test.printed, "1"));
             figures.push(figure("found", &found.error, "1"));
-            figures.extend(found.at.as_ref().map(|at| figure("at", at, "1")));
+            figures.extend(found.at.iter().cloned());
+            if let (Held::InPart, Some((_, words))) = (held, part) {
+                figures.push(figure("holds where", words, "1"));
+            }
             figures.push(figure("points", found.points.to_string(), "1"));
         }
         let text = [word, self.note].join(" ");
@@ -229,139 +292,6 @@ impl Accuracy {
             .text(text.trim())
             .figures(figures)
             .recorded_if(held == self.expected)
-    }
-}
-
-impl Test {
-    /// The study with its solver, judged by a limit in the region of the claim.
-    fn variant(&self, limit: f64) -> Option<Variant<'_>> {
-        let variant = Variant::new(&self.study);
-        let variant = match self.region {
-            Some(region) => variant.region(region).ok()?,
-            None => variant,
-        };
-        let variant = match self.measure {
-            Measure::Norm => variant.norm_limit(limit),
-            Measure::Absolute => variant.limit(Limit::Absolute(limit)),
-            Measure::Relative => variant.limit(Limit::Relative(limit)),
-        };
-        match self.output {
-            Some(output) => variant.outputs(&[output]).ok(),
-            None => Some(variant),
-        }
-    }
-
-    fn settings(&self) -> Settings {
-        Settings {
-            seed: SEED,
-            cases_per_region: self.cases,
-            ..Settings::default()
-        }
-    }
-
-    /// The error at an input in units of the limit, and whether it certainly is over it.
-    fn share(method: &dyn Method, input: &[f64]) -> (f64, bool) {
-        let case = Case {
-            method: method.name(),
-            region: "given",
-            input: input.to_vec(),
-            origin: Origin::Given,
-        };
-        let report = judge_case_briefly(method, case, method.solve(input), &Settings::default());
-        let j = &report.judgement;
-        (
-            j.share(),
-            matches!(j.verdict, Judged::Over | Judged::WrongKind),
-        )
-    }
-
-    /// The largest error that an audit and a hunt find.
-    fn largest(&self) -> Found {
-        let mut worst: Option<(bool, f64, Vec<f64>)> = None;
-        let mut points = 0;
-        if let Some(variant) = self.variant(self.bound) {
-            let report = audit_method(&variant, &self.settings(), &|| ());
-            let hunted = HuntSettings {
-                evaluations: self.cases * HUNTED,
-                seed: SEED,
-            };
-            let climbed = hunt(&variant, &hunted, &|_| ());
-            points = report.cases + climbed.evaluations;
-            let audited = report
-                .failures
-                .iter()
-                .chain(&report.worst)
-                .chain(&report.wrong);
-            let audited = audited.map(|c| &c.case.input);
-            let climbed = climbed
-                .worst
-                .iter()
-                .map(|w| &w.input)
-                .chain(climbed.failures.iter().map(|f| &f.input));
-            for input in audited.chain(climbed) {
-                let (share, over) = Test::share(&variant, input);
-                // Certain errors come before uncertain ones; a share that is no number is the worst.
-                let size = if share.is_nan() { f64::INFINITY } else { share };
-                if worst.as_ref().is_none_or(|w| (over, size) > (w.0, w.1)) {
-                    worst = Some((over, size, input.clone()));
-                }
-            }
-        }
-        let held = match &worst {
-            Some((true, ..)) => Held::Refuted,
-            Some((false, share, _)) if *share <= 1.0 => Held::AsFarAsSearched,
-            _ => Held::Open,
-        };
-        let error = worst
-            .as_ref()
-            .map_or("nothing".into(), |w| format!("{:.2e}", w.1 * self.bound));
-        let names: Vec<&str> = self.study.inputs().iter().map(|i| i.name).collect();
-        let at = worst.filter(|_| held != Held::AsFarAsSearched).map(|w| {
-            let values = names
-                .iter()
-                .zip(&w.2)
-                .map(|(name, x)| format!("{name} = {x:?}"));
-            values.collect::<Vec<_>>().join(", ")
-        });
-        Found {
-            held,
-            error,
-            at,
-            points,
-        }
-    }
-
-    /// The mean of the errors with four standard errors.
-    fn mean(&self) -> Found {
-        let errors: Vec<f64> = self.variant(1.0).map_or_else(Vec::new, |variant| {
-            let cases = Cases::new(&variant, &self.settings());
-            let all = (0..cases.len()).into_par_iter();
-            all.map(|k| Test::share(&variant, &cases.get(k).input).0)
-                .collect()
-        });
-        let points = errors.len() as u64;
-        if errors.is_empty() || !errors.iter().all(|e| e.is_finite()) {
-            let (held, error) = (Held::Open, "an error that is no number".into());
-            return Found {
-                held,
-                error,
-                at: None,
-                points,
-            };
-        }
-        let m = mean(&errors);
-        let held = match self.bound {
-            b if m.mean + m.within <= b => Held::AsFarAsSearched,
-            b if m.mean - m.within > b => Held::Refuted,
-            _ => Held::Open,
-        };
-        let error = format!("{:.2e} within {:.1e}", m.mean, m.within);
-        Found {
-            held,
-            error,
-            at: None,
-            points,
-        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::claim::Quantity;
 use super::table::{Column, Rounding};
-use super::{Accuracy, Claim, PaperFile, Table};
+use super::{Accuracy, Claim, PaperFile, Survey, Table};
 use crate::papers::ledger::{Verdict, dimension, finding, proved};
 use crate::papers::number::{AS_PRINTED, Number, explained, tally};
 use crate::papers::{
@@ -38,6 +38,7 @@ impl PaperFile {
         progress("claims", 2, 3);
         findings.par_extend(self.claims.par_iter().map(judge_claim));
         findings.extend(self.accuracies.iter().map(Accuracy::finding));
+        findings.extend(self.surveys.iter().flat_map(Survey::findings));
         progress("done", 3, 3);
         Ok(PaperReport::new(self.citation.clone(), findings).with_entries(entries, tallies))
     }

@@ -11,6 +11,7 @@ mod planted_tests;
 mod read;
 mod source;
 mod summary;
+mod survey;
 mod symbols;
 mod table;
 #[cfg(test)]
@@ -20,6 +21,7 @@ pub use accuracy::Accuracy;
 pub use claim::Claim;
 pub use source::Texts;
 pub use summary::Summary;
+pub use survey::Survey;
 pub use symbols::Symbol;
 pub use table::{Column, Rounding, Table};
 
@@ -44,6 +46,8 @@ pub struct PaperFile {
     pub claims: Vec<Claim>,
     /// The claims about the accuracy of algorithms.
     pub accuracies: Vec<Accuracy>,
+    /// The surveys of solvers.
+    pub surveys: Vec<Survey>,
     /// The findings that sum up entries.
     pub summaries: Vec<Summary>,
 }

@@ -2,14 +2,14 @@
 
 use super::source::Source;
 use super::symbols::{self, Symbols};
-use super::{PaperFile, accuracy, claim, entry, summary, table};
+use super::{PaperFile, accuracy, claim, entry, summary, survey, table};
 use crate::papers::Citation;
 use crate::study::document::{self, Item as Node, Value};
-use crate::study::{StudyError, intern, is_name};
+use crate::study::{Study, StudyError, intern, is_name};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Keys of the first file, and of those that it names.
-const KEYS: [&str; 14] = [
+const KEYS: [&str; 16] = [
     "title",
     "authors",
     "year",
@@ -22,15 +22,19 @@ const KEYS: [&str; 14] = [
     "entry",
     "table",
     "claim",
+    "solver",
     "accuracy",
+    "survey",
     "finding",
 ];
-const KEYS_OF_PARTS: [&str; 6] = [
+const KEYS_OF_PARTS: [&str; 8] = [
     "definitions",
     "entry",
     "table",
     "claim",
+    "solver",
     "accuracy",
+    "survey",
     "finding",
 ];
 
@@ -43,6 +47,11 @@ pub(super) struct Reading<'a> {
     pub symbols: Symbols,
     /// Groups of definitions by their names.
     pub groups: BTreeMap<String, Vec<String>>,
+    /// Studies by the names of their files.
+    studies: BTreeMap<String, Study>,
+    /// Studies with the solvers that the paper states, in their order, each with the name of the
+    /// study's file.
+    pub solvers: Vec<(&'static str, &'static str, Study)>,
     /// Names of entries and claims.
     ids: BTreeSet<String>,
     /// The name of the file that is being read, kept for good.
@@ -65,6 +74,70 @@ impl Reading<'_> {
             true => Err(id.fault(format!("more than {MOST} entries and claims"))),
             false => Ok(intern(text)),
         }
+    }
+
+    /// The study in a file of the folder.
+    pub fn study(&mut self, file: &Node) -> Result<Study, StudyError> {
+        let name = file.text()?;
+        if let Some(study) = self.studies.get(name) {
+            return Ok(study.clone());
+        }
+        let stem = name.rsplit('/').next().unwrap_or(name);
+        let stem = stem.split('.').next().unwrap_or(stem);
+        let text = self.source.read(name).map_err(|e| e.at(file.place))?;
+        let study = Study::parse(&text, stem).map_err(|e| file.fault(format!("{name}: {e}")))?;
+        self.studies.insert(name.into(), study.clone());
+        Ok(study)
+    }
+
+    /// The study with a solver that the paper states.
+    pub fn solver(&self, name: &str) -> Option<Study> {
+        let found = self.solvers.iter().find(|s| s.0 == name);
+        found.map(|s| s.2.clone())
+    }
+
+    /// Reads the solvers of a file: each names its study.
+    fn read_solvers(&mut self, stated: &[(String, Node)]) -> Result<(), StudyError> {
+        for (name, node) in stated {
+            if self.solver(name).is_some() {
+                return Err(node.fault(format!("the solver {name} is stated twice")));
+            }
+            let file = required(node, "study")?;
+            let own = self.with_definitions(node)?;
+            let study = self.study(file)?.and_solver(name, &own)?;
+            self.solvers
+                .push((intern(name), intern(file.text()?), study));
+        }
+        Ok(())
+    }
+
+    /// A solver with the definitions of the files that it names in `with` before its own, as a
+    /// study takes it.
+    fn with_definitions(&self, node: &Node) -> Result<Node, StudyError> {
+        let mut lets = Vec::new();
+        for file in texts(node.get("with"))? {
+            let name = file.text()?;
+            let text = self.source.read(name).map_err(|e| e.at(file.place))?;
+            let read = document::read(&text).map_err(|e| e.in_file(name))?;
+            read.only(&["let"]).map_err(|e| e.in_file(name))?;
+            lets.extend(read.get("let").map_or(Ok(&[][..]), Node::table)?.to_vec());
+        }
+        let own = node.get("let").map_or(Ok(&[][..]), Node::table)?;
+        lets.retain(|shared| own.iter().all(|o| o.0 != shared.0));
+        lets.extend(own.to_vec());
+        let mut entries = node.table()?.to_vec();
+        entries.retain(|e| !["study", "with", "let"].contains(&e.0.as_str()));
+        entries.push((
+            "let".into(),
+            Node {
+                value: Value::Table(lets),
+                ..node.clone()
+            },
+        ));
+        Ok(Node {
+            value: Value::Table(entries),
+            ..node.clone()
+        })
     }
 
     /// The definitions that a list names: groups, and definitions of its own.
@@ -174,6 +247,7 @@ pub(super) fn paper(key: &str, source: &Source, first: &str) -> Result<PaperFile
         tables: Vec::new(),
         claims: Vec::new(),
         accuracies: Vec::new(),
+        surveys: Vec::new(),
         summaries: Vec::new(),
     };
     paper.symbols = symbols::read(&file).map_err(in_first)?;
@@ -182,6 +256,8 @@ pub(super) fn paper(key: &str, source: &Source, first: &str) -> Result<PaperFile
         source,
         symbols: Symbols::new(&paper.symbols, file.get("symbols").is_some(), dimensions),
         groups: BTreeMap::new(),
+        studies: BTreeMap::new(),
+        solvers: Vec::new(),
         ids: BTreeSet::new(),
         file: intern(first),
     };
@@ -197,9 +273,10 @@ pub(super) fn paper(key: &str, source: &Source, first: &str) -> Result<PaperFile
     for summary in &paper.summaries {
         summary.check(&paper.items)?;
     }
-    let is_empty = paper.items.is_empty() && paper.tables.is_empty();
-    if is_empty && paper.claims.is_empty() && paper.accuracies.is_empty() {
-        let reason = "a paper has at least one [[entry]], [[table]], [[claim]] or [[accuracy]]";
+    let is_empty = paper.items.is_empty() && paper.tables.is_empty() && paper.claims.is_empty();
+    if is_empty && paper.accuracies.is_empty() && paper.surveys.is_empty() {
+        let reason =
+            "a paper has at least one [[entry]], [[table]], [[claim]], [[accuracy]] or [[survey]]";
         return Err(in_first(StudyError::new(reason)));
     }
     Ok(paper)
@@ -250,8 +327,12 @@ fn part(reading: &mut Reading, file: &Node, paper: &mut PaperFile) -> Result<(),
     for node in list("claim")? {
         paper.claims.push(claim::read(reading, node)?);
     }
+    reading.read_solvers(file.get("solver").map_or(Ok(&[][..]), Node::table)?)?;
     for node in list("accuracy")? {
         paper.accuracies.push(accuracy::read(reading, node)?);
+    }
+    for node in list("survey")? {
+        paper.surveys.push(survey::read(reading, node)?);
     }
     for node in list("finding")? {
         paper.summaries.push(summary::read(reading, node)?);

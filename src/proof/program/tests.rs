@@ -103,9 +103,9 @@ impl Kernel {
                 .collect();
             evaluator.reset(false);
             for (k, x) in x.iter().enumerate() {
-                evaluator.set_input(k, *x);
+                evaluator.set_input(k, (*x).into());
             }
-            let computed = *evaluator.value(self.root).unwrap();
+            let computed = evaluator.value(self.root).unwrap().real().unwrap();
             let Some(exact) = self.exact(self.root, &x) else {
                 continue;
             };

@@ -97,47 +97,6 @@ pub const CONVERGENCE: Topic = Topic {
 };
 
 #[rustfmt::skip]
-pub const ATLAS: Topic = Topic {
-    key: "atlas",
-    title: "Columns of the atlas",
-    columns: &[
-        column("name | code | algorithm", "", "published algorithm or program"),
-        column("precision", "", "single or double"),
-        column("region | cases", "", "part of the plane, and points tried in it"),
-        column("99 % | p99 | p99_norm", "", "error of the norm that 99 of 100 do not exceed"),
-        column("median | p50 | median_norm", "", "error of the norm that half do not exceed"),
-        column("norm | worst_norm | * norm", "",
-            "largest relative error of |W| found (on the page: ordinary region)"),
-        column("Re | worst_re | * Re | grid | wings", "", "largest relative error of Re W found"),
-        column("Im | worst_im", "", "largest relative error of Im W found"),
-        column("wrong | huge", "", "NaN or infinity where a number is due; those at |z| above 1e8"),
-        column("Re < 0 | Re<0 | negative_re", "", "negative Re W where it is positive"),
-        column("worst_at_re | worst_at_im", "", "the worst point"),
-        column("W' | worst_derivative", "", "largest relative error of the derivative by the identity"),
-        column("seam | worst_jump_re", "", "largest relative jump of Re W where formulas meet"),
-        column("rising", "", "crossings at which Re W rises away from the imaginary axis"),
-        column("off by", "", "relative error of the part"),
-        column("ns", "ns", "time a value"),
-        column("* of the norm | of each part | 1e-4 | 1e-6 | 1e-10 | 2 ε", "",
-            "Im z from which on no larger error was found"),
-    ],
-};
-
-#[rustfmt::skip]
-pub const CLAIMS: Topic = Topic {
-    key: "claims",
-    title: "Columns of the atlas's claims",
-    columns: &[
-        column("algorithm | source", "", "whose claim it is, and where it stands"),
-        column("statement | reading", "", "the claim, and how it is read"),
-        column("domain | measure | bound", "", "where it is to hold, of which error, and how small that is"),
-        column("verdict | part", "", "what became of it; where it holds if in part"),
-        column("points | found | within", "", "points tried, worst error found, and its uncertainty"),
-        column("at_re | at_im | reproduce", "", "the worst point, and the command that shows it"),
-    ],
-};
-
-#[rustfmt::skip]
 pub const PAPER: Topic = Topic {
     key: "paper",
     title: "Columns of a paper's tables",

@@ -51,8 +51,6 @@ pub static TOPICS: &[Topic] = &[
     judging::CAMPAIGN,
     judging::COMPARISON,
     judging::CONVERGENCE,
-    judging::ATLAS,
-    judging::CLAIMS,
     judging::PAPER,
     judging::PUBLISHED,
     judging::HARD,

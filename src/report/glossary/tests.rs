@@ -75,7 +75,7 @@ fn every_column_of_every_csv_has_a_meaning() {
         heads(&out)
     };
     use crate::audit::Comparison;
-    use crate::report::{atlas, csv};
+    use crate::report::csv;
     let report = method::tests::passing();
     let audit = written(&|out| csv::audit(std::slice::from_ref(&report), out).unwrap());
     check("audit", strs(&audit));
@@ -83,15 +83,6 @@ fn every_column_of_every_csv_has_a_meaning() {
     check(
         "compare",
         strs(&written(&|out| csv::comparison(&both, out).unwrap())),
-    );
-    let found = atlas::tests::fabricated();
-    check(
-        "atlas",
-        strs(&written(&|out| atlas::rows(&found, out).unwrap())),
-    );
-    check(
-        "claims",
-        strs(&written(&|out| atlas::claims(&found, out).unwrap())),
     );
     let report = paper::tests::fabricated();
     check(

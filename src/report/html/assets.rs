@@ -15,8 +15,6 @@ pub const AUDIT_CSS: &str = include_str!("assets/audit.css");
 
 /// Of run-ups and oscillators.
 pub const RUN_CSS: &str = include_str!("assets/run.css");
-/// Of the atlas.
-pub const ATLAS_CSS: &str = include_str!("assets/atlas.css");
 
 /// Of every page: colour scheme, filters, sorting, copying.
 pub const FRAME_JS: &str = include_str!("assets/frame.js");
@@ -28,8 +26,6 @@ pub const FIGURES_JS: &str = include_str!("assets/figures.js");
 pub const MAP_JS: &str = include_str!("assets/map.js");
 /// An audit's figures where they come into view, and the dialog of a case.
 pub const AUDIT_JS: &str = include_str!("assets/audit.js");
-/// The atlas's maps and its diagram.
-pub const ATLAS_JS: &str = include_str!("assets/atlas.js");
 /// D3, on which Observable Plot is built.
 pub const D3_JS: &str = include_str!("assets/d3.min.js");
 /// Observable Plot: scales, axes and marks as SVG.
@@ -64,7 +60,7 @@ mod tests {
     #[test]
     fn no_script_ends_its_element() {
         for script in [
-            FRAME_JS, MOTION_JS, FIGURES_JS, MAP_JS, AUDIT_JS, ATLAS_JS, D3_JS, PLOT_JS,
+            FRAME_JS, MOTION_JS, FIGURES_JS, MAP_JS, AUDIT_JS, D3_JS, PLOT_JS,
         ] {
             assert!(!script.contains("</script") && !script.contains("<!--"));
         }

@@ -1,8 +1,6 @@
 //! Pages without outside parts, for light and dark, for desk and phone.
 
 mod assets;
-#[cfg(feature = "report")]
-pub mod atlas;
 pub mod audit;
 mod convergence;
 mod glossary;

@@ -1,7 +1,5 @@
 //! Reports for people, in as many columns as there are.
 
-#[cfg(feature = "report")]
-pub mod atlas;
 pub mod case;
 pub mod comparison;
 #[cfg(feature = "report")]

@@ -1,6 +1,10 @@
 //! Graphs in floating point: one rounding an operation.
 
-use super::{Evaluator, Interpretation, Stop};
+mod value;
+
+pub use value::FloatValue;
+
+use super::{Balls, Evaluator, Interpretation, Stop, Value};
 use crate::graph::{Graph, Node};
 use crate::{Constant, Func, Relation};
 use mechaudit_reference::elementary::NoValue;
@@ -37,7 +41,7 @@ pub struct Floating {
     pub elementary: Elementary,
 }
 
-const COMPLEX: NoValue = NoValue::Undefined("complex arithmetic in floating point");
+const COMPLEX: NoValue = NoValue::Undefined("a real function of a complex number");
 
 impl Floating {
     /// Rounds a result of binary64. For the sum, the difference, the product, the quotient and the
@@ -111,8 +115,9 @@ impl Floating {
             Func::Trunc => x.trunc(),
             Func::Nearbyint => x.round_ties_even(),
             Func::Re | Func::Conj => x,
-            Func::Im | Func::Arg | Func::W => return Err(COMPLEX),
-            Func::Erfcx | Func::Erfi | Func::Dawson | Func::Digamma => {
+            Func::Im => 0.0,
+            Func::Arg => return self.binary(Func::Atan2, 0.0, x),
+            Func::W | Func::Erfcx | Func::Erfi | Func::Dawson | Func::Digamma => {
                 return Err(NoValue::Undefined("a function that is not in C's library"));
             }
             Func::Pow
@@ -134,9 +139,12 @@ impl Floating {
         Ok(self.round(value))
     }
 
-    /// A function of MPFR, rounded once to the format; none for those that are exact or that MPFR
-    /// does not have.
+    /// A function of MPFR, or one that balls enclose, rounded once to the format; none for those
+    /// that are exact.
     fn correct(self, f: Func, x: f64) -> Option<f64> {
+        if matches!(f, Func::Erfcx | Func::Erfi | Func::Dawson | Func::Digamma) {
+            return self.enclosed(f, x);
+        }
         let x = Float::with_val(53, x);
         macro_rules! rounded {
             ($method:ident) => {
@@ -175,6 +183,26 @@ impl Floating {
             }),
             _ => return None,
         })
+    }
+
+    /// The number that both ends of an enclosure are rounded to, at a precision that is raised
+    /// until they are the same.
+    fn enclosed(self, f: Func, x: f64) -> Option<f64> {
+        /// A function whose value is so close to a tie is not decided.
+        const MOST: u32 = 2048;
+        let mut bits = 128;
+        while x.is_finite() && bits <= MOST {
+            let x = Value::Real(Ball::exact(bits, x));
+            let value = Balls::new(bits).call(f, &[&x]).ok()?;
+            let ball = value.real()?;
+            let [low, high] = [ball.lower(), ball.upper()]
+                .map(|end| self.nearest(|bits| Float::with_val_round(bits, &end, Round::Nearest)));
+            if low == high {
+                return Some(low);
+            }
+            bits *= 2;
+        }
+        None
     }
 
     fn binary(self, f: Func, x: f64, y: f64) -> Result<f64, NoValue> {
@@ -255,81 +283,98 @@ fn single(f: Func, x: f32) -> Option<f32> {
 }
 
 impl Interpretation for Floating {
-    type V = f64;
+    type V = FloatValue;
 
-    fn number(&mut self, graph: &Graph, place: u32) -> Result<f64, NoValue> {
+    fn number(&mut self, graph: &Graph, place: u32) -> Result<FloatValue, NoValue> {
         let q = graph.rational(place);
-        Ok(match self.format {
+        Ok(FloatValue::from(match self.format {
             Format::Double => nearest_f64(q),
             Format::Single => self.nearest(|bits| Float::with_val_round(bits, q, Round::Nearest)),
-        })
+        }))
     }
 
-    fn integer(&mut self, n: i64) -> f64 {
-        self.round(n as f64)
+    fn integer(&mut self, n: i64) -> FloatValue {
+        self.round(n as f64).into()
     }
 
     /// The constant of C's header, which is the nearest number.
-    fn constant(&mut self, c: Constant) -> Result<f64, NoValue> {
-        let ball = super::Balls::new(128).constant(c)?;
+    fn constant(&mut self, c: Constant) -> Result<FloatValue, NoValue> {
+        let ball = Balls::new(128).constant(c)?;
         let value = ball.real().map(Ball::mid).ok_or(COMPLEX)?.clone();
-        Ok(self.nearest(|bits| Float::with_val_round(bits, &value, Round::Nearest)))
+        let nearest = self.nearest(|bits| Float::with_val_round(bits, &value, Round::Nearest));
+        Ok(nearest.into())
     }
 
-    fn imaginary_unit(&mut self) -> Result<f64, NoValue> {
-        Err(COMPLEX)
+    fn imaginary_unit(&mut self) -> Result<FloatValue, NoValue> {
+        Ok(FloatValue::I)
     }
 
-    fn infinity(&mut self) -> Result<f64, NoValue> {
-        Ok(f64::INFINITY)
+    fn infinity(&mut self) -> Result<FloatValue, NoValue> {
+        Ok(f64::INFINITY.into())
     }
 
-    fn neg(&mut self, a: &f64) -> Result<f64, NoValue> {
-        Ok(-a)
+    fn neg(&mut self, a: &FloatValue) -> Result<FloatValue, NoValue> {
+        Ok(self.negative(a))
     }
 
-    fn add(&mut self, a: &f64, b: &f64) -> Result<f64, NoValue> {
-        Ok(self.round(a + b))
+    fn add(&mut self, a: &FloatValue, b: &FloatValue) -> Result<FloatValue, NoValue> {
+        Ok(self.sum(a, b))
     }
 
-    fn sub(&mut self, a: &f64, b: &f64) -> Result<f64, NoValue> {
-        Ok(self.round(a - b))
+    fn sub(&mut self, a: &FloatValue, b: &FloatValue) -> Result<FloatValue, NoValue> {
+        Ok(self.difference(a, b))
     }
 
-    fn mul(&mut self, a: &f64, b: &f64) -> Result<f64, NoValue> {
-        Ok(self.round(a * b))
+    fn mul(&mut self, a: &FloatValue, b: &FloatValue) -> Result<FloatValue, NoValue> {
+        Ok(self.product(a, b))
     }
 
-    fn div(&mut self, a: &f64, b: &f64) -> Result<f64, NoValue> {
-        Ok(self.round(a / b))
+    fn div(&mut self, a: &FloatValue, b: &FloatValue) -> Result<FloatValue, NoValue> {
+        Ok(self.quotient(a, b))
     }
 
-    /// A square is a product; other powers are those of `pow`.
-    fn power(&mut self, a: &f64, k: i32) -> Result<f64, NoValue> {
-        match k {
-            1 => Ok(*a),
-            2 => self.mul(a, a),
-            k => self.binary(Func::Pow, *a, k.into()),
+    /// A square is a product; other powers of real numbers are those of `pow`.
+    fn power(&mut self, a: &FloatValue, k: i32) -> Result<FloatValue, NoValue> {
+        match (a.real(), k) {
+            (_, 1) => Ok(*a),
+            (_, 2) => Ok(self.product(a, a)),
+            (Some(x), k) => self.binary(Func::Pow, x, k.into()).map(FloatValue::from),
+            (None, k) => Ok(self.complex_power(a, k)),
         }
     }
 
-    fn call(&mut self, f: Func, x: &[&f64]) -> Result<f64, NoValue> {
-        match *x {
-            [x] => self.unary(f, *x),
-            [x, y] => self.binary(f, *x, *y),
+    fn call(&mut self, f: Func, x: &[&FloatValue]) -> Result<FloatValue, NoValue> {
+        if let [z] = *x
+            && z.real().is_none()
+        {
+            return self.complex_call(f, z);
+        }
+        let x: Option<Vec<f64>> = x.iter().map(|x| x.real()).collect();
+        let value = match x.ok_or(COMPLEX)?[..] {
+            [x] => self.unary(f, x),
+            [x, y] => self.binary(f, x, y),
             [x, y, z] if f == Func::Fma => Ok(match self.format {
-                Format::Double => x.mul_add(*y, *z),
-                Format::Single => f64::from((*x as f32).mul_add(*y as f32, *z as f32)),
+                Format::Double => x.mul_add(y, z),
+                Format::Single => f64::from((x as f32).mul_add(y as f32, z as f32)),
             }),
             _ => Err(NoValue::Undefined("a function that is not in C's library")),
-        }
+        };
+        value.map(FloatValue::from)
     }
 
-    fn flat(&mut self, _: Func, _: &f64) -> Result<f64, NoValue> {
-        Ok(0.0)
+    fn flat(&mut self, _: Func, _: &FloatValue) -> Result<FloatValue, NoValue> {
+        Ok(0.0.into())
     }
 
-    fn compare(&mut self, relation: Relation, a: &f64, b: &f64) -> Result<bool, NoValue> {
+    fn compare(
+        &mut self,
+        relation: Relation,
+        a: &FloatValue,
+        b: &FloatValue,
+    ) -> Result<bool, NoValue> {
+        let (Some(a), Some(b)) = (a.real(), b.real()) else {
+            return Err(NoValue::Undefined("a comparison of complex numbers"));
+        };
         Ok(match relation {
             Relation::Less => a < b,
             Relation::LessEqual => a <= b,
@@ -340,13 +385,17 @@ impl Interpretation for Floating {
         })
     }
 
-    fn to_integer(&self, a: &f64) -> Option<i64> {
-        (a.fract() == 0.0 && a.abs() < 9e15).then_some(*a as i64)
+    fn to_integer(&self, a: &FloatValue) -> Option<i64> {
+        let a = a.real()?;
+        (a.fract() == 0.0 && a.abs() < 9e15).then_some(a as i64)
     }
 
-    fn bound(evaluator: &mut Evaluator<Floating>, binder: u32) -> Result<f64, Stop> {
+    fn bound(evaluator: &mut Evaluator<Floating>, binder: u32) -> Result<FloatValue, Stop> {
         let node = evaluator.graph().find(Node::Bound(binder)).unwrap_or(0);
         let reason = NoValue::Undefined("an integral, a root or an infinite sum in floating point");
         Err(Stop { node, reason })
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -22,7 +22,7 @@ mod tests;
 
 pub use adaptive::{Algebraic, Answer, Certified, Goal, LIMIT, Undecided};
 pub use ball::{Balls, Value};
-pub use float::{Elementary, Floating, Format};
+pub use float::{Elementary, FloatValue, Floating, Format};
 pub use initial_value::{
     InitialValueProblem, Limits, MotionError, ProblemError, State, Trajectory,
 };

@@ -1,7 +1,6 @@
 //! Generated files: regenerated, or compared with what is held.
 
 mod andrews_motion;
-mod atlas;
 mod faddeeva_tables;
 mod method_values;
 mod n_four_bar_motion;
@@ -23,7 +22,6 @@ use std::path::Path;
 const VALUES: &str = "reference/values";
 const PUBLISHED: &str = "reference/published";
 const SOLVERS: &str = "src/solvers";
-const ATLAS: &str = "reference/atlas";
 const BOOK: &str = "src/book";
 
 /// Every generated file.
@@ -60,17 +58,6 @@ fn artefacts() -> Vec<Artefact> {
     all.push(csv("andrews-motion", Box::new(andrews_motion::made)));
     all.push(csv("n-four-bar-motion", Box::new(n_four_bar_motion::made)));
     all.extend(papers::keys().into_iter().map(errata));
-    let atlas = |name: &str, make: fn() -> artefact::Outcome<Made>| Artefact {
-        name: name.into(),
-        path: Path::new(ATLAS).join(format!("{name}.csv")),
-        form: Form::Csv,
-        make: Box::new(make),
-    };
-    all.extend([
-        atlas("atlas-rows", atlas::rows),
-        atlas("atlas-heights", atlas::heights),
-        atlas("atlas-claims", atlas::claims),
-    ]);
     all.push(Artefact {
         name: "columns".into(),
         path: Path::new(BOOK).join("columns.md"),
@@ -217,7 +204,6 @@ mod tests {
         for (folder, ending) in [
             (VALUES, ".csv"),
             (PUBLISHED, "-errata.json"),
-            (ATLAS, ""),
             (BOOK, "columns.md"),
             ("src/solvers/arithmetic", "tables.rs"),
             ("src/solvers/special/faddeeva", "tables.rs"),

@@ -188,9 +188,10 @@ impl Names {
             let mut evaluator = evaluator.borrow_mut();
             evaluator.reset(false);
             for (k, value) in names.values(instant).into_iter().enumerate() {
-                evaluator.set_input(k, value);
+                evaluator.set_input(k, value.into());
             }
-            evaluator.value(id).copied().unwrap_or(f64::NAN)
+            let value = evaluator.value(id).ok().and_then(|x| x.real());
+            value.unwrap_or(f64::NAN)
         })
     }
 }
