@@ -1,6 +1,7 @@
 //! Claims about the accuracy of algorithms: a solver, a region, a measure and a bound, tested by an audit and a hunt.
 
 use super::read::{Reading, count, required, text, word};
+use super::study;
 use crate::audit::{
     Case, Cases, HuntSettings, Limit, Method, Origin, Settings, Variant, Verdict as Judged,
     audit_method, hunt, judge_case_briefly, selected_outputs,
@@ -150,12 +151,7 @@ fn test(reading: &Reading, node: &Node, bound: &Node) -> Result<Test, StudyError
     if !(number > 0.0 && number.is_finite()) {
         return Err(bound.fault("a bound is a positive number"));
     }
-    let file = required(node, "study")?;
-    let name = file.text()?;
-    let stem = name.rsplit('/').next().unwrap_or(name);
-    let stem = stem.split('.').next().unwrap_or(stem);
-    let read = reading.source.read(name).map_err(|e| e.at(file.place))?;
-    let study = Study::parse(&read, stem).map_err(|e| file.fault(format!("{name}: {e}")))?;
+    let study = study::open(reading, required(node, "study")?)?;
     let solver = required(node, "solver")?;
     let study = study
         .with_solver(solver.text()?)
