@@ -154,7 +154,7 @@ fn judge_table(table: &Table) -> (Finding, Vec<Entry>, Vec<Tally>) {
                 variants: BTreeMap::from([(AS_PRINTED, judged)]),
             });
         }
-        // What is not known is not known to be wrong.
+        // An undecided number is not known to be wrong.
         as_recorded &= wrong == column.wrong && values.iter().all(Result::is_ok);
         tallies.push(of_column);
     }

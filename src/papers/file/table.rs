@@ -282,7 +282,7 @@ pub(super) fn shared(
     }
 }
 
-/// What a file states of a column.
+/// The statements of a file about a column.
 struct Stated<'a> {
     node: &'a Node,
     is: &'a Node,
