@@ -21,6 +21,8 @@ measure scipy python3 benches/compare_scipy.py
 measure lapack python3 benches/compare_lapack.py "${MECHAUDIT_DIR:-/usr/local}"
 measure dop853 python3 benches/compare_dop853.py
 measure flint python3 benches/compare_flint.py
+measure integrators python3 benches/integrators/atlas.py
+measure four-bar python3 benches/integrators/damped_four_bar.py target/release/mechaudit
 peers() {
     name=$1
     shift

@@ -1,12 +1,14 @@
 """The damped four-bar of examples/motion/four-bar-damped.toml by scipy: 10^4 output rows at a tolerance of 1e-12.
 
-Usage: python damped_four_bar.py [PROGRAM], PROGRAM being `mechaudit` built with optimisation. Prints the seconds of
-both and the largest difference of the crank's angle. The equations of motion are those with multipliers in the three
+Usage: python damped_four_bar.py [PROGRAM], PROGRAM being `mechaudit` built with optimisation. Prints the seconds of processor
+time of both and the largest difference of the crank's angle. The equations of motion are those with multipliers in the three
 angles, solved by numpy at each evaluation.
 """
 
 import csv
 import io
+import pathlib
+import resource
 import subprocess
 import sys
 import time
@@ -15,6 +17,8 @@ from math import cos, pi, sin
 import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import fsolve
+
+FILE = pathlib.Path(__file__).resolve().parents[2] / "examples/motion/four-bar-damped.toml"
 
 G, END, ROWS = 9.81, 5.0, 10_000
 L1, L2, L3, L0 = 0.1, 0.4, 0.3, 0.35
@@ -63,30 +67,33 @@ def start():
 def main():
     times = np.linspace(0, END, ROWS + 1)
     y0 = start()
-    begun = time.perf_counter()
-    solved = solve_ivp(
-        lambda t, y: np.concatenate([y[3:], accelerations(y[:3], y[3:])]),
-        (0, END),
-        y0,
-        method="DOP853",
-        t_eval=times,
-        rtol=1e-12,
-        atol=1e-12,
-    )
-    scipy_s = time.perf_counter() - begun
+    # Processor time: other work on the machine does not count.
+    scipy_s = float("inf")
+    for _ in range(3):
+        begun = time.process_time()
+        solved = solve_ivp(
+            lambda t, y: np.concatenate([y[3:], accelerations(y[:3], y[3:])]),
+            (0, END),
+            y0,
+            method="DOP853",
+            t_eval=times,
+            rtol=1e-12,
+            atol=1e-12,
+        )
+        scipy_s = min(scipy_s, time.process_time() - begun)
     print(f"scipy solve_ivp DOP853: {scipy_s:.3f} s, {solved.nfev} evaluations")
     if len(sys.argv) < 2:
         return
-    step = END / ROWS
-    command = [sys.argv[1], "motion", "examples/motion/four-bar-damped.toml", "--times", f"0:{END}:{step}", "--format", "csv"]
+    command = [sys.argv[1], "motion", FILE, "--times", f"0:{END}:{END / ROWS}", "--format", "csv"]
     best = float("inf")
     for _ in range(5):
-        begun = time.perf_counter()
+        begun = resource.getrusage(resource.RUSAGE_CHILDREN)
         text = subprocess.run(command, capture_output=True, text=True, check=True).stdout
-        best = min(best, time.perf_counter() - begun)
+        ended = resource.getrusage(resource.RUSAGE_CHILDREN)
+        best = min(best, ended.ru_utime + ended.ru_stime - begun.ru_utime - begun.ru_stime)
     rows = list(csv.DictReader(io.StringIO(text)))
     crank = np.array([float(r["theta_crank"]) for r in rows])
-    print(f"mechaudit motion, whole process with {len(rows)} rows of CSV: {best:.3f} s, 1/{scipy_s / best:.0f}")
+    print(f"mechaudit motion, whole process with {len(rows)} rows of CSV: {best:.3f} s, 1/{scipy_s / best:.1f}")
     print(f"largest difference of the crank's angle: {np.abs(crank - solved.y[0]).max():.1e} rad")
 
 

@@ -1,12 +1,39 @@
 //! The methods that arguments name.
 
 use crate::cli::failure::Failure;
+use mechaudit::machine::planar::Moving;
+use mechaudit::machine::{Linkage, Source};
 use mechaudit::methods::{self, Evaluable};
-use mechaudit::study::{Study, StudyError};
+use mechaudit::study::{Study, StudyError, is_path};
+use std::path::Path;
 
 /// Returns the method that an argument names.
 pub fn method(text: &str) -> Result<Box<dyn Evaluable>, Failure> {
-    mechaudit::resolve(text).map_err(Failure::caused)
+    match moving(text)? {
+        Some(study) => Ok(Box::new(study)),
+        None => mechaudit::resolve(text).map_err(Failure::caused),
+    }
+}
+
+/// Returns the study that a file states, which may be the motion of a machine.
+pub fn study(path: &str) -> Result<Study, Failure> {
+    match moving(path)? {
+        Some(study) => Ok(study),
+        None => Study::open(path).map_err(Failure::caused),
+    }
+}
+
+/// Returns the motion of the machine in a file; `None` for other files and names.
+fn moving(text: &str) -> Result<Option<Study>, Failure> {
+    let source = match is_path(text) {
+        true => Source::open(Path::new(text)).ok(),
+        false => None,
+    };
+    let Some(source) = source.filter(Linkage::names_type) else {
+        return Ok(None);
+    };
+    let study = Moving::read_study(&source, text).map_err(|e| Failure::caused(e.in_file(text)))?;
+    Ok(Some(study))
 }
 
 /// Returns the method that an argument names, or all methods without one.

@@ -52,7 +52,7 @@ fn graph_of(problem: &Problem) -> Graph {
 }
 
 /// The graph with the unknowns of the problem's system.
-fn graph_with_system(mut graph: Graph, problem: &Problem) -> Result<Graph, StudyError> {
+pub(super) fn graph_with_system(mut graph: Graph, problem: &Problem) -> Result<Graph, StudyError> {
     if let Some(system) = &problem.system {
         let (unknowns, equations) = (&system.unknowns, &system.equations);
         let solved = graph.solve(&problem.definitions, unknowns, equations);

@@ -1,6 +1,7 @@
 //! `mechaudit motion` for mechanisms, as its user meets it.
 
-use crate::common::{column, command, file, run, said};
+use crate::common::{column, command, csv, file, run, run_on, said};
+use crate::motion::agree;
 use std::f64::consts::PI;
 use tempfile::tempdir;
 
@@ -35,6 +36,29 @@ fn floating_point_agrees_with_certified_digits() {
             }
         }
     }
+}
+
+/// Values of mpmath in other coordinates, to 22 digits.
+const WITNESS: &str = include_str!("../../reference/independent/mechanism_motion.csv");
+
+#[test]
+fn certified_motions_are_those_of_mpmath() {
+    let mut compared = 0;
+    for name in EXAMPLES {
+        let due = csv(WITNESS).1.into_iter().filter(|row| row[0] == name);
+        let due: Vec<Vec<String>> = due.collect();
+        let path = format!("examples/motion/{name}.toml");
+        let (head, rows) = csv(&table(&format!(
+            "motion {path} --times 0.05,0.1 --digits 20 --format csv"
+        )));
+        for row in due {
+            let k = head.iter().position(|h| *h == row[2]).unwrap();
+            let found = rows.iter().find(|r| r[0] == row[1]).unwrap();
+            assert!(agree(&found[k], &row[3], 20), "{row:?} {}", found[k]);
+            compared += 1;
+        }
+    }
+    assert_eq!(compared, 68);
 }
 
 /// The loop of the four-bar stays closed, and the crank turns to and fro.
@@ -109,4 +133,33 @@ fn bad_files_and_arguments_exit_with_two() {
     let early = command("motion examples/motion/double-pendulum.toml --times=-1:1:0.5");
     assert_eq!(early.code, 2);
     said(&early, "comes before the start 0");
+}
+
+/// The motion is a study: simulations are judged by it, and it is evaluated at a time.
+#[test]
+fn a_mechanism_is_a_study() {
+    let machine = "examples/motion/double-pendulum.toml";
+    let folder = tempdir().unwrap();
+    let rows = table(&format!("motion {machine} --times 0:0.2:0.1 --format csv"));
+    let path = file(&folder, "sim.csv", &rows);
+    let d = run(&["judge", machine, "--table", &path]);
+    assert_eq!(d.code, 0, "{}{}", d.out, d.err);
+    assert!(
+        d.out.contains("12 of 12 entries within budget"),
+        "{}",
+        d.out
+    );
+    let wrong = rows.replacen("0.1,0.4", "0.1,0.5", 1);
+    assert_ne!(wrong, rows);
+    let path = file(&folder, "wrong.csv", &wrong);
+    let d = run(&["judge", machine, "--table", &path]);
+    assert_eq!(d.code, 1, "{}{}", d.out, d.err);
+    let d = run_on("0.1\n", &["eval", machine, "--digits", "15"]);
+    let due = table(&format!(
+        "motion {machine} --times 0.1 --digits 15 --format csv"
+    ));
+    assert_eq!(
+        format!("0.1,{}", d.out),
+        due.lines().nth(1).unwrap().to_string() + "\n"
+    );
 }

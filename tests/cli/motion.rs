@@ -33,7 +33,7 @@ fn witness() -> BTreeMap<(String, String), Values> {
 }
 
 /// Returns true if two decimals agree to that many significant digits, but for one unit of the last.
-fn agree(a: &str, b: &str, digits: i32) -> bool {
+pub fn agree(a: &str, b: &str, digits: i32) -> bool {
     let exact = |text: &str| mechaudit::reference::Decimal::parse(text).unwrap().value;
     let (a, b) = (exact(a), exact(b));
     let ten = rug::Rational::from(10);

@@ -71,16 +71,16 @@ impl PaperFile {
 type Known = Result<Ball, String>;
 
 /// The certified value of a column in a row.
-fn value_in_row(column: &Column, inputs: &[Rational], printed: &Number) -> Known {
-    let digits = printed.text.len() + MORE_DIGITS;
-    known(column.study.answers(inputs, Goal::Bits(bits(digits))))
+fn value_in_row(column: &Column, inputs: &[Rational], digits: usize) -> Known {
+    let answers = column.study.answers(inputs, Goal::Bits(bits(digits)));
+    known(answers.into_iter().skip(column.output))
 }
 
 fn bits(digits: usize) -> u32 {
     (digits as f64 * std::f64::consts::LOG2_10).ceil() as u32 + 10
 }
 
-fn known(answers: Vec<Answer>) -> Known {
+fn known(answers: impl IntoIterator<Item = Answer>) -> Known {
     match answers.into_iter().next() {
         Some(Answer::Number(ball)) => Ok(ball),
         Some(Answer::Zero) => Ok(Ball::integer(64, 0)),
@@ -121,9 +121,12 @@ fn judge_table(table: &Table) -> (Finding, Vec<Entry>, Vec<Tally>) {
             .enumerate()
             .filter_map(|(k, number)| Some((k, number.as_ref()?)))
             .collect();
+        // The same digits in all rows: a trajectory that has to be closer begins anew.
+        let digits = cells.iter().map(|(_, number)| number.text.len()).max();
+        let digits = digits.unwrap_or_default() + MORE_DIGITS;
         let values: Vec<Known> = cells
             .par_iter()
-            .map(|(k, number)| value_in_row(column, &inputs[*k], number))
+            .map(|(k, _)| value_in_row(column, &inputs[*k], digits))
             .collect();
         let pairs = cells.iter().zip(&values);
         let pairs = pairs.filter_map(|((_, number), value)| Some((*number, value.as_ref().ok()?)));
@@ -152,7 +155,8 @@ fn judge_table(table: &Table) -> (Finding, Vec<Entry>, Vec<Tally>) {
                 variants: BTreeMap::from([(AS_PRINTED, judged)]),
             });
         }
-        as_recorded &= wrong == column.wrong;
+        // An undecided number is not known to be wrong.
+        as_recorded &= wrong == column.wrong && values.iter().all(Result::is_ok);
         tallies.push(of_column);
     }
     let verdict = match (right == entries.len(), of_print) {

@@ -2,7 +2,7 @@
 
 use super::entry::fault;
 use super::read::{Reading, required, text, word};
-use super::table::{ROUNDINGS, Rounding, shared, study};
+use super::table::{ROUNDINGS, Rounding, formula, shared};
 use crate::papers::Subject;
 use crate::papers::ledger::boxes::{Function, Region};
 use crate::papers::number::Number;
@@ -121,7 +121,7 @@ fn quantity(reading: &Reading, node: &Node) -> Result<Quantity, StudyError> {
     let ways = ["is", "largest", "smallest"].map(|key| node.get(key));
     let shared = shared(reading, node)?;
     let (of, is_largest) = match ways {
-        [Some(is), None, None] => return study(reading, is, &[], &shared).map(Quantity::Value),
+        [Some(is), None, None] => return formula(reading, is, &[], &shared).map(Quantity::Value),
         [None, Some(of), None] => (of, true),
         [None, None, Some(of)] => (of, false),
         _ => return Err(node.fault("a claim has one of the keys: is, largest, smallest")),

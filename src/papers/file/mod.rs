@@ -10,6 +10,7 @@ mod entry;
 mod planted_tests;
 mod read;
 mod source;
+mod study;
 mod summary;
 mod survey;
 mod symbols;

@@ -82,10 +82,7 @@ impl Reading<'_> {
         if let Some(study) = self.studies.get(name) {
             return Ok(study.clone());
         }
-        let stem = name.rsplit('/').next().unwrap_or(name);
-        let stem = stem.split('.').next().unwrap_or(stem);
-        let text = self.source.read(name).map_err(|e| e.at(file.place))?;
-        let study = Study::parse(&text, stem).map_err(|e| file.fault(format!("{name}: {e}")))?;
+        let study = super::study::open(self, file)?;
         self.studies.insert(name.into(), study.clone());
         Ok(study)
     }

@@ -2,6 +2,7 @@
 
 use super::entry::{circular, fault};
 use super::read::{Reading, count, defined, required, text, texts, word};
+use super::study;
 use crate::audit::Limit;
 use crate::papers::number::Number;
 use crate::reference::Decimal;
@@ -49,8 +50,10 @@ pub struct Column {
     pub name: &'static str,
     /// The numbers as printed; none where a cell is empty.
     pub printed: Vec<Option<Number>>,
-    /// Its definition, with the given columns as inputs.
+    /// The study that has its definition, with the given columns as inputs.
     pub study: Study,
+    /// The number of its output in that study.
+    pub output: usize,
     /// The rule of rounding.
     pub rounding: Rounding,
     /// The rows that are known to be wrong.
@@ -151,8 +154,19 @@ impl Cells {
 /// Reads a table, its file and the definitions of its columns.
 pub(super) fn read(reading: &Reading, node: &Node) -> Result<Table, StudyError> {
     node.only(&[
-        "number", "title", "file", "row", "given", "with", "rounding", "columns",
+        "number", "title", "file", "row", "given", "study", "with", "rounding", "columns",
     ])?;
+    let of = match node.get("study") {
+        None => None,
+        Some(file) => {
+            if let Some(other) = node.get("given").or(node.get("with")) {
+                let reason =
+                    "the inputs of a study are taken as printed, and its names are its own";
+                return Err(other.fault(reason));
+            }
+            Some((file, study::open(reading, file)?))
+        }
+    };
     let cells = Cells::read(reading, required(node, "file")?)?;
     let rounding = word(node.get("rounding"), &ROUNDINGS, Rounding::Nearest)?;
     let number = count(required(node, "number")?, 100_000)?;
@@ -171,48 +185,74 @@ pub(super) fn read(reading: &Reading, node: &Node) -> Result<Table, StudyError> 
                 .collect::<Result<Vec<_>, _>>()?
         }
     };
+    let mut named = Vec::new();
+    match &of {
+        Some((file, study)) => {
+            let inputs = study.problem().inputs.iter();
+            named.extend(inputs.map(|i| (i.name.clone(), *file)));
+        }
+        None => {
+            for item in texts(node.get("given"))? {
+                is_name(item.text()?, item)?;
+                named.push((item.text()?.to_string(), item));
+            }
+        }
+    }
     let mut given = Vec::new();
-    for item in texts(node.get("given"))? {
-        let name = item.text()?;
-        is_name(name, item)?;
+    for (name, item) in &named {
         let column = cells.column(name, item)?;
         let numbers = (0..cells.rows.len()).map(|k| cells.number(k, column));
         given.push((intern(name), numbers.collect::<Result<Vec<_>, _>>()?));
     }
-    let inputs: Vec<&str> = given.iter().map(|g| g.0).collect();
-    let shared = shared(reading, node)?;
-    let columns = required(node, "columns")?
-        .table()?
-        .iter()
-        .map(|(name, node)| {
-            let column = cells.column(name, node)?;
-            let of = |k: usize| match cells.rows[k][column].is_empty() {
-                true => Ok(None),
-                false => cells.number(k, column).map(Some),
-            };
-            let printed = (0..cells.rows.len())
-                .map(of)
-                .collect::<Result<Vec<_>, _>>()?;
-            self::column(
-                reading,
-                name,
-                node,
-                (&inputs, &shared, &rows),
-                rounding,
-                printed,
-            )
+    let listed = required(node, "columns")?.table()?;
+    if listed.is_empty() {
+        return Err(node.fault("a table has at least one column with a definition"));
+    }
+    let mut stated = Vec::new();
+    for (name, node) in listed {
+        stated.push((name.as_str(), column(node, &rows, rounding)?));
+    }
+    let studies = match of {
+        Some((file, of)) => {
+            let outputs: Vec<_> = stated.iter().map(|(name, s)| (*name, s.is)).collect();
+            vec![study::with_outputs(&of, file, &outputs)?; stated.len()]
+        }
+        None => {
+            let inputs: Vec<&str> = given.iter().map(|g| g.0).collect();
+            let shared = shared(reading, node)?;
+            let own = stated.iter();
+            let own = own.map(|(_, s)| formula(reading, s.is, &inputs, &shared));
+            own.collect::<Result<_, _>>()?
+        }
+    };
+    let mut columns = Vec::new();
+    for ((name, stated), study) in stated.into_iter().zip(studies) {
+        let column = cells.column(name, stated.node)?;
+        let of = |k: usize| match cells.rows[k][column].is_empty() {
+            true => Ok(None),
+            false => cells.number(k, column).map(Some),
+        };
+        columns.push(Column {
+            name: intern(name),
+            printed: (0..cells.rows.len()).map(of).collect::<Result<_, _>>()?,
+            output: study
+                .problem()
+                .outputs
+                .iter()
+                .position(|o| o.name == name)
+                .unwrap_or(0),
+            study,
+            rounding: stated.rounding,
+            wrong: stated.wrong,
         });
-    let table = Table {
+    }
+    Ok(Table {
         number,
         title: text(node, "title")?,
-        columns: columns.collect::<Result<_, _>>()?,
+        columns,
         rows,
         given,
-    };
-    match table.columns.is_empty() {
-        true => Err(node.fault("a table has at least one column with a definition")),
-        false => Ok(table),
-    }
+    })
 }
 
 /// The definitions that all columns of a table, or a claim, may use: values of symbols and groups.
@@ -242,16 +282,15 @@ pub(super) fn shared(
     }
 }
 
-type Context<'a> = (&'a [&'a str], &'a (Definitions, Vec<String>), &'a [u32]);
-
-fn column(
-    reading: &Reading,
-    name: &str,
-    node: &Node,
-    (inputs, shared, rows): Context,
+/// The statements of a file about a column.
+struct Stated<'a> {
+    node: &'a Node,
+    is: &'a Node,
     rounding: Rounding,
-    printed: Vec<Option<Number>>,
-) -> Result<Column, StudyError> {
+    wrong: Vec<u32>,
+}
+
+fn column<'a>(node: &'a Node, rows: &[u32], rounding: Rounding) -> Result<Stated<'a>, StudyError> {
     let (is, rounding, wrong) = match node.value {
         Value::Table(_) => {
             node.only(&["is", "rounding", "wrong"])?;
@@ -268,17 +307,16 @@ fn column(
         }
         _ => (node, rounding, Vec::new()),
     };
-    Ok(Column {
-        name: intern(name),
-        printed,
-        study: study(reading, is, inputs, shared)?,
+    Ok(Stated {
+        node,
+        is,
         rounding,
         wrong,
     })
 }
 
 /// An expression of named inputs as a study, whose values are certified.
-pub(super) fn study(
+pub(super) fn formula(
     reading: &Reading,
     node: &Node,
     inputs: &[&str],

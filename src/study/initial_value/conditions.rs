@@ -38,6 +38,10 @@ impl Conditions {
         outputs: &[Output],
         nodes: &[(Id, Id)],
     ) -> Option<Conditions> {
+        // Starts that a system of equations gives are not disturbed.
+        if problem.system.is_some() {
+            return None;
+        }
         let leaves = graph.inputs().len();
         let mut slopes = Vec::new();
         for output in outputs {

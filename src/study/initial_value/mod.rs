@@ -11,6 +11,7 @@ mod trajectories;
 
 pub use times::{TimesError, times};
 
+use super::compiled::graph_with_system;
 use super::error::StudyError;
 use super::problem::{Problem, intern};
 use crate::reference::elementary::NoValue;
@@ -91,7 +92,8 @@ impl Solution {
     /// Formulas without meaning, starts that depend on states, rates that are undefined at the start.
     pub fn new(problem: &Problem, of: &InitialValue) -> Result<Solution, StudyError> {
         let definitions = &problem.definitions;
-        let mut graph = Graph::new(names(problem, of)).of_real_functions();
+        let graph = Graph::new(names(problem, of)).of_real_functions();
+        let mut graph = graph_with_system(graph, problem)?;
         let build = |graph: &mut Graph, part: &str, name: &str, e: &Expr| {
             let built = graph.build(definitions, e);
             built.map_err(|error| StudyError::new(format!("{part}{name}: {error}")))
@@ -349,7 +351,8 @@ impl AtStart {
         for state in &of.states {
             definitions.set(&state.name, state.start.clone());
         }
-        let mut graph = Graph::new(inputs).of_real_functions();
+        let graph = Graph::new(inputs).of_real_functions();
+        let mut graph = graph_with_system(graph, problem)?;
         let mut nodes = Vec::new();
         for state in &of.states {
             for (part, e) in [("the start", &state.start), ("the rate", &state.rate)] {

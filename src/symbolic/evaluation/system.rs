@@ -145,7 +145,11 @@ pub(super) fn solution(
     let is_box = sides.len() == sought.len();
     let found = match is_box {
         true => in_box(&mut system, &sides, goal, PARTS),
-        false => near(&mut system, &first, goal),
+        // An unknown that is zero has to be known to twice the bits; numbers of the equations are not.
+        false => match near(&mut system, &first, goal) {
+            Err(SystemError::Undecided { .. }) => near(&mut system, &first, goal / 2),
+            found => found,
+        },
     };
     let mut found = match found {
         Ok(found) => found,

@@ -19,7 +19,7 @@ use mechaudit::audit::{
     CandidateReport, Case, Layout, Method, Origin, Panel, Reproduce, Settings, SolverAnswer,
     judge_case,
 };
-use mechaudit::study::{Study, is_path};
+use mechaudit::study::is_path;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
@@ -27,7 +27,7 @@ use std::path::{Path, PathBuf};
 /// Judges them.
 pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
     if let Some(path) = args.table.as_ref().filter(|_| is_path(&args.method)) {
-        let study = Study::open(&args.method).map_err(Failure::caused)?;
+        let study = lookup::study(&args.method)?;
         if study.problem().initial_value.is_some() {
             let study = study.with_time_as_input().map_err(Failure::caused)?;
             return trajectory::judge(&study, path, args);

@@ -1,15 +1,13 @@
 //! The motion of a mechanism: certified, or in floating point.
 
-use super::{Column, Table};
+use super::{Column, Entry, Table};
 use crate::cli::args::MotionArgs;
 use crate::cli::complain;
 use crate::cli::failure::Failure;
 use crate::cli::files::source;
 use mechaudit::machine::planar::{Certified, Moving};
 use mechaudit::machine::{Linkage, Source};
-use mechaudit::methods::CertifiedValue;
-use mechaudit::reference::faddeeva::Scaled;
-use mechaudit::reference::{Ball, nearest_f64};
+use mechaudit::reference::nearest_f64;
 use mechaudit::solvers::planar::dynamics::Settings;
 use rug::Rational;
 
@@ -85,7 +83,7 @@ impl Problem {
     fn floating(
         &self,
         times: &[Rational],
-    ) -> Result<Vec<(Rational, Vec<CertifiedValue>)>, mechaudit::machine::planar::MovingError> {
+    ) -> Result<Vec<(Rational, Vec<Entry>)>, mechaudit::machine::planar::MovingError> {
         let seconds: Vec<f64> = times.iter().map(nearest_f64).collect();
         let mut rows = Vec::new();
         let ended = self.moving.run(&seconds, Settings::default(), |moment| {
@@ -93,7 +91,7 @@ impl Problem {
                 .get(rows.len())
                 .filter(|t| nearest_f64(t) == moment.time);
             let time = time.cloned().or_else(|| Rational::from_f64(moment.time));
-            let values = self.moving.values(moment).into_iter().map(number);
+            let values = self.moving.values(moment).into_iter().map(Entry::Float);
             rows.push((time.unwrap_or_default(), values.collect()));
         })?;
         if let Some(t) = ended {
@@ -105,23 +103,9 @@ impl Problem {
     }
 }
 
-fn ball(x: f64) -> Scaled {
-    Ball::exact(64, if x.is_finite() { x } else { 0.0 }).into()
-}
-
-/// A number in floating point.
-fn number(x: f64) -> CertifiedValue {
-    CertifiedValue {
-        value: ball(x),
-        decimal: Some(format!("{x:?}")),
-        why: None,
-    }
-}
-
-fn certified_row(certified: &mut Certified, time: &Rational) -> Vec<CertifiedValue> {
+fn certified_row(certified: &mut Certified, time: &Rational) -> Vec<Entry> {
     let (digits, why) = certified.at(time);
-    let value = |decimal: Option<String>| CertifiedValue {
-        value: ball(decimal.as_ref().and_then(|d| d.parse().ok()).unwrap_or(0.0)),
+    let value = |decimal: Option<String>| Entry::Certified {
         why: why.clone().filter(|_| decimal.is_none()),
         decimal,
     };

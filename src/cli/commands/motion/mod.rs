@@ -16,7 +16,7 @@ use mechaudit::report::rows::{Form, Rows};
 use mechaudit::report::text::style::{DOUBT, PLAIN};
 use mechaudit::report::text::table::Table as Aligned;
 use mechaudit::report::words::numbers::unit;
-use rug::Rational;
+use rug::{Integer, Rational};
 use serde_json::{Map, Value};
 
 /// A quantity of the motion.
@@ -27,6 +27,59 @@ pub struct Column {
     pub unit: &'static str,
     /// Its definition.
     pub text: String,
+}
+
+/// A value of a row.
+pub enum Entry {
+    /// A number in floating point.
+    Float(f64),
+    /// A certified decimal, and the reason where there is none or where it is no number.
+    Certified {
+        decimal: Option<String>,
+        why: Option<String>,
+    },
+}
+
+impl From<CertifiedValue> for Entry {
+    fn from(value: CertifiedValue) -> Entry {
+        Entry::Certified {
+            decimal: value.decimal,
+            why: value.why,
+        }
+    }
+}
+
+impl Entry {
+    fn cell(&self) -> Cell {
+        match self {
+            Entry::Float(x) => Cell::Float(*x),
+            Entry::Certified { decimal, .. } => Cell::certified(decimal.clone()),
+        }
+    }
+
+    /// The word in the place of digits with the reason for it.
+    fn open(&self) -> Option<(&'static str, Option<&String>)> {
+        let Entry::Certified { decimal, why } = self else {
+            return None;
+        };
+        let word = match decimal.as_deref() {
+            None => "undecided",
+            Some("nan") => "nan",
+            Some(_) => return None,
+        };
+        Some((word, why.as_ref()))
+    }
+
+    /// The value for a curve.
+    fn nearest(&self) -> f64 {
+        match self {
+            Entry::Float(x) => *x,
+            Entry::Certified { decimal, .. } => {
+                let number = decimal.as_ref().and_then(|d| d.parse().ok());
+                number.unwrap_or(f64::NAN)
+            }
+        }
+    }
 }
 
 /// A motion at some times.
@@ -43,7 +96,7 @@ pub struct Table {
     /// floating-point numbers.
     pub digits: Option<u32>,
     /// Times with the values there.
-    pub rows: Vec<(Rational, Vec<CertifiedValue>)>,
+    pub rows: Vec<(Rational, Vec<Entry>)>,
 }
 
 /// Computes the motion and writes it.
@@ -73,12 +126,8 @@ pub fn motion(args: &MotionArgs) -> Result<Outcome, Failure> {
 }
 
 impl Table {
-    fn cells(&self, (time, values): &(Rational, Vec<CertifiedValue>)) -> Vec<Cell> {
-        let cell = |v: &CertifiedValue| match (self.digits, &v.decimal) {
-            (None, Some(number)) => number.parse().map_or(Cell::Undecided, Cell::Float),
-            _ => Cell::certified(v.decimal.clone()),
-        };
-        let values = values.iter().map(cell);
+    fn cells((time, values): &(Rational, Vec<Entry>)) -> Vec<Cell> {
+        let values = values.iter().map(Entry::cell);
         std::iter::once(Cell::Word(shown(time)))
             .chain(values)
             .collect()
@@ -120,7 +169,7 @@ impl Table {
         put("undecided", self.open().into());
         let mut rows = Rows::begin(out, form, names, &about)?;
         for row in &self.rows {
-            rows.row(&self.cells(row))?;
+            rows.row(&Table::cells(row))?;
         }
         rows.end()
     }
@@ -131,7 +180,7 @@ impl Table {
         let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
         let mut table = Aligned::new(&heads, &[]);
         for row in &self.rows {
-            let cells = self.cells(row).into_iter().map(|cell| {
+            let cells = Table::cells(row).into_iter().map(|cell| {
                 let style = match &cell {
                     Cell::Undecided => DOUBT,
                     Cell::Decimal(word) if word == "nan" => DOUBT,
@@ -149,20 +198,17 @@ impl Table {
         let mut lines: Vec<String> = Vec::new();
         let mut said: Vec<String> = Vec::new();
         for (time, values) in &self.rows {
-            let time_is = format!("from {} = {}", self.columns[0].name, shown(time));
             for (value, column) in values.iter().zip(&self.columns[1..]) {
-                let word = match value.decimal.as_deref() {
-                    None => "undecided",
-                    Some("nan") => "nan",
-                    Some(_) => continue,
+                let Some((word, why)) = value.open() else {
+                    continue;
                 };
-                let why = value
-                    .why
-                    .clone()
+                let why = why
+                    .cloned()
                     .unwrap_or_else(|| "the digits could not be certified".into());
                 // Reasons name the time that was reached, which does not change from row to row.
                 if !said.contains(&why) && lines.len() < MOST_REASONS {
-                    lines.push(format!("{} is {word} {time_is} on: {why}", column.name));
+                    let from = format!("from {} = {}", self.columns[0].name, shown(time));
+                    lines.push(format!("{} is {word} {from} on: {why}", column.name));
                     said.push(why);
                 }
             }
@@ -172,18 +218,12 @@ impl Table {
 
     /// The page.
     fn page(&self) -> String {
-        let value = |v: &CertifiedValue| {
-            v.decimal
-                .as_deref()
-                .and_then(|d| d.parse().ok())
-                .unwrap_or(f64::NAN)
-        };
         let course = |(k, c): (usize, &Column)| Course {
             name: c.name.into(),
             unit: unit(c.unit),
             variants: vec![(
                 String::new(),
-                self.rows.iter().map(|r| value(&r.1[k])).collect(),
+                self.rows.iter().map(|r| r.1[k].nearest()).collect(),
             )],
             printed: Vec::new(),
         };
@@ -212,7 +252,7 @@ impl Table {
         facts.extend(quantities.iter().map(|c| c.text.clone()));
         facts.extend(inputs);
         facts.extend(self.open());
-        let rows: Vec<Vec<Cell>> = self.rows.iter().map(|r| self.cells(r)).collect();
+        let rows: Vec<Vec<Cell>> = self.rows.iter().map(Table::cells).collect();
         trajectory::page(&motion, self.digits, &facts, (&self.heads(), &rows))
     }
 }
@@ -223,22 +263,23 @@ const MOST_REASONS: usize = 8;
 /// A rational number as a decimal where that ends soon, else as a quotient.
 pub fn shown(q: &Rational) -> String {
     const DECIMALS: u32 = 60;
-    let mut scaled = q.clone();
-    for decimals in 0..=DECIMALS {
-        if scaled.is_integer() {
-            let digits = scaled.numer().clone().abs().to_string();
-            let sign = if *q < 0 { "-" } else { "" };
-            let decimals = decimals as usize;
-            if decimals == 0 {
-                return format!("{sign}{digits}");
-            }
-            let digits = format!("{digits:0>width$}", width = decimals + 1);
-            let (whole, rest) = digits.split_at(digits.len() - decimals);
-            return format!("{sign}{whole}.{rest}");
-        }
-        scaled *= 10;
+    // The denominator of a decimal has no other prime factors than 2 and 5.
+    let mut rest = q.denom().clone();
+    let powers = [2, 5].map(|prime| rest.remove_factor_mut(&Integer::from(prime)));
+    let decimals = powers[0].max(powers[1]);
+    if rest != 1 || decimals > DECIMALS {
+        return q.to_string();
     }
-    q.to_string()
+    let scaled = Integer::from(Integer::u_pow_u(10, decimals)) * q.numer() / q.denom();
+    let digits = scaled.abs().to_string();
+    let sign = if *q < 0 { "-" } else { "" };
+    let decimals = decimals as usize;
+    if decimals == 0 {
+        return format!("{sign}{digits}");
+    }
+    let digits = format!("{digits:0>width$}", width = decimals + 1);
+    let (whole, rest) = digits.split_at(digits.len() - decimals);
+    format!("{sign}{whole}.{rest}")
 }
 
 #[cfg(test)]

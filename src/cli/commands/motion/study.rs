@@ -1,6 +1,6 @@
 //! The motion of a study.
 
-use super::{Column, Table};
+use super::{Column, Entry, Table};
 use crate::cli::args::MotionArgs;
 use crate::cli::failure::Failure;
 use mechaudit::audit::{Input, Method, Output, did_you_mean};
@@ -93,7 +93,10 @@ impl Problem {
             text: p.text.clone(),
         };
         let quantities = outputs.iter().zip(&problem.outputs).map(quantity);
-        let row = |time: &Rational| (time.clone(), self.study.digits(&self.at(time), self.digits));
+        let row = |time: &Rational| {
+            let values = self.study.digits(&self.at(time), self.digits).into_iter();
+            (time.clone(), values.map(Entry::from).collect())
+        };
         Table {
             title: problem.title.clone(),
             source: problem.source.clone(),

@@ -4,11 +4,12 @@ use super::equations::Equations;
 use super::laws::TIME;
 use super::{Moving, MovingError};
 use crate::reference::Ball;
+use crate::study::StudySystem;
 use mechaudit_symbolic::evaluation::{
     Balls, Evaluator, InitialValueProblem, Limits, Trajectory, Value,
 };
-use mechaudit_symbolic::graph::{Graph, Id, Start};
-use mechaudit_symbolic::{Definitions, SymbolicError, parse};
+use mechaudit_symbolic::graph::{Graph, Id};
+use mechaudit_symbolic::{SymbolicError, parse};
 use rug::{Complete, Integer, Rational};
 use std::sync::Arc;
 
@@ -128,23 +129,15 @@ impl Equations {
     /// # Errors
     /// [`SymbolicError`] for a formula without meaning.
     pub fn graph(&self) -> Result<Nodes, SymbolicError> {
-        let mut definitions = Definitions::default();
-        for (name, text) in &self.definitions {
-            definitions.set(name, parse(text)?);
-        }
-        for (name, value) in &self.given {
-            definitions.set(name, value.clone());
-        }
+        let definitions = self.defined()?;
         let names = self.states.iter().map(|s| s.name.clone());
         let names = std::iter::once(TIME.to_string()).chain(names);
         let mut graph = Graph::new(names).of_real_functions();
         if !self.unknowns.is_empty() {
-            let mut unknowns = Vec::new();
-            for (name, near) in &self.unknowns {
-                unknowns.push((name.clone(), Start::Near(parse(&format!("({near})"))?)));
-            }
-            let equations = self.equations.iter().map(|e| parse(e));
-            let equations = equations.collect::<Result<Vec<_>, _>>()?;
+            let StudySystem {
+                unknowns,
+                equations,
+            } = self.system()?;
             graph.solve(&definitions, &unknowns, &equations)?;
         }
         let mut nodes = Vec::new();

@@ -13,6 +13,7 @@ mod loads;
 mod places;
 mod pushes;
 mod start;
+mod study;
 mod text;
 
 pub use certified::Certified;
