@@ -9,7 +9,7 @@ use mechaudit::study::proof::limit;
 use mechaudit::study::{Problem, Study, StudyOutput, StudySolver};
 use mechaudit::symbolic::evaluation::{Answer, Goal};
 use mechaudit::symbolic::graph::Graph;
-use mechaudit::symbolic::{Equation, Identity, Outcome as Decision};
+use mechaudit::symbolic::{Definitions, Equation, Expr, Identity, Outcome as Decision};
 use rug::{Float, Rational};
 
 /// The verdict on solver and definition as functions over the reals.
@@ -68,7 +68,9 @@ pub fn own_study(
             problem.definitions.names.get(name),
             solver.definitions.names.get(name),
         );
-        matches!((a, b), (Some(a), Some(b)) if a.to_string() != b.to_string())
+        let differ = matches!((a, b), (Some(a), Some(b)) if a.to_string() != b.to_string());
+        let reaches = |e: &Expr| problem.definitions.reaches(e, &[name]);
+        differ && problem.condition.as_ref().is_some_and(reaches)
     };
     if let Some(name) = solver.definitions.names.keys().find(|n| clash(n)) {
         return Err(Failure::new(format!(
@@ -196,6 +198,15 @@ pub fn same(
                 return Same::Refuted(input.clone());
             }
         }
+    }
+    // Both sides of the equation below have the solver's names.
+    let text = |d: &Definitions, name: &str| d.names.get(name).map(|e| e.to_string());
+    let is_other = |name: &&String| {
+        let both = [&problem.definitions, &own.definitions].map(|d| text(d, name));
+        both[0] != both[1] && problem.definitions.reaches(is, &[name.as_str()])
+    };
+    if own.definitions.names.keys().any(|name| is_other(&name)) {
+        return Same::Undecided("the solver defines a name of the definition differently");
     }
     // The algebra takes names without a definition for positive numbers.
     let positive = |i: &mechaudit::study::StudyInput| i.from.as_ref().is_some_and(|q| *q > 0);
