@@ -108,6 +108,7 @@ impl Deal {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::proof::first_rectangles;
 
     #[test]
     fn every_unit_is_dealt_once() {

@@ -98,7 +98,7 @@ fn open_rectangles_are_no_proof() {
         },
         why: "several formulas",
     });
-    found.open = open.collect();
+    found.found.open = open.collect();
     let text = plain(&found.text());
     assert!(text.contains("  not proved: 6 rectangles are open\n"));
     assert!(!text.contains("K = "), "{text}");
