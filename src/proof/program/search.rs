@@ -227,5 +227,6 @@ fn is_hopeless(program: &Program, of: &ProvedBox) -> bool {
         let (here, all) = (of.at[k], program.domain[k]);
         (here.hi / 2.0 - here.lo / 2.0) <= (all.hi / 2.0 - all.lo / 2.0) * 1e-15
     };
-    of.bound == f64::INFINITY && (0..of.at.len()).all(tiny)
+    // A condition may leave out the only number without a bound.
+    program.condition.is_none() && of.bound == f64::INFINITY && (0..of.at.len()).all(tiny)
 }
