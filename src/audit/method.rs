@@ -66,6 +66,10 @@ pub enum ProvedError {
     /// `|got − ref| ≤ k ulp(ref)`, the unit in the last place at least the smallest number;
     /// infinity where the value is above the range.
     Ulps(f64),
+    /// `|got − ref| ≤ r |ref|`.
+    Relative(f64),
+    /// `|got − ref| ≤ a`, in the output's unit.
+    Absolute(f64),
 }
 
 impl std::fmt::Display for ProvedError {
@@ -73,6 +77,8 @@ impl std::fmt::Display for ProvedError {
         match self {
             ProvedError::Norm(k) => write!(f, "{k} u of the norm"),
             ProvedError::Ulps(k) => write!(f, "{k} ulp"),
+            ProvedError::Relative(r) => write!(f, "{r:e} relative"),
+            ProvedError::Absolute(a) => write!(f, "{a:e} absolute"),
         }
     }
 }

@@ -1,8 +1,8 @@
 //! The distribution of the work of a plan to shards.
 
 use super::plan::{Kind, Part, Plan};
+use super::proofs::Units;
 use crate::audit::Cases;
-use crate::proof::first_rectangles;
 
 /// The numbers `first`, `first + step`, … below `end`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,7 +49,10 @@ impl Deal {
         assert!(shards > 0, "a campaign has a shard");
         let units = |part: &Part| match part.kind {
             Kind::Hunt => (part.hunts, part.evaluations),
-            Kind::Proof => (first_rectangles(part.within).len() as u64, 1),
+            Kind::Proof => (
+                Units::of(part).expect("the plan was checked").count() as u64,
+                1,
+            ),
             Kind::Audit | Kind::Candidate => {
                 let method = part.method();
                 let variant = part.variant(&*method).expect("the plan was checked");
@@ -105,6 +108,7 @@ impl Deal {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::proof::first_rectangles;
 
     #[test]
     fn every_unit_is_dealt_once() {

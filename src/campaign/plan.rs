@@ -1,10 +1,10 @@
 //! The file that says what a campaign judges.
 
+use super::proofs::Units;
 use crate::audit::{
     Format, Limit, Method, NoSuch, SampleBox, Sampling, SamplingError, Settings, Variant,
 };
 use crate::machine::{Refusal, Source};
-use crate::proof::first_rectangles;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
@@ -38,7 +38,7 @@ pub enum Kind {
     Hunt,
     /// Random cases of a program.
     Candidate,
-    /// The proof of the method's error bound, a rectangle of inputs after the other.
+    /// The proof of the method's error bound, or of a study's solver, one part of the inputs after the other.
     Proof,
 }
 
@@ -89,7 +89,7 @@ pub struct Part {
     pub hunts: u64,
     /// Evaluations of each.
     pub evaluations: u64,
-    /// Only rectangles in the binades below this, of a proof.
+    /// Only rectangles in the binades below this, or inputs up to it in magnitude, of a proof.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub within: Option<f64>,
 }
@@ -418,16 +418,7 @@ impl Part {
             ));
         }
         if self.kind == Kind::Proof {
-            if self.method != "faddeeva" {
-                let name = &self.method;
-                return Err(format!(
-                    "a proof that is cut into rectangles is of faddeeva, not of {name}"
-                ));
-            }
-            if first_rectangles(self.within).is_empty() {
-                let within = self.within.unwrap_or(0.0);
-                return Err(format!("no rectangle lies within {within}"));
-            }
+            Units::of(self)?;
         }
         self.variant(&*method).map(drop).map_err(|e| e.to_string())
     }

@@ -65,6 +65,42 @@ impl Watch {
     }
 }
 
+/// What is done with a part.
+pub(crate) enum Step<L, P> {
+    /// Bounds are proved on all of it.
+    Proved(Vec<L>),
+    /// Nothing is, and why.
+    Open(&'static str),
+    /// It is proved in two parts.
+    Cut([P; 2]),
+}
+
+impl<L, P> Certificate<L, P> {
+    /// Proves what can be proved on a part that is the `depth`th of its halves, as `step` says of a part,
+    /// its depth and the number of parts that came before; `None` if it was stopped.
+    pub(crate) fn refine(
+        &mut self,
+        at: P,
+        depth: u32,
+        watch: &Watch,
+        step: &impl Fn(&P, u32, usize) -> Step<L, P>,
+    ) -> Option<()> {
+        if watch.ends() {
+            return None;
+        }
+        match step(&at, depth, self.leaves.len() + self.open.len()) {
+            Step::Proved(leaves) => self.leaves.extend(leaves),
+            Step::Open(why) => self.open.push(Open { at, why }),
+            Step::Cut(parts) => {
+                for part in parts {
+                    self.refine(part, depth + 1, watch, step)?;
+                }
+            }
+        }
+        Some(())
+    }
+}
+
 impl<L: Send, P: Send> Certificate<L, P> {
     /// Returns what `prove` finds on each part of the first partition, on all cores; `None` if it
     /// was stopped.

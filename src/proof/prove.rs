@@ -2,7 +2,7 @@
 //! each.
 
 use crate::bound::Bound;
-use crate::certificate::{self, Open, Watch};
+use crate::certificate::{self, Step, Watch};
 use crate::choice::parts;
 use crate::code::Code;
 use crate::cover::{Rectangle, roots};
@@ -62,7 +62,7 @@ pub fn upper_half_plane(
         .map(|(_, r)| r)
         .collect();
     Certificate::of_all(&all, watch, |r, found| {
-        refine(code, target, watch, *r, 0, found)
+        found.refine(*r, 0, watch, &|at, depth, _| step(code, target, at, depth))
     })
 }
 
@@ -74,7 +74,7 @@ pub fn on_rectangle(
     at: Rectangle,
 ) -> Option<Certificate> {
     let mut found = Certificate::default();
-    refine(code, target, watch, at, 0, &mut found)?;
+    found.refine(at, 0, watch, &|at, depth, _| step(code, target, at, depth))?;
     Some(found)
 }
 
@@ -86,33 +86,19 @@ pub fn first_rectangles(within: Option<f64>) -> Vec<Rectangle> {
     all
 }
 
-/// The rectangle, halved as often as it takes.
-fn refine(
-    code: &Code,
-    target: Target,
-    watch: &Watch,
-    at: Rectangle,
-    depth: u32,
-    found: &mut Certificate,
-) -> Option<()> {
-    if watch.ends() {
-        return None;
-    }
+/// What is done with a rectangle that was halved so often.
+fn step(code: &Code, target: Target, at: &Rectangle, depth: u32) -> Step<Leaf, Rectangle> {
     let last = depth >= target.depth || at.is_point();
-    let leaves = match leaves(code, &at) {
+    let leaves = match leaves(code, at) {
         Ok(leaves) => leaves,
-        Err(why) if last => {
-            found.open.push(Open { at, why });
-            return Some(());
-        }
-        Err(_) => return halve(code, target, watch, at, depth, at.across_re(true), found),
+        Err(why) if last => return Step::Open(why),
+        Err(_) => return Step::Cut(at.halves(at.across_re(true))),
     };
     if last || target.excess(&leaves) <= 1.0 {
-        found.leaves.extend(leaves);
-        return Some(());
+        return Step::Proved(leaves);
     }
-    if let Some(across_re) = beside_real_axis(&at, &leaves) {
-        return halve(code, target, watch, at, depth, across_re, found);
+    if let Some(across_re) = beside_real_axis(at, &leaves) {
+        return Step::Cut(at.halves(across_re));
     }
     let after = |across_re: bool| {
         let each = at.halves(across_re).map(|half| self::leaves(code, &half));
@@ -126,7 +112,7 @@ fn refine(
             .unwrap_or_else(|| at.across_re(target.norm_is_worse(&leaves))),
         (re, _) => re,
     };
-    halve(code, target, watch, at, depth, across_re, found)
+    Step::Cut(at.halves(across_re))
 }
 
 /// The cut, across Re z or not, after which the worse half is better by a tenth: a little better
@@ -173,21 +159,6 @@ impl Target {
             larger(parts, l.bound.norm / self.norm)
         }))
     }
-}
-
-fn halve(
-    code: &Code,
-    target: Target,
-    watch: &Watch,
-    at: Rectangle,
-    depth: u32,
-    across_re: bool,
-    found: &mut Certificate,
-) -> Option<()> {
-    for half in at.halves(across_re) {
-        refine(code, target, watch, half, depth + 1, found)?;
-    }
-    Some(())
 }
 
 /// The formulas that are used in a rectangle, each with the bound on its piece of it.

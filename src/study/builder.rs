@@ -125,6 +125,7 @@ impl Formula {
                 is,
                 text: self.text.clone(),
                 budget: self.budget.clone(),
+                proved: None,
             }],
             condition,
             ..Problem::default()

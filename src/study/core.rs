@@ -116,6 +116,7 @@ fn problem(core: Core, file: &str, k: usize) -> Problem {
             text: is.to_string(),
             is,
             budget: default_budget(),
+            proved: None,
         }],
         solvers: vec![StudySolver {
             name: "body".into(),
@@ -178,6 +179,13 @@ fn narrow(condition: &Expr, inputs: &mut [StudyInput]) {
                     let to = input.to.get_or_insert_with(|| high.clone());
                     *to = to.clone().min(high.clone());
                 }
+            }
+        }
+        // Names that hide no input.
+        Expr::Let(_, values, inner) => {
+            let hides = |name: &str| values.iter().any(|v| v.0 == name);
+            if !inputs.iter().any(|i| hides(&i.name)) {
+                narrow(inner, inputs);
             }
         }
         _ => {}

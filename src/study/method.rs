@@ -4,9 +4,10 @@ use super::Study;
 use super::linear;
 use super::problem::{intern, kept};
 use super::sampling::admits;
+use crate::audit::Limit;
 use crate::audit::{
-    Domain, Expected, Format, Input, Method, Output, Proof, ReferenceAnswer, Rows, SolverAnswer,
-    Uncertified, conditions_by_differences,
+    Budget, Domain, Expected, Format, Input, Method, Output, Proof, ProvedBound, ProvedError,
+    ReferenceAnswer, Rows, SolverAnswer, Uncertified, conditions_by_differences,
 };
 use crate::methods::{CertifiedValue, Evaluable};
 use crate::reference::faddeeva::Scaled;
@@ -58,13 +59,39 @@ impl Method for Study {
     }
 
     fn outputs(&self) -> Vec<Output> {
-        let outputs = self.problem().outputs.iter();
-        let output = |o: &super::StudyOutput| Output {
+        let outputs = self.problem().outputs.iter().zip(self.proved.iter());
+        let output = |(o, proved): (&super::StudyOutput, &Option<Limit>)| Output {
             name: intern(&o.name),
             unit: intern(&o.unit),
-            budget: kept(&o.budget),
+            budget: match proved {
+                Some(limit) => Budget::new(
+                    *limit,
+                    "proved of the file's solver for every input of the domain",
+                ),
+                None => kept(&o.budget),
+            },
         };
         outputs.map(output).collect()
+    }
+
+    fn proved(&self) -> Vec<ProvedBound> {
+        let Some(solver) = self.problem().solvers.get(self.chosen) else {
+            return Vec::new();
+        };
+        let command = format!("mechaudit prove {} --solver {}", self.name, solver.name);
+        let outputs = self.problem().outputs.iter().zip(self.proved.iter());
+        let bound = |(o, proved): (&super::StudyOutput, &Option<Limit>)| {
+            Some(ProvedBound {
+                error: match (*proved)? {
+                    Limit::Ulps(k) => ProvedError::Ulps(k),
+                    Limit::Relative(r) => ProvedError::Relative(r),
+                    other => ProvedError::Absolute(other.factor()),
+                },
+                inputs: intern(&format!("{} at every input of the domain", o.name)),
+                command: intern(&command),
+            })
+        };
+        outputs.filter_map(bound).collect()
     }
 
     fn rows(&self) -> Option<Rows> {

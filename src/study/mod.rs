@@ -102,6 +102,7 @@ mod initial_value;
 mod linear;
 mod method;
 mod problem;
+pub mod proof;
 mod read;
 mod sampling;
 mod system;
@@ -116,7 +117,7 @@ pub use problem::{
 };
 pub use read::{input, is_name, rational};
 
-use crate::audit::{Domain, did_you_mean};
+use crate::audit::{Domain, Limit, did_you_mean};
 use crate::methods::CertifiedValue;
 use crate::reference::Ball;
 use compiled::{Compiled, FloatSolver, Sketch};
@@ -135,6 +136,8 @@ pub struct Study {
     domain: Domain,
     /// The solver that is audited, by its place.
     chosen: usize,
+    /// What is proved of its outputs, where that is the budget.
+    proved: Arc<Vec<Option<Limit>>>,
     name: &'static str,
 }
 
@@ -142,7 +145,7 @@ impl Study {
     /// Prepares a problem.
     ///
     /// # Errors
-    /// Formulas without meaning, and conditions that no input satisfies.
+    /// Formulas without meaning, conditions that no input satisfies, and a budget that is to be proved and is not.
     pub fn new(problem: Problem) -> Result<Study, StudyError> {
         let sketch = Arc::new(Sketch::new(&problem)?);
         let solvers = problem
@@ -155,12 +158,14 @@ impl Study {
             None => sampling::domain(&problem, &sketch)?,
         };
         let name = intern(&problem.name);
+        let proved = Arc::new(problem.proved(0)?);
         Ok(Study {
             compiled: Arc::new(Compiled::new(problem)?),
             sketch,
             solvers: Arc::new(solvers),
             domain,
             chosen: 0,
+            proved,
             name,
         })
     }
@@ -244,7 +249,7 @@ impl Study {
     /// The same study with another solver of its own.
     ///
     /// # Errors
-    /// A name that is not the name of a solver.
+    /// A name that is not the name of a solver, and a budget that is to be proved of it and is not.
     pub fn with_solver(mut self, name: &str) -> Result<Study, StudyError> {
         let known: Vec<&str> = self
             .problem()
@@ -255,6 +260,7 @@ impl Study {
         match known.iter().position(|s| *s == name) {
             Some(place) => {
                 self.chosen = place;
+                self.proved = Arc::new(self.problem().proved(place)?);
                 Ok(self)
             }
             None if known.is_empty() => Err(StudyError::new("the study states no solver")),

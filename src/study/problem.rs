@@ -58,6 +58,8 @@ pub struct StudyOutput {
     pub text: String,
     /// The largest error that passes, and the reason for it.
     pub budget: (Limit, String),
+    /// Where the file says that the budget is what is proved of the solver.
+    pub proved: Option<Place>,
 }
 
 /// A system of equations.

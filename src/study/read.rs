@@ -343,6 +343,7 @@ fn output(
         is,
         text,
         budget: default_budget(),
+        proved: None,
     };
     if !matches!(item.value, Value::Table(_)) {
         if is_unknown {
@@ -405,7 +406,12 @@ pub(super) fn unit_and_budget(found: &mut StudyOutput, item: &Item) -> Result<()
     if let Some(unit) = item.get("unit") {
         found.unit = unit.text()?.into();
     }
-    if let Some(text) = item.get("budget") {
+    if let Some(text) = item
+        .get("budget")
+        .filter(|b| b.text().is_ok_and(|t| t == "proved"))
+    {
+        found.proved = Some(text.place);
+    } else if let Some(text) = item.get("budget") {
         let limit = limit(text.text()?).map_err(|e| e.at(text.place))?;
         let why = item.get("why").map(Item::text).transpose()?;
         let why = why.unwrap_or("stated by the study without a reason");

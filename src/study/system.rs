@@ -60,6 +60,7 @@ pub(super) fn read(names: &Names, system: &Item, problem: &mut Problem) -> Resul
             is: Expr::Sym(name.clone()),
             text: "an unknown".into(),
             budget: default_budget(),
+            proved: None,
         };
         problem.outputs = unknowns.iter().map(|u| output(&u.0)).collect();
     }

@@ -163,3 +163,53 @@ fn a_solver_of_a_study_is_proved() {
         "--target is for studies alone",
     );
 }
+
+/// Two outputs as one complex number, and proofs as budgets of an audit.
+#[test]
+fn parts_are_proved_together_and_proofs_are_budgets() {
+    let folder = tempdir().unwrap();
+    let file = folder.path().join("square.toml");
+    let study = "[inputs]\nx = { from = -1, to = 2 }\ny = { from = 1, to = 3 }\n\
+                 [outputs]\nre = { is = \"x^2 - y^2\", budget = \"proved\" }\n\
+                 im = { is = \"2*x*y\", budget = \"proved\" }\n\
+                 [solver.a]\nre = \"x*x - y*y\"\nim = \"2*x*y\"\n";
+    std::fs::write(&file, study).unwrap();
+    let prove = |more: &[&str]| {
+        let line = ["prove", text(&file), "--limit", "300", "--evals", "200"];
+        run(&[&line, more].concat())
+    };
+    let d = prove(&["--together", "re,im", "--format", "json"]);
+    assert_eq!(d.code, 0, "{}", d.err);
+    let v: Value = serde_json::from_str(&d.out).unwrap();
+    assert_eq!(
+        (&v["output"], &v["ulps"]),
+        (&"re + i im".into(), &Value::Null)
+    );
+    for (key, measure, most) in [
+        ("absolute_error", "absolute", 3e-15),
+        ("relative_error", "relative", 5e-16),
+    ] {
+        let (bound, found) = (&v[key], &v["witness"][measure]["error"]);
+        let (bound, found) = (bound.as_f64().unwrap(), found.as_f64().unwrap());
+        assert!(
+            0.0 < found && found <= bound && bound < most,
+            "{found:e} {bound:e}"
+        );
+    }
+    refused(
+        &prove(&["--together", "re"]),
+        "two outputs as RE,IM; there are: re, im",
+    );
+    refused(
+        &prove(&["--together", "re,im", "--target", "1ulp"]),
+        "has no ulps",
+    );
+    let d = run(&["audit", text(&file), "--cases", "40"]);
+    assert_eq!(d.code, 0, "{}", d.out);
+    assert!(
+        d.out
+            .contains("re at every input of the domain: mechaudit prove"),
+        "{}",
+        d.out
+    );
+}

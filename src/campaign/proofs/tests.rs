@@ -45,8 +45,9 @@ fn parts_add_up_to_the_proof() {
     let expected = expected.summary().unwrap();
     assert_eq!((whole.parts, whole.open), (n, 0));
     assert_eq!(whole.boxes(), expected.boxes as u64);
-    assert_eq!(whole.norm(), expected.norm.bound);
-    assert_eq!(whole.component(), expected.component.unwrap().bound);
+    let of = |m: &str| whole.bound(m);
+    assert_eq!(of("norm"), expected.norm.bound);
+    assert_eq!(of("re").max(of("im")), expected.component.unwrap().bound);
     let v = whole.json();
     assert_eq!(
         (&v["passed"], &v["boxes"]),
@@ -82,7 +83,7 @@ fn open_rectangles_are_told() {
     let first = v["first_open"].as_array().unwrap();
     assert_eq!(first.len(), OPEN);
     assert_eq!(first[0]["box"]["re"][1], json!("0x1p+0"));
-    assert_eq!((v["norm"].is_null(), sum.norm()), (true, 0.0));
+    assert_eq!((v["norm"].is_null(), sum.bound("norm")), (true, 0.0));
 }
 
 #[test]
@@ -139,7 +140,10 @@ fn the_largest_bounds_are_kept_with_their_rectangles() {
     let found = made_up();
     let tally = ProofTally::of(&found);
     assert_eq!((tally.parts, tally.open, tally.boxes()), (1, 0, 3));
-    assert_eq!((tally.norm(), tally.component()), (0.75, f64::INFINITY));
+    assert_eq!(
+        (tally.bound("norm"), tally.bound("im")),
+        (0.75, f64::INFINITY)
+    );
     let v = tally.json();
     let shown = |from: &str, to: &str| json!({ "re": [from, to], "im": ["0x0p+0", "0x1p-1"] });
     let first = shown("0x1p+0", "0x1p+1");
@@ -199,7 +203,7 @@ fn rectangles_add_up_in_any_order() {
     }
     let nothing = ProofTally::default();
     assert_eq!(
-        (nothing.norm(), nothing.component(), nothing.boxes()),
+        (nothing.bound("norm"), nothing.bound("re"), nothing.boxes()),
         (0.0, 0.0, 0)
     );
     assert!(nothing.json()["tiny"].is_null());
@@ -221,7 +225,7 @@ fn two_rectangles_are_probed() {
             step: n,
             end: n,
         };
-        Some(of(&part, stride, &tell, &stop).unwrap())
+        of(&part, stride, &tell, &stop).unwrap()
     };
     let expected = format!("{n} {:?}\n", [one(0), one(n / 3)]);
     assert!(n > 6 && probe(&part) == expected);
@@ -235,4 +239,63 @@ fn two_rectangles_are_probed() {
         of(&part, none, &|_| panic!("there is none"), &stop).unwrap(),
         ProofTally::default()
     );
+}
+
+/// The parts of a study's domain together are a proof over all of it, whatever shard they are in.
+#[test]
+fn a_study_is_proved_in_parts() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("square.fpcore");
+    std::fs::write(
+        &file,
+        "(FPCore (x y) :pre (and (<= 1 x 2) (<= 0 y 4)) (- (* x y) (* 0.1 y)))",
+    )
+    .unwrap();
+    let file = file.to_str().unwrap();
+    let text = format!("name = \"p\"\n[[part]]\nkind = \"proof\"\nmethods = [\"{file}\"]");
+    let plan = Plan::read(&Source::toml(&text)).unwrap();
+    let n = Deal::new(&plan, 3).units();
+    assert_eq!(n, PARTS as u64);
+    let part = &plan.parts[0];
+    let stop = AtomicBool::new(false);
+    let found = |first: u64, step: u64| {
+        let stride = Stride {
+            first,
+            step,
+            end: n,
+        };
+        of(part, stride, &|_| {}, &stop).unwrap()
+    };
+    let whole = found(0, 1);
+    let mut sum = found(2, 3);
+    sum.merge(found(0, 3));
+    sum.merge(found(1, 3));
+    assert_eq!(sum, whole);
+    let program = &Study::open(file).unwrap();
+    let solver = &program.problem().solvers[0];
+    let program = program
+        .problem()
+        .program(solver, &[0], solver.setting(), None)
+        .unwrap();
+    let limits = Limits {
+        boxes: 2_000,
+        target: 0.0,
+    };
+    for (name, measure) in MEASURES {
+        let alone = prove(&program, measure, &limits, &Watch::default())
+            .unwrap()
+            .bound;
+        let bound = whole.bound(name);
+        let near = bound <= 1.001 * alone && bound >= 0.99 * alone;
+        assert!(
+            near || (bound == alone && bound.is_infinite()),
+            "{name}: {bound:e}, {alone:e}"
+        );
+    }
+    let v = whole.json();
+    assert_eq!((&v["proved"], &v["parts"]), (&json!(true), &json!(n)));
+    assert!(
+        v["formulas"][0]["absolute"]["box"]["y"].is_array() && v["relative"]["bound"].is_null()
+    );
+    assert_eq!(probe(part), probe(part));
 }

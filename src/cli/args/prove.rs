@@ -14,6 +14,7 @@ Examples:
   mechaudit prove faddeeva --part real --boxes intervals.csv
   mechaudit prove kernels.fpcore#doppler1 --round-inputs
   mechaudit prove study.toml --solver horner --target 2ulp
+  mechaudit prove study.toml --together re,im
 
 Runs the solver's own code over rectangles that cover the closed upper half-plane, all of it or up to --within, with \
 numbers that enclose the exact value and the error of every rounding, halves a rectangle until its bounds \
@@ -36,7 +37,8 @@ formula over the reals, absolute, relative and in units in the last place, for e
 what single points show, or --limit boxes are looked at. A relative bound exists where the value is never zero. Below each \
 bound stands the box where it is attained and the largest error that a hunt of --evals evaluations finds. The last line \
 says whether the solver's formula is the definition. Elementary functions are as accurate as the platform states, which is \
-printed; that is no theorem. --target proves a bound or refutes it by an input. The file of boxes has the output, the \
+printed; that is no theorem. --target proves a bound or refutes it by an input. --together takes two outputs for one complex \
+number: the absolute value of its error, and that as a part of its own. The file of boxes has the output, the \
 measure, the bound and the ends of every input.
 
 A target that is closer than the default may be out of reach: the proof gives up after 3e7 rectangles or intervals, \
@@ -83,6 +85,9 @@ pub struct ProveArgs {
     /// "1e-9 absolute"
     #[arg(long, value_name = "BOUND")]
     pub target: Option<String>,
+    /// Of a study: prove the error of these two outputs as one complex number, the real and the imaginary part
+    #[arg(long, value_name = "RE,IM")]
+    pub together: Option<String>,
     /// Of a study: take inputs for real numbers that are rounded first
     #[arg(long)]
     pub round_inputs: bool,

@@ -5,6 +5,7 @@ mod real;
 mod study;
 #[cfg(test)]
 mod tests;
+mod upper;
 
 use crate::cli::args::{Part, ProveArgs};
 use crate::cli::complain;
@@ -13,14 +14,9 @@ use crate::cli::files::output::{Output, print_as};
 use crate::cli::forecast;
 use crate::cli::process::interrupt;
 use crate::cli::progress::Progress;
-use mechaudit::audit::hex_float;
 use mechaudit::proof::real::Function;
-use mechaudit::proof::{
-    Attained, Certificate, Code, Leaf, MOST_PARTS, ProofError, Rectangle, Summary, Target,
-    UPPER_HALF_PLANE, Watch, first_rectangles, upper_half_plane,
-};
-use mechaudit::report::text::style::{BAD, BOLD, DIM, PLAIN, paint};
-use mechaudit::report::text::table::Table;
+use mechaudit::proof::{MOST_PARTS, Open, ProofError, Rectangle, Watch};
+use mechaudit::report::text::style::{BAD, BOLD, paint};
 use serde_json::{Value, json};
 use std::io::Write;
 use std::sync::Arc;
@@ -36,6 +32,7 @@ pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
     let of_studies = [
         ("--solver", args.solver.is_some()),
         ("--target", args.target.is_some()),
+        ("--together", args.together.is_some()),
         ("--round-inputs", args.round_inputs),
         ("--correctly-rounded", args.correctly_rounded),
     ];
@@ -49,38 +46,91 @@ pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
         return real::prove(&[function], args);
     }
     match args.part {
-        Some(Part::Lower) => return lower::prove(args),
-        Some(Part::Real) => return real::prove(&Function::ALL, args),
-        Some(Part::Upper) | None => {}
+        Some(Part::Lower) => lower::prove(args),
+        Some(Part::Real) => real::prove(&Function::ALL, args),
+        Some(Part::Upper) | None => upper::prove(args),
     }
-    if first_rectangles(args.within).is_empty() {
-        return Err(nothing_within(args.within));
-    }
-    let boxes = boxes(args)?;
-    let begin = Instant::now();
-    let target = Target {
-        norm: args.norm.unwrap_or(UPPER_HALF_PLANE.norm),
-        component: args.component.unwrap_or(UPPER_HALF_PLANE.component),
-        ..UPPER_HALF_PLANE
-    };
-    let closer =
-        target.norm < UPPER_HALF_PLANE.norm || target.component < UPPER_HALF_PLANE.component;
-    let Some(found) = proved(target, closer, args.within)? else {
-        return Ok(Outcome::Interrupted);
-    };
+}
+
+/// What a proof came to, as its report and its file of boxes say it.
+trait Theorem {
+    fn is_proved(&self) -> bool;
+    fn text(&self) -> String;
+    fn document(&self) -> Value;
+    /// The first line of the file of boxes.
+    fn columns(&self) -> String;
+    fn rows(&self, out: &mut dyn Write) -> Result<(), Failure>;
+}
+
+/// Writes the boxes of theorems and prints the report; `several` is what the document of more than one begins with, and
+/// its key for each.
+fn tell<T: Theorem>(
+    args: &ProveArgs,
+    boxes: Option<Output>,
+    theorems: &[T],
+    several: (Value, &str),
+) -> Result<Outcome, Failure> {
+    let proved = theorems.iter().all(T::is_proved);
     if let Some(output) = boxes {
-        output.write(|out| write_boxes(&found, out))?;
+        output.write(|out| write_boxes(theorems, out))?;
     }
-    let summary = found
-        .summary()
-        .ok_or_else(|| Failure::new("nothing was proved"))?;
-    let seconds = begin.elapsed().as_secs_f64();
-    print_as(
-        args.format,
-        || text(&found, &summary, args.within, seconds),
-        || document(&found, &summary, args.within, seconds),
-    )?;
-    Ok(Outcome::of(found.open.is_empty()))
+    let text = || theorems.iter().map(T::text).collect();
+    print_as(args.format, text, || match theorems {
+        [one] => one.document(),
+        all => {
+            let mut v = versioned(several.0);
+            v["proved"] = json!(proved);
+            v[several.1] = all.iter().map(T::document).collect();
+            v
+        }
+    })?;
+    Ok(Outcome::of(proved))
+}
+
+fn write_boxes<T: Theorem>(theorems: &[T], out: &mut dyn Write) -> Result<(), Failure> {
+    let columns = theorems.first().map_or(String::new(), T::columns);
+    writeln!(out, "{columns}")?;
+    theorems.iter().try_for_each(|t| t.rows(out))
+}
+
+/// A document that begins with its version.
+fn versioned(body: Value) -> Value {
+    let mut v = json!({ "schema_version": 1, "mechaudit_version": env!("CARGO_PKG_VERSION") });
+    if let (Value::Object(all), Value::Object(more)) = (&mut v, body) {
+        all.extend(more);
+    }
+    v
+}
+
+fn line(text: impl AsRef<str>) -> String {
+    format!("  {}\n", text.as_ref())
+}
+
+/// The title, then the theorem where it is proved, else how many parts are open and the first of them.
+fn head<P>(
+    title: &str,
+    theorem: Option<&[String]>,
+    (what, open): (&str, &[Open<P>]),
+    place: impl Fn(&P) -> String,
+) -> String {
+    let mut out = format!("{}\n", paint(BOLD, title));
+    match theorem {
+        Some(lines) => out.extend(lines.iter().map(line)),
+        None => {
+            let text = format!("not proved: {} {what} are open", open.len());
+            out += &line(paint(BAD, &text));
+            let first = open.iter().take(5);
+            out.extend(first.map(|o| line(format!("{}: {}", place(&o.at), o.why))));
+        }
+    }
+    out
+}
+
+/// The parts that are open, each under a key.
+fn opened<P>(open: &[Open<P>], key: &str, ends: impl Fn(&P) -> Value) -> Vec<Value> {
+    let all = open.iter();
+    all.map(|o| json!({ key: ends(&o.at), "why": o.why }))
+        .collect()
 }
 
 /// The file of boxes, if one is asked for.
@@ -95,20 +145,6 @@ fn nothing_within(within: Option<f64>) -> Failure {
     Failure::new(format!(
         "--within {within:e}: no rectangle lies below it; take a larger number"
     ))
-}
-
-/// The closed upper half-plane; nothing if the user ends it.
-fn proved(
-    target: Target,
-    closer: bool,
-    within: Option<f64>,
-) -> Result<Option<Certificate>, Failure> {
-    watched("faddeeva", closer, move |watch| {
-        let code = Code::of_the_solver()?;
-        Ok(upper_half_plane(&code, target, watch, |_, r| {
-            r.is_below(within)
-        }))
-    })
 }
 
 /// The time that a proof with a closer target runs before an upper bound of its time is printed.
@@ -176,25 +212,6 @@ fn reached(watch: &Watch) -> Option<(u64, u64)> {
     (of > 0).then_some((done, of))
 }
 
-fn write_boxes(found: &Certificate, out: &mut dyn Write) -> Result<(), Failure> {
-    writeln!(
-        out,
-        "re_from,re_to,im_from,im_to,formula,centre_re,centre_im,norm,re,im,tiny"
-    )?;
-    for Leaf { at, formula, bound } in &found.leaves {
-        let [p, q, r, s] = [at.a[0], at.a[1], at.b[0], at.b[1]].map(hex_float);
-        let centre = formula.centre().map(|(x, y)| [x, y].map(hex_float));
-        let [x, y] = centre.unwrap_or_default();
-        let [norm, re, im, tiny] = [bound.norm, bound.re, bound.im, bound.tiny].map(hex_float);
-        let name = formula.name().replace(", ", " ");
-        writeln!(
-            out,
-            "{p},{q},{r},{s},{name},{x},{y},{norm},{re},{im},{tiny}"
-        )?;
-    }
-    Ok(())
-}
-
 fn place(at: &Rectangle) -> String {
     let ends = |[lo, hi]: [f64; 2]| format!("[{lo:.4e}, {hi:.4e}]");
     format!("{} + i {}", ends(at.a), ends(at.b))
@@ -203,104 +220,4 @@ fn place(at: &Rectangle) -> String {
 /// A bound, rounded up to three places.
 fn up(x: f64) -> String {
     format!("{:.3}", (x * 1000.0).next_up().ceil() / 1000.0)
-}
-
-fn text(found: &Certificate, summary: &Summary, within: Option<f64>, seconds: f64) -> String {
-    let mut out = format!("{}\n", paint(BOLD, "faddeeva, closed upper half-plane"));
-    let line = |text: String| format!("  {text}\n");
-    if found.open.is_empty() {
-        let inputs = match within {
-            None => "every finite f64 z with Im z ≥ 0".to_string(),
-            Some(r) => {
-                let most = if r < 1e6 {
-                    r.to_string()
-                } else {
-                    format!("{r:e}")
-                };
-                format!("every f64 z with Im z ≥ 0, |Re z| and Im z in the binades below {most}")
-            }
-        };
-        out += &line(format!(
-            "|faddeeva(z) − w(z)| ≤ K · 2^-52 |w(z)| for {inputs}: K = {}",
-            up(summary.norm.bound)
-        ));
-        out += &line(match &summary.component {
-            Some(c) if c.bound.is_finite() => format!(
-                "each component within C units in its last place, C = {}, attained in {}",
-                up(c.bound),
-                place(&c.at)
-            ),
-            _ => "no bound of the components".into(),
-        });
-    } else {
-        let text = format!("not proved: {} rectangles are open", found.open.len());
-        out += &line(paint(BAD, &text));
-        for open in found.open.iter().take(5) {
-            out += &line(format!("{}: {}", place(&open.at), open.why));
-        }
-    }
-    out += &line(format!("K is attained in {}", place(&summary.norm.at)));
-    let mut table = Table::new(&["formula", "boxes", "norm", "Re", "Im"], &[0]);
-    let part = |a: Option<Attained>| match a {
-        Some(a) => (up(a.bound), PLAIN),
-        None => ("–".into(), DIM),
-    };
-    for f in &summary.formulas {
-        table.row(vec![
-            (f.name.to_string(), PLAIN),
-            (f.boxes.to_string(), DIM),
-            (up(f.norm.bound), PLAIN),
-            part(f.re),
-            part(f.im),
-        ]);
-    }
-    out += &table.render(2);
-    out += &line(
-        "Norm in units of 2^-52, components in units in the last place; –: not proved".into(),
-    );
-    out += &line(format!(
-        "A component below 2^-960 in absolute value may be off by another {} · 2^-1075: underflow",
-        up(summary.tiny)
-    ));
-    out += &line(format!("{} boxes, {seconds:.1} s", summary.boxes));
-    out
-}
-
-fn document(found: &Certificate, summary: &Summary, within: Option<f64>, seconds: f64) -> Value {
-    let ends = |at: &Rectangle| json!({ "re": at.a, "im": at.b });
-    let attained = |a: &Attained| json!({ "bound": a.bound, "box": ends(&a.at) });
-    let formulas: Vec<Value> = summary
-        .formulas
-        .iter()
-        .map(|f| {
-            json!({
-                "formula": f.name,
-                "boxes": f.boxes,
-                "norm": attained(&f.norm),
-                "re": f.re.as_ref().map(attained),
-                "im": f.im.as_ref().map(attained),
-                "tiny": f.tiny,
-            })
-        })
-        .collect();
-    let open: Vec<Value> = found
-        .open
-        .iter()
-        .map(|o| json!({ "box": ends(&o.at), "why": o.why }))
-        .collect();
-    json!({
-        "schema_version": 1,
-        "mechaudit_version": env!("CARGO_PKG_VERSION"),
-        "function": "faddeeva",
-        "part": "upper",
-        "within": within,
-        "proved": found.open.is_empty(),
-        "norm": attained(&summary.norm),
-        "component": summary.component.as_ref().map(attained),
-        "tiny": summary.tiny,
-        "boxes": summary.boxes,
-        "seconds": seconds,
-        "formulas": formulas,
-        "open": open,
-    })
 }

@@ -57,6 +57,7 @@ pub(super) fn with_outputs(
             unit: "1".into(),
             is,
             text: text.into(),
+            proved: None,
             budget: (Limit::Ulps(1.0), "the value alone is asked for".into()),
         });
     }

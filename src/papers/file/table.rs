@@ -354,6 +354,7 @@ pub(super) fn formula(
             is,
             text: text.into(),
             budget: (Limit::Ulps(1.0), "the value alone is asked for".into()),
+            proved: None,
         }],
         definitions,
         ..Problem::default()

@@ -49,69 +49,6 @@ fn hypot(x: f64, y: f64) -> f64 {
     crate::interval::hypot_down(x, y)
 }
 
-#[test]
-fn exponentials_are_above() {
-    for t in [-800.0, -79.3, -1.0, 0.0, 3.5] {
-        let exact = Float::with_val(200, Float::with_val(200, t).exp_ref());
-        let bound = exp_up(t);
-        assert!(bound >= exact && bound <= exact.to_f64() * (1.0 + 1e-15) + 1e-323);
-    }
-}
-
-/// `T_N = Γ(N + ½)/(π r^{2N+1})` and the bounds made of it, by their formulas, each rounded up by
-/// little.
-#[test]
-fn bounds_are_the_formulas() {
-    let near = |x: f64, due: f64| x >= due * (1.0 - 1e-15) && x <= due * (1.0 + 1e-12);
-    let exact = |n: u32, r: f64| {
-        let gamma = (0..n).fold(std::f64::consts::PI.sqrt(), |g, k| g * (f64::from(k) + 0.5));
-        gamma / (std::f64::consts::PI * r.powi(2 * n as i32 + 1))
-    };
-    let root_e = std::f64::consts::E.sqrt();
-    for (n, r) in [(0, 3.0), (1, 7.0), (3, 5.0), (9, 3.0), (27, 7.0)] {
-        let due = exact(n, r);
-        assert!(near(t(n, r), due), "{n} {r}");
-        let root = (f64::from(n) + 1.5).sqrt();
-        assert!(near(remainder_alone(n, r), root_e * root * due));
-        let n2 = 2.0 * f64::from(n);
-        if n > 0 {
-            let slope = root_e * ((n2 - 1.0) * root + n2 + 3.0) * due;
-            assert!(near(slope_alone(n, r), slope));
-        }
-        // The best of the bounds after some terms more.
-        let least = |f: &dyn Fn(u32) -> f64, g: &dyn Fn(u32) -> f64| {
-            let all = (0..=12).map(|m| (n..n + m).map(g).sum::<f64>() + f(n + m));
-            all.fold(f64::INFINITY, f64::min)
-        };
-        let sum = least(&|m| remainder_alone(m, r), &|k| exact(k, r));
-        assert!(near(remainder(n, r), sum), "{n} {r}");
-        if n > 0 {
-            let sum = least(&|m| slope_alone(m, r), &|k| {
-                (2.0 * f64::from(k) + 1.0) * exact(k, r)
-            });
-            assert!(near(remainder_slope(n, r), sum), "{n} {r}");
-        }
-    }
-    for (x, n) in [(0.5, 0), (0.5, 1), (0.3, 7), (1.7, 20)] {
-        assert!(near(power_up(x, n), f64::powi(x, n as i32)));
-    }
-    assert_eq!(power_up(0.0, 3), 0.0);
-    // Constants on their sides.
-    assert!(
-        HALF_PI >= std::f64::consts::FRAC_PI_2 && HALF_PI <= std::f64::consts::FRAC_PI_2.next_up()
-    );
-    for (bound, exact) in [
-        (SQRT_PI, Ball::pi(100).sqrt()),
-        (SQRT_E, Ball::exact(100, 0.5).exp()),
-    ] {
-        assert!(exact.upper() <= bound && exact.lower() > bound.next_down().next_down());
-    }
-    assert!(Ball::pi(100).lower() >= PI_BELOW);
-    assert!(above(&Ball::exact(60, -3.0)) >= 3.0 && above(&Ball::exact(60, -3.0)) < 3.0001);
-    let ball = Ball::exact(60, 1.0).widened(mechaudit_reference::Mag::from_f64(0.5));
-    assert!(above(&ball) >= 1.5 && above(&ball) < 1.5001);
-}
-
 /// Above what is due for all of many arguments: at some of them the value is next to above an f64.
 #[test]
 fn exponentials_are_rounded_up() {

@@ -88,50 +88,6 @@ fn a_formula_between_those_of_the_corners_is_not_passed_over() {
     assert_eq!(one, Ok(vec!["asymptotic, 6 terms"]));
 }
 
-/// Formulas that follow one another along the rings have no third one between them.
-#[test]
-fn neighbours_along_the_rings() {
-    let series = |terms| Branch::Asymptotic { terms };
-    let at = |a: f64, b: f64| branch(Complex::new(a, b));
-    let (cell, axis) = (at(3.0, 3.0), at(3.0, 0.01));
-    let (strip, line) = (at(9.5, 1e-4), at(12.0, 1e-12));
-    let rings = [
-        Branch::Maclaurin { terms: 9 },
-        Branch::Maclaurin { terms: 21 },
-        cell,
-        series(26),
-        series(14),
-        series(6),
-        series(4),
-        series(2),
-        Branch::Huge,
-    ];
-    for (i, p) in rings.iter().enumerate() {
-        for (j, q) in rings.iter().enumerate() {
-            assert_eq!(follows([*p, *q], rank), j == i + 1, "{p:?} {q:?}");
-        }
-    }
-    for beside in [strip, line] {
-        assert!(
-            follows([series(26), beside], rank)
-                && follows([axis, beside], rank)
-                && follows([beside, series(14)], rank)
-        );
-        assert!(!follows([cell, beside], rank) && !follows([beside, series(6)], rank));
-    }
-    assert!(!follows([axis, series(14)], rank) && follows([cell, axis], rank));
-    let wide = Rectangle {
-        a: [0.01, 9.0],
-        b: [0.01, 9.0],
-    };
-    assert!(parts(&CODE, &wide).is_err());
-    let axis = Rectangle {
-        a: [0.0; 2],
-        b: [0.0, 1e4],
-    };
-    assert!(parts(&CODE, &axis).is_err());
-}
-
 /// Pieces with their formulas, and on which side of lines numbers are.
 #[test]
 fn pieces_of_rectangles_bit_by_bit() {

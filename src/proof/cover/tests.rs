@@ -2,30 +2,6 @@ use super::*;
 use crate::pinned::{bit_by_bit, counted, of_binades, units};
 
 #[test]
-fn the_first_partition_covers_the_quadrant() {
-    assert_eq!(hole(&roots()), None);
-}
-
-#[test]
-fn a_hole_is_found() {
-    let all = roots();
-    for missing in [0, 1, 2, 3, 700, all.len() - 1] {
-        let some: Vec<Rectangle> = (0..all.len())
-            .filter(|i| *i != missing)
-            .map(|i| all[i])
-            .collect();
-        let found = hole(&some).expect("a hole");
-        let r = all[missing];
-        assert!(r.a[0] <= found[0] && found[0] <= r.a[1], "{missing}");
-        assert!(r.b[0] <= found[1] && found[1] <= r.b[1], "{missing}");
-    }
-    // One number is enough.
-    let mut all = roots();
-    all[5].b[1] = all[5].b[1].next_down();
-    assert!(hole(&all).is_some());
-}
-
-#[test]
 fn halves_cover_the_whole() {
     let whole = Rectangle {
         a: [1.0, 4.0],
@@ -51,7 +27,8 @@ fn pieces_are_constant_and_adjacent() {
     }
 }
 
-/// Every `f64` of the closed quadrant is in exactly one rectangle.
+/// Every `f64` of the closed quadrant is in exactly one rectangle: none is in no one, and there are no more
+/// numbers in all of them than there are.
 #[test]
 fn the_first_partition_has_no_overlap() {
     let numbers = |[lo, hi]: [f64; 2]| u128::from(hi.to_bits() - lo.to_bits()) + 1;
@@ -60,6 +37,7 @@ fn the_first_partition_has_no_overlap() {
     let sum: u128 = all.iter().map(|r| numbers(r.a) * numbers(r.b)).sum();
     let finite = numbers([0.0, f64::MAX]);
     assert_eq!(sum, finite * finite);
+    assert_eq!(hole(&all), None);
     // Whole binades, so that what is scaled has one power of two.
     for r in all.iter().filter(|r| r.a[0].max(r.b[0]) > 1e-300) {
         assert!(r.scaled().is_some(), "{r:?}");
@@ -110,154 +88,6 @@ fn a_missing_number_is_found() {
         to([one, one], [next, most]),
     ];
     assert_eq!(hole(&around), Some([one, one]));
-}
-
-/// Both halves together are the whole, and neither is empty; a line begins the second one.
-#[test]
-fn halves_meet_at_lines_and_in_the_middle() {
-    let numbers = |[lo, hi]: [f64; 2]| hi.to_bits() - lo.to_bits() + 1;
-    let (re, im) = (LINES[0], LINES[1]);
-    let of = |r: Rectangle, across_re: bool| {
-        let [p, q] = r.halves(across_re);
-        let [whole, first, second] = match across_re {
-            true => [r.a, p.a, q.a],
-            false => [r.b, p.b, q.b],
-        };
-        let other = |r: &Rectangle| if across_re { r.b } else { r.a };
-        assert_eq!([other(&p), other(&q)], [other(&r); 2]);
-        assert_eq!((first[0], second[1]), (whole[0], whole[1]));
-        assert_eq!(first[1].next_up(), second[0]);
-        (second[0], numbers(first), numbers(second))
-    };
-    for (i, lines) in [re, im].into_iter().enumerate() {
-        for &line in lines {
-            let across = [0.5 * line, line];
-            let other = [1e-3, 2e-3];
-            let r = match i {
-                0 => Rectangle {
-                    a: across,
-                    b: other,
-                },
-                _ => Rectangle {
-                    a: other,
-                    b: across,
-                },
-            };
-            // The last line inside, the end among it.
-            let last = lines.iter().rfind(|l| **l <= line).expect("itself");
-            assert_eq!(of(r, i == 0).0, *last);
-            // Where the rectangle begins at it, it is none to cut at.
-            let beyond = [line, line.next_up().next_up().next_up()];
-            let r = match i {
-                0 => Rectangle {
-                    a: beyond,
-                    b: other,
-                },
-                _ => Rectangle {
-                    a: other,
-                    b: beyond,
-                },
-            };
-            let (_, p, q) = of(r, i == 0);
-            assert_eq!((p, q), (2, 2));
-        }
-    }
-    // Elsewhere by the number of f64s.
-    for r in [
-        Rectangle {
-            a: [30.0, 31.0],
-            b: [40.0, 50.0],
-        },
-        Rectangle {
-            a: [1e-320, 1e-310],
-            b: [30.0, 30.5],
-        },
-    ] {
-        for across_re in [true, false] {
-            let (_, p, q) = of(r, across_re);
-            assert!(p == q || p == q + 1, "{r:?} {p} {q}");
-        }
-    }
-    // One number has no second half.
-    let point = Rectangle {
-        a: [30.0; 2],
-        b: [40.0, 41.0],
-    };
-    assert_eq!(point.halves(true), [point; 2]);
-    assert!(
-        !point.is_point()
-            && !Rectangle {
-                a: [30.0, 31.0],
-                b: [40.0; 2]
-            }
-            .is_point()
-    );
-    assert!(
-        Rectangle {
-            a: [30.0; 2],
-            b: [40.0; 2]
-        }
-        .is_point()
-    );
-}
-
-/// The longer side, or that with more numbers; the only one that can be cut.
-#[test]
-fn which_side_is_cut() {
-    let across = |a: [f64; 2], b: [f64; 2]| {
-        let r = Rectangle { a, b };
-        [r.across_re(true), r.across_re(false)]
-    };
-    assert_eq!(across([1.0, 2.0], [1.0, 1.5]), [true, true]);
-    assert_eq!(across([1.0, 1.5], [1.0, 2.0]), [false, false]);
-    assert_eq!(across([1.0, 2.0], [1.0, 2.0]), [true, true]);
-    // Longer, with fewer numbers.
-    assert_eq!(across([8.0, 10.0], [0.0, 1.0]), [true, false]);
-    assert_eq!(across([0.0, 1.0], [8.0, 10.0]), [false, true]);
-    assert_eq!(across([3.0, 3.0], [0.0, 1.0]), [false, false]);
-    assert_eq!(across([0.0, 1e-300], [3.0, 3.0]), [true, true]);
-}
-
-/// Where the formula changes for one coordinate alone there is a line: on a ring of the same |z|²
-/// it does not change between two of them.
-#[test]
-fn lines_where_the_code_has_some() {
-    let of = |a: f64, b: f64| {
-        let r = Rectangle {
-            a: [a, a + 0.01],
-            b: [b, b + 0.01],
-        };
-        r.lines().map(<[f64]>::len)
-    };
-    let all = [LINES[0].len(), LINES[1].len()];
-    let beside = [0, BESIDE_REAL_AXIS.len()];
-    assert_eq!([of(6.99, 0.0), of(0.0, 6.99), of(6.9, 6.9)], [all; 3]);
-    assert_eq!(
-        [of(7.0, 0.0), of(0.0, 7.0), of(27.99, 3.0), of(0.0, 27.99)],
-        [beside; 4]
-    );
-    assert_eq!([of(28.0, 0.0), of(0.0, 28.0), of(1e300, 0.0)], [[0, 0]; 3]);
-}
-
-/// A coordinate is small where it is below the other one and reaches over more than two binades.
-#[test]
-fn small_coordinates() {
-    let of = |a: [f64; 2], b: [f64; 2]| {
-        let r = Rectangle { a, b };
-        [r.small_re(), r.small_im()]
-    };
-    assert_eq!(of([0.0, 1.0], [1.0, 2.0]), [true, false]);
-    assert_eq!(of([1.0, 2.0], [0.0, 1.0]), [false, true]);
-    assert_eq!(of([0.0, 1.5], [1.0, 2.0]), [false; 2]);
-    assert_eq!(of([1.0, 2.0], [0.0, 1.5]), [false; 2]);
-    assert_eq!(of([0.5, 1.0], [1.0, 2.0]), [false; 2]);
-    assert_eq!(of([1.0, 2.0], [0.5, 1.0]), [false; 2]);
-    assert_eq!(
-        [of([0.25, 1.0], [1.0, 2.0]), of([1.0, 2.0], [0.25, 1.0])],
-        [[false; 2]; 2]
-    );
-    assert_eq!(of([0.249, 1.0], [1.0, 2.0]), [true, false]);
-    assert_eq!(of([1.0, 2.0], [0.249, 1.0]), [false, true]);
 }
 
 /// Every number divided by the power of two is inside, and the ends are next to the quotients.
@@ -327,41 +157,6 @@ fn pieces_of_steps() {
     }
     assert_eq!(pieces([3.0, 3.0], |x| x as u8), [([3.0, 3.0], 3)]);
     assert_eq!(pieces([1.0, 2.0], |_| 7), [([1.0, 2.0], 7)]);
-}
-
-/// The largest coordinate of both corners has one power of two, and ends that are rounded are
-/// rounded outwards.
-#[test]
-fn scaled_ends_are_rounded_outwards() {
-    let of = |a, b| Rectangle { a, b }.scaled();
-    assert!(of([1.0, 1.5], [0.5, 2.5]).is_none() && of([0.5, 2.5], [1.0, 1.5]).is_none());
-    assert!(of([1.0, 1.5], [0.5, 0.75]).is_some() && of([0.5, 0.75], [1.0, 1.5]).is_some());
-    let big = 2f64.powi(1010);
-    let odd = 2f64.next_down() * 2f64.powi(-30);
-    let found = of([big, big], [odd, odd]).expect("one power of two");
-    assert_eq!(found.a, [1.0, 1.0]);
-    let exact = rug::Rational::from_f64(odd).expect("finite") >> 1010u32;
-    let [lo, hi] = found.b.map(|x| rug::Rational::from_f64(x).expect("finite"));
-    assert!(lo < exact && exact < hi);
-    let least = f64::from_bits(1);
-    assert_eq!(
-        of([big, big], [least, least]).map(|r| r.b),
-        Some([0.0, least])
-    );
-}
-
-/// Numbers below the normal ones are scaled as the smallest of these.
-#[test]
-fn subnormal_rectangles_are_scaled_as_the_smallest_normal_number() {
-    let [small, large] = [1u64 << 20, 1 << 40].map(f64::from_bits);
-    let at = Rectangle {
-        a: [0.0, large],
-        b: [small, large],
-    };
-    let scaled = at.scaled().expect("one power");
-    let up = |x: f64| x * 2f64.powi(511) * 2f64.powi(511);
-    assert_eq!(scaled.a, [0.0, up(large)]);
-    assert_eq!(scaled.b, [up(small), up(large)]);
 }
 
 /// Halves of rectangles, the way they are cut, and which hole is found first.

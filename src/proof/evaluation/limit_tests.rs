@@ -6,68 +6,6 @@ use crate::form::power_of_two;
 use crate::pinned::{bit_by_bit, counted, digest};
 use mechaudit_solvers::faddeeva::proof::Real;
 
-fn x_of_power(k: i32) -> impl Fn() -> Tracked {
-    move || x_of(2f64.powi(k))
-}
-
-/// Operations are counted from one, each by itself.
-#[test]
-fn a_planted_rounding_is_of_one_operation() {
-    let run = |truncates| {
-        let rounding = Rounding {
-            fma_rounds_twice: false,
-            truncates,
-        };
-        let program = || {
-            let x = Tracked::input(0, [1.0, 1.001]);
-            let y = x * x_of(3.0);
-            [y, y * x].map(|t| t.result().error)
-        };
-        evaluate(setting(rounding), program).expect("a bound")[0]
-    };
-    let [sound, first, second] = [None, Some(1), Some(2)].map(run);
-    assert!(first[0] > 1.9 * sound[0] && first[1] > 1.4 * sound[1]);
-    assert!(second[0] == sound[0] && second[1] > 1.4 * sound[1]);
-    assert_eq!(run(Some(3)), sound);
-}
-
-/// Checks what a power of two does to numbers at both ends of the range.
-#[test]
-fn powers_of_two_at_the_ends_of_the_range() {
-    // Multiples of 2⁻⁵² in [1, 2): 2⁻¹⁰²² times as much still is a number; of those below 1 it need
-    // not be.
-    let least = x_of_power(-1022);
-    let of = |lo: f64, hi: f64| only(|| (Tracked::input(0, [lo, hi]) * least()).result());
-    for (lo, hi, tiny) in [(1.0, 1.9, 0.0), (0.5, 0.9, 1.0), (0.5, 2.0, 1.0)] {
-        let found = of(lo, hi);
-        assert_eq!((found.tiny, found.error), (tiny, 0.0), "{lo} {hi}");
-    }
-    // An overflow has no bound.
-    let over = |k| {
-        let x = || Tracked::input(0, [2f64.powi(1000), 2f64.powi(1001)]);
-        ways(|| (x() * x_of(2f64.powi(k))).result())
-    };
-    let finite = |k| over(k).is_ok_and(|w| w[0].exact.hi.is_finite() && w[0].error == 0.0);
-    assert!(finite(20) && !finite(23) && !finite(24) && !finite(60));
-    // Sums of subnormal numbers are exact, also those of products by powers of two; from 2⁻¹⁰²¹ on
-    // they need not be.
-    let sum = |scale: f64| {
-        only(|| {
-            let x = Tracked::input(0, [scale, 1.1 * scale]);
-            let y = Tracked::input(1, [1.0, 1.1].map(|x| x * 2f64.powi(-60)));
-            (x + y * x_of(2f64.powi(-1000))).result()
-        })
-    };
-    assert_eq!(
-        [
-            sum(2f64.powi(-1023)).error,
-            sum(1.5 * 2f64.powi(-1022)).error
-        ],
-        [0.0; 2]
-    );
-    assert!(sum(1.5 * 2f64.powi(-1021)).error > 0.0);
-}
-
 /// Checks that what a product by a power of two lost below the normal numbers is handed on with
 /// what it lost.
 #[test]
@@ -90,55 +28,6 @@ fn digits_below_the_normal_numbers_are_lost_twice() {
         full.relative < 1.2e-16 && short.relative > 2e-13,
         "{full:?} {short:?}"
     );
-}
-
-/// Zeros and what is handled as a factor.
-#[test]
-fn zeros_and_small_factors() {
-    let setting = Setting {
-        sigma: Exact::coordinate(Interval::new(1e-9, 1e-3), 0),
-        ..setting(Rounding::default())
-    };
-    let run = |f: fn(Tracked, Tracked) -> Tracked| {
-        let program = || f(Tracked::sigma(), Tracked::input(1, [1.0, 1.1])).result();
-        evaluate(setting, program).expect("a bound")[0]
-    };
-    for f in [|s, x| s * x, |s, x| x * s] as [fn(Tracked, Tracked) -> Tracked; 2] {
-        let found = run(f);
-        assert!(found.small && found.error < 1.2e-16 * 1.1, "{found:?}");
-    }
-    let square = run(|s, _| s * s);
-    assert!(square.small && square.exact.hi <= 1.000001e-3 && square.exact.lo >= 0.0);
-    for f in [
-        |s, _| s * x_of(0.0),
-        |s, _| x_of(0.0) * s,
-        |_, x| x * x_of(0.0),
-        |_, x| x_of(0.0) * x,
-        |_, x| x.fma(x_of(0.0), x_of(0.0)),
-    ] as [fn(Tracked, Tracked) -> Tracked; 5]
-    {
-        let found = run(f);
-        assert!(found.exact.is_zero() && found.error == 0.0, "{found:?}");
-    }
-    for zero_first in [true, false] {
-        let lost = only(|| {
-            let (x, zero) = (Tracked::input(0, [1.0, 1.1]), x_of(0.0));
-            let (p, q) = if zero_first { (zero, x) } else { (x, zero) };
-            p.two_sum(q).1.result()
-        });
-        assert!(lost.exact.is_zero() && lost.error == 0.0);
-    }
-    // Zero added is nothing done: the sum is still the factor's.
-    for f in [
-        |s, x| s * x + x_of(0.0),
-        |s, x| x_of(0.0) + s * x,
-        |s, x| x_of(0.0).fma(x, s),
-        |s, x| x.fma(x_of(0.0), s),
-        |s, x| s.fma(x, x_of(0.0)),
-    ] as [fn(Tracked, Tracked) -> Tracked; 5]
-    {
-        assert!(run(f).small);
-    }
 }
 
 /// Nothing of an evaluation is left to the next one of the thread.
@@ -185,84 +74,6 @@ fn evaluations_are_apart() {
         found.exact.lo >= 4.49 && found.exact.hi <= 4.97,
         "{found:?}"
     );
-}
-
-/// A fast sum of what may be out of order is the sum, and its second part is off.
-#[test]
-fn a_fast_sum_out_of_order_is_a_sum() {
-    let of = |b: [f64; 2]| {
-        only(|| {
-            let (x, y) = (Tracked::input(0, [1.0, 1.001]), Tracked::input(1, b));
-            let (s, e) = x.fast_two_sum(y);
-            [s.result(), s.exact_sum(e)]
-        })
-    };
-    let [sum, both] = of([0.5, 2.0]);
-    assert!(
-        sum.exact.lo <= 1.5 && sum.exact.hi >= 3.001 && sum.exact.hi < 3.01,
-        "{sum:?}"
-    );
-    assert!(both.error > 1e-17);
-    assert!(of([0.5, 0.9])[1].error < 1e-30);
-    let [sum, both] = only(|| {
-        let (s, e) = x_of(0.0).fast_two_sum(Tracked::input(1, [0.5, 2.0]));
-        [s.result(), s.exact_sum(e)]
-    });
-    assert!(sum.error == 0.0 && both.error == 0.0 && sum.exact.hi <= 2.0);
-}
-
-/// The error of a product is a multiple of the product of both grids: of a number, or rounded to
-/// one.
-#[test]
-fn errors_of_products_on_the_finest_grid() {
-    let lost = |k: i32| {
-        only(|| {
-            let x = Tracked::input(0, [1.0, 1.1]);
-            let scale = 2f64.powi(k);
-            let (_, lost) = x.two_prod(Tracked::input(1, [scale, 1.1 * scale]));
-            lost.result().tiny
-        })
-    };
-    assert_eq!([lost(-969), lost(-970)], [0.0; 2]);
-    assert!(lost(-971) >= 1.0);
-}
-
-/// The absolute value of what may have either sign begins at zero, and its errors are no part of
-/// it.
-#[test]
-fn magnitudes_of_both_signs() {
-    let found = only(|| {
-        let x = Tracked::input(0, [-2.0, 3.0]);
-        (x * Tracked::input(1, [1.0, 1.1])).magnitude().result()
-    });
-    assert!(found.exact.lo <= 0.0 && found.exact.hi >= 3.3 && found.exact.hi < 3.4);
-    assert_eq!(found.relative, f64::INFINITY);
-    let one = only(|| {
-        let x = Tracked::input(0, [1.0, 1.1]);
-        // Both signs by their errors alone.
-        ((x * x) - x.like(1.1)).magnitude().result()
-    });
-    assert_eq!(one.relative, f64::INFINITY);
-}
-
-/// Integers too large, and too many of them, by their limits.
-#[test]
-fn integers_have_limits() {
-    let of = |lo: f64, hi: f64| {
-        let x = || Tracked::input(0, [lo, hi]);
-        ways(|| x().fma(x_of(1.0), x_of(ROUND)).result()).map(|w| w.len())
-    };
-    assert_eq!(of(-3.0, 1e10), Err("an integer beyond 10⁹"));
-    assert_eq!(of(1.2e9, 1.2e9 + 1.0), Err("an integer beyond 10⁹"));
-    assert_eq!(of(0.0, 9e8), Err("too many integers"));
-    assert_eq!(of(0.0, 4200.0), Err("too many integers"));
-    assert_eq!(of(9e8, 9e8), Ok(1));
-    // A product whose error is below the range is not exact.
-    let product = exact_product(
-        1.0 + 2f64.powi(-52),
-        (1.0 + 2f64.powi(-51)) * 2f64.powi(-1000),
-    );
-    assert!(!product);
 }
 
 fn form_of(x: Tracked) -> Form {

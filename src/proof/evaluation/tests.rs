@@ -168,40 +168,6 @@ fn programs_beside_a_small_factor() {
     }
 }
 
-/// The lower parts of sums and products are exactly what the upper ones lost.
-#[test]
-fn exact_sums_and_products_have_no_error() {
-    let (a, b) = ([1.0, 1.001], [0.3, 0.301]);
-    let [sum, product, halves]: [Tracks; 3] = only(|| {
-        let (x, y) = (Tracked::input(0, a), Tracked::input(1, b));
-        let (s, e) = x.two_sum(y);
-        let (p, f) = x.two_prod(y);
-        let (q, g) = x.fast_two_sum(y);
-        [s.exact_sum(e), p.exact_sum(f), q.exact_sum(g)]
-    });
-    for found in [sum, product, halves] {
-        assert!(found.error < 1e-30, "{found:?}");
-    }
-    assert!(sum.exact.lo <= 1.3 && sum.exact.hi >= 1.302);
-    // Of the smaller one first it is not exact.
-    let other = only(|| {
-        let (x, y) = (Tracked::input(0, a), Tracked::input(1, b));
-        let (q, g) = y.fast_two_sum(x);
-        q.exact_sum(g)
-    });
-    assert!(other.error > 1e-17);
-    // An error of a product below the normal numbers is rounded itself.
-    let low = only(|| {
-        let (x, y) = (
-            Tracked::input(0, [1e-160, 1.1e-160]),
-            Tracked::input(1, [1e-150, 1.1e-150]),
-        );
-        let (p, f) = x.two_prod(y);
-        p.exact_sum(f)
-    });
-    assert!(low.tiny >= 1.0);
-}
-
 /// Multiplied by a power of two nothing is rounded unless it is subnormal; of x and 2ᵏx the
 /// products have one error.
 #[test]
@@ -231,16 +197,6 @@ fn powers_of_two_are_exact() {
     for d in difference {
         assert!(d.error < 1e-30, "{d:?}");
     }
-    // Other factors have an error of their own.
-    let other = only(|| {
-        let (x, y) = (
-            Tracked::input(0, [1.0, 1.001]),
-            Tracked::input(1, [1.3, 1.301]),
-        );
-        let more = x * x.like(3.0);
-        [(more * y) - (x * y) * x.like(3.0), (x * y) - (x * x)].map(Tracked::result)
-    });
-    assert!(other.iter().all(|d| d.error > 2e-16));
     // Below the normal numbers half the smallest number is lost, and the digits are not there any
     // more.
     let below = only(|| {
@@ -255,11 +211,6 @@ fn powers_of_two_are_exact() {
         "{:?}",
         below[1]
     );
-    let above = only(|| {
-        let x = Tracked::input(0, [1.0, 1.001]) * x_of(2f64.powi(1000));
-        (x * x_of(2f64.powi(100))).result()
-    });
-    assert!(above.error.is_infinite() || above.exact.hi.is_infinite());
 }
 
 pub(super) fn x_of(x: f64) -> Tracked {
@@ -576,39 +527,6 @@ fn what_a_product_loses() {
     );
 }
 
-/// A product with a power of two has all errors times it.
-#[test]
-fn powers_of_two_scale_all_errors() {
-    let [half, open, four, negative] = only(|| {
-        let x = Tracked::input(0, [-1.0, 2.0]) / x_of(3.0);
-        let open = x.magnitude();
-        [open * x_of(0.5), open, x_of(4.0) * open, open * x_of(-4.0)].map(Tracked::result)
-    });
-    assert!(half.error >= 0.5 * open.error && half.error < 0.51 * open.error);
-    assert!(four.error >= 4.0 * open.error && four.error < 4.01 * open.error);
-    assert!(negative.error >= 4.0 * open.error && negative.exact.lo <= -8.0 / 3.0);
-    let [below, above] = only(|| {
-        let x = Tracked::input(0, [1.0, 1.001]) * x_of(2f64.powi(-1000));
-        let y = x * x_of(2f64.powi(-60));
-        [y, y * x_of(1024.0)].map(Tracked::result)
-    });
-    assert!(
-        below.tiny == 1.0 && (1024.0..1025.0).contains(&above.tiny),
-        "{above:?}"
-    );
-    // Ends below the normal numbers are rounded outwards.
-    let tiny = f64::from_bits(1);
-    let found = only(|| (Tracked::input(0, [3.0 * tiny, 5.0 * tiny]) * x_of(0.5)).result());
-    assert!(found.exact.lo <= tiny && found.exact.hi >= 3.0 * tiny && found.tiny >= 1.0);
-    // Of an open sign |x| has no error in common with x.
-    let apart = only(|| {
-        let x = Tracked::input(0, [-1.0, 2.0]) / x_of(3.0);
-        let both = x.exact_sum(-x.magnitude());
-        (x.result().error, both.error)
-    });
-    assert!(apart.1 >= 2.0 * apart.0);
-}
-
 /// Checks that what a stored number is off has no error in common with an operation.
 #[test]
 fn constants_and_operations_are_apart() {
@@ -675,16 +593,4 @@ fn truth_values_and_vectors() {
         ([1.0, 2.0, 4.0, 8.0], [3.0, 5.0, 7.0, 11.0])
     );
     assert_eq!(found[5], [26.0; 4]);
-}
-
-/// Sums of constants that need no rounding have no error.
-#[test]
-fn exact_sums_have_nothing_left() {
-    for (a, b) in [(1.0, 2.0), (0.0, 5.0), (3.0, -3.0)] {
-        let [sum, rest] = only(|| {
-            let (s, e) = Tracked::entry(a).two_sum(Tracked::entry(b));
-            [s.constant(), e.constant()]
-        });
-        assert_eq!((sum, rest), (Some(a + b), Some(0.0)));
-    }
 }

@@ -2,7 +2,7 @@
 //! enough on each.
 
 use super::regions::{Code, Region, bound, regions};
-use crate::certificate::{self, Open, Watch};
+use crate::certificate::{self, Step, Watch};
 use crate::cover::{Rectangle, shells};
 
 /// Describes what a rectangle is not halved below.
@@ -55,23 +55,13 @@ pub fn lower_half_plane(
 ) -> Option<Certificate> {
     let all: Vec<Rectangle> = roots().into_iter().filter(wanted).collect();
     Certificate::of_all(&all, watch, |r, found| {
-        refine(code, target, watch, *r, 0, found)
+        found.refine(*r, 0, watch, &|at, depth, _| step(code, target, at, depth))
     })
 }
 
-fn refine(
-    code: &Code,
-    target: Target,
-    watch: &Watch,
-    at: Rectangle,
-    depth: u32,
-    found: &mut Certificate,
-) -> Option<()> {
-    if watch.ends() {
-        return None;
-    }
+/// What is done with a rectangle that was halved so often.
+fn step(code: &Code, target: Target, at: &Rectangle, depth: u32) -> Step<Leaf, Rectangle> {
     let last = depth >= target.depth || at.is_point();
-    let leaves = leaves(code, &at);
     let good = |l: &Leaf| {
         let norm = match l.region.is_reflected() {
             true => target.norm,
@@ -79,29 +69,15 @@ fn refine(
         };
         l.norm <= norm
     };
-    match leaves {
-        Ok(leaves) if leaves.iter().all(good) => {
-            found.leaves.extend(leaves);
-            return Some(());
-        }
-        Ok(leaves) if last => {
-            let why = match leaves.iter().all(|l| l.norm.is_finite()) {
-                true => "the bound is above the target",
-                false => "w may be zero",
-            };
-            found.open.push(Open { at, why });
-            return Some(());
-        }
-        Err(why) if last => {
-            found.open.push(Open { at, why });
-            return Some(());
-        }
-        _ => (),
+    match leaves(code, at) {
+        Ok(leaves) if leaves.iter().all(good) => Step::Proved(leaves),
+        Ok(leaves) if last => Step::Open(match leaves.iter().all(|l| l.norm.is_finite()) {
+            true => "the bound is above the target",
+            false => "w may be zero",
+        }),
+        Err(why) if last => Step::Open(why),
+        _ => Step::Cut(at.halves(at.across_re(true))),
     }
-    for half in at.halves(at.across_re(true)) {
-        refine(code, target, watch, half, depth + 1, found)?;
-    }
-    Some(())
 }
 
 /// The formulas that may be used in a rectangle, each with the bound on its piece of it.

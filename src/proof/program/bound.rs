@@ -1,9 +1,9 @@
 //! The bound over one box.
 
-use super::pass::{Pass, Stop};
-use super::tape::Op;
+use super::pass::{Narrowing, Pass, Stop};
+use super::tape::{Op, Place};
 use super::{Measure, Program};
-use crate::interval::{Interval, product_up, quotient_up, sum_up};
+use crate::interval::{Interval, hypot_down, hypot_up, larger, product_up, quotient_up, sum_up};
 
 /// The bounds over one box.
 #[derive(Clone, Debug)]
@@ -18,6 +18,8 @@ pub(super) struct Found {
     pub cut: usize,
     /// The sign of the value at the centre.
     pub sign: f64,
+    /// The value over the box.
+    value: Interval,
     /// Why there is no bound.
     pub why: Option<&'static str>,
 }
@@ -26,6 +28,8 @@ pub(super) struct Found {
 pub(super) struct Bounds<'a> {
     program: &'a Program,
     measure: Measure,
+    /// The result that is looked at, one of the program's.
+    root: Place,
     wide: Pass,
     centre: Pass,
     condition: Pass,
@@ -46,12 +50,48 @@ fn around(x: Interval) -> Interval {
     x - Interval::point(centre_of(x))
 }
 
+/// The input that is widest beside its domain.
+pub(super) fn widest(program: &Program, at: &[Interval]) -> usize {
+    let share = |k: usize| {
+        let of = |x: Interval| x.hi / 2.0 - x.lo / 2.0;
+        let (here, all) = (of(at[k]), of(program.domain[k]));
+        if here == 0.0 { 0.0 } else { here / all }
+    };
+    let all = 0..at.len();
+    all.max_by(|a, b| share(*a).total_cmp(&share(*b)))
+        .unwrap_or(0)
+}
+
+/// The bound of a complex result from those of the absolute errors of its parts: `|f̂ − f|`, as a part
+/// of `|f|` if asked.
+fn of_complex(measure: Measure, [re, im]: [Found; 2]) -> Found {
+    let error = hypot_up(re.bound, im.bound);
+    let lower = hypot_down(re.lower, im.lower);
+    let size = |of: fn(Interval) -> f64| [of(re.value), of(im.value)];
+    let ([a, b], [c, d]) = (size(Interval::mignitude), size(Interval::magnitude));
+    let (bound, lower) = match measure {
+        Measure::Absolute => (error, lower),
+        _ => (quotient_up(error, hypot_down(a, b)), lower / hypot_up(c, d)),
+    };
+    let worse = if re.bound >= im.bound { &re } else { &im };
+    Found {
+        bound: if bound.is_nan() { f64::INFINITY } else { bound },
+        error,
+        lower: if lower.is_nan() { 0.0 } else { lower },
+        cut: worse.cut,
+        sign: 0.0,
+        value: Interval::ALL,
+        why: (!bound.is_finite()).then(|| worse.why.unwrap_or("a value that may be zero")),
+    }
+}
+
 impl<'a> Bounds<'a> {
     pub fn new(program: &'a Program, measure: Measure) -> Bounds<'a> {
         let pass = || Pass::new(program.setting, program.domain.len());
         Bounds {
             program,
             measure,
+            root: 0,
             wide: pass(),
             centre: pass(),
             condition: pass(),
@@ -71,8 +111,39 @@ impl<'a> Bounds<'a> {
 
     /// The bound over a box.
     pub fn on(&mut self, at: &[Interval]) -> Found {
-        self.wide.given.clear();
-        self.within(at)
+        let (program, measure) = (self.program, self.measure);
+        let narrowing = self.narrowing(at);
+        let mut of = |root: Place, measure: Measure| {
+            (self.root, self.measure) = (root, measure);
+            self.wide.given.clear();
+            self.wide.narrowing.clone_from(&narrowing);
+            self.within(at)
+        };
+        if let [re, im] = program.roots[..] {
+            let parts = [re, im].map(|root| of(root, Measure::Absolute));
+            self.measure = measure;
+            return of_complex(measure, parts);
+        }
+        of(program.roots[0], measure)
+    }
+
+    /// What the condition on the inputs says about a box.
+    fn narrowing(&mut self, at: &[Interval]) -> Option<Narrowing> {
+        let program = self.program;
+        let (tape, place) = program.condition.as_ref()?;
+        let points: Vec<Interval> = at.iter().map(|x| Interval::point(centre_of(*x))).collect();
+        self.condition.forward(tape, at, true, &[]).ok()?;
+        let over = self.condition.clone();
+        self.condition.forward(tape, &points, false, &[]).ok()?;
+        // The centre may be where the formula has no value.
+        self.centre.given.clear();
+        self.centre.forward_beyond(&program.tape, &points);
+        if !self.centre.open.is_empty() {
+            return None;
+        }
+        let steps = at.iter().map(|x| around(*x)).collect();
+        let centre = self.centre.value.clone();
+        Narrowing::new((tape, *place), [&over, &self.condition], steps, centre)
     }
 
     fn nothing(&self, at: &[Interval], stop: Stop) -> Found {
@@ -80,23 +151,11 @@ impl<'a> Bounds<'a> {
             bound: f64::INFINITY,
             error: f64::INFINITY,
             lower: 0.0,
-            cut: self.widest(at),
+            cut: widest(self.program, at),
             sign: 0.0,
+            value: Interval::ALL,
             why: Some(stop.reason),
         }
-    }
-
-    /// The input that is widest beside its domain.
-    fn widest(&self, at: &[Interval]) -> usize {
-        let share = |k: usize| {
-            let whole = self.program.domain[k];
-            let of = |x: Interval| x.hi / 2.0 - x.lo / 2.0;
-            let (here, all) = (of(at[k]), of(whole));
-            if here == 0.0 { 0.0 } else { here / all }
-        };
-        let all = 0..at.len();
-        all.max_by(|a, b| share(*a).total_cmp(&share(*b)))
-            .unwrap_or(0)
     }
 
     /// `|f̂ − f|` in the measure, from bounds of it and of f.
@@ -127,7 +186,7 @@ impl<'a> Bounds<'a> {
             self.wide.ulp(value.magnitude()),
         );
         let plain = quotient_up(error, below);
-        let root = self.program.root;
+        let root = self.root;
         let rounds = matches!(
             self.program.tape.ops[root],
             Op::Add(..) | Op::Sub(..) | Op::Mul(..) | Op::Div(..) | Op::Sqrt(_) | Op::Fma(..)
@@ -141,9 +200,9 @@ impl<'a> Bounds<'a> {
     }
 
     /// Conditions that are open: the worst of all branches that the exact value may take.
-    fn branches(&mut self, at: &[Interval], picks: &[bool]) -> Result<f64, Stop> {
+    fn branches(&mut self, at: &[Interval], picks: &[bool]) -> Result<(f64, Interval), Stop> {
         let program = self.program;
-        let (tape, root) = (&program.tape, program.root);
+        let (tape, root) = (&program.tape, self.root);
         self.wide.forward(tape, at, true, picks)?;
         if self.wide.open.len() > picks.len() {
             if picks.len() >= MOST_OPEN {
@@ -151,26 +210,27 @@ impl<'a> Bounds<'a> {
                     reason: "too many conditions that are open at once",
                 });
             }
-            let mut worst = 0.0f64;
-            for pick in [true, false] {
+            let mut of = |pick: bool| {
                 let more: Vec<bool> = picks.iter().copied().chain([pick]).collect();
-                worst = worst.max(self.branches(at, &more)?);
-            }
-            return Ok(worst);
+                self.branches(at, &more)
+            };
+            let ((p, v), (q, w)) = (of(true)?, of(false)?);
+            return Ok((larger(p, q), v.hull(w)));
         }
         self.wide.backward(tape, root, false);
-        Ok(self.measured(self.wide.total(root), self.wide.value[root]))
+        let value = self.wide.value[root];
+        Ok((self.measured(self.wide.total(root), value), value))
     }
 
     fn within(&mut self, at: &[Interval]) -> Found {
         let program = self.program;
-        let (tape, root, n) = (&program.tape, program.root, at.len());
+        let (tape, root, n) = (&program.tape, self.root, at.len());
         if let Err(stop) = self.wide.forward(tape, at, true, &[]) {
             return self.nothing(at, stop);
         }
         if !self.wide.open.is_empty() {
-            let found = match self.branches(at, &[]) {
-                Ok(bound) => bound,
+            let (found, value) = match self.branches(at, &[]) {
+                Ok(found) => found,
                 Err(stop) => return self.nothing(at, stop),
             };
             let cut = self.cut(at, &[]);
@@ -180,6 +240,7 @@ impl<'a> Bounds<'a> {
                 lower: 0.0,
                 cut,
                 sign: 0.0,
+                value,
                 why: (!found.is_finite()).then_some("no bound of a derivative"),
             };
         }
@@ -187,6 +248,17 @@ impl<'a> Bounds<'a> {
         let mut error = self.wide.total(root);
         let mut value = self.wide.value[root];
         let mut bound = self.measured(error, value);
+        if self.wide.is_narrowed() {
+            return Found {
+                bound,
+                error,
+                lower: 0.0,
+                cut: self.cut(at, &[]),
+                sign: 0.0,
+                value,
+                why: (!bound.is_finite()).then_some("no bound of a derivative"),
+            };
+        }
         let mut lower = 0.0;
         let mut sign = 0.0;
         // The centre on the path of any point of the box: with the errors that it may make.
@@ -280,6 +352,8 @@ impl<'a> Bounds<'a> {
         }
         if is_face && bound > lower * 1.0001 {
             self.wide.given = self.wide.noise.clone();
+            // The face may lie where the condition fails.
+            self.wide.narrowing = None;
             let found = self.within(&face);
             error = error.min(found.error);
             lower = lower.max(found.lower);
@@ -294,6 +368,7 @@ impl<'a> Bounds<'a> {
             lower,
             cut,
             sign,
+            value,
             why: (!bound.is_finite())
                 .then_some("no bound of a derivative, or a value that may be zero"),
         }
@@ -302,7 +377,7 @@ impl<'a> Bounds<'a> {
     /// The input across which the sum changes most, by its derivative and by those of the roundings.
     fn cut(&self, at: &[Interval], gradient: &[Interval]) -> usize {
         let n = at.len();
-        let root = self.program.root;
+        let root = self.root;
         let mut best = (0.0, None);
         for j in 0..n {
             let width = at[j].hi - at[j].lo;
@@ -323,9 +398,9 @@ impl<'a> Bounds<'a> {
             if change.is_finite() && change > best.0 {
                 best = (change, Some(j));
             } else if !change.is_finite() {
-                return self.widest(at);
+                return widest(self.program, at);
             }
         }
-        best.1.unwrap_or_else(|| self.widest(at))
+        best.1.unwrap_or_else(|| widest(self.program, at))
     }
 }

@@ -19,11 +19,11 @@ mod tests;
 
 pub use crate::interval::Interval;
 pub use accuracy::Accuracy;
-pub use search::{Limits, Proof, ProvedBox, prove};
+pub use search::{Limits, Proof, ProvedBox, parts, prove};
 
 use mechaudit_symbolic::evaluation::{Elementary, Format};
 use mechaudit_symbolic::graph::{Graph, Id};
-use tape::{Op, Tape, Writer};
+use tape::{Op, Place, Tape, Writer};
 
 /// Why a formula is no program.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -86,32 +86,38 @@ pub struct Program {
     setting: Setting,
     domain: Vec<Interval>,
     tape: Tape,
-    root: usize,
+    /// The result, or the real and the imaginary part of a complex one.
+    roots: Vec<Place>,
     /// The condition on the inputs.
     condition: Option<(Tape, usize)>,
 }
 
 impl Program {
-    /// Writes a formula of a graph as operations.
+    /// Writes a formula of a graph as operations, or two that are the real and the imaginary part of a
+    /// complex result: their error is the absolute value of the complex one.
     ///
     /// The domain holds the least and the largest number of each input in the graph's order, ends
     /// included; the condition narrows it.
     ///
     /// # Errors
     /// An expression without a floating-point operation, a function whose accuracy nobody states, a loop whose
-    /// number of rounds is not the same for all inputs.
+    /// number of rounds is not the same for all inputs, no formula or more than two.
     pub fn new(
         graph: &Graph,
-        formula: Id,
+        formulas: &[Id],
         condition: Option<Id>,
         domain: &[Interval],
         setting: Setting,
     ) -> Result<Program, ProgramError> {
-        if graph.is_complex(formula) {
+        if !matches!(formulas.len(), 1 | 2) {
+            return refused("a result has one part or two");
+        }
+        if formulas.iter().any(|id| graph.is_complex(*id)) {
             return refused("complex arithmetic in floating point");
         }
         let mut writer = Writer::new(graph, setting, domain);
-        let root = writer.value(formula)?;
+        let roots = formulas.iter().map(|id| writer.value(*id));
+        let roots = roots.collect::<Result<_, _>>()?;
         let tape = writer.tape;
         let condition = match condition {
             None => None,
@@ -127,15 +133,28 @@ impl Program {
             setting,
             domain: domain.to_vec(),
             tape,
-            root,
+            roots,
             condition,
         })
+    }
+
+    /// The same program over a part of its domain.
+    pub fn within(&self, domain: Vec<Interval>) -> Program {
+        Program {
+            domain,
+            ..self.clone()
+        }
+    }
+
+    /// The ends of every input.
+    pub fn domain(&self) -> &[Interval] {
+        &self.domain
     }
 
     /// The number of operations that round or may round.
     pub fn operations(&self) -> usize {
         let rounds = |op: &&Op| !matches!(op, Op::Input(_) | Op::Neg(_) | Op::Abs(_) | Op::If(..));
-        self.tape.ops[..=self.root].iter().filter(rounds).count()
+        self.tape.ops.iter().filter(rounds).count()
     }
 
     /// The elementary functions with their accuracies, each once.

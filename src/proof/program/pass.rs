@@ -15,15 +15,17 @@
 
 mod condition;
 mod derivative;
+mod narrowing;
 mod operation;
 
+pub(crate) use narrowing::Narrowing;
 use operation::Ends;
 
 use super::Setting;
 use super::elementary::{pi, power, range};
 use super::tape::{Op, Place, Tape};
 use crate::form::{exponent, grain_of_point, power_of_two};
-use crate::interval::{Interval, product_up, sum_up};
+use crate::interval::{Interval, down, product_up, sum_up, up};
 use mechaudit_symbolic::Func;
 
 /// Why an operation has no bound over a box.
@@ -69,6 +71,12 @@ pub(crate) struct Pass {
     pub open: Vec<usize>,
     /// Errors that operations may make elsewhere, where the path of another point is followed.
     pub given: Vec<f64>,
+    /// What the condition on the inputs says about the box.
+    pub narrowing: Option<Narrowing>,
+    /// Operations whose range, or that of an operand, holds only where the condition does.
+    is_narrowed: Vec<bool>,
+    /// Operations whose derivatives by the inputs hold only there.
+    is_bent: Vec<bool>,
 }
 
 fn one() -> Interval {
@@ -94,7 +102,16 @@ impl Pass {
             noisy: Vec::new(),
             open: Vec::new(),
             given: Vec::new(),
+            narrowing: None,
+            is_narrowed: Vec::new(),
+            is_bent: Vec::new(),
         }
+    }
+
+    /// Returns whether a range holds only where the condition on the inputs does: then nothing is known of the way to
+    /// other points.
+    pub fn is_narrowed(&self) -> bool {
+        self.is_narrowed.contains(&true)
     }
 
     /// The exponent of the last bit of numbers not smaller than `least` in magnitude.
@@ -104,6 +121,11 @@ impl Pass {
             return lowest;
         }
         (exponent(least) + 1 - self.setting.bits()).max(lowest)
+    }
+
+    /// The largest error of one rounding as a part of the result.
+    fn unit(&self) -> f64 {
+        power_of_two(-self.setting.bits())
     }
 
     /// Half a unit in the last place of the largest result.
@@ -134,6 +156,14 @@ impl Pass {
         slopes: bool,
         picks: &[bool],
     ) -> Result<(), Stop> {
+        self.clear();
+        for op in &tape.ops {
+            self.step(tape, *op, at, slopes, picks)?;
+        }
+        Ok(())
+    }
+
+    fn clear(&mut self) {
         self.float.clear();
         self.value.clear();
         self.grain.clear();
@@ -144,20 +174,57 @@ impl Pass {
         self.slope.clear();
         self.curve.clear();
         self.open.clear();
-        for op in &tape.ops {
-            self.step(tape, *op, at, slopes, picks)?;
-        }
-        Ok(())
+        self.is_narrowed.clear();
+        self.is_bent.clear();
     }
 
+    /// Computes ranges of all operations, also behind one that has no value: everything.
+    pub fn forward_beyond(&mut self, tape: &Tape, at: &[Interval]) {
+        self.clear();
+        for op in &tape.ops {
+            if self.step(tape, *op, at, false, &[]).is_err() {
+                let all = Interval::ALL;
+                self.push(all, all, 0.0, self.setting.lowest(), f64::INFINITY);
+            }
+        }
+    }
+
+    /// An operation without a rounding that is a part of its result.
     fn push(&mut self, float: Interval, value: Interval, noise: f64, grain: i32, error: f64) {
+        self.push_rounded(float, value, (noise, f64::INFINITY), grain, error);
+    }
+
+    /// An operation whose error is at most the noise, and but for subnormal results a share of the exact result on
+    /// the computed operands.
+    ///
+    /// That result is within the error of the one on the path: a result there that is not below `lo ≥ 0`
+    /// is not below `lo − share (lo + error)` with its rounding, and so on.
+    fn push_rounded(
+        &mut self,
+        float: Interval,
+        value: Interval,
+        (noise, share): (f64, f64),
+        grain: i32,
+        error: f64,
+    ) {
         let given = self.given.get(self.noise.len()).copied().unwrap_or(0.0);
-        let error = match given > noise {
-            true => sum_up(error, given),
-            false => error,
+        let (error, share) = match given > noise {
+            true => (sum_up(error, given), f64::INFINITY),
+            false => (error, share),
         };
         let noise = noise.max(given);
-        let value = value.widened(noise);
+        let least = power_of_two(self.setting.lowest());
+        let reach = |end: f64| {
+            let part = product_up(share, sum_up(end.abs(), sum_up(error, least)));
+            noise.min(sum_up(part, least))
+        };
+        let value = match noise == 0.0 {
+            true => value,
+            false => Interval::new(
+                down(value.lo - reach(value.lo)),
+                up(value.hi + reach(value.hi)),
+            ),
+        };
         // Without any error all of the path is what is computed.
         let value = if error == 0.0 {
             value.meet(float)
@@ -197,7 +264,8 @@ impl Pass {
                             true => 0.0,
                             false => self.rounding(ends, i32::MIN)?,
                         };
-                        self.push(self.rounded_ends(ends), x, noise, lowest, noise);
+                        let noises = (noise, self.unit());
+                        self.push_rounded(self.rounded_ends(ends), x, noises, lowest, noise);
                     }
                 }
             }
@@ -304,6 +372,9 @@ impl Pass {
             Op::If(condition, a, b) => self.choose(tape, condition, a, b, picks)?,
         }
         self.link(op, slopes);
+        if slopes {
+            self.narrow(tape, op);
+        }
         Ok(())
     }
 
@@ -322,7 +393,9 @@ impl Pass {
             return stop("may overflow");
         }
         let error = sum_up(carried, noise);
-        self.push(computed, exact, noise, self.setting.lowest(), error);
+        let share = product_up(2.0 * ulps, self.unit()).max(self.unit());
+        let lowest = self.setting.lowest();
+        self.push_rounded(computed, exact, (noise, share), lowest, error);
         Ok(())
     }
 

@@ -1,11 +1,11 @@
 //! Branch and bound over the domain.
 
-use super::bound::Bounds;
+use super::bound::{Bounds, widest};
 use super::{Measure, Program};
 use crate::certificate::Watch;
 use crate::interval::Interval;
 use std::cmp::Ordering;
-use std::collections::BinaryHeap;
+use std::collections::{BinaryHeap, VecDeque};
 use std::sync::atomic::Ordering as Access;
 
 /// When a proof ends.
@@ -79,12 +79,17 @@ fn middle(x: Interval, measure: Measure) -> f64 {
 
 /// Two parts of a box. Inputs that are not rounded are numbers of the format: none lies between the
 /// parts.
-fn halves(program: &Program, of: &ProvedBox, measure: Measure) -> Option<[Vec<Interval>; 2]> {
-    let mut k = of.cut;
-    if of.at[k].is_point() {
-        k = (0..of.at.len()).find(|k| !of.at[*k].is_point())?;
-    }
-    let x = of.at[k];
+fn halves(
+    program: &Program,
+    at: &[Interval],
+    cut: usize,
+    measure: Measure,
+) -> Option<[Vec<Interval>; 2]> {
+    let k = [cut].into_iter().chain(0..at.len());
+    let k = k
+        .into_iter()
+        .find(|k| at.get(*k).is_some_and(|x| !x.is_point()))?;
+    let x = at[k];
     let next = |m: f64| match program.setting {
         s if s.round_inputs => m,
         s if s.is_single() => f64::from((m as f32).next_up()),
@@ -114,10 +119,28 @@ fn halves(program: &Program, of: &ProvedBox, measure: Measure) -> Option<[Vec<In
             }
         }
     };
-    let mut parts = [of.at.clone(), of.at.clone()];
+    let mut parts = [at.to_vec(), at.to_vec()];
     parts[0][k] = Interval::new(x.lo, low);
     parts[1][k] = Interval::new(high.min(x.hi), x.hi);
     Some(parts)
+}
+
+/// Parts of the domain that are proved apart, so many where there are enough numbers: each the half of one
+/// that was the first to be cut.
+pub fn parts(program: &Program, many: usize) -> Vec<Vec<Interval>> {
+    let mut whole = Vec::new();
+    let mut left = VecDeque::from([program.domain.clone()]);
+    while whole.len() + left.len() < many
+        && let Some(at) = left.pop_front()
+    {
+        let cut = widest(program, &at);
+        match halves(program, &at, cut, Measure::Absolute) {
+            Some(halves) => left.extend(halves),
+            None => whole.push(at),
+        }
+    }
+    whole.extend(left);
+    whole
 }
 
 /// Proves a bound over the domain; nothing if it was stopped.
@@ -168,7 +191,7 @@ pub fn prove(program: &Program, measure: Measure, limits: &Limits, watch: &Watch
             heap.push(top);
             break;
         }
-        match halves(program, &top, measure) {
+        match halves(program, &top.at, top.cut, measure) {
             None => {
                 whole.push(top);
                 // A point: nothing is gained by cutting others.
@@ -204,5 +227,6 @@ fn is_hopeless(program: &Program, of: &ProvedBox) -> bool {
         let (here, all) = (of.at[k], program.domain[k]);
         (here.hi / 2.0 - here.lo / 2.0) <= (all.hi / 2.0 - all.lo / 2.0) * 1e-15
     };
-    of.bound == f64::INFINITY && (0..of.at.len()).all(tiny)
+    // A condition may leave out the only number without a bound.
+    program.condition.is_none() && of.bound == f64::INFINITY && (0..of.at.len()).all(tiny)
 }

@@ -84,66 +84,6 @@ fn rectangles_are_halved_until_the_bounds_are_good() {
     );
 }
 
-/// By how many rectangles: each rule for cuts counts.
-#[test]
-fn cuts_are_those_that_need_few_rectangles() {
-    let watch = Watch::default();
-    let strict = Target {
-        norm: 0.45,
-        component: 0.9,
-        depth: 8,
-    };
-    let of = |target: Target, a: [f64; 2], b: [f64; 2]| {
-        let found = on_rectangle(&CODE, target, &watch, Rectangle { a, b }).expect("not stopped");
-        (found.leaves.len(), found.open.len())
-    };
-    let found = [
-        of(UPPER_HALF_PLANE, [2.0, 2.5], [2.0, 2.5]),
-        of(UPPER_HALF_PLANE, [9.0, 9.1], [0.0, 1.0]),
-        of(UPPER_HALF_PLANE, [2.0, 2.25], [0.0, 0.125]),
-        of(strict, [1.0, 1.1], [1.0, 1.2]),
-        of(strict, [1.0, 1.2], [1.0, 1.1]),
-    ];
-    assert_eq!(found, [(12, 0), (15, 0), (49, 0), (162, 0), (126, 0)]);
-    assert_eq!(better_cut(0.89, 1.0), Some(true));
-    assert_eq!(better_cut(1.0, 0.89), Some(false));
-    assert_eq!([better_cut(0.91, 1.0), better_cut(1.0, 0.91)], [None; 2]);
-}
-
-/// Beside the real axis lines come first, then columns.
-#[test]
-fn cuts_beside_the_real_axis() {
-    let cut = |formula, a: [f64; 2], b: [f64; 2]| {
-        let at = Rectangle { a, b };
-        let leaf = |formula| Leaf {
-            at,
-            formula,
-            bound: Bound::NONE,
-        };
-        beside_real_axis(&at, &[leaf(Formula::Strip), leaf(formula)])
-    };
-    let low = [1e-300, 1e-290];
-    assert_eq!(cut(Formula::RealLine, [12.0, 12.0045], low), Some(true));
-    assert_eq!(cut(Formula::RealLine, [12.0, 12.0035], low), None);
-    let axis = Formula::RealAxis { centre: 3.0 };
-    let flat = [1e-30, 1e-29];
-    assert_eq!(cut(axis, [3.0, 3.035], flat), Some(true));
-    assert_eq!(cut(axis, [3.0, 3.03], flat), None);
-    assert_eq!(cut(Formula::Strip, [12.0, 13.0], low), None);
-    // A line of Im z at 2⁻⁵¹: across, from it on, up to it, below and above.
-    let line = 2f64.powi(-51);
-    for (b, due) in [
-        ([line / 2.0, line * 2.0], true),
-        ([line, line * 2.0], false),
-        ([line / 2.0, line], true),
-        ([line / 3.0, line / 2.0], false),
-        ([line * 2.0, line * 3.0], false),
-    ] {
-        let found = cut(Formula::RealLine, [12.0, 12.001], b);
-        assert_eq!(found, due.then_some(false), "{b:?}");
-    }
-}
-
 /// A bound that is not a number is none.
 #[test]
 fn what_is_not_a_number_is_no_bound() {

@@ -5,8 +5,8 @@ use super::evaluate::{SMALL, beyond_subnormal, bound};
 use super::tables::Tables;
 use super::{Function, Interval};
 use crate::ProofError;
-use crate::certificate::{self, Watch};
-use crate::cover::pieces;
+use crate::certificate::{self, Step, Watch};
+use crate::cover::{self, Rectangle, pieces};
 use crate::tracked::Rounding;
 
 /// The code whose error is bounded, and how its operations round.
@@ -94,9 +94,10 @@ pub fn real_line(
             function,
             target,
             formula,
-            watch,
         };
-        refined.refine(at, 0, found)
+        found.refine(at, 0, watch, &|at, depth, parts| {
+            refined.step(at, depth, parts)
+        })
     })
 }
 
@@ -105,55 +106,38 @@ struct Refined<'a> {
     function: Function,
     target: f64,
     formula: Formula,
-    watch: &'a Watch,
 }
 
 impl Refined<'_> {
-    /// `None` if it was stopped.
-    fn refine(&self, at: Interval, depth: u32, found: &mut Certificate) -> Option<()> {
-        if self.watch.ends() {
-            return None;
-        }
+    /// What is done with an interval that was halved so often, of one from which so many come.
+    fn step(&self, at: &Interval, depth: u32, parts: usize) -> Step<Leaf, Interval> {
         let Code {
             tables, rounding, ..
         } = self.code;
-        let point = at.is_point() || found.leaves.len() + found.open.len() > MANY;
-        match bound(tables, self.function, self.formula, &at, *rounding) {
+        let point = at.is_point() || parts > MANY;
+        match bound(tables, self.function, self.formula, at, *rounding) {
             Ok((formula, ulps)) if point || depth >= DEPTH || ulps <= self.target => {
-                found.leaves.push(Leaf { at, formula, ulps });
+                let at = *at;
+                Step::Proved(vec![Leaf { at, formula, ulps }])
             }
-            Err(why) if point || depth >= MOST_DEPTH => found.open.push(Open { at, why }),
-            _ => {
-                for half in at.halves() {
-                    self.refine(half, depth + 1, found)?;
-                }
-            }
+            Err(why) if point || depth >= MOST_DEPTH => Step::Open(why),
+            _ => Step::Cut(at.halves()),
         }
-        Some(())
     }
 }
 
 /// A finite number that no interval holds, if there is one; of an odd function the positive ones
 /// count.
 pub fn hole(function: Function, intervals: impl IntoIterator<Item = Interval>) -> Option<f64> {
-    const LAST: u64 = f64::MAX.to_bits();
     let all: Vec<Interval> = intervals.into_iter().collect();
     function.signs().iter().find_map(|&negative| {
-        let mut some: Vec<[u64; 2]> = all
-            .iter()
-            .filter(|i| i.negative == negative)
-            .map(|i| i.ends.map(f64::to_bits))
-            .collect();
-        some.sort_unstable();
-        let mut next = 0;
-        for [lo, hi] in some {
-            if lo > next {
-                break;
-            }
-            next = next.max(hi + 1);
-        }
-        let x = f64::from_bits(next);
-        (next <= LAST).then_some(if negative { -x } else { x })
+        let some = all.iter().filter(|i| i.negative == negative);
+        let some = some.map(|i| Rectangle {
+            a: i.ends,
+            b: [0.0, f64::MAX],
+        });
+        let [x, _] = cover::hole(&some.collect::<Vec<_>>())?;
+        Some(if negative { -x } else { x })
     })
 }
 

@@ -167,6 +167,7 @@ fn state(
             start.text()?
         ),
         budget: default_budget(),
+        proved: None,
     };
     unit_and_budget(&mut output, item)?;
     let state = State {

@@ -82,6 +82,7 @@ pub(in super::super) fn problem(file: &Item, name: &str) -> Result<Problem, Stud
             is: Expr::Sym(text.clone()),
             text,
             budget: default_budget(),
+            proved: None,
         };
         unit_and_budget(&mut output, item)?;
         if let Some(first) = linear.tasks.first()

@@ -1,14 +1,13 @@
 //! Functions of a real argument.
 
-use super::{boxes, up, watched};
+use super::{boxes, head, line, opened, tell, up, versioned, watched};
 use crate::cli::args::ProveArgs;
 use crate::cli::failure::{Failure, Outcome};
-use crate::cli::files::output::print_as;
 use mechaudit::audit::hex_float;
 use mechaudit::proof::real::{
     Certificate, Code, Formula, Function, Interval, Leaf, Summary, hole, real_line,
 };
-use mechaudit::report::text::style::{BAD, BOLD, DIM, PLAIN, paint};
+use mechaudit::report::text::style::{DIM, PLAIN};
 use mechaudit::report::text::table::Table;
 use serde_json::{Value, json};
 use std::io::Write;
@@ -38,21 +37,12 @@ pub fn prove(functions: &[Function], args: &ProveArgs) -> Result<Outcome, Failur
             Some(theorem) => theorems.push(theorem),
         }
     }
-    if let Some(output) = boxes {
-        output.write(|out| write_intervals(&theorems, out))?;
-    }
-    let text = || theorems.iter().map(Theorem::text).collect();
-    print_as(args.format, text, || match theorems.as_slice() {
-        [one] => one.document(),
-        all => json!({
-            "schema_version": 1,
-            "mechaudit_version": env!("CARGO_PKG_VERSION"),
-            "part": "real",
-            "proved": all.iter().all(Theorem::is_proved),
-            "functions": all.iter().map(Theorem::document).collect::<Vec<Value>>(),
-        }),
-    })?;
-    Ok(Outcome::of(theorems.iter().all(Theorem::is_proved)))
+    tell(
+        args,
+        boxes,
+        &theorems,
+        (json!({ "part": "real" }), "functions"),
+    )
 }
 
 struct Theorem {
@@ -61,21 +51,6 @@ struct Theorem {
     summary: Summary,
     missing: Option<f64>,
     seconds: f64,
-}
-
-fn write_intervals(theorems: &[Theorem], out: &mut dyn Write) -> Result<(), Failure> {
-    writeln!(out, "function,from,to,formula,centre,ulps")?;
-    for theorem in theorems {
-        let function = theorem.function;
-        for Leaf { at, formula, ulps } in &theorem.found.leaves {
-            let [p, q] = at.signed().map(hex_float);
-            let centre = formula.centre().map(hex_float).unwrap_or_default();
-            let of = formula.name(function, at.negative).replace(", ", " ");
-            let (name, ulps) = (function.name(), hex_float(*ulps));
-            writeln!(out, "{name},{p},{q},{of},{centre},{ulps}")?;
-        }
-    }
-    Ok(())
 }
 
 fn place(at: &Interval) -> String {
@@ -106,36 +81,44 @@ impl Theorem {
             summary,
         }))
     }
+}
 
+impl super::Theorem for Theorem {
     fn is_proved(&self) -> bool {
         self.found.open.is_empty() && self.missing.is_none()
     }
 
+    fn columns(&self) -> String {
+        "function,from,to,formula,centre,ulps".into()
+    }
+
+    fn rows(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let function = self.function;
+        for Leaf { at, formula, ulps } in &self.found.leaves {
+            let [p, q] = at.signed().map(hex_float);
+            let centre = formula.centre().map(hex_float).unwrap_or_default();
+            let of = formula.name(function, at.negative).replace(", ", " ");
+            let (name, ulps) = (function.name(), hex_float(*ulps));
+            writeln!(out, "{name},{p},{q},{of},{centre},{ulps}")?;
+        }
+        Ok(())
+    }
+
     fn text(&self) -> String {
-        let name = self.function.name();
-        let title = format!("{name}, real argument");
-        let mut out = format!("{}\n", paint(BOLD, &title));
-        let line = |text: String| format!("  {text}\n");
+        let (name, summary) = (self.function.name(), &self.summary);
         let overflow = |l: &Leaf| l.formula == Formula::Overflow;
-        let summary = &self.summary;
-        if self.is_proved() {
-            out += &line(format!(
-                "|{name}_real(x) − {name} x| ≤ C ulp({name} x) for every finite f64 x: C = {}",
-                up(summary.ulps)
-            ));
-            if self.found.leaves.iter().any(overflow) {
-                out += &line("but infinity where the value is above the range".into());
-            }
-        } else {
-            let open = self.found.open.len();
-            let text = format!("not proved: {open} intervals are open");
-            out += &line(paint(BAD, &text));
-            for open in self.found.open.iter().take(5) {
-                out += &line(format!("{}: {}", place(&open.at), open.why));
-            }
-            if let Some(x) = self.missing {
-                out += &line(format!("{x:e} is in no interval with a bound"));
-            }
+        let mut theorem = vec![format!(
+            "|{name}_real(x) − {name} x| ≤ C ulp({name} x) for every finite f64 x: C = {}",
+            up(summary.ulps)
+        )];
+        if self.found.leaves.iter().any(overflow) {
+            theorem.push("but infinity where the value is above the range".into());
+        }
+        let theorem = self.is_proved().then_some(&theorem[..]);
+        let title = format!("{name}, real argument");
+        let mut out = head(&title, theorem, ("intervals", &self.found.open[..]), place);
+        if let Some(x) = self.missing {
+            out += &line(format!("{x:e} is in no interval with a bound"));
         }
         out += &line(format!("C is attained in {}", place(&summary.at)));
         let mut table = Table::new(&["formula", "intervals", "from", "to", "C"], &[0]);
@@ -149,7 +132,7 @@ impl Theorem {
             ]);
         }
         out += &table.render(2);
-        out += &line("ulp: the unit in the last place of the value, at least 2^-1074".into());
+        out += &line("ulp: the unit in the last place of the value, at least 2^-1074");
         out += &line(format!(
             "{} intervals, {:.1} s",
             summary.intervals, self.seconds
@@ -172,13 +155,7 @@ impl Theorem {
                 })
             })
             .collect();
-        let open = self.found.open.iter();
-        let open: Vec<Value> = open
-            .map(|o| json!({ "interval": o.at.signed(), "why": o.why }))
-            .collect();
-        json!({
-            "schema_version": 1,
-            "mechaudit_version": env!("CARGO_PKG_VERSION"),
+        versioned(json!({
             "function": self.function.name(),
             "part": "real",
             "proved": self.is_proved(),
@@ -186,15 +163,16 @@ impl Theorem {
             "intervals": summary.intervals,
             "seconds": self.seconds,
             "formulas": formulas,
-            "open": open,
+            "open": opened(&self.found.open, "interval", |at: &Interval| json!(at.signed())),
             "missing": self.missing,
-        })
+        }))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cli::commands::prove::Theorem as _;
     use mechaudit::proof::real::Open;
 
     /// Nothing open and no number left out: else it is no theorem, and is not said to be one.
@@ -327,11 +305,8 @@ erfc, real argument
     fn every_interval_has_a_row_and_a_place_in_json() {
         let whole = theorem(Vec::new(), None);
         let mut out = Vec::new();
-        write_intervals(
-            &[theorem(Vec::new(), None), theorem(Vec::new(), None)],
-            &mut out,
-        )
-        .unwrap();
+        let both = [theorem(Vec::new(), None), theorem(Vec::new(), None)];
+        crate::cli::commands::prove::write_boxes(&both, &mut out).unwrap();
         let text = String::from_utf8(out).unwrap();
         let rows: Vec<&str> = text.lines().collect();
         assert_eq!(rows.len(), 7);

@@ -2,21 +2,15 @@
 
 mod witness;
 
-use super::{boxes, watched};
+use super::{boxes, line, tell, versioned, watched};
 use crate::cli::args::ProveArgs;
 use crate::cli::failure::{Failure, Outcome};
-use crate::cli::files::output::print_as;
 use mechaudit::audit::{Limit, Method, hex_float};
 use mechaudit::proof::ProofError;
-use mechaudit::proof::program::{
-    Interval, Limits, Measure, Program, Proof, Setting, prove as bound,
-};
+use mechaudit::proof::program::{Interval, Limits, Measure, Proof, Setting, prove as bound};
 use mechaudit::report::text::style::{BAD, BOLD, DIM, paint};
 use mechaudit::study::{Problem, Study, StudySolver};
 use mechaudit::symbolic::evaluation::{Elementary, Format};
-use mechaudit::symbolic::graph::Graph;
-use rug::Rational;
-use rug::float::Round;
 use serde_json::{Map, Value, json};
 use std::io::Write;
 use std::time::Instant;
@@ -31,6 +25,7 @@ struct Theorem {
     solver: String,
     output: String,
     inputs: Vec<String>,
+    domain: Vec<Interval>,
     setting: Setting,
     functions: Vec<(&'static str, String)>,
     operations: usize,
@@ -59,26 +54,17 @@ pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
     let solver = solver(problem, args.solver.as_deref(), &study)?;
     let boxes = boxes(args)?;
     let mut theorems = Vec::new();
-    for k in 0..problem.outputs.len() {
-        match Theorem::of(&study, &solver, k, target, args)? {
+    let all: Vec<Vec<usize>> = match &args.together {
+        None => (0..problem.outputs.len()).map(|k| vec![k]).collect(),
+        Some(names) => vec![pair(problem, names, target)?],
+    };
+    for outputs in &all {
+        match Theorem::of(&study, &solver, outputs, target, args)? {
             None => return Ok(Outcome::Interrupted),
             Some(theorem) => theorems.push(theorem),
         }
     }
-    if let Some(output) = boxes {
-        output.write(|out| write_boxes(&theorems, out))?;
-    }
-    let text = || theorems.iter().map(Theorem::text).collect();
-    print_as(args.format, text, || match theorems.as_slice() {
-        [one] => one.document(),
-        all => json!({
-            "schema_version": 1,
-            "mechaudit_version": env!("CARGO_PKG_VERSION"),
-            "proved": all.iter().all(Theorem::is_proved),
-            "outputs": all.iter().map(Theorem::document).collect::<Vec<Value>>(),
-        }),
-    })?;
-    Ok(Outcome::of(theorems.iter().all(Theorem::is_proved)))
+    tell(args, boxes, &theorems, (json!({}), "outputs"))
 }
 
 /// Reads a target: `2ulp`, `1e-12 relative`, `1e-9 absolute`.
@@ -93,12 +79,30 @@ fn target(text: &str) -> Result<(Measure, f64), Failure> {
     }
 }
 
-fn solver(problem: &Problem, name: Option<&str>, study: &Study) -> Result<StudySolver, Failure> {
-    if problem.linear.is_some() || problem.system.is_some() {
+/// The places of the two outputs that are one complex number.
+fn pair(
+    problem: &Problem,
+    names: &str,
+    target: Option<(Measure, f64)>,
+) -> Result<Vec<usize>, Failure> {
+    if matches!(target, Some((Measure::Ulps, _))) {
         return Err(Failure::new(
-            "only studies of formulas have a proof: this is one of linear algebra or of a system",
+            "--together has no ulps: a complex number has an absolute and a relative error",
         ));
     }
+    let known: Vec<&str> = problem.outputs.iter().map(|o| o.name.as_str()).collect();
+    let place = |name: &str| known.iter().position(|n| *n == name.trim());
+    let places: Option<Vec<usize>> = names.split(',').map(place).collect();
+    match places.as_deref() {
+        Some([re, im]) if re != im => Ok(vec![*re, *im]),
+        _ => Err(Failure::new(format!(
+            "--together {names:?}: two outputs as RE,IM; there are: {}",
+            known.join(", ")
+        ))),
+    }
+}
+
+fn solver(problem: &Problem, name: Option<&str>, study: &Study) -> Result<StudySolver, Failure> {
     if let Some(name) = name {
         // Says which there are.
         study.clone().with_solver(name).map_err(Failure::caused)?;
@@ -111,106 +115,41 @@ fn solver(problem: &Problem, name: Option<&str>, study: &Study) -> Result<StudyS
     first.ok_or_else(|| Failure::new("the study states no solver: nothing rounds"))
 }
 
-/// The numbers of the format between the ends of an input; the reals, if inputs are rounded.
-fn range(
-    input: &mechaudit::study::StudyInput,
-    setting: Setting,
-    within: Option<f64>,
-) -> Result<Interval, Failure> {
-    let single = setting.format == Format::Single;
-    let largest = if single {
-        f64::from(f32::MAX)
-    } else {
-        f64::MAX
-    };
-    let largest = within.map_or(largest, |w| w.min(largest));
-    let end = |q: &Option<Rational>, outside: f64, up: bool| {
-        let Some(q) = q else { return outside };
-        // Inward to a number of the format, or outward to one where inputs are real.
-        let way = if up == setting.round_inputs {
-            Round::Up
-        } else {
-            Round::Down
-        };
-        let bits = if single && !setting.round_inputs {
-            24
-        } else {
-            53
-        };
-        rug::Float::with_val_round(bits, q, way).0.to_f64_round(way)
-    };
-    let (from, to) = (
-        end(&input.from, -largest, false),
-        end(&input.to, largest, true),
-    );
-    // Below the normal numbers of binary32 there are fewer bits.
-    let (from, to) = match single && !setting.round_inputs {
-        true => {
-            let (p, q) = (from as f32, to as f32);
-            let p = if f64::from(p) < from { p.next_up() } else { p };
-            let q = if f64::from(q) > to { q.next_down() } else { q };
-            (f64::from(p), f64::from(q))
-        }
-        false => (from, to),
-    };
-    let (from, to) = (from.max(-largest), to.min(largest));
-    if !(from <= to) {
-        return Err(Failure::new(format!(
-            "no number of the format lies in the range of {}",
-            input.name
-        )));
-    }
-    Ok(Interval::new(from, to))
-}
-
 impl Theorem {
     /// Nothing if the user ends it.
     fn of(
         study: &Study,
         solver: &StudySolver,
-        k: usize,
+        outputs: &[usize],
         target: Option<(Measure, f64)>,
         args: &ProveArgs,
     ) -> Result<Option<Theorem>, Failure> {
         let begin = Instant::now();
         let problem = study.problem();
         let setting = Setting {
-            format: solver.format,
             elementary: match args.correctly_rounded {
                 true => Elementary::Correct,
                 false => solver.elementary,
             },
             round_inputs: args.round_inputs,
+            ..solver.setting()
         };
-        let output = &problem.outputs[k];
-        let refused = |e: &dyn std::fmt::Display| Failure::new(format!("{}: {e}", output.name));
-        let mut graph = Graph::new(problem.inputs.iter().map(|i| i.name.clone()));
-        let formula = graph.build(&solver.definitions, &solver.formulas[k]);
-        let formula = formula.map_err(|e| refused(&e))?;
-        let condition = match &problem.condition {
-            Some(e) => Some(
-                graph
-                    .build(&problem.definitions, e)
-                    .map_err(|e| refused(&e))?,
-            ),
-            None => None,
-        };
-        let domain = problem.inputs.iter();
-        let domain: Vec<Interval> = domain
-            .map(|i| range(i, setting, args.within))
-            .collect::<Result<_, _>>()?;
-        let program = Program::new(&graph, formula, condition, &domain, setting);
-        let program = program.map_err(|e| refused(&e))?;
+        let program = problem.program(solver, outputs, setting, args.within);
+        let program = program.map_err(Failure::caused)?;
+        let names = outputs.iter().map(|k| problem.outputs[*k].name.as_str());
+        let output = names.collect::<Vec<_>>().join(" + i ");
+        let refused = |e: &str| Failure::new(format!("{output}: {e}"));
         let mut proofs = Vec::new();
         for measure in MEASURES {
-            if target.is_some_and(|(of, _)| of != measure) {
+            let other = target.is_some_and(|(of, _)| of != measure);
+            if other || (measure == Measure::Ulps && outputs.len() > 1) {
                 continue;
             }
             let limits = Limits {
                 boxes: args.limit,
                 target: target.map_or(0.0, |t| t.1),
             };
-            let name = format!("{} {}", output.name, word(measure));
+            let name = format!("{output} {}", word(measure));
             let program = program.clone();
             let proof = watched(&name, false, move |watch| {
                 Ok::<_, ProofError>(bound(&program, measure, &limits, watch))
@@ -220,7 +159,7 @@ impl Theorem {
                 Some(proof) => proofs.push((measure, proof)),
             }
         }
-        let own = own_study(problem, solver, setting, k)?;
+        let own = own_study(problem, solver, setting, outputs)?;
         let mut found = Vec::new();
         for (measure, proof) in &proofs {
             let worst = worst(&own, *measure, proof.bound, args)?;
@@ -239,12 +178,16 @@ impl Theorem {
             found.push((*measure, worst));
         }
         let inputs = found.iter().flat_map(|f| &f.1).map(|f| f.input.clone());
-        let same = same(problem, solver, k, &own, study, inputs.collect());
+        let inputs: Vec<Vec<f64>> = inputs.collect();
+        let each = outputs.iter().enumerate();
+        let same = each.map(|(part, k)| same(problem, solver, (*k, part), &own, study, &inputs));
+        let same = same.reduce(Same::with).expect("an output");
         Ok(Some(Theorem {
             study: Method::name(study),
             solver: solver.name.clone(),
-            output: output.name.clone(),
+            output,
             inputs: problem.inputs.iter().map(|i| i.name.clone()).collect(),
+            domain: program.domain().to_vec(),
             setting,
             functions: program
                 .functions()
@@ -269,6 +212,28 @@ impl Theorem {
         self.found.iter().find(|f| f.0 == measure)?.1.as_ref()
     }
 
+    fn is_refuted(&self) -> bool {
+        let Some((measure, target)) = self.target else {
+            return false;
+        };
+        self.found(measure).is_some_and(|f| f.error > target)
+    }
+
+    fn place(&self, at: &[Interval]) -> String {
+        let of = |(name, x): (&String, &Interval)| match x.is_point() {
+            true => format!("{name} = {:.6e}", x.lo),
+            false => format!("{name} in [{:.6e}, {:.6e}]", x.lo, x.hi),
+        };
+        let all: Vec<String> = self.inputs.iter().zip(at).map(of).collect();
+        if all.is_empty() {
+            "no input".into()
+        } else {
+            all.join(", ")
+        }
+    }
+}
+
+impl super::Theorem for Theorem {
     fn is_proved(&self) -> bool {
         match self.target {
             None => self.bound(Measure::Absolute).is_some(),
@@ -276,11 +241,24 @@ impl Theorem {
         }
     }
 
-    fn is_refuted(&self) -> bool {
-        let Some((measure, target)) = self.target else {
-            return false;
-        };
-        self.found(measure).is_some_and(|f| f.error > target)
+    fn columns(&self) -> String {
+        let ends = |name: &String| format!(",{name}_from,{name}_to");
+        let names: String = self.inputs.iter().map(ends).collect();
+        format!("output,measure,bound{names}")
+    }
+
+    fn rows(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        for (measure, proof) in &self.proofs {
+            for leaf in &proof.boxes {
+                let (name, measure) = (&self.output, word(*measure));
+                write!(out, "{name},{measure},{}", hex_float(leaf.bound))?;
+                for x in &leaf.at {
+                    write!(out, ",{},{}", hex_float(x.lo), hex_float(x.hi))?;
+                }
+                writeln!(out)?;
+            }
+        }
+        Ok(())
     }
 
     fn text(&self) -> String {
@@ -293,7 +271,7 @@ impl Theorem {
             self.study, self.output, self.solver
         );
         let mut out = format!("{}\n", paint(BOLD, &title));
-        let mut line = |text: String| out += &format!("  {text}\n");
+        let mut line = |text: String| out += &line(text);
         if let Some((measure, target)) = self.target {
             let name = format!("{target:e} {}", word(measure));
             line(match (self.is_proved(), self.is_refuted()) {
@@ -308,17 +286,10 @@ impl Theorem {
         for (measure, proof) in &self.proofs {
             line(match self.bound(*measure) {
                 Some(bound) => format!("{:<9} error ≤ {}", word(*measure), up(bound)),
-                None => {
-                    let why = proof
-                        .at
-                        .as_ref()
-                        .and_then(|b| b.why)
-                        .unwrap_or("the limit ended it");
-                    paint(
-                        DIM,
-                        &format!("{:<9} error: no bound: {why}", word(*measure)),
-                    )
-                }
+                None => paint(
+                    DIM,
+                    &format!("{:<9} error: no bound: {}", word(*measure), why(proof)),
+                ),
             });
             if let Some(at) = proof.at.as_ref().filter(|_| self.bound(*measure).is_some()) {
                 line(format!("          attained in {}", self.place(&at.at)));
@@ -368,19 +339,6 @@ impl Theorem {
         out
     }
 
-    fn place(&self, at: &[Interval]) -> String {
-        let of = |(name, x): (&String, &Interval)| match x.is_point() {
-            true => format!("{name} = {:.6e}", x.lo),
-            false => format!("{name} in [{:.6e}, {:.6e}]", x.lo, x.hi),
-        };
-        let all: Vec<String> = self.inputs.iter().zip(at).map(of).collect();
-        if all.is_empty() {
-            "no input".into()
-        } else {
-            all.join(", ")
-        }
-    }
-
     fn document(&self) -> Value {
         let witness = |measure| match self.found(measure) {
             Some(f) => json!({ "error": f.error, "input": f.input }),
@@ -396,20 +354,21 @@ impl Theorem {
             Value::Object(all.collect::<Map<_, _>>())
         };
         let boxes = |m: Measure| self.proofs.iter().find(|p| p.0 == m).map(|p| p.1.looked_at);
-        json!({
-            "schema_version": 1,
-            "mechaudit_version": env!("CARGO_PKG_VERSION"),
+        versioned(json!({
             "study": self.study,
             "output": self.output,
             "solver": self.solver,
             "format": match self.setting.format { Format::Single => "binary32", Format::Double => "binary64" },
             "round_inputs": self.setting.round_inputs,
+            "inputs": self.inputs,
+            "domain": self.domain.iter().map(|x| [x.lo, x.hi]).collect::<Vec<_>>(),
             "proved": self.is_proved(),
             "refuted": self.is_refuted(),
             "target": self.target.map(|(m, t)| json!({ "measure": word(m), "bound": t })),
             "absolute_error": self.bound(Measure::Absolute),
             "relative_error": self.bound(Measure::Relative),
             "ulps": self.bound(Measure::Ulps),
+            "why": self.proofs.iter().find(|p| !p.1.bound.is_finite()).map(|p| why(&p.1)),
             "attained": each(&|m| json!(attained(m))),
             "witness": each(&witness),
             "boxes": each(&|m| json!(boxes(m))),
@@ -421,8 +380,14 @@ impl Theorem {
             "functions": self.functions.iter().map(|(n, a)| json!({ "name": n, "accuracy": a })).collect::<Vec<_>>(),
             "operations": self.operations,
             "seconds": self.seconds,
-        })
+        }))
     }
+}
+
+/// The reason why nothing is proved.
+fn why(proof: &Proof) -> &'static str {
+    let at = proof.at.as_ref().and_then(|b| b.why);
+    at.unwrap_or("the limit ended it")
 }
 
 fn word(measure: Measure) -> &'static str {
@@ -446,25 +411,4 @@ fn up(x: f64) -> String {
             _ => return text,
         }
     }
-}
-
-fn write_boxes(theorems: &[Theorem], out: &mut dyn Write) -> Result<(), Failure> {
-    let ends = |name: &String| format!(",{name}_from,{name}_to");
-    let names: String = theorems
-        .first()
-        .map_or(String::new(), |t| t.inputs.iter().map(ends).collect());
-    writeln!(out, "output,measure,bound{names}")?;
-    for theorem in theorems {
-        for (measure, proof) in &theorem.proofs {
-            for leaf in &proof.boxes {
-                let (name, measure) = (&theorem.output, word(*measure));
-                write!(out, "{name},{measure},{}", hex_float(leaf.bound))?;
-                for x in &leaf.at {
-                    write!(out, ",{},{}", hex_float(x.lo), hex_float(x.hi))?;
-                }
-                writeln!(out)?;
-            }
-        }
-    }
-    Ok(())
 }

@@ -1,5 +1,6 @@
+use super::upper::{Upper, proved};
 use super::*;
-use mechaudit::proof::{Bound, Formula, Open};
+use mechaudit::proof::{Bound, Certificate, Formula, Leaf, Target, UPPER_HALF_PLANE};
 use mechaudit::report::text::style::plain;
 
 /// Made up: two rectangles of one formula, one of another without a bound of its imaginary part.
@@ -28,14 +29,18 @@ fn certificate() -> Certificate {
     }
 }
 
+fn theorem(found: &Certificate, within: Option<f64>) -> Upper {
+    Upper::new(found.clone(), within, 1.25).unwrap()
+}
+
 fn shown(found: &Certificate, within: Option<f64>) -> String {
-    plain(&text(found, &found.summary().unwrap(), within, 1.25))
+    plain(&theorem(found, within).text())
 }
 
 #[test]
 fn every_rectangle_has_a_row() {
     let mut out = Vec::new();
-    write_boxes(&certificate(), &mut out).unwrap();
+    write_boxes(&[theorem(&certificate(), None)], &mut out).unwrap();
     let due = "re_from,re_to,im_from,im_to,formula,centre_re,centre_im,norm,re,im,tiny\n\
                0x0p+0,0x1p+0,0x1p+1,0x1.8p+1,Taylor cell,0x1p-2,0x1p-1,0x1p-1,0x1.8p+0,0x1.4p+1,0x1p+1\n\
                0x1p+0,0x1p+1,0x1p+1,0x1.8p+1,Taylor cell,0x1p-2,0x1p-1,0x1.8p-1,0x1p+0,0x1p+1,0x1p+1\n\
@@ -94,7 +99,7 @@ fn open_rectangles_are_no_proof() {
     for k in 0..6 {
         assert_eq!(text.contains(&named(k)), k < 5, "{text}");
     }
-    let json = document(&found, &found.summary().unwrap(), None, 1.25);
+    let json = theorem(&found, None).document();
     assert_eq!(json["proved"], false);
     assert_eq!(json["open"][5]["box"]["re"], json!([5.0, 9.0]));
 }
@@ -152,7 +157,7 @@ fn a_proof_is_so_far() {
 #[test]
 fn what_is_proved_for_programs() {
     let found = certificate();
-    let v = document(&found, &found.summary().unwrap(), Some(8.0), 1.25);
+    let v = theorem(&found, Some(8.0)).document();
     let at = |from: f64, to: f64, im: [f64; 2]| json!({ "re": [from, to], "im": im });
     let cell = [2.0, 3.0];
     let due = json!({
@@ -279,7 +284,7 @@ fn targets_are_those_asked_for() {
             component,
             ..UPPER_HALF_PLANE
         };
-        let found = proved(target, false, Some(0.01)).unwrap().unwrap();
+        let found = proved(target, Some(0.01)).unwrap().unwrap();
         assert!(found.open.is_empty());
         found.summary().unwrap()
     };

@@ -99,6 +99,7 @@ impl Moving {
                 unit: quantity.unit.into(),
                 is: parse(text).map_err(|e| fault(&e))?,
                 text: quantity.text,
+                proved: None,
                 budget: (
                     Limit::Absolute(BUDGET),
                     "none is stated: a millionth of the unit".into(),

@@ -71,44 +71,6 @@ fn errors_of_pairs_are_below_their_bounds() {
     assert!(most.into_iter().all(|m| m > 1e-4), "{most:?}");
 }
 
-/// Checks what the bounds are made of, in units of u², and the bounds; smaller ones would have to
-/// come from a better proof.
-#[test]
-fn bounds_are_those_that_were_proved() {
-    let c = code::again();
-    let half_pi = code::constants().half_pi;
-    let found = proved(|_| ());
-    let all = [
-        exponential(&c),
-        circle(&c, 0.0),
-        circle(&c, 50.0),
-        reduction(half_pi, 1.0),
-        reduction(half_pi, 4e7),
-        sums(&c).expect("constants"),
-        truncation() * 1e30,
-        found[0] - 0.5,
-        found[1] - 0.5,
-        found[2] - 0.5,
-    ];
-    let listed: Vec<String> = all.iter().map(|x| format!("{x:.12e}")).collect();
-    for (x, due) in all.iter().zip(PROVED) {
-        assert!((x - due).abs() <= 1e-9 * due, "{}", listed.join(", "));
-    }
-}
-
-const PROVED: [f64; 10] = [
-    2.091652935831e1,
-    3.250379580292e1,
-    1.054338883694e2,
-    6.306766015000e0,
-    6.306766015181e0,
-    1.014558263934e3,
-    1.865018681009e-2,
-    6.314195146710e-2,
-    1.695758289210e0,
-    3.907250000004e-3,
-];
-
 /// Constants of another number are refused, each by itself.
 #[test]
 fn wrong_constants_are_refused() {
@@ -130,31 +92,6 @@ fn wrong_constants_are_refused() {
     // The last bit of 256 does not decide, the last but one does.
     assert!(!refused(|c| c.long[0].1[3] ^= 1) && refused(|c| c.long[0].1[3] ^= 2));
     assert!(are_pairs(&[0.0, 0.89]) && !are_pairs(&[0.0, 0.91]) && !are_pairs(&[f64::NAN]));
-}
-
-/// Phases by what the quarters lack, the more of them the more.
-#[test]
-fn phases_by_their_quarters() {
-    let [p, q, r] = code::constants().half_pi;
-    let [near, far, turn] = phases([p, q, r]);
-    // All but nothing: the roundings alone.
-    let rounded = REDUCED * (2.0 * ADD + ADD_F);
-    let close = |x: f64, due: f64| (x - due).abs() < 1e-6 * due;
-    let of_turn = std::f64::consts::PI * (DIV + MUL + 1.0);
-    assert!(close(near, rounded) && close(far, 64.0 * REDUCED) && close(turn, of_turn + rounded));
-    // Two parts of π/2 lack the third.
-    let lost = phases([p, q, 0.0]);
-    let unit = r.abs() / (U * U);
-    for ((lost, all), quarters) in lost
-        .iter()
-        .zip([rounded, rounded, of_turn + rounded])
-        .zip([4e7, 7e8, 3.0])
-    {
-        assert!(
-            close(*lost, all + quarters * unit),
-            "{lost} {all} {quarters}"
-        );
-    }
 }
 
 /// As many coefficients count as the code has terms, and ln 2 by the largest number of times that
@@ -189,17 +126,6 @@ fn constants_count_as_often_as_they_are_used() {
     c.ln_2[2] = 0.0;
     let more = (exponential(&c) - exponential(&sound)) / (2200.0 * lost / (U * U));
     assert!((1.8..2.2).contains(&more), "{more}");
-}
-
-/// `e/(P − e)`, nothing where e is as large as P.
-#[test]
-fn norms_of_what_is_left() {
-    let due = 0.25 / 0.75 * TWO_52 + 0.5;
-    assert!((norm(0.25, 1.0) / due - 1.0).abs() < 1e-11);
-    assert_eq!(
-        [norm(1.0, 1.0), norm(2.0, 1.0), norm(f64::NAN, 1.0)],
-        [f64::INFINITY; 3]
-    );
 }
 
 #[test]

@@ -208,18 +208,6 @@ fn factors_are_multiplied() {
     );
 }
 
-/// No reduced phase is left out, and no interval is longer than what one run bears.
-#[test]
-fn the_circle_is_covered() {
-    let all = circle();
-    assert_eq!(all[0][0], -phase::REDUCED);
-    assert_eq!(all[all.len() - 1][1], phase::REDUCED);
-    assert!(all.windows(2).all(|p| p[0][1] == p[1][0]));
-    let longest = all.iter().map(|p| p[1] - p[0]).fold(0.0, f64::max);
-    assert!(longest <= 1.0 / 96.0 && longest > 0.9 / 96.0, "{longest}");
-    assert!(all.iter().all(|p| p[0] < p[1]));
-}
-
 /// `|l| x⁴/24`, `|l| x²/2`, `|l| (|x|³/6 + l²)`, and no less than the differences are.
 #[test]
 fn a_low_part_is_turned_nearly() {
@@ -252,18 +240,6 @@ fn a_low_part_is_turned_nearly() {
     assert_eq!(low([-3.0, 1.0]), 2f64.powi(-52));
     assert_eq!(low([0.25, 0.5]), 2f64.powi(-54));
     assert_eq!(low([0.0, 1e-320]), f64::from_bits(1));
-}
-
-/// Errors as parts of the least value, and what is within a distance of zero.
-#[test]
-fn parts_of_intervals() {
-    let found = relative(0.5, Interval::new(0.25, 4.0));
-    assert!((2.0..2.000001).contains(&found), "{found}");
-    let around = around_zero(0.5).result();
-    assert_eq!(
-        (around.exact.lo, around.exact.hi, around.error),
-        (-0.5, 0.5, 0.0)
-    );
 }
 
 /// Where arguments and phases are cut, and the errors of each form over some of the parts.

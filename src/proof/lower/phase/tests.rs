@@ -136,16 +136,6 @@ fn wrong_digits_are_refused() {
     assert!(Phase::of(&c, Rounding::default()).is_err());
 }
 
-/// Every number of quarters below the limit is in one binade.
-#[test]
-fn every_number_of_quarters_is_run() {
-    let all = binades(100.0);
-    assert_eq!(all[..4], [[0.0; 2], [1.0; 2], [2.0, 3.0], [4.0, 7.0]]);
-    assert!(all.windows(2).all(|p| p[0][1] + 1.0 == p[1][0]));
-    assert!(all.last().expect("some")[1] >= 100.0);
-    assert_eq!(binades(64.0).last(), Some(&[32.0, 63.0]));
-}
-
 /// The polynomials are off the sine and the cosine by no more than their bounds, at the end by
 /// nearly as much.
 #[test]
@@ -185,56 +175,6 @@ fn polynomials_are_within_their_errors() {
     for (most, bound) in most.into_iter().zip(bounds) {
         assert!(most <= bound && bound < 4.0 * most, "{most:e} {bound:e}");
     }
-}
-
-/// The pieces meet, from one end of the reduced phases to the other.
-#[test]
-fn pieces_cover_the_reduced_phases() {
-    let all: Vec<[f64; 2]> = pieces().collect();
-    assert_eq!(all.len(), 48);
-    assert_eq!([all[0][0], all[47][1]], [-REDUCED, REDUCED]);
-    assert_eq!(reduced(), [-REDUCED, REDUCED]);
-    assert!(all.windows(2).all(|p| p[0][1] == p[1][0]));
-    assert!(
-        all.iter()
-            .all(|p| p[0] < p[1] && p[1] - p[0] < REDUCED / 20.0)
-    );
-}
-
-/// Quarters and the rest are coordinates of their own: taking the quarters away leaves the rest,
-/// and the other way round.
-#[test]
-fn quarters_and_rest_are_coordinates() {
-    let h0 = code::constants().half_pi[0];
-    for (k, r) in [
-        ([0.0; 2], [-0.5, 0.75]),
-        ([1.0; 2], [-REDUCED, REDUCED]),
-        ([64.0, 127.0], [-0.125, 0.25]),
-    ] {
-        let [theta, whole] = quarters_and_rest(h0, k, r);
-        let near = |a: f64, b: f64| assert!((a - b).abs() <= 1e-12, "{k:?} {a} {b}");
-        assert_eq!([whole.range.lo, whole.range.hi], k);
-        near(theta.range.lo, k[0] * h0 + r[0]);
-        near(theta.range.hi, k[1] * h0 + r[1]);
-        let rest = theta + whole * Exact::point(-h0);
-        near(rest.range.lo, r[0]);
-        near(rest.range.hi, r[1]);
-        let apart = rest + whole * Exact::point(-1.0);
-        near(apart.range.lo, r[0] - k[1]);
-        near(apart.range.hi, r[1] - k[0]);
-        let parts = [h0, 1e-17];
-        let left = left_of_quarters(k, &parts);
-        near(left / left_of_half_pi(&parts), k[1]);
-        // A low part as large as half a unit of the largest phase may be.
-        let ((_, low), number) = reducible(h0, k, r);
-        assert_eq!(here(|e| e.form(number).grain), 0, "an integer");
-        let most = (k[1] * h0 + r[1]).max(-r[0]) * U;
-        let error = low.result().error + low.result().exact.magnitude();
-        assert!(error >= most && error < 2.1 * most, "{error:e} {most:e}");
-    }
-    assert_eq!([0.0, 1.0, 2.0].map(grain), [-1074, -53, -53]);
-    // A phase of a quarter or more is a multiple of h0 and the rest, from a quarter of it on.
-    assert_eq!((h0 * 2f64.powi(53)).fract(), 0.0);
 }
 
 /// Boxes of phases, what is proved over them, and what is said of stored numbers that are wrong.

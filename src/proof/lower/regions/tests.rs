@@ -1,10 +1,8 @@
 use super::*;
 use crate::at_points::pieces_hold_what_is_due;
-use crate::choice::follows;
 use crate::form::power_of_two;
 use crate::interval::sum_up;
 use crate::lower::phase::U;
-use crate::pinned::as_proved;
 use crate::pinned::{bit_by_bit, counted, of_binades, units};
 use mechaudit_reference::faddeeva::w_f64;
 use mechaudit_solvers::faddeeva::faddeeva;
@@ -125,96 +123,6 @@ fn every_formula_has_its_bound() {
     }
 }
 
-/// Of the two terms one dominates from `|Re z²| = 7` on; next to the limit both formulas may be
-/// used, none where w overflows.
-#[test]
-fn which_terms_may_dominate() {
-    let limit = CODE.limits.dominant;
-    let of = |a: f64, b: f64, side: f64| {
-        let all = regions(&CODE, &square(a, b, side)).expect("few formulas");
-        let dominated = all.iter().any(|(_, r)| *r == Region::Dominated);
-        let cells = all
-            .iter()
-            .filter(|(_, r)| matches!(r, Region::Cell { .. }))
-            .count();
-        let series = all
-            .iter()
-            .any(|(_, r)| matches!(r, Region::Asymptotic { .. }));
-        (dominated, cells > 0, series)
-    };
-    let cell = |d: f64, side: f64| {
-        let b = 2.1;
-        of((b * b + d).sqrt(), b, side)
-    };
-    assert_eq!(cell(limit - 0.1, 1e-4), (false, true, false));
-    assert_eq!(cell(limit - 1e-5, 1e-3), (true, true, false));
-    assert_eq!(cell(limit + 0.1, 1e-4), (true, false, false));
-    let above = |d: f64, side: f64| of(2.1, (2.1f64 * 2.1 + d).sqrt(), side);
-    assert_eq!(above(limit - 0.1, 1e-4), (false, true, false));
-    assert_eq!(above(limit - 1e-5, 1e-3), (true, true, false));
-    assert_eq!(above(limit + 0.1, 1e-4), (true, false, false));
-    // The series of 26 terms: the exponential may be larger there.
-    let series = |d: f64, side: f64| of((36.0 + d).sqrt(), 6.0, side);
-    assert_eq!(series(limit - 0.1, 1e-4), (false, false, true));
-    assert_eq!(series(limit - 1e-5, 1e-3), (true, false, true));
-    assert_eq!(series(limit + 0.1, 1e-4), (true, false, false));
-    assert_eq!(of(6.0, 7.5, 1e-3), (false, false, true));
-    assert_eq!(of(3.0, 27.0, 1e-3), (false, false, false));
-    assert_eq!(of(12.0, 9.0, 1e-3), (false, false, true));
-}
-
-/// Formulas that follow one another along the rings have no third one between them.
-#[test]
-fn neighbours_along_the_rings() {
-    let series = |terms| Branch::Asymptotic { terms };
-    let rings = [
-        Branch::Maclaurin { terms: 9 },
-        Branch::Maclaurin { terms: 21 },
-        (CODE.formula)(0.6, 0.6),
-        (CODE.formula)(3.0, 3.0),
-        series(26),
-    ];
-    for (i, p) in rings.iter().enumerate() {
-        for (j, q) in rings.iter().enumerate() {
-            assert_eq!(follows([*p, *q], rank), j == i + 1, "{p:?} {q:?}");
-        }
-    }
-    let strip = (CODE.formula)(9.5, 1e-4);
-    let line = (CODE.formula)(12.0, 1e-12);
-    let axis = (CODE.formula)(3.0, 0.01);
-    // Away from the strip 14 terms follow 26; beside it the strip does.
-    assert!(follows([series(26), series(14)], rank) && follows([series(14), series(6)], rank));
-    assert!(
-        follows([series(26), strip], rank)
-            && follows([axis, strip], rank)
-            && follows([axis, line], rank)
-    );
-    assert!(follows([strip, series(14)], rank) && follows([line, series(14)], rank));
-    assert!(!follows([series(26), series(6)], rank) && !follows([axis, series(14)], rank));
-    assert!(follows([series(6), Branch::Huge], rank) && !follows([series(14), Branch::Huge], rank));
-    assert_eq!(rank(Branch::Asymptotic { terms: 3 }), None);
-    // Too many of them on one rectangle.
-    let wide = Rectangle {
-        a: [0.01, 9.0],
-        b: [0.01, 9.0],
-    };
-    assert!(regions(&CODE, &wide).is_err());
-    let few = by_centre(
-        &Rectangle {
-            a: [2.9, 3.3],
-            b: [3.0, 3.05],
-        },
-        |a, b| cell_at(a, b).0,
-    );
-    assert!(
-        few.len() > 1
-            && few
-                .iter()
-                .all(|(r, c)| (r.a[0] - c.0).abs() < 0.26 && (r.b[0] - c.1).abs() < 0.26)
-    );
-    assert!(few.iter().any(|(r, _)| r.a[0] == 2.9) && few.iter().any(|(r, _)| r.a[1] == 3.3));
-}
-
 /// Checks that what is used is at least `cancelled` of w(−z), or the part of the larger component.
 #[test]
 fn the_part_that_is_used() {
@@ -230,61 +138,6 @@ fn the_part_that_is_used() {
     assert!(both <= 0.5 * 0.5f64.sqrt() && both > 0.353);
     assert!(sum_up(0.0, used(&code::LIMITS)) > 0.0);
 }
-
-/// Squares in every formula, wide ones and next to limits.
-const SOME: [(f64, f64, f64); 16] = [
-    (0.002, 0.002, 1e-3),
-    (0.0, 0.002, 1e-3),
-    (0.1, 0.1, 1e-2),
-    (0.6, 0.6, 1e-2),
-    (0.3, 0.9, 1e-2),
-    (3.0, 0.01, 1e-3),
-    (9.5, 1e-4, 1e-6),
-    (12.0, 1e-12, 1e-14),
-    (3.0, 3.0, 1e-2),
-    (3.0, 2.5, 1e-2),
-    (2.0, 1.3, 1e-3),
-    (6.0, 5.9, 1e-2),
-    (6.0, 7.0, 1e-2),
-    (10.0, 9.9, 1e-2),
-    (12.0, 9.0, 1e-1),
-    (40.0, 39.5, 1e-2),
-];
-
-/// The bounds proved there, in units of 2⁻⁵²; smaller ones would be a better theorem, which has to
-/// come from a better proof.
-#[test]
-fn bounds_are_those_that_were_proved() {
-    let mut found = Vec::new();
-    for (a, b, side) in SOME {
-        for (piece, region) in regions(&CODE, &square(a, b, side)).expect("few formulas") {
-            found.push((
-                region.name(),
-                bound(&CODE, region, &piece).unwrap_or(f64::INFINITY),
-            ));
-        }
-    }
-    as_proved(&found, &PROVED);
-}
-
-const PROVED: [(&str, f64); 16] = [
-    ("Maclaurin, 9 terms", 5.000929601e-1),
-    ("Maclaurin, 9 terms", 5.000862590e-1),
-    ("Maclaurin, 21 terms", 4.984724132e-1),
-    ("Taylor, lower half-disc", 6.429847394e-1),
-    ("Taylor, lower half-disc", 8.623741630e-1),
-    ("Taylor, real axis", 3.109214270e-1),
-    ("strip", 5.626530088e-1),
-    ("real line", 6.778081378e-1),
-    ("cell, both terms", 6.507212618e-1),
-    ("cell, both terms", 1.524560165e0),
-    ("cell, both terms", 1.181741959e0),
-    ("26 terms, both terms", 6.698587030e-1),
-    ("26 terms, both terms", 6.401000161e-1),
-    ("14 terms, both terms", 6.762341698e-1),
-    ("14 terms, both terms", 5.934774755e-1),
-    ("6 terms, both terms", 5.031198969e-1),
-];
 
 /// Returns what the code uses at `a − ib`, or may use where rounding decides.
 fn at_point(a: f64, b: f64) -> Vec<Region> {
@@ -372,34 +225,6 @@ fn values_are_enclosed() {
                 }
             }
         }
-    }
-}
-
-/// Nine terms on the imaginary axis have a way of their own, and a series leaves out what follows
-/// its last term.
-#[test]
-fn maclaurin_series_below_the_axis() {
-    let of = |terms, a: [f64; 2], b: [f64; 2]| {
-        let at = Rectangle { a, b };
-        values(&CODE, Region::Maclaurin { terms }, &at).expect("a value")
-    };
-    let few = [1e-3, 2e-3];
-    assert_eq!(of(9, [0.0, 1e-3], few).len(), 2);
-    assert_eq!(of(9, few, few).len(), 1);
-    // Where the real part of z may be zero, w may be real.
-    for v in of(9, [0.0, 0.0], few) {
-        let [lo, hi] = few.map(|y| w_f64(0.0, -y, 60).expect("decided").re.mid().to_f64());
-        assert!(v.least <= lo && v.most >= hi && v.most < 1.01 * hi, "{v:?}");
-    }
-    assert_eq!(of(21, [0.0, 1e-3], few).len(), 1);
-    for terms in [9, 21] {
-        let left = truncation::maclaurin(terms - 1, f64::hypot(0.1, 0.43)).norm;
-        let found = of(terms, [0.05, 0.1], [0.3, 0.43])[0].error;
-        assert!(left > 1e-18 && found >= left * (1.0 - 1e-12));
-        assert!(
-            found <= left * (1.0 + 1e-12) + 1e-15,
-            "{terms} {left:e} {found:e}"
-        );
     }
 }
 

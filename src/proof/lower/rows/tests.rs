@@ -1,27 +1,6 @@
 use super::*;
 use crate::pinned::{bit_by_bit, counted, largest};
-use crate::truncation::rows::{STORED, TERMS, places};
-
-/// Each entry of a row is compared with its coefficient.
-#[test]
-fn each_entry_stands_for_its_coefficient() {
-    let (centre, row) = cell_at(2.0, 2.3);
-    let sound = RowWithErrors::of(row, centre, Kind::Cell).expect("decided");
-    assert_eq!(sound.errors.len(), TERMS);
-    assert!(sound.errors[..STORED].iter().all(|e| *e < 1e-16) && sound.errors[0] < 1e-30);
-    assert!(sound.errors[STORED..].iter().all(|e| *e > 0.0));
-    for n in 0..STORED {
-        for at in places(n).into_iter().flatten() {
-            let mut row = *row;
-            row[at] += 1e-3;
-            let faulty = RowWithErrors::of(&row, centre, Kind::Cell).expect("decided");
-            for (m, e) in faulty.errors.iter().enumerate() {
-                let due = if m == n { 1e-3 } else { sound.errors[m] };
-                assert!((e - due).abs() < 1e-12, "{n} {at} {m}");
-            }
-        }
-    }
-}
+use crate::truncation::rows::{STORED, places};
 
 /// `Σ |e_n| Dⁿ` and Cauchy's estimate of the tail.
 #[test]

@@ -74,34 +74,6 @@ fn errors_at_points_are_below_the_bound() {
     assert!(points > 2000 && most > 0.4, "{points} {most}");
 }
 
-const UNIT: [f64; 2] = [0.25, 0.5];
-
-/// Four rectangles make the ring between two squares.
-#[test]
-fn rings_are_covered_once() {
-    let all = ring(UNIT[0], UNIT[1]);
-    let area = |r: &Signed| (r[0][1] - r[0][0]) * (r[1][1] - r[1][0]);
-    assert_eq!(all.iter().map(area).sum::<f64>(), 1.0 - 0.25);
-    let inside =
-        |r: &Signed, x: f64, y: f64| r[0][0] < x && x < r[0][1] && r[1][0] < y && y < r[1][1];
-    for i in 0..40 {
-        for j in 0..40 {
-            let (x, y) = (
-                -0.4875 + 0.025 * f64::from(i),
-                -0.4875 + 0.025 * f64::from(j),
-            );
-            let due = usize::from(x.abs().max(y.abs()) > 0.25);
-            assert_eq!(all.iter().filter(|r| inside(r, x, y)).count(), due);
-        }
-    }
-    assert_eq!([most([-3.0, 2.0]), most([-1.0, 2.0])], [3.0, 2.0]);
-    let zero = &ZEROS[0];
-    let [outer, least] = zero.shells(0.1);
-    assert!(outer >= 0.1 / zero.row[0] && outer < 0.1001 / zero.row[0]);
-    let nearest = zero.row[1].abs().max(zero.row[4].abs());
-    assert!(least <= nearest && least > 0.999 * nearest);
-}
-
 /// `Σ |g̃_n − g_n| Dⁿ⁺¹` and the tail, as a part of |δ|; each entry of a row counts for its
 /// coefficient.
 #[test]
@@ -160,63 +132,6 @@ fn coefficients_about_a_zero() {
     );
 }
 
-/// Single rectangles of δ, from the farthest to the nearest, and where the code gives up.
-#[test]
-fn rectangles_about_a_zero() {
-    let zero = &ZEROS[0];
-    let of = |x: [f64; 2], y: [f64; 2]| bound(zero, Rounding::default(), &[x, y]);
-    for d in [0.02, 1e-4, 1e-9, 1e-15] {
-        let found = of([d, 1.05 * d], [0.5 * d, 0.52 * d]).expect("a bound");
-        assert!((0.2..1.6).contains(&found), "{d} {found}");
-    }
-    // A worse row, or a zero farther off, adds to it.
-    let at = [[1e-6, 1.01e-6], [1e-6, 1.01e-6]];
-    let sound = bound(zero, Rounding::default(), &at).expect("a bound");
-    let mut off = zero.clone();
-    off.off += 1e-21;
-    let faulty = bound(&off, Rounding::default(), &at).expect("a bound");
-    // Of |δ|, in units of 2⁻⁵².
-    let due = 1e-21 / (1e-6 * 2f64.sqrt()) * TWO_52;
-    assert!((faulty - sound) / due > 0.95 && (faulty - sound) / due < 1.05);
-    let mut off = zero.clone();
-    off.errors[0] += 1e-9;
-    let faulty = bound(&off, Rounding::default(), &at).expect("a bound");
-    let due = 1e-9 * 1.01e-6 * 2f64.sqrt() * TWO_52;
-    assert!((faulty - sound) / due > 0.95 && (faulty - sound) / due < 1.1);
-    // Across zero there is none; halved, both halves are.
-    assert!(
-        of([-1e-3, 1e-3], [-1e-3, 1e-3]).is_err()
-            || !of([-1e-3, 1e-3], [-1e-3, 1e-3]).expect("one").is_finite()
-    );
-    let mut found = Vec::new();
-    assert!(
-        refine(
-            zero,
-            Rounding::default(),
-            2.5,
-            [[-1e-3, 1e-3], [-1e-3, 1e-3]],
-            DEPTH - 2,
-            &mut found
-        )
-        .is_err()
-    );
-    let mut found = Vec::new();
-    refine(
-        zero,
-        Rounding::default(),
-        2.5,
-        [[1e-3, 3e-3], [-1e-3, 1e-3]],
-        0,
-        &mut found,
-    )
-    .expect("proved");
-    let area: f64 = found
-        .iter()
-        .map(|(_, r)| (r[0][1] - r[0][0]) * (r[1][1] - r[1][0]))
-        .sum();
-    assert!((area / 4e-6 - 1.0).abs() < 1e-12 && found.iter().all(|(norm, _)| *norm <= 2.5));
-}
-
 /// No part of the way down to the f64 next to a zero is left out, and none of it twice.
 #[test]
 fn rings_go_down_to_the_nearest() {
@@ -241,46 +156,6 @@ fn rings_go_down_to_the_nearest() {
         }
     }
     assert_eq!(rings(0.25, 0.25), Vec::<Signed>::new());
-}
-
-/// Checks what each number of a bound is, within what rounding upwards adds.
-#[test]
-fn parts_of_the_bound() {
-    let near = |x: f64, due: f64, share: f64| {
-        assert!(x >= due && x <= due * (1.0 + share), "{x:e} {due:e}");
-    };
-    for (size, d) in [(2.5, 0.05), (9.0, 1e-4), (13.0, 0.01)] {
-        let e = (2.0 * (size + 1.0f64)).exp();
-        near(tail(size, d), 1.2 * e * d.powi(59) * (1.0 - 1e-12), 3e-12);
-        near(of_offset(d, 0.0), 2.1 * U * U * d, 1e-14);
-        near(of_offset(d, 1e-30), 2.1 * U * U * d + 1e-30, 1e-14);
-        near(
-            turn(size, d),
-            2.0 * (size + d) * d * U * (1.0 + 0.9e-9),
-            2e-10,
-        );
-    }
-    near(farthest(3e-5, 4e-5), 5e-5 * (1.0 + 0.9e-12), 2e-13);
-    // Half the side takes in what the code's own rounding of a distance may, the nearest f64 less
-    // than there is.
-    let zero = &ZEROS[0];
-    let [outer, least] = zero.shells(0.5);
-    near(outer, 0.5 / zero.row[0] * (1.0 + 0.9e-12), 2e-13);
-    let nearest = zero.row[1].abs().max(zero.row[4].abs());
-    near(least, nearest * (1.0 - 1.1e-14), 2e-15);
-}
-
-/// The tail is what the terms that are left out may come to.
-#[test]
-fn the_tail_is_within() {
-    let zero = &ZEROS[3];
-    for d in [0.02, 0.09] {
-        let sum = zero.errors.iter().zip(1..);
-        let sum: f64 = sum.map(|(e, n)| e * f64::powi(d, n)).sum();
-        let within = zero.within(d);
-        assert!(within >= sum && within >= tail(zero.size, d));
-        assert!(within <= (sum + tail(zero.size, d)) * (1.0 + 1e-12));
-    }
 }
 
 #[test]

@@ -120,7 +120,13 @@ impl Pass {
             (false, _) => v + w,
         };
         let error = sum_up(sum_up(self.error[a], self.error[b]), noise);
-        self.push(self.rounded_ends(ends), value, noise, grain, error);
+        self.push_rounded(
+            self.rounded_ends(ends),
+            value,
+            (noise, self.unit()),
+            grain,
+            error,
+        );
         Ok(())
     }
 
@@ -162,7 +168,13 @@ impl Pass {
             product_up(w.magnitude(), self.error[a]),
         );
         let error = sum_up(error, noise);
-        self.push(self.rounded_ends(ends), value, noise, grain, error);
+        self.push_rounded(
+            self.rounded_ends(ends),
+            value,
+            (noise, self.unit()),
+            grain,
+            error,
+        );
         Ok(())
     }
 
@@ -201,7 +213,13 @@ impl Pass {
         );
         let error = sum_up(error, noise);
         let grain = self.setting.lowest();
-        self.push(self.rounded_ends(ends), value, noise, grain, error);
+        self.push_rounded(
+            self.rounded_ends(ends),
+            value,
+            (noise, self.unit()),
+            grain,
+            error,
+        );
         Ok(())
     }
 
@@ -225,7 +243,13 @@ impl Pass {
         let carried = quotient_up(e, 2.0 * value.lo).min(sqrt_up(e));
         let error = sum_up(carried, noise);
         let lowest = self.setting.lowest();
-        self.push(self.rounded_ends(ends), value, noise, lowest, error);
+        self.push_rounded(
+            self.rounded_ends(ends),
+            value,
+            (noise, self.unit()),
+            lowest,
+            error,
+        );
         Ok(())
     }
 
@@ -253,7 +277,13 @@ impl Pass {
         );
         let error = sum_up(sum_up(error, self.error[c]), noise);
         let value = both + u;
-        self.push(self.rounded_ends(ends), value, noise, grain, error);
+        self.push_rounded(
+            self.rounded_ends(ends),
+            value,
+            (noise, self.unit()),
+            grain,
+            error,
+        );
         Ok(())
     }
 }

@@ -208,36 +208,6 @@ fn formulas_are_refused_beyond_their_limits() {
     assert!(alone.is_err() || alone.expect("a bound") > 1.0);
 }
 
-/// Checks what is left out as a part of the true value: of the least of it.
-#[test]
-fn parts_are_of_the_least_value() {
-    assert!(near(left_out(0.25, 1.0), 0.25 / 0.75));
-    assert_eq!([left_out(1.0, 1.0), left_out(2.0, 1.0)], [f64::INFINITY; 2]);
-    assert_eq!(left_out(0.0, 1.0), 0.0);
-    let operand = |function| Operand {
-        function,
-        row: None,
-        terms: 2,
-        off: 0.25,
-    };
-    let value = sum(1.0, 2.0, 0.0);
-    assert!(near(operand(Function::Erfcx).part(&value), 0.25 / 0.75));
-    assert!(near(operand(Function::Dawson).part(&value), 0.25 / 0.878));
-    // erfcx x beside 2ᵏ; from 900 on the power is not that small.
-    let of = |k: f64| erfcx_beside(Some(k));
-    assert_eq!([of(0.0), of(1.0), of(3.0)], [2.0, 1.0, 0.25]);
-    assert_eq!([of(900.0), of(901.0), of(1999.0)], [power_of_two(-899); 3]);
-    for none in [None, Some(-1.0), Some(2000.0), Some(f64::NAN)] {
-        assert_eq!(erfcx_beside(none), f64::INFINITY);
-    }
-    let each = |f| of_function(f, [1.0, 2.0]);
-    use Function::{Dawson, Erf, Erfc, Erfcx};
-    assert_eq!([Dawson, Erf, Erfc, Erfcx].map(each), [1.0, 2.0, 2.0, 2.0]);
-    assert_eq!(scaled([12.0, 15.0]), Some(([1.5, 1.875], 3)));
-    assert_eq!(scaled([f64::MAX, f64::MAX]).map(|s| s.1), Some(1023));
-    assert_eq!([scaled([7.0, 8.0]), scaled([8.0, 16.0])], [None; 2]);
-}
-
 /// Subnormal results are rounded twice: whether there are any is decided by the least value.
 #[test]
 fn subnormal_results_are_noticed() {
@@ -250,87 +220,6 @@ fn subnormal_results_are_noticed() {
     assert!(normal(1.0, -1021.0) && !normal(1.0, -1022.0) && !normal(1.0, -1023.0));
     assert!(normal(8.0, -1024.0) && !normal(8.0, -1025.0));
     assert!(!normal(0.99, -1021.0) && way(1e-320, 1.0, None).is_normal());
-}
-
-/// `2e^{x²}` on both sides of the end of the range, and Maclaurin's series on both sides of where
-/// x² is zero.
-#[test]
-fn formulas_at_the_ends_of_the_range() {
-    let of = |function, formula, negative, lo, hi| {
-        let tables = Tables::of_the_solver(function).expect("decided");
-        let ends = [lo, hi];
-        let at = Interval { negative, ends };
-        bound(&tables, function, formula, &at, Rounding::default())
-    };
-    let exponential = |lo, hi| of(Function::Erfcx, Formula::Exponential, true, lo, hi);
-    assert_eq!(exponential(26.6288, 26.6289), Ok((Formula::Overflow, 0.0)));
-    let below = exponential(26.6286, 26.6287).expect("a bound");
-    assert!(
-        below.0 == Formula::Exponential && below.1 < 1.0,
-        "{below:?}"
-    );
-    assert!(exponential(26.6287, 26.6288).is_err());
-    // Where erfcx is not small beside it nothing is had.
-    assert!(exponential(3.0, 3.0001).is_err());
-    for function in [Function::Erf, Function::Dawson] {
-        let near = |lo, hi| of(function, Formula::Near, false, lo * SMALL, hi * SMALL).map(|b| b.1);
-        let [below, across, above] = [near(0.25, 0.5), near(0.5, 2.0), near(1.0, 2.0)];
-        assert!(below.is_ok_and(|b| b < 0.6), "{below:?}");
-        // Not by the rule for what underflows, which takes x² for zero.
-        let [c, ..] = Tables::of_the_solver(function).expect("decided").constants;
-        let rule = underflowing(function, [0.5 * SMALL, 2.0 * SMALL], c);
-        assert!(across.as_ref().is_err() || across.as_ref().is_ok_and(|b| *b != rule));
-        assert_eq!(across.is_err(), above.is_err());
-        assert!(
-            across.is_err() || across.as_ref().is_ok_and(|b| *b < 0.6),
-            "{across:?}"
-        );
-    }
-}
-
-/// Where x C is the least of the numbers whose products are not rounded to multiples of the
-/// smallest number.
-#[test]
-fn products_beside_underflow() {
-    let [c, _] = code::constants()[0];
-    let limit = power_of_two(-1021);
-    // The first x with x C ≥ 2⁻¹⁰²¹, in rationals.
-    let exact = |x: f64| Rational::from_f64(x).expect("finite");
-    let mut x = limit / c;
-    while exact(x) * exact(c) >= exact(limit) {
-        x = x.next_down();
-    }
-    assert!(!beyond_subnormal(x) && beyond_subnormal(x.next_up()));
-    assert!(!beyond_subnormal(0.5 * x) && beyond_subnormal(2.0 * x));
-    // Two units below; above in quarters of a unit in the last place: p, and t by what there is of
-    // it.
-    let found = |lo, hi| underflowing(Function::Erf, [lo, hi], 1e-20);
-    let part = 2e-20 * TWO_52;
-    let below = 0.5 + 2.8e-17 * TWO_52 + part;
-    assert!(near(found(1e-310, 1e-309), below));
-    let (lo, hi) = (2.01 * x, 2.1 * x);
-    let unit = power_of_two(-1020 - 52);
-    let units = hi / TINIEST * 2.0 * 1.54e-17;
-    assert!(units < 1.0);
-    let due = 0.5 + (1.0 + units) * 0.5 * (TINIEST / unit) + part;
-    assert!(near(found(lo, hi), due + 1e-15), "{} {due}", found(lo, hi));
-    let (lo, hi) = (1e-290, 1.1e-290);
-    let unit = power_of_two(exponent(1.128e-290) - 52);
-    let due = 0.5 + TINIEST / unit + part;
-    assert!(near(found(lo, hi), due + 1e-15));
-    assert!(near(
-        underflowing(Function::Erf, [1e-310, 1e-309], 1e-17),
-        0.5 + (2.8e-17 + 2e-17) * TWO_52
-    ));
-    // On both sides of the limit the worse of both counts: with the unit of the least normal
-    // numbers.
-    let due = 0.5 + (1.0 + 5.0 * x / TINIEST * 1.54e-17) * 0.25 + part;
-    assert!(near(found(0.5 * x, 2.5 * x), due + 1e-15));
-    // Where t counts all of it.
-    let (lo, hi) = (2.3e-307, 2.4e-307);
-    let unit = power_of_two(exponent(2.3e-307 * 1.128) - 52);
-    assert!(near(found(lo, hi), 0.5 + TINIEST / unit + part + 1e-15));
-    assert_eq!(underflowing(Function::Dawson, [1e-310, 1e-309], 1.0), 1e-15);
 }
 
 /// Bounds of every formula of the four functions over intervals of some sizes.

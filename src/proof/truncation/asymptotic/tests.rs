@@ -102,93 +102,6 @@ fn what_is_left_out_is_below_its_bounds() {
     assert!(most.into_iter().all(|m| m > 0.5), "{most:?}");
 }
 
-/// The bounds by their formulas.
-#[test]
-fn components_by_their_formulas() {
-    let near = |x: f64, due: f64| x >= due * (1.0 - 1e-14) && x <= due * (1.0 + 1e-12);
-    let pi_2 = std::f64::consts::FRAC_PI_2;
-    let at = |a: [f64; 2], b: [f64; 2]| Rectangle { a, b };
-    // Re z small.
-    let r = at([0.01, 1.0], [30.0, 30.5]);
-    let found = asymptotic(6, &r);
-    let (least, slope) = (
-        f64::hypot(0.01, 30.0),
-        remainder_slope(7, f64::hypot(0.01, 30.0).next_down()),
-    );
-    assert!(near(found.norm, remainder(7, least)) && near(found.im, pi_2 * slope / least));
-    assert!(found.re == found.norm && found.tiny == 0.0 && found.sum.is_none());
-    // Not small: along the arc from the axis, or as a whole.
-    let r = at([3.0, 3.1], [30.0, 30.5]);
-    let least = f64::hypot(3.0, 30.0);
-    let found = asymptotic(6, &r);
-    let along = pi_2 * remainder_slope(7, least) / least * 3.1;
-    assert!(near(found.im, remainder(7, least).min(along)), "{found:?}");
-    // Im z small, the exponential below the smallest number; then in sight.
-    let r = at([30.0, 30.5], [0.01, 1.0]);
-    let found = asymptotic(6, &r);
-    let least = f64::hypot(30.0, 0.01);
-    let e = (1f64 - 900.0).exp();
-    assert!(near(found.re, pi_2 * remainder_slope(7, least) / least) && e == 0.0);
-    assert_eq!(found.tiny, 2.0);
-    let r = at([9.0, 9.1], [0.1, 1.0]);
-    let found = asymptotic(14, &r);
-    let (least, far) = (f64::hypot(9.0, 0.1), f64::hypot(9.1, 1.0));
-    let e = (1f64 - 81.0).exp();
-    let along = pi_2 * (remainder_slope(15, least) + 2.0 * far * far * e) / least;
-    assert!(
-        near(found.re, along + e / 0.1) && found.tiny == 0.0,
-        "{found:?} {along}"
-    );
-    let r = at([9.0, 9.1], [0.5, 1.0]);
-    let found = asymptotic(14, &r);
-    let least = f64::hypot(9.0, 0.5);
-    let along = pi_2 * (remainder_slope(15, least) + 2.0 * far * far * e) / least;
-    assert!(
-        near(found.re, remainder(15, least).min(along + e)),
-        "{found:?} {along}"
-    );
-    // Where the exponential is as large as the remainder.
-    for (b, small) in [([0.1, 1.0], true), ([0.5, 1.0], false)] {
-        let r = at([3.0, 3.1], b);
-        let found = asymptotic(6, &r);
-        let (least, far) = (f64::hypot(3.0, b[0]), f64::hypot(3.1, 1.0));
-        let e = (1f64 - 9.0).exp();
-        let along = pi_2 * (remainder_slope(7, least) + 2.0 * far * far * e) / least;
-        let due = match small {
-            true => along + e / b[0],
-            false => remainder(7, least).min(along + e),
-        };
-        assert!(near(found.re, due), "{found:?} {due}");
-        let slope = beside(7, &r);
-        assert!(near(slope, along), "{slope} {along}");
-    }
-    // Components of the order of the other side of the quadrant, where the bound by the arc is the
-    // better one.
-    let r = at([0.5, 1.0], [3.9, 4.0]);
-    let found = asymptotic(26, &r);
-    let least = f64::hypot(0.5, 3.9);
-    let along = pi_2 * remainder_slope(27, least) / least;
-    assert!(near(found.im, remainder(27, least).min(along * 1.0)));
-    // With the factor Im z on both sides of the diagonal nothing is known of the real part.
-    let r = at([1.0, 30.0], [0.1, 20.0]);
-    assert!(!r.small_im() && asymptotic(6, &r).re.is_finite());
-    // A factor Im z, but e^{−z²} next to the diagonal or above it: nothing.
-    let r = at([0.5, 30.0], [40.0, 41.0]);
-    assert!(asymptotic(6, &r).re.is_finite());
-    // Decay by the nearest and the farthest corner.
-    let d = decay(&at([3.0, 5.0], [1.0, 2.0]));
-    assert!(near(d, (4f64 - 9.0).exp()));
-    assert_eq!(decay(&at([0.0, 1.0], [1.0, 30.0])), f64::INFINITY);
-    assert!(decay(&at([0.0, 1.0], [1.0, 26.0])).is_finite());
-    let one = huge();
-    assert!(
-        one.norm >= 2f64.powi(-600)
-            && one.norm < 1e-170
-            && one.re == one.norm
-            && one.im == one.norm
-    );
-}
-
 /// Beside the real axis: the two terms of the real part, `y U` and `e^{−z²}`.
 #[test]
 fn sums_beside_the_real_axis() {
@@ -264,32 +177,6 @@ fn sums_next_to_the_real_axis() {
         }
     }
     assert!(most[2] > 0.4 && split.least > 0.563 / 81.1, "{most:?}");
-    // Each of what is left out by its formula.
-    let near = |x: f64, due: f64| x >= due * (1.0 - 1e-9) && x <= due * (1.0 + 1e-9);
-    let (a, b) = (9.0f64, at.b[1]);
-    let e = split.most;
-    let slope = remainder_slope(25, a) / a;
-    let due = 0.0115 * b * b + remainder(25, a) + b * slope + e * (4.0 + 2.0 * at.a[1] * b);
-    assert!(near(found.norm, due) && found.im == found.norm && found.re.is_infinite());
-    assert!(near(
-        split.exponential,
-        1.01 * b * b + (2.0 * at.a[1] * b).powi(2)
-    ));
-    let cubed = 0.7 * a.powi(-4) * b * b;
-    assert!(near(split.slope, beside(25, &at) + cubed), "{split:?}");
-    assert!(near(split.least, 0.564 / at.a[1].powi(2)));
-    // The errors of the polynomials and of the exponential.
-    let size = 0.5642 / a.powi(3);
-    let more = on_real_line(&at, [1e-3, 0.0], 0.0);
-    assert!(near(more.norm - found.norm, size * 1e-3));
-    let more = on_real_line(&at, [0.0, 1.0], 0.0);
-    assert!(near(more.norm, due + b * size / a));
-    assert!(near(
-        more.sum.expect("two terms").slope - split.slope,
-        size / (a * a)
-    ));
-    let more = on_real_line(&at, [0.0; 2], 1e-3).sum.expect("two terms");
-    assert!(near(more.exponential, 1e-3));
     let below = Rectangle {
         a: [8.899, 8.9],
         ..at
@@ -395,64 +282,6 @@ fn polynomials_of_the_real_line_are_within_their_errors() {
             assert!(off <= found && found <= 1.1 * off, "{k} {off:e} {found:e}");
         }
     }
-}
-
-/// On the small side of the diagonal a component is bounded along the arc by the farther end of its
-/// coordinate; across it by the whole.
-#[test]
-fn components_by_their_farther_end() {
-    let of = |a, b| asymptotic(2, &Rectangle { a, b });
-    let near = f64::hypot(400.0, 10.0);
-    let along = std::f64::consts::FRAC_PI_2 * remainder_slope(3, near) / near;
-    let is = |x: f64| (x / (along * 20.0) - 1.0).abs() < 1e-12;
-    let (right, left) = (
-        of([400.0, 401.0], [10.0, 20.0]),
-        of([10.0, 20.0], [400.0, 401.0]),
-    );
-    assert!(is(right.re) && is(left.im) && right.re < right.norm);
-    // On both sides of the diagonal, e^{−z²} may be of any size.
-    let across = of([40.0, 45.0], [20.0, 44.0]);
-    assert_eq!(across.re, across.norm);
-    let decayed = of([0.0, 2.0], [20.0, 44.0]);
-    assert_eq!((decayed.re, decayed.tiny), (decayed.norm, 0.0));
-}
-
-/// Next to the real axis, where each of these counts little beside the others.
-#[test]
-fn small_parts_of_the_line() {
-    let near = |x: f64, due: f64| (x / due - 1.0).abs() < 1e-12;
-    let slope = remainder_slope(25, 9.0) / 9.0;
-    assert!(near(line_slope(9.0, 0.0), slope));
-    assert!(near(line_slope(9.0, 90.0 * slope), 11.0 * slope));
-    assert!(near(exponentials_of_line(9.0, 0.5), 13.0));
-    let at = Rectangle {
-        a: [9.0, 9.1],
-        b: [1e-9, 1e-8],
-    };
-    let strip = strip(&at);
-    let line = on_real_line(&at, [0.0; 2], 0.0);
-    assert_eq!((strip.sum.map(|s| s.least), line.tiny), (Some(0.0), 0.0));
-    let none = on_real_line(
-        &Rectangle {
-            a: [1.0, 2.0],
-            ..at
-        },
-        [0.0; 2],
-        0.0,
-    );
-    assert_eq!((none.tiny, none.norm), (0.0, f64::INFINITY));
-}
-
-/// From zero to the end, each begins where the one before ends.
-#[test]
-fn pieces_cover_all() {
-    let (centres, half) = pieces();
-    let mut end = Rational::new();
-    for centre in centres {
-        assert_eq!(Rational::from(&centre - &half), end);
-        end = centre + &half;
-    }
-    assert_eq!(end, Rational::from((1, 79)));
 }
 
 #[test]

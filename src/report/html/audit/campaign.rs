@@ -59,25 +59,29 @@ pub fn proofs(plan: &Plan, found: &[PartSum]) -> Markup {
         @if !proofs.is_empty() {
             section { "\n"
                 h2 #proofs { "Proofs" } "\n"
-                p { "Bounds of the norm in units of 2⁻⁵², of components in units in the last place, rounded up." } "\n"
+                p { "Bounds of the norm in units of 2⁻⁵², of components in units in the last place; rounded up." } "\n"
                 div.scroll tabindex="0" { table { "\n"
                     thead { tr {
-                        th.left { "part" } th.left { "formula" } th { "boxes" } th { "norm" } th { "Re" } th { "Im" }
-                        th { "open" }
+                        th.left { "part" } th.left { "formula" } th { "boxes" } th.left { "measure" } th { "bound" } th { "open" }
                     } } "\n"
                     tbody { "\n"
                         @for (label, proof) in &proofs {
                             @for (name, f) in proof.formulas() {
+                                @for (measure, attained) in proof.measures().zip(&f.bounds) {
+                                    tr {
+                                        td.left { (label) } td.left { (name) } td { (f.boxes) }
+                                        td.left { (measure) } td { (bound(attained.bound())) } td {}
+                                    } "\n"
+                                }
+                            }
+                            @for measure in proof.measures() {
                                 tr {
-                                    td.left { (label) } td.left { (name) } td { (f.boxes) }
-                                    td { (bound(f.norm.bound())) } td { (bound(f.re.bound())) }
-                                    td { (bound(f.im.bound())) } td {}
+                                    td.left { (label) } td.left { b { "all" } } td { (proof.boxes()) }
+                                    td.left { (measure) } td { b { (bound(proof.bound(measure))) } } td {}
                                 } "\n"
                             }
                             tr {
-                                td.left { (label) } td.left { b { "all" } } td { (proof.boxes()) }
-                                td { b { (bound(proof.norm())) } }
-                                td colspan="2" { b { (bound(proof.component())) } }
+                                td.left { (label) } td.left { b { "all" } } td { (proof.boxes()) } td {} td {}
                                 td { span.(class(if proof.open == 0 { Tone::Good } else { Tone::Bad })) { (proof.open) } }
                             } "\n"
                         }

@@ -4,7 +4,7 @@ use mechaudit::proof::lower::{Apart, OfRegion};
 use mechaudit::report::text::style::plain;
 
 /// Made up: a rectangle of a formula, and one on which one term dominates.
-fn found() -> Theorem {
+fn found() -> Lower {
     let at = Rectangle {
         a: [0.5, 1.0],
         b: [2.0, 3.0],
@@ -16,7 +16,7 @@ fn found() -> Theorem {
         norm,
         at,
     };
-    Theorem {
+    let found = Bounds {
         norm: 2.25,
         regions: vec![
             region("strip", 3, 2.25, Some(at)),
@@ -30,13 +30,18 @@ fn found() -> Theorem {
         },
         open: Vec::new(),
         leaves: vec![leaf(Region::Strip, 2.25), leaf(Region::Dominated, 0.0)],
+    };
+    Lower {
+        found,
+        within: None,
+        seconds: 1.25,
     }
 }
 
 #[test]
 fn every_rectangle_has_a_row() {
     let mut out = Vec::new();
-    write_boxes(&found(), &mut out).unwrap();
+    super::super::write_boxes(&[found()], &mut out).unwrap();
     let name = Region::Dominated.name();
     let due = format!(
         "re_from,re_to,im_from,im_to,formula,norm\n\
@@ -58,7 +63,7 @@ faddeeva, open lower half-plane
   In units of 2^-52; –: by an inequality, without rectangles
   From |z| = 2^960 on another 6 · 2^-1075 in each component: underflow
 ";
-    let text = plain(&text(&found(), None, 1.25));
+    let text = plain(&found().text());
     let (head, rest) = text.split_at(due.len().min(text.len()));
     assert_eq!(head, due);
     assert_eq!(rest.lines().next(), Some(&*format!("  By hand: {BY_HAND}")));
@@ -71,7 +76,13 @@ faddeeva, open lower half-plane
     let end = "  No zero is next to an f64: 11 boxes, 12 zeros, 13 lines\n  \
                3 boxes, and 7 of the exponential, 1.2 s\n";
     assert!(rest.ends_with(end), "{rest}");
-    let part = plain(&super::text(&found(), Some(8.0), 1.25));
+    let part = plain(
+        &Lower {
+            within: Some(8.0),
+            ..found()
+        }
+        .text(),
+    );
     let said = "overflow, |Re z| and |Im z| in the binades below 8:\n";
     assert!(part.contains(said), "{part}");
 }
@@ -87,8 +98,8 @@ fn open_rectangles_are_no_proof() {
         },
         why: "several formulas",
     });
-    found.open = open.collect();
-    let text = plain(&text(&found, None, 1.25));
+    found.found.open = open.collect();
+    let text = plain(&found.text());
     assert!(text.contains("  not proved: 6 rectangles are open\n"));
     assert!(!text.contains("K = "), "{text}");
     for k in 0..6 {
@@ -96,14 +107,18 @@ fn open_rectangles_are_no_proof() {
             format!("  [{k}.0000e0, 9.0000e0] − i [5.0000e-1, 1.0000e0]: several formulas\n");
         assert_eq!(text.contains(&line), k < 5, "{text}");
     }
-    let json = document(&found, None, 1.25);
+    let json = found.document();
     assert_eq!(json["proved"], false);
     assert_eq!(json["open"][5]["box"]["re"], json!([5.0, 9.0]));
 }
 
 #[test]
 fn what_is_proved_for_programs() {
-    let v = document(&found(), Some(8.0), 1.25);
+    let v = Lower {
+        within: Some(8.0),
+        ..found()
+    }
+    .document();
     let due = json!({
         "schema_version": 1,
         "mechaudit_version": env!("CARGO_PKG_VERSION"),

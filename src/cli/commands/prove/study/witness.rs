@@ -3,13 +3,14 @@
 use crate::cli::args::ProveArgs;
 use crate::cli::failure::Failure;
 use crate::cli::process::interrupt;
-use mechaudit::audit::{HuntSettings, Limit, Worst, hunt_until};
+use mechaudit::audit::{HuntSettings, Method, SolverAnswer, Worst, hunt_until};
 use mechaudit::proof::program::{Measure, Setting};
-use mechaudit::study::{Problem, Study, StudySolver};
+use mechaudit::study::proof::limit;
+use mechaudit::study::{Problem, Study, StudyOutput, StudySolver};
 use mechaudit::symbolic::evaluation::{Answer, Goal};
 use mechaudit::symbolic::graph::Graph;
-use mechaudit::symbolic::{Equation, Identity, Outcome as Decision};
-use rug::Rational;
+use mechaudit::symbolic::{Definitions, Equation, Expr, Identity, Outcome as Decision};
+use rug::{Float, Rational};
 
 /// The verdict on solver and definition as functions over the reals.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +21,18 @@ pub enum Same {
     Refuted(Vec<f64>),
     /// Neither is known, and why.
     Undecided(&'static str),
+}
+
+impl Same {
+    /// The verdict on two outputs.
+    pub fn with(self, other: Same) -> Same {
+        match (&self, &other) {
+            (Same::Refuted(_), _) | (Same::Undecided(_), Same::Undecided(_) | Same::Proved(_)) => {
+                self
+            }
+            _ => other,
+        }
+    }
 }
 
 /// The largest error that the hunt finds.
@@ -37,20 +50,27 @@ pub fn own_study(
     problem: &Problem,
     solver: &StudySolver,
     setting: Setting,
-    k: usize,
+    outputs: &[usize],
 ) -> Result<Problem, Failure> {
     let mut own = problem.clone();
-    let mut output = problem.outputs[k].clone();
-    output.is = solver.formulas[k].clone();
-    output.text = output.is.to_string();
-    own.outputs = vec![output];
+    own.outputs = outputs
+        .iter()
+        .map(|k| StudyOutput {
+            is: solver.formulas[*k].clone(),
+            text: solver.formulas[*k].to_string(),
+            proved: None,
+            ..problem.outputs[*k].clone()
+        })
+        .collect();
     // The condition keeps its own names.
     let clash = |name: &str| {
         let (a, b) = (
             problem.definitions.names.get(name),
             solver.definitions.names.get(name),
         );
-        matches!((a, b), (Some(a), Some(b)) if a.to_string() != b.to_string())
+        let differ = matches!((a, b), (Some(a), Some(b)) if a.to_string() != b.to_string());
+        let reaches = |e: &Expr| problem.definitions.reaches(e, &[name]);
+        differ && problem.condition.as_ref().is_some_and(reaches)
     };
     if let Some(name) = solver.definitions.names.keys().find(|n| clash(n)) {
         return Err(Failure::new(format!(
@@ -61,7 +81,10 @@ pub fn own_study(
         own.definitions.set(name, e.clone());
     }
     let mut alone = solver.clone();
-    alone.formulas = vec![solver.formulas[k].clone()];
+    alone.formulas = outputs
+        .iter()
+        .map(|k| solver.formulas[*k].clone())
+        .collect();
     alone.elementary = setting.elementary;
     own.solvers = vec![alone];
     Ok(own)
@@ -78,34 +101,71 @@ pub fn worst(
         return Ok(None);
     }
     let unit = if bound.is_finite() { bound } else { 1.0 };
-    let limit = match measure {
-        Measure::Absolute => Limit::Absolute(unit),
-        Measure::Relative => Limit::Relative(unit),
-        Measure::Ulps => Limit::Ulps(unit),
-    };
+    let is_complex = own.outputs.len() > 1;
     let mut problem = own.clone();
-    problem.outputs[0].budget = (limit, "the proved bound".into());
+    for output in &mut problem.outputs {
+        // A part of a complex number may be zero.
+        let measure = if is_complex {
+            Measure::Absolute
+        } else {
+            measure
+        };
+        output.budget = (limit(measure, unit), "the proved bound".into());
+    }
     let study = Study::new(problem).map_err(Failure::caused)?;
     let settings = HuntSettings {
         evaluations: args.evals,
         seed: 1,
     };
     let found = hunt_until(&study, &settings, &|_| {}, interrupt::flag());
-    let worst = found.worst.into_iter().next();
-    Ok(worst.map(|Worst { share, input, .. }| Found {
-        error: share * unit,
-        input,
-    }))
+    let each = found
+        .worst
+        .into_iter()
+        .filter_map(|Worst { share, input, .. }| {
+            let error = match is_complex {
+                true => norm(&study, measure, &input)?,
+                false => share * unit,
+            };
+            Some(Found { error, input })
+        });
+    Ok(each.max_by(|a, b| a.error.total_cmp(&b.error)))
+}
+
+/// The error of two outputs as one complex number at an input.
+fn norm(study: &Study, measure: Measure, input: &[f64]) -> Option<f64> {
+    let exact: Option<Vec<Rational>> = input.iter().map(|x| Rational::from_f64(*x)).collect();
+    let SolverAnswer::Values(computed) = study.solve(input) else {
+        return None;
+    };
+    let (mut error, mut size) = (0.0f64, 0.0f64);
+    for (answer, x) in study
+        .answers(&exact?, Goal::Double(72))
+        .iter()
+        .zip(computed)
+    {
+        let due = match answer {
+            Answer::Number(ball) => ball.mid().clone(),
+            Answer::Zero => Float::new(64),
+            _ => return None,
+        };
+        size = size.hypot(due.to_f64());
+        error = error.hypot((due - x).to_f64());
+    }
+    Some(match measure {
+        Measure::Absolute => error,
+        _ => error / size,
+    })
+    .filter(|e| e.is_finite())
 }
 
 /// Decides whether the solver's formula is the definition over the reals.
 pub fn same(
     problem: &Problem,
     solver: &StudySolver,
-    k: usize,
+    (k, part): (usize, usize),
     own: &Problem,
     study: &Study,
-    inputs: Vec<Vec<f64>>,
+    inputs: &[Vec<f64>],
 ) -> Same {
     let is = &problem.outputs[k].is;
     let mut graph = Graph::new(problem.inputs.iter().map(|i| i.name.clone()));
@@ -126,7 +186,7 @@ pub fn same(
             let ours = of_solver
                 .answers(&exact, Goal::Double(72))
                 .into_iter()
-                .next();
+                .nth(part);
             let due = study.answers(&exact, Goal::Double(72)).into_iter().nth(k);
             let differ = match (ours, due) {
                 (Some(Answer::Number(a)), Some(Answer::Number(b))) => !a.overlaps(&b),
@@ -135,9 +195,18 @@ pub fn same(
                 _ => false,
             };
             if differ {
-                return Same::Refuted(input);
+                return Same::Refuted(input.clone());
             }
         }
+    }
+    // Both sides of the equation below have the solver's names.
+    let text = |d: &Definitions, name: &str| d.names.get(name).map(|e| e.to_string());
+    let is_other = |name: &&String| {
+        let both = [&problem.definitions, &own.definitions].map(|d| text(d, name));
+        both[0] != both[1] && problem.definitions.reaches(is, &[name.as_str()])
+    };
+    if own.definitions.names.keys().any(|name| is_other(&name)) {
+        return Same::Undecided("the solver defines a name of the definition differently");
     }
     // The algebra takes names without a definition for positive numbers.
     let positive = |i: &mechaudit::study::StudyInput| i.from.as_ref().is_some_and(|q| *q > 0);

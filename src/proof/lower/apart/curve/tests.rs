@@ -8,31 +8,6 @@ fn missing(n: u32, size: f64) -> f64 {
     (std::f64::consts::E * (f64::from(n) + 1.5)).sqrt() * ratio
 }
 
-#[test]
-fn terms_until_the_rest_is_small() {
-    for (size, bits) in [
-        (20.0, 192),
-        (60.0, 192),
-        (400.0, 192),
-        (1e4, 192),
-        (300.0, 400),
-        (1e8, 400),
-    ] {
-        let (n, bound) = terms(size, bits);
-        let due = missing(n, size);
-        // √e is taken as 1.65.
-        assert!(
-            bound >= due && bound < 1.001 * due,
-            "{size} {bits} {n} {bound}"
-        );
-        let enough = if bits > 200 { -185 } else { -145 };
-        let enough = f64::exp2(f64::from(enough));
-        let last = f64::from(n) > 0.9 * size;
-        assert!(bound < enough || last, "{size} {bits}");
-        assert!(missing(n - 1, size) > 0.99 * enough && f64::from(n - 1) <= 0.9 * size);
-    }
-}
-
 /// Checks that what the series leaves out is in the radius, where it ends early and where it does
 /// not.
 #[test]
@@ -245,20 +220,4 @@ fn solutions_bit_by_bit() {
         ("lines", 0xde47bdf0fb0b1ff1, 4.0),
     ];
     bit_by_bit(&found, &due);
-}
-
-/// D and P as six steps have them: after one turn they are far from where more would end, later no
-/// `f64` is nearer.
-#[test]
-fn starts_bit_by_bit() {
-    // To what libraries may differ by.
-    let near = |x: f64, due: f64| (x / due - 1.0).abs() < 4.0 * f64::EPSILON;
-    for (turns, x, p) in [
-        (1.0, 2.1375559910757223, 5.306314298280731),
-        (20.0, 3.6793399894120506, 124.86357880272227),
-        (1e6, 9.092205873171917, 6283184.5217806995),
-    ] {
-        let found = beside_zero(std::f64::consts::TAU * turns);
-        assert!(near(found[0], x) && near(found[1], p), "{turns} {found:?}");
-    }
 }

@@ -180,55 +180,6 @@ fn what_a_polynomial_is_wrong_by_is_bounded() {
     assert_eq!(smooth(&third, true).stays_off(1, 10, &watch), Ok(None));
 }
 
-#[test]
-fn close_is_two_to_the_minus_thirty() {
-    assert_eq!(CLOSE, f64::exp2(98.0 - 128.0));
-    let reach = 1u128 << 98;
-    for (x, due) in [
-        (0, true),
-        (reach - 1, true),
-        (reach, false),
-        (reach.wrapping_neg(), true),
-        (reach.wrapping_neg() - 1, false),
-        (1 << 127, false),
-    ] {
-        assert_eq!(is_close(x), due, "{x:x}");
-    }
-}
-
-/// A value that is whole after the power of two alone, at single numbers and in blocks; the bound
-/// is asked beyond the last value.
-#[test]
-fn the_power_of_two_comes_first() {
-    let watch = Watch::default();
-    let half = |n: u64, bits: u32| exact(Rational::from((2 * n + 1, 2)), bits);
-    for first in [100, 1 << 20] {
-        let with = |shift: i32| {
-            let all = Smooth {
-                value: &half,
-                shift: &|_| shift,
-                most: &|n| 2.0 * n as f64,
-                few: true,
-            };
-            all.stays_off(first, first + 30, &watch)
-        };
-        assert_eq!(with(0), Ok(Some(31)), "{first}");
-        assert!(with(1).is_err(), "{first}");
-    }
-    let first = 1 << 20;
-    let h = (first >> 11) / 9;
-    let all = Smooth {
-        value: &half,
-        shift: &|_| 0,
-        most: &|n| match n == first + 10 * h {
-            true => 2.0 * n as f64,
-            false => f64::INFINITY,
-        },
-        few: true,
-    };
-    assert_eq!(all.stays_off(first, first + 30, &watch), Ok(Some(31)));
-}
-
 /// Checks that what the differences themselves are wrong by, 2⁻⁵⁴, is a part of what is allowed.
 #[test]
 fn errors_of_the_differences_count() {
