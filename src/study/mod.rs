@@ -146,10 +146,10 @@ impl Study {
             .solvers
             .iter()
             .map(|s| FloatSolver::new(&problem, s));
-        let solvers = solvers.collect::<Result<_, _>>()?;
+        let solvers: Vec<FloatSolver> = solvers.collect::<Result<_, _>>()?;
         let domain = match &problem.linear {
             Some(linear) => linear::sampling::domain(&problem, linear)?,
-            None => sampling::domain(&problem, &sketch)?,
+            None => sampling::domain(&problem, &sketch, method::format(solvers.first()))?,
         };
         let name = intern(&problem.name);
         Ok(Study {
@@ -251,7 +251,13 @@ impl Study {
             .collect();
         match known.iter().position(|s| *s == name) {
             Some(place) => {
+                let format = |study: &Study| method::format(study.solvers.get(study.chosen));
+                let before = format(&self);
                 self.chosen = place;
+                let format = format(&self);
+                if format != before && self.problem().linear.is_none() {
+                    self.domain = sampling::domain(self.problem(), &self.sketch, format)?;
+                }
                 Ok(self)
             }
             None if known.is_empty() => Err(StudyError::new("the study states no solver")),
