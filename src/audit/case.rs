@@ -314,10 +314,7 @@ impl Cases {
 
     /// A case, its numbers those of the format.
     fn case(&self, region: &'static str, mut input: Vec<f64>, origin: Origin) -> Case {
-        if self.format != Format::Double {
-            let numbers = input.iter_mut();
-            numbers.for_each(|x| *x = self.format.representable(*x));
-        }
+        self.format.represent(&mut input);
         Case {
             method: self.method,
             region,

@@ -7,6 +7,7 @@ use super::judge::Verdict;
 use super::judged::{answer_of, judge_case_briefly};
 use super::method::Method;
 use super::settings::Settings;
+use super::ulp::Format;
 use rayon::prelude::*;
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -279,6 +280,9 @@ impl Hunter<'_> {
                 all.push((with(case, between), "spaced"));
             }
         }
+        let format = self.method.format();
+        all.iter_mut()
+            .for_each(|(case, _)| format.represent(&mut case.input));
         all.retain(|(case, _)| self.method.admits(&case.input));
         let found = self.judge(all.iter().map(|(case, _)| case.input.clone()).collect());
         let mut seeds = Vec::new();
@@ -310,8 +314,15 @@ impl Hunter<'_> {
             None => MOVES,
         };
         while self.left > end && without < PATIENCE {
+            // In a format of fewer bits most moves by bits lead nowhere.
+            let format = self.method.format();
+            let next = |_| {
+                let mut x = moved(&top.input, draw);
+                format.represent(&mut x);
+                (format == Format::Double || x != top.input).then_some(x)
+            };
             let inputs: Vec<Vec<f64>> = (0..8 * moves)
-                .map(|_| moved(&top.input, draw))
+                .filter_map(next)
                 .filter(|x| within_reach(&seed.found.input, x) && self.method.admits(x))
                 .take(moves.min((self.left - end) as usize))
                 .collect();

@@ -85,6 +85,13 @@ impl Format {
             _ => x,
         }
     }
+
+    /// Makes each number of an input [`Format::representable`].
+    pub(super) fn represent(self, input: &mut [f64]) {
+        if self != Format::Double {
+            input.iter_mut().for_each(|x| *x = self.representable(*x));
+        }
+    }
 }
 
 /// The exponent `k` of the unit in the last place, `ulp(x) = 2^k`: for `|x|` in `[2^e, 2^(e+1))`

@@ -64,8 +64,10 @@ pub(super) fn picked(text: &str, file: &str, name: Option<&str>) -> Result<Probl
             let known = known(&all);
             let hint = did_you_mean(name, &known);
             let known = known.join(", ");
+            let first = all.iter().find_map(|p| p.as_ref().err());
+            let unread = first.map_or(String::new(), |e| format!("; one that is not read: {e}"));
             Err(StudyError::new(format!(
-                "there is no core {name:?}{hint}; there are: {known}"
+                "there is no core {name:?}{hint}; there are: {known}{unread}"
             )))
         }
     }
@@ -88,7 +90,11 @@ fn problem(core: Core, file: &str, k: usize) -> Problem {
     }
     let is = core.spec.clone().unwrap_or_else(|| core.body.clone());
     let mut notes = Vec::new();
-    if core.spec.is_none() {
+    if let Some(other) = &core.other_rounding {
+        notes.push(format!(
+            "The body asks for {other}, in which nothing is computed here: it is no solver."
+        ));
+    } else if core.spec.is_none() {
         notes.push("The solver is the definition itself in floating point.".into());
     }
     let format = match core.precision.as_deref() {
@@ -118,13 +124,16 @@ fn problem(core: Core, file: &str, k: usize) -> Problem {
             budget: default_budget(),
             proved: None,
         }],
-        solvers: vec![StudySolver {
-            name: "body".into(),
-            formulas: vec![core.body],
-            definitions: Definitions::default(),
-            format,
-            elementary: Elementary::Platform,
-        }],
+        solvers: match core.other_rounding {
+            Some(_) => Vec::new(),
+            None => vec![StudySolver {
+                name: "body".into(),
+                formulas: vec![core.body],
+                definitions: Definitions::default(),
+                format,
+                elementary: Elementary::Platform,
+            }],
+        },
         condition: core.pre,
         inputs,
         notes,

@@ -1,6 +1,7 @@
 //! A study as a method.
 
 use super::Study;
+use super::compiled::FloatSolver;
 use super::linear;
 use super::problem::{intern, kept};
 use super::sampling::admits;
@@ -170,10 +171,7 @@ impl Method for Study {
     }
 
     fn format(&self) -> Format {
-        match self.solvers.get(self.chosen).map(|s| s.format()) {
-            Some(evaluation::Format::Single) => Format::Single,
-            _ => Format::Double,
-        }
+        format(self.solvers.get(self.chosen))
     }
 
     fn admits(&self, input: &[f64]) -> bool {
@@ -181,6 +179,14 @@ impl Method for Study {
             Some(linear) => linear::sampling::admits(self.problem(), linear, input),
             None => admits(self.problem(), &self.sketch, input),
         }
+    }
+}
+
+/// The format of a solver; binary64 without one.
+pub(super) fn format(solver: Option<&FloatSolver>) -> Format {
+    match solver.map(FloatSolver::format) {
+        Some(evaluation::Format::Single) => Format::Single,
+        _ => Format::Double,
     }
 }
 

@@ -152,10 +152,10 @@ impl Study {
             .solvers
             .iter()
             .map(|s| FloatSolver::new(&problem, s));
-        let solvers = solvers.collect::<Result<_, _>>()?;
+        let solvers: Vec<FloatSolver> = solvers.collect::<Result<_, _>>()?;
         let domain = match &problem.linear {
             Some(linear) => linear::sampling::domain(&problem, linear)?,
-            None => sampling::domain(&problem, &sketch)?,
+            None => sampling::domain(&problem, &sketch, method::format(solvers.first()))?,
         };
         let name = intern(&problem.name);
         let proved = Arc::new(problem.proved(0)?);
@@ -259,8 +259,14 @@ impl Study {
             .collect();
         match known.iter().position(|s| *s == name) {
             Some(place) => {
+                let format = |study: &Study| method::format(study.solvers.get(study.chosen));
+                let before = format(&self);
                 self.chosen = place;
                 self.proved = Arc::new(self.problem().proved(place)?);
+                let format = format(&self);
+                if format != before && self.problem().linear.is_none() {
+                    self.domain = sampling::domain(self.problem(), &self.sketch, format)?;
+                }
                 Ok(self)
             }
             None if known.is_empty() => Err(StudyError::new("the study states no solver")),

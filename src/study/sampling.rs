@@ -3,7 +3,7 @@
 use super::compiled::{FloatSolver, Sketch};
 use super::error::StudyError;
 use super::problem::{Problem, Spacing, StudyInput, intern};
-use crate::audit::{CheckPoint, Domain, Draw, Region};
+use crate::audit::{CheckPoint, Domain, Draw, Format, Region};
 use crate::reference::nearest_f64;
 use mechaudit_symbolic::evaluation::{Evaluator, Floating};
 use mechaudit_symbolic::graph::{Graph, Id, Node};
@@ -29,7 +29,7 @@ struct Range {
 }
 
 impl Range {
-    fn of(input: &StudyInput) -> Range {
+    fn of(input: &StudyInput, format: Format) -> Range {
         let inside = |end: &Option<rug::Rational>, way: f64| match end {
             None => way * f64::MAX,
             Some(q) => {
@@ -45,9 +45,14 @@ impl Range {
                 }
             }
         };
+        let (low, high) = (inside(&input.from, -1.0), inside(&input.to, 1.0));
+        let (low, high) = match format {
+            Format::Double => (low, high),
+            Format::Single => within_single(low, high),
+        };
         Range {
-            low: inside(&input.from, -1.0),
-            high: inside(&input.to, 1.0),
+            low,
+            high,
             spacing: input.spacing,
             is_bounded: input.from.is_some() && input.to.is_some(),
         }
@@ -119,6 +124,21 @@ impl Range {
     }
 }
 
+/// The least and the largest number of binary32 between two others, between which rounding stays.
+fn within_single(low: f64, high: f64) -> (f64, f64) {
+    let end = |x: f64| x.clamp(f32::MIN.into(), f32::MAX.into()) as f32;
+    let (from, to) = (end(low), end(high));
+    let from = match f64::from(from) < low {
+        true => from.next_up(),
+        false => from,
+    };
+    let to = match f64::from(to) > high {
+        true => to.next_down(),
+        false => to,
+    };
+    (from.into(), to.into())
+}
+
 /// A condition of a region, evaluated in binary64.
 #[derive(Clone)]
 struct Filter {
@@ -153,9 +173,14 @@ fn set(evaluator: &mut Evaluator<Floating>, input: &[f64]) {
 fn region(
     name: &'static str,
     description: &'static str,
-    filter: Filter,
+    (filter, format): (Filter, Format),
     draw: impl Fn(&mut Draw) -> Vec<f64> + Send + Sync + 'static,
 ) -> Region {
+    // Conditions hold at the numbers of the format.
+    let draw = move |d: &mut Draw| -> Vec<f64> {
+        let input = draw(d).into_iter();
+        input.map(|x| format.representable(x)).collect()
+    };
     let sample = move |d: &mut Draw| {
         let mut evaluator = filter.evaluator();
         let mut input = draw(d);
@@ -178,16 +203,25 @@ fn region(
 ///
 /// # Errors
 /// A condition that no input satisfies that was drawn.
-pub(super) fn domain(problem: &Problem, sketch: &Arc<Sketch>) -> Result<Domain, StudyError> {
-    let ranges: Vec<Range> = problem.given().iter().map(Range::of).collect();
+pub(super) fn domain(
+    problem: &Problem,
+    sketch: &Arc<Sketch>,
+    format: Format,
+) -> Result<Domain, StudyError> {
+    let range_of = |input: &StudyInput| Range::of(input, format);
+    let ranges: Vec<Range> = problem.given().iter().map(range_of).collect();
     if let Some((input, _)) = problem
         .inputs
         .iter()
         .zip(&ranges)
         .find(|(_, r)| r.low > r.high)
     {
+        let name = match format {
+            Format::Double => "binary64",
+            Format::Single => "binary32",
+        };
         return Err(StudyError::new(format!(
-            "the range of {} holds no binary64",
+            "the range of {} holds no {name}",
             input.name
         )));
     }
@@ -203,13 +237,21 @@ pub(super) fn domain(problem: &Problem, sketch: &Arc<Sketch>) -> Result<Domain, 
         intern(if text.is_empty() { "no inputs" } else { &text })
     };
     if problem.given().is_empty() {
-        regions.push(region("domain", "no inputs", filter.clone(), |_| {
-            Vec::new()
-        }));
+        regions.push(region(
+            "domain",
+            "no inputs",
+            (filter.clone(), format),
+            |_| Vec::new(),
+        ));
     } else {
         let box_of = ranges.clone();
         let draw = move |d: &mut Draw| box_of.iter().map(|r| r.draw(d)).collect();
-        regions.push(region("domain", texts(&ranges), filter.clone(), draw));
+        regions.push(region(
+            "domain",
+            texts(&ranges),
+            (filter.clone(), format),
+            draw,
+        ));
         let wide = |r: &Range| r.low <= 0.0 && r.high >= 0.0 || r.high / r.low > 100.0;
         if ranges
             .iter()
@@ -218,7 +260,7 @@ pub(super) fn domain(problem: &Problem, sketch: &Arc<Sketch>) -> Result<Domain, 
             let box_of = ranges.clone();
             let draw = move |d: &mut Draw| box_of.iter().map(|r| r.magnitudes(d)).collect();
             let text = "inputs of every magnitude that the ranges hold";
-            regions.push(region("magnitudes", text, filter.clone(), draw));
+            regions.push(region("magnitudes", text, (filter.clone(), format), draw));
         }
         let edges: Vec<Vec<f64>> = ranges.iter().map(|r| r.edges()).collect();
         let box_of = ranges.clone();
@@ -237,27 +279,32 @@ pub(super) fn domain(problem: &Problem, sketch: &Arc<Sketch>) -> Result<Domain, 
         };
         let text =
             "ends of ranges and their neighbours, signed zeros, subnormal numbers, powers of two";
-        regions.push(region("edges", text, filter.clone(), draw));
+        regions.push(region("edges", text, (filter.clone(), format), draw));
         let flips = Arc::new(beside_flips(sketch, &filter, &ranges));
         if !flips.is_empty() {
             let all = flips.clone();
             let draw = move |d: &mut Draw| all[d.integer(0, all.len() - 1)].clone();
             let text = "next to where a condition flips or a difference is zero";
-            regions.push(region("flips", text, filter.clone(), draw));
+            regions.push(region("flips", text, (filter.clone(), format), draw));
         }
     }
     for (stated, condition) in problem.regions.iter().zip(&sketch.regions) {
         let mut own = ranges.clone();
         for input in &stated.inputs {
             if let Some(k) = problem.given().iter().position(|i| i.name == input.name) {
-                own[k] = Range::of(input);
+                own[k] = range_of(input);
             }
         }
         let mut filter = filter.clone();
         filter.conditions.extend(condition);
         let description = texts(&own);
         let draw = move |d: &mut Draw| own.iter().map(|r| r.draw(d)).collect();
-        regions.push(region(intern(&stated.name), description, filter, draw));
+        regions.push(region(
+            intern(&stated.name),
+            description,
+            (filter, format),
+            draw,
+        ));
     }
     let mut kept = Vec::new();
     for region in regions {
@@ -276,7 +323,7 @@ pub(super) fn domain(problem: &Problem, sketch: &Arc<Sketch>) -> Result<Domain, 
             }
         }
     }
-    let points = check_points(&ranges, &filter);
+    let points = check_points(&ranges, &filter, format);
     Ok(Domain {
         regions: kept,
         check_points: points,
@@ -298,7 +345,7 @@ fn is_empty(region: &Region, problem: &Problem, sketch: &Sketch) -> bool {
 }
 
 /// The middle of the domain and its corners, where the condition admits them.
-fn check_points(ranges: &[Range], filter: &Filter) -> Vec<CheckPoint> {
+fn check_points(ranges: &[Range], filter: &Filter, format: Format) -> Vec<CheckPoint> {
     let middle = |r: &Range| match (r.is_bounded, r.spacing) {
         (false, _) => 1f64.clamp(r.low, r.high),
         (true, Spacing::Linear) => 0.5 * r.low + 0.5 * r.high,
@@ -316,6 +363,8 @@ fn check_points(ranges: &[Range], filter: &Filter) -> Vec<CheckPoint> {
     let mut evaluator = filter.evaluator();
     let mut found: Vec<CheckPoint> = Vec::new();
     for (name, input) in all {
+        let input = input.into_iter().map(|x| format.representable(x));
+        let input: Vec<f64> = input.collect();
         let is_new = found.iter().all(|c| c.input != input);
         if is_new && filter.admits(&mut evaluator, &input) {
             found.push(CheckPoint { name, input });
@@ -356,7 +405,11 @@ pub(super) fn seams(
 ) -> Vec<[Vec<f64>; 2]> {
     /// Pairs of inputs between which a flip is sought, for each condition.
     const PAIRS: u64 = 150;
-    let ranges: Vec<Range> = problem.inputs.iter().map(Range::of).collect();
+    let ranges: Vec<Range> = problem
+        .inputs
+        .iter()
+        .map(|input| Range::of(input, Format::Double))
+        .collect();
     let (graph, roots) = solver.graph();
     let nodes = nodes(graph, roots, |node| matches!(node, Node::Compare(..)));
     let mut found = Vec::new();

@@ -137,3 +137,21 @@ fn a_part_of_the_domain_and_the_seams_of_a_solver() {
     let fault = study.within(Some("lift"), &[]).err().unwrap().to_string();
     assert!(fault.contains("did you mean \"left\""), "{fault}");
 }
+
+/// The inputs of a solver in binary32 are numbers of binary32 within the range and the condition.
+#[test]
+fn cases_in_binary32_stay_in_the_domain() {
+    use crate::audit::{Cases, Settings};
+    let text = "where = \"y < x\"\n[inputs]\nx = { from = 0, to = 0.3 }\ny = { from = -0.1, to = 0.3 }\n\
+                [outputs]\nz = \"sqrt(0.3 - x) + sqrt(0.1 + y)\"\n\
+                [solver.wide]\nz = \"x\"\n[solver.short]\nformat = \"binary32\"\nz = \"x\"\n";
+    let wide = Study::parse(text, "ends").unwrap();
+    let short = wide.clone().with_solver("short").unwrap();
+    for (study, is_single) in [(wide, false), (short, true)] {
+        let cases = Cases::new(&study, &Settings::default());
+        let all: Vec<Vec<f64>> = (0..cases.len()).map(|k| cases.get(k).input).collect();
+        assert!(all.iter().all(|x| crate::audit::Method::admits(&study, x)));
+        let singles = all.iter().filter(|x| f64::from(x[0] as f32) == x[0]);
+        assert_eq!(singles.count() == all.len(), is_single);
+    }
+}

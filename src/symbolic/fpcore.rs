@@ -17,6 +17,9 @@ pub struct Core {
     pub arguments: Vec<String>,
     /// The property `:precision`: `binary64`, `binary32`, `real`.
     pub precision: Option<String>,
+    /// A format that the core or a part of it asks for and that is not binary64 or binary32 all over,
+    /// or a rounding that is not to nearest.
+    pub other_rounding: Option<String>,
     /// The property `:pre`, a condition on the arguments.
     pub pre: Option<Expr>,
     /// The property `:spec`, the formula that is meant.
@@ -262,6 +265,7 @@ fn core(datum: &Datum) -> Result<Core, Fault> {
         name: None,
         arguments: arguments.clone(),
         precision: None,
+        other_rounding: None,
         pre: None,
         spec: None,
         texts: Vec::new(),
@@ -277,6 +281,7 @@ fn core(datum: &Datum) -> Result<Core, Fault> {
                     return fault(extra.at, "a core with more than one body");
                 }
                 found.body = expression(part, &mut names)?;
+                found.other_rounding = other_rounding(datum, found.precision.as_deref());
                 return Ok(found);
             }
         };
@@ -295,6 +300,36 @@ fn core(datum: &Datum) -> Result<Core, Fault> {
         }
     }
     fault(datum.at, "a core without a body")
+}
+
+/// The first format other than the core's own, or rounding other than to nearest.
+fn other_rounding(core: &Datum, precision: Option<&str>) -> Option<String> {
+    let own = precision.unwrap_or("binary64");
+    if !["binary64", "binary32", "real"].contains(&own) {
+        return Some(own.into());
+    }
+    let mut open = vec![core];
+    while let Some(datum) = open.pop() {
+        let Form::List(parts) = &datum.form else {
+            continue;
+        };
+        for pair in parts.windows(2) {
+            let [Form::Symbol(property), Form::Symbol(value)] = [&pair[0].form, &pair[1].form]
+            else {
+                continue;
+            };
+            let due = match property.as_str() {
+                ":precision" => own,
+                ":round" => "nearestEven",
+                _ => continue,
+            };
+            if value != due {
+                return Some(value.clone());
+            }
+        }
+        open.extend(parts);
+    }
+    None
 }
 
 /// A symbol: a name that is bound, a number or a constant.
@@ -624,6 +659,26 @@ mod tests {
                 continue;
             }
             assert_eq!(core.unwrap().body.to_string(), due, "{text}");
+        }
+    }
+
+    /// What a body asks for is not replaced by binary64 unseen.
+    #[test]
+    fn other_roundings_are_seen() {
+        for (text, due) in [
+            ("(FPCore (x) (! :precision binary32 (/ x 3)))", "binary32"),
+            ("(FPCore (x) (+ 1 (! :precision binary64 (/ x 3))))", ""),
+            (
+                "(FPCore (x) :precision binary32 (! :precision binary32 x))",
+                "",
+            ),
+            ("(FPCore (x) :precision binary80 x)", "binary80"),
+            ("(FPCore ((! :precision integer n)) n)", "integer"),
+            ("(FPCore (x) :round toZero x)", "toZero"),
+            ("(FPCore (x) :round nearestEven x)", ""),
+        ] {
+            let found = one(text).unwrap().other_rounding;
+            assert_eq!(found.as_deref().unwrap_or_default(), due, "{text}");
         }
     }
 

@@ -1,5 +1,7 @@
 //! The functions of the language.
 
+use rug::Rational;
+
 /// Declares the functions once: variant, number of arguments, name, other names.
 macro_rules! functions {
     ($($(#[doc = $doc:literal])* $function:ident/$arity:literal $name:literal $(| $alias:literal)*;)*) => {
@@ -143,4 +145,62 @@ functions! {
     Fma/3 "fma";
     /// Voigt profile of x, σ and γ, whose integral over x is 1.
     Voigt/3 "voigt" | "voigt_profile";
+}
+
+impl Func {
+    /// Returns true if the values at rational numbers are rational.
+    pub(crate) fn is_rational(self) -> bool {
+        use Func::*;
+        matches!(
+            self,
+            Abs | Floor
+                | Ceil
+                | Trunc
+                | Round
+                | Nearbyint
+                | Fmin
+                | Fmax
+                | Fdim
+                | Fmod
+                | Remainder
+                | Copysign
+                | Fma
+        )
+    }
+
+    /// The value at rational numbers where it is rational; none where it is undefined.
+    pub(crate) fn at_rationals(self, x: &[Rational]) -> Option<Rational> {
+        let remainder = |x: &Rational, y: &Rational, whole: Func| {
+            let quotient = (*y != 0).then(|| Rational::from(x / y))?;
+            Some(x - whole.at_rationals(&[quotient])? * y)
+        };
+        Some(match (self, x) {
+            (Func::Abs, [x]) => x.abs_ref().into(),
+            (Func::Floor, [x]) => x.floor_ref().into(),
+            (Func::Ceil, [x]) => x.ceil_ref().into(),
+            (Func::Trunc, [x]) => x.trunc_ref().into(),
+            // Halves away from zero.
+            (Func::Round, [x]) => x.round_ref().into(),
+            (Func::Nearbyint, [x]) => {
+                let half = Rational::from(x * 2u32);
+                let is_tie = half.is_integer() && !x.is_integer();
+                match is_tie {
+                    // The even one of two neighbours is twice the nearest integer to half of x.
+                    true => Rational::from(x / 2u32).round() * 2u32,
+                    false => x.round_ref().into(),
+                }
+            }
+            (Func::Fmin, [x, y]) => x.min(y).clone(),
+            (Func::Fmax, [x, y]) => x.max(y).clone(),
+            (Func::Fdim, [x, y]) => Rational::from(x - y).max(Rational::new()),
+            (Func::Fmod, [x, y]) => remainder(x, y, Func::Trunc)?,
+            (Func::Remainder, [x, y]) => remainder(x, y, Func::Nearbyint)?,
+            (Func::Copysign, [x, y]) => match *y < 0 {
+                true => -Rational::from(x.abs_ref()),
+                false => x.abs_ref().into(),
+            },
+            (Func::Fma, [x, y, z]) => Rational::from(x * y) + z,
+            _ => return None,
+        })
+    }
 }

@@ -213,3 +213,34 @@ fn parts_are_proved_together_and_proofs_are_budgets() {
         d.out
     );
 }
+
+/// A solver by another formula than the definition, whose parts have names that both use.
+#[test]
+fn a_solver_may_differ_from_the_definition() {
+    let folder = tempdir().unwrap();
+    let file = folder.path().join("roots.toml");
+    let prove = |solver: &str, condition: &str| {
+        let study = format!(
+            "{condition}[inputs]\nx = {{ from = 1, to = 2 }}\n[let]\nk = \"x + 1\"\n\
+             [outputs]\na = \"k\"\ny = \"sqrt(a) - sqrt(x)\"\n[solver.s]\n{solver}\n"
+        );
+        std::fs::write(&file, study).unwrap();
+        run(&["prove", text(&file), "--evals", "0", "--limit", "50"])
+    };
+    let stable = prove("a = \"x + 1\"\ny = \"1/(sqrt(a) + sqrt(x))\"", "");
+    assert_eq!(stable.code, 0, "{}", stable.err);
+    assert_eq!(stable.out.matches("relative  error ≤").count(), 2);
+    // The algebra would take the solver's own a for that of the definition.
+    let other = prove("a = \"x + 2\"\ny = \"sqrt(a) - sqrt(x)*1\"", "");
+    assert!(
+        other
+            .out
+            .contains("undecided, the solver defines a differently"),
+        "{}",
+        other.out
+    );
+    let clash = "a = \"k\"\ny = \"sqrt(k) - sqrt(x)\"\n[solver.s.let]\nk = \"x + 3\"";
+    assert_eq!(prove(clash, "").code, 0);
+    let said = "the conditions of the study define k differently";
+    refused(&prove(clash, "where = \"k < 4\"\n"), said);
+}

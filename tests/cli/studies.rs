@@ -356,3 +356,18 @@ fn bad_files_are_refused_in_one_line() {
     refused(&audit(&example("voigt"), &[]), "states no solver");
     refused(&run(&["audit", "missing.toml"]), "cannot read the file");
 }
+
+/// A body that asks for another format is no solver, and what is not read is said where a core is
+/// missing.
+#[test]
+fn bodies_in_other_formats_are_no_solvers() {
+    let folder = TempDir::new().unwrap();
+    let cores = "(FPCore long (x) :precision binary80 (/ x 3))\n(FPCore bad (x) (tensor 1 2))";
+    let path = file(&folder, "formats.fpcore", cores);
+    let long = format!("{path}#long");
+    let d = run_on("1\n", &["eval", &long, "--digits", "5"]);
+    assert_eq!((d.code, d.out.as_str()), (0, "0.33333\n"), "{}", d.err);
+    refused(&run_on("1\n", &["eval", &long]), "solver");
+    let bad = run(&["describe", &format!("{path}#bad")]);
+    refused(&bad, "one that is not read: line 2");
+}

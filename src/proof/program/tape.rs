@@ -353,7 +353,11 @@ impl<'a> Writer<'a> {
             ids.iter().map(|id| writer.value(*id)).collect()
         };
         let mut values = all(self, &first)?;
-        loop {
+        // A round may add no operation.
+        for round in 0.. {
+            if round == LONGEST {
+                return refused(format!("a loop of more than {LONGEST} rounds"));
+            }
             self.set_variables(binder, &values);
             let condition = self.condition(condition)?;
             let known = self.whole.forward(&self.tape, self.domain, false, &[]);

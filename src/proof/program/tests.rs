@@ -501,4 +501,6 @@ fn bounded_loops_are_unrolled() {
     let same = kernel("0 + x + x + x", &[[1.0, 2.0]]).bound(Measure::Absolute);
     assert_eq!(proof.bound, same);
     assert!(build("while_all(s < 3, s, 0, s + x*x, s)").is_err());
+    let endless = build("x + while(1 < 2, k, 0, k, k)").unwrap_err();
+    assert!(endless.to_string().contains("rounds"), "{endless}");
 }

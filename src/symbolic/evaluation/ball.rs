@@ -288,14 +288,12 @@ impl Interpretation for Balls {
     fn call(&mut self, f: Func, x: &[&Value]) -> Found {
         let p = self.prec;
         if x.iter().any(|x| matches!(x, Value::Exact(_))) {
-            if let (Func::Floor | Func::Ceil | Func::Trunc | Func::Abs, [Value::Exact(x)]) = (f, x)
-            {
-                let q = match f {
-                    Func::Floor => Rational::from(x.0.floor_ref()),
-                    Func::Ceil => Rational::from(x.0.ceil_ref()),
-                    Func::Trunc => Rational::from(x.0.trunc_ref()),
-                    _ => Rational::from(x.0.abs_ref()),
-                };
+            let rational = |x: &&Value| match x {
+                Value::Exact(x) => Some(x.0.clone()),
+                _ => None,
+            };
+            let rationals: Option<Vec<Rational>> = x.iter().map(rational).collect();
+            if let Some(q) = rationals.and_then(|x| f.at_rationals(&x)) {
                 return Ok(self.rational(q));
             }
             let plain: Vec<Value> = x.iter().map(|x| inexact(x)).collect();

@@ -308,6 +308,37 @@ fn equal_rational_numbers_are_compared() {
     }
 }
 
+/// Rational functions of rational numbers that no ball holds: quotients are whole numbers and halves.
+#[test]
+fn rational_functions_are_exact() {
+    for (text, x, due) in [
+        ("fmod(3, x)", (1, 3), "0"),
+        ("fmod(-7*x, 2*x)", (1, 3), "-0.33333"),
+        (
+            "fmod(x, x - 1/3)",
+            (1, 3),
+            "undefined: the remainder of a division by zero: fmod(x, x - 1/3)",
+        ),
+        ("remainder(5*x, 2*x)", (1, 3), "0.33333"),
+        ("remainder(7*x, 2*x)", (1, 3), "-0.33333"),
+        ("remainder(-7*x, 2*x)", (1, 3), "0.33333"),
+        ("round(x*3/2)", (5, 3), "3.0000"),
+        ("round(-x*3/2)", (5, 3), "-3.0000"),
+        ("nearbyint(x*3/2)", (5, 3), "2.0000"),
+        ("nearbyint(-x*3/2)", (7, 3), "-4.0000"),
+        ("nearbyint(x)", (5, 3), "2.0000"),
+        ("floor(fmin(x*3, 1)) + ceil(fmax(x*3, 1))", (1, 3), "2.0000"),
+        (
+            "floor(fdim(x*3, 1)) + trunc(fma(x, 3, 1))",
+            (1, 3),
+            "2.0000",
+        ),
+        ("floor(copysign(x*3, -1))", (1, 3), "-1.0000"),
+    ] {
+        assert_eq!(value(text, x, 5), due, "{text} at {x:?}");
+    }
+}
+
 /// A function that is not holomorphic has no value where one is asked for that is.
 #[test]
 fn continuations_are_holomorphic() {

@@ -377,8 +377,7 @@ impl Graph {
         }
         facts.is_irrational |= match node {
             Node::Constant(_) | Node::ImaginaryUnit | Node::Bound(_) => true,
-            Node::Unary(Func::Abs | Func::Floor | Func::Ceil | Func::Trunc, _) => false,
-            Node::Unary(..) | Node::Binary(..) | Node::Ternary(..) => true,
+            Node::Unary(f, _) | Node::Binary(f, ..) | Node::Ternary(f, ..) => !f.is_rational(),
             _ => false,
         };
         match node {

@@ -331,3 +331,24 @@ fn moves_are_those_of_the_stream() {
     let expected = r#"(9eb99c3593b8ce98, ["0x1.4cccccccccccdp+0", "-0x1.4f8b588e368efp-16"])"#;
     assert_eq!(format!("{found:x?}"), expected);
 }
+
+/// Seeds and moves are numbers of the format, and a climb does not stay where it is.
+#[test]
+fn a_hunt_draws_numbers_of_the_format() {
+    let seen = Mutex::new(Vec::new());
+    let method = Planted {
+        format: Format::Single,
+        solve: Box::new(|x| {
+            seen.lock().unwrap().push(x[0]);
+            SolverAnswer::Values(x.to_vec())
+        }),
+        ..Planted::default()
+    };
+    told(&method, 300);
+    let mut seen = seen.lock().unwrap();
+    assert_eq!(seen.len(), 300);
+    assert!(seen.iter().all(|x| f64::from(*x as f32) == *x));
+    seen.sort_by(f64::total_cmp);
+    seen.dedup();
+    assert!(seen.len() > 200, "{}", seen.len());
+}

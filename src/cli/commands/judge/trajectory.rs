@@ -262,7 +262,7 @@ impl Report<'_> {
             "at the end",
             "of budget",
             "fails from",
-            "undecided",
+            "not compared",
         ];
         let mut table = Table::new(&heads, &[0]);
         for c in &self.columns {

@@ -52,16 +52,22 @@ impl Pass {
         b: Place,
         picks: &[bool],
     ) -> Result<(), Stop> {
-        let (taken, jump) = match self.holds(tape, condition) {
-            Some(true) => (a, 0.0),
-            Some(false) => (b, 0.0),
+        let (taken, jump, value) = match self.holds(tape, condition) {
+            Some(true) => (a, 0.0, self.value[a]),
+            Some(false) => (b, 0.0, self.value[b]),
             None => {
                 let known = self.open.iter().position(|c| *c == condition);
                 let place = known.unwrap_or_else(|| {
                     self.open.push(condition);
                     self.open.len() - 1
                 });
-                let first = picks.get(place).copied().unwrap_or(true);
+                let pick = picks.get(place).copied();
+                let taken = if pick.unwrap_or(true) { a } else { b };
+                // As long as no branch is picked the exact value may be that of either.
+                let value = match pick {
+                    Some(_) => self.value[taken],
+                    None => self.value[a].hull(self.value[b]),
+                };
                 let jump = match a == b {
                     true => 0.0,
                     false => (self.float[a] - self.float[b]).magnitude(),
@@ -69,7 +75,7 @@ impl Pass {
                 if !jump.is_finite() {
                     return stop("a jump without a bound");
                 }
-                (if first { a } else { b }, jump)
+                (taken, jump, value)
             }
         };
         let (f, grain) = match jump > 0.0 {
@@ -79,7 +85,6 @@ impl Pass {
             ),
             false => (self.float[taken], self.grain[taken]),
         };
-        let value = self.value[taken];
         let error = sum_up(self.error[taken], jump);
         self.push(f, value, jump, grain, error);
         let last = self.partial.len() - 1;

@@ -378,11 +378,11 @@ fn motions_that_end() {
     };
     assert_eq!(
         undefined("y = 0 -> 1/y"),
-        "the rate of y is undefined at 0: the divisor may be zero: 1/y"
+        "the rate of y has no value at 0: the divisor may be zero: 1/y"
     );
     assert_eq!(
         undefined("y = -1 -> log(y)"),
-        "the rate of y is undefined at 0: the logarithm of a number that is not positive: log(y)"
+        "the rate of y has no value at 0: the logarithm of a number that is not positive: log(y)"
     );
     assert_eq!(
         undefined("y = 1 -> y; z = log(-1) -> 1"),

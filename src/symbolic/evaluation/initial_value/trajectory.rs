@@ -44,7 +44,7 @@ pub enum MotionError {
     #[error("the start of the time {0} is not a rational number")]
     StartTime(String),
     /// A rate has no value.
-    #[error("the rate of {state} is undefined at {time}: {reason}", time = time.to_f64())]
+    #[error("the rate of {state} has no value at {time}: {reason}", time = time.to_f64())]
     Rate {
         /// The state.
         state: String,

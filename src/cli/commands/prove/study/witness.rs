@@ -9,7 +9,7 @@ use mechaudit::study::proof::limit;
 use mechaudit::study::{Problem, Study, StudyOutput, StudySolver};
 use mechaudit::symbolic::evaluation::{Answer, Goal};
 use mechaudit::symbolic::graph::Graph;
-use mechaudit::symbolic::{Definitions, Equation, Expr, Identity, Outcome as Decision};
+use mechaudit::symbolic::{Equation, Expr, Identity, Outcome as Decision};
 use rug::{Float, Rational};
 
 /// The verdict on solver and definition as functions over the reals.
@@ -20,7 +20,7 @@ pub enum Same {
     /// They differ at an input.
     Refuted(Vec<f64>),
     /// Neither is known, and why.
-    Undecided(&'static str),
+    Undecided(String),
 }
 
 impl Same {
@@ -44,6 +44,20 @@ pub struct Found {
     pub input: Vec<f64>,
 }
 
+/// The names that the study and its solver define differently, the outputs among them.
+fn differing<'a>(
+    problem: &'a Problem,
+    solver: &'a StudySolver,
+) -> impl Iterator<Item = &'a String> {
+    let definitions = &problem.definitions.names;
+    let of_solver = solver.definitions.names.iter();
+    let others = of_solver.filter(|(name, own)| {
+        let known = definitions.get(*name);
+        known.is_some_and(|e| e.to_string() != own.to_string())
+    });
+    others.map(|(name, _)| name)
+}
+
 /// The study whose definition is the solver's own formula: its references are what rounding alone
 /// is off from.
 pub fn own_study(
@@ -62,19 +76,14 @@ pub fn own_study(
             ..problem.outputs[*k].clone()
         })
         .collect();
-    // The condition keeps its own names.
-    let clash = |name: &str| {
-        let (a, b) = (
-            problem.definitions.names.get(name),
-            solver.definitions.names.get(name),
-        );
-        let differ = matches!((a, b), (Some(a), Some(b)) if a.to_string() != b.to_string());
-        let reaches = |e: &Expr| problem.definitions.reaches(e, &[name]);
-        differ && problem.condition.as_ref().is_some_and(reaches)
-    };
-    if let Some(name) = solver.definitions.names.keys().find(|n| clash(n)) {
+    // Conditions keep their own names.
+    let regions = problem.regions.iter().filter_map(|r| r.condition.as_ref());
+    let conditions: Vec<&Expr> = problem.condition.iter().chain(regions).collect();
+    let definitions = &problem.definitions;
+    let clash = |name: &&String| conditions.iter().any(|e| definitions.reaches(e, &[name]));
+    if let Some(name) = differing(problem, solver).find(clash) {
         return Err(Failure::new(format!(
-            "the solver and the study define {name} differently"
+            "the solver and the conditions of the study define {name} differently"
         )));
     }
     for (name, e) in &solver.definitions.names {
@@ -199,14 +208,9 @@ pub fn same(
             }
         }
     }
-    // Both sides of the equation below have the solver's names.
-    let text = |d: &Definitions, name: &str| d.names.get(name).map(|e| e.to_string());
-    let is_other = |name: &&String| {
-        let both = [&problem.definitions, &own.definitions].map(|d| text(d, name));
-        both[0] != both[1] && problem.definitions.reaches(is, &[name.as_str()])
-    };
-    if own.definitions.names.keys().any(|name| is_other(&name)) {
-        return Same::Undecided("the solver defines a name of the definition differently");
+    // The algebra reads both sides with one set of definitions.
+    if let Some(name) = differing(problem, solver).find(|n| problem.definitions.reaches(is, &[n])) {
+        return Same::Undecided(format!("the solver defines {name} differently"));
     }
     // The algebra takes names without a definition for positive numbers.
     let positive = |i: &mechaudit::study::StudyInput| i.from.as_ref().is_some_and(|q| *q > 0);
@@ -217,7 +221,11 @@ pub fn same(
     let decided = Identity::of(&own.definitions, &equation);
     match decided.outcome {
         Decision::Proved if problem.inputs.iter().all(positive) => Same::Proved("by the algebra"),
-        Decision::Proved => Same::Undecided("proved by the algebra for positive inputs alone"),
-        _ => Same::Undecided("the algebra does not decide it, and no point tried tells them apart"),
+        Decision::Proved => {
+            Same::Undecided("proved by the algebra for positive inputs alone".into())
+        }
+        _ => Same::Undecided(
+            "the algebra does not decide it, and no point tried tells them apart".into(),
+        ),
     }
 }
