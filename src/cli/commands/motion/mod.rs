@@ -1,6 +1,6 @@
 //! The certified motion of an initial value problem given in a file: a row for each time.
 
-mod machine;
+pub mod machine;
 mod study;
 
 use crate::cli::args::{MotionArgs, MotionFormat};
@@ -43,8 +43,11 @@ pub struct Table {
     /// floating-point numbers.
     pub digits: Option<u32>,
     /// Times with the values there.
-    pub rows: Vec<(Rational, Vec<CertifiedValue>)>,
+    pub rows: Vec<TableRow>,
 }
+
+/// A time with the values there.
+pub type TableRow = (Rational, Vec<CertifiedValue>);
 
 /// Computes the motion and writes it.
 pub fn motion(args: &MotionArgs) -> Result<Outcome, Failure> {
@@ -61,19 +64,38 @@ pub fn motion(args: &MotionArgs) -> Result<Outcome, Failure> {
             (waiting("motion", || problem.table(times)), output)
         }
     };
-    output.write(|out| match args.format {
-        MotionFormat::Text => Ok(out.write_all(table.text().as_bytes())?),
-        MotionFormat::Csv => Ok(table.rows(out, Form::Csv)?),
-        MotionFormat::Json => Ok(table.rows(out, Form::Json)?),
-        MotionFormat::Html => Ok(out.write_all(table.page().as_bytes())?),
-    })?;
-    let open = table.open();
-    open.iter().for_each(|line| complain(line));
-    Ok(Outcome::of(open.is_empty()))
+    if args.format == MotionFormat::Text {
+        output.text(table.text())?;
+        return Ok(table.outcome());
+    }
+    table.write(
+        output,
+        match args.format {
+            MotionFormat::Csv => Some(Form::Csv),
+            MotionFormat::Json => Some(Form::Json),
+            MotionFormat::Text | MotionFormat::Html => None,
+        },
+    )
 }
 
 impl Table {
-    fn cells(&self, (time, values): &(Rational, Vec<CertifiedValue>)) -> Vec<Cell> {
+    /// Writes the rows in a form for programs, or the page.
+    pub fn write(&self, output: Output, form: Option<Form>) -> Result<Outcome, Failure> {
+        output.write(|out| match form {
+            Some(form) => Ok(self.rows(out, form)?),
+            None => Ok(out.write_all(self.page().as_bytes())?),
+        })?;
+        Ok(self.outcome())
+    }
+
+    /// Says what is not certified.
+    fn outcome(&self) -> Outcome {
+        let open = self.open();
+        open.iter().for_each(|line| complain(line));
+        Outcome::of(open.is_empty())
+    }
+
+    fn cells(&self, (time, values): &TableRow) -> Vec<Cell> {
         let cell = |v: &CertifiedValue| match (self.digits, &v.decimal) {
             (None, Some(number)) => number.parse().map_or(Cell::Undecided, Cell::Float),
             _ => Cell::certified(v.decimal.clone()),

@@ -1,9 +1,10 @@
 //! The motion over time.
 
-use super::super::chain::spot;
+use super::super::chain::{Spot, spot};
 use super::super::model::Point;
 use super::super::motion::Motion;
 use super::super::pose::Pose;
+use super::super::reactions::{JointForce, ReactionError, Wrenches, without_teeth};
 use super::assembly::Assembly;
 use super::flow::{Flow, Instant};
 use super::{Dynamics, DynamicsError, Law};
@@ -236,6 +237,39 @@ impl Dynamics {
         let metres = self.chain.metres;
         let jet = moment.motion.spot(&moment.pose, spot(point, metres));
         jet.map(|z| [z.re * metres, z.im * metres])
+    }
+
+    /// The forces in the joints, by the laws of Newton and Euler for every body.
+    ///
+    /// # Errors
+    /// [`ReactionError`].
+    pub fn reactions(&self, moment: &Moment) -> Result<Vec<JointForce>, ReactionError> {
+        let joints = &self.description.joints;
+        without_teeth(joints)?;
+        let Moment { time, pose, motion } = moment;
+        let mut all = Wrenches::none(&self.chain, pose);
+        for body in &self.rigid {
+            let Spot { body: on, at } = body.centre;
+            let [_, _, a] = motion.spot(pose, body.centre);
+            let due = (self.gravity - a * self.chain.metres) * body.kg;
+            all.push(on, due, at);
+            all.turn(on, -body.inertia * motion.bodies[on].turn[1]);
+        }
+        Instant {
+            dynamics: self,
+            pose,
+            flow: motion,
+            time: *time,
+        }
+        .act(&mut all);
+        let flow = Flow::new(self, &pose.u).ok_or(ReactionError::Singular)?;
+        let sizes = flow.closing(&all.known_work());
+        let found = all.borne(joints, &sizes);
+        let finite = |f: &JointForce| f.force_n.iter().all(|x| x.is_finite());
+        match found.iter().all(finite) {
+            true => Ok(found),
+            false => Err(ReactionError::Singular),
+        }
     }
 
     /// Kinetic and potential energy in J: the latter of weights and springs.
