@@ -186,8 +186,10 @@ impl Drivetrain {
             pieces.extend(torques.last().cloned());
             return nested("t", &knots[1..], pieces);
         }
+        // The solver reads as far beyond both ends.
+        let slack = format!("({last} - {first})/10^12");
         *outside = Some(format!(
-            "if({speed} < {first}, 1, if({speed} > {last}, 1, 0))"
+            "if({speed} < {first} - {slack}, 1, if({speed} > {last} + {slack}, 1, 0))"
         ));
         let pieces = match self.motor.reading {
             Some(Reading::Cubic) => {
