@@ -51,7 +51,7 @@ impl CertifiedRun {
     /// ));
     /// let mut run = CertifiedRun::read(&Source::toml(text), 12)?;
     /// let found = run.motion.at(&run.times[1]);
-    /// assert_eq!(found.digits[1].as_deref(), Some("SPEED"));
+    /// assert_eq!(found.digits[1].as_deref(), Some("0.0377185683863"));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///

@@ -104,8 +104,10 @@ fn cubics(x: &str, [knots, values]: [&[Rational]; 2], unit: &str) -> Vec<String>
 /// A motor and its load as formulas of the driven body's `speed` in rad/s and the time `t`.
 #[derive(Clone, Debug)]
 pub struct Formulas {
-    /// The torque on the body.
+    /// The torque on the body, without the constant resistance.
     pub torque: String,
+    /// The size of the constant resistance.
+    pub friction: Option<String>,
     /// The inertia that turns with it, `0` if none.
     pub inertia: String,
     /// A condition under which the motor's torque is not known, if there is one.
@@ -148,9 +150,6 @@ impl Drivetrain {
             MotorKind::Table => self.table(&speed, &mut outside),
         };
         let mut sum = format!("{ratio}*({torque})");
-        if self.load.constant.is_some() {
-            sum += &format!(" - copysign({}, speed)", text(&self.load.constant));
-        }
         if self.load.viscous.is_some() {
             sum += &format!(" - {}*speed", text(&self.load.viscous));
         }
@@ -163,6 +162,7 @@ impl Drivetrain {
         };
         Formulas {
             torque: sum,
+            friction: self.load.constant.as_ref().map(quantity),
             inertia,
             outside,
         }

@@ -26,6 +26,9 @@ pub struct Certified {
     /// States that tell whether the motion has passed its end or a table's.
     until: Option<usize>,
     outside: Option<usize>,
+    starts: Vec<Id>,
+    /// True if a resistance may hold the drive at rest; formulas take it to go forward.
+    holds: bool,
 }
 
 enum Output {
@@ -78,6 +81,8 @@ impl Certified {
         let outputs = outputs.into_iter().zip(&equations.outputs);
         Ok(Certified {
             outputs: outputs.map(output).collect(),
+            starts: nodes.iter().map(|n| n.0).collect(),
+            holds: moving.holds && matches!(row, Row::RunUp { .. }),
             until: state(UNTIL),
             outside: state(OUTSIDE),
             graph: Arc::new(graph),
@@ -115,7 +120,11 @@ impl Certified {
         bits: u32,
         found: &mut CertifiedMoment,
     ) -> Result<(), String> {
-        let mut states = self.states(time, bits)?;
+        let mut states = match self.starts(bits).filter(|_| time.is_zero()) {
+            // A start that is exactly zero is on one side of a switch.
+            Some(starts) => starts,
+            None => self.states(time, bits)?,
+        };
         let mut when = Ball::rational(bits + 64, time);
         match self.passed(time, &states, bits)? {
             Passed::Open => return Ok(()),
@@ -137,13 +146,27 @@ impl Certified {
                 return Ok(());
             }
         }
-        let values = self.values(&when, &states, bits + 64);
+        let mut values = self.values(&when, &states, bits + 64);
+        if let [_, Some(speed), acceleration] = &mut values[..]
+            && self.holds
+            && speed.contains_zero()
+            && !acceleration.as_ref().is_some_and(Ball::is_positive)
+        {
+            *acceleration = None;
+        }
         for (found, value) in found.digits.iter_mut().zip(values) {
             if found.is_none() {
                 *found = value.and_then(|v| self.decimal(&v));
             }
         }
         Ok(())
+    }
+
+    /// The states at the start.
+    fn starts(&self, bits: u32) -> Option<Vec<Ball>> {
+        let mut evaluator = Evaluator::new(self.graph.clone(), Balls::new(bits + 16));
+        let mut value = |id: &Id| evaluator.value(*id).ok()?.real().cloned();
+        self.starts.iter().map(&mut value).collect()
     }
 
     fn states(&mut self, time: &Rational, bits: u32) -> Result<Vec<Ball>, String> {

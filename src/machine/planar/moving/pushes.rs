@@ -36,7 +36,14 @@ impl Writer<'_> {
                 formulas,
             } => {
                 let speed = self.turning(*body, *from);
-                let torque = format!("({})", formulas.torque.replace("speed", &speed));
+                let mut torque = formulas.torque.replace("speed", &speed);
+                if let Some(size) = &formulas.friction {
+                    torque += &match self.is_forward {
+                        true => format!(" + if({speed} < 0, {size}, -{size})"),
+                        false => format!(" - copysign({size}, {speed})"),
+                    };
+                }
+                let torque = format!("({torque})");
                 let torque = self.define(torque);
                 acts.turn(self, *body, *from, torque);
                 if formulas.inertia != "0" {

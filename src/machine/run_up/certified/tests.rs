@@ -84,6 +84,22 @@ fn machines_of_every_type_run_with_certified_digits() {
             assert!((found - due).abs() < 2e-9 * size, "{found} {due}: {text}");
         }
     }
+    // From rest, where the resistance changes its sign.
+    let found = read(FOUR_BAR, 13).motion.at(&Rational::new());
+    let digit = found.digits[2].as_deref().unwrap();
+    let due = floating(FOUR_BAR, 1e-9)[2];
+    assert!(
+        (digit.parse::<f64>().unwrap() - due).abs() < 1e-6,
+        "{digit} {due}"
+    );
+    let back = FOUR_BAR.replace("\"3 N m\"]", "\"-30 N m\"]");
+    let back = read(
+        &back.replace("[\"0 rpm\"", "[\"-900 rpm\", \"-3 N m\"], [\"0 rpm\""),
+        13,
+    );
+    let mut motion = back.motion;
+    assert_eq!(motion.at(&Rational::new()).digits[2], None);
+    assert!(motion.at(&Rational::from((1, 500))).digits[2].is_some());
     // As recorded: enclosed by the special reference.
     let found = read(screen, 20).motion.at(&Rational::from((1, 1000)));
     assert_eq!(found.digits[1].as_deref(), Some("7.3358305137009154505"));
