@@ -48,6 +48,7 @@ impl Linkage {
     ///
     /// # Errors
     /// [`Refusal`].
+    #[cfg(feature = "report")]
     pub(super) fn is_planar(source: &Source) -> Result<bool, Refusal> {
         let head: Head = source.parse()?;
         Ok(matches!(head.linkage, Some(Type::Planar)))

@@ -9,7 +9,7 @@ use crate::machine::quantity::{Dimension, Force};
 use crate::machine::source::{Refusal, Source};
 use crate::reference::class_iii::ExactAngle;
 use crate::reference::nearest_f64;
-use crate::reference::planar::{Place, Real};
+use crate::reference::planar::Place;
 use crate::solvers::planar::{BodyMass, Course, GROUND, Load, Loads, Mechanism, Point, State};
 use crate::solvers::units::{Inertia, Length, Mass, Torque};
 use rug::Rational;
@@ -173,10 +173,11 @@ impl Gravity {
         }
     }
 
+    #[cfg(feature = "report")]
     pub fn exact(&self) -> Place {
         let down = ExactAngle::Degrees(Rational::from(-90));
         let direction = self.direction.as_ref().unwrap_or(&down);
-        Real::unit(direction).map(|x| x * &self.size)
+        crate::reference::planar::Real::unit(direction).map(|x| x * &self.size)
     }
 
     pub fn rounded(&self) -> [f64; 2] {

@@ -7,6 +7,7 @@ mod drawn;
 mod exact;
 mod file;
 mod joints;
+mod linkages;
 mod loads;
 mod motion;
 #[cfg(feature = "report")]

@@ -9,7 +9,6 @@ mod elimination;
 mod equations;
 mod laws;
 mod linear;
-mod linkages;
 mod loads;
 mod places;
 mod pushes;
@@ -19,15 +18,19 @@ mod text;
 
 pub use certified::{Certified, CertifiedMoment};
 
+use super::bodies::Bodies;
 use super::exact::{self, Exact, ExactJoint};
+use super::file::File;
+use super::linkages::{Parts, of_class_iii, of_dyad};
+use super::loads::masses;
 use super::{joints, rows};
+use crate::machine::linkage::Linkage;
 use crate::machine::run_up;
 use crate::machine::source::{Refusal, Source};
 use crate::reference::planar::Place;
 use crate::solvers::planar::dynamics::{Dynamics, DynamicsError, Law, Moment, Settings};
 use crate::solvers::planar::{Description, Joint, Point, ReactionError};
 use laws::Names;
-use linkages::Parts;
 use loads::MovingLoads;
 use mechaudit_symbolic::Expr;
 use start::Start;
@@ -119,12 +122,12 @@ impl Moving {
     /// # Errors
     /// [`Refusal`].
     pub fn read(source: &Source) -> Result<Moving, Refusal> {
+        let (parts, start) = parts(source)?;
         let Parts {
             file,
             bodies,
             masses,
-            start,
-        } = Parts::read(source)?;
+        } = parts;
         let (description, joint_names) = joints::read(source, &file, &bodies)?;
         let names = Names::new(source, &file, &bodies, &description)?;
         let motor = run_up::drivetrain(source)?;
@@ -275,6 +278,32 @@ impl Moving {
             });
         Ok(ended?)
     }
+}
+
+/// The parts of the mechanism of any type that a file describes, and where it begins if its sections
+/// do not say it as those of a mechanism of bodies do.
+fn parts(source: &Source) -> Result<(Parts, Option<Start>), Refusal> {
+    if Linkage::is_planar(source)? {
+        let file: File = source.parse()?;
+        let bodies = Bodies::new(source, &file)?;
+        let masses = masses(source, &file)?;
+        let parts = Parts {
+            file,
+            bodies,
+            masses,
+        };
+        return Ok((parts, None));
+    }
+    let (parts, start) = match Linkage::read(source)? {
+        Linkage::ClassIii(linkage) => (
+            of_class_iii(&linkage),
+            Start::of_class_iii(source, &linkage)?,
+        ),
+        Linkage::Dyad(dyad) => (of_dyad(&dyad), Start::of_dyad(source, &dyad)?),
+        Linkage::Planar(_) => unreachable!("a mechanism of bodies is read above"),
+    };
+    let parts = parts.map_err(|e| source.refuse("bodies", e))?;
+    Ok((parts, Some(start)))
 }
 
 /// Joints with the bodies that their forces act on, and true for those that have a moment.

@@ -7,7 +7,10 @@ use super::super::exact::radians;
 use super::super::file::{Coordinate as Section, File};
 use super::super::joints::exactly;
 use super::{Moving, MovingError, travels};
+use crate::machine::class_iii;
+use crate::machine::dyad::{Dyad, Shape};
 use crate::machine::quantity::{Quantity, Velocity};
+use crate::machine::run_up::start_speed;
 use crate::machine::source::{Refusal, Source};
 use crate::reference::class_iii::ExactAngle;
 use crate::solvers::planar::dynamics::{Assembly, Coordinate, Given};
@@ -75,6 +78,53 @@ impl Start {
         }
         start.mode = file.start.mode.filter(|_| coordinates.is_none());
         Ok(start)
+    }
+
+    /// Of a linkage whose crank is its first body; `near` holds the angles of the others.
+    fn of_crank(source: &Source, angle: ExactAngle, near: Vec<f64>) -> Result<Start, Refusal> {
+        let speed = start_speed(source)?;
+        let crank = ExactGiven {
+            coordinate: Coordinate::Angle {
+                body: 1,
+                from: GROUND,
+            },
+            value: angle,
+            speed: speed.map_or_else(|| ExactAngle::Radians(Rational::new()), |q| exact(&q)),
+        };
+        Ok(Start {
+            given: vec![crank],
+            near: (2..).zip(near).collect(),
+            mode: None,
+        })
+    }
+
+    pub(super) fn of_class_iii(
+        source: &Source,
+        linkage: &class_iii::Linkage,
+    ) -> Result<Start, Refusal> {
+        let degrees = linkage.start_degrees().unwrap_or_default();
+        let branch = class_iii::choose(&linkage.solver, &degrees, None, &linkage.start);
+        let p = branch
+            .map_err(|e| source.refuse("start", e))?
+            .start
+            .positions;
+        let angle = linkage.start.phi1.as_ref().map(Quantity::exact_angle);
+        let angle = angle.unwrap_or_else(|| ExactAngle::Degrees(Rational::new()));
+        Start::of_crank(source, angle, vec![p.phi2, p.phi3, p.phi4, p.phi5])
+    }
+
+    pub(super) fn of_dyad(source: &Source, dyad: &Dyad) -> Result<Start, Refusal> {
+        let angle = dyad.exact.start.clone();
+        let crank = Angle::from_rad(radians(&angle));
+        let near = match &dyad.shape {
+            Shape::FourBar { solver, .. } => solver
+                .position(crank, dyad.assembly)
+                .map(|at| vec![at.coupler.angle.rad(), at.rocker.angle.rad()]),
+            Shape::SliderCrank { solver, .. } => solver
+                .position(crank, dyad.assembly)
+                .map(|at| vec![at.rod.angle.rad(), 0.0]),
+        };
+        Start::of_crank(source, angle, near.map_err(|e| source.refuse("start", e))?)
     }
 
     /// The drive's coordinate, where nothing else is said.
