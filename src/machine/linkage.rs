@@ -44,6 +44,16 @@ impl Linkage {
         source.parse::<Any>().is_ok_and(|any| any.linkage.is_some())
     }
 
+    /// Returns true for a mechanism of bodies and joints.
+    ///
+    /// # Errors
+    /// [`Refusal`].
+    #[cfg(feature = "report")]
+    pub(super) fn is_planar(source: &Source) -> Result<bool, Refusal> {
+        let head: Head = source.parse()?;
+        Ok(matches!(head.linkage, Some(Type::Planar)))
+    }
+
     /// Reads the description of a linkage.
     ///
     /// ```

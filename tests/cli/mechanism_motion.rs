@@ -88,9 +88,40 @@ fn a_motion_ends_at_an_event() {
     let d = run(&["motion", &path, "--times", "0:5:0.1", "--format", "csv"]);
     assert_eq!(d.code, 0, "{}", d.err);
     said(&d, "motion.until changes its sign at t = ");
-    let rates = column(&d.out, "omega_crank");
+    let found = d.out.clone();
+    let rates = column(&found, "omega_crank");
     assert!(rates[rates.len() - 1].abs() < 1e-9, "{rates:?}");
     assert!(rates[..rates.len() - 1].iter().all(|w| *w > 0.0));
+    // The same end with every digit certified.
+    let d = run(&[
+        "motion", &path, "--times", "0:5:0.1", "--digits", "15", "--format", "csv",
+    ]);
+    assert_eq!(d.code, 0, "{}", d.err);
+    said(&d, "motion.until changes its sign at t = ");
+    let exact = column(&d.out, "omega_crank");
+    assert_eq!((exact.len(), exact.last()), (rates.len(), Some(&0.0)));
+    let times = column(&d.out, "t");
+    let found = column(&found, "t");
+    assert!((times[times.len() - 1] - found[found.len() - 1]).abs() < 1e-10);
+}
+
+/// The forces on a rocker and on the rest of a machine, certified and not.
+#[test]
+fn forces_in_joints_along_a_motion() {
+    let line =
+        "motion examples/motion/four-bar-damped.toml --times 0:0.4:0.2 --reactions --format csv";
+    let (found, due) = (table(line), table(&format!("{line} --digits 15")));
+    let names: Vec<&str> = found.lines().next().unwrap().split(',').collect();
+    let forces: Vec<&&str> = names.iter().filter(|n| n.starts_with('F')).collect();
+    assert_eq!(forces.len(), 8, "{names:?}");
+    for of in forces {
+        for (x, y) in column(&found, of).iter().zip(column(&due, of)) {
+            assert!((x - y).abs() < 1e-8 * (1.0 + y.abs()), "{of}: {x} {y}");
+        }
+    }
+    let d = command("motion examples/studies/motion/lorenz.toml --times 1 --reactions");
+    assert_eq!(d.code, 2);
+    said(&d, "--reactions are those of a mechanism's joints");
 }
 
 #[test]

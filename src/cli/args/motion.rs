@@ -40,7 +40,7 @@ pub enum MotionFormat {
 /// Arguments of `motion`.
 #[derive(ClapArgs, Debug)]
 pub struct MotionArgs {
-    /// A study with [ode]
+    /// A study with [ode], or a mechanism with masses
     pub file: PathBuf,
     /// The times: FIRST:LAST:STEP, or several, separated by commas
     #[arg(long, value_name = "TIMES", value_parser = times, allow_hyphen_values = true)]
@@ -48,6 +48,9 @@ pub struct MotionArgs {
     /// Significant digits that are certified [default: 15]
     #[arg(long, value_name = "N", value_parser = number::within::<u32>(1..=1000))]
     pub digits: Option<u32>,
+    /// The forces in a mechanism's joints too
+    #[arg(long)]
+    pub reactions: bool,
     /// The value of an input, for each input of the file
     #[arg(long, value_name = "NAME=NUMBER", value_parser = setting)]
     pub set: Vec<(String, Rational)>,

@@ -14,6 +14,7 @@ Examples:
   mechaudit runup examples/sand-screen-run-up.toml --work-precision --svg drawings
   mechaudit runup examples/four-bar-run-up.toml --format html --output run.html
   mechaudit runup examples/soft-start.toml --units rpm
+  mechaudit runup examples/four-bar-run-up.toml --digits 15
 
 The file describes the linkage as for `mechaudit linkage`, with masses, and in addition:
   [bodies.coupler]                  # four-bar: crank, coupler, rocker; slider-crank: crank, rod and
@@ -68,6 +69,10 @@ pub struct RunupArgs {
     /// Method of integration, instead of run.method
     #[arg(long, value_name = "NAME", value_parser = method())]
     pub method: Option<Method>,
+    /// Certified digits of the drive's angle, speed and acceleration
+    #[arg(long, value_name = "N", value_parser = number::within::<u32>(1..=1000),
+        conflicts_with_all = ["coefficients", "nodes", "tolerance", "method", "work_precision", "svg", "units"])]
+    pub digits: Option<u32>,
     /// Rows of method, tolerance, evaluations and error instead of the motion
     #[arg(long)]
     pub work_precision: bool,

@@ -19,7 +19,7 @@ use super::planar::{self, LinkPoint};
 use super::quantity::Quantity;
 use super::sections::{BodySection, CrankMotion, File, LinkPoints, massless, rounded};
 use super::source::{Refusal, Source};
-use crate::reference::class_iii::ExactAngle;
+use crate::reference::class_iii::{self as exact, ExactAngle};
 use crate::reference::{Ball, nearest_f64};
 use crate::solvers::dyad::{Assembly, FourBar, SliderCrank};
 use crate::solvers::reduction::Body;
@@ -127,6 +127,18 @@ pub struct Dyad {
     pub assembly: Assembly,
     /// Named points on the links.
     pub points: Vec<LinkPoint>,
+    /// The numbers of a motion.
+    pub exact: ExactNumbers,
+}
+
+/// The numbers of a linkage's motion, exactly.
+pub struct ExactNumbers {
+    /// The links, the crank first; none where the file gives no bodies.
+    pub bodies: Vec<exact::Body>,
+    /// The acceleration of gravity in m/s², downwards.
+    pub gravity: Rational,
+    /// The crank angle of the first row.
+    pub start: ExactAngle,
 }
 
 /// Reads the description of a four-bar linkage.
@@ -137,11 +149,13 @@ pub(super) fn four_bar(source: &Source) -> Result<Dyad, Refusal> {
         let solver = FourBar::new(a, b_, c, d).map_err(|e| source.refuse("geometry", e))?;
         let links = b.map(|b| [&b.crank, &b.coupler, &b.rocker]);
         let links = links.filter(|l| l.iter().any(|b| b.is_some()));
-        Ok(Shape::FourBar {
+        let links = links.map(|l| l.map(link));
+        let shape = Shape::FourBar {
             solver,
             exact,
-            bodies: links.map(|l| l.map(body)),
-        })
+            bodies: links.as_ref().map(|l| l.each_ref().map(rounded)),
+        };
+        Ok((shape, links.into_iter().flatten().collect()))
     })
 }
 
@@ -161,26 +175,38 @@ pub(super) fn slider_crank(source: &Source) -> Result<Dyad, Refusal> {
             let delta = Angle::from_rad(direction.to_f64());
             let solver =
                 SliderCrank::new(a, b_, e, delta).map_err(|e| source.refuse("geometry", e))?;
-            let links = |b: &SliderCrankBodies| [&b.crank, &b.rod].map(body);
-            let slider = |b: &SliderCrankBodies| b.slider.as_ref().map_or(0.0, |t| t.mass.to_f64());
             let b = b.filter(|b| b.crank.is_some() || b.rod.is_some() || b.slider.is_some());
-            Ok(Shape::SliderCrank {
+            let links = b.map(|b| {
+                let mut slider = massless();
+                if let Some(section) = &b.slider {
+                    slider.mass = section.mass.value.clone();
+                }
+                [link(&b.crank), link(&b.rod), slider]
+            });
+            let bodies = links.as_ref().map(|[crank, rod, slider]| {
+                let mass = Mass::from_kg(nearest_f64(&slider.mass));
+                ([rounded(crank), rounded(rod)], mass)
+            });
+            let shape = Shape::SliderCrank {
                 solver,
                 exact,
                 direction,
-                bodies: b.map(|b| (links(b), Mass::from_kg(slider(b)))),
-            })
+                bodies,
+            };
+            Ok((shape, links.into_iter().flatten().collect()))
         },
     )
 }
 
 fn dyad<G: DeserializeOwned, B: DeserializeOwned>(
     source: &Source,
-    shape: impl FnOnce(&G, Option<&B>) -> Result<Shape, Refusal>,
+    shape: impl FnOnce(&G, Option<&B>) -> Result<(Shape, Vec<exact::Body>), Refusal>,
 ) -> Result<Dyad, Refusal> {
     let file: File<G, StartSection, B> = source.parse()?;
     let start = file.start.as_ref();
-    let shape = shape(&file.geometry, file.bodies.as_ref())?;
+    let (shape, bodies) = shape(&file.geometry, file.bodies.as_ref())?;
+    let angle = start.and_then(|s| s.phi1.as_ref());
+    let none = || ExactAngle::Degrees(Rational::new());
     Ok(Dyad {
         crank: file.crank(source)?,
         points: points(source, &shape, &file.points)?,
@@ -190,6 +216,11 @@ fn dyad<G: DeserializeOwned, B: DeserializeOwned>(
         assembly: match start.map_or(AssemblyName::Positive, |s| s.assembly) {
             AssemblyName::Positive => Assembly::Positive,
             AssemblyName::Negative => Assembly::Negative,
+        },
+        exact: ExactNumbers {
+            bodies,
+            gravity: file.gravity().value,
+            start: angle.map_or_else(none, Quantity::exact_angle),
         },
         name: file.name,
     })
@@ -226,8 +257,8 @@ fn metres(q: &Rational) -> Length {
 }
 
 /// A link without a section has no mass.
-fn body(section: &Option<BodySection>) -> Body {
-    rounded(&section.as_ref().map_or_else(massless, BodySection::exact))
+fn link(section: &Option<BodySection>) -> exact::Body {
+    section.as_ref().map_or_else(massless, BodySection::exact)
 }
 
 impl Shape {

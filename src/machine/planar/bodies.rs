@@ -35,6 +35,14 @@ fn place([x, y]: &Place) -> [Rational; 2] {
     [x.value.clone(), y.value.clone()]
 }
 
+/// The number in floating point.
+pub(super) fn nearest(x: &Real) -> f64 {
+    match x.fraction() {
+        Some(q) => nearest_f64(q),
+        None => x.to_ball(128).to_f64(),
+    }
+}
+
 fn rounded(p: &[Rational; 2]) -> [f64; 2] {
     [nearest_f64(&p[0]), nearest_f64(&p[1])]
 }
@@ -53,6 +61,27 @@ pub(in crate::machine) fn check_name(source: &Source, at: &str, name: &str) -> R
 }
 
 impl Bodies {
+    /// Bodies by names and exact points, the ground first, whose angles are those of their frames.
+    pub(super) fn of(all: Vec<(String, Vec<(&str, reference::Place)>)>) -> Bodies {
+        let count = all.len();
+        let point = |(name, at): &(&str, reference::Place)| {
+            ((*name).to_owned(), at.each_ref().map(nearest))
+        };
+        Bodies {
+            points: all
+                .iter()
+                .map(|b| b.1.iter().map(point).collect())
+                .collect(),
+            lines: vec![0.0; count],
+            drawn: vec![false; count],
+            exact: all
+                .iter()
+                .map(|b| b.1.iter().map(|p| Some(p.1.clone())).collect())
+                .collect(),
+            names: all.into_iter().map(|b| b.0).collect(),
+        }
+    }
+
     pub(super) fn new(source: &Source, file: &File) -> Result<Bodies, Refusal> {
         let mut all = Bodies {
             names: vec!["ground".into()],

@@ -5,6 +5,7 @@ use super::bodies::Bodies;
 use super::certified::NotExact;
 use super::file::{Drive, Joint as Section, Kind};
 use crate::reference::class_iii::ExactAngle;
+use crate::reference::nearest_f64;
 use crate::reference::planar::{self as reference, Attachment, Frame, Place, Real};
 use crate::solvers::planar::{Description, GROUND, Joint, Point};
 use rug::Rational;
@@ -87,6 +88,14 @@ fn direction(s: &Section, bodies: &Bodies) -> Option<[Real; 2]> {
         way
     });
     Real::along(&along)
+}
+
+/// An angle in radians as a quantity is rounded.
+pub(super) fn radians(a: &ExactAngle) -> f64 {
+    match a {
+        ExactAngle::Radians(q) => nearest_f64(q),
+        ExactAngle::Degrees(q) => nearest_f64(q).to_radians(),
+    }
 }
 
 /// The exact numbers of a description.

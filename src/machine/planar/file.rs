@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 /// Coordinates.
 pub(super) type Place = [Quantity<Length>; 2];
 
-#[derive(Deserialize)]
+#[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct File {
     /// Read before.
@@ -91,9 +91,10 @@ pub(super) struct Body {
     pub centre: Option<Place>,
 }
 
-#[derive(Clone, Copy, Deserialize, PartialEq)]
+#[derive(Clone, Copy, Default, Deserialize, PartialEq)]
 #[serde(rename_all = "lowercase")]
 pub(super) enum Kind {
+    #[default]
     Pin,
     Slide,
     Slot,
@@ -113,7 +114,7 @@ impl Kind {
     }
 }
 
-#[derive(Deserialize)]
+#[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Joint {
     pub kind: Kind,

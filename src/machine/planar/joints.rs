@@ -316,10 +316,16 @@ pub(super) fn quantity<D: Dimension>(
     at: &str,
     text: &str,
 ) -> Result<f64, Refusal> {
-    match Quantity::<D>::from_str(text) {
-        Ok(q) => Ok(q.to_f64()),
-        Err(e) => Err(source.breach(at, format!("{at} = {e}"))),
-    }
+    exactly::<D>(source, at, text).map(|q| q.to_f64())
+}
+
+/// A quantity as written.
+pub(super) fn exactly<D: Dimension>(
+    source: &Source,
+    at: &str,
+    text: &str,
+) -> Result<Quantity<D>, Refusal> {
+    Quantity::<D>::from_str(text).map_err(|e| source.breach(at, format!("{at} = {e}")))
 }
 
 /// A value of the drive: degrees or metres.
@@ -330,10 +336,10 @@ pub(super) fn drive_value(
     rotary: bool,
 ) -> Result<f64, Refusal> {
     match rotary {
-        true => match Quantity::<Angle>::from_str(text) {
-            Ok(q) => Ok(q.in_degrees().map_or(f64::NAN, |d| nearest_f64(&d))),
-            Err(e) => Err(source.breach(at, format!("{at} = {e}"))),
-        },
+        true => {
+            let angle = exactly::<Angle>(source, at, text)?.in_degrees();
+            Ok(angle.map_or(f64::NAN, |d| nearest_f64(&d)))
+        }
         false => quantity::<Length>(source, at, text),
     }
 }

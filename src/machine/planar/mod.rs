@@ -7,6 +7,7 @@ mod drawn;
 mod exact;
 mod file;
 mod joints;
+mod linkages;
 mod loads;
 mod motion;
 #[cfg(feature = "report")]
@@ -20,7 +21,7 @@ pub use branch::{Branch, End, MARGIN, PlanarError, Reach, choose};
 pub use certified::{CertifiedRow, Certifier, NotExact};
 pub use motion::motion;
 #[cfg(feature = "report")]
-pub use moving::{Certified, Moving, MovingError, MovingQuantity};
+pub use moving::{Certified, CertifiedMoment, Moving, MovingError, MovingQuantity, Row};
 pub use of_dyad::{Further, FurtherError, LinkPoint};
 pub use path::{path, positions};
 pub use rows::{Columns, certified_names, names, values};

@@ -2,16 +2,13 @@
 //! not have: reduced masses, paths of its points, forces in its joints.
 
 use super::branch::wrapped;
+use super::linkages::{self, Parts};
+use super::loads::{ExactMass, Gravity};
 use super::rows::{further, further_names};
-use super::{Columns, Machine, Start};
-use crate::machine::dyad::{Dyad, Shape, Values};
-use crate::reference::nearest_f64;
-use crate::solvers::planar::{
-    BodyMass, Description, Drive, GROUND, Guide, Joint, LoadError, Loads, Mechanism,
-    MechanismError, Point, State,
-};
-use crate::solvers::reduction::{Body, MomentOfInertia};
-use crate::solvers::units::{Angle, Inertia, Length};
+use super::{Columns, Machine, Start, exact, joints};
+use crate::machine::dyad::{Dyad, Values};
+use crate::machine::source::Source;
+use crate::solvers::planar::{LoadError, Loads, Mechanism, MechanismError, State};
 use rug::Rational;
 
 /// Why there are no such columns.
@@ -91,83 +88,35 @@ impl Further {
 }
 
 impl Machine {
-    /// The frames of the links have their origin at the joint nearer to the crank's pivot, that of
-    /// the rocker at its own pivot, and x toward the other joint.
     fn of_dyad(dyad: &Dyad) -> Result<Machine, FurtherError> {
-        let mut d = Description::new();
-        let names = dyad.shape.links();
-        let [crank, middle, last] = names.map(|name| d.body(name));
-        let at = |body: usize, x: f64| Point::from_m(body, [x, 0.0]);
-        let (masses, gravity) = (masses(&dyad.shape)?, dyad.gravity.m_per_s2());
-        let mut outlines = vec![Vec::new(); 4];
-        let pin = |d: &mut Description, name: &str, points: &[Point]| {
-            let points = points.to_vec();
-            d.joint(name, Joint::Pin { points });
+        let Parts {
+            file,
+            bodies,
+            masses,
+        } = linkages::of_dyad(dyad)?;
+        let Ok((description, joints)) = joints::read(&Source::toml(""), &file, &bodies) else {
+            unreachable!("joints and points of a linkage belong together");
         };
-        pin(&mut d, "O1", &[at(GROUND, 0.0), at(crank, 0.0)]);
-        match &dyad.shape {
-            Shape::FourBar { solver, .. } => {
-                let [a, b, c, e] = [
-                    solver.crank(),
-                    solver.coupler(),
-                    solver.rocker(),
-                    solver.frame(),
-                ]
-                .map(|l| l.m());
-                pin(&mut d, "A", &[at(crank, a), at(middle, 0.0)]);
-                pin(&mut d, "B", &[at(middle, b), at(last, c)]);
-                pin(&mut d, "O3", &[at(GROUND, e), at(last, 0.0)]);
-                outlines[crank].push(("A".to_owned(), at(crank, a)));
-                outlines[middle].push(("B".to_owned(), at(middle, b)));
+        let solver = Mechanism::new(description)?;
+        let loads = match dyad.shape.has_bodies() {
+            true => {
+                let masses = masses.iter().map(ExactMass::rounded).collect();
+                let gravity = Gravity::of(&file).rounded();
+                Some(Loads::new(&solver, masses, Vec::new(), gravity)?)
             }
-            Shape::SliderCrank { solver, .. } => {
-                let [a, b, e] = [solver.crank(), solver.rod(), solver.offset()].map(|l| l.m());
-                pin(&mut d, "A", &[at(crank, a), at(middle, 0.0)]);
-                pin(&mut d, "B", &[at(middle, b), at(last, 0.0)]);
-                outlines[crank].push(("A".to_owned(), at(crank, a)));
-                outlines[middle].push(("B".to_owned(), at(middle, b)));
-                let (sin, cos) = solver.direction().rad().sin_cos();
-                d.joint(
-                    "guide",
-                    Joint::Slide {
-                        slider: at(last, 0.0),
-                        guide: Guide {
-                            origin: Point::from_m(GROUND, [-e * sin, e * cos]),
-                            direction: solver.direction(),
-                        },
-                        turn: Angle::from_rad(0.0),
-                    },
-                );
-            }
-        }
-        for (body, name, [x, y]) in &dyad.points {
-            let place = Point::from_m(body + 1, [nearest_f64(x), nearest_f64(y)]);
-            outlines[body + 1].push((name.clone(), place));
-        }
-        d.drive = Drive::Angle {
-            body: crank,
-            from: GROUND,
-        };
-        let mut points: Vec<(String, Point)> = outlines.concat();
-        points.sort_by(|a, b| a.0.cmp(&b.0));
-        let joints: Vec<_> = d.joints.iter().map(|j| j.name.clone()).collect();
-        let bodies = d.bodies.clone();
-        let solver = Mechanism::new(d)?;
-        let loads = match masses.is_empty() {
-            true => None,
-            false => Some(Loads::new(&solver, masses, Vec::new(), [0.0, -gravity])?),
+            false => None,
         };
         Ok(Machine {
-            name: dyad.name.clone(),
+            name: file.name,
             loads,
-            exact_joints: vec![None; joints.len()],
+            exact_joints: exact::joints(&file.joint, &bodies),
             exact_window: None,
             joints,
-            lines: vec![0.0; bodies.len()],
-            points,
-            exact: vec![Vec::new(); bodies.len()],
-            outlines,
-            bodies,
+            lines: bodies.lines.clone(),
+            points: bodies.moving(),
+            exact: bodies.exact(),
+            outlines: bodies.outlines(),
+            bodies: bodies.names,
             speed: dyad
                 .crank
                 .as_ref()
@@ -177,54 +126,6 @@ impl Machine {
             solver,
             drawing: None,
         })
-    }
-}
-
-/// Masses of the links where the file has bodies.
-fn masses(shape: &Shape) -> Result<Vec<BodyMass>, FurtherError> {
-    let links = shape.links();
-    let of = |(k, body): (usize, &Body)| {
-        let (mass, radius) = (body.mass.kg(), body.radius.m());
-        let inertia = match body.inertia {
-            MomentOfInertia::AboutCentreOfMass(j) => j.kg_m2(),
-            MomentOfInertia::AboutPivot(j) => {
-                let least = mass * radius * radius;
-                let own = j.kg_m2() - least;
-                // A point mass but for rounding.
-                if own < -1e-12 * least {
-                    return Err(FurtherError::Inertia {
-                        body: links[k].into(),
-                        inertia: j.kg_m2(),
-                        least,
-                    });
-                }
-                own.max(0.0)
-            }
-        };
-        let (sin, cos) = body.angle.rad().sin_cos();
-        Ok(BodyMass {
-            body: k + 1,
-            mass: body.mass,
-            inertia: Inertia::from_kg_m2(inertia),
-            centre: [radius * cos, radius * sin].map(Length::from_m),
-        })
-    };
-    match shape {
-        Shape::FourBar { bodies, .. } => bodies.iter().flatten().enumerate().map(of).collect(),
-        Shape::SliderCrank { bodies, .. } => {
-            let Some((links, slider)) = bodies else {
-                return Ok(Vec::new());
-            };
-            let mut all: Vec<BodyMass> =
-                links.iter().enumerate().map(of).collect::<Result<_, _>>()?;
-            all.push(BodyMass {
-                body: 3,
-                mass: *slider,
-                inertia: Inertia::from_kg_m2(0.0),
-                centre: [Length::from_m(0.0); 2],
-            });
-            Ok(all)
-        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::Machine;
 use super::branch::wrapped;
-use crate::solvers::planar::{GroupKind, Joint, Loads, State, curvature};
+use crate::solvers::planar::{Description, GroupKind, Joint, Loads, State, curvature};
 
 /// Which columns there are besides the bodies' angles.
 #[derive(Clone, Copy, Debug, Default)]
@@ -136,7 +136,7 @@ fn asked_names(machine: &Machine, columns: Columns) -> Vec<String> {
         }
     }
     if columns.reactions {
-        for (joint, body, moment) in forces(machine) {
+        for (joint, body, moment) in forces(machine.solver.description()) {
             let at = format!("{}_{}", machine.joints[joint], machine.bodies[body]);
             all.extend(["x", "y"].map(|c| format!("F{c}_{at}_N")));
             if moment {
@@ -200,10 +200,10 @@ impl Machine {
     }
 }
 
-/// Joints with the bodies that their forces act on, and whether they have a moment.
-fn forces(machine: &Machine) -> Vec<(usize, usize, bool)> {
+/// Joints with the bodies that their forces act on, and true for those that have a moment.
+pub(super) fn forces(description: &Description) -> Vec<(usize, usize, bool)> {
     let mut all = Vec::new();
-    for (k, joint) in machine.solver.description().joints.iter().enumerate() {
+    for (k, joint) in description.joints.iter().enumerate() {
         match &joint.part {
             Joint::Pin { points } => all.extend(points[1..].iter().map(|p| (k, p.body, false))),
             Joint::Slide { slider, .. } => all.push((k, slider.body, true)),
@@ -287,7 +287,7 @@ fn asked(machine: &Machine, loads: Option<&Loads>, state: &State, columns: Colum
     if let (true, Some(loads)) = (columns.reactions, loads) {
         let [w, e] = machine.speed.unwrap_or_default();
         let found = loads.reactions(solver, state, w, e).ok();
-        for (joint, body, moment) in forces(machine) {
+        for (joint, body, moment) in forces(machine.solver.description()) {
             let force = found
                 .as_ref()
                 .and_then(|r| r.joints.iter().find(|j| (j.joint, j.body) == (joint, body)));

@@ -1,12 +1,16 @@
 //! A machine as its file describes it: the linkage, and the sections of its motor, load and run.
 
+#[cfg(feature = "report")]
+mod certified;
 mod columns;
 mod drivetrain;
 mod precision;
 mod steady;
 
+#[cfg(feature = "report")]
+pub use certified::{CertifiedRun, CertifiedRunError};
 pub use columns::{COLUMNS, row};
-pub use drivetrain::{Drivetrain, drivetrain};
+pub use drivetrain::{Drivetrain, Formulas, drivetrain, start_speed};
 pub use precision::{FINEST, MOMENTS, Point, work_precision};
 pub use steady::Steady;
 
@@ -64,20 +68,19 @@ struct MotorSection {
 /// Where a torque is given: a speed or a time, as its unit says.
 #[derive(Clone)]
 enum Abscissa {
-    Speed(f64),
-    Time(f64),
+    Speed(Quantity<AngularVelocity>),
+    Time(Quantity<Time>),
 }
 
 impl<'de> Deserialize<'de> for Abscissa {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Abscissa, D::Error> {
         let text = String::deserialize(from)?;
         if let Ok(time) = text.parse::<Quantity<Time>>() {
-            return Ok(Abscissa::Time(time.to_f64()));
+            return Ok(Abscissa::Time(time));
         }
         let speed = text.parse::<Quantity<AngularVelocity>>();
-        let speed =
-            speed.map_err(|e| D::Error::custom(format!("{e}, or a time, for instance in s")))?;
-        Ok(Abscissa::Speed(speed.to_f64()))
+        let other = |e| D::Error::custom(format!("{e}, or a time, for instance in s"));
+        speed.map(Abscissa::Speed).map_err(other)
     }
 }
 
@@ -488,8 +491,8 @@ impl MotorSection {
                 let points = self.points.as_ref().ok_or_else(|| missing("points"))?;
                 let at = |time: bool| {
                     let of = |(x, m): &(Abscissa, Quantity<Torque>)| match x {
-                        Abscissa::Time(t) if time => Some((*t, m.to_f64())),
-                        Abscissa::Speed(w) if !time => Some((*w, m.to_f64())),
+                        Abscissa::Time(t) if time => Some((t.to_f64(), m.to_f64())),
+                        Abscissa::Speed(w) if !time => Some((w.to_f64(), m.to_f64())),
                         _ => None,
                     };
                     points.iter().map(of).collect::<Option<Vec<_>>>()

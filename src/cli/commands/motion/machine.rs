@@ -1,11 +1,11 @@
 //! The motion of a mechanism: certified, or in floating point.
 
-use super::{Column, Entry, Table};
+use super::{Column, Entry, Table, TableRow, shown};
 use crate::cli::args::MotionArgs;
 use crate::cli::complain;
 use crate::cli::failure::Failure;
 use crate::cli::files::source;
-use mechaudit::machine::planar::{Certified, Moving};
+use mechaudit::machine::planar::{Certified, Moving, MovingError, Row};
 use mechaudit::machine::{Linkage, Source};
 use mechaudit::reference::nearest_f64;
 use mechaudit::solvers::planar::dynamics::Settings;
@@ -16,6 +16,7 @@ pub struct Problem {
     moving: Moving,
     source: String,
     digits: Option<u32>,
+    reactions: bool,
 }
 
 /// The source of a machine's file; `None` for other files.
@@ -39,6 +40,7 @@ impl Problem {
         Ok(Problem {
             source: args.file.display().to_string(),
             digits: args.digits,
+            reactions: args.reactions,
             moving,
         })
     }
@@ -48,11 +50,15 @@ impl Problem {
         let about = |e: &dyn std::fmt::Display| Failure::new(e.to_string()).about(&self.source);
         let rows = match self.digits {
             Some(digits) => {
-                let mut certified = Certified::new(&self.moving, digits).map_err(|e| about(&e))?;
-                times
-                    .iter()
-                    .map(|t| (t.clone(), certified_row(&mut certified, t)))
-                    .collect()
+                let row = Row::Motion {
+                    reactions: self.reactions,
+                };
+                let certified = Certified::new(&self.moving, digits, &row);
+                let (rows, ended) = certified_rows(certified.map_err(|e| about(&e))?, times);
+                if let Some(t) = ended {
+                    complain_of_end(&shown(&t));
+                }
+                rows
             }
             None => self.floating(times).map_err(|e| about(&e))?,
         };
@@ -61,11 +67,15 @@ impl Problem {
             unit: "s",
             text: "the time".into(),
         };
-        let quantities = self.moving.quantities().into_iter().map(|q| Column {
-            name: q.name.clone().leak(),
-            unit: q.unit,
-            text: format!("{}: {}", q.name, q.text),
-        });
+        let quantities = self.moving.quantities(self.reactions);
+        let quantities = quantities
+            .map_err(|e| about(&e))?
+            .into_iter()
+            .map(|q| Column {
+                name: q.name.clone().leak(),
+                unit: q.unit,
+                text: format!("{}: {}", q.name, q.text),
+            });
         Ok(Table {
             title: self
                 .moving
@@ -80,10 +90,7 @@ impl Problem {
         })
     }
 
-    fn floating(
-        &self,
-        times: &[Rational],
-    ) -> Result<Vec<(Rational, Vec<Entry>)>, mechaudit::machine::planar::MovingError> {
+    fn floating(&self, times: &[Rational]) -> Result<Vec<TableRow>, MovingError> {
         let seconds: Vec<f64> = times.iter().map(nearest_f64).collect();
         let mut rows = Vec::new();
         let ended = self.moving.run(&seconds, Settings::default(), |moment| {
@@ -91,23 +98,42 @@ impl Problem {
                 .get(rows.len())
                 .filter(|t| nearest_f64(t) == moment.time);
             let time = time.cloned().or_else(|| Rational::from_f64(moment.time));
-            let values = self.moving.values(moment).into_iter().map(Entry::Float);
+            let values = self.moving.values(moment, self.reactions);
+            let values = values.into_iter().map(Entry::Float);
             rows.push((time.unwrap_or_default(), values.collect()));
         })?;
         if let Some(t) = ended {
-            complain(&format!(
-                "motion.until changes its sign at t = {t} s, where the motion ends"
-            ));
+            complain_of_end(&t);
         }
         Ok(rows)
     }
 }
 
-fn certified_row(certified: &mut Certified, time: &Rational) -> Vec<Entry> {
-    let (digits, why) = certified.at(time);
-    let value = |decimal: Option<String>| Entry::Certified {
-        why: why.clone().filter(|_| decimal.is_none()),
-        decimal,
-    };
-    digits.into_iter().map(value).collect()
+fn complain_of_end(time: &dyn std::fmt::Display) {
+    complain(&format!(
+        "motion.until changes its sign at t = {time} s, where the motion ends"
+    ));
+}
+
+/// The rows at some times up to the end of the motion, and its time if it comes before the last one.
+pub fn certified_rows(
+    mut certified: Certified,
+    times: &[Rational],
+) -> (Vec<TableRow>, Option<Rational>) {
+    let mut rows = Vec::new();
+    for time in times {
+        let found = certified.at(time);
+        let why = found.reason;
+        let value = |decimal: Option<String>| Entry::Certified {
+            why: why.clone().filter(|_| decimal.is_none()),
+            decimal,
+        };
+        let values = found.digits.into_iter().map(value).collect();
+        let ended = found.ended;
+        rows.push((ended.clone().unwrap_or_else(|| time.clone()), values));
+        if ended.is_some() {
+            return (rows, ended);
+        }
+    }
+    (rows, None)
 }

@@ -1,6 +1,6 @@
 //! The certified motion of an initial value problem given in a file: a row for each time.
 
-mod machine;
+pub mod machine;
 mod study;
 
 use crate::cli::args::{MotionArgs, MotionFormat};
@@ -96,8 +96,11 @@ pub struct Table {
     /// floating-point numbers.
     pub digits: Option<u32>,
     /// Times with the values there.
-    pub rows: Vec<(Rational, Vec<Entry>)>,
+    pub rows: Vec<TableRow>,
 }
+
+/// A time with the values there.
+pub type TableRow = (Rational, Vec<Entry>);
 
 /// Computes the motion and writes it.
 pub fn motion(args: &MotionArgs) -> Result<Outcome, Failure> {
@@ -114,19 +117,38 @@ pub fn motion(args: &MotionArgs) -> Result<Outcome, Failure> {
             (waiting("motion", || problem.table(times)), output)
         }
     };
-    output.write(|out| match args.format {
-        MotionFormat::Text => Ok(out.write_all(table.text().as_bytes())?),
-        MotionFormat::Csv => Ok(table.rows(out, Form::Csv)?),
-        MotionFormat::Json => Ok(table.rows(out, Form::Json)?),
-        MotionFormat::Html => Ok(out.write_all(table.page().as_bytes())?),
-    })?;
-    let open = table.open();
-    open.iter().for_each(|line| complain(line));
-    Ok(Outcome::of(open.is_empty()))
+    if args.format == MotionFormat::Text {
+        output.text(table.text())?;
+        return Ok(table.outcome());
+    }
+    table.write(
+        output,
+        match args.format {
+            MotionFormat::Csv => Some(Form::Csv),
+            MotionFormat::Json => Some(Form::Json),
+            MotionFormat::Text | MotionFormat::Html => None,
+        },
+    )
 }
 
 impl Table {
-    fn cells((time, values): &(Rational, Vec<Entry>)) -> Vec<Cell> {
+    /// Writes the rows in a form for programs, or the page.
+    pub fn write(&self, output: Output, form: Option<Form>) -> Result<Outcome, Failure> {
+        output.write(|out| match form {
+            Some(form) => Ok(self.rows(out, form)?),
+            None => Ok(out.write_all(self.page().as_bytes())?),
+        })?;
+        Ok(self.outcome())
+    }
+
+    /// Says what is not certified.
+    fn outcome(&self) -> Outcome {
+        let open = self.open();
+        open.iter().for_each(|line| complain(line));
+        Outcome::of(open.is_empty())
+    }
+
+    fn cells((time, values): &TableRow) -> Vec<Cell> {
         let values = values.iter().map(Entry::cell);
         std::iter::once(Cell::Word(shown(time)))
             .chain(values)

@@ -26,6 +26,10 @@ impl Problem {
         let path = args.file.to_string_lossy();
         let about = |f: Failure| f.about(args.file.display());
         let study = Study::open(&path).map_err(Failure::caused)?;
+        if args.reactions {
+            let text = "--reactions are those of a mechanism's joints, of which a study has none";
+            return Err(about(Failure::new(text)));
+        }
         let study = study.with_time_as_input().map_err(Failure::caused)?;
         if study.problem().initial_value.is_none() {
             return Err(about(Failure::new(

@@ -1,5 +1,6 @@
 //! A machine given in a file, run up or down.
 
+mod certified;
 mod facts;
 mod precision;
 mod start;
@@ -43,6 +44,9 @@ pub fn machine(args: &RunupArgs) -> Result<Machine, Failure> {
 
 /// Runs the machine as the arguments ask for.
 pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
+    if let Some(digits) = args.digits {
+        return certified::certified(args, digits);
+    }
     let machine = machine(args)?;
     if let Some(branch) = &machine.branch
         && let Reach::Part { .. } = branch.reach

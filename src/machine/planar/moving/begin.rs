@@ -1,8 +1,8 @@
 //! The start of a motion as formulas and equations.
 
+use super::super::exact::radians;
 use super::equations::{State, Writer};
 use super::laws::INNER;
-use super::start::radians;
 use super::text::{add, angle, mul, rational, sub};
 use crate::solvers::planar::dynamics::{Coordinate, Moment};
 use rug::Rational;

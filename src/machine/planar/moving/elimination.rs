@@ -3,6 +3,14 @@
 use super::equations::Writer;
 use super::text::{mul, sub, sum, zero};
 
+/// A quotient; of zero none is written.
+fn over(x: &str, d: &str) -> String {
+    match zero(x) {
+        true => "0".into(),
+        false => format!("{x}/{d}"),
+    }
+}
+
 impl Writer<'_> {
     /// `q̈` from the lower half of M, f, G and γ.
     pub(super) fn eliminated(
@@ -15,20 +23,11 @@ impl Writer<'_> {
         let (l, d) = self.factored(m);
         let y = self.forward(&l, &f);
         let z: Vec<Vec<String>> = rows.iter().map(|row| self.forward(&l, row)).collect();
-        let over = |w: &mut Self, v: &[String]| -> Vec<String> {
-            let pairs = v.iter().zip(&d);
-            let quotients: Vec<String> = pairs
-                .map(|(x, d)| {
-                    if zero(x) {
-                        "0".into()
-                    } else {
-                        format!("{x}/{d}")
-                    }
-                })
-                .collect();
-            quotients.into_iter().map(|q| w.define(q)).collect()
+        let divided = |w: &mut Self, v: &[String]| -> Vec<String> {
+            let quotients = v.iter().zip(&d).map(|(x, d)| over(x, d));
+            quotients.map(|q| w.define(q)).collect()
         };
-        let scaled: Vec<Vec<String>> = z.iter().map(|z| over(self, z)).collect();
+        let scaled: Vec<Vec<String>> = z.iter().map(|z| divided(self, z)).collect();
         let product = |a: &[String], b: &[String]| sum(a.iter().zip(b).map(|(a, b)| mul(a, b)));
         let mut multipliers = Vec::new();
         if !rows.is_empty() {
@@ -37,35 +36,26 @@ impl Writer<'_> {
                 .collect();
             let due = (0..rows.len()).map(|i| sub(&product(&scaled[i], &y), &right[i]));
             let due: Vec<String> = due.collect();
-            let (l, d) = self.factored(schur);
-            let v = self.forward(&l, &due);
-            let v: Vec<String> = v
-                .iter()
-                .zip(&d)
-                .map(|(x, d)| {
-                    if zero(x) {
-                        "0".into()
-                    } else {
-                        format!("{x}/{d}")
-                    }
-                })
-                .collect();
-            multipliers = self.backward(&l, &v);
+            multipliers = self.solved(schur, due);
         }
         let mut rest = Vec::new();
         for (j, y) in y.iter().enumerate() {
             let held = sum(z.iter().zip(&multipliers).map(|(z, k)| mul(&z[j], k)));
-            let due = sub(y, &held);
-            rest.push(match zero(&due) {
-                true => "0".into(),
-                false => format!("{due}/{}", d[j]),
-            });
+            rest.push(over(&sub(y, &held), &d[j]));
         }
         self.backward(&l, &rest)
     }
 
+    /// `x` with `A x = b`, from the lower half of a positive definite matrix.
+    pub(super) fn solved(&mut self, a: Vec<Vec<String>>, b: Vec<String>) -> Vec<String> {
+        let (l, d) = self.factored(a);
+        let y = self.forward(&l, &b);
+        let quotients: Vec<String> = y.iter().zip(&d).map(|(y, d)| over(y, d)).collect();
+        self.backward(&l, &quotients)
+    }
+
     /// `A = L D Lᵀ` from the lower half of a positive definite matrix.
-    pub(super) fn factored(&mut self, a: Vec<Vec<String>>) -> (Vec<Vec<String>>, Vec<String>) {
+    fn factored(&mut self, a: Vec<Vec<String>>) -> (Vec<Vec<String>>, Vec<String>) {
         let n = a.len();
         let mut l = vec![vec!["0".to_string(); n]; n];
         let mut d: Vec<String> = Vec::new();
@@ -87,7 +77,7 @@ impl Writer<'_> {
     }
 
     /// `L x = b`.
-    pub(super) fn forward(&mut self, l: &[Vec<String>], b: &[String]) -> Vec<String> {
+    fn forward(&mut self, l: &[Vec<String>], b: &[String]) -> Vec<String> {
         let mut x: Vec<String> = Vec::new();
         for (i, b) in b.iter().enumerate() {
             let taken = sum((0..i).map(|k| mul(&l[i][k], &x[k])));
@@ -97,7 +87,7 @@ impl Writer<'_> {
     }
 
     /// `Lᵀ x = b`.
-    pub(super) fn backward(&mut self, l: &[Vec<String>], b: &[String]) -> Vec<String> {
+    fn backward(&mut self, l: &[Vec<String>], b: &[String]) -> Vec<String> {
         let n = b.len();
         let mut x = vec!["0".to_string(); n];
         for i in (0..n).rev() {

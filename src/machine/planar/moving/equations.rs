@@ -21,11 +21,13 @@
 use super::super::exact::{attached, frame, reference_joints};
 use super::laws::{INNER, Names};
 use super::linear::{Linear, reduced};
+use super::loads::MovingLoad;
+use super::pushes::Generalised;
 use super::text::{Vector, add, dot, mul, rational, sub, sum, zero};
-use super::{Moving, MovingError};
-use crate::reference::planar::{Attachment, Body, Form, Loops, Real};
-use crate::solvers::planar::Point;
+use super::{Moving, MovingError, Row};
+use crate::reference::planar::{Attachment, Body, Form, Loops};
 use crate::solvers::planar::dynamics::{Coordinate, Settings};
+use crate::solvers::planar::{Drive, Point};
 use mechaudit_symbolic::Expr;
 use rug::Rational;
 use std::collections::HashMap;
@@ -58,6 +60,11 @@ pub struct Equations {
     pub outputs: Vec<String>,
 }
 
+/// The state whose rate is the sign of the value that ends the motion.
+pub(super) const UNTIL: &str = "aux_until";
+/// The state that grows where the motor's table says nothing.
+pub(super) const OUTSIDE: &str = "aux_outside";
+
 pub(super) struct Writer<'a> {
     pub moving: &'a Moving,
     pub names: &'a Names,
@@ -70,6 +77,8 @@ pub(super) struct Writer<'a> {
     /// Names of these coordinates and of their rates.
     pub q: Vec<[String; 2]>,
     pub out: Equations,
+    /// True where a body that a resistance holds at rest is taken to go forward from there.
+    pub is_forward: bool,
     /// Definitions by their texts.
     pub known: HashMap<String, String>,
 }
@@ -79,11 +88,12 @@ pub(super) fn not_exact(e: impl std::fmt::Display) -> MovingError {
 }
 
 impl Moving {
-    /// The equations of motion as formulas.
+    /// The equations of motion as formulas, with the quantities of a row.
     ///
     /// # Errors
-    /// [`MovingError`]: no start, numbers that are not exact, relations that repeat one another.
-    pub fn equations(&self) -> Result<Equations, MovingError> {
+    /// [`MovingError`]: no start, numbers that are not exact, relations that repeat one another,
+    /// forces in joints that are not determined.
+    pub fn equations(&self, row: &Row) -> Result<Equations, MovingError> {
         let mut first = None;
         let start = self.assembly()?;
         self.dynamics
@@ -115,11 +125,29 @@ impl Moving {
             linear,
             free,
             out: Equations::default(),
+            is_forward: matches!(row, Row::RunUp { .. }),
             known: HashMap::new(),
         };
         writer.name();
         writer.start(&first);
-        writer.motion()?;
+        let accelerations = writer.motion()?;
+        let until = match row {
+            Row::Motion { reactions } => {
+                if *reactions {
+                    writer.reactions(&accelerations)?;
+                }
+                self.until.as_ref().map(|(formula, _)| writer.law(formula))
+            }
+            Row::RunUp { target } => {
+                let [angle, speed, acceleration] = writer.drive(&accelerations)?;
+                let until = target.as_ref().map(|t| sub(&speed, t));
+                let degrees = format!("({angle})*180/pi");
+                let drive = [degrees, speed, acceleration].map(|x| writer.define(x));
+                writer.out.outputs = drive.into();
+                until.map(|u| writer.define(u))
+            }
+        };
+        writer.ends(until);
         Ok(writer.out)
     }
 
@@ -284,25 +312,25 @@ impl Writer<'_> {
     }
 
     /// Masses, loads and closures, and the accelerations from them.
-    pub(super) fn motion(&mut self) -> Result<(), MovingError> {
+    fn motion(&mut self) -> Result<Vec<String>, MovingError> {
         let moving = self.moving;
         let n = self.free.len();
         for (name, value) in moving.names.parameters.clone() {
             self.out.given.push((name, value));
         }
         let places: Vec<String> = self.q.iter().map(|q| q[0].clone()).collect();
-        let rates: Vec<String> = self.q.iter().map(|q| q[1].clone()).collect();
         let position = self.position(&places);
-        let gravity = moving.loads.gravity.each_ref().map(|g| g.formula());
-        let mut mass = vec![vec![Vec::new(); n]; n];
-        let mut force = vec![Vec::new(); n];
+        let gravity = self.gravity();
+        let mut acts = Generalised {
+            mass: vec![vec![Vec::new(); n]; n],
+            force: vec![Vec::new(); n],
+        };
         let mut has_inertia = vec![false; n];
         for body in &moving.loads.masses {
-            let at = Attachment {
+            let form = self.form(&Attachment {
                 frame: frame(body.body),
-                point: body.centre.clone().map(Real::from),
-            };
-            let form = self.form(&at);
+                point: body.centre.clone(),
+            });
             let gradient = self.gradient(&position, &form);
             let bias = self.bias(&position, &form);
             let (m, inertia) = (rational(&body.mass), rational(&body.inertia));
@@ -312,18 +340,18 @@ impl Writer<'_> {
             for j in 0..n {
                 has_inertia[j] |= body.inertia > 0 && !zero(&turn[j]);
                 if let Some(g) = &gradient[j] {
-                    force[j].push(dot(&active, g));
+                    acts.force[j].push(dot(&active, g));
                 }
                 for k in 0..=j {
                     if let (Some(a), Some(b)) = (&gradient[j], &gradient[k]) {
-                        mass[j][k].push(mul(&m, &dot(a, b)));
+                        acts.mass[j][k].push(mul(&m, &dot(a, b)));
                     }
-                    mass[j][k].push(mul(&inertia, &mul(&turn[j], &turn[k])));
+                    acts.mass[j][k].push(mul(&inertia, &mul(&turn[j], &turn[k])));
                 }
             }
         }
         for load in moving.loads.loads.clone() {
-            self.load(&load, &position, &rates, (&mut mass, &mut force))?;
+            self.load(&load, &position, &mut acts)?;
         }
         let mut rows = Vec::new();
         let mut right = Vec::new();
@@ -336,11 +364,12 @@ impl Writer<'_> {
                 right.push(sub("0", &bias[c]));
             }
         }
-        let mut m: Vec<Vec<String>> = mass
+        let mut m: Vec<Vec<String>> = acts
+            .mass
             .into_iter()
             .map(|row| row.into_iter().map(sum).collect())
             .collect();
-        let mut f: Vec<String> = force.into_iter().map(sum).collect();
+        let mut f: Vec<String> = acts.force.into_iter().map(sum).collect();
         // Every coordinate an angle with inertia: M is positive definite.
         let definite = self.free.iter().all(|i| *i < self.bodies) && has_inertia.iter().all(|x| *x);
         if !definite && !rows.is_empty() {
@@ -363,10 +392,64 @@ impl Writer<'_> {
             }
         }
         let accelerations = self.eliminated(m, f, &rows, &right);
-        for (k, a) in accelerations.into_iter().enumerate() {
+        for (k, a) in accelerations.iter().enumerate() {
             self.out.states[2 * k].rate = self.q[k][1].clone();
-            self.out.states[2 * k + 1].rate = a;
+            self.out.states[2 * k + 1].rate.clone_from(a);
         }
-        Ok(())
+        Ok(accelerations)
+    }
+
+    /// The acceleration of gravity.
+    pub(super) fn gravity(&self) -> Vector {
+        self.moving.loads.gravity.exact().map(|g| g.formula())
+    }
+
+    /// A state that grows by a rate from zero.
+    fn integral(&mut self, name: &str, rate: String) {
+        self.out.states.push(State {
+            name: name.into(),
+            start: "0".into(),
+            rate,
+        });
+    }
+
+    /// States that tell whether the motion has passed its end or a table's.
+    fn ends(&mut self, until: Option<String>) {
+        if let Some(value) = until {
+            self.integral(UNTIL, format!("copysign(1, {value})"));
+        }
+        let loads = self.moving.loads.loads.clone();
+        for load in &loads {
+            if let MovingLoad::Motor {
+                body,
+                from,
+                formulas,
+            } = load
+                && let Some(outside) = &formulas.outside
+            {
+                let speed = self.turning(*body, *from);
+                self.integral(OUTSIDE, outside.replace("speed", &speed));
+            }
+        }
+    }
+
+    /// The angle of the driven body's line, less that of the body that it is measured from, with its
+    /// derivatives.
+    fn drive(&self, accelerations: &[String]) -> Result<[String; 3], MovingError> {
+        let Drive::Angle { body, from } = self.moving.description.drive else {
+            return Err(not_exact("a run-up needs a drive by angle"));
+        };
+        let of = |b: usize| -> [String; 3] {
+            match b.checked_sub(1) {
+                None => ["0", "0", "0"].map(String::from),
+                Some(i) => [
+                    add(&self.value(i, 0), &self.line(b)),
+                    self.speed(i),
+                    self.by(i, accelerations, false),
+                ],
+            }
+        };
+        let (own, other) = (of(body), of(from));
+        Ok([0, 1, 2].map(|k| sub(&own[k], &other[k])))
     }
 }

@@ -8,7 +8,7 @@ use crate::solvers::planar::Description;
 use crate::solvers::planar::dynamics::{Instant, Law};
 use mechaudit_symbolic::evaluation::{Evaluator, Floating};
 use mechaudit_symbolic::graph::{Graph, Id};
-use mechaudit_symbolic::{Definitions, Expr, parse};
+use mechaudit_symbolic::{Definitions, Expr, SymbolicError, parse_declared};
 use std::cell::RefCell;
 use std::sync::Arc;
 
@@ -128,12 +128,13 @@ impl Names {
     /// Reads a formula and checks its names.
     pub(super) fn formula(&self, source: &Source, at: &str, text: &str) -> Result<Expr, Refusal> {
         let wrong = |rule: String| source.breach(at, format!("{at} = {text:?}: {rule}"));
-        let expr = parse(text).map_err(|e| wrong(e.to_string()))?;
-        let (graph, id) = self.build(&expr).map_err(|e| {
-            let mut names: Vec<String> = self.all();
-            names.extend(self.parameters.iter().map(|p| p.0.clone()));
-            let names: Vec<&str> = names.iter().map(String::as_str).collect();
-            wrong(format!("{e}; the names are {}", names.join(", ")))
+        let mut names: Vec<String> = self.all();
+        names.extend(self.parameters.iter().map(|p| p.0.clone()));
+        let expr = parse_declared(text, &|name| names.iter().any(|n| n == name));
+        let built = expr.and_then(|expr| Ok((self.build(&expr)?, expr)));
+        let ((graph, id), expr) = built.map_err(|e| match e {
+            SymbolicError::Parse { .. } => wrong(e.to_string()),
+            _ => wrong(format!("{e}; the names are {}", names.join(", "))),
         })?;
         if graph.is_complex(id) || graph.is_condition(id) {
             return Err(wrong("it is not a real number".into()));
@@ -141,7 +142,7 @@ impl Names {
         Ok(expr)
     }
 
-    fn build(&self, expr: &Expr) -> Result<(Graph, Id), mechaudit_symbolic::SymbolicError> {
+    fn build(&self, expr: &Expr) -> Result<(Graph, Id), SymbolicError> {
         let mut definitions = Definitions::default();
         for (name, value) in &self.parameters {
             definitions.set(name, value.clone());

@@ -12,23 +12,28 @@ mod linear;
 mod loads;
 mod places;
 mod pushes;
+mod reactions;
 mod start;
 mod study;
 mod text;
 
-pub use certified::Certified;
+pub use certified::{Certified, CertifiedMoment};
 
 use super::bodies::Bodies;
 use super::exact::{self, Exact, ExactJoint};
 use super::file::File;
-use super::joints;
+use super::linkages::{Parts, of_class_iii, of_dyad};
+use super::loads::masses;
+use super::{joints, rows};
+use crate::machine::linkage::Linkage;
 use crate::machine::run_up;
 use crate::machine::source::{Refusal, Source};
 use crate::reference::planar::Place;
 use crate::solvers::planar::dynamics::{Dynamics, DynamicsError, Law, Moment, Settings};
-use crate::solvers::planar::{Description, Joint, Point};
+use crate::solvers::planar::{Description, Joint, Point, ReactionError};
 use laws::Names;
-use loads::ExactLoads;
+use loads::MovingLoads;
+use mechaudit_symbolic::Expr;
 use start::Start;
 
 /// A mechanism that moves by itself.
@@ -44,10 +49,13 @@ pub struct Moving {
     joints: Vec<Option<ExactJoint>>,
     /// For each body the angle, in its frame, of the line that its angle is that of; radians.
     lines: Vec<f64>,
-    loads: ExactLoads,
+    loads: MovingLoads,
     names: Names,
     start: Start,
-    until: Option<Law>,
+    /// The formula whose change of sign ends the motion, also in floating point.
+    until: Option<(Expr, Law)>,
+    /// True if a resistance may hold the driven body at rest.
+    holds: bool,
 }
 
 /// Why a mechanism has no motion.
@@ -68,9 +76,33 @@ pub enum MovingError {
         /// The positions found.
         listed: String,
     },
+    /// Forces in joints are not known.
+    #[error(transparent)]
+    Forces(#[from] ReactionError),
+    /// A resistance may hold a body at rest.
+    #[error(
+        "load.constant may hold the driven body at rest, which a motion in floating point does not know: \
+         see `mechaudit runup`, or certified digits"
+    )]
+    Holds,
     /// There is no exact description.
     #[error("no certified motion: {0}")]
     NotExact(String),
+}
+
+/// Which quantities a row has.
+#[derive(Clone, Debug)]
+pub enum Row {
+    /// Angles and displacements with their rates.
+    Motion {
+        /// True for the forces in the joints too.
+        reactions: bool,
+    },
+    /// The angle of the drive in degrees, its speed and acceleration.
+    RunUp {
+        /// The speed that ends the motion, a formula in rad/s.
+        target: Option<String>,
+    },
 }
 
 /// A quantity of a motion.
@@ -85,32 +117,45 @@ pub struct MovingQuantity {
 }
 
 impl Moving {
-    /// Reads the description of a mechanism with its motion. Without `[motion.start]` the drive's
-    /// coordinate begins at `start.at` with `start.speed`.
+    /// Reads the description of a mechanism of any type with its motion. Without `[motion.start]` the
+    /// drive's coordinate begins at the file's start with `start.speed`.
     ///
     /// # Errors
     /// [`Refusal`].
     pub fn read(source: &Source) -> Result<Moving, Refusal> {
-        let file: File = source.parse()?;
-        let bodies = Bodies::new(source, &file)?;
+        let (parts, start) = parts(source)?;
+        let Parts {
+            file,
+            bodies,
+            masses,
+        } = parts;
         let (description, joint_names) = joints::read(source, &file, &bodies)?;
         let names = Names::new(source, &file, &bodies, &description)?;
         let motor = run_up::drivetrain(source)?;
-        let mut loads = ExactLoads::read(source, &file, &bodies, &description, motor.as_ref())?;
-        loads.add_laws(source, &file, &bodies, names.laws(source, &file)?)?;
-        let (masses, constant, gravity) = super::loads::parts(source, &file, &bodies)?;
+        let motor = motor.as_ref();
         if masses.is_empty() {
             let rule = "no body has a mass: a motion needs mass, inertia and centre of the bodies that move";
             return Err(source.breach("body", rule));
         }
-        let driven = loads.driven(source, &file, &description, &names, motor)?;
+        let parts = (&file, &bodies, &description);
+        let loads = MovingLoads::read(source, parts, &names, masses, motor)?;
+        let (constant, driven) = loads.rounded(&names, &bodies.lines, motor);
         let until = match file.motion.as_ref().and_then(|m| m.until.as_ref()) {
-            Some(text) => Some(names.law(&names.formula(source, "motion.until", text)?)),
+            Some(text) => {
+                let formula = names.formula(source, "motion.until", text)?;
+                let law = names.law(&formula);
+                Some((formula, law))
+            }
             None => None,
         };
+        let (masses, gravity) = (loads.masses.iter(), loads.gravity.rounded());
+        let masses = masses.map(|m| m.rounded()).collect();
         let dynamics = Dynamics::new(description.clone(), masses, constant, driven, gravity);
         let dynamics = dynamics.map_err(|e| source.refuse("joint", e))?;
-        let start = Start::read(source, &file, &bodies, &description, &joint_names)?;
+        let start = match start {
+            Some(start) => start,
+            None => Start::read(source, &file, &bodies, &description, &joint_names)?,
+        };
         if dynamics.freedoms() != start.given.len() as i64 {
             let rule = DynamicsError::Freedoms {
                 freedoms: dynamics.freedoms(),
@@ -125,6 +170,7 @@ impl Moving {
             lines: bodies.lines.clone(),
             bodies: bodies.names,
             name: file.name,
+            holds: motor.is_some_and(|m| m.holds()),
             dynamics,
             description,
             loads,
@@ -148,8 +194,12 @@ impl Moving {
     }
 
     /// The quantities of each row: angles of the bodies' lines and their rates, displacements of
-    /// slides and slots and theirs.
-    pub fn quantities(&self) -> Vec<MovingQuantity> {
+    /// slides and slots and theirs, and the forces in the joints, in the ground's axes on the bodies
+    /// that are named.
+    ///
+    /// # Errors
+    /// [`MovingError`] for forces in gears and racks.
+    pub fn quantities(&self, reactions: bool) -> Result<Vec<MovingQuantity>, MovingError> {
         let mut all = Vec::new();
         for (body, name) in self.bodies.iter().enumerate().skip(1) {
             let [angle, rate] = self.names.of_body(body);
@@ -165,11 +215,25 @@ impl Moving {
             all.push(quantity(place, "m", format!("displacement of {name}")));
             all.push(quantity(rate, "m/s", format!("speed of {name}")));
         }
-        all
+        if reactions {
+            for (joint, body, moment) in forces(&self.description)? {
+                let [joint, body] = [&self.description.joints[joint].name, &self.bodies[body]];
+                for c in ["x", "y"] {
+                    let name = format!("F{c}_{joint}_{body}");
+                    let text = format!("force of {joint} on {body} along {c}");
+                    all.push(quantity(&name, "N", text));
+                }
+                if moment {
+                    let text = format!("moment of {joint} on {body}");
+                    all.push(quantity(&format!("M_{joint}_{body}"), "N m", text));
+                }
+            }
+        }
+        Ok(all)
     }
 
-    /// The values of [`Moving::quantities`] at a moment.
-    pub fn values(&self, moment: &Moment) -> Vec<f64> {
+    /// The values of [`Moving::quantities`] at a moment; NaN for forces that are not determined.
+    pub fn values(&self, moment: &Moment, reactions: bool) -> Vec<f64> {
         let mut all = Vec::new();
         for body in 1..self.bodies.len() {
             let [angle, rate, _] = self.dynamics.angle(moment, body);
@@ -177,6 +241,16 @@ impl Moving {
         }
         for (joint, _) in self.travels() {
             all.extend(self.dynamics.displacement(moment, joint));
+        }
+        if reactions {
+            let found = self.dynamics.reactions(moment).unwrap_or_default();
+            for (joint, body, moment) in forces(&self.description).unwrap_or_default() {
+                let force = found.iter().find(|f| (f.joint, f.body) == (joint, body));
+                all.extend(force.map_or([f64::NAN; 2], |f| f.force_n));
+                if moment {
+                    all.push(force.map_or(f64::NAN, |f| f.moment_n_m));
+                }
+            }
         }
         all
     }
@@ -192,8 +266,11 @@ impl Moving {
         settings: Settings,
         mut visit: impl FnMut(&Moment),
     ) -> Result<Option<f64>, MovingError> {
+        if self.holds {
+            return Err(MovingError::Holds);
+        }
         let start = self.assembly()?;
-        let until = self.until.as_ref();
+        let until = self.until.as_ref().map(|u| &u.1);
         let ended = self
             .dynamics
             .motion_until(&start, times, settings, until, |m| {
@@ -201,6 +278,43 @@ impl Moving {
                 true
             });
         Ok(ended?)
+    }
+}
+
+/// The parts of the mechanism of any type that a file describes, and where it begins if its sections
+/// do not say it as those of a mechanism of bodies do.
+fn parts(source: &Source) -> Result<(Parts, Option<Start>), Refusal> {
+    if Linkage::is_planar(source)? {
+        let file: File = source.parse()?;
+        let bodies = Bodies::new(source, &file)?;
+        let masses = masses(source, &file)?;
+        let parts = Parts {
+            file,
+            bodies,
+            masses,
+        };
+        return Ok((parts, None));
+    }
+    let (parts, start) = match Linkage::read(source)? {
+        Linkage::ClassIii(linkage) => (
+            of_class_iii(&linkage),
+            Start::of_class_iii(source, &linkage)?,
+        ),
+        Linkage::Dyad(dyad) => (of_dyad(&dyad), Start::of_dyad(source, &dyad)?),
+        Linkage::Planar(_) => unreachable!("a mechanism of bodies is read above"),
+    };
+    let parts = parts.map_err(|e| source.refuse("bodies", e))?;
+    Ok((parts, Some(start)))
+}
+
+/// Joints with the bodies that their forces act on, and true for those that have a moment.
+fn forces(description: &Description) -> Result<Vec<(usize, usize, bool)>, MovingError> {
+    let teeth = |j: &Joint| matches!(j, Joint::Gears { .. } | Joint::Rack { .. });
+    match description.joints.iter().find(|j| teeth(&j.part)) {
+        None => Ok(rows::forces(description)),
+        Some(joint) => Err(MovingError::Forces(ReactionError::Teeth {
+            joint: joint.name.clone(),
+        })),
     }
 }
 

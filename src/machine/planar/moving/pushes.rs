@@ -1,76 +1,89 @@
 //! Generalised forces of loads as formulas.
 
+use super::super::loads::{ExactLoad, Size};
 use super::MovingError;
 use super::equations::Writer;
 use super::laws::INNER;
-use super::loads::ExactLoad;
+use super::loads::MovingLoad;
 use super::places::Position;
 use super::text::{Vector, add, angle, dot, mul, rational, sub, sum};
+use crate::reference::planar::Real;
 use crate::solvers::planar::Point;
 use mechaudit_symbolic::Expr;
+use rug::Rational;
 
 impl Writer<'_> {
-    /// Adds a load's generalised forces.
+    /// Adds what a load does.
     pub(super) fn load(
+        &mut self,
+        load: &MovingLoad,
+        position: &Position,
+        acts: &mut impl Acts,
+    ) -> Result<(), MovingError> {
+        match load {
+            MovingLoad::Constant(load) => self.constant(load, position, acts)?,
+            MovingLoad::TorqueLaw { body, from, torque } => {
+                let torque = self.law(torque);
+                acts.turn(self, *body, *from, torque);
+            }
+            MovingLoad::ForceLaw { at, components } => {
+                let force = components.each_ref().map(|c| self.law(c));
+                acts.push(self, at, position, &force)?;
+            }
+            MovingLoad::Motor {
+                body,
+                from,
+                formulas,
+            } => {
+                let speed = self.turning(*body, *from);
+                let mut torque = formulas.torque.replace("speed", &speed);
+                if let Some(size) = &formulas.friction {
+                    torque += &match self.is_forward {
+                        true => format!(" + if({speed} < 0, {size}, -{size})"),
+                        false => format!(" - copysign({size}, {speed})"),
+                    };
+                }
+                let torque = format!("({torque})");
+                let torque = self.define(torque);
+                acts.turn(self, *body, *from, torque);
+                if formulas.inertia != "0" {
+                    acts.rotor(self, *body, *from, &formulas.inertia);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The difference of two bodies' angular velocities.
+    pub(super) fn turning(&mut self, body: usize, from: usize) -> String {
+        let rates: Vec<String> = self.q.iter().map(|q| q[1].clone()).collect();
+        let turn = self.turn(body, from);
+        self.define(sum(turn.iter().zip(&rates).map(|(k, r)| mul(k, r))))
+    }
+
+    fn constant(
         &mut self,
         load: &ExactLoad,
         position: &Position,
-        rates: &[String],
-        (mass, force): (&mut [Vec<Vec<String>>], &mut [Vec<String>]),
+        acts: &mut impl Acts,
     ) -> Result<(), MovingError> {
-        let torque = |w: &mut Self, force: &mut [Vec<String>], body, from, torque: String| {
-            let torque = w.define(torque);
-            for (f, k) in force.iter_mut().zip(w.turn(body, from)) {
-                f.push(mul(&k, &torque));
-            }
-        };
-        let speed = |w: &Self, body, from| {
-            sum(w.turn(body, from).iter().zip(rates).map(|(k, r)| mul(k, r)))
+        // Tables are refused where the file is read.
+        let size = |size: &Size| match size {
+            Size::Constant(q) => q.clone(),
+            Size::Table(_) => Rational::new(),
         };
         match load {
-            ExactLoad::Torque {
-                body,
-                from,
-                torque: t,
-            } => {
-                torque(self, force, *body, *from, rational(t));
-            }
-            ExactLoad::TorqueLaw {
-                body,
-                from,
-                torque: t,
-            } => {
-                let name = self.law(t);
-                torque(self, force, *body, *from, name);
-            }
-            ExactLoad::Motor {
-                body,
-                from,
-                torque: t,
-            } => {
-                let speed = speed(self, *body, *from);
-                let speed = self.define(speed);
-                torque(
-                    self,
-                    force,
-                    *body,
-                    *from,
-                    format!("({})", t.replace("speed", &speed)),
-                );
+            ExactLoad::Torque { body, from, torque } => {
+                acts.turn(self, *body, *from, rational(&size(torque)));
             }
             ExactLoad::TorsionDamper {
                 body,
                 from,
                 damping,
             } => {
-                let speed = speed(self, *body, *from);
-                torque(
-                    self,
-                    force,
-                    *body,
-                    *from,
-                    sub("0", &mul(&rational(damping), &speed)),
-                );
+                let speed = self.turning(*body, *from);
+                let torque = self.define(sub("0", &mul(&rational(damping), &speed)));
+                acts.turn(self, *body, *from, torque);
             }
             ExactLoad::TorsionSpring {
                 body,
@@ -80,50 +93,23 @@ impl Writer<'_> {
             } => {
                 let lines = sub(&self.line(*body), &self.line(*from));
                 let turn = sub(&add(&self.between(*body, *from), &lines), &angle(rest));
-                torque(
-                    self,
-                    force,
-                    *body,
-                    *from,
-                    sub("0", &mul(&rational(stiffness), &turn)),
-                );
-            }
-            ExactLoad::Inertia {
-                body,
-                from,
-                inertia,
-            } => {
-                let turn = self.turn(*body, *from);
-                for j in 0..turn.len() {
-                    for k in 0..=j {
-                        mass[j][k].push(mul(inertia, &mul(&turn[j], &turn[k])));
-                    }
-                }
+                let torque = self.define(sub("0", &mul(&rational(stiffness), &turn)));
+                acts.turn(self, *body, *from, torque);
             }
             ExactLoad::Force {
                 at,
-                components,
+                size: of,
+                direction,
                 along,
             } => {
-                let v = self.turned(position, components, along.checked_sub(1));
-                self.push(at, position, &v, force)?;
-            }
-            ExactLoad::ForceLaw { at, components } => {
-                let v = components.each_ref().map(|c| self.law(c));
-                self.push(at, position, &v, force)?;
+                let force = Real::unit(direction).map(|x| x * &size(of));
+                let force = self.turned(position, &force, along.checked_sub(1));
+                acts.push(self, at, position, &force)?;
             }
             ExactLoad::Spring { ends, .. } | ExactLoad::Damper { ends, .. } => {
                 let [a, b] = [self.attached(&ends[0])?, self.attached(&ends[1])?];
                 let (p, q) = (self.point(position, &a), self.point(position, &b));
-                let (ga, gb) = (self.gradient(position, &a), self.gradient(position, &b));
                 let along = self.define_pair([0, 1].map(|c| sub(&q[c], &p[c])));
-                let none = || ["0".to_string(), "0".to_string()];
-                let mut apart = Vec::new();
-                for (a, b) in ga.into_iter().zip(gb) {
-                    let (a, b) = (a.unwrap_or_else(none), b.unwrap_or_else(none));
-                    let d = [0, 1].map(|c| sub(&b[c], &a[c]));
-                    apart.push(self.define(dot(&along, &d)));
-                }
                 let square = self.define(dot(&along, &along));
                 // Tension over length.
                 let tension = match load {
@@ -140,15 +126,21 @@ impl Writer<'_> {
                         )
                     }
                     ExactLoad::Damper { damping, .. } => {
-                        let rate = sum(apart.iter().zip(rates).map(|(d, r)| mul(d, r)));
-                        format!("{}*({rate})/{square}", rational(damping))
+                        let rates: Vec<String> = self.q.iter().map(|q| q[1].clone()).collect();
+                        let [u, v] = [&a, &b].map(|form| {
+                            let gradient = self.gradient(position, form);
+                            self.velocity(&gradient, &rates)
+                        });
+                        let apart = dot(&along, &[0, 1].map(|c| sub(&v[c], &u[c])));
+                        format!("{}*({apart})/{square}", rational(damping))
                     }
                     _ => "0".into(),
                 };
                 let tension = self.define(format!("({tension})"));
-                for (f, d) in force.iter_mut().zip(apart) {
-                    f.push(sub("0", &mul(&tension, &d)));
-                }
+                let pull = self.define_pair(along.each_ref().map(|x| mul(&tension, x)));
+                let back = pull.each_ref().map(|x| sub("0", x));
+                acts.push(self, &ends[0], position, &pull)?;
+                acts.push(self, &ends[1], position, &back)?;
             }
         }
         Ok(())
@@ -160,21 +152,61 @@ impl Writer<'_> {
         self.out.given.push((name.clone(), formula.clone()));
         name
     }
+}
 
-    pub(super) fn push(
+/// What takes up the forces and torques of loads.
+pub(super) trait Acts {
+    /// A force at a point.
+    fn push(
         &mut self,
+        writer: &mut Writer,
         at: &Point,
         position: &Position,
-        v: &Vector,
-        force: &mut [Vec<String>],
+        force: &Vector,
+    ) -> Result<(), MovingError>;
+    /// A torque on a body, and its reaction on another.
+    fn turn(&mut self, writer: &mut Writer, body: usize, from: usize, torque: String);
+    /// An inertia that turns with the difference of two angles.
+    fn rotor(&mut self, writer: &mut Writer, body: usize, from: usize, inertia: &str);
+}
+
+/// The masses of coordinates and the forces on them.
+pub(super) struct Generalised {
+    /// The lower half.
+    pub mass: Vec<Vec<Vec<String>>>,
+    pub force: Vec<Vec<String>>,
+}
+
+impl Acts for Generalised {
+    fn push(
+        &mut self,
+        writer: &mut Writer,
+        at: &Point,
+        position: &Position,
+        force: &Vector,
     ) -> Result<(), MovingError> {
-        let form = self.attached(at)?;
-        let gradient = self.gradient(position, &form);
-        for (f, g) in force.iter_mut().zip(gradient) {
+        let form = writer.attached(at)?;
+        let gradient = writer.gradient(position, &form);
+        for (f, g) in self.force.iter_mut().zip(gradient) {
             if let Some(g) = g {
-                f.push(dot(v, &g));
+                f.push(dot(force, &g));
             }
         }
         Ok(())
+    }
+
+    fn turn(&mut self, writer: &mut Writer, body: usize, from: usize, torque: String) {
+        for (f, k) in self.force.iter_mut().zip(writer.turn(body, from)) {
+            f.push(mul(&k, &torque));
+        }
+    }
+
+    fn rotor(&mut self, writer: &mut Writer, body: usize, from: usize, inertia: &str) {
+        let turn = writer.turn(body, from);
+        for j in 0..turn.len() {
+            for k in 0..=j {
+                self.mass[j][k].push(mul(inertia, &mul(&turn[j], &turn[k])));
+            }
+        }
     }
 }

@@ -1,18 +1,22 @@
 //! Where a motion begins.
 
+use super::super::Machine;
 use super::super::bodies::Bodies;
 use super::super::branch::wrapped;
+use super::super::exact::radians;
 use super::super::file::{Coordinate as Section, File};
+use super::super::joints::exactly;
 use super::{Moving, MovingError, travels};
+use crate::machine::class_iii;
+use crate::machine::dyad::{Dyad, Shape};
 use crate::machine::quantity::{Quantity, Velocity};
+use crate::machine::run_up::start_speed;
 use crate::machine::source::{Refusal, Source};
 use crate::reference::class_iii::ExactAngle;
-use crate::reference::nearest_f64;
 use crate::solvers::planar::dynamics::{Assembly, Coordinate, Given};
-use crate::solvers::planar::{Description, Drive, GROUND};
+use crate::solvers::planar::{Description, Drive, GROUND, State};
 use crate::solvers::units::{Angle, AngularVelocity, Length};
 use rug::Rational;
-use std::str::FromStr;
 
 /// How near the bodies' angles have to be to choose a position: 15 degrees.
 const NEAR: f64 = 0.262;
@@ -37,25 +41,10 @@ pub(super) struct Start {
     pub mode: Option<usize>,
 }
 
-fn quantity<D: crate::machine::quantity::Dimension>(
-    source: &Source,
-    at: &str,
-    text: &str,
-) -> Result<Quantity<D>, Refusal> {
-    Quantity::<D>::from_str(text).map_err(|e| source.breach(at, format!("{at} = {e}")))
-}
-
 fn exact<D>(q: &Quantity<D>) -> ExactAngle {
     match q.degrees {
         true => ExactAngle::Degrees(q.value.clone()),
         false => ExactAngle::Radians(q.value.clone()),
-    }
-}
-
-pub(super) fn radians(a: &ExactAngle) -> f64 {
-    match a {
-        ExactAngle::Radians(q) => nearest_f64(q),
-        ExactAngle::Degrees(q) => nearest_f64(q).to_radians(),
     }
 }
 
@@ -91,6 +80,53 @@ impl Start {
         Ok(start)
     }
 
+    /// Of a linkage whose crank is its first body; `near` holds the angles of the others.
+    fn of_crank(source: &Source, angle: ExactAngle, near: Vec<f64>) -> Result<Start, Refusal> {
+        let speed = start_speed(source)?;
+        let crank = ExactGiven {
+            coordinate: Coordinate::Angle {
+                body: 1,
+                from: GROUND,
+            },
+            value: angle,
+            speed: speed.map_or_else(|| ExactAngle::Radians(Rational::new()), |q| exact(&q)),
+        };
+        Ok(Start {
+            given: vec![crank],
+            near: (2..).zip(near).collect(),
+            mode: None,
+        })
+    }
+
+    pub(super) fn of_class_iii(
+        source: &Source,
+        linkage: &class_iii::Linkage,
+    ) -> Result<Start, Refusal> {
+        let degrees = linkage.start_degrees().unwrap_or_default();
+        let branch = class_iii::choose(&linkage.solver, &degrees, None, &linkage.start);
+        let p = branch
+            .map_err(|e| source.refuse("start", e))?
+            .start
+            .positions;
+        let angle = linkage.start.phi1.as_ref().map(Quantity::exact_angle);
+        let angle = angle.unwrap_or_else(|| ExactAngle::Degrees(Rational::new()));
+        Start::of_crank(source, angle, vec![p.phi2, p.phi3, p.phi4, p.phi5])
+    }
+
+    pub(super) fn of_dyad(source: &Source, dyad: &Dyad) -> Result<Start, Refusal> {
+        let angle = dyad.exact.start.clone();
+        let crank = Angle::from_rad(radians(&angle));
+        let near = match &dyad.shape {
+            Shape::FourBar { solver, .. } => solver
+                .position(crank, dyad.assembly)
+                .map(|at| vec![at.coupler.angle.rad(), at.rocker.angle.rad()]),
+            Shape::SliderCrank { solver, .. } => solver
+                .position(crank, dyad.assembly)
+                .map(|at| vec![at.rod.angle.rad(), 0.0]),
+        };
+        Start::of_crank(source, angle, near.map_err(|e| source.refuse("start", e))?)
+    }
+
     /// The drive's coordinate, where nothing else is said.
     fn by_drive(
         &mut self,
@@ -109,22 +145,22 @@ impl Start {
             (Some(_), Drive::Angle { body, from }) => ExactGiven {
                 coordinate: Coordinate::Angle { body, from },
                 value: match at {
-                    Some(text) => exact(&quantity::<Angle>(source, "start.at", text)?),
+                    Some(text) => exact(&exactly::<Angle>(source, "start.at", text)?),
                     None => none(),
                 },
                 speed: match speed {
-                    Some(text) => exact(&quantity::<AngularVelocity>(source, "start.speed", text)?),
+                    Some(text) => exact(&exactly::<AngularVelocity>(source, "start.speed", text)?),
                     None => none(),
                 },
             },
             (_, Drive::Displacement { joint }) if joint < joints.len() => ExactGiven {
                 coordinate: Coordinate::Displacement { joint },
                 value: match at {
-                    Some(text) => exact(&quantity::<Length>(source, "start.at", text)?),
+                    Some(text) => exact(&exactly::<Length>(source, "start.at", text)?),
                     None => none(),
                 },
                 speed: match speed {
-                    Some(text) => exact(&quantity::<Velocity>(source, "start.speed", text)?),
+                    Some(text) => exact(&exactly::<Velocity>(source, "start.speed", text)?),
                     None => none(),
                 },
             },
@@ -150,9 +186,9 @@ fn read_given(
         }
         return Ok(ExactGiven {
             coordinate: Coordinate::Displacement { joint },
-            value: exact(&quantity::<Length>(source, &key("at"), &given.at)?),
+            value: exact(&exactly::<Length>(source, &key("at"), &given.at)?),
             speed: match &given.speed {
-                Some(text) => exact(&quantity::<Velocity>(source, &key("speed"), text)?),
+                Some(text) => exact(&exactly::<Velocity>(source, &key("speed"), text)?),
                 None => ExactAngle::Radians(Rational::new()),
             },
         });
@@ -170,15 +206,22 @@ fn read_given(
     }
     Ok(ExactGiven {
         coordinate: Coordinate::Angle { body, from },
-        value: exact(&quantity::<Angle>(source, &key("at"), &given.at)?),
+        value: exact(&exactly::<Angle>(source, &key("at"), &given.at)?),
         speed: match &given.speed {
-            Some(text) => exact(&quantity::<AngularVelocity>(source, &key("speed"), text)?),
+            Some(text) => exact(&exactly::<AngularVelocity>(source, &key("speed"), text)?),
             None => ExactAngle::Radians(Rational::new()),
         },
     })
 }
 
 impl Moving {
+    /// Begins on the branch of a position of the driven mechanism.
+    pub fn start_on(&mut self, machine: &Machine, position: &State) {
+        let bodies = 1..self.bodies.len();
+        self.start.near = bodies.map(|b| (b, machine.line(position, b))).collect();
+        self.start.mode = None;
+    }
+
     /// The position at the start with its velocities, chosen by `motion.near`.
     ///
     /// # Errors

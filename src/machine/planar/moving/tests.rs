@@ -41,7 +41,8 @@ fn refused(text: &str) -> String {
 
 /// Starts, and rates at the start, of the equations in formulas, by balls.
 fn at_start(moving: &Moving) -> (Vec<String>, Vec<[f64; 2]>) {
-    let equations = moving.equations().unwrap();
+    let row = Row::Motion { reactions: false };
+    let equations = moving.equations(&row).unwrap();
     let (graph, nodes, _) = equations.graph().unwrap();
     let graph = Arc::new(graph);
     let ball = |evaluator: &mut Evaluator<Balls>, id| {
@@ -84,8 +85,8 @@ fn first(moving: &Moving) -> Moment {
 fn assert_agree(name: &str, moving: &Moving) {
     let moment = first(moving);
     let (names, pairs) = at_start(moving);
-    let quantities = moving.quantities();
-    let values = moving.values(&moment);
+    let quantities = moving.quantities(false).unwrap();
+    let values = moving.values(&moment, false);
     let mut compared = 0;
     for (state, [start, rate]) in names.iter().zip(&pairs) {
         let Some(k) = quantities.iter().position(|q| q.name == *state) else {
@@ -297,4 +298,117 @@ fn bad_files_have_one_clear_line() {
         assert!(found.contains(due), "{due:?}: {found:?}");
         assert!(!found.contains('\n'));
     }
+}
+
+/// The certified quantities at a time.
+fn certified(moving: &Moving, row: &Row, time: (i32, i32)) -> CertifiedMoment {
+    let mut certified = Certified::new(moving, 15, row).unwrap_or_else(|e| panic!("{e}"));
+    certified.at(&rug::Rational::from(time))
+}
+
+/// All quantities with the forces in the joints, which the solver finds from the tree of bodies and
+/// the formulas from all bodies at once.
+fn assert_same_forces(name: &str, moving: &Moving) {
+    let quantities = moving.quantities(true).unwrap();
+    let due = moving.values(&first(moving), true);
+    let found = certified(moving, &Row::Motion { reactions: true }, (0, 1));
+    assert_eq!(found.reason, None, "{name}");
+    assert_eq!(
+        (due.len(), found.digits.len()),
+        (quantities.len(), due.len())
+    );
+    let size = due.iter().fold(1.0, |m: f64, x| m.max(x.abs()));
+    for ((q, due), found) in quantities.iter().zip(&due).zip(&found.digits) {
+        let found: f64 = found.as_deref().unwrap().parse().unwrap();
+        assert!(
+            (found - due).abs() < 1e-10 * size,
+            "{name}: {} {found} {due}",
+            q.name
+        );
+    }
+}
+
+#[test]
+fn forces_in_joints_are_those_of_the_solver() {
+    for (name, text) in EXAMPLES {
+        assert_same_forces(name, &read(text));
+    }
+    let gears = LEVER.find("[[joint]]\n    kind = \"gears\"").unwrap();
+    let end = LEVER.find("[[torsion_damper]]").unwrap();
+    let tooth = read(LEVER).quantities(true).unwrap_err().to_string();
+    assert!(tooth.contains("is a gear or rack"), "{tooth}");
+    let wheel = LEVER.find("[[body]]\n    name = \"wheel\"").unwrap();
+    let after = LEVER
+        .find("[[joint]]\n    kind = \"pin\"\n    point = \"O\"")
+        .unwrap();
+    let lever = [&LEVER[..wheel], &LEVER[after..gears], &LEVER[end..]].concat();
+    let lever = lever
+        .replace("[[joint]]\n    kind = \"pin\"\n    point = \"W\"", "")
+        .replace("body = \"wheel\"", "body = \"lever\"")
+        .replace("theta_wheel", "theta_lever")
+        .replace("wheel = \"-17 deg\"", "");
+    assert_same_forces("lever", &read(&lever));
+    for text in [
+        include_str!("../../../../examples/sand-screen-rotor.toml"),
+        include_str!("../../../../examples/four-bar-run-up.toml"),
+    ] {
+        let moving = text.replace("constant = \"2 N m\"", "");
+        assert_same_forces("a machine", &read(&moving));
+    }
+}
+
+/// Names that are longer than those of the algebra.
+#[test]
+fn names_may_be_long() {
+    let text = EXAMPLES[2]
+        .1
+        .replace("crank", "crank_of_a_press_with_a_flywheel");
+    let moving = read(&text);
+    let row = Row::Motion { reactions: false };
+    let due = certified(&read(EXAMPLES[2].1), &row, (1, 20));
+    assert_eq!(certified(&moving, &row, (1, 20)), due);
+    assert_eq!(due.reason, None);
+}
+
+/// The certified end is that found in floating point; a switch of the motor's table comes before it.
+#[test]
+fn the_end_of_a_motion_is_certified() {
+    let text = include_str!("../../../../examples/four-bar-run-up.toml");
+    let text = text.replace("constant = \"2 N m\"", "");
+    let text = text.replace(
+        "points = [\n",
+        "points = [[\"-9 rpm\", \"3 N m\"], [\"100 rpm\", \"3.2 N m\"],\n",
+    );
+    let text = text.replace("[\"0 rpm\", \"3 N m\"],", "");
+    let moving = read(&text);
+    let row = Row::RunUp {
+        target: Some("4".into()),
+    };
+    let found = certified(&moving, &row, (2, 5));
+    let ended = found.ended.unwrap();
+    let mut last = None;
+    let times: Vec<f64> = (0..=16000).map(|k| f64::from(k) * 2.5e-5).collect();
+    moving
+        .run(&times, Settings::default(), |m| {
+            let [_, speed, _] = moving.dynamics.angle(m, 1);
+            if speed < 4.0 {
+                last = Some((m.time, speed));
+            }
+        })
+        .unwrap();
+    let (before, speed) = last.unwrap();
+    assert!(
+        speed > 3.9 && (ended.to_f64() - before) < 2.6e-5 && ended > before,
+        "{ended} {before}"
+    );
+    let digits: Vec<f64> = found
+        .digits
+        .iter()
+        .map(|d| d.as_deref().unwrap().parse().unwrap())
+        .collect();
+    assert!((digits[1] - 4.0).abs() < 1e-12, "{digits:?}");
+    // It has not ended a moment before.
+    let early = rug::Rational::from_f64(before).unwrap();
+    let mut motion = Certified::new(&moving, 15, &row).unwrap();
+    assert_eq!(motion.at(&early).ended, None);
 }

@@ -1,5 +1,5 @@
 use super::*;
-use crate::machine::dyad::{ASSEMBLIES, floating};
+use crate::machine::dyad::{ASSEMBLIES, Shape, floating};
 use crate::machine::{Linkage, Source};
 use crate::solvers::run_up::{FourBarModel, ReducedModel, SliderCrankModel};
 

@@ -1,6 +1,8 @@
 //! Where within a step a limit is crossed.
 
 use super::stepper::{PHI, PSI, State, Stepper};
+use crate::initial_value::first_crossing;
+use std::convert::Infallible;
 
 /// Where the integration has to pause.
 #[derive(Clone, Copy, Debug)]
@@ -25,12 +27,6 @@ pub(super) enum Pause {
     Speed(f64),
     Extremum,
 }
-
-/// Inner points of a step at which the limits are looked at.
-const LOOKS: u32 = 4;
-
-/// Halvings of a part of a step: down to rounding.
-const HALVINGS: u32 = 60;
 
 impl Limits {
     /// The edge that lies behind.
@@ -60,46 +56,26 @@ pub(super) fn crossing(
     before: &mut Option<f64>,
     acceleration: &dyn Fn(f64, &State) -> f64,
 ) -> Option<(f64, Pause)> {
-    let (a, b) = (stepper.t_before(), stepper.t());
-    let mut left = a;
-    for look in 1..=LOOKS {
-        let (right, y) = match look == LOOKS {
-            true => (b, *stepper.y()),
-            false => {
-                let t = a + (b - a) * f64::from(look) / f64::from(LOOKS);
-                (t, stepper.between(t))
-            }
+    let (from, to) = (stepper.t_before(), stepper.t());
+    let look = |t: f64, is_forth: bool| -> Result<_, Infallible> {
+        let y = match is_forth && t == to {
+            true => *stepper.y(),
+            false => stepper.between(t),
         };
         let reference = before.filter(|b| *b != 0.0);
-        let now = before.map(|_| acceleration(right, &y));
-        let turned = |now: f64| reference.is_some_and(|r| r * now < 0.0);
-        let here = |y: &State, now: Option<f64>| {
-            limits
-                .outside(y)
-                .or_else(|| now.filter(|n| turned(*n)).map(|_| Pause::Extremum))
-        };
-        if let Some(mut pause) = here(&y, now) {
-            let (mut lo, mut hi) = (left, right);
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (lo + hi);
-                if !(lo < middle && middle < hi) {
-                    break;
-                }
-                let y = stepper.between(middle);
-                let now = reference.map(|_| acceleration(middle, &y));
-                // The first crossing may change on the way.
-                match here(&y, now) {
-                    Some(earlier) => (hi, pause) = (middle, earlier),
-                    None => lo = middle,
-                }
-            }
-            return Some((hi, pause));
+        let known = if is_forth { *before } else { reference };
+        let now = known.map(|_| acceleration(t, &y));
+        let turned = |now: &f64| reference.is_some_and(|r| r * now < 0.0);
+        let found = limits.outside(&y);
+        let found = found.or_else(|| now.filter(turned).map(|_| Pause::Extremum));
+        if is_forth && found.is_none() {
+            // A look that falls onto the turning point itself says nothing; the next one does.
+            *before = now.filter(|n| *n != 0.0).or(*before);
         }
-        left = right;
-        // A look that falls onto the turning point itself says nothing; the next one does.
-        *before = now.filter(|n| *n != 0.0).or(*before);
-    }
-    None
+        Ok(found)
+    };
+    let Ok(found) = first_crossing([from, to], look);
+    found
 }
 
 #[cfg(test)]

@@ -17,7 +17,7 @@
 use super::chain::{Chain, Closure, Entry, Rail, Spot, spot};
 use super::loads::{Load, Loads, stretch};
 use super::mechanism::Mechanism;
-use super::model::{Joint, Point};
+use super::model::{Joint, Named, Point};
 use super::plane::{cross, dot, quarter};
 use super::pose::Pose;
 use super::state::State;
@@ -74,15 +74,45 @@ struct Wrench {
 }
 
 /// Describes what acts on the bodies of a mechanism at a pose.
-struct Wrenches<'a> {
+#[derive(Clone)]
+pub(super) struct Wrenches<'a> {
     chain: &'a Chain,
     pose: &'a Pose,
     on: Vec<Wrench>,
 }
 
-impl Wrenches<'_> {
+impl<'a> Wrenches<'a> {
+    pub(super) fn none(chain: &'a Chain, pose: &'a Pose) -> Wrenches<'a> {
+        let on = vec![Wrench::default(); chain.body_count()];
+        Wrenches { chain, pose, on }
+    }
+
+    /// A torque in N·m.
+    pub(super) fn turn(&mut self, body: usize, torque: f64) {
+        self.on[body].moment += torque / self.chain.metres;
+    }
+
+    /// The work on a unit of each unknown and of the drive, which is last, where everything but
+    /// forces of closures acts.
+    pub(super) fn known_work(&self) -> Vec<f64> {
+        let mut known = self.clone();
+        known.hang();
+        known.work()
+    }
+
+    /// The forces of the joints with those in the closures.
+    pub(super) fn borne(mut self, joints: &[Named<Joint>], sizes: &[f64]) -> Vec<JointForce> {
+        let mut row = 0;
+        for closure in &self.chain.closures {
+            self.close(closure, &sizes[row..]);
+            row += closure.rows();
+        }
+        self.hang();
+        gathered(joints, &mut self, sizes)
+    }
+
     /// A force at a point of the body's own frame.
-    fn push(&mut self, body: usize, force: Complex64, at: Complex64) {
+    pub(super) fn push(&mut self, body: usize, force: Complex64, at: Complex64) {
         let arm = self.pose.e[body] * (at - self.pose.hinge(self.chain, body));
         self.on[body].force += force;
         self.on[body].moment += cross(arm, force);
@@ -170,18 +200,9 @@ impl Loads {
         acceleration: f64,
     ) -> Result<Reactions, ReactionError> {
         let joints = &mechanism.description().joints;
-        let teeth = |j: &Joint| matches!(j, Joint::Gears { .. } | Joint::Rack { .. });
-        if let Some(joint) = joints.iter().find(|j| teeth(&j.part)) {
-            return Err(ReactionError::Teeth {
-                joint: joint.name.clone(),
-            });
-        }
+        without_teeth(joints)?;
         let (chain, pose) = (&mechanism.chain, &state.pose);
-        let mut all = Wrenches {
-            chain,
-            pose,
-            on: vec![Wrench::default(); chain.body_count()],
-        };
+        let mut all = Wrenches::none(chain, pose);
         // The known side: loads less inertia.
         for m in &self.masses {
             let [x, y] = m.centre;
@@ -194,17 +215,12 @@ impl Loads {
             let own = spot(&centre, chain.metres).at;
             all.push(m.body, Complex64::new(x, y), own);
             let torque = -m.inertia.kg_m2() * at(turn.second, turn.first);
-            all.on[m.body].moment += torque / chain.metres;
+            all.turn(m.body, torque);
         }
         self.loads
             .iter()
             .for_each(|l| applied(mechanism, state, l, speed, &mut all));
-        let mut known = Wrenches {
-            on: all.on.clone(),
-            ..all
-        };
-        known.hang();
-        let work = known.work();
+        let work = all.known_work();
         let n = chain.unknowns;
         let mut sizes = vec![0.0; n];
         let jacobian = &state.jacobian;
@@ -214,14 +230,8 @@ impl Loads {
         sizes.iter_mut().for_each(|x| *x = -*x);
         let by_closures = (0..n).map(|r| sizes[r] * jacobian[(r, n)]).sum::<f64>();
         let drive = -(work[n] + by_closures);
-        let mut row = 0;
-        for closure in &chain.closures {
-            all.close(closure, &sizes[row..]);
-            row += closure.rows();
-        }
-        all.hang();
         let found = Reactions {
-            joints: gathered(mechanism, &mut all, &sizes),
+            joints: all.borne(joints, &sizes),
             // A torque, or a force as it is.
             drive: match chain.linear {
                 true => drive,
@@ -235,10 +245,20 @@ impl Loads {
     }
 }
 
+/// Checks that no joint is one of gears or a rack.
+pub(super) fn without_teeth(joints: &[Named<Joint>]) -> Result<(), ReactionError> {
+    let teeth = |j: &Joint| matches!(j, Joint::Gears { .. } | Joint::Rack { .. });
+    match joints.iter().find(|j| teeth(&j.part)) {
+        None => Ok(()),
+        Some(joint) => Err(ReactionError::Teeth {
+            joint: joint.name.clone(),
+        }),
+    }
+}
+
 /// The forces of the joints, from those of hinges and closures.
-fn gathered(mechanism: &Mechanism, all: &mut Wrenches, sizes: &[f64]) -> Vec<JointForce> {
-    let (chain, pose) = (&mechanism.chain, all.pose);
-    let joints = &mechanism.description().joints;
+fn gathered(joints: &[Named<Joint>], all: &mut Wrenches, sizes: &[f64]) -> Vec<JointForce> {
+    let (chain, pose) = (all.chain, all.pose);
     let mut found: Vec<JointForce> = Vec::with_capacity(chain.forces[joints.len()]);
     for (joint, named) in joints.iter().enumerate() {
         let points = match &named.part {
@@ -348,8 +368,8 @@ fn applied(mechanism: &Mechanism, state: &State, load: &Load, speed: f64, all: &
     let angle = |b: usize| mechanism.body_angle(state, b);
     let metres = mechanism.chain.metres;
     let mut couple = |body: usize, from: usize, torque: f64| {
-        all.on[body].moment += torque / metres;
-        all.on[from].moment -= torque / metres;
+        all.turn(body, torque);
+        all.turn(from, -torque);
     };
     match load {
         Load::Torque { body, from, torque } => couple(*body, *from, torque.at(drive, linear)[0]),

@@ -151,13 +151,12 @@ impl Motion {
         piece.field.origin(in_jacobian, slot)
     }
 
-    /// Enclosures of the switching times.
-    pub fn switches(&self) -> Vec<Ball> {
-        let entries = self.pieces.iter().filter_map(|piece| {
-            let entry = piece.entry.as_ref()?;
-            Some(times(self.bits, &entry.0, &piece.start))
-        });
-        entries.collect()
+    /// Enclosures of the switching times and of the states then.
+    pub fn switches(&self) -> impl Iterator<Item = (Ball, Vec<Ball>)> {
+        self.pieces.iter().filter_map(|piece| {
+            let (before, states) = piece.entry.as_ref()?;
+            Some((times(self.bits, before, &piece.start), states.clone()))
+        })
     }
 
     /// Returns true if a time is another, or comes after it in the direction of the motion.

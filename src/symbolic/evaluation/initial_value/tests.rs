@@ -412,7 +412,14 @@ fn switches() {
         let mut motion = trajectory(text);
         let found = motion.at(&Rational::from(t), bits(25));
         let decimal = |ball: &Ball| ball.to_decimal(20).unwrap_or_else(|| format!("{ball:?}"));
-        (found.map(|balls| decimal(&balls[0])), motion.switches())
+        (
+            found.map(|balls| decimal(&balls[0])),
+            motion
+                .switches()
+                .into_iter()
+                .map(|s| s.0)
+                .collect::<Vec<_>>(),
+        )
     };
     // x = cos t until π/2, then x″ = −4x: x = −sin(2(t − π/2))/2, then cos again.
     let spring = "x = 1 -> v; v = 0 -> -if(x < 0, 4*x, x)";

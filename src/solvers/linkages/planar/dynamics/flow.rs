@@ -5,7 +5,7 @@ use super::super::dense::{Factors, Matrix};
 use super::super::motion::Motion;
 use super::super::plane::dot;
 use super::super::pose::Pose;
-use super::forces::Pushed;
+use super::forces::{Pushed, Sink, drive, load};
 use super::{Dynamics, DynamicsError};
 
 /// The mechanism at a moment, as laws see it.
@@ -23,6 +23,13 @@ impl Instant<'_> {
     pub fn angle(&self, body: usize) -> [f64; 2] {
         let angle = self.pose.angle(&self.dynamics.chain, body);
         [angle, self.flow.bodies[body].turn[0]]
+    }
+
+    /// Hands on what all loads do.
+    pub(super) fn act(&self, sink: &mut impl Sink) {
+        let dynamics = self.dynamics;
+        dynamics.loads.iter().for_each(|l| load(l, self, sink));
+        dynamics.driven.iter().for_each(|l| drive(l, self, sink));
     }
 
     /// The displacement of a slide or slot in metres and its rate; NaN for other joints.
@@ -277,6 +284,17 @@ impl Flow {
         self.flow.set(chain, &self.pose, [&self.rates, &self.bias]);
     }
 
+    /// The forces in the closures, which do no work on the dependent unknowns together with this.
+    pub(super) fn closing(&self, work: &[f64]) -> Vec<f64> {
+        let mut sizes = vec![0.0; self.dependent.len()];
+        let known: Vec<f64> = self.dependent.iter().map(|c| -work[*c]).collect();
+        if !sizes.is_empty() {
+            self.factors
+                .solve_transposed_closely(&self.square, &known, &mut sizes);
+        }
+        sizes
+    }
+
     /// z̈ at the positions and velocities that are set.
     pub(super) fn accelerations(
         &mut self,
@@ -314,18 +332,13 @@ impl Flow {
             mass: &mut self.mass,
             metres,
         };
-        for load in &dynamics.loads {
-            pushed.load(dynamics, &self.flow, load);
-        }
-        let instant = Instant {
+        Instant {
             dynamics,
             pose: &self.pose,
             flow: &self.flow,
             time,
-        };
-        for load in &dynamics.driven {
-            pushed.driven(load, &instant);
         }
+        .act(&mut pushed);
         if !self.force.iter().all(|x| x.is_finite()) {
             return Err(DynamicsError::Law { t: time });
         }

@@ -1,13 +1,39 @@
-//! Generalised forces of loads on the independent coordinates, and the energies.
+//! What loads do: as generalised forces on the independent coordinates, as forces on the bodies, and as
+//! energies.
 
 use super::super::chain::{Spot, spot};
 use super::super::loads::{Course, Load};
 use super::super::motion::Motion;
 use super::super::plane::dot;
 use super::super::pose::Pose;
+use super::super::reactions::Wrenches;
 use super::flow::Instant;
 use super::{DrivenLoad, Dynamics, Law};
 use num_complex::Complex64;
+
+/// What takes up the forces and torques of loads.
+pub(super) trait Sink {
+    /// A force in N at a point.
+    fn push(&mut self, at: Spot, force: Complex64);
+    /// A torque in N·m on a body, and its reaction on another.
+    fn turn(&mut self, body: usize, from: usize, torque: f64);
+    /// An inertia that turns with the difference of two angles, beside the torque that the
+    /// accelerations at hand ask for.
+    fn rotor(&mut self, body: usize, from: usize, inertia: f64);
+}
+
+impl Sink for Wrenches<'_> {
+    fn push(&mut self, at: Spot, force: Complex64) {
+        Wrenches::push(self, at.body, force, at.at);
+    }
+
+    fn turn(&mut self, body: usize, from: usize, torque: f64) {
+        Wrenches::turn(self, body, torque);
+        Wrenches::turn(self, from, -torque);
+    }
+
+    fn rotor(&mut self, _: usize, _: usize, _: f64) {}
+}
 
 /// Generalised forces that loads add to.
 pub(super) struct Pushed<'a> {
@@ -18,7 +44,7 @@ pub(super) struct Pushed<'a> {
     pub metres: f64,
 }
 
-impl Pushed<'_> {
+impl Sink for Pushed<'_> {
     fn push(&mut self, at: Spot, force: Complex64) {
         for (sum, partial) in self.force.iter_mut().zip(self.partial) {
             *sum += dot(force, partial.spot(self.pose, at)[1]) * self.metres;
@@ -31,92 +57,100 @@ impl Pushed<'_> {
         }
     }
 
-    pub fn driven(&mut self, load: &DrivenLoad, instant: &Instant) {
-        let value = |law: &Law| law(instant);
-        match load {
-            DrivenLoad::Torque { body, from, torque } => self.turn(*body, *from, value(torque)),
-            DrivenLoad::Force { at, components } => {
-                let [x, y] = components.each_ref().map(value);
-                self.push(spot(at, self.metres), Complex64::new(x, y));
-            }
-            DrivenLoad::Inertia {
-                body,
-                from,
-                inertia,
-            } => {
-                let turn = |m: &Motion, k: usize| m.bodies[*body].turn[k] - m.bodies[*from].turn[k];
-                let d = self.force.len();
-                self.turn(*body, *from, -inertia * turn(instant.flow, 1));
-                for i in 0..d {
-                    for j in 0..=i {
-                        let both = turn(&self.partial[i], 0) * turn(&self.partial[j], 0);
-                        self.mass[i * d + j] += inertia * both;
-                    }
-                }
+    fn rotor(&mut self, body: usize, from: usize, inertia: f64) {
+        let d = self.force.len();
+        let turn = |m: &Motion| m.bodies[body].turn[0] - m.bodies[from].turn[0];
+        for i in 0..d {
+            for j in 0..=i {
+                let both = turn(&self.partial[i]) * turn(&self.partial[j]);
+                self.mass[i * d + j] += inertia * both;
             }
         }
     }
+}
 
-    pub fn load(&mut self, dynamics: &Dynamics, flow: &Motion, load: &Load) {
-        let chain = &dynamics.chain;
-        let constant = |c: &Course| match c {
-            Course::Constant(x) => *x,
-            // Refused when the mechanism was made.
-            Course::Table(_) => f64::NAN,
-        };
-        let between = |b: usize, f: usize| self.pose.angle(chain, b) - self.pose.angle(chain, f);
-        let rate = |b: usize, f: usize| flow.bodies[b].turn[0] - flow.bodies[f].turn[0];
-        match load {
-            Load::Torque { body, from, torque } => self.turn(*body, *from, constant(torque)),
-            Load::TorsionSpring {
-                body,
-                from,
-                stiffness,
-                angle,
-            } => self.turn(*body, *from, -stiffness * (between(*body, *from) - angle)),
-            Load::TorsionDamper {
-                body,
-                from,
-                damping,
-            } => self.turn(*body, *from, -damping * rate(*body, *from)),
-            Load::Force {
-                at,
-                components,
-                along,
-            } => {
-                let [x, y] = components.each_ref().map(constant);
-                let force = self.pose.e[*along] * Complex64::new(x, y);
-                self.push(spot(at, self.metres), force);
-            }
-            Load::Spring { ends, .. } | Load::Damper { ends, .. } => {
-                let [p, q] = ends.map(|e| spot(&e, self.metres));
-                let ([a, va, _], [b, vb, _]) = (flow.spot(self.pose, p), flow.spot(self.pose, q));
-                let (along, apart) = (b - a, vb - va);
-                let length = along.norm();
-                let tension = match load {
-                    Load::Spring {
-                        stiffness,
-                        length: rest,
-                        ..
-                    } if *rest == 0.0 => stiffness * length * self.metres,
-                    Load::Spring {
-                        stiffness,
-                        length: rest,
-                        ..
-                    } => stiffness * (length * self.metres - rest),
-                    Load::Damper { damping, .. } => {
-                        damping * dot(along, apart) / length * self.metres
-                    }
-                    _ => 0.0,
-                };
-                // A spring without length at rest may pass through zero.
-                let pull = match tension == 0.0 {
-                    true => Complex64::ZERO,
-                    false => along / length * tension,
-                };
-                self.push(p, pull);
-                self.push(q, -pull);
-            }
+/// Hands on what a load by a law does.
+pub(super) fn drive(load: &DrivenLoad, instant: &Instant, sink: &mut impl Sink) {
+    let value = |law: &Law| law(instant);
+    match load {
+        DrivenLoad::Torque { body, from, torque } => sink.turn(*body, *from, value(torque)),
+        DrivenLoad::Force { at, components } => {
+            let [x, y] = components.each_ref().map(value);
+            let metres = instant.dynamics.chain.metres;
+            sink.push(spot(at, metres), Complex64::new(x, y));
+        }
+        DrivenLoad::Inertia {
+            body,
+            from,
+            inertia,
+        } => {
+            let bodies = &instant.flow.bodies;
+            let turn = bodies[*body].turn[1] - bodies[*from].turn[1];
+            sink.turn(*body, *from, -inertia * turn);
+            sink.rotor(*body, *from, *inertia);
+        }
+    }
+}
+
+/// Hands on what a load does.
+pub(super) fn load(load: &Load, instant: &Instant, sink: &mut impl Sink) {
+    let (dynamics, pose, flow) = (instant.dynamics, instant.pose, instant.flow);
+    let (chain, metres) = (&dynamics.chain, dynamics.chain.metres);
+    let constant = |c: &Course| match c {
+        Course::Constant(x) => *x,
+        // Refused when the mechanism was made.
+        Course::Table(_) => f64::NAN,
+    };
+    let between = |b: usize, f: usize| pose.angle(chain, b) - pose.angle(chain, f);
+    let rate = |b: usize, f: usize| flow.bodies[b].turn[0] - flow.bodies[f].turn[0];
+    match load {
+        Load::Torque { body, from, torque } => sink.turn(*body, *from, constant(torque)),
+        Load::TorsionSpring {
+            body,
+            from,
+            stiffness,
+            angle,
+        } => sink.turn(*body, *from, -stiffness * (between(*body, *from) - angle)),
+        Load::TorsionDamper {
+            body,
+            from,
+            damping,
+        } => sink.turn(*body, *from, -damping * rate(*body, *from)),
+        Load::Force {
+            at,
+            components,
+            along,
+        } => {
+            let [x, y] = components.each_ref().map(constant);
+            let force = pose.e[*along] * Complex64::new(x, y);
+            sink.push(spot(at, metres), force);
+        }
+        Load::Spring { ends, .. } | Load::Damper { ends, .. } => {
+            let [p, q] = ends.map(|e| spot(&e, metres));
+            let ([a, va, _], [b, vb, _]) = (flow.spot(pose, p), flow.spot(pose, q));
+            let (along, apart) = (b - a, vb - va);
+            let length = along.norm();
+            let tension = match load {
+                Load::Spring {
+                    stiffness,
+                    length: rest,
+                    ..
+                } if *rest == 0.0 => stiffness * length * metres,
+                Load::Spring {
+                    stiffness,
+                    length: rest,
+                    ..
+                } => stiffness * (length * metres - rest),
+                Load::Damper { damping, .. } => damping * dot(along, apart) / length * metres,
+                _ => 0.0,
+            };
+            // A spring without length at rest may pass through zero.
+            let pull = match tension == 0.0 {
+                true => Complex64::ZERO,
+                false => along / length * tension,
+            };
+            sink.push(p, pull);
+            sink.push(q, -pull);
         }
     }
 }

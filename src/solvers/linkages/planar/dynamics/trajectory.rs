@@ -1,13 +1,14 @@
 //! The motion over time.
 
-use super::super::chain::spot;
+use super::super::chain::{Spot, spot};
 use super::super::model::Point;
 use super::super::motion::Motion;
 use super::super::pose::Pose;
+use super::super::reactions::{JointForce, ReactionError, Wrenches, without_teeth};
 use super::assembly::Assembly;
 use super::flow::{Flow, Instant};
 use super::{Dynamics, DynamicsError, Law};
-use crate::initial_value::Dop853;
+use crate::initial_value::{Dop853, first_crossing};
 
 /// How a motion is integrated.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,11 +42,6 @@ pub struct Moment {
 /// The basis may grow to this before other coordinates are independent: after complete pivoting it
 /// is about one.
 const AMPLIFIED: f64 = 3.0;
-/// Halvings of a step to find where a law changes its sign.
-const HALVINGS: u32 = 60;
-/// Places within a step at which a law's sign is looked at.
-const LOOKS: u32 = 4;
-
 /// A motion under way: the state is (z, ż).
 struct Run<'a> {
     dynamics: &'a Dynamics,
@@ -238,6 +234,39 @@ impl Dynamics {
         jet.map(|z| [z.re * metres, z.im * metres])
     }
 
+    /// The forces in the joints, by the laws of Newton and Euler for every body.
+    ///
+    /// # Errors
+    /// [`ReactionError`].
+    pub fn reactions(&self, moment: &Moment) -> Result<Vec<JointForce>, ReactionError> {
+        let joints = &self.description.joints;
+        without_teeth(joints)?;
+        let Moment { time, pose, motion } = moment;
+        let mut all = Wrenches::none(&self.chain, pose);
+        for body in &self.rigid {
+            let Spot { body: on, at } = body.centre;
+            let [_, _, a] = motion.spot(pose, body.centre);
+            let due = (self.gravity - a * self.chain.metres) * body.kg;
+            all.push(on, due, at);
+            all.turn(on, -body.inertia * motion.bodies[on].turn[1]);
+        }
+        Instant {
+            dynamics: self,
+            pose,
+            flow: motion,
+            time: *time,
+        }
+        .act(&mut all);
+        let flow = Flow::new(self, &pose.u).ok_or(ReactionError::Singular)?;
+        let sizes = flow.closing(&all.known_work());
+        let found = all.borne(joints, &sizes);
+        let finite = |f: &JointForce| f.force_n.iter().all(|x| x.is_finite());
+        match found.iter().all(finite) {
+            true => Ok(found),
+            false => Err(ReactionError::Singular),
+        }
+    }
+
     /// Kinetic and potential energy in J: the latter of weights and springs.
     pub fn energy(&self, moment: &Moment) -> [f64; 2] {
         self.energies(&moment.pose, &moment.motion)
@@ -253,7 +282,7 @@ impl Dynamics {
     }
 }
 
-/// Where within the last step a law changes its sign, by halving.
+/// Where within the last step a law changes its sign.
 fn crossing(
     run: &mut Run,
     solution: &mut Dop853,
@@ -261,40 +290,19 @@ fn crossing(
     side: &mut f64,
     at: &mut [f64],
 ) -> Result<Option<f64>, DynamicsError> {
-    let (from, to) = (solution.t_before(), solution.t());
-    let mut value = |run: &mut Run, t: f64| -> Result<f64, DynamicsError> {
+    let step = [solution.t_before(), solution.t()];
+    let found = first_crossing(step, |t, is_forth| {
         solution.between(
             t,
             &mut |t, y: &[f64], out: &mut [f64]| run.rate(t, y, out),
             at,
         )?;
-        run.law(law, t, at)
-    };
-    let mut left = from;
-    for look in 1..=LOOKS {
-        let right = match look {
-            LOOKS => to,
-            _ => from + (to - from) * f64::from(look) / f64::from(LOOKS),
-        };
-        let here = value(run, right)?;
-        if *side * here < 0.0 || (*side != 0.0 && here == 0.0) {
-            let (mut low, mut high) = (left, right);
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (low + high);
-                if !(low < middle && middle < high) {
-                    break;
-                }
-                match value(run, middle)? * *side > 0.0 {
-                    true => low = middle,
-                    false => high = middle,
-                }
-            }
-            return Ok(Some(high));
-        }
-        if here != 0.0 {
+        let here = run.law(law, t, at)?;
+        let crossed = *side * here < 0.0 || (*side != 0.0 && here == 0.0);
+        if is_forth && !crossed && here != 0.0 {
             *side = here;
         }
-        left = right;
-    }
-    Ok(None)
+        Ok::<_, DynamicsError>(crossed.then_some(()))
+    })?;
+    Ok(found.map(|(t, ())| t))
 }
