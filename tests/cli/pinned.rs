@@ -3,7 +3,7 @@
 //! The numbers are tested elsewhere. Here layouts, drawings and pages are held, whose marks
 //! no other test names. To see what has changed, run the command before and after.
 
-use crate::common::{Done, command, digest, pin, run, text};
+use crate::common::{Done, command, digest, pin, text};
 use std::fmt::Write;
 use std::path::Path;
 use tempfile::tempdir;
