@@ -161,6 +161,7 @@ impl Certified {
                 if answers[k].is_some() {
                     continue;
                 }
+                self.evaluator.evaluations = super::ALL_EVALUATIONS;
                 let found = self.evaluator.value(*node);
                 let (reason, lacking) = match found {
                     Ok(Value::Huge { negative, .. }) => {

@@ -99,12 +99,17 @@ pub struct Evaluator<I: Interpretation> {
     varying: Vec<Id>,
     /// Rounds of loops and terms of sums that are left.
     pub rounds: u64,
+    /// Evaluations of integrands that are left, those of integrals within integrals among them.
+    evaluations: u64,
 }
 
 const NOT_A_NUMBER: NoValue = NoValue::Undefined("a condition or a name without a value");
 
 /// Rounds of loops and terms of sums that one evaluation may take.
 pub const ROUNDS: u64 = 20_000;
+
+/// Evaluations of all integrands of a value together: some ten seconds. Integrals within integrals multiply.
+const ALL_EVALUATIONS: u64 = 1 << 19;
 
 /// Reason of an integral that takes more evaluations than are allowed.
 const EVALUATIONS_REASON: &str = "the limit on evaluations of an integrand";
@@ -127,6 +132,7 @@ impl<I: Interpretation> Evaluator<I> {
                 .filter(|id| graph.varies(*id))
                 .collect(),
             rounds: ROUNDS,
+            evaluations: ALL_EVALUATIONS,
             graph,
         }
     }
@@ -151,6 +157,7 @@ impl<I: Interpretation> Evaluator<I> {
             }
         }
         self.rounds = ROUNDS;
+        self.evaluations = ALL_EVALUATIONS;
     }
 
     /// Gives an input a value. What depends on it has to be forgotten before.
