@@ -2,7 +2,7 @@
 
 use super::complex;
 use super::error::unsupported;
-use super::evaluation::{Balls, Evaluator, ROUNDS, Stop, Value};
+use super::evaluation::{Balls, Evaluator, Stop, Value};
 use super::exact::Exact;
 use super::expr::Expr;
 use super::graph::{Graph, Id, Node};
@@ -208,6 +208,7 @@ fn evaluator(graph: Arc<Graph>, bits: u32) -> Evaluator<Balls> {
     let mut balls = Balls::new(bits);
     // Rational numbers that grow long are slow: they serve where balls have not decided.
     balls.exact = bits > BITS;
+    balls.has_complex_roots = true;
     balls.goal = GOAL;
     balls.places = GOAL + 32;
     balls.evaluations = EVALUATIONS;
@@ -216,7 +217,7 @@ fn evaluator(graph: Arc<Graph>, bits: u32) -> Evaluator<Balls> {
 
 /// The value of a node as a complex number.
 fn complex_value(evaluator: &mut Evaluator<Balls>, node: Id) -> Result<ComplexBall, Stop> {
-    evaluator.rounds = ROUNDS;
+    evaluator.begin();
     let value = evaluator.value(node)?.to_complex();
     let reason = NoValue::Undefined("a value beyond every exponent");
     value.ok_or(Stop { node, reason })

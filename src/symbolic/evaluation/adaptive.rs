@@ -66,6 +66,7 @@ impl Balls {
             exact: false,
             holomorphic: false,
             wide: false,
+            has_complex_roots: false,
             places: u32::MAX,
             evaluations: EVALUATIONS,
             known: i64::MAX,
@@ -167,6 +168,7 @@ impl Certified {
                 if answers[k].is_some() {
                     continue;
                 }
+                self.evaluator.evaluations = super::ALL_EVALUATIONS;
                 let found = self.evaluator.value(*node);
                 let (reason, lacking) = match found {
                     Ok(Value::Huge { negative, .. }) => {

@@ -67,6 +67,8 @@ pub struct Balls {
     pub holomorphic: bool,
     /// True if a wide enclosure is of use: of an integrand over an interval.
     pub wide: bool,
+    /// True if the square root of a negative number is complex, as in the symbolic algebra, and not undefined.
+    pub has_complex_roots: bool,
     /// Binary places to which an integral next to zero is enclosed, if they are fewer than the precision.
     pub places: u32,
     /// Evaluations of an integrand before an integral is given up.
@@ -301,6 +303,10 @@ impl Interpretation for Balls {
             return self.call(f, &plain);
         }
         match x {
+            [Value::Real(x)] if self.has_complex_roots && f == Func::Sqrt && x.is_negative() => {
+                let root = real::sqrt(&-x, p)?;
+                Ok(Value::Complex(ComplexBall::new(Ball::integer(p, 0), root)))
+            }
             [Value::Real(x)] => unary(f, x, p),
             [Value::Real(x), Value::Real(y)] => wrap(binary(f, x, y, p)),
             [Value::Real(x), Value::Real(y), Value::Real(z)] => wrap(match f {

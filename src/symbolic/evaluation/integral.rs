@@ -54,6 +54,13 @@ impl<'e> Body<'e> {
     }
 
     fn value(&mut self, variable: Value, holomorphic: bool, bits: u32) -> Result<Value, Stop> {
+        if self.evaluator.evaluations == 0 {
+            return Err(Stop {
+                node: self.body,
+                reason: NoValue::Undecided(super::EVALUATIONS_REASON),
+            });
+        }
+        self.evaluator.evaluations -= 1;
         let balls = &mut self.evaluator.interpretation;
         let outside = (balls.prec, balls.holomorphic, balls.wide, balls.known);
         // Around a continuation everything has to be holomorphic in its variable, too.
@@ -229,11 +236,14 @@ pub(super) fn integral(
         let found = quadrature::integrate(&mut integrand, from, to, &goal);
         (found.value.map(Value::Real), found.hindrance)
     };
+    let is_spent = integrand.evaluator.evaluations == 0;
     if let Some(stop) = integrand.undefined.filter(|_| hindrance.is_some()) {
         return Err(stop);
     }
     // A second try with more bits may serve an integrand that is enclosed badly; a third would not end.
-    if matches!(hindrance, Some(Hindrance::Interval(..))) && prec > 2 * bits && !is_inner {
+    let is_hopeless =
+        matches!(hindrance, Some(Hindrance::Interval(..))) && prec > 2 * bits && !is_inner;
+    if is_hopeless || (is_spent && hindrance.is_some()) {
         return Err(Stop {
             node,
             reason: NoValue::Undecided(super::EVALUATIONS_REASON),

@@ -100,6 +100,8 @@ pub struct Evaluator<I: Interpretation> {
     varying: Vec<Id>,
     /// Rounds of loops and terms of sums that are left.
     pub rounds: u64,
+    /// Evaluations of integrands that are left, those of integrals within integrals among them.
+    evaluations: u64,
 }
 
 /// The nodes of a graph's inputs.
@@ -112,6 +114,9 @@ const NOT_A_NUMBER: NoValue = NoValue::Undefined("a condition or a name without 
 
 /// Rounds of loops and terms of sums that one evaluation may take.
 pub const ROUNDS: u64 = 20_000;
+
+/// Evaluations of all integrands of a value together: some ten seconds. Integrals within integrals multiply.
+const ALL_EVALUATIONS: u64 = 1 << 19;
 
 /// Reason of an integral that takes more evaluations than are allowed.
 const EVALUATIONS_REASON: &str = "the limit on evaluations of an integrand";
@@ -132,6 +137,7 @@ impl<I: Interpretation> Evaluator<I> {
                 .filter(|id| graph.varies(*id))
                 .collect(),
             rounds: ROUNDS,
+            evaluations: ALL_EVALUATIONS,
             graph,
         }
     }
@@ -169,7 +175,13 @@ impl<I: Interpretation> Evaluator<I> {
                 }
             }
         }
+        self.begin();
+    }
+
+    /// Gives the next value the whole of what one evaluation may take.
+    pub fn begin(&mut self) {
         self.rounds = ROUNDS;
+        self.evaluations = ALL_EVALUATIONS;
     }
 
     /// Gives an input a value. What depends on it has to be forgotten before.

@@ -308,6 +308,17 @@ fn equal_rational_numbers_are_compared() {
     }
 }
 
+/// Evaluations of integrals within integrals are counted together.
+#[test]
+fn nested_integrals_end() {
+    let text = "int(t, 0, 1, int(s, 0, 1, int(r, 0, 1, floor(7*s + 3*t + 2*r))))";
+    let found = value(text, (1, 1), 20);
+    assert!(
+        found.starts_with("undecided: the limit on evaluations"),
+        "{found}"
+    );
+}
+
 /// Rational functions of rational numbers that no ball holds: quotients are whole numbers and halves.
 #[test]
 fn rational_functions_are_exact() {
