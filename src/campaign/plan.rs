@@ -38,7 +38,8 @@ pub enum Kind {
     Hunt,
     /// Random cases of a program.
     Candidate,
-    /// The proof of the method's error bound, or of a study's solver, one part of the inputs after the other.
+    /// The proof of the method's error bound, or of a study's solver, one part of the inputs after
+    /// the other.
     Proof,
 }
 

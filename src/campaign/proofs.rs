@@ -17,8 +17,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Boxes without a bound that are kept.
 const OPEN: usize = 20;
-/// Parts of the domain of a study, and boxes for each bound on one of them: together as many as sixteen proofs of
-/// the program `prove` look at.
+/// Parts of the domain of a study, and boxes for each bound on one of them: together as many as
+/// sixteen proofs of the program `prove` look at.
 const PARTS: usize = 256;
 const BOXES: u64 = 1_250;
 
@@ -104,8 +104,9 @@ pub struct ProofTally {
     formulas: BTreeMap<String, OfFormula>,
 }
 
-/// The inputs of W, and the bounds that its proof has: of the norm in units of 2⁻⁵², of both parts in units in their last
-/// places, and in addition in units of 2⁻¹⁰⁷⁵, where a part may be below 2⁻⁹⁶⁰.
+/// The inputs of W, and the bounds that its proof has: of the norm in units of 2⁻⁵², of both parts
+/// in units in their last places, and in addition in units of 2⁻¹⁰⁷⁵, where a part may be below
+/// 2⁻⁹⁶⁰.
 const OF_W: ([&str; 2], [&str; 4]) = (["re", "im"], ["norm", "re", "im", "tiny"]);
 const MEASURES: [(&str, Measure); 3] = [
     ("absolute", Measure::Absolute),
@@ -350,7 +351,8 @@ impl Units {
         }
     }
 
-    /// Proves what can be proved on some of them, by their places; what is found after `stop` is set means nothing.
+    /// Proves what can be proved on some of them, by their places; what is found after `stop` is
+    /// set means nothing.
     fn prove(
         &self,
         places: Vec<usize>,
@@ -382,11 +384,12 @@ impl Units {
     }
 }
 
-/// Proves what can be proved on some of the units, on the threads of the pool that this runs in; what is found after
-/// `stop` is set means nothing.
+/// Proves what can be proved on some of the units, on the threads of the pool that this runs in;
+/// what is found after `stop` is set means nothing.
 ///
 /// # Errors
-/// A part without units, and if the reference is undecided about a coefficient of the solver's tables.
+/// A part without units, and if the reference is undecided about a coefficient of the solver's
+/// tables.
 pub fn of(
     part: &Part,
     stride: Stride,

@@ -76,8 +76,8 @@ pub(crate) enum Step<L, P> {
 }
 
 impl<L, P> Certificate<L, P> {
-    /// Proves what can be proved on a part that is the `depth`th of its halves, as `step` says of a part,
-    /// its depth and the number of parts that came before; `None` if it was stopped.
+    /// Proves what can be proved on a part that is the `depth`th of its halves, as `step` says of a
+    /// part, its depth and the number of parts that came before; `None` if it was stopped.
     pub(crate) fn refine(
         &mut self,
         at: P,

@@ -145,7 +145,8 @@ impl Study {
     /// Prepares a problem.
     ///
     /// # Errors
-    /// Formulas without meaning, conditions that no input satisfies, and a budget that is to be proved and is not.
+    /// Formulas without meaning, conditions that no input satisfies, and a budget that is to be
+    /// proved and is not.
     pub fn new(problem: Problem) -> Result<Study, StudyError> {
         let sketch = Arc::new(Sketch::new(&problem)?);
         let solvers = problem

@@ -15,8 +15,9 @@ use rug::{Float, Rational};
 const BOXES: u64 = 2_000;
 
 impl Problem {
-    /// The solver's formula of an output as a program of the proof, or of two outputs that are the real and
-    /// the imaginary part of one result. Numbers beyond `within` in magnitude are left out.
+    /// The solver's formula of an output as a program of the proof, or of two outputs that are the
+    /// real and the imaginary part of one result. Numbers beyond `within` in magnitude are left
+    /// out.
     ///
     /// # Errors
     /// A problem that has no formulas, and a formula that the proof does not take.
@@ -50,8 +51,8 @@ impl Problem {
         Program::new(&graph, &formulas, condition, &domain, setting).map_err(|e| refused(&e))
     }
 
-    /// What is proved of each output of a solver whose budget is that: in units in the last place, where there is no
-    /// such bound of the relative error, and else of the absolute one.
+    /// What is proved of each output of a solver whose budget is that: in units in the last place,
+    /// where there is no such bound of the relative error, and else of the absolute one.
     ///
     /// # Errors
     /// No solver, and an output without a bound.

@@ -85,7 +85,8 @@ pub struct ProveArgs {
     /// "1e-9 absolute"
     #[arg(long, value_name = "BOUND")]
     pub target: Option<String>,
-    /// Of a study: prove the error of these two outputs as one complex number, the real and the imaginary part
+    /// Of a study: prove the error of these two outputs as one complex number, the real and the
+    /// imaginary part
     #[arg(long, value_name = "RE,IM")]
     pub together: Option<String>,
     /// Of a study: take inputs for real numbers that are rounded first

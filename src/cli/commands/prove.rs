@@ -62,8 +62,8 @@ trait Theorem {
     fn rows(&self, out: &mut dyn Write) -> Result<(), Failure>;
 }
 
-/// Writes the boxes of theorems and prints the report; `several` is what the document of more than one begins with, and
-/// its key for each.
+/// Writes the boxes of theorems and prints the report; `several` is what the document of more than
+/// one begins with, and its key for each.
 fn tell<T: Theorem>(
     args: &ProveArgs,
     boxes: Option<Output>,
@@ -106,7 +106,8 @@ fn line(text: impl AsRef<str>) -> String {
     format!("  {}\n", text.as_ref())
 }
 
-/// The title, then the theorem where it is proved, else how many parts are open and the first of them.
+/// The title, then the theorem where it is proved, else how many parts are open and the first of
+/// them.
 fn head<P>(
     title: &str,
     theorem: Option<&[String]>,

@@ -27,8 +27,8 @@ fn pieces_are_constant_and_adjacent() {
     }
 }
 
-/// Every `f64` of the closed quadrant is in exactly one rectangle: none is in no one, and there are no more
-/// numbers in all of them than there are.
+/// Every `f64` of the closed quadrant is in exactly one rectangle: none is in no one, and there are
+/// no more numbers in all of them than there are.
 #[test]
 fn the_first_partition_has_no_overlap() {
     let numbers = |[lo, hi]: [f64; 2]| u128::from(hi.to_bits() - lo.to_bits()) + 1;

@@ -62,8 +62,8 @@ pub(super) fn widest(program: &Program, at: &[Interval]) -> usize {
         .unwrap_or(0)
 }
 
-/// The bound of a complex result from those of the absolute errors of its parts: `|f̂ − f|`, as a part
-/// of `|f|` if asked.
+/// The bound of a complex result from those of the absolute errors of its parts: `|f̂ − f|`, as a
+/// part of `|f|` if asked.
 fn of_complex(measure: Measure, [re, im]: [Found; 2]) -> Found {
     let error = hypot_up(re.bound, im.bound);
     let lower = hypot_down(re.lower, im.lower);

@@ -93,8 +93,8 @@ pub struct Program {
 }
 
 impl Program {
-    /// Writes a formula of a graph as operations, or two that are the real and the imaginary part of a
-    /// complex result: their error is the absolute value of the complex one.
+    /// Writes a formula of a graph as operations, or two that are the real and the imaginary part
+    /// of a complex result: their error is the absolute value of the complex one.
     ///
     /// The domain holds the least and the largest number of each input in the graph's order, ends
     /// included; the condition narrows it.

@@ -108,8 +108,8 @@ impl Pass {
         }
     }
 
-    /// Returns whether a range holds only where the condition on the inputs does: then nothing is known of the way to
-    /// other points.
+    /// Returns whether a range holds only where the condition on the inputs does: then nothing is
+    /// known of the way to other points.
     pub fn is_narrowed(&self) -> bool {
         self.is_narrowed.contains(&true)
     }
@@ -194,11 +194,11 @@ impl Pass {
         self.push_rounded(float, value, (noise, f64::INFINITY), grain, error);
     }
 
-    /// An operation whose error is at most the noise, and but for subnormal results a share of the exact result on
-    /// the computed operands.
+    /// An operation whose error is at most the noise, and but for subnormal results a share of the
+    /// exact result on the computed operands.
     ///
-    /// That result is within the error of the one on the path: a result there that is not below `lo ≥ 0`
-    /// is not below `lo − share (lo + error)` with its rounding, and so on.
+    /// That result is within the error of the one on the path: a result there of at least lo, not
+    /// negative, is with its rounding at least `lo − share (lo + error)`, and so on.
     fn push_rounded(
         &mut self,
         float: Interval,

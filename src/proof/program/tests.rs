@@ -359,8 +359,8 @@ fn complex_results_have_one_error() {
     assert!(zero.bound(Measure::Relative) == f64::INFINITY);
 }
 
-/// A condition narrows ranges on boxes that it cuts: the sides of a triangle, of which no one is longer than the
-/// others together.
+/// A condition narrows ranges on boxes that it cuts: the sides of a triangle, of which no one is
+/// longer than the others together.
 #[test]
 fn conditions_narrow_ranges() {
     let mut graph = Graph::new(["x", "y", "z"].map(String::from));

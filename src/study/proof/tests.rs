@@ -13,12 +13,13 @@ fn study(is: &str, budget: &str, solvers: &str) -> Result<Study, StudyError> {
 const BOTH: &str =
     "[solver.factors]\nz = \"(x - y)*(x + y)\"\n[solver.powers]\nz = \"x*x - y*y\"\n";
 
-/// The budget is the bound of the chosen solver, the worst found is below it, and both are in the report.
+/// The budget is the bound of the chosen solver, the worst found is below it, and both are in the
+/// report.
 #[test]
 fn a_proof_is_a_budget() {
     let factors = study("x^2 - y^2", "proved", BOTH).unwrap();
     let powers = factors.clone().with_solver("powers").unwrap();
-    // The value may be zero: of the factors the relative error has a bound all the same, from no box with a zero.
+    // The value may be zero: of both the absolute error alone has a bound.
     let limits = [&factors, &powers].map(|s| s.outputs()[0].budget.limit);
     let [Limit::Absolute(a), Limit::Absolute(b)] = limits else {
         panic!("{limits:?}");

@@ -1,15 +1,15 @@
 //! Ranges narrowed by the condition on the inputs.
 //!
-//! Where the condition holds, some functions h of the inputs are not negative. For the exact value v of
-//! an operation, every `λ ≥ 0` and every x of the box where it holds,
+//! Where the condition holds, some functions h of the inputs are not negative. For the exact value
+//! v of an operation, every `λ ≥ 0` and every x of the box where it holds,
 //!
 //! ```text
 //! v(x) ≥ v(x) − λ h(x) ≥ v(c) − λ h(c) + min Σ_j (∂_j v − λ ∂_j h)(x_j − c_j)
 //! ```
 //!
-//! by the mean value theorem about the centre c, so that of linear functions what both have in common
-//! cancels. The theorem needs derivatives on the way from c to x, where the condition may fail: they
-//! must not come from narrowed ranges.
+//! by the mean value theorem about the centre c, so that of linear functions what both have in
+//! common cancels. The theorem needs derivatives on the way from c to x, where the condition may
+//! fail: they must not come from narrowed ranges.
 
 use super::super::tape::{Condition, Op, Place, Tape};
 use super::Pass;
@@ -53,7 +53,8 @@ fn differences(tape: &Tape, condition: usize, out: &mut Vec<[Place; 2]>) {
 }
 
 impl Narrowing {
-    /// Of a condition by two passes of it, over a box and at its centre; `None` where it says nothing of this kind.
+    /// Of a condition by two passes of it, over a box and at its centre; `None` where it says
+    /// nothing of this kind.
     pub fn new(
         (tape, condition): (&Tape, usize),
         [over, at]: [&Pass; 2],
@@ -109,7 +110,8 @@ impl Narrowing {
 }
 
 impl Pass {
-    /// Narrows the range of the last operation, a sum or a difference whose derivatives hold on all of the box.
+    /// Narrows the range of the last operation, a sum or a difference whose derivatives hold on all
+    /// of the box.
     pub(super) fn narrow(&mut self, tape: &Tape, op: Op) {
         let last = self.value.len() - 1;
         let (operands, count) = op.operands();
@@ -146,7 +148,8 @@ impl Pass {
         self.narrowing = Some(narrowing);
     }
 
-    /// Narrows ranges to what the ends of the exact value leave of them; returns whether they are narrower.
+    /// Narrows ranges to what the ends of the exact value leave of them; returns whether they are
+    /// narrower.
     fn within(&mut self, place: Place, [lo, hi]: [f64; 2]) -> bool {
         // The path and what is computed are within the error of the exact value.
         let error = self.error[place];

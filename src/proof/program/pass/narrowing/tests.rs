@@ -5,7 +5,8 @@ use mechaudit_symbolic::{Definitions, parse};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 
-/// The values of operations where the condition holds are in their ranges; those of sums that it bounds are narrow.
+/// The values of operations where the condition holds are in their ranges; those of sums that it
+/// bounds are narrow.
 #[test]
 fn ranges_hold_the_values_that_the_condition_admits() {
     let mut graph = Graph::new(["x", "y"].map(String::from));
