@@ -89,6 +89,9 @@ pub(super) fn cross(
     Err(TOUCHES)
 }
 
+/// Values for all times and states of some balls.
+type Slopes<'a> = &'a mut dyn FnMut(&Ball, &[Ball]) -> Option<Vec<Ball>>;
+
 /// The same way across where states after the first `n` are derivatives of those by parameters: with the switching
 /// time τ they jump by `(f_1 − f_2) ∂τ/∂p`, and `∂τ/∂p = −(∂g/∂p)/ġ` for the value g of the switch, derived along the
 /// motion before it (Aizerman, Gantmakher, *Quart. J. Mech. Appl. Math.* 11 (1958) 101–117).
@@ -101,7 +104,7 @@ pub(super) fn jumped(
     crossing: Crossing,
     pieces: [&Smooth; 2],
     switch: Switch,
-    (n, slopes): (usize, &mut dyn FnMut(&Ball, &[Ball]) -> Option<Vec<Ball>>),
+    (n, slopes): (usize, Slopes<'_>),
     bits: u32,
 ) -> Result<Crossing, &'static str> {
     const OPEN: &str = "the derivatives are not enclosed across a switch";
