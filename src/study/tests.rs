@@ -100,7 +100,7 @@ fn lists_indices_and_names_that_are_given() {
     for (solver, due) in [
         ("f = \"z\"", "complex formula"),
         ("f = \"c\"", "c has no value"),
-        ("f = \"d[1]\"", "the name d is not declared"),
+        ("f = \"d[1]\"", "d_1 has no value"),
         (
             "f = \"x\"\nlet = { a = { is = \"n\", n = [3, 1] } }",
             "an index goes from",
