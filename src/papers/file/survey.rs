@@ -164,7 +164,7 @@ impl Survey {
     /// The study over the band that begins at a power of ten.
     fn band(&self, k: i32) -> Option<Study> {
         let powers = self.powers();
-        let ten = |k: i32| Rational::from(Rational::from(10).pow(k));
+        let ten = |k: i32| Rational::from(10).pow(k);
         let inside = StudyInput {
             from: match k == powers.start {
                 true => self.along.from.clone(),
@@ -283,7 +283,7 @@ impl Survey {
         let jumps = self
             .solvers
             .par_iter()
-            .filter_map(|(name, study)| self.jump(*name, study));
+            .filter_map(|(name, study)| self.jump(name, study));
         let jumps: Vec<Figure> = jumps.collect();
         let seams = draft("seams", title.into(), text)
             .figures(jumps)

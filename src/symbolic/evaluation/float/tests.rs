@@ -114,10 +114,10 @@ fn functions_without_a_library_are_rounded_from_enclosures() {
         ..Floating::default()
     };
     for (text, due) in [
-        ("erfcx(x)", 0.42758357615580700441),
-        ("erfi(x)", 1.6504257587975428760),
-        ("dawson(x)", 0.53807950691276841914),
-        ("digamma(x)", -0.57721566490153286061),
+        ("erfcx(x)", 0.427_583_576_155_807),
+        ("erfi(x)", 1.650_425_758_797_542_8),
+        ("dawson(x)", 0.538_079_506_912_768_4),
+        ("digamma(x)", -0.577_215_664_901_532_9),
     ] {
         let found = value(text, correct, 1.0, 0.0).unwrap();
         assert_eq!(found.real(), Some(due), "{text}");
