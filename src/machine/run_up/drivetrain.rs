@@ -1,6 +1,7 @@
 //! Motor, reducer and resistance of a motion, as formulas too.
 
-use super::{Abscissa, LoadSection, MotorKind, MotorSection, Reading, StartSection, drive};
+use super::StartSection;
+use super::motor::{Abscissa, LoadSection, MotorKind, MotorSection, Reading, drive};
 use crate::machine::quantity::Quantity;
 use crate::machine::source::{Refusal, Source};
 use crate::reference::cubic_spline::Spline;
