@@ -85,8 +85,8 @@ fn lines(x: &str, points: &[(String, String)]) -> Vec<String> {
     windows.map(line).collect()
 }
 
-/// The cubics between neighbouring points of an exact spline, not-a-knot at the ends, whose abscissae
-/// are in `unit`.
+/// The cubics between neighbouring points of an exact spline, not-a-knot at the ends, whose
+/// abscissae are in `unit`.
 fn cubics(x: &str, [knots, values]: [&[Rational]; 2], unit: &str) -> Vec<String> {
     // The table has been checked by the solver's spline.
     let Ok(spline) = Spline::not_a_knot(knots, values) else {
