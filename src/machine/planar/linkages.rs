@@ -135,8 +135,9 @@ pub(super) fn of_class_iii(linkage: &class_iii::Linkage) -> Result<Parts, Furthe
     parts(file("1", gravity, pins), &linkage.name, outlines, links)
 }
 
-/// The parts of a four-bar linkage or slider-crank. The frames of the links have their origin at the
-/// joint nearer to the crank's pivot, that of the rocker at its own pivot, and x toward the other joint.
+/// The parts of a four-bar linkage or slider-crank. The frames of the links have their origin at
+/// the joint nearer to the crank's pivot, that of the rocker at its own pivot, and x toward the
+/// other joint.
 pub(super) fn of_dyad(dyad: &Dyad) -> Result<Parts, FurtherError> {
     let [crank, middle, last] = dyad.shape.links();
     let mut joints = Vec::from(["O1", "A", "B"].map(pin));

@@ -93,8 +93,8 @@ pub(super) enum ExactLoad {
 }
 
 impl ExactLoad {
-    /// The load in floating point. `lines` holds the angles of the bodies' lines in their frames; turns
-    /// of a torsion spring are those of the branch.
+    /// The load in floating point. `lines` holds the angles of the bodies' lines in their frames;
+    /// turns of a torsion spring are those of the branch.
     pub fn rounded(&self, lines: &[f64]) -> Load {
         match self {
             ExactLoad::Force {

@@ -1,6 +1,7 @@
 //! Motor, reducer and resistance of a motion, as formulas too.
 
-use super::{Abscissa, LoadSection, MotorKind, MotorSection, Reading, StartSection, drive};
+use super::StartSection;
+use super::motor::{Abscissa, LoadSection, MotorKind, MotorSection, Reading, drive};
 use crate::machine::quantity::Quantity;
 use crate::machine::source::{Refusal, Source};
 use crate::reference::cubic_spline::Spline;
@@ -84,8 +85,8 @@ fn lines(x: &str, points: &[(String, String)]) -> Vec<String> {
     windows.map(line).collect()
 }
 
-/// The cubics between neighbouring points of an exact spline, not-a-knot at the ends, whose abscissae
-/// are in `unit`.
+/// The cubics between neighbouring points of an exact spline, not-a-knot at the ends, whose
+/// abscissae are in `unit`.
 fn cubics(x: &str, [knots, values]: [&[Rational]; 2], unit: &str) -> Vec<String> {
     // The table has been checked by the solver's spline.
     let Ok(spline) = Spline::not_a_knot(knots, values) else {

@@ -1,6 +1,7 @@
 //! Tests of `run_up`.
 
 use super::*;
+use crate::solvers::run_up::Motor;
 
 const FOUR_BAR: &str = include_str!("../../../examples/four-bar-run-up.toml");
 

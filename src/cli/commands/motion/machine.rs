@@ -115,7 +115,7 @@ fn complain_of_end(time: &dyn std::fmt::Display) {
     ));
 }
 
-/// The rows at some times up to the end of the motion, and its time if it comes before the last one.
+/// The rows at some times up to the end of the motion, and the time of the end if it comes first.
 pub fn certified_rows(
     mut certified: Certified,
     times: &[Rational],

@@ -44,8 +44,8 @@ pub struct CertifiedMoment {
     pub digits: Vec<Option<String>>,
     /// The reason why some are not proved.
     pub reason: Option<String>,
-    /// The time in seconds, rounded to the digits, at which the motion ended, if it has: the quantities are
-    /// those at the end.
+    /// The time in seconds, rounded to the digits, at which the motion ended, if it has: the
+    /// quantities are those at the end.
     pub ended: Option<Rational>,
 }
 
@@ -92,8 +92,9 @@ impl Certified {
         })
     }
 
-    /// The quantities at a time in seconds, or at the end of the motion if that comes first. One whose
-    /// enclosure holds zero is `0` if it is proved to be smaller than `10^−digits` of its unit.
+    /// The quantities at a time in seconds, or at the end of the motion if that comes first. One
+    /// whose enclosure holds zero is `0` if it is proved to be smaller than `10^−digits` of its
+    /// unit.
     pub fn at(&mut self, time: &Rational) -> CertifiedMoment {
         let mut bits = crate::machine::first_bits(self.digits) - 40;
         let mut found = CertifiedMoment {

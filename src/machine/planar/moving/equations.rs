@@ -433,8 +433,8 @@ impl Writer<'_> {
         }
     }
 
-    /// The angle of the driven body's line, less that of the body that it is measured from, with its
-    /// derivatives.
+    /// The angle of the driven body's line, less that of the body that it is measured from, with
+    /// its derivatives.
     fn drive(&self, accelerations: &[String]) -> Result<[String; 3], MovingError> {
         let Drive::Angle { body, from } = self.moving.description.drive else {
             return Err(not_exact("a run-up needs a drive by angle"));

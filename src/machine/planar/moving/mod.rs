@@ -117,8 +117,8 @@ pub struct MovingQuantity {
 }
 
 impl Moving {
-    /// Reads the description of a mechanism of any type with its motion. Without `[motion.start]` the
-    /// drive's coordinate begins at the file's start with `start.speed`.
+    /// Reads the description of a mechanism of any type with its motion. Without `[motion.start]`
+    /// the drive's coordinate begins at the file's start with `start.speed`.
     ///
     /// # Errors
     /// [`Refusal`].
@@ -194,8 +194,8 @@ impl Moving {
     }
 
     /// The quantities of each row: angles of the bodies' lines and their rates, displacements of
-    /// slides and slots and theirs, and the forces in the joints, in the ground's axes on the bodies
-    /// that are named.
+    /// slides and slots and theirs, and the forces in the joints, in the ground's axes on the
+    /// bodies that are named.
     ///
     /// # Errors
     /// [`MovingError`] for forces in gears and racks.
@@ -281,8 +281,8 @@ impl Moving {
     }
 }
 
-/// The parts of the mechanism of any type that a file describes, and where it begins if its sections
-/// do not say it as those of a mechanism of bodies do.
+/// The parts of the mechanism of any type that a file describes, and where it begins if its
+/// sections do not say it as those of a mechanism of bodies do.
 fn parts(source: &Source) -> Result<(Parts, Option<Start>), Refusal> {
     if Linkage::is_planar(source)? {
         let file: File = source.parse()?;

@@ -1,10 +1,10 @@
 //! Forces in the joints as formulas, by the laws of Newton and Euler for every body.
 //!
-//! With the components r of all joints' forces, every body's forces add up to `m (S'' − g)` and their
-//! moments about the ground's origin to `S × m (S'' − g) + J ψ''`, loads among them: `A r = b`. As many
-//! equations are left over as there are degrees of freedom, and the accelerations of a motion satisfy
-//! them: the solution is that of `Aᵀ A r = Aᵀ b`, whose matrix is positive definite where the forces
-//! are determined.
+//! With the components r of all joints' forces, every body's forces add up to `m (S'' − g)` and
+//! their moments about the ground's origin to `S × m (S'' − g) + J ψ''`, loads among them: `A r =
+//! b`. As many equations are left over as there are degrees of freedom, and the accelerations of a
+//! motion satisfy them: the solution is that of `Aᵀ A r = Aᵀ b`, whose matrix is positive definite
+//! where the forces are determined.
 
 use super::super::exact::{ExactJoint, frame};
 use super::equations::{Writer, not_exact};
@@ -154,8 +154,8 @@ impl Writer<'_> {
         Ok(due.on)
     }
 
-    /// The components of all joints' forces, and what is shown of them: a component itself, or along
-    /// an axis.
+    /// The components of all joints' forces, and what is shown of them: a component itself, or
+    /// along an axis.
     #[allow(clippy::type_complexity)]
     fn unknowns(
         &mut self,

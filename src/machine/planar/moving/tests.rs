@@ -370,7 +370,8 @@ fn names_may_be_long() {
     assert_eq!(due.reason, None);
 }
 
-/// The certified end is that found in floating point; a switch of the motor's table comes before it.
+/// The certified end is that found in floating point; a switch of the motor's table comes before
+/// it.
 #[test]
 fn the_end_of_a_motion_is_certified() {
     let text = include_str!("../../../../examples/four-bar-run-up.toml");

@@ -321,8 +321,9 @@ impl Trajectory {
         Ok(found[n..].chunks(columns).map(<[Ball]>::to_vec).collect())
     }
 
-    /// Enclosures of the times at which the rates switched from one smooth piece to another, and of the states then,
-    /// as far as the motion is known: those after the start, then those before it.
+    /// Enclosures of the times at which the rates switched from one smooth piece to another, and
+    /// of the states then, as far as the motion is known: those after the start, then those before
+    /// it.
     pub fn switches(&self) -> Vec<(Ball, Vec<Ball>)> {
         let known = [&self.run[0], &self.run[1]].into_iter().flatten();
         known.flat_map(Motion::switches).collect()

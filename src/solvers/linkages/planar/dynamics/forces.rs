@@ -1,5 +1,5 @@
-//! What loads do: as generalised forces on the independent coordinates, as forces on the bodies, and as
-//! energies.
+//! What loads do: as generalised forces on the independent coordinates, as forces on the bodies,
+//! and as energies.
 
 use super::super::chain::{Spot, spot};
 use super::super::loads::{Course, Load};
