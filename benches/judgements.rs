@@ -1,11 +1,12 @@
 //! Measures the cost of an audit beside the solver and the certified reference, on one core.
 //!
-//! `cargo bench --bench judgements [-- METHOD | "METHOD REGION"…]`. Microseconds a case. `owed` is the solver and
-//! the reference as the audit asks for it: at every precision until it decides, with condition numbers where a
-//! budget needs them. `audited` draws, solves, judges and counts the same cases (the laws are not part of it);
-//! `solved`, `drawn`, `judged` and `counted` are parts of that, `judged` with the reference. The parts are
-//! interleaved over the rounds of one run; each column has the least of its rounds, in processor time of the thread,
-//! because other work on the machine only ever adds. `added` is what `audited` takes over `owed`, in percent.
+//! `cargo bench --bench judgements [-- METHOD | "METHOD REGION"…]`. Microseconds a case. `owed` is
+//! the solver and the reference as the audit asks for it: at every precision until it decides, with
+//! condition numbers where a budget needs them. `audited` draws, solves, judges and counts the same
+//! cases (the laws are not part of it); `solved`, `drawn`, `judged` and `counted` are parts of
+//! that, `judged` with the reference. The parts are interleaved over the rounds of one run; each
+//! column has the least of its rounds, in processor time of the thread, because other work on the
+//! machine only ever adds. `added` is what `audited` takes over `owed`, in percent.
 
 use mechaudit::audit::{
     Case, CaseReport, Cases, Judge, Method, Panel, Settings, SolverAnswer, Tally, Variant,

@@ -1,4 +1,5 @@
-//! Planar mechanisms of any structure beside the special solver of the class-III linkage, in one run.
+//! Planar mechanisms of any structure beside the special solver of the class-III linkage, in one
+//! run.
 //!
 //! `cargo bench --bench planar`. Items are values of the drive.
 

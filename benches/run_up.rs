@@ -1,5 +1,5 @@
-//! Measures an evaluation of the equation of motion under the three coefficient models, the time that the
-//! exact dI_n/dphi adds to I_n and M_o, and whole runs.
+//! Measures an evaluation of the equation of motion under the three coefficient models, the time
+//! that the exact dI_n/dphi adds to I_n and M_o, and whole runs.
 //!
 //! `cargo bench --bench run_up`. Items are evaluations, except in `runs`.
 

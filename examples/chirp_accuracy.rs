@@ -1,7 +1,7 @@
 //! The worst found of the chirp-forced oscillator in each region of its audit.
 //!
-//! Usage: `chirp_accuracy CASES [SEED]`, cases in each region. Printed are the largest errors of
-//! y, y', y'', Re A and Im A in units of 2^-53 (1 + cond), the enclosures' radii included. Condition
+//! Usage: `chirp_accuracy CASES [SEED]`, cases in each region. Printed are the largest errors of y,
+//! y', y'', Re A and Im A in units of 2^-53 (1 + cond), the enclosures' radii included. Condition
 //! numbers, most of the work, are only computed where an error might be the largest so far.
 
 use mechaudit::audit::{Draw, Method, ReferenceAnswer, SolverAnswer, hex_float};

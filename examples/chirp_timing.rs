@@ -1,4 +1,5 @@
-//! Times the chirp-forced oscillator on the problem of `benches/compare_dop853.py`, single-threaded.
+//! Times the chirp-forced oscillator on the problem of `benches/compare_dop853.py`,
+//! single-threaded.
 //!
 //! Usage: `chirp_timing OUT-FILE`. Prints the best of eleven runs in seconds, preparation included,
 //! and writes the displacements as raw little-endian `f64`.

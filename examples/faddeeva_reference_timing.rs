@@ -1,4 +1,5 @@
-//! Times the certified Faddeeva function on the points of `benches/compare_flint.py`, single-threaded.
+//! Times the certified Faddeeva function on the points of `benches/compare_flint.py`,
+//! single-threaded.
 //!
 //! Usage: `faddeeva_reference_timing BITS < POINTS`, one point a line: `set,re,im`. Prints
 //! `time set seconds`, the mean per point of the best of seven runs, and `value re im` for every

@@ -158,7 +158,8 @@ fn followed(path: &Path) -> io::Result<PathBuf> {
     Err(io::Error::other("too many symbolic links"))
 }
 
-/// Returns true if it stands for an open file of a process: `/dev/fd/3`, and where `/dev/stdout` leads.
+/// Returns true if it stands for an open file of a process: `/dev/fd/3`, and where `/dev/stdout`
+/// leads.
 fn is_descriptor(path: &Path) -> bool {
     let folder = folder(path).canonicalize();
     folder.is_ok_and(|f| f.starts_with("/proc") || f == Path::new("/dev/fd"))

@@ -14,11 +14,11 @@
 //! | `methods` | one file for each audited method | feature `oracle` |
 //! | `study` | problems that users bring as formulas or files | feature `studies` |
 //!
-//! The program `mechaudit` is the package `mechaudit-cli`. Files of machines, papers, proofs, campaigns and
-//! reports belong to it.
+//! The program `mechaudit` is the package `mechaudit-cli`. Files of machines, papers, proofs,
+//! campaigns and reports belong to it.
 //!
-//! With `default-features = false` only the solvers are built, without GMP and MPFR; feature `parallel`
-//! adds batches on all cores.
+//! With `default-features = false` only the solvers are built, without GMP and MPFR; feature
+//! `parallel` adds batches on all cores.
 //!
 //! # A linkage
 #![cfg_attr(feature = "linkages", doc = "```")]

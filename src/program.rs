@@ -1,5 +1,5 @@
-//! The program `mechaudit` as a library: reports, papers, machines, proofs and campaigns on top of the crate
-//! [`mechaudit`], whose modules stand here under the same names.
+//! The program `mechaudit` as a library: reports, papers, machines, proofs and campaigns on top of
+//! the crate [`mechaudit`], whose modules stand here under the same names.
 //!
 //! | module | what it holds | needs |
 //! |---|---|---|

@@ -3,9 +3,9 @@
 use crate::audit::did_you_mean;
 use crate::methods::{Evaluable, find, registry};
 
-/// Returns the method that a text names: a name of the registry, or with the feature `studies` a path
-/// to a study, `FILE.toml`, `FILE.fpcore` or `FILE.fpcore#NAME`. The command line, the plans of
-/// campaigns and candidates all resolve their METHOD here.
+/// Returns the method that a text names: a name of the registry, or with the feature `studies` a
+/// path to a study, `FILE.toml`, `FILE.fpcore` or `FILE.fpcore#NAME`. The command line, the plans
+/// of campaigns and candidates all resolve their METHOD here.
 ///
 /// # Errors
 /// A text that names no method, and a study that cannot be read.

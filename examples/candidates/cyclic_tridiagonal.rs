@@ -4,10 +4,11 @@
 //!     mechaudit audit cyclic-tridiagonal --binary --exec ./cyclic_tridiagonal
 //!
 //! A frame is a count and that many numbers, each eight bytes, the least significant first. Input:
-//! lower[n], diagonal[n], upper[n], d[n]. In place of a count, all bits set are a refusal; one less, a
-//! text about the program: its length, and its bytes up to a multiple of eight.
+//! lower[n], diagonal[n], upper[n], d[n]. In place of a count, all bits set are a refusal; one
+//! less, a text about the program: its length, and its bytes up to a multiple of eight.
 //!
-//! Rows but the last are swept twice, for the right-hand side and for the column of the last unknown.
+//! Rows but the last are swept twice, for the right-hand side and for the column of the last
+//! unknown.
 
 use std::io::{self, BufReader, BufWriter, Read, Write};
 

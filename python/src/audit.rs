@@ -170,8 +170,8 @@ impl Scope {
     }
 }
 
-/// Reads the place of a case, written like the arguments of `mechaudit audit` that choose it: how its
-/// run draws, and which it is.
+/// Reads the place of a case, written like the arguments of `mechaudit audit` that choose it: how
+/// its run draws, and which it is.
 fn place(words: &[String], settings: &mut Settings) -> PyResult<(Scope, BTreeMap<String, String>)> {
     const VALUED: [&str; 9] = [
         "--region",
@@ -494,7 +494,8 @@ impl Run {
         self.judge_all(py, start.min(end), answers)
     }
 
-    /// Returns the findings for the callable of that name; `trouble` beside its answers makes it fail.
+    /// Returns the findings for the callable of that name; `trouble` beside its answers makes it
+    /// fail.
     #[pyo3(signature = (interrupted, name=None))]
     fn finish<'py>(
         &mut self,
@@ -523,7 +524,8 @@ impl Run {
         Ok(facts)
     }
 
-    /// Returns the findings as a page that needs nothing from elsewhere: that of `mechaudit audit --format html`.
+    /// Returns the findings as a page that needs nothing from elsewhere: that of `mechaudit audit
+    /// --format html`.
     fn page(&self) -> PyResult<String> {
         match &self.report {
             Some(report) => {

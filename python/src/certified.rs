@@ -176,8 +176,8 @@ pub enum Ask {
     Integral((Fraction, Fraction)),
 }
 
-/// Exact values of the spline through exact points: a fraction for each question. `kinds` has a condition
-/// for each end, or the one name of a spline that has none.
+/// Exact values of the spline through exact points: a fraction for each question. `kinds` has a
+/// condition for each end, or the one name of a spline that has none.
 #[pyfunction]
 pub fn spline(
     py: Python<'_>,

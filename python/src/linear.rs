@@ -19,8 +19,8 @@ fn evidence(s: &Stability) -> Evidence {
     )
 }
 
-/// `A x = d` for a tridiagonal A; `d` holds several right-hand sides one after the other. The solution
-/// alone: `tridiagonal_stability` tells how far it can be trusted.
+/// `A x = d` for a tridiagonal A; `d` holds several right-hand sides one after the other. The
+/// solution alone: `tridiagonal_stability` tells how far it can be trusted.
 #[pyfunction]
 pub fn solve_tridiagonal<'py>(
     py: Python<'py>,
@@ -62,8 +62,8 @@ pub fn tridiagonal_stability<'py>(
     Ok(evidence(&s))
 }
 
-/// `A x = d` for a cyclic matrix: the first row's lower entry and the last row's upper entry stand in
-/// the corners.
+/// `A x = d` for a cyclic matrix: the first row's lower entry and the last row's upper entry stand
+/// in the corners.
 #[pyfunction]
 pub fn solve_cyclic<'py>(
     py: Python<'py>,

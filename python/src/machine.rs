@@ -191,8 +191,8 @@ impl Linkage {
         })
     }
 
-    /// A row for each value of the drive (degrees, or metres), in their order; NaN where the branch does
-    /// not reach.
+    /// A row for each value of the drive (degrees, or metres), in their order; NaN where the branch
+    /// does not reach.
     fn sweep<'py>(
         &self,
         py: Python<'py>,

@@ -5,8 +5,8 @@ use pyo3::PyResult;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// The pool of this process. After a fork the child has none of its parent's threads, and work given to
-/// them would wait for ever: it gets a pool of its own.
+/// The pool of this process. After a fork the child has none of its parent's threads, and work
+/// given to them would wait for ever: it gets a pool of its own.
 pub fn pool() -> PyResult<Arc<ThreadPool>> {
     static POOL: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
     let mut known = POOL.lock().unwrap_or_else(PoisonError::into_inner);

@@ -53,8 +53,8 @@ pub struct Named {
     pub refused: Vec<StudyError>,
 }
 
-/// Returns the methods that arguments name: all methods without one, all cores of a file in FPCore. A
-/// core that cannot be read is refused by itself if there are others.
+/// Returns the methods that arguments name: all methods without one, all cores of a file in FPCore.
+/// A core that cannot be read is refused by itself if there are others.
 pub fn named(texts: &[String]) -> Result<Named, Failure> {
     let mut named = Named::default();
     if texts.is_empty() {

@@ -17,8 +17,8 @@
 //! | quadrature | [`quadrature`] |
 //! | initial_value | [`initial_value`] |
 //!
-//! Features: `formulas` (elementary functions, integrals, roots, dense and banded systems), `linkages`, `cams` and
-//! `run-up` (folder `drive`), all on by default.
+//! Features: `formulas` (elementary functions, integrals, roots, dense and banded systems),
+//! `linkages`, `cams` and `run-up` (folder `drive`), all on by default.
 //!
 //! Balls are over MPFR, through the crate `rug`: whoever links this links GMP and MPFR (LGPL).
 #![forbid(unsafe_code)]

@@ -1,20 +1,22 @@
 //! The values of functions, pinned bit by bit.
 //!
-//! A radius that shrinks may no longer be a bound, and one that grows costs digits; tests of inclusion see neither.
+//! A radius that shrinks may no longer be a bound, and one that grows costs digits; tests of
+//! inclusion see neither.
 
 use crate::{Ball, ComplexBall, Mag};
 use rug::{Float, Rational};
 use std::fmt::Debug;
 
-/// A hash of answers, the same on every machine (FNV-1a), and the bits of those that are neither exact nor without digits.
+/// A hash of answers, the same on every machine (FNV-1a), and the bits of those that are neither
+/// exact nor without digits.
 pub(crate) struct Answers {
     hash: u64,
     bits: Vec<i64>,
 }
 
 impl Answers {
-    /// The precision, the hash of what is added, and the bits of the worst answer and of the middle one, which tell how much
-    /// a change matters.
+    /// The precision, the hash of what is added, and the bits of the worst answer and of the middle
+    /// one, which tell how much a change matters.
     pub fn line(bits: u32, add: impl FnOnce(&mut Answers)) -> String {
         let mut answers = Answers {
             hash: 0xcbf2_9ce4_8422_2325,
@@ -162,7 +164,8 @@ impl Draw {
         self.fraction() << k
     }
 
-    /// A ball about a fraction, of so many bits and a radius from nothing to a few units, and now and then a wide one.
+    /// A ball about a fraction, of so many bits and a radius from nothing to a few units, and now
+    /// and then a wide one.
     pub fn ball(&mut self, bits: u32, from: i32, to: i32) -> Ball {
         let x = Ball::rational(bits, &self.sized(from, to));
         let x = Ball::new(x.mid().clone(), Mag::ZERO);

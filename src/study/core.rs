@@ -34,7 +34,8 @@ pub(super) fn problems(
     Ok(cores.map(|(k, core)| Ok(problem(core?, file, k))).collect())
 }
 
-/// The problem of the core that a name picks: its symbol, its property `:name` or its number from 1.
+/// The problem of the core that a name picks: its symbol, its property `:name` or its number from
+/// 1.
 pub(super) fn picked(text: &str, file: &str, name: Option<&str>) -> Result<Problem, StudyError> {
     let mut all = problems(text, file)?;
     let Some(name) = name else {

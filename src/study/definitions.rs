@@ -9,8 +9,8 @@ use mechaudit_symbolic::{Bound, Expr};
 type Definitions = (Vec<(String, Item)>, Vec<String>);
 
 /// Definitions, of which a list and a formula with an index stand for several: `a = ["1/2", "3"]`
-/// for `a_1` and `a_2`, `a = { is = "1/n", n = [0, 9] }` for `a_0` to `a_9`; and the names that take
-/// an index.
+/// for `a_1` and `a_2`, `a = { is = "1/n", n = [0, 9] }` for `a_0` to `a_9`; and the names that
+/// take an index.
 pub(super) fn definitions(stated: &[(String, Item)]) -> Result<Definitions, StudyError> {
     let (mut all, mut listed) = (Vec::new(), Vec::new());
     for (name, item) in stated {

@@ -6,10 +6,11 @@ use super::problem::Problem;
 use super::read::entries;
 use mechaudit_symbolic::{Dimensions, Equation, Expr, Undimensional, unit};
 
-/// Checks that every output has the dimension of its unit and that its parts agree. Names without a unit, and parameters
-/// that are numbers without one, may have any. Returns a note about the first fault, or about a unit that cannot be read, so
-/// that nothing is checked. A wrong dimension is a remark of every report and no refusal: numbers in a formula may stand for
-/// quantities whose unit it leaves out.
+/// Checks that every output has the dimension of its unit and that its parts agree. Names without a
+/// unit, and parameters that are numbers without one, may have any. Returns a note about the first
+/// fault, or about a unit that cannot be read, so that nothing is checked. A wrong dimension is a
+/// remark of every report and no refusal: numbers in a formula may stand for quantities whose unit
+/// it leaves out.
 pub(super) fn check(
     file: &Item,
     problem: &Problem,

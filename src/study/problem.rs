@@ -131,7 +131,8 @@ pub struct Problem {
 }
 
 impl Problem {
-    /// The times of whole trajectories, each of which is one answer; none where the time is an input.
+    /// The times of whole trajectories, each of which is one answer; none where the time is an
+    /// input.
     pub fn times(&self) -> &[Rational] {
         self.initial_value
             .as_ref()

@@ -22,11 +22,11 @@ pub type Derivation = BTreeMap<Symbol, ExpSum>;
 ///   before it, so that the tower is a field. A normal form has every root to the first power at
 ///   most and none in a denominator. A square root is the principal one; where the radicand is a
 ///   square, its branch is decided for all values of the symbols or the root is refused.
-/// * Variables of integrals and symbols for which a value is put in later may have any sign: nothing
-///   comes out of a root of them. Those that may be complex have no conjugate.
-/// * `G(z) = ∫_0^z e^{s²} ds` for rational functions z: odd, `G(0) = 0`, `dG = e^{z²} dz`. Values at
-///   different arguments are kept as independent; that is enough to prove identities. A divisor with
-///   a value of G in it is accepted only if an enclosure at a point excludes zero, and so is a
+/// * Variables of integrals and symbols for which a value is put in later may have any sign:
+///   nothing comes out of a root of them. Those that may be complex have no conjugate.
+/// * `G(z) = ∫_0^z e^{s²} ds` for rational functions z: odd, `G(0) = 0`, `dG = e^{z²} dz`. Values
+///   at different arguments are kept as independent; that is enough to prove identities. A divisor
+///   with a value of G in it is accepted only if an enclosure at a point excludes zero, and so is a
 ///   refutation.
 #[derive(Clone, Debug, Default)]
 pub struct Algebra {
@@ -149,7 +149,8 @@ impl Algebra {
         Ok(out)
     }
 
-    /// Returns true if p depends on x otherwise than as a polynomial in it: by a root or an integral.
+    /// Returns true if p depends on x otherwise than as a polynomial in it: by a root or an
+    /// integral.
     pub(super) fn hides(&self, p: &Poly, x: Symbol) -> bool {
         let depends = |q: &Poly| q.contains(x) || self.hides(q, x);
         p.symbols()
@@ -286,8 +287,8 @@ impl Algebra {
         Ok(Fraction::symbol(g))
     }
 
-    /// A normal form as text, with `sqrt(…)` for the roots and `G(…)` for the antiderivative. A text
-    /// that is very long ends in an ellipsis.
+    /// A normal form as text, with `sqrt(…)` for the roots and `G(…)` for the antiderivative. A
+    /// text that is very long ends in an ellipsis.
     pub fn text(&self, e: &ExpSum) -> String {
         let mut out = String::new();
         self.spell(&e.to_string(), &mut out);
@@ -350,8 +351,8 @@ impl Algebra {
     /// Conjugated, all symbols being real.
     ///
     /// # Errors
-    /// [`SymbolicError::Unsupported`] if a value of G is left, whose argument is complex, or a root of what may be
-    /// negative.
+    /// [`SymbolicError::Unsupported`] if a value of G is left, whose argument is complex, or a root
+    /// of what may be negative.
     pub fn conj(&self, e: &ExpSum) -> Result<ExpSum, SymbolicError> {
         let complex = |(s, p): &&(Symbol, Poly)| {
             e.contains(*s) && !self.is_positive(p) && !self.dependent.contains(&(*s, true))
@@ -463,8 +464,8 @@ impl Algebra {
     }
 }
 
-/// `e^{iπk/2} = i^k`: the unit and what is left of the exponent. For an index n, which is an integer,
-/// also `e^{2πikn} = 1`.
+/// `e^{iπk/2} = i^k`: the unit and what is left of the exponent. For an index n, which is an
+/// integer, also `e^{2πikn} = 1`.
 fn half_turns(p: &Fraction) -> (Gauss, Fraction) {
     let mut unit = Gauss::real(1);
     let mut p = p.clone();

@@ -1,9 +1,10 @@
-//! Decides if two polynomials have no common divisor with a variable in it, by their images in one variable modulo
-//! a prime.
+//! Decides if two polynomials have no common divisor with a variable in it, by their images in one
+//! variable modulo a prime.
 //!
-//! Where `p = g h` and no denominator is divisible by the prime, `g` can be scaled so that the images exist and `p`'s is the
-//! product of theirs (Gauss's lemma in the integers of Q(i) localised at a prime above it). Where the image of `p`'s leading
-//! coefficient in x is not zero, neither is that of `g`'s: the degree of `g` in x is that of its image, which divides both.
+//! Where `p = g h` and no denominator is divisible by the prime, `g` can be scaled so that the
+//! images exist and `p`'s is the product of theirs (Gauss's lemma in the integers of Q(i) localised
+//! at a prime above it). Where the image of `p`'s leading coefficient in x is not zero, neither is
+//! that of `g`'s: the degree of `g` in x is that of its image, which divides both.
 
 use super::{Gauss, Poly, Symbol};
 use rug::Rational;
@@ -12,7 +13,8 @@ use rug::Rational;
 const PRIME: u64 = 998_244_353;
 /// Its square is −1.
 const ROOT: u64 = 86_583_718;
-/// Values of the other variables: multiples of a number that has nothing to do with those in formulas.
+/// Values of the other variables: multiples of a number that has nothing to do with those in
+/// formulas.
 const VALUE: u64 = 618_033_989;
 
 fn product(a: u64, b: u64) -> u64 {
@@ -96,7 +98,8 @@ fn common_degree(mut p: Vec<u64>, mut q: Vec<u64>) -> usize {
     p.len() - 1
 }
 
-/// Returns true if it is certain that no common divisor of p and q has x in it; false where the images cannot tell.
+/// Returns true if it is certain that no common divisor of p and q has x in it; false where the
+/// images cannot tell.
 pub(super) fn certainly_without(x: Symbol, p: &Poly, q: &Poly) -> bool {
     let mut others = p.symbols();
     others.extend(q.symbols());

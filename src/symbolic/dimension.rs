@@ -1,11 +1,13 @@
 //! Dimensional analysis: the unit of every part of an expression, from the units of its symbols.
 //!
-//! Terms of a sum, sides of an equation and operands of a comparison have equal dimensions; functions such as the
-//! sine take and give pure numbers; an exponent is a pure number, and a base with a dimension has a rational one.
-//! Angles are pure numbers, as in the SI. Zero has every dimension.
+//! Terms of a sum, sides of an equation and operands of a comparison have equal dimensions;
+//! functions such as the sine take and give pure numbers; an exponent is a pure number, and a base
+//! with a dimension has a rational one. Angles are pure numbers, as in the SI. Zero has every
+//! dimension.
 //!
-//! An equation holds between *quantities*, whose units do not matter, or between *numbers*: values in the units that
-//! are declared. Between numbers a sum of metres and centimetres lacks a factor, which [`Undimensional`] names.
+//! An equation holds between *quantities*, whose units do not matter, or between *numbers*: values
+//! in the units that are declared. Between numbers a sum of metres and centimetres lacks a factor,
+//! which [`Undimensional`] names.
 //!
 //! ```
 //! use mechaudit_symbolic::{Definitions, Dimensions, parse_equation, unit};
@@ -127,7 +129,8 @@ impl Powers {
         out
     }
 
-    /// The size in the SI, if its prime numbers have whole exponents: a rational number and a power of π.
+    /// The size in the SI, if its prime numbers have whole exponents: a rational number and a power
+    /// of π.
     fn size(&self) -> Option<(Rational, i32)> {
         let (mut size, mut pi) = (Rational::from(1), 0);
         for (factor, exponent) in self.0.iter().filter(|f| !matches!(f.0, Factor::Base(_))) {
@@ -384,7 +387,8 @@ impl Analysis<'_> {
         Ok(first.map(|f| f.1))
     }
 
-    /// Checks that a part is a pure number. Its size has to be 1 but where an angle may be in degrees.
+    /// Checks that a part is a pure number. Its size has to be 1 but where an angle may be in
+    /// degrees.
     fn pure(&mut self, whole: &Expr, part: &Expr, degrees: bool) -> Result<(), Undimensional> {
         match self.of(part)? {
             Some(unit) if !(unit.is_pure() && (degrees || unit == Powers::default())) => {

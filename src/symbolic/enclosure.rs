@@ -22,8 +22,8 @@ pub const BITS: u32 = 128;
 /// Rational values of the symbols.
 ///
 /// A name without a value is an error, except at a sample: there it has a value between 1/2 and 3/2
-/// that depends on the name, so that distinct symbols have distinct values. What holds at a sample is
-/// shown for that point alone; samples serve to refute.
+/// that depends on the name, so that distinct symbols have distinct values. What holds at a sample
+/// is shown for that point alone; samples serve to refute.
 #[derive(Clone, Debug, Default)]
 pub struct Point {
     /// The named values.
@@ -121,8 +121,8 @@ impl Enclosures {
     /// An enclosure of the value.
     ///
     /// # Errors
-    /// A name without a value, an operation that is not defined or may not be, and what has no meaning in
-    /// balls.
+    /// A name without a value, an operation that is not defined or may not be, and what has no
+    /// meaning in balls.
     pub fn value(
         &mut self,
         definitions: &Definitions,

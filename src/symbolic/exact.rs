@@ -97,8 +97,9 @@ impl Exact {
         Ok(self.algebra.reduce_fraction(&(&num * &inverse)))
     }
 
-    /// Refuses where a value bound on the way depends on `x`, which is to be free in what follows: a derivative by it
-    /// or a value put in for it would reach into what is bound. A name that is bound to its own symbol is free.
+    /// Refuses where a value bound on the way depends on `x`, which is to be free in what follows:
+    /// a derivative by it or a value put in for it would reach into what is bound. A name that is
+    /// bound to its own symbol is free.
     fn is_free(&self, scope: &Scope<ExpSum>, x: Symbol) -> Result<(), SymbolicError> {
         let captured = scope.bound.iter().any(|(name, v)| {
             let own = Symbol::new(name).is_some_and(|s| *v == ExpSum::symbol(s));

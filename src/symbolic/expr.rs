@@ -40,7 +40,8 @@ impl Relation {
     }
 }
 
-/// Declares the constants once: variant, name in C and FPCore, and the expression that it stands for.
+/// Declares the constants once: variant, name in C and FPCore, and the expression that it stands
+/// for.
 macro_rules! constants {
     ($($constant:ident $name:literal $value:literal;)*) => {
         /// A named constant of C and FPCore; in floating point it is rounded once.
@@ -87,8 +88,8 @@ constants! {
     InverseSqrt2 "SQRT1_2" "1/sqrt(2)";
 }
 
-/// A loop: `while condition`, each variable is replaced by its update; the value is that of the body
-/// for the last values.
+/// A loop: `while condition`, each variable is replaced by its update; the value is that of the
+/// body for the last values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loop {
     /// Returns true if an update sees the new values of the variables before it.

@@ -17,8 +17,8 @@ pub struct Core {
     pub arguments: Vec<String>,
     /// The property `:precision`: `binary64`, `binary32`, `real`.
     pub precision: Option<String>,
-    /// A format that the core or a part of it asks for and that is not binary64 or binary32 all over,
-    /// or a rounding that is not to nearest.
+    /// A format that the core or a part of it asks for and that is not binary64 or binary32 all
+    /// over, or a rounding that is not to nearest.
     pub other_rounding: Option<String>,
     /// The property `:pre`, a condition on the arguments.
     pub pre: Option<Expr>,

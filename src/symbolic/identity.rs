@@ -51,7 +51,8 @@ pub struct Identity {
 const POINTS: u32 = 6;
 
 impl Identity {
-    /// Decides an equation for all positive values of its free symbols; refutes it at sample points.
+    /// Decides an equation for all positive values of its free symbols; refutes it at sample
+    /// points.
     pub fn of(definitions: &Definitions, equation: &Equation) -> Identity {
         Identity::near(definitions, equation, &BTreeMap::new())
     }
@@ -294,7 +295,8 @@ mod tests {
         }
     }
 
-    /// The first point is that of turn 0, and the witness names the free symbols, definitions followed, and no others.
+    /// The first point is that of turn 0, and the witness names the free symbols, definitions
+    /// followed, and no others.
     #[test]
     fn witnesses_name_the_free_symbols() {
         let lines = ["c = a*b", "d = c + c"];
@@ -336,7 +338,8 @@ mod tests {
         assert_eq!(names, ["x", "y"]);
     }
 
-    /// Straight from the data where there is no derivative: the normal form has lost the division by zero.
+    /// Straight from the data where there is no derivative: the normal form has lost the division
+    /// by zero.
     #[test]
     fn points_are_tried_without_the_algebra() {
         let text = "(x^2 - 4)/(x - 2) = 0";

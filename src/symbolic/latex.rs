@@ -83,7 +83,8 @@ fn at_least(e: &Expr, strength: u8) -> String {
     }
 }
 
-/// Returns true if a factor after it would be read as a part of it: integrals, sums, derivatives, products that end so.
+/// Returns true if a factor after it would be read as a part of it: integrals, sums, derivatives,
+/// products that end so.
 fn swallows(e: &Expr) -> bool {
     match e {
         Expr::Int(_) | Expr::Sum(_) => true,

@@ -15,19 +15,19 @@
 //! | kernels | exponentials of exponentials, inverses of sums, arc tangents | one symbol for each argument |
 //!
 //! Sines and cosines are exponentials, so that trigonometric polynomials and finite Fourier sums
-//! need nothing else. Integrals of `c e^p` with p of degree two at most are done in closed form with
-//! G; the probability integral W is made of G. Derivations act by the chain rule.
+//! need nothing else. Integrals of `c e^p` with p of degree two at most are done in closed form
+//! with G; the probability integral W is made of G. Derivations act by the chain rule.
 //!
 //! # Conventions
 //! * Free symbols stand for positive real numbers, `pi` and `i` for the constants.
-//! * An equation is *proved* if the normal form of left minus right is zero: the sides are equal for
-//!   all values of the symbols at which both are defined. It is *refuted* if an enclosure of left
-//!   minus right excludes zero at a rational point. Otherwise it is *undecided*.
+//! * An equation is *proved* if the normal form of left minus right is zero: the sides are equal
+//!   for all values of the symbols at which both are defined. It is *refuted* if an enclosure of
+//!   left minus right excludes zero at a rational point. Otherwise it is *undecided*.
 //! * A square root is the principal one, an argument lies in (−π, π]. Where a branch depends on the
 //!   values of the symbols, nothing is simplified.
-//! * Nothing is divided by a value that is not shown to differ from zero: a root is adjoined only if
-//!   its radicand is no square in the field so far, which is decided; where kernels are involved, an
-//!   enclosure has to exclude zero.
+//! * Nothing is divided by a value that is not shown to differ from zero: a root is adjoined only
+//!   if its radicand is no square in the field so far, which is decided; where kernels are
+//!   involved, an enclosure has to exclude zero.
 //! * `sum(n, a, inf, f)` and integrals with a limit `inf` are the limits, proved in closed form.
 //!   `series(n, f)` is a formal sum over an integer index, compared term by term.
 //! * The work of a decision is limited; past the limit it is undecided.
@@ -35,9 +35,9 @@
 //! # Other crates
 //! Looked at in November 2026. `symbolica` does all of this, but is free of charge for some uses
 //! only. `feanor-math` (MIT) has polynomial rings with generic coefficients, but neither fraction
-//! fields in several variables nor exponentials, which are the larger part here. `algebraics` (LGPL)
-//! has numbers, not functions. What remains is small enough to be written for the purpose, on the
-//! numbers of `rug`.
+//! fields in several variables nor exponentials, which are the larger part here. `algebraics`
+//! (LGPL) has numbers, not functions. What remains is small enough to be written for the purpose,
+//! on the numbers of `rug`.
 //!
 //! # An identity
 //! ```

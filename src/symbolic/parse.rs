@@ -12,9 +12,9 @@
 //! | `int(x, a, b, f)`, `sum(n, 1, inf, f)`, `root(x, a, b, f)` | integral, sum, the only root |
 //! | `D(f, t)`, `at(f, x, value)`, `a[n]`, `series(n, f)` | derivative, value, index, formal sum |
 //!
-//! `i` is the imaginary unit, `pi` the number, and `inf` a limit of integrals and sums. With declared
-//! names ([`parse_declared`]) every other name is a constant of C or an error, and a declared name
-//! wins over a constant or a function.
+//! `i` is the imaginary unit, `pi` the number, and `inf` a limit of integrals and sums. With
+//! declared names ([`parse_declared`]) every other name is a constant of C or an error, and a
+//! declared name wins over a constant or a function.
 
 use super::expr::{Bound, Constant, EACH, Equation, Expr, Func, Loop, RESERVED, Relation, Roots};
 use super::walk::is_number;

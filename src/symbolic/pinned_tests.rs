@@ -1,6 +1,7 @@
 //! Enclosures bit by bit, and which values and texts are chosen where several would serve.
 //!
-//! A radius that shrinks may no longer be a bound, and one that grows costs digits: tests of inclusion notice neither.
+//! A radius that shrinks may no longer be a bound, and one that grows costs digits: tests of
+//! inclusion notice neither.
 
 use crate::complex::{antiderivative, size};
 use crate::{Definitions, Exact, Point, parse};
@@ -9,7 +10,8 @@ use mechaudit_reference::{Ball, ComplexBall, Mag};
 use rug::{Float, Rational};
 use std::fmt::Write;
 
-/// A hash of balls (FNV-1a over their texts), with the least and the largest of their radii to be read.
+/// A hash of balls (FNV-1a over their texts), with the least and the largest of their radii to be
+/// read.
 struct Digest {
     hash: u64,
     radii: [Mag; 2],

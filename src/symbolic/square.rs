@@ -5,10 +5,10 @@
 //! is not zero has an inverse, and a divisor that is zero is seen to be zero, however its roots are
 //! nested.
 //!
-//! Squares `a + b s` in `F(s)` are recognised in F (A. Borodin, R. Fagin, J. E. Hopcroft,
-//! M. Tompa, Decreasing the nesting depth of expressions involving square roots, J. Symb. Comput. 1
-//! (1985), section 2): for b = 0, if a or a/P is one in F; else if the norm `a² − b² P` is a square
-//! n² in F and `(a + n)/2` or `(a − n)/2` is a square u², and then the root is `u + b/(2u) s`. At the
+//! Squares `a + b s` in `F(s)` are recognised in F (A. Borodin, R. Fagin, J. E. Hopcroft, M. Tompa,
+//! Decreasing the nesting depth of expressions involving square roots, J. Symb. Comput. 1 (1985),
+//! section 2): for b = 0, if a or a/P is one in F; else if the norm `a² − b² P` is a square n² in F
+//! and `(a + n)/2` or `(a − n)/2` is a square u², and then the root is `u + b/(2u) s`. At the
 //! bottom are polynomials over the Gaussian rationals, whose roots are extracted term by term.
 
 use super::work::spend;

@@ -8,8 +8,8 @@ use rug::{Integer, Rational};
 const SHIFTS: i64 = 1000;
 
 impl Algebra {
-    /// `Σ_{n ≥ 1} f(n)`, n the index, for a sum of terms `c(n) e^{−pn}` with a polynomial c and Re p > 0, and of
-    /// rational functions of n that are sums of `c/(n + a)^k` with integers a.
+    /// `Σ_{n ≥ 1} f(n)`, n the index, for a sum of terms `c(n) e^{−pn}` with a polynomial c and Re
+    /// p > 0, and of rational functions of n that are sums of `c/(n + a)^k` with integers a.
     ///
     /// # Errors
     /// [`SymbolicError::Unsupported`] for other terms and for sums that are not shown to converge.
@@ -90,8 +90,8 @@ impl Algebra {
     }
 
     /// `Σ_{n ≥ 1} c(n)` of a rational function that falls off like n^(−2): by partial fractions
-    /// `c_{k,a}/(n + a)^k`. Those with k = 1 telescope, those with even k are values of ζ. `None` for
-    /// others.
+    /// `c_{k,a}/(n + a)^k`. Those with k = 1 telescope, those with even k are values of ζ. `None`
+    /// for others.
     fn sum_of_rational(
         &mut self,
         c: &Fraction,
@@ -161,8 +161,8 @@ fn at_integer(f: &Fraction, n: Symbol, value: i64) -> Option<Fraction> {
     Fraction::new(at(f.num()), at(f.den()))
 }
 
-/// The numbers a ≥ 0 of the factors `n + a` of a polynomial in n with their multiplicities; `None` if it
-/// has others.
+/// The numbers a ≥ 0 of the factors `n + a` of a polynomial in n with their multiplicities; `None`
+/// if it has others.
 fn integer_roots(p: &Poly, n: Symbol) -> Option<Vec<(i64, u32)>> {
     let mut rest = p.clone();
     let mut out = Vec::new();

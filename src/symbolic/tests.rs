@@ -224,8 +224,8 @@ fn identities() {
     }
 }
 
-/// A difference of positive symbols has either sign, so that its root and that of its opposite are no multiples of each
-/// other by a constant.
+/// A difference of positive symbols has either sign, so that its root and that of its opposite are
+/// no multiples of each other by a constant.
 #[test]
 fn roots_of_differences_keep_their_branch() {
     for text in [
@@ -251,7 +251,8 @@ fn roots_of_differences_keep_their_branch() {
     }
 }
 
-/// A variable of an integral and a symbol with a value put in have either sign, and what hides them is not constant.
+/// A variable of an integral and a symbol with a value put in have either sign, and what hides them
+/// is not constant.
 #[test]
 fn bound_variables_have_any_sign() {
     for text in [
@@ -325,7 +326,8 @@ fn an_arc_tangent_of_what_may_be_complex() {
         let e = parse(text).unwrap();
         Enclosures::new(&point).value(&none, &e)
     };
-    // Im z is 10^-300, far below what the balls tell from zero; the arc tangent at 1 has half of it.
+    // Im z is 10^-300, far below what the balls tell from zero; the arc tangent at 1 has half of
+    // it.
     let near = value("arctan(1 + i*(re(exp(i*pi)) + 1 + 1/10^300))").unwrap();
     let half = Rational::from((1, 2)) / rug::Integer::from(10).pow(300);
     assert!(near.im.contains(&half) && !near.im.is_zero(), "{near:?}");
@@ -442,8 +444,8 @@ fn bound_names_end_where_they_are_bound() {
     }
 }
 
-/// Neither a derivative by a variable that is bound outside of it, nor one or a value put in that would reach into a
-/// value bound outside, is taken for one of the free symbol.
+/// Neither a derivative by a variable that is bound outside of it, nor one or a value put in that
+/// would reach into a value bound outside, is taken for one of the free symbol.
 #[test]
 fn derivatives_by_bound_variables() {
     for text in [

@@ -59,7 +59,8 @@ const TIME: [i32; 4] = [0, 0, 1, 0];
 const ANGLE: [i32; 4] = [0, 0, 0, 1];
 const RATE: [i32; 4] = [0, 0, -1, 1];
 
-/// Units of the SI that take prefixes; the electrical ones and those of heat and light stand in [`beyond_mechanics`].
+/// Units of the SI that take prefixes; the electrical ones and those of heat and light stand in
+/// [`beyond_mechanics`].
 fn of_si(name: &str) -> Option<Named> {
     Some(match name {
         "m" => ((1, 1), LENGTH, false),
@@ -154,7 +155,8 @@ fn base(name: &str) -> Option<Unit> {
 /// Units in a product at most: no quantity has more, and every one makes the scale longer.
 const MOST_UNITS: usize = 16;
 
-/// Reads a product of units such as `kg m^2`, `kg·m²` or `m/s^2`. A stroke divides by the next factor alone.
+/// Reads a product of units such as `kg m^2`, `kg·m²` or `m/s^2`. A stroke divides by the next
+/// factor alone.
 ///
 /// # Errors
 /// [`UnitError`].

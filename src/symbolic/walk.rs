@@ -23,7 +23,8 @@ impl Definitions {
         self.names.insert(name.into(), value);
     }
 
-    /// Returns true if one of the names occurs in the expression, definitions and derivations followed.
+    /// Returns true if one of the names occurs in the expression, definitions and derivations
+    /// followed.
     pub fn reaches(&self, e: &Expr, names: &[&str]) -> bool {
         self.any(
             e,
@@ -31,7 +32,8 @@ impl Definitions {
         )
     }
 
-    /// Returns true if something is so of a part of the expression, definitions and derivations followed.
+    /// Returns true if something is so of a part of the expression, definitions and derivations
+    /// followed.
     pub(super) fn any(&self, e: &Expr, is_so: impl Fn(&Expr) -> bool) -> bool {
         let mut open = vec![e];
         let (mut seen, mut derived) = (BTreeSet::new(), BTreeSet::new());

@@ -32,7 +32,8 @@ fn witness() -> BTreeMap<(String, String), Values> {
     all
 }
 
-/// Returns true if two decimals agree to that many significant digits, but for one unit of the last.
+/// Returns true if two decimals agree to that many significant digits, but for one unit of the
+/// last.
 pub fn agree(a: &str, b: &str, digits: i32) -> bool {
     let exact = |text: &str| mechaudit::reference::Decimal::parse(text).unwrap().value;
     let (a, b) = (exact(a), exact(b));

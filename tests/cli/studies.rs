@@ -18,7 +18,8 @@ fn audit(study: &str, more: &[&str]) -> Done {
     run(&[&["audit", study, "--cases", "4"], more].concat())
 }
 
-/// A study, whether its solver `naive` passes and whether `stable` does, and its candidate in Python.
+/// A study, whether its solver `naive` passes and whether `stable` does, and its candidate in
+/// Python.
 const EXAMPLES: [(&str, &[(&str, i32)]); 11] = [
     ("cancellation", &[("naive", 1), ("stable", 0)]),
     ("quadratic", &[("naive", 1), ("stable", 0)]),

@@ -1,5 +1,5 @@
-//! The findings of campaigns, `reference/campaigns/*.csv`: the worst cases are judged again, and the tables of
-//! the page beside them are these figures.
+//! The findings of campaigns, `reference/campaigns/*.csv`: the worst cases are judged again, and
+//! the tables of the page beside them are these figures.
 
 use mechaudit::audit::{Case, Method, Origin, Settings, Verdict, answer_of, judge_case};
 use mechaudit::methods::find;
@@ -60,7 +60,8 @@ fn again(method: &dyn Method, row: &Row) -> f64 {
     component.expect(&row.of).ulps
 }
 
-/// Every worst case passes. Where W(z) has the bits that it had then, its error is the recorded one.
+/// Every worst case passes. Where W(z) has the bits that it had then, its error is the recorded
+/// one.
 #[test]
 fn worst_cases_are_judged_again() {
     let method = find("faddeeva").unwrap();

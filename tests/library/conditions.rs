@@ -4,7 +4,8 @@ use mechaudit::audit::{Cases, Layout, Method, Settings, Variant, conditions_by_d
 use mechaudit::methods;
 use rug::{Float, Rational};
 
-/// Of the method's random cases but those at knots, where differences step over a jump: its conditions, and differences.
+/// Of the method's random cases but those at knots, where differences step over a jump: its
+/// conditions, and differences.
 fn all(method: &dyn Method) -> Vec<(String, Vec<f64>, Vec<f64>)> {
     all_but(method, |_, _| false)
 }
@@ -76,8 +77,8 @@ fn those_of_planar_linkages_are_no_smaller() {
     }
 }
 
-/// At a kink the larger side counts. Where both of Akima's weights vanish, which whole numbers make, the
-/// reference jumps and the condition does not.
+/// At a kink the larger side counts. Where both of Akima's weights vanish, which whole numbers
+/// make, the reference jumps and the condition does not.
 #[test]
 fn those_of_local_slopes_are_no_smaller() {
     for name in ["pchip", "akima", "modified-akima"] {
@@ -129,7 +130,8 @@ fn those_of_periodic_splines() {
     }
 }
 
-/// Of a law by a table the place, its inner knots and ordinates; the share of the stroke and the ends are exact.
+/// Of a law by a table the place, its inner knots and ordinates; the share of the stroke and the
+/// ends are exact.
 #[test]
 fn those_of_tables_are_of_place_and_data() {
     let method = methods::find("cam-law").unwrap();

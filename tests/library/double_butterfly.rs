@@ -1,11 +1,14 @@
-//! All assembly modes of `examples/double-butterfly.toml` at four positions of its drive: how many there are by exact
-//! elimination, each enclosed, and beside mpmath (`reference/independent/double_butterfly.csv`).
+//! All assembly modes of `examples/double-butterfly.toml` at four positions of its drive: how many
+//! there are by exact elimination, each enclosed, and beside mpmath
+//! (`reference/independent/double_butterfly.csv`).
 //!
-//! With ACD in place and `t = tan(β/2)`, x, y for the turns β of BFJ, ξ of EFG, η of DHI from the drawing, the bars CE, IJ, GH
-//! keep their lengths: p(t, x) = 0, q(t, y) = 0, r(t, x, y) = 0, quadratic in each. `R(t) = Res_y(Res_x(p, r), q)` has
-//! degree 24 and vanishes wherever the three have a common zero, x or y at infinity among them; at a real t of two of them
-//! it has a double root. So where R, freed of factors 1 + t², is square-free and of full degree (no zero at
-//! infinity), there are as many real modes at most as real roots, and Sturm's sequence counts those.
+//! With ACD in place and `t = tan(β/2)`, x, y for the turns β of BFJ, ξ of EFG, η of DHI from the
+//! drawing, the bars CE, IJ, GH keep their lengths: p(t, x) = 0, q(t, y) = 0, r(t, x, y) = 0,
+//! quadratic in each. `R(t) = Res_y(Res_x(p, r), q)` has degree 24 and vanishes wherever the three
+//! have a common zero, x or y at infinity among them; at a real t of two of them it has a double
+//! root. So where R, freed of factors 1 + t², is square-free and of full degree (no zero at
+//! infinity), there are as many real modes at most as real roots, and Sturm's sequence counts
+//! those.
 
 use mechaudit::reference::planar::{Attachment, Body, Drive, Joint, Linkage, Mechanism, Position};
 use mechaudit::reference::{Ball, Decimal};
@@ -163,7 +166,8 @@ struct Elimination {
 }
 
 impl Elimination {
-    /// p, q and r at a number t, r as coefficients of x at a number y; all times what clears their fractions.
+    /// p, q and r at a number t, r as coefficients of x at a number y; all times what clears their
+    /// fractions.
     fn at(
         &self,
         t: &Rational,

@@ -210,8 +210,8 @@ fn rational(x: f64) -> Rational {
     Rational::from_f64(x).expect("finite")
 }
 
-/// `|got − reference|` in units of 2^`unit`, and in ulps of the reference; overflow has to be signed
-/// infinity.
+/// `|got − reference|` in units of 2^`unit`, and in ulps of the reference; overflow has to be
+/// signed infinity.
 fn distance(got: f64, reference: &Ball) -> (Mag, f64) {
     if reference.magnitude() >= Mag::from_f64(f64::MAX) && !(reference.mid().to_f64().is_finite()) {
         let right = got == reference.mid().to_f64() || got.abs() == f64::MAX;

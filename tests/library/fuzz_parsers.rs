@@ -1,7 +1,7 @@
 //! Every reader of the library with text of any kind: a value or a typed error, no panic.
 //!
-//! `PROPTEST_CASES=100000 cargo test --release --test library fuzz_parsers` looks longer; the readers of
-//! the command line are tried in `src/cli/fuzz.rs`.
+//! `PROPTEST_CASES=100000 cargo test --release --test library fuzz_parsers` looks longer; the
+//! readers of the command line are tried in `src/cli/fuzz.rs`.
 
 use crate::fuzz_solvers::cases;
 use mechaudit::audit::{HARD_HEADER, HardCase, hex_float};

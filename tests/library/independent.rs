@@ -118,7 +118,8 @@ fn mpmath_and_arb_agree_on_the_faddeeva_function() {
     assert_eq!(rows, 113);
 }
 
-/// Extrapolation of the printed equations in time beside the enclosed motion, which integrates nothing in time.
+/// Extrapolation of the printed equations in time beside the enclosed motion, which integrates
+/// nothing in time.
 #[test]
 fn mpmath_agrees_on_andrews_mechanism() {
     use mechaudit_cli::papers::andrews::{BITS, QUANTITIES, TIMES, motion};

@@ -1,4 +1,5 @@
-//! The audited methods, pinned: nothing can be dropped from the registry, a domain or a judge's list unseen.
+//! The audited methods, pinned: nothing can be dropped from the registry, a domain or a judge's
+//! list unseen.
 
 use mechaudit::audit::{Cases, Settings, audit_method};
 use mechaudit::methods;
@@ -31,7 +32,8 @@ fn methods_regions_and_laws() {
     crate::pin("inventory", &text);
 }
 
-/// An audit judges every check point, every hard case, and as many cases of every region as it is asked for.
+/// An audit judges every check point, every hard case, and as many cases of every region as it is
+/// asked for.
 #[test]
 fn no_case_is_left_out() {
     for name in ["slider-crank", "erf", "tridiagonal"] {
@@ -73,7 +75,8 @@ fn data(folder: &Path) -> u64 {
     sizes.sum()
 }
 
-/// Data are committed once and in a compact form: values to be held, not what a command prints again.
+/// Data are committed once and in a compact form: values to be held, not what a command prints
+/// again.
 #[test]
 fn committed_data_is_small() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -1,7 +1,8 @@
-//! Jansen's leg in balls beside what others print of it (`reference/published/jansen-leg.csv`) and beside mpmath
-//! (`reference/independent/jansen_leg.csv`).
+//! Jansen's leg in balls beside what others print of it (`reference/published/jansen-leg.csv`) and
+//! beside mpmath (`reference/independent/jansen_leg.csv`).
 //!
-//! The leg is taken as eleven bars: a triangle of a file's `sides` has a root in it, bars have fractions.
+//! The leg is taken as eleven bars: a triangle of a file's `sides` has a root in it, bars have
+//! fractions.
 
 use mechaudit::reference::planar::{Attachment, Body, Drive, Joint, Linkage, Mechanism};
 use mechaudit::reference::{Ball, ComplexBall, Decimal};
@@ -106,8 +107,8 @@ impl Leg {
         }
     }
 
-    /// X, Y, Z, W, F at a crank angle, the position next to rough coordinates of them; X above MP, Z below it, Y, W, F
-    /// outside, which names one of the 32 positions.
+    /// X, Y, Z, W, F at a crank angle, the position next to rough coordinates of them; X above MP,
+    /// Z below it, Y, W, F outside, which names one of the 32 positions.
     fn points(&self, degrees: u32, near: &[[f64; 2]; 5]) -> [[Ball; 2]; 5] {
         let phi = Ball::pi(BITS) * Ball::rational(BITS, &Rational::from((degrees, 180)));
         let (s, c) = phi.sin_cos();
@@ -194,7 +195,8 @@ fn mpmath_agrees_to_thirty_digits() {
     assert_eq!(rows, 12);
 }
 
-/// Every printed number by how many units of its last place it is off, rounded: all are right but those named.
+/// Every printed number by how many units of its last place it is off, rounded: all are right but
+/// those named.
 #[test]
 fn printed_numbers_are_right_but_for_last_places() {
     let mut wrong = Vec::new();
@@ -240,7 +242,8 @@ fn printed_numbers_are_right_but_for_last_places() {
     assert_eq!(wrong, due);
 }
 
-/// Where the circles about p and q with these squares of radii meet, left of the way from p to q or right of it.
+/// Where the circles about p and q with these squares of radii meet, left of the way from p to q or
+/// right of it.
 fn meet([p, q]: [&ComplexBall; 2], [r, s]: [&Rational; 2], left: bool) -> ComplexBall {
     let way = q - p;
     let [r, s] = [r, s].map(|x| Ball::rational(64, x));
@@ -262,9 +265,10 @@ fn gap(crank: &Ball, [x_left, y_left, z_left]: [bool; 3]) -> Ball {
     (&y - &z).norm_sqr()
 }
 
-/// The statements of PMKSWeb's fixture beside its numbers. The eleven bars can be joined in 32 ways at crank angle
-/// zero: right. Twelve of them jam in a turn and nineteen run beside the leg: wrong, 16 jam and 15 run. (A mirror in the line OP keeps the
-/// bars, so that those that jam come in eights: by two, times the sides of W and F.) |MZ| − |PZ| is 1.19 short of the least
+/// The statements of PMKSWeb's fixture beside its numbers. The eleven bars can be joined in 32 ways
+/// at crank angle zero: right. Twelve of them jam in a turn and nineteen run beside the leg: wrong,
+/// 16 jam and 15 run. (A mirror in the line OP keeps the bars, so that those that jam come in
+/// eights: by two, times the sides of W and F.) |MZ| − |PZ| is 1.19 short of the least
 /// |MP|: right.
 ///
 /// X, Z and F exist at every angle, and Y, whose sides make a triangle; W where `|f − g| < |YZ| < f + g`, which is proved on

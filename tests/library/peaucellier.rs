@@ -1,8 +1,10 @@
-//! Peaucellier's cell of `examples/peaucellier-cell.toml`: its point D moves on a straight line, by exact algebra.
+//! Peaucellier's cell of `examples/peaucellier-cell.toml`: its point D moves on a straight line, by
+//! exact algebra.
 //!
-//! With O at the origin and the crank's pin A, the pins B and C at |OB| = |OC| = b from O and |AB| = |AC| = a from A are
-//! `α A ± h i A` with `α = (1 + k/|A|²)/2`, `h² = b²/|A|² − α²` and `k = b² − a²`, and the rhombus has its fourth corner at
-//! `D = B + C − A`. The crank's circle through O is `A = r (1 + e^{iφ})`, `t = tan(φ/2)`.
+//! With O at the origin and the crank's pin A, the pins B and C at |OB| = |OC| = b from O and |AB|
+//! = |AC| = a from A are `α A ± h i A` with `α = (1 + k/|A|²)/2`, `h² = b²/|A|² − α²` and `k = b² −
+//! a²`, and the rhombus has its fourth corner at `D = B + C − A`. The crank's circle through O is
+//! `A = r (1 + e^{iφ})`, `t = tan(φ/2)`.
 
 use mechaudit_symbolic::{Definitions, Identity, Outcome, parse_equation};
 

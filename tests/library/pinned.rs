@@ -46,8 +46,8 @@ pub fn drawn(method: &dyn Method, per_region: u64) -> Vec<Case> {
     (0..cases.len()).map(|i| cases.get(i)).collect()
 }
 
-/// Of the methods from one to before another, or to the last, region by region, what `text` says of their cases. Hard cases
-/// are left out: their values are written down.
+/// Of the methods from one to before another, or to the last, region by region, what `text` says of
+/// their cases. Hard cases are left out: their values are written down.
 fn by_region(
     from: &str,
     to: Option<&str>,
@@ -84,8 +84,9 @@ fn cases() {
     crate::pin("cases", &text);
 }
 
-/// A law that grows lax holds for every solver. Beside the number of cases that it applies to, and of those where it holds
-/// exactly, stands the sum of the logarithms of its residuals, which changes with each.
+/// A law that grows lax holds for every solver. Beside the number of cases that it applies to, and
+/// of those where it holds exactly, stands the sum of the logarithms of its residuals, which
+/// changes with each.
 #[test]
 fn laws() {
     let mut text = String::new();
@@ -104,8 +105,8 @@ fn laws() {
     crate::pin("laws", &text);
 }
 
-/// Pins the units of budgets: a condition that grows makes its check weaker, and no case fails. The sum of logarithms
-/// over a case's values changes with each of them.
+/// Pins the units of budgets: a condition that grows makes its check weaker, and no case fails. The
+/// sum of logarithms over a case's values changes with each of them.
 #[test]
 fn conditions() {
     let needs = |m: &dyn Method| {
@@ -145,7 +146,8 @@ fn conditions() {
     crate::pin("conditions", &text);
 }
 
-/// Adds an answer to the digest; the accuracy of its worst value in bits, if that is neither exact nor without digits.
+/// Adds an answer to the digest; the accuracy of its worst value in bits, if that is neither exact
+/// nor without digits.
 fn add(digest: &mut Digest, answer: ReferenceAnswer) -> Option<i64> {
     let expected = match answer {
         ReferenceAnswer::Values(r) => r.values.into_iter().map(Expected::Number).collect(),
@@ -169,9 +171,9 @@ fn add(digest: &mut Digest, answer: ReferenceAnswer) -> Option<i64> {
     worst
 }
 
-/// A radius that shrinks may no longer be a bound, and one that grows costs digits; tests of inclusion see neither. Every
-/// change of a formula, a number of terms or a working precision shows here, and the bits of the worst value how much it
-/// matters.
+/// A radius that shrinks may no longer be a bound, and one that grows costs digits; tests of
+/// inclusion see neither. Every change of a formula, a number of terms or a working precision shows
+/// here, and the bits of the worst value how much it matters.
 fn balls(name: &str, from: &str, to: Option<&str>, per_region: u64) {
     let text = by_region(from, to, per_region, |method, cases| {
         let at = BITS.map(|bits| {

@@ -1,5 +1,5 @@
-//! Each condition in `tests/soundness.csv` still stands in its file. CI breaks them one by one, late; this says at
-//! once that a row has to move with its code.
+//! Each condition in `tests/soundness.csv` still stands in its file. CI breaks them one by one,
+//! late; this says at once that a row has to move with its code.
 
 use std::fs;
 use std::path::Path;

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 use std::process::Command;
 
-/// The library that these tests are linked with, the last that was built, and the folder of those it
-/// needs.
+/// The library that these tests are linked with, the last that was built, and the folder of those
+/// it needs.
 fn library() -> (PathBuf, PathBuf) {
     let own = std::env::current_exe().unwrap();
     let folder = own.parent().unwrap().to_path_buf();

@@ -1,8 +1,9 @@
 //! The solvers' values bit by bit, a digest for each method and region.
 //!
-//! A digest that changes says that a value changed, not that it became worse. The test names the blocks of cases that
-//! changed, judges some of each and says how they stand to their budgets. The Faddeeva family is left out: its bits,
-//! on many more points, are those of `tests/solver_values/bits.csv`.
+//! A digest that changes says that a value changed, not that it became worse. The test names the
+//! blocks of cases that changed, judges some of each and says how they stand to their budgets. The
+//! Faddeeva family is left out: its bits, on many more points, are those of
+//! `tests/solver_values/bits.csv`.
 
 use crate::pinned::{Digest, cut, drawn};
 use mechaudit::audit::{Case, Method, Settings, answer_of, judge_case};
@@ -42,7 +43,8 @@ fn per_region(name: &str) -> u64 {
     }
 }
 
-/// The cases of a region, their inputs cut: the last bits of a draw come from the system's logarithm.
+/// The cases of a region, their inputs cut: the last bits of a draw come from the system's
+/// logarithm.
 fn blocks(method: &dyn Method) -> Vec<Vec<Case>> {
     let cases = drawn(method, per_region(method.name()));
     let blocks = cases.chunk_by(|a, b| a.region == b.region);
@@ -130,8 +132,8 @@ fn of_arithmetic_alone() {
     hold("solver-bits", "", is_portable);
 }
 
-/// These bits depend on the platform's elementary functions; where they are others than at the time of writing, nothing
-/// can be compared.
+/// These bits depend on the platform's elementary functions; where they are others than at the time
+/// of writing, nothing can be compared.
 #[test]
 fn of_elementary_functions() {
     let head = format!("elementary functions: {}\n", elementary());

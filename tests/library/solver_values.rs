@@ -1,7 +1,9 @@
-//! How far off a solver may be at the values of `reference/values/`: `tests/solver_values/allowed.csv`.
+//! How far off a solver may be at the values of `reference/values/`:
+//! `tests/solver_values/allowed.csv`.
 //!
-//! `src/solvers/tests` reads both without GMP or MPFR. `cargo test --release --test library solver_values::write --
-//! --ignored` writes the allowances anew, for the values that `mechaudit regenerate` has written.
+//! `src/solvers/tests` reads both without GMP or MPFR. `cargo test --release --test library
+//! solver_values::write -- --ignored` writes the allowances anew, for the values that `mechaudit
+//! regenerate` has written.
 
 use mechaudit::audit::{Case, Cases, Limit, Method, Origin, Settings, Verdict};
 use mechaudit::audit::{answer_of, judge_case};
@@ -14,8 +16,8 @@ const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 const ALLOWED: &str = "tests/solver_values/allowed.csv";
 const SPECIAL: &str = "tests/solver_values/special.csv";
 
-/// How many times the worst error of its region, at the time of writing, a value may be off. It is never more than the
-/// budget allows.
+/// How many times the worst error of its region, at the time of writing, a value may be off. It is
+/// never more than the budget allows.
 const SLACK: f64 = 2.0;
 
 /// A line of `reference/values/`.
@@ -46,7 +48,8 @@ fn held(method: &dyn Method) -> Vec<Held> {
     rows.records().map(|r| row(r.expect("a line"))).collect()
 }
 
-/// The methods with values: enclosing the motions of `run-up` takes minutes, `run_up_accuracy` compares some.
+/// The methods with values: enclosing the motions of `run-up` takes minutes, `run_up_accuracy`
+/// compares some.
 fn methods() -> impl Iterator<Item = Box<dyn Method>> {
     let values = registry().into_iter().filter(|m| m.name() != "run-up");
     values.map(|m| m as Box<dyn Method>)
@@ -91,7 +94,8 @@ fn budget(method: &dyn Method, input: &[f64], values: &[f64]) -> Vec<f64> {
     all.clone().map(one).collect()
 }
 
-/// The worst share of the budget in each region, by output, over check points and some cases of each region.
+/// The worst share of the budget in each region, by output, over check points and some cases of
+/// each region.
 fn worst(method: &dyn Method, cases: &Cases) -> HashMap<(String, &'static str), f64> {
     let settings = Settings::default();
     let mut worst = HashMap::new();

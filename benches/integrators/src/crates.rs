@@ -10,7 +10,8 @@ use rustix::time::{ClockId, clock_gettime};
 use std::cell::Cell;
 use std::convert::Infallible;
 
-/// A run that evaluates its right-hand side more often is given up, and so is one with as many steps.
+/// A run that evaluates its right-hand side more often is given up, and so is one with as many
+/// steps.
 const MOST: u64 = 1_000_000;
 
 thread_local! {

@@ -1,8 +1,8 @@
 //! Runs the integrators of Rust crates on the problems of the atlas and prints where they end.
 //!
-//! A line is `problem,method,tolerance,evaluations,seconds` and the states at the end with 17 digits, or nothing
-//! after the tolerance where the crate gives up. `atlas.py` compares them with certified states. Seconds are
-//! processor time, the least of three runs.
+//! A line is `problem,method,tolerance,evaluations,seconds` and the states at the end with 17
+//! digits, or nothing after the tolerance where the crate gives up. `atlas.py` compares them with
+//! certified states. Seconds are processor time, the least of three runs.
 
 mod crates;
 mod problems;

@@ -1,4 +1,5 @@
-//! The problems of the atlas, as in `examples/studies/motion`, over numbers that may carry a derivative.
+//! The problems of the atlas, as in `examples/studies/motion`, over numbers that may carry a
+//! derivative.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -133,8 +133,8 @@ fn own(path: &Path) -> Result<[Box<dyn Code>; 2], String> {
     let library = open(path)?;
     // SAFETY: mechaudit.h: `double _Complex mechaudit_faddeeva_c(double _Complex)`.
     let w: Plain = *unsafe { library.get(b"mechaudit_faddeeva_c\0") }.map_err(|e| e.to_string())?;
-    // SAFETY: mechaudit.h: `mechaudit_status mechaudit_batch(int function, size_t n, const double *z,
-    // ptrdiff_t incz, double *w, ptrdiff_t incw, mechaudit_error *error)`.
+    // SAFETY: mechaudit.h: `mechaudit_status mechaudit_batch(int function, size_t n, const double
+    // *z, ptrdiff_t incz, double *w, ptrdiff_t incw, mechaudit_error *error)`.
     let batch: Batch = *unsafe { library.get(b"mechaudit_batch\0") }.map_err(|e| e.to_string())?;
     let scalar = Scalar {
         name: "mechaudit C".into(),

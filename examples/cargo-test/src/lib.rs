@@ -1,6 +1,7 @@
 //! A crate that solves tridiagonal systems: the code that is audited in `tests/accuracy.rs`.
 
-/// The solution of a tridiagonal system by elimination without pivoting; none where a pivot vanishes.
+/// The solution of a tridiagonal system by elimination without pivoting; none where a pivot
+/// vanishes.
 ///
 /// `lower` and `upper` are one shorter than `diagonal` and `d`.
 pub fn sweep(lower: &[f64], diagonal: &[f64], upper: &[f64], d: &[f64]) -> Option<Vec<f64>> {

@@ -1,7 +1,8 @@
 //! Floating-point status flags around a loop.
 
-/// Puts the status flags back as they were. Lanes that are computed and thrown away raise flags that
-/// say nothing about the values, and NumPy would warn of them; scipy.special raises none either.
+/// Puts the status flags back as they were. Lanes that are computed and thrown away raise flags
+/// that say nothing about the values, and NumPy would warn of them; scipy.special raises none
+/// either.
 pub struct FloatStatus(u64);
 
 impl FloatStatus {

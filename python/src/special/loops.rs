@@ -61,9 +61,10 @@ fn overlap(a: *const c_void, b: *const c_void, bytes: usize) -> bool {
 /// `F` of one column.
 ///
 /// # Safety
-/// To be called by NumPy, for a ufunc with one input and one output of type `S`: `args`, `dims`, and
-/// `steps` are those of a ufunc's loop, and the numbers are aligned (NumPy copies those that are not).
-/// Input and output may be the same memory, number by number; it copies where they overlap otherwise.
+/// To be called by NumPy, for a ufunc with one input and one output of type `S`: `args`, `dims`,
+/// and `steps` are those of a ufunc's loop, and the numbers are aligned (NumPy copies those that
+/// are not). Input and output may be the same memory, number by number; it copies where they
+/// overlap otherwise.
 pub unsafe extern "C" fn unary<F, S>(
     args: *mut *mut c_char,
     dims: *mut npy_intp,
@@ -90,9 +91,9 @@ pub unsafe extern "C" fn unary<F, S>(
     if let (Some(from), Some(to)) = (x.contiguous(), y.contiguous())
         && !overlap(from.cast(), to.cast(), n * size_of::<S>())
     {
-        // SAFETY: n numbers lie side by side at each pointer; the runs are disjoint, and nobody else
-        // writes to them while NumPy's loop runs (what other threads do to the same arrays is theirs
-        // to guard, as for any ufunc).
+        // SAFETY: n numbers lie side by side at each pointer; the runs are disjoint, and nobody
+        // else writes to them while NumPy's loop runs (what other threads do to the same arrays is
+        // theirs to guard, as for any ufunc).
         unsafe { F::many(from_raw_parts(from, n), from_raw_parts_mut(to, n)) };
         return;
     }

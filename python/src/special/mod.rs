@@ -18,8 +18,8 @@ type C64 = Complex<f64>;
 
 /// Adds every ufunc to the module.
 pub fn add_to(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    // Double precision first, as scipy.special has it: NumPy gives integers and other numbers to the
-    // first loop that takes them.
+    // Double precision first, as scipy.special has it: NumPy gives integers and other numbers to
+    // the first loop that takes them.
     macro_rules! both {
         ($function:ty) => {
             vec![

@@ -27,8 +27,8 @@ pub struct PaperArgs {
     /// Show every formula with its proof, its refutation or its smallest repair
     #[arg(long)]
     pub ledger: bool,
-    /// Print verdicts that are not those on record and nothing else; exit code 1 if there are any. With
-    /// `--ledger --output FILE`: compare the ledger with the file instead of writing it
+    /// Print verdicts that are not those on record and nothing else; exit code 1 if there are any.
+    /// With `--ledger --output FILE`: compare the ledger with the file instead of writing it
     #[arg(long)]
     pub check: bool,
     /// Form of the report

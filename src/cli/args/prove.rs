@@ -113,7 +113,8 @@ pub struct ProveArgs {
     /// place; intervals until that of the value is [default: 4; of a real argument 0.875]
     #[arg(long, value_name = "C", value_parser = super::number::bound)]
     pub component: Option<f64>,
-    /// Only where Re z and Im z are below this, for faddeeva, or every input in magnitude, for a study
+    /// Only where Re z and Im z are below this, for faddeeva, or every input in magnitude, for a
+    /// study
     #[arg(long, value_name = "R", value_parser = super::number::positive)]
     pub within: Option<f64>,
     /// Write the rectangles to this file

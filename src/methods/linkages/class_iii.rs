@@ -131,7 +131,8 @@ impl<'a, T: Number> ClassIiiInput<'a, T> {
 
 /// The class-III linkage on a chosen assembly mode: angles, rates and reduced quantities.
 ///
-/// A candidate is a `Fn(ClassIiiInput) -> ` 16 values, as `mechaudit describe class-iii` lays them out.
+/// A candidate is a `Fn(ClassIiiInput) -> ` 16 values, as `mechaudit describe class-iii` lays them
+/// out.
 #[derive(Clone, Copy, Debug)]
 pub struct ClassIii;
 

@@ -1,5 +1,5 @@
-//! The papers that are text alone, and slips planted in them: every slip is found, and nearly all are undone by the
-//! smallest repair.
+//! The papers that are text alone, and slips planted in them: every slip is found, and nearly all
+//! are undone by the smallest repair.
 
 use super::PaperFile;
 use crate::papers::ledger::{LedgerEntry, Verdict, decide};
@@ -56,7 +56,8 @@ fn papers_of_text_alone_are_as_recorded() {
     );
 }
 
-/// Returns true if two equations say the same: equal sides under one name, or equal differences of the sides.
+/// Returns true if two equations say the same: equal sides under one name, or equal differences of
+/// the sides.
 fn same(a: &str, b: &str) -> bool {
     let [a, b] = [a, b].map(|text| parse_equation(text).unwrap());
     let difference = |e: &Equation| match &e.left {
@@ -70,7 +71,8 @@ fn same(a: &str, b: &str) -> bool {
     Identity::of(&Definitions::default(), &equation).outcome == Outcome::Proved
 }
 
-/// The entry of a paper in which one value is replaced: of its printed form, or the unit of a symbol.
+/// The entry of a paper in which one value is replaced: of its printed form, or the unit of a
+/// symbol.
 fn planted(row: &csv::StringRecord) -> (LedgerEntry, String) {
     let [paper, id, _, symbol, slip] = [0, 1, 2, 3, 4].map(|k| &row[k]);
     let text = text_of(paper);
@@ -120,11 +122,13 @@ fn planted_slips_are_found_and_undone() {
             usize::from(corrected.is_some_and(|c| same(&c.text, &original)))
         })
         .sum();
-    // Of 50 slips in formulas one has another repair: both square roots of z^2 satisfy its requirement.
+    // Of 50 slips in formulas one has another repair: both square roots of z^2 satisfy its
+    // requirement.
     assert_eq!(undone, 49);
 }
 
-/// (4) of Zinchenko's paper as an equation between numbers: its lengths are in centimetres, its inertias in kg m².
+/// (4) of Zinchenko's paper as an equation between numbers: its lengths are in centimetres, its
+/// inertias in kg m².
 #[test]
 fn a_lost_power_of_ten_is_a_wrong_dimension() {
     let text = |units: &str| {

@@ -1,8 +1,8 @@
 //! The values that the symbols of an entry may have.
 //!
 //! The algebra proves for positive symbols. A symbol that may be negative or zero is therefore
-//! treated case by case: a requirement is proved if it is proved with `x`, with `-x` and with `0` in
-//! the place of `x`, and refuted if it is refuted at a point of the domain.
+//! treated case by case: a requirement is proved if it is proved with `x`, with `-x` and with `0`
+//! in the place of `x`, and refuted if it is refuted at a point of the domain.
 
 use super::Requirement;
 use super::boxes::{Function, Region};

@@ -3,8 +3,8 @@
 use super::{Conditions, Formula, Repair, Requirement};
 use crate::reference::ComplexBall;
 use crate::symbolic::{
-    Definitions, Edit, Enclosures, Equation, Exact, Expr, Family, Outcome,
-    SymbolicError, edits, latex_equation,
+    Definitions, Edit, Enclosures, Equation, Exact, Expr, Family, Outcome, SymbolicError, edits,
+    latex_equation,
 };
 use std::cell::RefCell;
 use std::collections::BTreeSet;

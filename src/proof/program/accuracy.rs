@@ -34,8 +34,9 @@ fn stated(f: Func) -> Option<f64> {
     }
 }
 
-/// The units by which results of the GNU C library differ from the correctly rounded ones in its own
-/// tests on x86-64, binary64 and binary32. Half a unit more is the distance from the exact value.
+/// The units by which results of the GNU C library differ from the correctly rounded ones in its
+/// own tests on x86-64, binary64 and binary32. Half a unit more is the distance from the exact
+/// value.
 fn tested(f: Func) -> Option<[u8; 2]> {
     Some(match f {
         Func::Exp | Func::Exp2 | Func::Log | Func::Sin | Func::Cos | Func::Pow => [1, 1],

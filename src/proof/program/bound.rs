@@ -175,11 +175,11 @@ impl<'a> Bounds<'a> {
 
     /// The error in units in the last place of the value.
     ///
-    /// Over a box where the value crosses one power of two `p`, with the unit t below it and 2t above,
-    /// half a unit of the last rounding is t above p alone. Let `e < t` bound the error before it. Of a
-    /// value below p what is rounded, w, is at most p, and rounding costs t/2; or it is above p by less
-    /// than t, and p is what it becomes, which is nearer to the value than w. Either way the error is at
-    /// most `e + t/2`.
+    /// Over a box where the value crosses one power of two `p`, with the unit t below it and 2t
+    /// above, half a unit of the last rounding is t above p alone. Let `e < t` bound the error
+    /// before it. Of a value below p what is rounded, w, is at most p, and rounding costs t/2; or
+    /// it is above p by less than t, and p is what it becomes, which is nearer to the value than w.
+    /// Either way the error is at most `e + t/2`.
     fn in_ulps(&self, error: f64, value: Interval) -> f64 {
         let (below, above) = (
             self.wide.ulp(value.mignitude()),
@@ -374,7 +374,8 @@ impl<'a> Bounds<'a> {
         }
     }
 
-    /// The input across which the sum changes most, by its derivative and by those of the roundings.
+    /// The input across which the sum changes most, by its derivative and by those of the
+    /// roundings.
     fn cut(&self, at: &[Interval], gradient: &[Interval]) -> usize {
         let n = at.len();
         let root = self.root;

@@ -62,7 +62,8 @@ fn turns(x: Interval, shift: f64) -> Option<[f64; 2]> {
     Some([t.lo.ceil(), t.hi.floor()])
 }
 
-/// Cosine and sine have their peaks where `x/π − shift` is a whole number: 1 of even ones, −1 of odd.
+/// Cosine and sine have their peaks where `x/π − shift` is a whole number: 1 of even ones, −1 of
+/// odd.
 fn wave(f: Func, x: Interval, shift: f64) -> Interval {
     let all = Interval { lo: -1.0, hi: 1.0 };
     let Some([from, to]) = turns(x, shift) else {

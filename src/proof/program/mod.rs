@@ -1,12 +1,13 @@
 //! Proofs of rounding-error bounds of formulas in floating point.
 //!
-//! A [`Program`] is a formula of the language of studies, written as a tape of operations; [`prove`]
-//! bounds over a domain what its evaluation in binary64 or binary32 is off from the same formula over
-//! the reals. It cuts the domain into boxes; over each box `f̂ − f = Σ δ_i ∂f/∂δ_i` by the mean value
-//! theorem, with the derivatives in intervals that hold the rounding errors too, after the symbolic
-//! Taylor forms of A. Solovyev, M. S. Baranowski, I. Briggs, C. Jacobsen, Z. Rakamarić,
-//! G. Gopalakrishnan, *Rigorous estimation of floating-point round-off errors with symbolic Taylor
-//! expansions*, ACM TOPLAS 41(1), 2018. The chapter on proofs in the book has every rule.
+//! A [`Program`] is a formula of the language of studies, written as a tape of operations;
+//! [`prove`] bounds over a domain what its evaluation in binary64 or binary32 is off from the same
+//! formula over the reals. It cuts the domain into boxes; over each box `f̂ − f = Σ δ_i ∂f/∂δ_i` by
+//! the mean value theorem, with the derivatives in intervals that hold the rounding errors too,
+//! after the symbolic Taylor forms of A. Solovyev, M. S. Baranowski, I. Briggs, C. Jacobsen, Z.
+//! Rakamarić, G. Gopalakrishnan, *Rigorous estimation of floating-point round-off errors with
+//! symbolic Taylor expansions*, ACM TOPLAS 41(1), 2018. The chapter on proofs in the book has every
+//! rule.
 
 mod accuracy;
 mod bound;
@@ -100,8 +101,8 @@ impl Program {
     /// included; the condition narrows it.
     ///
     /// # Errors
-    /// An expression without a floating-point operation, a function whose accuracy nobody states, a loop whose
-    /// number of rounds is not the same for all inputs, no formula or more than two.
+    /// An expression without a floating-point operation, a function whose accuracy nobody states, a
+    /// loop whose number of rounds is not the same for all inputs, no formula or more than two.
     pub fn new(
         graph: &Graph,
         formulas: &[Id],

@@ -2,16 +2,17 @@
 //!
 //! For an input x of the box let `δ_i` be the error that operation i makes in the execution: the
 //! number computed less what exact arithmetic makes of its computed operands. Multiplied by `θ` in
-//! `[0, 1]` these errors lead from the exact values (`θ = 0`) to the computed ones (`θ = 1`), and by
-//! the mean value theorem along this path
+//! `[0, 1]` these errors lead from the exact values (`θ = 0`) to the computed ones (`θ = 1`), and
+//! by the mean value theorem along this path
 //!
 //! ```text
 //! f̂(x) − f(x) = Σ_i δ_i ∂f/∂δ_i    at some θ.
 //! ```
 //!
-//! A [`Pass`] encloses every operation over the box twice: what the execution may give ([`Pass::float`]),
-//! from which `|δ_i|` follows, and all values on the path ([`Pass::value`]), over which derivatives
-//! are taken. So no term of second order is left to be added: it is in the width of the path.
+//! A [`Pass`] encloses every operation over the box twice: what the execution may give
+//! ([`Pass::float`]), from which `|δ_i|` follows, and all values on the path ([`Pass::value`]),
+//! over which derivatives are taken. So no term of second order is left to be added: it is in the
+//! width of the path.
 
 mod condition;
 mod derivative;
@@ -147,8 +148,8 @@ impl Pass {
     }
 
     /// Computes ranges, errors and, if asked, derivatives by inputs. Of the conditions that the box
-    /// does not decide, those at the end of `picks` are taken as it says: it holds the branch of the
-    /// exact value.
+    /// does not decide, those at the end of `picks` are taken as it says: it holds the branch of
+    /// the exact value.
     pub fn forward(
         &mut self,
         tape: &Tape,

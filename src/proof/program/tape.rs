@@ -22,7 +22,8 @@ pub(crate) type Place = usize;
 pub(crate) enum Op {
     /// An input.
     Input(usize),
-    /// A constant: an enclosure of its value, the number that stands for it, and how far that is off.
+    /// A constant: an enclosure of its value, the number that stands for it, and how far that is
+    /// off.
     Constant(Interval, f64, f64),
     /// `−a`.
     Neg(Place),

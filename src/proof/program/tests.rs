@@ -266,8 +266,8 @@ fn exact_operations_have_no_error() {
     );
 }
 
-/// Half an ulp of the value, in the binade of the exact product: the end of a box that is a power of
-/// two belongs to the binade below.
+/// Half an ulp of the value, in the binade of the exact product: the end of a box that is a power
+/// of two belongs to the binade below.
 #[test]
 fn one_rounding_is_half_an_ulp() {
     let product = kernel("x*y", &[[0.5, 1.0], [0.5, 1.0]]);

@@ -95,9 +95,9 @@ impl RowErrors {
         RowErrors::of_real(row, (t, 0.0), |_, c| c.im.clone())
     }
 
-    /// Of a row of erf about `t` on the real axis, where `Re w = e^{−x²}`: with the coefficients `c_n`
-    /// of w those of erf are erf t and `(2/√π) Re c_{n−1}/n`. Beyond the last one they are less than
-    /// `(2/√π) M ρ^{1−n}/41`, which is less than `M ρ^{−n}`.
+    /// Of a row of erf about `t` on the real axis, where `Re w = e^{−x²}`: with the coefficients
+    /// `c_n` of w those of erf are erf t and `(2/√π) Re c_{n−1}/n`. Beyond the last one they are
+    /// less than `(2/√π) M ρ^{1−n}/41`, which is less than `M ρ^{−n}`.
     ///
     /// # Errors
     /// If the reference is undecided.

@@ -16,7 +16,8 @@ use std::borrow::Borrow;
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Holds a double, an integer of the machine, and more than a bound: any number of 53 bits or more rounds alike to one.
+/// Holds a double, an integer of the machine, and more than a bound: any number of 53 bits or more
+/// rounds alike to one.
 const BITS: u32 = 64;
 
 /// A real number known to lie in `[mid − rad, mid + rad]`.
@@ -130,8 +131,9 @@ impl Ball {
         (difference.mignitude(), difference.magnitude())
     }
 
-    /// Bounds on `|x − mid|` in units of `2^e`, of which `|mid|` holds 2¹²⁷ or more, where x holds a
-    /// whole number of them: a tenth of the time of a difference in MPFR, which judgements consist of.
+    /// Bounds on `|x − mid|` in units of `2^e`, of which `|mid|` holds 2¹²⁷ or more, where x holds
+    /// a whole number of them: a tenth of the time of a difference in MPFR, which judgements
+    /// consist of.
     fn mid_from(&self, x: f64) -> Option<([u128; 2], i64)> {
         /// Bits of the integers beyond those of a double.
         const SPARE: i64 = u128::BITS as i64 - f64::MANTISSA_DIGITS as i64;
@@ -186,7 +188,8 @@ impl Ball {
 
     /// Returns true if `|mid| > rad`.
     fn is_off_zero(&self) -> bool {
-        // A bound has 53 bits: |mid| rounded up to as many is above it where |mid| is, and only there.
+        // A bound has 53 bits: |mid| rounded up to as many is above it where |mid| is, and only
+        // there.
         Mag::above(&self.mid) > self.rad
     }
 

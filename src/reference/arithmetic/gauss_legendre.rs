@@ -1,4 +1,5 @@
-//! Nodes and weights of Gauss and Legendre's quadrature, enclosed, and its error for an analytic integrand.
+//! Nodes and weights of Gauss and Legendre's quadrature, enclosed, and its error for an analytic
+//! integrand.
 
 use crate::{Ball, Mag, Undecided};
 use rug::Float;
@@ -34,8 +35,9 @@ fn node(n: usize, x: &Float, radius: Mag) -> Option<Ball> {
 }
 
 impl GaussLegendre {
-    /// Encloses the nodes by the interval Newton method, `x − P(x)/P'(X)` in the interior of X, which proves one zero in
-    /// X; n zeros in balls that do not meet are all. Weights are `2/((1 − x²) P'(x)²)`.
+    /// Encloses the nodes by the interval Newton method, `x − P(x)/P'(X)` in the interior of X,
+    /// which proves one zero in X; n zeros in balls that do not meet are all. Weights are `2/((1 −
+    /// x²) P'(x)²)`.
     ///
     /// # Errors
     /// [`Undecided`] if a zero is not proved at this precision.
@@ -46,7 +48,8 @@ impl GaussLegendre {
         let undecided = |reason: &str| Undecided::new(bits, reason);
         let mut nodes = Vec::with_capacity(n);
         for i in 0..n {
-            // Tricomi's approximation; by MPFR, so that the last bits are the same on every machine.
+            // Tricomi's approximation; by MPFR, so that the last bits are the same on every
+            // machine.
             let angle = std::f64::consts::PI * (i as f64 + 0.75) / (n as f64 + 0.5);
             let mut x = Float::with_val(work, -Float::with_val(53, angle).cos());
             for _ in 0..8 + work.ilog2() {
@@ -78,13 +81,13 @@ impl GaussLegendre {
         })
     }
 
-    /// A bound on the error for an integrand that is analytic and at most `most` within the ellipse with the foci ±1 and
-    /// the half-axes `(ρ ± 1/ρ)/2`, for an integer ρ > 1.
+    /// A bound on the error for an integrand that is analytic and at most `most` within the ellipse
+    /// with the foci ±1 and the half-axes `(ρ ± 1/ρ)/2`, for an integer ρ > 1.
     ///
-    /// The Chebyshev coefficients are at most `2 M ρ^−k`; the rule is exact below degree 2N and odd terms vanish;
-    /// `|∫ T_k| ≤ 2/(k² − 1)`, and the rule's value is at most 2. The even terms from 2N on add up to
-    /// `(64/15) M ρ^−2N/(1 − ρ^−2)` at most for N ≥ 2 (Trefethen, *Approximation Theory and Approximation Practice*,
-    /// 2013, Thm 19.3).
+    /// The Chebyshev coefficients are at most `2 M ρ^−k`; the rule is exact below degree 2N and odd
+    /// terms vanish; `|∫ T_k| ≤ 2/(k² − 1)`, and the rule's value is at most 2. The even terms from
+    /// 2N on add up to `(64/15) M ρ^−2N/(1 − ρ^−2)` at most for N ≥ 2 (Trefethen, *Approximation
+    /// Theory and Approximation Practice*, 2013, Thm 19.3).
     pub(crate) fn error(&self, most: Mag, rho: u32) -> Mag {
         let inverse = Mag::from_f64(1.0).div(Mag::from_f64(f64::from(rho)));
         let square = inverse.mul(inverse);
@@ -104,7 +107,8 @@ mod tests {
     use crate::pinned::{Answers, pin};
     use rug::Rational;
 
-    /// Of `P_2`, whose zeros are ±1/√3, the box decides, and the step is of the size of the distance.
+    /// Of `P_2`, whose zeros are ±1/√3, the box decides, and the step is of the size of the
+    /// distance.
     #[test]
     fn a_node_is_where_the_newton_step_stays_inside() {
         let due = (Ball::integer(200, 1) / Ball::integer(200, 3)).sqrt();
@@ -180,10 +184,12 @@ mod tests {
         }
     }
 
-    /// ∫ 1/(x² + a²) with poles at ±ia: the bound holds just inside them, and a hundredth of it does not.
+    /// ∫ 1/(x² + a²) with poles at ±ia: the bound holds just inside them, and a hundredth of it
+    /// does not.
     #[test]
     fn the_bound_holds_and_is_near() {
-        // ρ − 1/ρ = 2a for a = 3/4 and ρ = 2: the ellipse goes through the poles; with a little more it does not.
+        // ρ − 1/ρ = 2a for a = 3/4 and ρ = 2: the ellipse goes through the poles; with a little
+        // more it does not.
         let a = Rational::from((77, 100));
         let rule = GaussLegendre::new(6, 128).unwrap();
         let square = Ball::rational(128, &Rational::from(a.square_ref()));

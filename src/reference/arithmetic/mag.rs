@@ -303,7 +303,8 @@ impl Mag {
         }
     }
 
-    /// The value as a 53-bit float; outside MPFR's range of exponents the least positive float, or infinity.
+    /// The value as a 53-bit float; outside MPFR's range of exponents the least positive float, or
+    /// infinity.
     pub fn to_float(self) -> Float {
         let mut f = Float::with_val(f64::MANTISSA_DIGITS, self.m);
         let Some(e) = self.exponent() else { return f };

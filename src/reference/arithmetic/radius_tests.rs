@@ -1,5 +1,5 @@
-//! Radii of the elementary operations: they hold every result of points in the arguments, and the largest that is met
-//! uses a stated share of them. A radius smaller by that factor would be wrong.
+//! Radii of the elementary operations: they hold every result of points in the arguments, and the
+//! largest that is met uses a stated share of them. A radius smaller by that factor would be wrong.
 
 use super::ball::{Ball, dot};
 use super::complex::ComplexBall;
@@ -152,8 +152,8 @@ fn bounds_of_complex_balls() {
     assert!(radius >= half_diagonal && radius <= half_diagonal * 1.001);
 }
 
-/// Every operation of upper bounds is above the exact result and below the next but one double; the difference
-/// is below it.
+/// Every operation of upper bounds is above the exact result and below the next but one double; the
+/// difference is below it.
 #[test]
 fn magnitudes_are_rounded_up() {
     let values = [
@@ -242,7 +242,8 @@ fn balls_hold_and_meet_by_their_ends() {
     assert!(!ComplexBall::new(line.clone(), b(1.0, 0.0)).is_finite());
 }
 
-/// An interval's ball and the union of two hold all ends, exactly, and are no wider than a rounding asks for.
+/// An interval's ball and the union of two hold all ends, exactly, and are no wider than a rounding
+/// asks for.
 #[test]
 fn intervals_are_held_by_their_balls() {
     let third = Float::with_val(200, 1) / 3u32;
@@ -432,8 +433,9 @@ fn numbers() -> impl FnMut() -> f64 {
     }
 }
 
-/// Where second order is below a radius's last bit, the ends of the arguments use all of it: a bound on a midpoint
-/// rounded the wrong way would lose them. The midpoints are just below or above what 53 bits hold.
+/// Where second order is below a radius's last bit, the ends of the arguments use all of it: a
+/// bound on a midpoint rounded the wrong way would lose them. The midpoints are just below or above
+/// what 53 bits hold.
 #[test]
 fn radii_are_rounded_the_right_way() {
     const WIDE: u32 = 200;
@@ -486,7 +488,8 @@ fn radii_are_rounded_the_right_way() {
     }
 }
 
-/// The root of a ball from zero on: the radius reaches zero, from the rounded root of the midpoint, at any precision.
+/// The root of a ball from zero on: the radius reaches zero, from the rounded root of the midpoint,
+/// at any precision.
 #[test]
 fn roots_of_balls_from_zero_on() {
     for prec in [12, 24, 53, 80] {
@@ -519,8 +522,8 @@ fn exponentials_of_few_bits() {
     }
 }
 
-/// Whole numbers and doubles are kept, however few bits are asked for; the far end of an interval is held however
-/// small it is beside the other.
+/// Whole numbers and doubles are kept, however few bits are asked for; the far end of an interval
+/// is held however small it is beside the other.
 #[test]
 fn few_bits_and_far_exponents() {
     for n in [1001, -123_456_789, i64::MAX, i64::MIN + 1] {
@@ -552,8 +555,9 @@ fn mantissas() -> impl FnMut() -> f64 {
     }
 }
 
-/// Radii of 53 bits are computed with a few roundings upwards: one downwards among them would show in some of so many
-/// radii, though it costs a unit in the last place only. Precisions are so high that midpoints are as good as exact.
+/// Radii of 53 bits are computed with a few roundings upwards: one downwards among them would show
+/// in some of so many radii, though it costs a unit in the last place only. Precisions are so high
+/// that midpoints are as good as exact.
 #[test]
 fn no_unit_of_a_radius_is_rounded_down() {
     let mut next = mantissas();

@@ -67,7 +67,8 @@ impl TaylorModel {
         TaylorModel { c, rad: Mag::ZERO }
     }
 
-    /// From coefficients each rounded once, by at most u times its rounded value (1 + u), and the bound on the rest.
+    /// From coefficients each rounded once, by at most u times its rounded value (1 + u), and the
+    /// bound on the rest.
     fn rounded(c: Vec<Float>, bits: u32, rad: Mag) -> TaylorModel {
         let rad = rad.add(gamma(1, bits).mul(norm(&c).shift(1)));
         TaylorModel { c, rad }

@@ -50,8 +50,8 @@ pub struct Law(pub(super) Form);
 
 /// How a clamped spline changes with one of its data: a piecewise cubic σ that vanishes outside.
 ///
-/// With an ordinate, σ is the spline through one there and zero at the other knots. With a knot x_j,
-/// σ is C¹ and takes the value `−s'(x_j)` there and zero at the other knots, and its second
+/// With an ordinate, σ is the spline through one there and zero at the other knots. With a knot
+/// x_j, σ is C¹ and takes the value `−s'(x_j)` there and zero at the other knots, and its second
 /// derivative jumps by minus the jump of `s'''`: differentiate `s(x_j) = y_j` and the continuity of
 /// `s''` there.
 pub(super) struct Variation {

@@ -71,7 +71,8 @@ impl Phases {
     }
 }
 
-/// About as many bits as the terms of the integration by parts are greater than one: at most `bits`.
+/// About as many bits as the terms of the integration by parts are greater than one: at most
+/// `bits`.
 fn guard(law: &Law, q: f64, bits: u32) -> u32 {
     let Form::Pieces(pieces) = &law.0 else {
         return 0;
@@ -138,8 +139,8 @@ pub fn harmonics(
     orders.iter().zip(sums).map(coefficients).collect()
 }
 
-/// `Σ_j |x_j ∂f/∂x_j|` over the inner knots and ordinates of a stroke whose law is a clamped spline:
-/// of the mean, and of each `a_n` and `b_n`.
+/// `Σ_j |x_j ∂f/∂x_j|` over the inner knots and ordinates of a stroke whose law is a clamped
+/// spline: of the mean, and of each `a_n` and `b_n`.
 ///
 /// All are linear in the law, so their derivatives are those of its variations
 /// (`Law::spline_variations`).

@@ -7,16 +7,16 @@
 //! ```
 //!
 //! with the jumps `[s^(j)]` of the derivatives, `s` being constant outside the stroke. The velocity
-//! of an SCCA law vanishes at both ends, `∫ s' e^{−iπqx} dx = (1/iπq) ∫ s'' e^{−iπqx} dx`, and over a
-//! zone of it
+//! of an SCCA law vanishes at both ends, `∫ s' e^{−iπqx} dx = (1/iπq) ∫ s'' e^{−iπqx} dx`, and over
+//! a zone of it
 //!
 //! ```text
 //! ∫ cos(πr(x − x*)) e^{−iπqx} dx = e^{−iπqx} (iq cos πr(x − x*) − r sin πr(x − x*))/π(q² − r²)
 //! ```
 //!
-//! between its ends. Near resonance, `q ≈ ±r`, it is `½ Σ_± ∫ e^{±iπr(x−x*) − iπqx} dx` instead, and
-//! `∫ e^{iπκx} dx` over a width `w` about `m` is `w e^{iπκm} sinc(πκw/2)`. All `q`, `r` and `κ` are
-//! rational, so phases are reduced exactly and resonance (`κ = 0`) is decided.
+//! between its ends. Near resonance, `q ≈ ±r`, it is `½ Σ_± ∫ e^{±iπr(x−x*) − iπqx} dx` instead,
+//! and `∫ e^{iπκx} dx` over a width `w` about `m` is `w e^{iπκm} sinc(πκw/2)`. All `q`, `r` and `κ`
+//! are rational, so phases are reduced exactly and resonance (`κ = 0`) is decided.
 
 use super::cam_law::{Form, Law, Zone, derivatives, derivatives_at_zero};
 use crate::ball::Ball;
@@ -182,7 +182,8 @@ impl Transform<'_> {
         Transform { corners, parts }
     }
 
-    /// `e^{−iπp} ∫_0^1 s' e^{−iπqx} dx`, `q ≠ 0`, with the phases `e^{−iπ(p + q x_k)}` of the corners.
+    /// `e^{−iπp} ∫_0^1 s' e^{−iπqx} dx`, `q ≠ 0`, with the phases `e^{−iπ(p + q x_k)}` of the
+    /// corners.
     pub(super) fn at(&self, q: &Rational, phases: &[ComplexBall], bits: u32) -> ComplexBall {
         let pi = Ball::pi(bits);
         let angle = &pi * Ball::rational(bits, q);

@@ -6,14 +6,16 @@
 //! φ'² = p² cos² ψ + q² sin² ψ,    t/2 = I(p, q; ψ) = ∫_0^ψ dψ/√(p² cos² ψ + q² sin² ψ).
 //! ```
 //!
-//! Gauss's transformation `a' = (a + b)/2`, `b' = √(ab)`, `ψ' = ψ + δ` with `tan δ = (b/a) tan ψ`, δ and ψ in the same
-//! quarter of a turn, doubles the integral: `I(a', b'; ψ') = 2 I(a, b; ψ)` (Abramowitz and Stegun, 17.5.1 and 16.4.3).
+//! Gauss's transformation `a' = (a + b)/2`, `b' = √(ab)`, `ψ' = ψ + δ` with `tan δ = (b/a) tan ψ`,
+//! δ and ψ in the same quarter of a turn, doubles the integral: `I(a', b'; ψ') = 2 I(a, b; ψ)`
+//! (Abramowitz and Stegun, 17.5.1 and 16.4.3).
 //!
-//! 1. Both ways are free of branches. Forward, `ψ' = 2ψ + arctan((b − a) sin ψ cos ψ/(a cos² ψ + b sin² ψ))`, whose
-//!    denominator is positive; backward, `2ψ = ψ' + arcsin(((a − b)/(a + b)) sin ψ')`, since ψ − δ is less than a quarter
-//!    of a turn.
-//! 2. From the first mean on b ≤ a, and the integrand lies between 1/a and 1/b, so `I(a, b; ψ)` lies between ψ/a and ψ/b
-//!    and both means between b and a. That encloses; how many steps are taken only decides how narrowly.
+//! 1. Both ways are free of branches. Forward, `ψ' = 2ψ + arctan((b − a) sin ψ cos ψ/(a cos² ψ + b
+//!    sin² ψ))`, whose denominator is positive; backward, `2ψ = ψ' + arcsin(((a − b)/(a + b)) sin
+//!    ψ')`, since ψ − δ is less than a quarter of a turn.
+//! 2. From the first mean on b ≤ a, and the integrand lies between 1/a and 1/b, so `I(a, b; ψ)`
+//!    lies between ψ/a and ψ/b and both means between b and a. That encloses; how many steps are
+//!    taken only decides how narrowly.
 //! 3. A whole turn is ψ = π, `T = 2π/agm(p, q)`.
 
 use crate::{Ball, Mag, Undecided};
@@ -42,8 +44,8 @@ pub struct Turning {
 }
 
 impl Turning {
-    /// The pendulum with these squares of the speeds at the top and at the bottom, in rad²/s²; none if it does not turn
-    /// over, because a square is not positive.
+    /// The pendulum with these squares of the speeds at the top and at the bottom, in rad²/s²; none
+    /// if it does not turn over, because a square is not positive.
     ///
     /// # Errors
     /// [`Undecided`] if the two means cannot be brought together at this precision.
@@ -173,7 +175,8 @@ mod tests {
         found.expect("it turns over")
     }
 
-    /// Quadrature of 1/φ' over an angle, 64 panels of 30 nodes: some 30 digits for the speeds used here.
+    /// Quadrature of 1/φ' over an angle, 64 panels of 30 nodes: some 30 digits for the speeds used
+    /// here.
     fn by_quadrature(p: &Turning, angle: &Rational) -> Ball {
         let rule = GaussLegendre::new(30, BITS).unwrap();
         let half = Ball::rational(BITS, angle).shift(-7);

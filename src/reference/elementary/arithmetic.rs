@@ -118,8 +118,8 @@ fn even_hull(f: impl super::support::Directed, low: Float, high: Float, prec: u3
 }
 
 /// `x^n`, `x^0 = 1`. With `s = r/(|x| − r)` every point of the ball is `x (1 + t)`, |t| ≤ s, and
-/// `|(1 + t)^n − 1| ≤ e^{|n| s} − 1 ≤ δ + δ²` with `δ = |n| s ≤ 1` (`|ln(1 + t)| ≤ |t|/(1 − |t|)` at
-/// `t = r/|x|`).
+/// `|(1 + t)^n − 1| ≤ e^{|n| s} − 1 ≤ δ + δ²` with `δ = |n| s ≤ 1` (`|ln(1 + t)| ≤ |t|/(1 − |t|)`
+/// at `t = r/|x|`).
 pub fn powi(x: &Ball, n: i64, prec: u32) -> Evaluated {
     match n {
         0 => return Ok(exact(prec, 1)),
@@ -220,8 +220,8 @@ pub fn sqrt(x: &Ball, prec: u32) -> Evaluated {
     finish(root, x.rad().div(Mag::below(&low)))
 }
 
-/// `∛x`: `|∛x − ∛m| = |x − m|/(x^{2/3} + (x m)^{1/3} + m^{2/3})`; for r ≤ 2^-10 |m| the divisor is at
-/// least `2.99 m^{2/3}`, because each x is at least `(1 − 2^-10) m` in magnitude.
+/// `∛x`: `|∛x − ∛m| = |x − m|/(x^{2/3} + (x m)^{1/3} + m^{2/3})`; for r ≤ 2^-10 |m| the divisor is
+/// at least `2.99 m^{2/3}`, because each x is at least `(1 − 2^-10) m` in magnitude.
 pub fn cbrt(x: &Ball, prec: u32) -> Evaluated {
     let root = nearest(prec, x.mid().cbrt_ref());
     if x.rad().is_zero() {

@@ -231,10 +231,9 @@ pub fn erfi(x: &Ball, prec: u32) -> Evaluated {
 }
 
 /// Dawson's function at a float. `|F(x) − x| ≤ |x|³` for |x| ≤ 1 (an alternating series whose terms
-/// fall). For x ≥ 8 `|2x F(x) − 1| ≤ 2/x²`: with `s = x² − t²`,
-/// `F = ∫_0^{x²} e^{−s}/(2√(x² − s)) ds` is at least `(1 − e^{−x²})/(2x)`; at most
-/// `(1 + 1/x²)/(2x)` comes from s ≤ x²/2, where `1/√(1 − u) ≤ 1 + u`, and at most `x e^{−x²/2}` from
-/// the rest.
+/// fall). For x ≥ 8 `|2x F(x) − 1| ≤ 2/x²`: with `s = x² − t²`, `F = ∫_0^{x²} e^{−s}/(2√(x² − s))
+/// ds` is at least `(1 − e^{−x²})/(2x)`; at most `(1 + 1/x²)/(2x)` comes from s ≤ x²/2, where
+/// `1/√(1 − u) ≤ 1 + u`, and at most `x e^{−x²/2}` from the rest.
 fn dawson_at(x: &Float, prec: u32) -> Evaluated {
     let Some(e) = x.get_exp() else {
         return Ok(super::support::exact(prec, 0));
@@ -260,9 +259,9 @@ pub(super) const DAWSON_MOST: f64 = 0.541044225;
 
 /// Dawson's function `F(x) = e^{−x²} ∫_0^x e^{t²} dt`.
 ///
-/// `F(x) = ∫_0^∞ e^{−t²} sin 2xt dt` (DLMF 7.7.3), so `|F'| ≤ ∫ 2t e^{−t²} dt = 1` and
-/// `|F''| ≤ ∫ 4t² e^{−t²} dt = √π`. With `F' = 1 − 2x F`: `|F(x) − F(m)| ≤ |1 − 2m F(m)| r + 0.89 r²`.
-/// Over a wide ball the extremes are at the ends, and at ±0.924… where they are inside.
+/// `F(x) = ∫_0^∞ e^{−t²} sin 2xt dt` (DLMF 7.7.3), so `|F'| ≤ ∫ 2t e^{−t²} dt = 1` and `|F''| ≤ ∫
+/// 4t² e^{−t²} dt = √π`. With `F' = 1 − 2x F`: `|F(x) − F(m)| ≤ |1 − 2m F(m)| r + 0.89 r²`. Over a
+/// wide ball the extremes are at the ends, and at ±0.924… where they are inside.
 pub fn dawson(x: &Ball, prec: u32) -> Evaluated {
     let (m, r) = (x.mid(), x.rad());
     if r.is_zero() {

@@ -99,7 +99,8 @@ fn piece([low, high]: &[Float; 2]) -> Piece {
     }
 }
 
-/// The hull over a ball right of zero of a function that falls to its minimum at [`TURN`] and rises.
+/// The hull over a ball right of zero of a function that falls to its minimum at [`TURN`] and
+/// rises.
 fn over(
     both: &[Float; 2],
     least: f64,

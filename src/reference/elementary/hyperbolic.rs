@@ -28,9 +28,9 @@ pub fn sinh(x: &Ball, prec: u32) -> Evaluated {
     increasing(directed!(sinh_ref), &ends(x, prec), prec)
 }
 
-/// `cosh x`: with `d = x − m`, `cosh x − cosh m = cosh m (cosh d − 1) + sinh m sinh d`. For r ≤ 2^-10
-/// `cosh r − 1 ≤ r²` and `sinh r ≤ r + r²`; `|sinh m|` is at most `cosh m`, and at most `1.1753 |m|`
-/// for |m| ≤ 1, where it is convex.
+/// `cosh x`: with `d = x − m`, `cosh x − cosh m = cosh m (cosh d − 1) + sinh m sinh d`. For r ≤
+/// 2^-10 `cosh r − 1 ≤ r²` and `sinh r ≤ r + r²`; `|sinh m|` is at most `cosh m`, and at most
+/// `1.1753 |m|` for |m| ≤ 1, where it is convex.
 pub fn cosh(x: &Ball, prec: u32) -> Evaluated {
     let r = x.rad();
     if r <= Mag::power_of_two(NARROW) {

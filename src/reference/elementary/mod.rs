@@ -4,9 +4,9 @@
 //! # Contract
 //! If each operand's ball contains a number and the function has a value there, the result's ball
 //! contains the exact value. A function that has a value at some points of the operands and none at
-//! others is [`NoValue::Undecided`]; one that has a value at none of them is [`NoValue::Undefined`].
-//! `prec` is the precision of the midpoint of the result. No ball makes a function panic or run
-//! without bound.
+//! others is [`NoValue::Undecided`]; one that has a value at none of them is
+//! [`NoValue::Undefined`]. `prec` is the precision of the midpoint of the result. No ball makes a
+//! function panic or run without bound.
 //!
 //! # Radii
 //! For a narrow ball of midpoint m and radius r the radius is that of the rounding and a bound on

@@ -1,6 +1,6 @@
-//! Radii of functions of balls: they hold the values at points of the operands, and the value that is
-//! farthest from the midpoint uses a stated share of them. A radius smaller by that factor would be
-//! wrong.
+//! Radii of functions of balls: they hold the values at points of the operands, and the value that
+//! is farthest from the midpoint uses a stated share of them. A radius smaller by that factor would
+//! be wrong.
 
 use super::tests::One;
 use super::*;
@@ -37,7 +37,8 @@ fn both_ways(what: &str, found: &Ball, values: impl Iterator<Item = Ball>, neede
     assert!(most >= needed, "{what}: only {most} of the radius is used");
 }
 
-/// Functions, places inside their domains, and the share that is used of the radius of a narrow ball.
+/// Functions, places inside their domains, and the share that is used of the radius of a narrow
+/// ball.
 const PLACES: &[(&str, One, &[f64], f64)] = &[
     ("sqrt", sqrt, &[0.3, 2.0, 40.0], 0.49),
     ("cbrt", cbrt, &[0.3, -2.0, 40.0], 0.98),

@@ -47,8 +47,8 @@ pub(super) const WIDE: NoValue = NoValue::Undecided("the operand is too wide");
 ///
 /// The rounding error is at most half a unit in the last place; where MPFR's exponents end below,
 /// at most the least positive number `2^(emin − 1)`. A value that was rounded to infinity is at
-/// least `(3/4) 2^emax` in magnitude; where at most `2^(emax − 2)` is propagated, every value of the
-/// ball is beyond `2^(emax − 1)`.
+/// least `(3/4) 2^emax` in magnitude; where at most `2^(emax − 2)` is propagated, every value of
+/// the ball is beyond `2^(emax − 1)`.
 pub(super) fn finish((mid, ordering): Rounded, propagated: Mag) -> Evaluated {
     let Some(e) = mid.get_exp() else {
         if mid.is_zero() {

@@ -211,8 +211,8 @@ fn is_near(found: Evaluated, x: f64) -> bool {
     })
 }
 
-/// Functions have no value where C99 has a NaN or a pole, and are undecided where a ball has points of
-/// both kinds.
+/// Functions have no value where C99 has a NaN or a pole, and are undecided where a ball has points
+/// of both kinds.
 #[test]
 fn domains_end_where_they_do() {
     let domains: [(One, f64, f64, f64); 12] = [

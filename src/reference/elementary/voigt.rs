@@ -21,8 +21,9 @@ const REACH: i32 = 1 << 14;
 /// `|∂V/∂σ| ≤ 2σ V/γ²`. So `|Δ ln V| ≤ δ = (r_x + r_γ)/γ + 2σ r_σ/γ²` with the least γ and the
 /// greatest σ of the balls, and the radius is `V (e^δ − 1)`.
 ///
-/// Where σ or |x| is large beside γ, or δ is, the radius is also taken from w, and the lesser counts: `|Δw| ≤ |w'| ρ + ρ²` for a
-/// change ρ of z, since `|w''| ≤ 2` for Im z ≥ 0 (`w'' = −(8/√π) ∫_0^∞ t² e^{−t²+2izt} dt`).
+/// Where σ or |x| is large beside γ, or δ is, the radius is also taken from w, and the lesser
+/// counts: `|Δw| ≤ |w'| ρ + ρ²` for a change ρ of z, since `|w''| ≤ 2` for Im z ≥ 0 (`w'' = −(8/√π)
+/// ∫_0^∞ t² e^{−t²+2izt} dt`).
 pub fn voigt(x: &Ball, sigma: &Ball, gamma: &Ball, prec: u32) -> Evaluated {
     if sigma.is_negative() || gamma.is_negative() {
         return Err(NoValue::Undefined("a Voigt profile of negative width"));
@@ -94,9 +95,9 @@ pub fn voigt(x: &Ball, sigma: &Ball, gamma: &Ball, prec: u32) -> Evaluated {
 
 /// Bounds the change of V over the balls, from derivatives of w at the midpoint.
 ///
-/// For the middle σ z changes by `(d_x + i d_y)`, and V by the change of `Re w/(σ√(2π))`. A change of
-/// σ then changes V by `r_σ sup σ |∂²V/∂x²|`, and `∂²V/∂x² = Re w''/(2σ³√(2π))`, with
-/// `w'' = −2w − 2zw'` and `|w'''| ≤ 8/√π < 4.514` for Im z ≥ 0.
+/// For the middle σ z changes by `(d_x + i d_y)`, and V by the change of `Re w/(σ√(2π))`. A change
+/// of σ then changes V by `r_σ sup σ |∂²V/∂x²|`, and `∂²V/∂x² = Re w''/(2σ³√(2π))`, with `w'' = −2w
+/// − 2zw'` and `|w'''| ≤ 8/√π < 4.514` for Im z ≥ 0.
 fn by_slope(x: &Ball, sigma: &Ball, gamma: &Ball) -> Option<Mag> {
     let p = 2 * BITS;
     let at = |b: &Ball| Ball::new(b.mid().clone(), Mag::ZERO);

@@ -1,4 +1,5 @@
-//! Coefficients of power series: multiple-precision and double numbers with one analysis of their rounding.
+//! Coefficients of power series: multiple-precision and double numbers with one analysis of their
+//! rounding.
 
 use crate::{Ball, Mag};
 use rug::Float;

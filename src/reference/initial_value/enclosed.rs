@@ -10,13 +10,15 @@ pub(super) struct Enclosed {
     pub rad: Vec<f64>,
 }
 
-/// More than the relative rounding of a sum of up to 2^12 products of numbers that are not negative.
+/// More than the relative rounding of a sum of up to 2^12 products of numbers that are not
+/// negative.
 const UP: f64 = 1.0 + 1.0 / (1u64 << 40) as f64;
 
 /// More than all that underflows in such a sum lose.
 const LEAST: f64 = 1e-300;
 
-/// An upper bound on a sum of products of non-negative numbers, of which the rounded value is given.
+/// An upper bound on a sum of products of non-negative numbers, of which the rounded value is
+/// given.
 pub(super) fn up(sum: f64) -> f64 {
     sum * UP + LEAST
 }
@@ -43,7 +45,8 @@ impl Enclosed {
         Enclosed::exact(n, mid)
     }
 
-    /// The product. Its radius is `|A| r_B + r_A (|B| + r_B) + γ|A||B|`, with γ for n + 2 roundings.
+    /// The product. Its radius is `|A| r_B + r_A (|B| + r_B) + γ|A||B|`, with γ for n + 2
+    /// roundings.
     pub fn times(&self, other: &Enclosed) -> Enclosed {
         let n = self.n;
         let gamma = gamma(n + 2);
@@ -97,11 +100,12 @@ impl Enclosed {
     }
 }
 
-/// An upper bound, entry by entry, on the exponential of a matrix whose entries are not negative and are given by
-/// upper bounds. `weights` are the sizes of the coordinates.
+/// An upper bound, entry by entry, on the exponential of a matrix whose entries are not negative
+/// and are given by upper bounds. `weights` are the sizes of the coordinates.
 ///
-/// With `B = D^{−1} A D/2^s`, `‖B‖_∞ ≤ 1/4`, the terms of the exponential series above the power 6 add up to at
-/// most `2 ‖B‖^7/7!` in any entry, because the norm of each is at most 1/32 of that of the one before.
+/// With `B = D^{−1} A D/2^s`, `‖B‖_∞ ≤ 1/4`, the terms of the exponential series above the power 6
+/// add up to at most `2 ‖B‖^7/7!` in any entry, because the norm of each is at most 1/32 of that of
+/// the one before.
 pub(super) fn exponential_above(a: &[f64], weights: &[f64]) -> Vec<f64> {
     const TERMS: i32 = 6;
     let n = weights.len();
@@ -159,8 +163,8 @@ pub(super) fn exponential_above(a: &[f64], weights: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-/// An orthogonal matrix, up to rounding, whose first columns span those of a matrix in the order of their lengths:
-/// the factor Q of a QR decomposition by Householder's reflections.
+/// An orthogonal matrix, up to rounding, whose first columns span those of a matrix in the order of
+/// their lengths: the factor Q of a QR decomposition by Householder's reflections.
 pub(super) fn orthogonal(n: usize, a: &[f64]) -> Vec<f64> {
     let length = |j: usize| (0..n).map(|i| a[i * n + j] * a[i * n + j]).sum::<f64>();
     let mut order: Vec<usize> = (0..n).collect();

@@ -1,7 +1,7 @@
 //! Taylor coefficients of all values of a program along a path, one order at a time.
 //!
-//! The recurrences are those of Moore (*Interval Analysis*, 1966, chapter 11) and of Griewank and Walther
-//! (*Evaluating Derivatives*, 2nd ed. 2008, table 13.2): with `v = Σ v_k s^k`
+//! The recurrences are those of Moore (*Interval Analysis*, 1966, chapter 11) and of Griewank and
+//! Walther (*Evaluating Derivatives*, 2nd ed. 2008, table 13.2): with `v = Σ v_k s^k`
 //!
 //! | v | coefficient |
 //! |---|---|
@@ -38,8 +38,8 @@ pub(super) struct Expansion<'p, C> {
     pub coefficients: Vec<Vec<C>>,
     /// `k c_k` of the values whose rates are needed.
     pub rates: Vec<Vec<C>>,
-    /// Distances of first coefficients from the exact functions of the first coefficients of operands; of
-    /// constants and the time from the exact values.
+    /// Distances of first coefficients from the exact functions of the first coefficients of
+    /// operands; of constants and the time from the exact values.
     pub off: Vec<Mag>,
     has_rate: Vec<bool>,
     orders: usize,
@@ -167,8 +167,8 @@ impl<'p, C: Coefficient> Expansion<'p, C> {
         }
     }
 
-    /// Adds the coefficients of the next order; `states` are those of the states, and `pace` is the derivative of
-    /// the time by the variable of the expansion.
+    /// Adds the coefficients of the next order; `states` are those of the states, and `pace` is the
+    /// derivative of the time by the variable of the expansion.
     pub fn advance(&mut self, states: &[C], pace: &C) {
         let (p, k) = (self.bits, self.orders);
         for (slot, operation) in self.program.operations().iter().enumerate() {

@@ -1,20 +1,23 @@
 //! Initial value problems: certified solutions of `y′ = f(t, y)`.
 //!
-//! A right-hand side is a [`Field`]: a straight-line [`Program`] for the rates, and one for their derivatives by the
-//! states. A [`Solution`] follows the motion from an exact time in both directions and gives the states at any time
-//! as balls.
+//! A right-hand side is a [`Field`]: a straight-line [`Program`] for the rates, and one for their
+//! derivatives by the states. A [`Solution`] follows the motion from an exact time in both
+//! directions and gives the states at any time as balls.
 //!
 //! # Method
-//! 1. `expansion`: Taylor coefficients of all values of the program, one order at a time, in floating point.
-//! 2. `remainder`: a bound on what the polynomials leave out over the step, rounding included: the defect of the
-//!    solution's polynomial.
-//! 3. `variation`: the linearised flow over a tube around the polynomial, in doubles with radii. It is needed to a
-//!    few digits only, because it is multiplied by errors.
+//! 1. `expansion`: Taylor coefficients of all values of the program, one order at a time, in
+//!    floating point.
+//! 2. `remainder`: a bound on what the polynomials leave out over the step, rounding included: the
+//!    defect of the solution's polynomial.
+//! 3. `variation`: the linearised flow over a tube around the polynomial, in doubles with radii. It
+//!    is needed to a few digits only, because it is multiplied by errors.
 //! 4. `step`: a differential inequality proves that the solution exists and stays in the tube.
-//! 5. `set`: errors of the start of a step are carried on in coordinates that turn with the flow (Lohner's QR).
+//! 5. `set`: errors of the start of a step are carried on in coordinates that turn with the flow
+//!    (Lohner's QR).
 //!
-//! The order follows from the digits asked for: N² operations a step, whose length falls as `e^{−bits ln 2/N}`, are
-//! cheapest a unit of time for `N = bits (ln 2)/2` (Jorba, Zou, *Experimental Mathematics* 14 (2005) 99–117, §3.2).
+//! The order follows from the digits asked for: N² operations a step, whose length falls as
+//! `e^{−bits ln 2/N}`, are cheapest a unit of time for `N = bits (ln 2)/2` (Jorba, Zou,
+//! *Experimental Mathematics* 14 (2005) 99–117, §3.2).
 //!
 //! # Example
 //! Lorenz's equations at t = 1:
@@ -91,8 +94,8 @@ pub struct Field {
 }
 
 impl Field {
-    /// Creates a field of the rates of all states, and of the entries of the Jacobian that are not zero: row, column
-    /// and place in its program.
+    /// Creates a field of the rates of all states, and of the entries of the Jacobian that are not
+    /// zero: row, column and place in its program.
     pub fn new(
         rates: Program,
         outputs: Vec<Slot>,

@@ -102,7 +102,8 @@ impl Program {
     /// Adds an operation; returns its place.
     ///
     /// # Panics
-    /// If an operand comes after the operation, or for a sine or a cosine alone ([`Program::sine_cosine`]).
+    /// If an operand comes after the operation, or for a sine or a cosine alone
+    /// ([`Program::sine_cosine`]).
     pub fn push(&mut self, operation: Operation) -> Slot {
         let is_pair = matches!(operation, Operation::Sine(_) | Operation::Cosine(_));
         assert!(!is_pair, "sines and cosines come in pairs");

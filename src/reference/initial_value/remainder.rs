@@ -1,15 +1,16 @@
 //! Remainders of the Taylor polynomials of a program's values over a step.
 //!
 //! # Statement
-//! Let `s` be the variable of the expansion, `|s| ≤ h`, and let each state i be any number within `tube_i` of its
-//! polynomial at s. Then each value v of the program is within `radius_v` of its polynomial at s. The statement
-//! holds for every s and every such choice of the states by itself: nothing is assumed about derivatives of the
-//! states.
+//! Let `s` be the variable of the expansion, `|s| ≤ h`, and let each state i be any number within
+//! `tube_i` of its polynomial at s. Then each value v of the program is within `radius_v` of its
+//! polynomial at s. The statement holds for every s and every such choice of the states by itself:
+//! nothing is assumed about derivatives of the states.
 //!
 //! # Bounds
-//! With `‖v‖ = Σ |v_k| h^k` and `‖v′‖ = Σ k |v_k| h^k`, `T(a, b) = Σ_{i+j>K} |a_i| |b_j| h^{i+j}` for the powers of
-//! a product above the order K, and γ for the rounding of sums of K + 6 products (Higham, *Accuracy and Stability
-//! of Numerical Algorithms*, 2nd ed. 2002, §3.1), the radius r_v is
+//! With `‖v‖ = Σ |v_k| h^k` and `‖v′‖ = Σ k |v_k| h^k`, `T(a, b) = Σ_{i+j>K} |a_i| |b_j| h^{i+j}`
+//! for the powers of a product above the order K, and γ for the rounding of sums of K + 6 products
+//! (Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed. 2002, §3.1), the radius r_v
+//! is
 //!
 //! | v | radius |
 //! |---|---|
@@ -22,9 +23,10 @@
 //! | a^α | `max a^α (max a^{−α} o + max a^{−α−1} ρ) + |α| max a^{α−1} r_a`, `ρ` bounds `a v′ − α a′ v` |
 //! | `v′ = Σ w u′` | `o + Σ (max|w| r_u + ‖u′‖ r_w + T(u′, w) + γ‖u′‖‖w‖)` |
 //!
-//! where o is the distance of the first coefficient from the function of the operands' first coefficients, and
-//! ranges take in the radii. The last line compares v with the function along the polynomials of its arguments, and
-//! uses that the bounds on w hold for any arguments within their radii.
+//! where o is the distance of the first coefficient from the function of the operands' first
+//! coefficients, and ranges take in the radii. The last line compares v with the function along the
+//! polynomials of its arguments, and uses that the bounds on w hold for any arguments within their
+//! radii.
 
 use super::coefficient::{Coefficient, gamma};
 use super::expansion::{Expansion, Obstacle};
@@ -278,7 +280,8 @@ impl<'e, 'p, C: Coefficient> Remainders<'e, 'p, C> {
         beyond.add(gamma.mul(rates.norm()).mul(sizes.norm()))
     }
 
-    /// The distance of the polynomials of a sine and a cosine from the functions of that of the angle.
+    /// The distance of the polynomials of a sine and a cosine from the functions of that of the
+    /// angle.
     fn turn(&self, a: Slot, sine: Slot, gamma: Mag) -> Mag {
         let [s, c] = [sine, sine + 1].map(|slot| {
             let off = self.expansion.off[slot];
@@ -287,7 +290,8 @@ impl<'e, 'p, C: Coefficient> Remainders<'e, 'p, C> {
         s.add(c)
     }
 
-    /// Checks that a function is defined all over the ranges of its arguments, as far as its slopes do not.
+    /// Checks that a function is defined all over the ranges of its arguments, as far as its slopes
+    /// do not.
     fn domain(&self, f: Primitive, parts: &[(Slot, Slot)]) -> Result<(), NoValue> {
         let ranges = || parts.iter().map(|part| self.range(part.0));
         match f {
@@ -306,7 +310,8 @@ impl<'e, 'p, C: Coefficient> Remainders<'e, 'p, C> {
                     false => Err(NoValue::Undecided("the angle of a point at its cut")),
                 }
             }
-            // The first coefficient is in the domain, and the slopes are finite all over a range that holds it.
+            // The first coefficient is in the domain, and the slopes are finite all over a range
+            // that holds it.
             _ => Ok(()),
         }
     }

@@ -1,9 +1,11 @@
-//! Sets of errors that are carried through a motion: parallelepipeds in coordinates that turn with the flow.
+//! Sets of errors that are carried through a motion: parallelepipeds in coordinates that turn with
+//! the flow.
 //!
-//! Lohner (*Einschließung der Lösung gewöhnlicher Anfangs- und Randwertaufgaben*, 1988; *Enclosing the solutions of
-//! ordinary initial and boundary value problems*, in Computerarithmetic, 1987, 255–286) keeps an error as `B x` with
-//! `|x_i| ≤ r_i`. A step maps it to `Φ B x + δ`; the next basis B′ is the orthogonal factor of Φ B with its columns
-//! in the order of their lengths, so that the box of coordinates does not have to grow as the flow turns.
+//! Lohner (*Einschließung der Lösung gewöhnlicher Anfangs- und Randwertaufgaben*, 1988; *Enclosing
+//! the solutions of ordinary initial and boundary value problems*, in Computerarithmetic, 1987,
+//! 255–286) keeps an error as `B x` with `|x_i| ≤ r_i`. A step maps it to `Φ B x + δ`; the next
+//! basis B′ is the orthogonal factor of Φ B with its columns in the order of their lengths, so that
+//! the box of coordinates does not have to grow as the flow turns.
 
 use super::enclosed::{Enclosed, orthogonal};
 use crate::Mag;
@@ -35,8 +37,8 @@ impl ErrorSet {
         flow.times(&self.basis).reach(&self.r)
     }
 
-    /// A set that holds `Φ e + δ` for all errors e of this one and `|δ_i| ≤ extra_i`, in coordinates of the sizes
-    /// `weights`, which are powers of two.
+    /// A set that holds `Φ e + δ` for all errors e of this one and `|δ_i| ≤ extra_i`, in
+    /// coordinates of the sizes `weights`, which are powers of two.
     pub fn moved(&self, flow: &Enclosed, extra: &[Mag], weights: &[f64]) -> ErrorSet {
         let n = self.basis.n;
         let image = flow.times(&self.basis);
@@ -49,8 +51,8 @@ impl ErrorSet {
         })
     }
 
-    /// The image in the basis `D Q`: `x = W e + (I − W D Q) x` with `W = Qᵀ D^{−1}`, and `|x| ≤ |W e| +
-    /// κ/(1 − κ) max |W e|` for `κ = ‖I − W D Q‖_∞`.
+    /// The image in the basis `D Q`: `x = W e + (I − W D Q) x` with `W = Qᵀ D^{−1}`, and `|x| ≤ |W
+    /// e| + κ/(1 − κ) max |W e|` for `κ = ‖I − W D Q‖_∞`.
     fn in_basis(
         &self,
         image: &Enclosed,

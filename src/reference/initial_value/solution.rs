@@ -114,8 +114,8 @@ impl Solution {
         self.branches.iter().map(|b| b.lengths.len()).sum()
     }
 
-    /// The states at an exact time. `steps` is the number of steps that may be made, and is reduced by those that
-    /// were.
+    /// The states at an exact time. `steps` is the number of steps that may be made, and is reduced
+    /// by those that were.
     ///
     /// # Errors
     /// See [`Stopped`].
@@ -131,7 +131,8 @@ impl Solution {
         Ok(step.at(time))
     }
 
-    /// The states at all times from one to another, which have to be those of one step ([`Solution::end_of_step`]).
+    /// The states at all times from one to another, which have to be those of one step
+    /// ([`Solution::end_of_step`]).
     ///
     /// # Errors
     /// See [`Stopped`].

@@ -1,15 +1,16 @@
 //! One step: the Taylor polynomial from the midpoint of the start, and the proof of its error.
 //!
 //! # Proof
-//! Let p be the polynomial of degree N from an exact start m, `τ = s/h`, and `d_i ≥ |p_i′ − h f_i(t, p)|` its defect
-//! on the step ([`Remainders`] with states that are exactly p). For a solution y of the differential equation with
-//! `|y_i(0) − m_i| ≤ a_i` the difference `e = y − p` satisfies `e′ = h J̄ e + d̃`, `|d̃| ≤ d`, as long as
-//! `|e_i| ≤ T_i`, where J̄ is a mean of Jacobians at points within T of p. With the majorant M of h J over that tube,
-//! `|e| ≤ exp(M)(a + d)`. If this is less than T in every component, e cannot leave the tube before the end of the
+//! Let p be the polynomial of degree N from an exact start m, `τ = s/h`, and `d_i ≥ |p_i′ − h
+//! f_i(t, p)|` its defect on the step ([`Remainders`] with states that are exactly p). For a
+//! solution y of the differential equation with `|y_i(0) − m_i| ≤ a_i` the difference `e = y − p`
+//! satisfies `e′ = h J̄ e + d̃`, `|d̃| ≤ d`, as long as `|e_i| ≤ T_i`, where J̄ is a mean of
+//! Jacobians at points within T of p. With the majorant M of h J over that tube, `|e| ≤ exp(M)(a +
+//! d)`. If this is less than T in every component, e cannot leave the tube before the end of the
 //! step: the solution exists up to there, and lies in it. No a-priori box has to be found first.
 //!
-//! Two solutions in the tube differ by `Φ(τ)` times the difference of their starts, Φ within [`Flow`]: errors of the
-//! start are carried on by it, and `exp(M) d` is added.
+//! Two solutions in the tube differ by `Φ(τ)` times the difference of their starts, Φ within
+//! [`Flow`]: errors of the start are carried on by it, and `exp(M) d` is added.
 
 use super::coefficient::Coefficient;
 use super::enclosed::Enclosed;
@@ -27,8 +28,8 @@ const GUARD: i64 = 12;
 /// Terms of the linearised flow at first.
 const FLOW_TERMS: usize = 18;
 
-/// Terms of the linearised flow at most: beyond them the cancellation of `exp(−x)` in doubles is as large as what is
-/// left out.
+/// Terms of the linearised flow at most: beyond them the cancellation of `exp(−x)` in doubles is as
+/// large as what is left out.
 const MOST_FLOW_TERMS: usize = 90;
 
 /// The largest relative error of a linearised flow by truncation and rounding.
@@ -307,7 +308,8 @@ impl Setting<'_> {
                 order = flow.order_for(1e-12).max(order + 12).min(highest);
                 continue;
             }
-            // Errors of the start would grow by it at each step, even where the motion contracts them.
+            // Errors of the start would grow by it at each step, even where the motion contracts
+            // them.
             if !(error < LARGEST_TRUNCATION) {
                 return Err(Failure::Wide);
             }
@@ -349,8 +351,8 @@ impl Step {
         &self.start.time + h
     }
 
-    /// The solution from the midpoint of the start, without the errors of the start, and the linearised flow, at all
-    /// times within `reach` of a time since the start.
+    /// The solution from the midpoint of the start, without the errors of the start, and the
+    /// linearised flow, at all times within `reach` of a time since the start.
     fn along(&self, since: &Rational, reach: Mag) -> (Vec<Ball>, Enclosed) {
         let bits = self.bits + 16;
         let s = Ball::rational(bits, since).widened(reach);

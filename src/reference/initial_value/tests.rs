@@ -134,8 +134,8 @@ fn polynomial<C: Coefficient>(expansion: &Expansion<'_, C>, slot: Slot, s: &Ball
     c.iter().rev().fold(zero, |sum, c| &sum * s + c.to_ball())
 }
 
-/// Bounds of one function over a step of length 1/16, for a state within `tube` of 1/4 + s, at few orders: what the
-/// polynomial leaves out is far above rounding.
+/// Bounds of one function over a step of length 1/16, for a state within `tube` of 1/4 + s, at few
+/// orders: what the polynomial leaves out is far above rounding.
 fn check<C: Coefficient>(tube: f64, bits: u32) {
     for (name, build, function) in functions() {
         let mut program = Program::new();
@@ -376,7 +376,8 @@ fn quadratic() -> Field {
     Field::new(rates, vec![square], jacobian, vec![(0, 0, double)])
 }
 
-/// A start from which some solutions end within the step is refused, and one from which none does is not.
+/// A start from which some solutions end within the step is refused, and one from which none does
+/// is not.
 #[test]
 fn a_tube_that_is_left_proves_nothing() {
     let field = quadratic();

@@ -1,14 +1,15 @@
-//! The linearised flow of a step: `Φ′ = h J Φ`, `Φ(0) = I`, for every matrix function J within the enclosure of the
-//! Jacobian, as a polynomial with double coefficients and a bound on its error.
+//! The linearised flow of a step: `Φ′ = h J Φ`, `Φ(0) = I`, for every matrix function J within the
+//! enclosure of the Jacobian, as a polynomial with double coefficients and a bound on its error.
 //!
 //! The bound is that of a differential inequality: with `|h J_ij| ≤ M_ij`, for i = j `h J_ii ≤ M_ii`, and
 //! `M_ij ≥ 0`, a function with `e′ = h J e + d` satisfies `|e_i|′ ≤ Σ M_ij |e_j| + |d_i|`, and so `|e| ≤ exp(M)
 //! (|e(0)| + max |d|)` over `0 ≤ τ ≤ 1` (Walter, *Ordinary Differential Equations*, 1998, §10.XII: M is
 //! quasi-monotone).
 //!
-//! With `h J = A + δ`, A a polynomial and `|δ_ij| ≤ ρ_ij`, the polynomial P has the error `e = Φ − P` with `e′ = A e +
-//! δ Φ + (A P − P′)`, and also `e′ = (A + δ) e + δ P + (A P − P′)`: entry by entry the smaller bound of `|Φ| ≤ exp(M)`
-//! and of `|P|` serves. Where the motion contracts fast, P has terms far larger than itself.
+//! With `h J = A + δ`, A a polynomial and `|δ_ij| ≤ ρ_ij`, the polynomial P has the error `e = Φ −
+//! P` with `e′ = A e + δ Φ + (A P − P′)`, and also `e′ = (A + δ) e + δ P + (A P − P′)`: entry by
+//! entry the smaller bound of `|Φ| ≤ exp(M)` and of `|P|` serves. Where the motion contracts fast,
+//! P has terms far larger than itself.
 
 use super::coefficient::Coefficient;
 use super::enclosed::{Enclosed, exponential_above, gamma, up};
@@ -34,7 +35,8 @@ pub(super) struct Flow {
     terms: Vec<Vec<f64>>,
     /// The error of the polynomial.
     error: Vec<f64>,
-    /// The part of it that comes from terms that are left out and from rounding, not from the width of the Jacobian.
+    /// The part of it that comes from terms that are left out and from rounding, not from the width
+    /// of the Jacobian.
     truncation: Vec<f64>,
     /// The exponential of the majorant.
     growth: Vec<f64>,
@@ -51,7 +53,8 @@ pub(super) struct Scaled {
 }
 
 impl Scaled {
-    /// The terms up to an order of polynomials in s, for the length h of a step; those above the degree are zero.
+    /// The terms up to an order of polynomials in s, for the length h of a step; those above the
+    /// degree are zero.
     pub fn new(p: &[Vec<Float>], h: f64, order: usize) -> Scaled {
         const BITS: u32 = 64;
         let powers = super::remainder::powers(Mag::from_f64(h), p[0].len());
@@ -64,7 +67,8 @@ impl Scaled {
             }
             power *= h;
         }
-        // The power is rounded k times to 64 bits, and so is the product; then it is rounded to 53 bits.
+        // The power is rounded k times to 64 bits, and so is the product; then it is rounded to 53
+        // bits.
         let radius = |p: &Vec<Float>| {
             let size = |k: usize| Mag::above(&p[k]).mul(powers[k]);
             let kept = (0..=top).fold(Mag::ZERO, |sum, k| sum.add(size(k)));
@@ -87,7 +91,8 @@ fn tails(terms: impl DoubleEndedIterator<Item = f64> + ExactSizeIterator) -> Vec
     sums
 }
 
-/// Terms without those at the end that are small beside the others, and the sum of their magnitudes.
+/// Terms without those at the end that are small beside the others, and the sum of their
+/// magnitudes.
 pub(super) fn without_tail(mut terms: Vec<f64>) -> (Vec<f64>, f64) {
     /// A share beside which a double number's rounding is not small.
     const SHARE: f64 = f64::EPSILON / 8.0;
@@ -100,7 +105,8 @@ pub(super) fn without_tail(mut terms: Vec<f64>) -> (Vec<f64>, f64) {
 }
 
 impl Flow {
-    /// The flow of a step of length h from a time, whose states are within `tubes` of the polynomials.
+    /// The flow of a step of length h from a time, whose states are within `tubes` of the
+    /// polynomials.
     ///
     /// # Errors
     /// An entry of the Jacobian without a bound.
@@ -239,7 +245,8 @@ impl Flow {
         }
     }
 
-    /// The order at which the terms of `exp(x)` are below a share of 1, for x the size of the Jacobian over the step.
+    /// The order at which the terms of `exp(x)` are below a share of 1, for x the size of the
+    /// Jacobian over the step.
     pub fn order_for(&self, share: f64) -> usize {
         let mut term = 1.0;
         let mut k = 0;
@@ -259,8 +266,8 @@ impl Flow {
         (0..self.n).map(row).collect()
     }
 
-    /// The largest error by terms that are left out and by rounding, relative to the largest entry at the end, both
-    /// in the sizes of the coordinates.
+    /// The largest error by terms that are left out and by rounding, relative to the largest entry
+    /// at the end, both in the sizes of the coordinates.
     pub fn truncation(&self, weights: &[f64]) -> f64 {
         let n = self.n;
         let weighted = |x: &[f64]| {

@@ -32,9 +32,9 @@ fn are_known(values: &[Ball], bits: u32) -> bool {
         .all(|x| x.is_zero() || x.accuracy_bits() >= i64::from(bits))
 }
 
-/// Returns the result of `found` from the factors, at the first working precision at which it is known to so
-/// many bits, or what is known at the last; nothing where the ring is too long or the matrix may
-/// be singular.
+/// Returns the result of `found` from the factors, at the first working precision at which it is
+/// known to so many bits, or what is known at the last; nothing where the ring is too long or the
+/// matrix may be singular.
 fn known(
     matrix: [&[Rational]; 3],
     bits: u32,

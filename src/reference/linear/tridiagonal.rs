@@ -386,8 +386,8 @@ pub fn conditions_cyclic(
     Some(inverse.iter().map(sum).collect())
 }
 
-/// Returns true if elimination without row exchanges certainly meets a pivot that is exactly zero before
-/// the last row, where the matrix may be regular. Only short matrices are searched.
+/// Returns true if elimination without row exchanges certainly meets a pivot that is exactly zero
+/// before the last row, where the matrix may be regular. Only short matrices are searched.
 ///
 /// # Panics
 /// When the lengths do not fit.
@@ -482,7 +482,8 @@ mod tests {
         }
     }
 
-    /// Rows without denominators and without a common factor, as they come and after an elimination.
+    /// Rows without denominators and without a common factor, as they come and after an
+    /// elimination.
     #[test]
     fn rows_are_whole_and_have_no_common_factor() {
         let row = |entries: &[(usize, (i32, i32))], rhs: (i32, i32)| {

@@ -1,9 +1,9 @@
 //! Dense linear systems of balls by an approximate inverse.
 //!
 //! For any matrix R, a matrix A with `‖I − R A‖∞ ≤ q < 1` is regular, and so is R. For any x̃ with
-//! `δ = R (b − A x̃)` the error `e = x − x̃` is `δ + (I − R A) e`, so that `‖e‖∞ ≤ ‖δ‖∞/(1 − q)` and
-//! `|e_i| ≤ |δ_i| + Σ_k |I − R A|_ik ‖e‖∞` (Rump, *Acta Numerica* 19 (2010), 10.5 and 10.6). A and b
-//! are balls: all that is said holds for each matrix and each side in them. R is computed in
+//! `δ = R (b − A x̃)` the error `e = x − x̃` is `δ + (I − R A) e`, so that `‖e‖∞ ≤ ‖δ‖∞/(1 − q)`
+//! and `|e_i| ≤ |δ_i| + Σ_k |I − R A|_ik ‖e‖∞` (Rump, *Acta Numerica* 19 (2010), 10.5 and 10.6). A
+//! and b are balls: all that is said holds for each matrix and each side in them. R is computed in
 //! floating-point numbers and taken as exact; a bad one can only make the test fail. A ball matrix
 //! is not eliminated, because radii would grow by a factor in each row.
 

@@ -62,8 +62,9 @@ pub(super) trait Path {
     type Value: Value;
     /// Encloses the values for all parameters in a ball.
     fn value(&mut self, t: &Ball, bits: u32) -> Option<Self::Value>;
-    /// True if values are real: the part of an ellipse above the real line is then enough, because the
-    /// integrand continues by reflection (Schwarz) to a function that agrees with it on the line.
+    /// True if values are real: the part of an ellipse above the real line is then enough, because
+    /// the integrand continues by reflection (Schwarz) to a function that agrees with it on the
+    /// line.
     const MIRRORS: bool;
     /// Bounds the integrand where it is proved to be holomorphic on the whole rectangle.
     fn bound(&mut self, t: &ComplexBall, bits: u32) -> Option<Mag>;
@@ -111,7 +112,8 @@ struct Panel<V> {
 }
 
 impl<V> Ord for Panel<V> {
-    /// By error; of equal ones the left one is greater, so that the order of the work is always the same.
+    /// By error; of equal ones the left one is greater, so that the order of the work is always the
+    /// same.
     fn cmp(&self, other: &Self) -> Ordering {
         let error = self.error.partial_cmp(&other.error);
         let place = other.lower.partial_cmp(&self.lower);
@@ -144,7 +146,8 @@ fn resolution(size: i32, lower: &Float, upper: &Float) -> u32 {
     u32::try_from(size.saturating_sub(exponent(&width))).unwrap_or(0)
 }
 
-/// Bits by which the parameters are larger than the width: a node has to be known to so many bits more.
+/// Bits by which the parameters are larger than the width: a node has to be known to so many bits
+/// more.
 fn finer(lower: &Float, upper: &Float) -> u32 {
     resolution(exponent(lower).max(exponent(upper)), lower, upper)
 }
@@ -217,7 +220,8 @@ struct Ellipse {
     nodes: u32,
 }
 
-/// Parts of an ellipse: the interval of the major axis in units of the half-axis, and the height above it.
+/// Parts of an ellipse: the interval of the major axis in units of the half-axis, and the height
+/// above it.
 pub(super) const PARTS: [([f64; 2], f64); 5] = [
     ([-1.0, -0.96], 0.2801),
     ([0.96, 1.0], 0.2801),
@@ -300,8 +304,8 @@ impl Hint {
     };
 }
 
-/// The ellipse that needs the fewest nodes, of those on which the integrand is proved to be holomorphic; or whether
-/// there is one at all.
+/// The ellipse that needs the fewest nodes, of those on which the integrand is proved to be
+/// holomorphic; or whether there is one at all.
 fn ellipse<P: Path>(
     path: &mut P,
     panel: &Panel<P::Value>,

@@ -10,10 +10,11 @@ use rug::float::Round;
 
 /// A function of the distance s from an end, for all `0 < s ≤ 2^−k`.
 ///
-/// A formula is evaluated in this arithmetic from [`Germ::variable`] on; [`Germ::growth`] then bounds the integrand. Every
-/// operation is proved for all s at once, or answers none: the function may be undefined somewhere, or a
-/// smaller distance may be needed. Points of a power of s with series (`1 − x²` next to 1, `√(sin x)` next to
-/// 0) keep their zeros and poles; logarithms and exponentials of what is unbounded are known by bounds alone.
+/// A formula is evaluated in this arithmetic from [`Germ::variable`] on; [`Germ::growth`] then
+/// bounds the integrand. Every operation is proved for all s at once, or answers none: the function
+/// may be undefined somewhere, or a smaller distance may be needed. Points of a power of s with
+/// series (`1 − x²` next to 1, `√(sin x)` next to 0) keep their zeros and poles; logarithms and
+/// exponentials of what is unbounded are known by bounds alone.
 #[derive(Clone, Debug)]
 pub struct Germ {
     k: u32,
@@ -156,7 +157,8 @@ impl Germ {
         self.mul(&other.recip()?)
     }
 
-    /// A power of a series by a function `g(x) = x^a`, if the series without its power of s is off zero.
+    /// A power of a series by a function `g(x) = x^a`, if the series without its power of s is off
+    /// zero.
     fn series_power(&self, a: f64, g: &dyn Fn(&Ball, usize) -> Option<Vec<Ball>>) -> Option<Germ> {
         let Form::Series(series) = &self.form else {
             return None;
@@ -278,8 +280,9 @@ impl Germ {
         ))
     }
 
-    /// `g(f)` for a function g that has Taylor coefficients at the values of f: `g(x, n)` encloses the first n of them at all
-    /// points of x, or none where it is not analytic there. None as well where f is not a series in s.
+    /// `g(f)` for a function g that has Taylor coefficients at the values of f: `g(x, n)` encloses
+    /// the first n of them at all points of x, or none where it is not analytic there. None as well
+    /// where f is not a series in s.
     pub fn map(&self, g: impl Fn(&Ball, usize) -> Option<Vec<Ball>>) -> Option<Germ> {
         let Form::Series(series) = &self.form else {
             return None;

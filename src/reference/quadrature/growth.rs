@@ -1,4 +1,5 @@
-//! Bounds on a function next to an end, of the form `C s^p L^q e^(−σ s^−r)`, and the integral of what is cut off.
+//! Bounds on a function next to an end, of the form `C s^p L^q e^(−σ s^−r)`, and the integral of
+//! what is cut off.
 
 use crate::Mag;
 use rug::Float;
@@ -7,8 +8,8 @@ use rug::ops::Pow;
 
 /// `C s^p L^q e^(−σ s^−r)` with `L = ln(1/s)`, an upper or a lower bound for all `0 < s ≤ 2^−k`.
 ///
-/// k is at least 2, so that L exceeds 1. Exponents are doubles rounded to the safe side: for an upper bound p and σ
-/// are rounded down and q up, for a lower bound the other way.
+/// k is at least 2, so that L exceeds 1. Exponents are doubles rounded to the safe side: for an
+/// upper bound p and σ are rounded down and q up, for a lower bound the other way.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Growth {
     k: u32,
@@ -218,7 +219,8 @@ impl Growth {
         }
     }
 
-    /// A bound on the inverse, on the other side; the argument is a bound on the side opposite to the result.
+    /// A bound on the inverse, on the other side; the argument is a bound on the side opposite to
+    /// the result.
     pub(super) fn inverse(&self, side: Side) -> Option<Growth> {
         if !self.is_proper() {
             return None;
@@ -275,7 +277,8 @@ impl Growth {
         side.mul_mag(self.c, exponential(&exponent, side))
     }
 
-    /// The least upper bound for all s, where the bound decreases with s; none where that is not sure.
+    /// The least upper bound for all s, where the bound decreases with s; none where that is not
+    /// sure.
     ///
     /// In `t = ln(1/s)` the logarithm is `ln C − p t + q ln t − σ e^(rt)`, and its slope is at most
     /// `−p + max(q, 0)/T − σ r e^(rT)` for t ≥ T and σ ≥ 0.
@@ -302,12 +305,13 @@ impl Growth {
         a + decay - spread - off
     }
 
-    /// A bound on the integral of the function from the end to the distance `2^−k`; in an infinite direction, from `2^k` on.
+    /// A bound on the integral of the function from the end to the distance `2^−k`; in an infinite
+    /// direction, from `2^k` on.
     ///
-    /// With `s = e^−t`, `T = k ln 2` and `a = p + 1` (`p − 1` in an infinite direction, because `dx = ds/s²`)
-    /// it is the integral of `C t^q e^(−at − σ e^(rt))` from T on. Because `ln t ≤ ln T + (t − T)/T` and
-    /// `e^(rt) ≥ e^(rT) (1 + r (t − T))`, it is at most the integrand at T divided by
-    /// `D = a + σ r e^(rT) − max(q, 0)/T`, if that is positive and σ ≥ 0.
+    /// With `s = e^−t`, `T = k ln 2` and `a = p + 1` (`p − 1` in an infinite direction, because `dx
+    /// = ds/s²`) it is the integral of `C t^q e^(−at − σ e^(rt))` from T on. Because `ln t ≤ ln T +
+    /// (t − T)/T` and `e^(rt) ≥ e^(rT) (1 + r (t − T))`, it is at most the integrand at T divided
+    /// by `D = a + σ r e^(rT) − max(q, 0)/T`, if that is positive and σ ≥ 0.
     pub fn rest(&self, k: u32, infinite: bool) -> Mag {
         if self.c.is_zero() {
             return Mag::ZERO;
@@ -325,8 +329,9 @@ impl Growth {
         there.at(&logarithm(k), Upper).div(Mag::from_f64(divisor))
     }
 
-    /// A bound on the sum of the function over all integers beyond `2^k`, in an infinite direction: the
-    /// integral from there on, if the bound is known and falls from there on; none where that is not sure.
+    /// A bound on the sum of the function over all integers beyond `2^k`, in an infinite direction:
+    /// the integral from there on, if the bound is known and falls from there on; none where that
+    /// is not sure.
     pub fn rest_of_sum(&self, k: u32) -> Option<Mag> {
         let falls = self.k <= k && (self.c.is_zero() || self.fall(self.p, k) > 0.0);
         falls
@@ -365,8 +370,8 @@ impl Growth {
 
 /// σ and r of the product of two exponentials: that of the greater r, which takes in the other.
 ///
-/// `e^(−σ s^−r)` with the smaller r is at most 1 for σ ≥ 0, and for σ < 0 `s^−r ≤ 2^(k (r − R)) s^−R`; for
-/// lower bounds the other way.
+/// `e^(−σ s^−r)` with the smaller r is at most 1 for σ ≥ 0, and for σ < 0 `s^−r ≤ 2^(k (r − R))
+/// s^−R`; for lower bounds the other way.
 fn exponent_sum([a, b]: [&Growth; 2], k: u32, side: Side) -> (f64, f64) {
     let against = side.other();
     if a.sigma == 0.0 || b.sigma == 0.0 {

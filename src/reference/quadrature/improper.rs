@@ -1,4 +1,5 @@
-//! Integrals along the real line: limits that are infinite, or where the integrand is singular, are cut off.
+//! Integrals along the real line: limits that are infinite, or where the integrand is singular, are
+//! cut off.
 
 use super::adaptive::{Path, adaptive};
 use super::{End, Growth, Hindrance, Integrand, Limit, Run};
@@ -48,7 +49,8 @@ impl<F> Line<'_, F> {
 /// Half-widths at which an end is looked at, in bits: a bound that needs to be close is tried last.
 const DISTANCES: [u32; 9] = [2, 3, 4, 6, 8, 12, 20, 32, 64];
 
-/// Bits of the distance from an end beyond which an integral is taken for one that does not converge fast enough.
+/// Bits of the distance from an end beyond which an integral is taken for one that does not
+/// converge fast enough.
 const FARTHEST: u32 = 1 << 20;
 
 fn name(end: &End) -> &'static str {
@@ -137,7 +139,8 @@ fn is_singular(f: &mut impl Integrand, end: &End) -> bool {
         .is_some_and(|v| v.is_finite())
 }
 
-/// Between two limits in the coordinate of a line; their midpoints are exact, and their radii widen the result.
+/// Between two limits in the coordinate of a line; their midpoints are exact, and their radii widen
+/// the result.
 fn between<F: Integrand>(
     mut line: Line<F>,
     a: &Ball,
@@ -213,7 +216,8 @@ fn towards(f: &mut impl Integrand, from: &Ball, end: &End, run: &mut Run) -> Opt
     Some(main.widened(rest))
 }
 
-/// Break points from a start to a distant end, four times as far from the start each time, if it is distant.
+/// Break points from a start to a distant end, four times as far from the start each time, if it is
+/// distant.
 fn geometric(start: &Float, last: &Float, bits: u32) -> Vec<Float> {
     let mut breaks = Vec::new();
     if (last - start).complete(64) <= 128 {

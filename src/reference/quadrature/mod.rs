@@ -1,20 +1,23 @@
 //! Certified integrals of functions that are given by an enclosure.
 //!
-//! The integrand is a black box, [`Integrand`]: it encloses its values on rectangles of the complex plane, and says
-//! where it is proved to be holomorphic. Everything else is proved here.
+//! The integrand is a black box, [`Integrand`]: it encloses its values on rectangles of the complex
+//! plane, and says where it is proved to be holomorphic. Everything else is proved here.
 //!
-//! * *Finite intervals* are bisected. A panel counts as the width times an enclosure of the values where that is
-//!   narrow enough (so steps, kinks and bounded singularities converge, one panel being halved each time), and else as a
-//!   Gauss–Legendre rule, whose error is bounded by the greatest value on an ellipse of Bernstein around the
-//!   panel; ellipse and degree are chosen to need the fewest nodes. The method is that of K. Petras, *Self-validating
-//!   integration and approximation of piecewise analytic functions*, J. Comput. Appl. Math. 145 (2002) 345–359, and of
-//!   F. Johansson, *Numerical integration in arbitrary-precision ball arithmetic*, ICMS 2018, LNCS 10931, 255–263; the
-//!   error bound is that of P. Rabinowitz, *Math. Comp.* 23 (1969) 765–768, in the form of L. N. Trefethen,
-//!   *Approximation Theory and Approximation Practice*, 2013, Thm 19.3.
-//! * *Singular and infinite ends* are cut off where a proved bound on the integrand ([`Growth`]) makes the rest
-//!   negligible; the rest widens the result. The panels next to the end are laid out in geometric progression.
-//! * An integral that does not reach its goal says where ([`Hindrance`]). Its ball holds the integral
-//!   nevertheless.
+//! * *Finite intervals* are bisected. A panel counts as the width times an enclosure of the values
+//!   where that is narrow enough (so steps, kinks and bounded singularities converge, one panel
+//!   being halved each time), and else as a Gauss–Legendre rule, whose error is bounded by the
+//!   greatest value on an ellipse of Bernstein around the panel; ellipse and degree are chosen to
+//!   need the fewest nodes. The method is that of K. Petras, *Self-validating integration and
+//!   approximation of piecewise analytic functions*, J. Comput. Appl. Math. 145 (2002) 345–359, and
+//!   of F. Johansson, *Numerical integration in arbitrary-precision ball arithmetic*, ICMS 2018,
+//!   LNCS 10931, 255–263; the error bound is that of P. Rabinowitz, *Math. Comp.* 23 (1969)
+//!   765–768, in the form of L. N. Trefethen, *Approximation Theory and Approximation Practice*,
+//!   2013, Thm 19.3.
+//! * *Singular and infinite ends* are cut off where a proved bound on the integrand ([`Growth`])
+//!   makes the rest negligible; the rest widens the result. The panels next to the end are laid out
+//!   in geometric progression.
+//! * An integral that does not reach its goal says where ([`Hindrance`]). Its ball holds the
+//!   integral nevertheless.
 
 mod adaptive;
 mod bounds;
@@ -36,9 +39,10 @@ use std::fmt;
 pub trait Integrand {
     /// Encloses the values on a rectangle, or gives none where that is not decided.
     ///
-    /// With `holomorphic` an answer means a proof that the function is holomorphic on the whole closed rectangle: it holds
-    /// no cut, no pole and no jump of a step. Without it an enclosure of the values at the points of the rectangle where the
-    /// function is defined by its formula suffices, and none is given unless it is defined at all of them.
+    /// With `holomorphic` an answer means a proof that the function is holomorphic on the whole
+    /// closed rectangle: it holds no cut, no pole and no jump of a step. Without it an enclosure of
+    /// the values at the points of the rectangle where the function is defined by its formula
+    /// suffices, and none is given unless it is defined at all of them.
     fn enclose(&mut self, z: &ComplexBall, holomorphic: bool, bits: u32) -> Option<ComplexBall>;
 
     /// Encloses the values on a real interval, all of them real.
@@ -48,8 +52,9 @@ pub trait Integrand {
         value.im.is_zero().then_some(value.re)
     }
 
-    /// Bounds the absolute value next to an end where [`Integrand::enclose_real`] fails or that is infinite, for all distances
-    /// `0 < s ≤ 2^−k` (all `|x| ≥ 2^k` at infinity). None where no bound is proved.
+    /// Bounds the absolute value next to an end where [`Integrand::enclose_real`] fails or that is
+    /// infinite, for all distances `0 < s ≤ 2^−k` (all `|x| ≥ 2^k` at infinity). None where no
+    /// bound is proved.
     fn growth(&mut self, end: &End, k: u32) -> Option<Growth> {
         let _ = (end, k);
         None
@@ -116,7 +121,8 @@ impl Goal {
 /// The reason why an integral did not reach its goal, and where.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Hindrance {
-    /// The evaluations allowed did not suffice: the worst interval left, of x or of the parameter of a segment.
+    /// The evaluations allowed did not suffice: the worst interval left, of x or of the parameter
+    /// of a segment.
     Interval(Float, Float),
     /// No bound on the integrand at an end is proved, or it is not integrable there.
     End(&'static str),
@@ -153,7 +159,8 @@ pub struct Integral<V> {
     pub evaluations: u64,
 }
 
-/// The integral of a real function along the real line; the limits may be infinite, and the function singular there.
+/// The integral of a real function along the real line; the limits may be infinite, and the
+/// function singular there.
 pub fn integrate(f: &mut impl Integrand, from: &Limit, to: &Limit, goal: &Goal) -> Integral<Ball> {
     repeated(goal, |run| improper::integral(f, from, to, run))
 }

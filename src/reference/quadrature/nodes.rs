@@ -1,4 +1,5 @@
-//! Gauss–Legendre rules of any degree at any precision, each node and weight enclosed, and their error.
+//! Gauss–Legendre rules of any degree at any precision, each node and weight enclosed, and their
+//! error.
 
 use crate::{Ball, Mag};
 use rug::Float;
@@ -15,7 +16,8 @@ pub(super) struct Rule {
     pub positive: Vec<(Ball, Ball)>,
 }
 
-/// The numbers of nodes in use: `2^(k/4)`, rounded, so that no more than 1.25 times the nodes needed are evaluated.
+/// The numbers of nodes in use: `2^(k/4)`, rounded, so that no more than 1.25 times the nodes
+/// needed are evaluated.
 pub(super) const DEGREES: [u32; 43] = [
     2, 3, 4, 5, 6, 7, 8, 10, 11, 13, 16, 19, 23, 27, 32, 38, 45, 54, 64, 76, 91, 108, 128, 152,
     181, 215, 256, 304, 362, 431, 512, 609, 724, 861, 1024, 1218, 1448, 1722, 2048, 2435, 2896,
@@ -46,7 +48,8 @@ pub(super) fn rule(n: u32, bits: u32) -> Option<Rc<Rule>> {
     Some(made)
 }
 
-/// `P_n(x)` and `P_{n−1}(x)` for an exact x in `[−1, 1]`, by `P_{k+1} = x P_k + k (x P_k − P_{k−1})/(k+1)`.
+/// `P_n(x)` and `P_{n−1}(x)` for an exact x in `[−1, 1]`, by `P_{k+1} = x P_k + k (x P_k −
+/// P_{k−1})/(k+1)`.
 fn legendre(n: u32, x: &Float, bits: u32) -> (Float, Float) {
     let mut before = Float::with_val(bits, 1);
     let mut p = Float::with_val(bits, x);
@@ -64,11 +67,12 @@ fn legendre(n: u32, x: &Float, bits: u32) -> (Float, Float) {
 
 /// A bound on the error of both values of [`legendre`].
 ///
-/// With `|P_k| ≤ 1`, computed values below 2 and a relative error `u = 2^−bits` of each operation, a step
-/// adds at most 24 u. If step k adds `ε_k`, the generating function e of the errors satisfies
-/// `(1 − 2xt + t²) e' = (x − t) e + Σ k ε_k t^(k−1)`, hence `e = G ∫ G Σ k ε_k w^(k−1) dw` with the
-/// generating function G of the polynomials, whose coefficients are at most those of `1/(1 − t)`. The
-/// coefficients of e are at most those of `max ε_k (1 − t)^−3/2`: `(n+1)(n+2)/4 max ε_k`.
+/// With `|P_k| ≤ 1`, computed values below 2 and a relative error `u = 2^−bits` of each operation,
+/// a step adds at most 24 u. If step k adds `ε_k`, the generating function e of the errors
+/// satisfies `(1 − 2xt + t²) e' = (x − t) e + Σ k ε_k t^(k−1)`, hence `e = G ∫ G Σ k ε_k w^(k−1)
+/// dw` with the generating function G of the polynomials, whose coefficients are at most those of
+/// `1/(1 − t)`. The coefficients of e are at most those of `max ε_k (1 − t)^−3/2`: `(n+1)(n+2)/4
+/// max ε_k`.
 fn legendre_error(n: u32, bits: u32) -> Mag {
     let n = f64::from(n);
     Mag::from_f64(6.0 * (n + 1.0) * (n + 2.0)).shift(-i64::from(bits))
@@ -109,8 +113,8 @@ fn refined(n: u32, x: f64, bits: u32) -> Float {
     near
 }
 
-/// A bound on `|P_n''|` where `1 − x²` is at least `rest`: the differential equation
-/// `(1 − x²) P'' = 2x P' − n(n+1) P` with `|P| ≤ 1` and Bernstein's inequality `|P'| ≤ n/√(1 − x²)`.
+/// A bound on `|P_n''|` where `1 − x²` is at least `rest`: the differential equation `(1 − x²) P''
+/// = 2x P' − n(n+1) P` with `|P| ≤ 1` and Bernstein's inequality `|P'| ≤ n/√(1 − x²)`.
 fn curvature(n: u32, rest: Mag) -> Mag {
     let n = f64::from(n);
     let rate = Mag::from_f64(2.0 * n).div(rest);
@@ -147,9 +151,9 @@ fn proved(n: u32, near: &Float, bits: u32) -> Option<(Ball, Ball)> {
 }
 
 impl Rule {
-    /// Encloses every positive zero by the interval Newton method: `x − P(x)/P'(X)` in the interior of X
-    /// holds a zero, and as many balls as zeros that do not meet hold all. The slope at the zero lies in
-    /// `P'(X)`, and the weight is `2/((1 − x²) P'(x)²)`. None if a zero is not proved.
+    /// Encloses every positive zero by the interval Newton method: `x − P(x)/P'(X)` in the interior
+    /// of X holds a zero, and as many balls as zeros that do not meet hold all. The slope at the
+    /// zero lies in `P'(X)`, and the weight is `2/((1 − x²) P'(x)²)`. None if a zero is not proved.
     fn new(n: u32, bits: u32) -> Option<Rule> {
         let work = bits + 3 * n.ilog2() + 24;
         let mut positive: Vec<(Ball, Ball)> = Vec::with_capacity(n as usize / 2);
@@ -190,13 +194,13 @@ pub(super) fn power(x: Mag, n: u32) -> Mag {
     result
 }
 
-/// A bound on the error of n ≥ 2 nodes for an integrand that is holomorphic and at most `most` within the
-/// ellipse with the foci ±1 and the half-axes `(ρ ± 1/ρ)/2`.
+/// A bound on the error of n ≥ 2 nodes for an integrand that is holomorphic and at most `most`
+/// within the ellipse with the foci ±1 and the half-axes `(ρ ± 1/ρ)/2`.
 ///
-/// The Chebyshev coefficients are at most `2 M ρ^−k`; the rule is exact below degree 2n and odd terms
-/// vanish; `|∫ T_k| ≤ 2/(k² − 1)`, and the rule's value is at most 2. The even terms from 2n on add up to
-/// `(64/15) M ρ^−2n/(1 − ρ^−2)` at most (Rabinowitz 1969; Trefethen, *Approximation Theory and
-/// Approximation Practice*, 2013, Thm 19.3).
+/// The Chebyshev coefficients are at most `2 M ρ^−k`; the rule is exact below degree 2n and odd
+/// terms vanish; `|∫ T_k| ≤ 2/(k² − 1)`, and the rule's value is at most 2. The even terms from 2n
+/// on add up to `(64/15) M ρ^−2n/(1 − ρ^−2)` at most (Rabinowitz 1969; Trefethen, *Approximation
+/// Theory and Approximation Practice*, 2013, Thm 19.3).
 pub(super) fn error(most: Mag, rho: f64, n: u32) -> Mag {
     debug_assert!(n >= 2 && rho > 1.0);
     let one = Mag::from_f64(1.0);
@@ -268,8 +272,9 @@ mod tests {
         }
     }
 
-    /// Values by the recurrence against exact ones lie within the bound, and a thousandth of it is too little
-    /// nowhere near: the bound is used at `bits` where it is far below the radii that matter.
+    /// Values by the recurrence against exact ones lie within the bound, and a thousandth of it is
+    /// too little nowhere near: the bound is used at `bits` where it is far below the radii that
+    /// matter.
     #[test]
     fn the_error_of_the_recurrence() {
         for (n, bits) in [(2u32, 24), (9, 30), (40, 53), (150, 70)] {
@@ -325,7 +330,8 @@ mod tests {
         assert!(proved(9, &Float::with_val(100, 0.999), 100).is_none());
     }
 
-    /// ∫ 1/(x² + a²) with poles at ±ia just outside the ellipse: the bound holds, and a thousandth of it does not.
+    /// ∫ 1/(x² + a²) with poles at ±ia just outside the ellipse: the bound holds, and a thousandth
+    /// of it does not.
     #[test]
     fn the_bound_holds_and_is_near() {
         let bits = 128;

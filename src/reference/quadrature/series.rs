@@ -1,4 +1,5 @@
-//! Truncated series in the distance from an end, with a power in front and a bound on what is left out.
+//! Truncated series in the distance from an end, with a power in front and a bound on what is left
+//! out.
 
 use super::bounds::{Bounds, Sign};
 use super::growth::{Growth, Side};
@@ -64,8 +65,8 @@ impl Series {
         self.rest.is_zero() && self.c.iter().all(Ball::is_zero)
     }
 
-    /// The number of leading terms that are exactly zero, and the series divided by as many powers of s, with
-    /// the p of before.
+    /// The number of leading terms that are exactly zero, and the series divided by as many powers
+    /// of s, with the p of before.
     pub(super) fn stripped(&self) -> (usize, Series) {
         let zeros = self.c.iter().take_while(|c| c.is_zero()).count();
         let c = self.c[zeros..].to_vec();
@@ -154,8 +155,8 @@ impl Series {
         })
     }
 
-    /// The composition `g(f)` for p = 0, by the Taylor coefficients of g: those at `c_0`, and the one of the rest
-    /// everywhere, times a power of `(f − c_0)/s`.
+    /// The composition `g(f)` for p = 0, by the Taylor coefficients of g: those at `c_0`, and the
+    /// one of the rest everywhere, times a power of `(f − c_0)/s`.
     pub(super) fn compose(
         &self,
         k: u32,

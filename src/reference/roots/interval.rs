@@ -392,8 +392,9 @@ where
 }
 
 /// Returns all roots of f in `[lo, hi]`, in ascending order, each to `2^-goal` of its size, or of
-/// `2^-goal` of the end that is farther from zero where it is smaller than that. That there are no others is proved, and that they are simple. At most `limit` pieces
-/// of the interval are looked at. An end is a root where f is exactly zero there.
+/// `2^-goal` of the end that is farther from zero where it is smaller than that. That there are no
+/// others is proved, and that they are simple. At most `limit` pieces of the interval are looked
+/// at. An end is a root where f is exactly zero there.
 ///
 /// f and df enclose the function and its derivative over a ball, at a number of bits; a ball
 /// without a bound says that nothing is known over so wide an argument.
@@ -428,8 +429,8 @@ where
     })
 }
 
-/// Returns the root of f in `[lo, hi]`, proved to be the only one, and simple. The accuracy is as in
-/// [`all_roots`]. An end is a root where f is exactly zero there.
+/// Returns the root of f in `[lo, hi]`, proved to be the only one, and simple. The accuracy is as
+/// in [`all_roots`]. An end is a root where f is exactly zero there.
 ///
 /// # Errors
 /// [`RootError`]: as [`all_roots`], and where no root or more than one is proved.

@@ -7,8 +7,8 @@
 //! s_{i−1}/h_{i−1} + 2 (1/h_{i−1} + 1/h_i) s_i + s_{i+1}/h_i = 3 (δ_{i−1}/h_{i−1} + δ_i/h_i)
 //! ```
 //!
-//! and a segment is `y_i + u (s_i + u (c + u d))` with `u = x − x_i`, `c = (3δ − 2s_i − s_{i+1})/h`,
-//! `d = (s_i + s_{i+1} − 2δ)/h²` (de Boor, *A Practical Guide to Splines*, ch. IV).
+//! and a segment is `y_i + u (s_i + u (c + u d))` with `u = x − x_i`, `c = (3δ − 2s_i −
+//! s_{i+1})/h`, `d = (s_i + s_{i+1} − 2δ)/h²` (de Boor, *A Practical Guide to Splines*, ch. IV).
 //!
 //! [`Spline`] is exact. [`periodic_uniform`] takes balls as ordinates.
 

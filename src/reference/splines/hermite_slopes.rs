@@ -1,16 +1,17 @@
 //! Exact PCHIP, Akima and modified Akima interpolants: slopes from neighbouring chords.
 //!
-//! The definitions are worked out in rational arithmetic as they are printed, so that every sign and
-//! every comparison is decided exactly at the given numbers. With steps `h_i` and chord slopes `δ_i`:
+//! The definitions are worked out in rational arithmetic as they are printed, so that every sign
+//! and every comparison is decided exactly at the given numbers. With steps `h_i` and chord slopes
+//! `δ_i`:
 //!
 //! * PCHIP (Fritsch & Butland 1984; ends as in `PCHIM` and in Moler's `pchiptx`): 0 where
 //!   `δ_{i−1} δ_i ≤ 0`, else `δ_{i−1} δ_i / (α δ_i + (1 − α) δ_{i−1})` with
 //!   `α = (h_{i−1} + 2h_i)/(3(h_{i−1} + h_i))`.
 //! * Akima (1970), eq. (1): the mean of `δ_{i−1}` and `δ_i` with the weights `|δ_{i+1} − δ_i|` and
-//!   `|δ_{i−1} − δ_{i−2}|`, and with equal ones where both of these are 0; chords go on linearly at the
-//!   ends.
-//! * Modified Akima (MATLAB's `makima`): `|δ_{i+1} + δ_i|/2` and `|δ_{i−1} + δ_{i−2}|/2` are added to the
-//!   weights.
+//!   `|δ_{i−1} − δ_{i−2}|`, and with equal ones where both of these are 0; chords go on linearly at
+//!   the ends.
+//! * Modified Akima (MATLAB's `makima`): `|δ_{i+1} + δ_i|/2` and `|δ_{i−1} + δ_{i−2}|/2` are added
+//!   to the weights.
 
 use super::cubic_spline::{Data, Spline, SplineError};
 use rug::Rational;
@@ -113,8 +114,8 @@ impl Spline {
     }
 }
 
-/// The slope at an end of the parabola through three points, made compatible with monotone data. The
-/// end's own step and chord come first.
+/// The slope at an end of the parabola through three points, made compatible with monotone data.
+/// The end's own step and chord come first.
 fn parabolic_end(h: [&Rational; 2], chords: [&Rational; 2]) -> Rational {
     let ([near, far], [p, q]) = (h, chords);
     let steps = Rational::from(near + far);

@@ -85,8 +85,8 @@ pub struct ErrorCurve {
 /// Curves of a panel at most.
 const CURVES: usize = 4;
 
-/// The page of a simulation that was judged: of that title, from that file, over that time. The table
-/// has a row for each quantity.
+/// The page of a simulation that was judged: of that title, from that file, over that time. The
+/// table has a row for each quantity.
 pub fn errors(
     (title, file, time): (&str, &str, &str),
     (passes, head): (bool, String),

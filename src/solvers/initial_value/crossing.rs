@@ -8,8 +8,8 @@ const HALVINGS: u32 = 60;
 
 /// The first crossing found within a step, with its time.
 ///
-/// `look` tells what has been crossed at a time. Its second argument is true where the step is looked at
-/// from its beginning to its end, and false on the way to a crossing that was found.
+/// `look` tells what has been crossed at a time. Its second argument is true where the step is
+/// looked at from its beginning to its end, and false on the way to a crossing that was found.
 pub(crate) fn first_crossing<P, E>(
     [from, to]: [f64; 2],
     mut look: impl FnMut(f64, bool) -> Result<Option<P>, E>,

@@ -65,8 +65,8 @@ fn combined(k: &[f64], n: usize, i: usize, weights: &[(usize, f64)]) -> f64 {
 }
 
 impl Dop853 {
-    /// The solution through (t, y). The error of a step is kept below `tolerance (1 + |y|)` for each
-    /// component, in the mean of squares.
+    /// The solution through (t, y). The error of a step is kept below `tolerance (1 + |y|)` for
+    /// each component, in the mean of squares.
     pub fn new(t: f64, y: &[f64], tolerance: f64) -> Dop853 {
         let n = y.len();
         Dop853 {

@@ -1,7 +1,8 @@
 //! Conditions of motions: derivatives of the states by the inputs and by their starts.
 //!
-//! `x_j ∂y/∂x_j` is the difference of two certified motions, of which one has x_j (1 + 2⁻⁶⁰), over 2⁻⁶⁰:
-//! its relative error is of the order of 2⁻⁶⁰ times the second derivative, and the balls add less.
+//! `x_j ∂y/∂x_j` is the difference of two certified motions, of which one has x_j (1 + 2⁻⁶⁰), over
+//! 2⁻⁶⁰: its relative error is of the order of 2⁻⁶⁰ times the second derivative, and the balls add
+//! less.
 
 use super::trajectories::Trajectories;
 use super::{InitialValue, Output, Solution};

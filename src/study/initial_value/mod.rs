@@ -33,8 +33,8 @@ pub struct InitialValue {
     pub start: Rational,
     /// The states in the order of the file.
     pub states: Vec<State>,
-    /// The times of a whole trajectory, which is one answer with a row for each; none where the time
-    /// is an input.
+    /// The times of a whole trajectory, which is one answer with a row for each; none where the
+    /// time is an input.
     pub times: Vec<Rational>,
 }
 
@@ -89,7 +89,8 @@ impl Solution {
     /// Prepares the problem of a study.
     ///
     /// # Errors
-    /// Formulas without meaning, starts that depend on states, rates that are undefined at the start.
+    /// Formulas without meaning, starts that depend on states, rates that are undefined at the
+    /// start.
     pub fn new(problem: &Problem, of: &InitialValue) -> Result<Solution, StudyError> {
         let definitions = &problem.definitions;
         let graph = Graph::new(names(problem, of)).of_real_functions();
@@ -313,7 +314,8 @@ impl Solution {
         })
     }
 
-    /// `Σ_j |x_j ∂f_i/∂x_j|` for each output, over the inputs, the time and the starts of the states.
+    /// `Σ_j |x_j ∂f_i/∂x_j|` for each output, over the inputs, the time and the starts of the
+    /// states.
     pub fn conditions(&self, inputs: &[Rational]) -> Option<Vec<f64>> {
         let (time, inputs) = inputs.split_last()?;
         let states = self

@@ -41,9 +41,9 @@ fn norm(a: &Matrix<Rational>) -> f64 {
         .sqrt()
 }
 
-/// `Σ_j |x_j ∂f_i/∂x_j|` of all values; of eigenvalues the bound by the norms of the matrices, which
-/// perturbations that keep them symmetric can reach. None for large matrices, and where there are
-/// no values.
+/// `Σ_j |x_j ∂f_i/∂x_j|` of all values; of eigenvalues the bound by the norms of the matrices,
+/// which perturbations that keep them symmetric can reach. None for large matrices, and where there
+/// are no values.
 pub(in super::super) fn conditions(linear: &Linear, numbers: &[Rational]) -> Option<Vec<f64>> {
     let open = linear.open(numbers.len())?;
     let parts = linear.parts(numbers, open);

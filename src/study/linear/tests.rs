@@ -165,7 +165,8 @@ fn lengths_may_be_stated() {
     assert_eq!(found.rows().unwrap().count, "3");
 }
 
-/// Cases of every region are within the domain and have values; conditions are those by differences.
+/// Cases of every region are within the domain and have values; conditions are those by
+/// differences.
 #[test]
 fn cases_have_values_and_conditions() {
     let b2 = "B = { shape = [\"n\", \"n\"] }";

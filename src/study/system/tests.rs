@@ -109,8 +109,8 @@ fn equations_use_all_names() {
     assert!(digits(double, &[], 10)[0].starts_with(": no solution is proved near the start"));
 }
 
-/// Constants below an equation are computed at the precision of the answer, not at that of the first
-/// coarse box.
+/// Constants below an equation are computed at the precision of the answer, not at that of the
+/// first coarse box.
 #[test]
 fn constants_keep_their_digits() {
     let text = "[system]\nunknowns = { x = { between = [1, 2] } }\nequations = [\"x^2 = sqrt(2)\"]";

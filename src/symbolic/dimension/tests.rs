@@ -117,8 +117,8 @@ fn definitions_are_followed() {
     assert!(of("let(x, t, r + x/t)").is_err());
 }
 
-/// The factor 10^-4 that (4) of Zinchenko's paper lacks: lengths in centimetres, inertias in kg m². Between quantities
-/// the formula is right.
+/// The factor 10^-4 that (4) of Zinchenko's paper lacks: lengths in centimetres, inertias in kg m².
+/// Between quantities the formula is right.
 #[test]
 fn a_lost_factor_is_named() {
     let declared = [
@@ -207,8 +207,9 @@ fn random(next: &mut impl FnMut(u64) -> u64, depth: u32) -> String {
     }
 }
 
-/// The witness is a change of units: where metres become 4 and seconds 9 times as many, the value of an expression in
-/// m^p s^q becomes 4^p 9^q times as large. Most expressions that are refused change by no such factors.
+/// The witness is a change of units: where metres become 4 and seconds 9 times as many, the value
+/// of an expression in m^p s^q becomes 4^p 9^q times as large. Most expressions that are refused
+/// change by no such factors.
 #[test]
 fn units_are_those_by_which_values_change() {
     use super::super::{Point, enclose};
@@ -256,7 +257,8 @@ fn units_are_those_by_which_values_change() {
             }
             Ok(None) => {}
             Err(_) => {
-                // The logarithms of the factors would be whole multiples of those of 4 and 9, or of their roots.
+                // The logarithms of the factors would be whole multiples of those of 4 and 9, or of
+                // their roots.
                 let is_power = |x: f64, base: f64| {
                     let p = 2.0 * x.abs().ln() / f64::ln(base);
                     (p - p.round()).abs() < 1e-9

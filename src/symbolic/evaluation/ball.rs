@@ -67,9 +67,11 @@ pub struct Balls {
     pub holomorphic: bool,
     /// True if a wide enclosure is of use: of an integrand over an interval.
     pub wide: bool,
-    /// True if the square root of a negative number is complex, as in the symbolic algebra, and not undefined.
+    /// True if the square root of a negative number is complex, as in the symbolic algebra, and not
+    /// undefined.
     pub has_complex_roots: bool,
-    /// Binary places to which an integral next to zero is enclosed, if they are fewer than the precision.
+    /// Binary places to which an integral next to zero is enclosed, if they are fewer than the
+    /// precision.
     pub places: u32,
     /// Evaluations of an integrand before an integral is given up.
     pub evaluations: u64,

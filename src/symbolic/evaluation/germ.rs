@@ -1,5 +1,5 @@
-//! Graphs next to an end of an interval of integration: bounds that tell how fast an integrand grows
-//! or decays there.
+//! Graphs next to an end of an interval of integration: bounds that tell how fast an integrand
+//! grows or decays there.
 
 use super::ball::{Balls, Value};
 use super::{Evaluator, Interpretation, Stop};

@@ -248,8 +248,8 @@ fn two(f: Func, a: &Value, b: &Value, p: u32) -> Found {
             });
             exponents.max().map_or(Err(UNDECIDED), |e| huge(false, e))
         }
-        // The angle of a point far above, below, left or right of the origin: off ±π/2, 0 or ±π by at
-        // most the quotient of the coordinates.
+        // The angle of a point far above, below, left or right of the origin: off ±π/2, 0 or ±π by
+        // at most the quotient of the coordinates.
         Func::Atan2 => match (a, b) {
             (Value::Huge { negative, exponent }, Value::Real(x)) => match above(x) {
                 Some(size) => {

@@ -8,7 +8,8 @@ use mechaudit_reference::elementary::NoValue;
 use mechaudit_reference::quadrature::{self, End, Goal, Growth, Hindrance, Integrand, Limit};
 use mechaudit_reference::{Ball, ComplexBall, Mag};
 
-/// Bits to which an integral under another is enclosed beyond the goal of the outer one, whose sum is to reach it.
+/// Bits to which an integral under another is enclosed beyond the goal of the outer one, whose sum
+/// is to reach it.
 const INNER: u32 = 16;
 
 /// Bits by which it is less accurate than the variable of the outer one.
@@ -168,11 +169,12 @@ fn limit(evaluator: &mut Evaluator<Balls>, id: Id) -> Result<Limit, Stop> {
     }
 }
 
-/// Bits by which parts that do not depend on the variable are known more closely than a panel is due.
+/// Bits by which parts that do not depend on the variable are known more closely than a panel is
+/// due.
 const CLOSER: u32 = 64;
 
-/// Gives parts of a body that do not depend on the variable their values, to more bits: what is uncertain
-/// in them is so on every panel.
+/// Gives parts of a body that do not depend on the variable their values, to more bits: what is
+/// uncertain in them is so on every panel.
 fn prepare(evaluator: &mut Evaluator<Balls>, binder: u32, body: Id) {
     let graph = evaluator.graph().clone();
     let outside = evaluator.interpretation.prec;
@@ -198,7 +200,8 @@ pub(super) fn integral(
     prepare(evaluator, binder, body);
     let balls = &evaluator.interpretation;
     let (prec, is_continued) = (balls.prec, balls.holomorphic);
-    // Under another integral a bound serves where no more is to be had: for many values of its variable at once.
+    // Under another integral a bound serves where no more is to be had: for many values of its
+    // variable at once.
     let is_inner = balls.known < i64::MAX;
     let (bits, evaluations) = match u32::try_from(balls.known.saturating_sub(SPARE)) {
         _ if !is_inner => (balls.goal, balls.evaluations),
@@ -240,7 +243,8 @@ pub(super) fn integral(
     if let Some(stop) = integrand.undefined.filter(|_| hindrance.is_some()) {
         return Err(stop);
     }
-    // A second try with more bits may serve an integrand that is enclosed badly; a third would not end.
+    // A second try with more bits may serve an integrand that is enclosed badly; a third would not
+    // end.
     let is_hopeless =
         matches!(hindrance, Some(Hindrance::Interval(..))) && prec > 2 * bits && !is_inner;
     if is_hopeless || (is_spent && hindrance.is_some()) {

@@ -1,9 +1,9 @@
 //! Values of graphs.
 //!
 //! An [`Evaluator`] goes through a [`Graph`] once; what the operations mean is an
-//! [`Interpretation`]: balls at a precision ([`Balls`]), floating-point numbers ([`Floating`]). Only
-//! what a value needs is evaluated: of a choice the part that is chosen, of a conjunction the second
-//! condition where the first holds.
+//! [`Interpretation`]: balls at a precision ([`Balls`]), floating-point numbers ([`Floating`]).
+//! Only what a value needs is evaluated: of a choice the part that is chosen, of a conjunction the
+//! second condition where the first holds.
 
 mod adaptive;
 mod ball;
@@ -115,7 +115,8 @@ const NOT_A_NUMBER: NoValue = NoValue::Undefined("a condition or a name without 
 /// Rounds of loops and terms of sums that one evaluation may take.
 pub const ROUNDS: u64 = 20_000;
 
-/// Evaluations of all integrands of a value together: some ten seconds. Integrals within integrals multiply.
+/// Evaluations of all integrands of a value together: some ten seconds. Integrals within integrals
+/// multiply.
 const ALL_EVALUATIONS: u64 = 1 << 19;
 
 /// Reason of an integral that takes more evaluations than are allowed.

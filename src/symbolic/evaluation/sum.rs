@@ -13,8 +13,8 @@ const LAST: u32 = 14;
 
 /// The sum of a body over all integers from a node on.
 ///
-/// The term as a function of a real index is bounded for all `x ≥ 2^k` by a function that falls, so that the
-/// terms after `2^k` are at most the integral of the bound from there on.
+/// The term as a function of a real index is bounded for all `x ≥ 2^k` by a function that falls, so
+/// that the terms after `2^k` are at most the integral of the bound from there on.
 pub(super) fn infinite(
     evaluator: &mut Evaluator<Balls>,
     binder: u32,

@@ -145,7 +145,8 @@ pub(super) fn solution(
     let is_box = sides.len() == sought.len();
     let found = match is_box {
         true => in_box(&mut system, &sides, goal, PARTS),
-        // An unknown that is zero has to be known to twice the bits; numbers of the equations are not.
+        // An unknown that is zero has to be known to twice the bits; numbers of the equations are
+        // not.
         false => match near(&mut system, &first, goal) {
             Err(SystemError::Undecided { .. }) => near(&mut system, &first, goal / 2),
             found => found,

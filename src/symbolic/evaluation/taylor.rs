@@ -1,8 +1,9 @@
 //! Graphs as straight-line programs whose Taylor coefficients are computed one order at a time.
 //!
-//! Values that depend neither on the time nor on a state are constants, computed in balls by the evaluator. A value
-//! that is smooth on either side of a switch (`abs`, `if`, `fmin`, `floor`) becomes the smooth function of the side
-//! that is chosen, and a guard: a value whose sign has to be proved where the program is used.
+//! Values that depend neither on the time nor on a state are constants, computed in balls by the
+//! evaluator. A value that is smooth on either side of a switch (`abs`, `if`, `fmin`, `floor`)
+//! becomes the smooth function of the side that is chosen, and a guard: a value whose sign has to
+//! be proved where the program is used.
 
 use crate::graph::{Graph, Id, Node};
 use crate::{Func, Relation};
@@ -142,8 +143,8 @@ pub(super) fn dependent(graph: &Graph, inputs: usize) -> Vec<bool> {
     depends
 }
 
-/// Compiles nodes; `choose` gives the side of each switch that is met. `switches` are guarded even if no node needs
-/// them.
+/// Compiles nodes; `choose` gives the side of each switch that is met. `switches` are guarded even
+/// if no node needs them.
 pub(super) fn compile(
     graph: &Graph,
     inputs: usize,
@@ -226,8 +227,8 @@ impl Compiler<'_> {
         self.fixed(Fixed::Number(n.into()))
     }
 
-    /// The place of a node. What it needs is placed first, without recursion in the depth of the expression: an
-    /// expression of users may be deep.
+    /// The place of a node. What it needs is placed first, without recursion in the depth of the
+    /// expression: an expression of users may be deep.
     fn slot(&mut self, root: Id) -> Placed {
         let mut open = vec![(root, false)];
         while let Some((id, is_ready)) = open.pop() {

@@ -134,7 +134,8 @@ fn formulas_at_a_point() {
             "0.39473645387123986416",
         ),
         ("int(t, 0, 3, floor(t)*x)", (1, 1), "3.0000000000000000000"),
-        // Integrals under integrals, with limits that move, and along a segment of the plane (mpmath).
+        // Integrals under integrals, with limits that move, and along a segment of the plane
+        // (mpmath).
         (
             "int(t, 0, 1, int(u, 0, t, exp(x*u^2)))",
             (1, 1),
@@ -319,7 +320,8 @@ fn nested_integrals_end() {
     );
 }
 
-/// Rational functions of rational numbers that no ball holds: quotients are whole numbers and halves.
+/// Rational functions of rational numbers that no ball holds: quotients are whole numbers and
+/// halves.
 #[test]
 fn rational_functions_are_exact() {
     for (text, x, due) in [

@@ -99,7 +99,8 @@ fn how_deep_brackets_may_be() {
     assert_eq!(parse(&nested(99)).unwrap(), *sym("x"));
     let found = parse(&nested(100)).unwrap_err().to_string();
     assert_eq!(found, "at character 100: too many brackets");
-    // Limits do not add to the depth of what is integrated, nor one side of an equation to the other's.
+    // Limits do not add to the depth of what is integrated, nor one side of an equation to the
+    // other's.
     let integrals = (0..90).fold("x".to_string(), |e, _| format!("int(s, 0, 1, {e})"));
     assert!(parse(&integrals).is_ok());
     assert!(parse_equation(&format!("{0} = {0}", nested(99))).is_ok());

@@ -17,7 +17,8 @@ impl Graph {
         self.build_keeping(definitions, e, &mut HashMap::new())
     }
 
-    /// As [`Graph::build`], with nodes of definitions from before, to which those of others are added.
+    /// As [`Graph::build`], with nodes of definitions from before, to which those of others are
+    /// added.
     ///
     /// # Errors
     /// As [`Graph::build`].
@@ -91,7 +92,8 @@ impl Builder<'_> {
         self.graph.node(below) != Node::Infinity
     }
 
-    /// The integral from a to b along the segment between them: `(b − a) ∫_0^1 f(a + (b − a) s) ds`.
+    /// The integral from a to b along the segment between them: `(b − a) ∫_0^1 f(a + (b − a) s)
+    /// ds`.
     fn along_segment(&mut self, scope: &mut Scope<Id>, bound: &Bound, [a, b]: [Id; 2]) -> Built {
         let binder = self.open(scope, vec![bound.var.clone()]);
         let share = self.graph.push(Node::Variable(binder, 0));
@@ -199,7 +201,8 @@ impl Domain for Builder<'_> {
             walk(self, scope, &bound.from)?,
             walk(self, scope, &bound.to)?,
         ];
-        // An integral with constant limits is continued to complex values of what its integrand depends on.
+        // An integral with constant limits is continued to complex values of what its integrand
+        // depends on.
         let is_complex = limits.iter().any(|limit| self.graph.is_complex(*limit));
         let moves = self.graph.depth_above(&limits) > 0;
         if (is_complex || moves) && limits.iter().all(|limit| self.is_finite(*limit)) {

@@ -11,8 +11,8 @@ pub(super) type Slope = Option<Id>;
 impl Graph {
     /// The derivative of a node by an input or a bound variable.
     ///
-    /// Step functions have the derivative zero where they are constant ([`Node::Flat`]); a choice has
-    /// that of the part that is chosen. The derivative by a variable that occurs in a complex
+    /// Step functions have the derivative zero where they are constant ([`Node::Flat`]); a choice
+    /// has that of the part that is chosen. The derivative by a variable that occurs in a complex
     /// conjugate is that by a real variable.
     ///
     /// # Errors
@@ -35,7 +35,8 @@ impl Graph {
         self.push(Node::Sub(a, b))
     }
 
-    /// The derivative of a node along a path, by the derivatives of inputs along it; others are constant.
+    /// The derivative of a node along a path, by the derivatives of inputs along it; others are
+    /// constant.
     ///
     /// # Errors
     /// As [`Graph::derivative`].

@@ -8,8 +8,8 @@ impl Graph {
     /// `log(1 + x)` is `log1p(x)`, and `1 − cos x` is `2 sin²(x/2)`. Of a bound variable, whose values
     /// are wide, `a/x^k` is `a x^{−k}`: a power of a rectangle holds zero where its base does not.
     ///
-    /// This is for definitions, which are meant over the reals; a formula in floating point would be
-    /// another one.
+    /// This is for definitions, which are meant over the reals; a formula in floating point would
+    /// be another one.
     pub fn without_cancellation(&mut self, node: Node) -> Node {
         let one = |graph: &Graph, id: Id| match graph.node(id) {
             Node::Number(place) => *graph.rational(place) == 1,

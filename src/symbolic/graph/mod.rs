@@ -185,8 +185,8 @@ impl Graph {
         }
     }
 
-    /// Replaces differences that cancel by identities of real functions, in what is built from now on.
-    /// A graph whose nodes stand for floating-point operations must not do so.
+    /// Replaces differences that cancel by identities of real functions, in what is built from now
+    /// on. A graph whose nodes stand for floating-point operations must not do so.
     #[must_use]
     pub fn of_real_functions(mut self) -> Graph {
         self.is_real_function = true;

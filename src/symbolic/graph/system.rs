@@ -39,8 +39,8 @@ impl Graph {
     /// solution. Expressions that are built afterwards may use the unknowns by their names.
     ///
     /// # Errors
-    /// As [`Graph::build`], and an equation that is complex or a condition, or whose derivatives are
-    /// not in the language.
+    /// As [`Graph::build`], and an equation that is complex or a condition, or whose derivatives
+    /// are not in the language.
     pub fn solve(
         &mut self,
         definitions: &Definitions,

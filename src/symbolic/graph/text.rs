@@ -49,7 +49,8 @@ impl Graph {
         })
     }
 
-    /// Writes a node that stands where `strength` binds: 0 conditions, 1 sums, 2 products, 3 powers.
+    /// Writes a node that stands where `strength` binds: 0 conditions, 1 sums, 2 products, 3
+    /// powers.
     fn write(&self, id: Id, strength: u8, out: &mut String) {
         if out.len() > 2 * LONGEST {
             return;

@@ -2,9 +2,9 @@
 
 use super::*;
 
-/// Every unit that [`KNOWN_UNITS`] names against its definition: the SI (BIPM, *The International System
-/// of Units*, 9th ed. 2019, tables 4, 5, 7 and 8); the international yard and pound of 1959: 1 yd =
-/// 0.9144 m, 1 lb = 0.453 592 37 kg, 1 ft = 1/3 yd, 1 in = 1/36 yd.
+/// Every unit that [`KNOWN_UNITS`] names against its definition: the SI (BIPM, *The International
+/// System of Units*, 9th ed. 2019, tables 4, 5, 7 and 8); the international yard and pound of 1959:
+/// 1 yd = 0.9144 m, 1 lb = 0.453 592 37 kg, 1 ft = 1/3 yd, 1 in = 1/36 yd.
 #[test]
 fn every_unit_is_its_definition() {
     let yard = Rational::from((9144, 10_000));

@@ -84,7 +84,8 @@ fn sums_over_an_index() {
     }
 }
 
-/// A definition that depends on what is bound is not kept for where it is not, nor taken from there.
+/// A definition that depends on what is bound is not kept for where it is not, nor taken from
+/// there.
 #[test]
 fn nothing_bound_is_kept() {
     let definitions = Definitions::read(&["c = x^2", "d = a[k]", "a_1 = x"]).unwrap();

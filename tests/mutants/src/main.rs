@@ -1,8 +1,8 @@
 //! Mutation testing with all mutants of the files in one binary.
 //!
-//! Each mutant stands behind a number that the program under test reads from its environment, so that
-//! the crate is compiled once (and a few times more, until the mutants that do not compile are out), and
-//! each mutant meets only the tests that reach it, until one fails.
+//! Each mutant stands behind a number that the program under test reads from its environment, so
+//! that the crate is compiled once (and a few times more, until the mutants that do not compile are
+//! out), and each mutant meets only the tests that reach it, until one fails.
 
 mod mutate;
 mod planted;
@@ -26,7 +26,8 @@ use std::time::Duration;
 use tests_run::{Suite, Verdict};
 use tree::{Executable, Tree};
 
-/// Changes one operator, number, condition, bound or statement at a time and tells which changes no test notices.
+/// Changes one operator, number, condition, bound or statement at a time and tells which changes no
+/// test notices.
 ///
 /// Exit codes: 0, every mutant is caught; 1, some are missed; 2, nothing could be judged.
 #[derive(Parser, Debug)]
@@ -61,7 +62,8 @@ struct Args {
     /// Spend so many seconds on one mutant; one that no test has noticed until then is missed
     #[arg(long, value_name = "S")]
     most: Option<f64>,
-    /// So many mutants, drawn by chance and judged in that order: those judged first are a sample too
+    /// So many mutants, drawn by chance and judged in that order: those judged first are a sample
+    /// too
     #[arg(long, value_name = "N")]
     sample: Option<usize>,
     /// The seed of the draw
@@ -73,7 +75,8 @@ struct Args {
     /// Mutants judged at once; all cores if left out
     #[arg(long, value_name = "N")]
     jobs: Option<usize>,
-    /// Where the copy of the project is changed and built, one folder for each run at a time; target/mutants if left out
+    /// Where the copy of the project is changed and built, one folder for each run at a time;
+    /// target/mutants if left out
     #[arg(long, value_name = "FOLDER")]
     work: Option<PathBuf>,
     /// Write every mutant with its verdict to this CSV file, as soon as it is judged
@@ -228,8 +231,8 @@ enum Step {
     Build,
 }
 
-/// Compiles all mutants of packages for the tests of the same or of others, fewer from round to round, until what is left
-/// compiles.
+/// Compiles all mutants of packages for the tests of the same or of others, fewer from round to
+/// round, until what is left compiles.
 fn compile(
     tree: &Tree,
     [changed, tested]: [&[&str]; 2],

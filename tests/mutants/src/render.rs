@@ -157,8 +157,8 @@ fn close(out: &mut Rendered, which: Range<usize>, start: usize) {
 }
 
 impl Rendered {
-    /// The mutants to blame for an error at these bytes: those whose own text is concerned, or all of
-    /// the innermost place around it.
+    /// The mutants to blame for an error at these bytes: those whose own text is concerned, or all
+    /// of the innermost place around it.
     pub fn blamed(&self, bytes: &Range<usize>) -> Vec<u32> {
         let meets = |r: &Range<usize>| r.start <= bytes.end && bytes.start <= r.end;
         let holds = |r: &Range<usize>| r.start <= bytes.start && bytes.end <= r.end;

@@ -29,7 +29,8 @@ struct Tries {
 }
 
 impl Test {
-    /// The seconds that it is expected to cost for each catch among mutants of a file; what it did there counts most.
+    /// The seconds that it is expected to cost for each catch among mutants of a file; what it did
+    /// there counts most.
     fn price(&self, file: usize) -> f64 {
         let tries = self.tries.lock().expect("no job panics");
         let (mut shown, mut caught) = (2.0, 1.0);
@@ -217,7 +218,8 @@ impl Suite {
         Ok(suite)
     }
 
-    /// Runs the tests that reach a mutant, the likeliest and quickest first, until one fails or the time is spent.
+    /// Runs the tests that reach a mutant, the likeliest and quickest first, until one fails or the
+    /// time is spent.
     pub fn judge(&self, mutant: &Mutant, most: Option<Duration>) -> Result<Verdict> {
         let Some(reaching) = self.reaching.get(&mutant.number) else {
             return Ok(Verdict::Unreached);

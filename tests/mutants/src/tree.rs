@@ -158,8 +158,8 @@ impl Tree {
     }
 }
 
-/// Takes over what the project's own tests have compiled of others' packages, if there is any. What does not fit is
-/// compiled anew.
+/// Takes over what the project's own tests have compiled of others' packages, if there is any. What
+/// does not fit is compiled anew.
 fn take_over(from: &Path, to: &Path) -> Result<()> {
     // Cargo writes a fingerprint when its package is whole.
     for part in [".fingerprint", "build", "deps"] {

@@ -1,5 +1,5 @@
-//! FLINT's example integrals (`examples/integrals.c`, 39 of them) as formulas: a row for each with its
-//! value to 30 digits, or the reason why there is none, and the time in microseconds.
+//! FLINT's example integrals (`examples/integrals.c`, 39 of them) as formulas: a row for each with
+//! its value to 30 digits, or the reason why there is none, and the time in microseconds.
 //!
 //! `cargo run --release --bin integrals [NUMBER...]`
 
@@ -16,7 +16,8 @@ const BITS: u32 = 104;
 /// Time after which an integral is not repeated.
 const ENOUGH: Duration = Duration::from_millis(300);
 
-/// Numbers of FLINT's list with their formulas. Where a part of a complex integral is zero the other stands here.
+/// Numbers of FLINT's list with their formulas. Where a part of a complex integral is zero the
+/// other stands here.
 const INTEGRALS: [(u32, &str); 31] = [
     (0, "int(x, 0, 100, sin(x))"),
     (1, "4*int(x, 0, 1, 1/(1 + x^2))"),

@@ -20,7 +20,8 @@ use std::io::{BufRead, BufReader, Read, Write};
 
 /// Lines computed at a time, for each thread.
 const LINES: usize = 1024;
-/// The longest line: a dense matrix of order 1000 fits in, each entry with 17 digits and an exponent.
+/// The longest line: a dense matrix of order 1000 fits in, each entry with 17 digits and an
+/// exponent.
 const LONGEST: usize = 1 << 25;
 /// The number of bytes of text held at a time.
 const BUFFER: usize = 1 << 16;

@@ -1,18 +1,18 @@
 //! The equations of motion as formulas: an initial value problem.
 //!
 //! Coordinates q are the angles of the bodies and the displacements of slides that are left after
-//! linear relations. Every point is a sum of terms `z s u` with `u = e^{iψ}`, so its derivatives by q
-//! are too. With the closures g(q) = 0 and `G = ∂g/∂q`,
+//! linear relations. Every point is a sum of terms `z s u` with `u = e^{iψ}`, so its derivatives by
+//! q are too. With the closures g(q) = 0 and `G = ∂g/∂q`,
 //!
 //! ```text
 //! M q̈ + Gᵀ λ = f,   G q̈ = γ
 //! ```
 //!
-//! Where a coordinate may have no inertia of its own, `w Gᵀ G` is added to M and `w Gᵀ γ` to f, with
-//! the same q̈ and λ: what is eliminated then is positive definite at every position where the
-//! motion is determined, so that no pivot vanishes and none has to be exchanged on the way. `M = L D
-//! Lᵀ`; then `Gᵀ` is eliminated from the second block, whose Schur complement `G M⁻¹ Gᵀ` is positive
-//! definite too.
+//! Where a coordinate may have no inertia of its own, `w Gᵀ G` is added to M and `w Gᵀ γ` to f,
+//! with the same q̈ and λ: what is eliminated then is positive definite at every position where the
+//! motion is determined, so that no pivot vanishes and none has to be exchanged on the way. `M = L
+//! D Lᵀ`; then `Gᵀ` is eliminated from the second block, whose Schur complement `G M⁻¹ Gᵀ` is
+//! positive definite too.
 //!
 //! A solution that begins with g = 0 and ġ = 0 keeps both, so that loops are closed by what is
 //! solved and not by a correction. The start is the enclosed solution of g = 0 with the coordinates

@@ -1,7 +1,7 @@
 //! A mechanism that moves by itself: the section `[motion]`, with any number of degrees of freedom.
 //!
-//! One file is read for both sides: for the solver in `f64`, and exactly for the equations of motion
-//! whose solution is enclosed ([`Certified`]).
+//! One file is read for both sides: for the solver in `f64`, and exactly for the equations of
+//! motion whose solution is enclosed ([`Certified`]).
 
 mod begin;
 mod certified;
@@ -255,8 +255,8 @@ impl Moving {
         all
     }
 
-    /// The motion in `f64`: calls `visit` at each of the times, in seconds and ascending from 0, until
-    /// `motion.until` changes its sign, which is visited last and whose time is returned.
+    /// The motion in `f64`: calls `visit` at each of the times, in seconds and ascending from 0,
+    /// until `motion.until` changes its sign, which is visited last and whose time is returned.
     ///
     /// # Errors
     /// [`MovingError`].

@@ -45,9 +45,9 @@ pub(super) fn real_argument_law(residual: fn(&[f64]) -> Option<f64>) -> Law {
     }
 }
 
-/// Returns the distance of the function of a real argument from the complex one on the real axis, as
-/// a share of five units in the last place: four for the complex one and one for the real one, whose
-/// error is proved to be less than 7/8 of a unit (for erfi this is the worst found).
+/// Returns the distance of the function of a real argument from the complex one on the real axis,
+/// as a share of five units in the last place: four for the complex one and one for the real one,
+/// whose error is proved to be less than 7/8 of a unit (for erfi this is the worst found).
 pub(super) fn on_the_axis(
     complex: impl Fn(C) -> C,
     real: impl Fn(f64) -> f64,

@@ -64,7 +64,8 @@ fn a_machine_stands_behind_a_table() {
     assert_eq!(wrong(PENDULUM, table, columns), [(2, "x"), (2, "y")]);
 }
 
-/// The solution ends at t = 1: a number after that is neither right nor wrong, whatever is on record.
+/// The solution ends at t = 1: a number after that is neither right nor wrong, whatever is on
+/// record.
 #[test]
 fn an_undecided_number_is_never_as_recorded() {
     let blown = "[ode.states]\nx = { start = '1', rate = 'x^2' }";

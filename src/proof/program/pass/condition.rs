@@ -42,8 +42,8 @@ impl Pass {
         }
     }
 
-    /// The branch of the exact value, and what the other one differs by where the execution may take
-    /// it.
+    /// The branch of the exact value, and what the other one differs by where the execution may
+    /// take it.
     pub(super) fn choose(
         &mut self,
         tape: &Tape,

@@ -1,5 +1,5 @@
-//! Derivatives of operations by their operands and of all of them by the inputs; backward, of the result
-//! by every rounding error.
+//! Derivatives of operations by their operands and of all of them by the inputs; backward, of the
+//! result by every rounding error.
 
 use super::super::elementary::{power, range, slopes};
 use super::super::tape::{Op, Place, Tape};

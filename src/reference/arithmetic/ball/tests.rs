@@ -163,7 +163,8 @@ fn exact_stays_exact() {
     assert!(!Ball::rational(P, &Rational::from((1, 3))).rad().is_zero());
 }
 
-/// Doubles next to a number, and so much smaller that their significands just fit beside it or no longer.
+/// Doubles next to a number, and so much smaller that their significands just fit beside it or no
+/// longer.
 fn doubles_beside(x: f64) -> Vec<f64> {
     let part = |k: u64| x * f64::from_bits((1023 - k) << 52);
     let beside = [x, x.next_up(), x * 0.75, part(1), -x, 0.0, 5e-324];

@@ -284,7 +284,8 @@ fn coefficients_are_the_exact_ones_rounded() {
     );
 }
 
-/// Bounds are not below what they bound in their last digit: coefficients of 60 bits beside bounds of 53.
+/// Bounds are not below what they bound in their last digit: coefficients of 60 bits beside bounds
+/// of 53.
 #[test]
 fn bounds_are_rounded_up() {
     let long = Float::with_val(P, 1) / 3u32;
@@ -341,7 +342,8 @@ fn products_of_bounds_are_rounded_up() {
     }
 }
 
-/// The terms above the order are at most twice the first of them where h is at most 1, and without bound beyond.
+/// The terms above the order are at most twice the first of them where h is at most 1, and without
+/// bound beyond.
 #[test]
 fn tails_of_cosine_and_sine() {
     let phi = Ball::exact(P, 0.7);

@@ -97,7 +97,8 @@ fn the_cycloid_in_all_zones() {
     }
 }
 
-/// `(1 − cos πx)/2` and its derivatives, at both ends as well: there are no zones but the two of a cosine.
+/// `(1 − cos πx)/2` and its derivatives, at both ends as well: there are no zones but the two of a
+/// cosine.
 #[test]
 fn the_harmonic_law_in_both_zones() {
     let law = scca((0, 1), (1, 1), (1, 2));
@@ -120,7 +121,8 @@ fn the_harmonic_law_in_both_zones() {
     }
 }
 
-/// All sine: `s'' = sin πx · π` up to the middle of the stroke and its negative image from there on.
+/// All sine: `s'' = sin πx · π` up to the middle of the stroke and its negative image from there
+/// on.
 #[test]
 fn a_law_of_sines_alone() {
     let law = scca((1, 1), (0, 1), (1, 2));
@@ -224,7 +226,8 @@ fn means_of_stretched_laws() {
         "harmonic" => ball(1, 4) - pi().shift(1).recip(),
         "cycloidal" => ball(1, 8) - square().shift(1).recip(),
         "3-4-5" => ball(5, 64),
-        // A sine, a constant and a cosine, of 1/8, 1/4 and 1/8: areas from s, v and a at the start of each.
+        // A sine, a constant and a cosine, of 1/8, 1/4 and 1/8: areas from s, v and a at the start
+        // of each.
         "trapezoid" => {
             let (a, four) = (pi().shift(3) / (ball(2, 1) + pi()), pi().shift(2));
             let quotient = &a / (&four * &four);
@@ -260,7 +263,8 @@ fn means_of_stretched_laws() {
     assert!(law(&[0, 1, -1]).is_none() && law(&[]).is_none());
 }
 
-/// One inner knot in the middle. With its ordinate σ is `x²(12 − 16x)` on either side of it, of area ½.
+/// One inner knot in the middle. With its ordinate σ is `x²(12 − 16x)` on either side of it, of
+/// area ½.
 #[test]
 fn the_variation_of_an_ordinate_in_the_middle() {
     let knots = [r(0, 1), r(1, 2), r(1, 1)];

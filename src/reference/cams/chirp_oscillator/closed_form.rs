@@ -9,9 +9,9 @@
 //! ```
 //!
 //! both sides vanish at `t = 0` and satisfy `dE/dt = iκ∂E/∂(iω)…`, or complete the square in the
-//! exponent. `A = w² E[λ₊, λ₋]`, the divided difference, and `w²(λE)[λ₊, λ₋]` that of `ψ′`; at critical
-//! damping both are derivatives, by `w′ = −2zw + 2i/√π`. Nowhere is there an exponential that grows:
-//! `Re(−z²) = (Re λ)(ω + Im λ)/κ ≤ 0` wherever z is in the lower half-plane.
+//! exponent. `A = w² E[λ₊, λ₋]`, the divided difference, and `w²(λE)[λ₊, λ₋]` that of `ψ′`; at
+//! critical damping both are derivatives, by `w′ = −2zw + 2i/√π`. Nowhere is there an exponential
+//! that grows: `Re(−z²) = (Re λ)(ω + Im λ)/κ ≤ 0` wherever z is in the lower half-plane.
 
 use super::parts::Parts;
 use super::problem::{Problem, Response};
@@ -19,7 +19,8 @@ use crate::{Ball, ComplexBall, Undecided, faddeeva};
 use rug::Rational;
 use std::cmp::Ordering;
 
-/// The response enclosed at a working precision of `prec` bits; nothing is promised about the radii.
+/// The response enclosed at a working precision of `prec` bits; nothing is promised about the
+/// radii.
 pub fn enclose(problem: &Problem, prec: u32) -> Response {
     parts(problem, prec).response()
 }
@@ -265,7 +266,8 @@ impl Exponent {
     ) -> (ComplexBall, ComplexBall) {
         let p = ComplexBall::new(lambda.re.clone(), &lambda.im + &self.omega[1]);
         let zero = Ball::integer(self.prec, 0);
-        // Only one of the two roots; the other is 2ν away. Undamped, they are distinct and need no slope.
+        // Only one of the two roots; the other is 2ν away. Undamped, they are distinct and need no
+        // slope.
         if self.still && p.im.contains_zero() {
             let slope = ComplexBall::zero(self.prec);
             return (ComplexBall::new(self.t.clone(), zero), slope);

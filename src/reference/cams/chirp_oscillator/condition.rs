@@ -26,13 +26,13 @@ const ACCURACY: i64 = 70;
 /// Relative step of its differences, a power of two.
 const STEP: u32 = 40;
 
-/// For each of `y, y′, y″, Re A, Im A` what `|x|` lacks of `|f| + Σ_j |x_j ∂f/∂x_j|`, the sum over all
-/// nine inputs.
+/// For each of `y, y′, y″, Re A, Im A` what `|x|` lacks of `|f| + Σ_j |x_j ∂f/∂x_j|`, the sum over
+/// all nine inputs.
 ///
-/// For the motion `f` is the complex response from rest, `ψ, ψ′, ψ″`, and the free vibration from the
-/// initial state beside it: nothing is small where the real motion passes through zero. Re A and Im A
-/// stand for themselves: in the first moments one is of a higher order in t than the other. k enters
-/// through `kε` and `kΩ₀` alone. `None` where no precision suffices.
+/// For the motion `f` is the complex response from rest, `ψ, ψ′, ψ″`, and the free vibration from
+/// the initial state beside it: nothing is small where the real motion passes through zero. Re A
+/// and Im A stand for themselves: in the first moments one is of a higher order in t than the
+/// other. k enters through `kε` and `kΩ₀` alone. `None` where no precision suffices.
 pub fn conditions(problem: &Problem) -> Option<[f64; 5]> {
     let mut precisions = BITS_OF_DERIVATIVES.into_iter();
     precisions
@@ -40,8 +40,8 @@ pub fn conditions(problem: &Problem) -> Option<[f64; 5]> {
         .or_else(|| BITS.into_iter().find_map(|bits| at(problem, bits)))
 }
 
-/// The effect of a change of one input, multiplied by it, at a time: on `E[λ₊, λ₋]`, `(λE)[λ₊, λ₋]`, θ, w²
-/// and n.
+/// The effect of a change of one input, multiplied by it, at a time: on `E[λ₊, λ₋]`, `(λE)[λ₊,
+/// λ₋]`, θ, w² and n.
 struct Change {
     amplitude: ComplexBall,
     rate: ComplexBall,
@@ -363,8 +363,8 @@ mod tests {
         }
     }
 
-    /// Whatever is not sharp is refused: the motion where so great a phase leaves few bits of it, and Im A alone where
-    /// it is of a higher order in t than all others.
+    /// Whatever is not sharp is refused: the motion where so great a phase leaves few bits of it,
+    /// and Im A alone where it is of a higher order in t than all others.
     #[test]
     fn derivatives_that_are_not_sharp_are_refused() {
         let with = |delta: f64, t: f64| problem([3.0, 0.1, 5.0, 2.0, 1.0, delta, 0.5, 0.5, t]);
@@ -372,7 +372,8 @@ mod tests {
         // A phase of 2^130 is known to 2^-30; one of 2^100, to 2^-60.
         assert!(by_derivatives(&with(power(130), 0.7), 160).is_none());
         assert!(by_derivatives(&with(power(100), 0.7), 160).is_some());
-        // One of 2^115 just does, and A is as sharp as ever beside an acceleration a thousand times as great.
+        // One of 2^115 just does, and A is as sharp as ever beside an acceleration a thousand times
+        // as great.
         let fast = problem([32.0, 0.0, 5.0, 30.0, 1.0, power(115), 0.5, 0.5, 3.3]);
         assert!(by_derivatives(&fast, 160).is_some());
         assert!(by_derivatives(&with(1.0, power(-40)), 160).is_none());
@@ -391,7 +392,8 @@ mod tests {
         );
     }
 
-    /// Too few bits for differences: for none of the values, for the motion alone, and where nothing is known.
+    /// Too few bits for differences: for none of the values, for the motion alone, and where
+    /// nothing is known.
     #[test]
     fn differences_of_undecided_values_are_refused() {
         let p = problem([3.0, 0.1, 5.0, 2.0, 1.0, 1.0, 0.5, 0.5, 0.7]);

@@ -1,4 +1,5 @@
-//! Certified response of a damped oscillator to one harmonic of a shaft whose speed changes linearly:
+//! Certified response of a damped oscillator to one harmonic of a shaft whose speed changes
+//! linearly:
 //!
 //! ```text
 //! y″ + 2n y′ + w² y = w² cos θ(t),   θ(t) = k (Ω₀ t + ε t²/2) + δ,   y(0) = y₀,  y′(0) = v₀

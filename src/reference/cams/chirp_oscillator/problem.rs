@@ -109,7 +109,8 @@ impl Problem {
     }
 }
 
-/// `y`, `y′`, `y″` and the complex amplitude `A` of the response from rest, `y = Re A e^{−iθ}` then.
+/// `y`, `y′`, `y″` and the complex amplitude `A` of the response from rest, `y = Re A e^{−iθ}`
+/// then.
 #[derive(Clone, Debug)]
 pub struct Response {
     /// `y(t)`.

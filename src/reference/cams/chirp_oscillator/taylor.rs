@@ -6,16 +6,16 @@
 //! P′ = Q + iqP,   Q′ = −2nQ − w²P + iqQ                                                  (2)
 //! ```
 //!
-//! so the coefficients about the centre of a panel follow by recurrence from the values of K, K′ and h
-//! there, which are elementary; `A = w² ∫P` and, for `ψ′ = Ȧ e^{−iθ}`, `Ȧ = w² ∫Q`. Panels only add: no
-//! error is carried from one to the next.
+//! so the coefficients about the centre of a panel follow by recurrence from the values of K, K′
+//! and h there, which are elementary; `A = w² ∫P` and, for `ψ′ = Ȧ e^{−iθ}`, `Ȧ = w² ∫Q`. Panels
+//! only add: no error is carried from one to the next.
 //!
 //! # Tail
-//! For complex σ with `|σ| ≤ R` the norm of `u = (wP, Q)` grows along the ray from the centre c at most
-//! by the rate `w + 2n + |q(c)| + κR` (the matrix of (2) in these variables is
-//! `[0, w; −w, −2n] + iq`), so `|u(c + σ)| ≤ B = |u(c)| e^{(w + 2n + |q(c)| + |κ|R) R}` and, by Cauchy's
-//! estimate, `|u_m| ≤ B R^{−m}`. What a panel of half-width `h < R` leaves out of its integral when M
-//! terms are kept is at most `2h B (h/R)^M / ((M + 1)(1 − h/R))`.
+//! For complex σ with `|σ| ≤ R` the norm of `u = (wP, Q)` grows along the ray from the centre c at
+//! most by the rate `w + 2n + |q(c)| + κR` (the matrix of (2) in these variables is `[0, w; −w,
+//! −2n] + iq`), so `|u(c + σ)| ≤ B = |u(c)| e^{(w + 2n + |q(c)| + |κ|R) R}` and, by Cauchy's
+//! estimate, `|u_m| ≤ B R^{−m}`. What a panel of half-width `h < R` leaves out of its integral when
+//! M terms are kept is at most `2h B (h/R)^M / ((M + 1)(1 − h/R))`.
 
 use super::free::impulse;
 use super::parts::Parts;
@@ -26,8 +26,8 @@ use rug::Rational;
 /// Most panels that are tried.
 const PANELS: f64 = 200_000.0;
 
-/// The response by Taylor panels at a working precision of `prec` bits; nothing is promised about the
-/// radii.
+/// The response by Taylor panels at a working precision of `prec` bits; nothing is promised about
+/// the radii.
 ///
 /// # Errors
 /// [`Undecided`] where more than 200 000 panels would be needed: the cost is proportional to
@@ -51,8 +51,8 @@ fn convolution(p: &Problem, prec: u32) -> Result<(ComplexBall, ComplexBall), Und
     let omega = Rational::from(&kappa * &p.t) + &nu;
     let speed = about(&nu).abs().max(about(&omega).abs());
     let rate = about(&p.w) + 2.0 * about(&p.n) + speed;
-    // Panels of a phase of about a sixth of the digits, in nats, take the fewest operations. The sweep asks for no more:
-    // κt is at most twice the speed.
+    // Panels of a phase of about a sixth of the digits, in nats, take the fewest operations. The
+    // sweep asks for no more: κt is at most twice the speed.
     let phase = (f64::from(prec) * 0.12).clamp(4.0, 200.0);
     let panels = (rate * about(&p.t) / (2.0 * phase)).ceil().max(1.0);
     if !(panels <= PANELS) {

@@ -174,8 +174,9 @@ fn node(points: u32, near: f64, prec: u32) -> (Ball, Ball) {
 
 /// `A` by Gauss–Legendre panels: with N points and the integrand bounded by M within the Bernstein
 /// ellipse ρ the error is at most `(64/15) M ρ^{−2(N−1)}/(1 − ρ^{−2})` (Trefethen, *Approximation
-/// Theory and Approximation Practice*, Theorem 19.3) times the half-width. Within the ellipse
-/// `|s − c| ≤ r = h (ρ + 1/ρ)/2`, and there `|K h| ≤ (|K| + |K′|/w) e^{(w + 2n + |q| + κr) r}` as for the panels.
+/// Theory and Approximation Practice*, Theorem 19.3) times the half-width. Within the ellipse `|s −
+/// c| ≤ r = h (ρ + 1/ρ)/2`, and there `|K h| ≤ (|K| + |K′|/w) e^{(w + 2n + |q| + κr) r}` as for the
+/// panels.
 fn by_gauss_legendre(values: [f64; 9], prec: u32) -> ComplexBall {
     const POINTS: u32 = 40;
     const RHO: f64 = 16.0;
@@ -251,8 +252,8 @@ fn holds(found: &Ball, due: &Ball, bits: i64) -> bool {
     found.overlaps(due) && found.rad() < scale.shift(-bits) && due.rad() < scale.shift(-bits)
 }
 
-/// Free vibration by its elementary solutions: damped below, above and at the critical value, at times where series
-/// are summed and where they are not.
+/// Free vibration by its elementary solutions: damped below, above and at the critical value, at
+/// times where series are summed and where they are not.
 #[test]
 fn free_vibration_has_its_elementary_solutions() {
     let r = |n: i32, d: i32| Rational::from((n, d));
@@ -320,7 +321,8 @@ fn free_vibration_has_its_elementary_solutions() {
     }
 }
 
-/// `sin wt/w` and `cos wt` with few bits of numbers that all are exact: what the series leave out is most of the radius.
+/// `sin wt/w` and `cos wt` with few bits of numbers that all are exact: what the series leave out
+/// is most of the radius.
 #[test]
 fn what_the_series_of_free_vibration_leave_out() {
     let p = problem([4.0, 0.0, 1.0, 1.0, 1.0, 0.0, 1.0, 0.0, 0.125]);
@@ -361,8 +363,8 @@ fn the_phase_leads_the_harmonic() {
     }
 }
 
-/// A constant force on an oscillator that already is where the force holds it: it stays there, `y′ = 0`, which no
-/// number of bits shows. As many as the documentation says are tried.
+/// A constant force on an oscillator that already is where the force holds it: it stays there, `y′
+/// = 0`, which no number of bits shows. As many as the documentation says are tried.
 #[test]
 fn a_component_that_is_zero_is_undecided() {
     let p = problem([3.0, 0.5, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 2.0]);
@@ -372,7 +374,8 @@ fn a_component_that_is_zero_is_undecided() {
     }
 }
 
-/// In the first moments y is about `w²t²/2`, and Im A smaller still: all components have the digits asked for.
+/// In the first moments y is about `w²t²/2`, and Im A smaller still: all components have the digits
+/// asked for.
 #[test]
 fn all_components_have_the_digits_asked_for() {
     let p = problem([3.0, 0.5, 1.0, 2.0, 1.0, 0.0, 0.0, 0.0, 1e-12]);
@@ -383,7 +386,8 @@ fn all_components_have_the_digits_asked_for() {
     assert!((found.y.mid().to_f64() / 4.5e-24 - 1.0).abs() < 1e-11);
 }
 
-/// The integrand of (1) is real under a constant force, and so are `A` and `ψ′` where the phase is zero.
+/// The integrand of (1) is real under a constant force, and so are `A` and `ψ′` where the phase is
+/// zero.
 #[test]
 fn a_constant_force_has_real_parts() {
     let p = problem([3.0, 0.5, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 2.0]);
@@ -392,8 +396,8 @@ fn a_constant_force_has_real_parts() {
     assert!(parts.forced.iter().all(|z| z.im.is_zero()));
 }
 
-/// With few bits a force next to the resonance, or a damping next to none, looks like undamped resonance. After 160
-/// periods it makes a difference of many last bits.
+/// With few bits a force next to the resonance, or a damping next to none, looks like undamped
+/// resonance. After 160 periods it makes a difference of many last bits.
 #[test]
 fn next_to_undamped_resonance() {
     let tiny = |k: i32| 2f64.powi(-k);

@@ -303,7 +303,8 @@ fn a_ramp_anywhere_in_the_turn() {
     }
 }
 
-/// The greatest of `max |s^(j)|/(πq)^j`, in whole bits from above: none for zones, and a limited number.
+/// The greatest of `max |s^(j)|/(πq)^j`, in whole bits from above: none for zones, and a limited
+/// number.
 #[test]
 fn bits_that_the_integration_by_parts_loses() {
     let law = |end: Rational, c: &[i32]| {

@@ -96,8 +96,8 @@ impl Coefficients {
         })
     }
 
-    /// The model that Zinchenko (2008) recommends: exact I_n and M_o, and in the place of dI_n/dφ the
-    /// derivative of the periodic spline through I_n at `nodes` equal steps.
+    /// The model that Zinchenko (2008) recommends: exact I_n and M_o, and in the place of dI_n/dφ
+    /// the derivative of the periodic spline through I_n at `nodes` equal steps.
     ///
     /// # Errors
     /// As [`LinkageCurve::nodes`]; fewer than three nodes, or a number of panels that is no
@@ -213,7 +213,8 @@ fn per_radian(c: &[Ball; 4], h: &Ball) -> TaylorModel {
     TaylorModel::from_balls(&d)
 }
 
-/// The k-th of so many equal parts of a segment, on −1 … 1 again; its place is rounded to so many bits.
+/// The k-th of so many equal parts of a segment, on −1 … 1 again; its place is rounded to so many
+/// bits.
 fn part(whole: &TaylorModel, k: u32, parts: u32, bits: u32) -> TaylorModel {
     let part = Ball::rational(bits, &Rational::from((1, parts)));
     let centre = Rational::from((2 * k + 1, parts)) - 1u32;

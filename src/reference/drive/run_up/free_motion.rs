@@ -194,7 +194,8 @@ mod tests {
         }
     }
 
-    /// Inertias that come near to zero within a panel, so that it is halved, and radii of all sizes.
+    /// Inertias that come near to zero within a panel, so that it is halved, and radii of all
+    /// sizes.
     #[test]
     fn free_turns_bit_by_bit() {
         let lines = [48, 64, 120].map(|bits| {

@@ -96,8 +96,8 @@ impl LinkageCurve {
         Ok(closed)
     }
 
-    /// Returns true if the configuration after one turn touches that of the start and no other of all
-    /// assembly modes, which are disjoint.
+    /// Returns true if the configuration after one turn touches that of the start and no other of
+    /// all assembly modes, which are disjoint.
     fn is_back(&self, end: &Configuration) -> Result<bool, Undecided> {
         let modes = self.linkage.modes(&self.offset.to_ball(self.bits))?;
         let touched = |by: &Configuration| -> Vec<bool> {

@@ -20,10 +20,10 @@
 //!    The panels of one turn are used again in the next once the branch is proved to be closed.
 //! 2. `series`: Taylor coefficients of the speed along the path by the recurrences of series
 //!    arithmetic, in plain floating point.
-//! 3. `step`, `proof`: the defect of that polynomial, bounded over the whole step in Taylor models, and the
-//!    error that follows from it by a differential inequality in a tube that proves itself. No
-//!    a-priori box has to be found first, and no high derivative is evaluated over a box.
-//!    The start from rest is a step in `√(φ − φ_0)`, in which the motion is analytic.
+//! 3. `step`, `proof`: the defect of that polynomial, bounded over the whole step in Taylor models,
+//!    and the error that follows from it by a differential inequality in a tube that proves itself.
+//!    No a-priori box has to be found first, and no high derivative is evaluated over a box. The
+//!    start from rest is a step in `√(φ − φ_0)`, in which the motion is analytic.
 //! 4. Steps end at the ends of panels, hence at every knot of a spline.
 //!
 //! Everything is proved, over long runs too; nothing rests on the agreement of two precisions. A

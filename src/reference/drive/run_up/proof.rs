@@ -20,13 +20,13 @@
 //! ```
 //!
 //! with m a value of `dM_d/dv` between p and v (mean value theorem). If a ≤ ā and |F|/D ≤ b over a
-//! tube about p, the variation of constants gives
-//! `|e(u)| ≤ |e(0)| e^{āu} + (J̃/J) b ∫_0^u e^{ā(u−s)} ds` as long as v stays in the tube; v is
-//! continuous, so it cannot leave a tube that is wider than what follows from the bound. No box has
-//! to be guessed: the tube is `|v − p| ≤ 2^−16 p`, and the step is refused if the bound does not
-//! prove it. From rest (w = 1) e(0) = 0 and F has the factor u, so with b for |F|/(uD)
-//! `|e| ≤ ½ b u² e^{max(ā,0)}`, and the same argument holds for `χ = v/u`: at u = 0, where (1) gives
-//! `χ² = σ_1 (T(0) ± M_o)/J`, the difference of the squares is `F/(u D J)`, which the bound covers.
+//! tube about p, the variation of constants gives `|e(u)| ≤ |e(0)| e^{āu} + (J̃/J) b ∫_0^u
+//! e^{ā(u−s)} ds` as long as v stays in the tube; v is continuous, so it cannot leave a tube that
+//! is wider than what follows from the bound. No box has to be guessed: the tube is `|v − p| ≤
+//! 2^−16 p`, and the step is refused if the bound does not prove it. From rest (w = 1) e(0) = 0 and
+//! F has the factor u, so with b for |F|/(uD) `|e| ≤ ½ b u² e^{max(ā,0)}`, and the same argument
+//! holds for `χ = v/u`: at u = 0, where (1) gives `χ² = σ_1 (T(0) ± M_o)/J`, the difference of the
+//! squares is `F/(u D J)`, which the bound covers.
 //!
 //! Differential inequalities of this kind: Walter, *Ordinary Differential Equations*, 1998, §9.
 //! Time: `t_u = σ_1/χ`, with a polynomial q ≈ 1/χ̃ and `|1/χ̃ − q| ≤ |1 − χ̃ q|/χ̃`.

@@ -24,8 +24,8 @@ fn start(speed: &Rational) -> Run {
     }
 }
 
-/// A step from an uncertain speed ends with every speed that a step from within it ends with, and its duration holds
-/// theirs; a start error a hundredth as large would miss some.
+/// A step from an uncertain speed ends with every speed that a step from within it ends with, and
+/// its duration holds theirs; a start error a hundredth as large would miss some.
 #[test]
 fn the_start_error_of_a_step_is_carried_on() {
     let model = Coefficients::constant(&Rational::from(3), &Rational::from(-5), 120);
@@ -108,7 +108,8 @@ fn steps_have_a_limit() {
     assert!(within(steps - 1).unwrap_err().reason.contains("steps"));
 }
 
-/// Times about the end of a panel, of which is not known on what side they are; the acceleration is another beyond it.
+/// Times about the end of a panel, of which is not known on what side they are; the acceleration is
+/// another beyond it.
 #[test]
 fn times_at_the_end_of_a_step_are_read_from_both_steps() {
     let model = |bits: u32, inertias: [i64; 2]| {
@@ -154,7 +155,8 @@ fn times_at_the_end_of_a_step_are_read_from_both_steps() {
     }
 }
 
-/// Splines take the values at their nodes, and a segment is as wide as the panels between two of them.
+/// Splines take the values at their nodes, and a segment is as wide as the panels between two of
+/// them.
 #[test]
 fn splines_and_panels_meet_at_the_nodes() {
     let exact = Coefficients::exact(&LOW);
@@ -185,7 +187,8 @@ fn splines_and_panels_meet_at_the_nodes() {
     }
 }
 
-/// An angle that is the end of a panel but for rounding is not told from it; one that is exactly there begins it.
+/// An angle that is the end of a panel but for rounding is not told from it; one that is exactly
+/// there begins it.
 #[test]
 fn starts_at_the_ends_of_panels() {
     let model = Coefficients::constant(&Rational::from(3), &Rational::from(-5), 120);
@@ -241,8 +244,8 @@ fn motors_that_are_none() {
     assert!(rated(q(2, 1), q(1, 20), q(0, 1)).fault().is_some());
 }
 
-/// Of two branches over the whole turn one comes back as itself and one as another: beyond that turn it is refused, and so
-/// are splines over it, whichever is asked for first.
+/// Of two branches over the whole turn one comes back as itself and one as another: beyond that
+/// turn it is refused, and so are splines over it, whichever is asked for first.
 #[test]
 fn branches_that_exchange_in_a_turn_are_refused() {
     let bits = 96;
@@ -286,7 +289,8 @@ fn branches_that_exchange_in_a_turn_are_refused() {
     assert_eq!(told, [false, true]);
 }
 
-/// Steps of runs from rest and not, forward and backward, of an uncertain start, of few terms and many.
+/// Steps of runs from rest and not, forward and backward, of an uncertain start, of few terms and
+/// many.
 #[test]
 fn steps_bit_by_bit() {
     let lines = [56, 100, 160].map(|bits| {

@@ -505,8 +505,8 @@ proptest! {
             true => x.contains_ball(y),
             false => x.overlaps(y),
         };
-        // A stop or a singular start is undecided at both, an error that leaves its tube at the low one alone; which of the
-        // methods' cases are decided is pinned with what they give.
+        // A stop or a singular start is undecided at both, an error that leaves its tube at the low
+        // one alone; which of the methods' cases are decided is pinned with what they give.
         if let (Ok(a), Ok(b)) = (&coarse, &fine) {
             for (x, y) in a.samples.iter().zip(&b.samples) {
                 prop_assert!(held(&x.speed, &y.speed), "{:?} {:?}", x, y);

@@ -1,13 +1,13 @@
 //! An explicit Runge–Kutta method along given steps, without its rounding.
 //!
-//! The answer of a program that takes those steps differs from this by rounding alone, and this differs
-//! from the motion by the truncation of the method alone.
+//! The answer of a program that takes those steps differs from this by rounding alone, and this
+//! differs from the motion by the truncation of the method alone.
 //!
 //! # Proof
-//! The coefficients of the equation are Taylor models `f = P + ρ`, `|ρ| ≤ rad`. A step is taken from
-//! an exactly known point z in balls; its midpoint, a floating-point vector, is the next point and
-//! its radius δ bounds what that step adds. What is left from the steps before, `|y − z| ≤ e`, goes
-//! on by the mean value theorem,
+//! The coefficients of the equation are Taylor models `f = P + ρ`, `|ρ| ≤ rad`. A step is taken
+//! from an exactly known point z in balls; its midpoint, a floating-point vector, is the next point
+//! and its radius δ bounds what that step adds. What is left from the steps before, `|y − z| ≤ e`,
+//! goes on by the mean value theorem,
 //!
 //! ```text
 //! e' = sup |∂Φ/∂y| e + δ      over the box z ± e,

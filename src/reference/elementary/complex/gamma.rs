@@ -8,18 +8,18 @@
 //! |R_n| ≤ |B_2n|/(2n (2n − 1) |z|^{2n−1}) (2|z|/(|z| + x))^n
 //! ```
 //!
-//! after a shift by N: `ln Γ(z) = ln Γ(z + N) − Σ_{k<N} ln(z + k)`. The sum of the logarithms is the
-//! logarithm of the product with the multiple of 2πi that is next to the sum of the angles.
+//! after a shift by N: `ln Γ(z) = ln Γ(z + N) − Σ_{k<N} ln(z + k)`. The sum of the logarithms is
+//! the logarithm of the product with the multiple of 2πi that is next to the sum of the angles.
 //!
 //! # Reflection
-//! For Re z < 1/2 and Im z ≥ 0 `ln Γ(z) = ln π − L(z) − ln Γ(1 − z)` with
-//! `L(z) = ln(1 − e^{2πiz}) − ln 2 + iπ(1/2 − z)`, which is analytic there and equal to ln sin πz on
-//! (0, 1); conjugates below the axis.
+//! For Re z < 1/2 and Im z ≥ 0 `ln Γ(z) = ln π − L(z) − ln Γ(1 − z)` with `L(z) = ln(1 − e^{2πiz})
+//! − ln 2 + iπ(1/2 − z)`, which is analytic there and equal to ln sin πz on (0, 1); conjugates
+//! below the axis.
 //!
 //! # Derivative
-//! `ψ(z) = ln z + ∫_0^∞ (1/t − 1/(1 − e^{−t})) e^{−tz} dt` (DLMF 5.9.13) with the bracket in [−1, 0]:
-//! `|ψ(z)| ≤ |ln |z|| + π/2 + 1/x` for Re z > 0. To the left of 1/2 `ψ(z) = ψ(1 − z) − π cot πz`,
-//! `|cot πz|² ≤ 1 + 1/|sin πz|²` and `|sin πz|² = sin² πx + sinh² πy`.
+//! `ψ(z) = ln z + ∫_0^∞ (1/t − 1/(1 − e^{−t})) e^{−tz} dt` (DLMF 5.9.13) with the bracket in [−1,
+//! 0]: `|ψ(z)| ≤ |ln |z|| + π/2 + 1/x` for Re z > 0. To the left of 1/2 `ψ(z) = ψ(1 − z) − π cot
+//! πz`, `|cot πz|² ≤ 1 + 1/|sin πz|²` and `|sin πz|² = sin² πx + sinh² πy`.
 
 use super::super::support::{BITS, exact};
 use super::super::{self as real, ComplexEvaluated, NoValue};
@@ -146,8 +146,8 @@ fn shifted(z: &ComplexBall, n: u32) -> ComplexEvaluated {
     Ok(ComplexBall::new(re, z.im.clone()))
 }
 
-/// `Σ_{k<n} ln(z + k)`: the logarithm of the product, and the multiple of 2π by which the sum of the
-/// angles differs from its argument.
+/// `Σ_{k<n} ln(z + k)`: the logarithm of the product, and the multiple of 2π by which the sum of
+/// the angles differs from its argument.
 fn log_of_product(z: &ComplexBall, n: u32, p: u32) -> ComplexEvaluated {
     let mut product = ComplexBall::new(exact(p, 1), exact(p, 0));
     let mut angles = exact(BITS, 0);

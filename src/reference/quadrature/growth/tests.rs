@@ -80,7 +80,8 @@ proptest! {
         }
     }
 
-    /// The integral of the bound between two points, by the least value on short steps, is less than the rest.
+    /// The integral of the bound between two points, by the least value on short steps, is less
+    /// than the rest.
     #[test]
     fn rests_bound_the_integral(g in any(), k in 7u32..9) {
         for infinite in [false, true] {
@@ -100,7 +101,8 @@ proptest! {
             let mut here = at(start);
             for i in 1..=steps {
                 let next = at(start + f64::from(i) * width);
-                // Monotone or with one maximum: the less of the two ends is below the mean but for rounding.
+                // Monotone or with one maximum: the less of the two ends is below the mean but for
+                // rounding.
                 sum += here.min(next) * width;
                 here = next;
             }

@@ -343,7 +343,8 @@ fn jumps_and_kinks() {
     }
 }
 
-/// Along the left side of a square about zero: `∫ √x`, which is not analytic across the negative axis.
+/// Along the left side of a square about zero: `∫ √x`, which is not analytic across the negative
+/// axis.
 #[test]
 fn segments() {
     let goal = Goal::digits(30);
@@ -368,7 +369,8 @@ fn segments() {
     });
     let found = integrate_segment(&mut root, &corner(-1), &corner(1), &goal);
     assert!(found.hindrance.is_none());
-    // Twice the imaginary part of (2/3) z^(3/2) at −1 + i, in polar form, less that at −1: real parts cancel.
+    // Twice the imaginary part of (2/3) z^(3/2) at −1 + i, in polar form, less that at −1: real
+    // parts cancel.
     let value = found.value.unwrap();
     assert!(value.re.contains_zero() && value.radius().to_f64() < 1e-29);
 }

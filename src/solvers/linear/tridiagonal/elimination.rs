@@ -18,8 +18,8 @@ pub struct Elimination<S> {
     pub(crate) shape: S,
 }
 
-/// Right-hand sides that are solved for side by side: their chains of operations do not wait for each
-/// other.
+/// Right-hand sides that are solved for side by side: their chains of operations do not wait for
+/// each other.
 pub(crate) const SEVERAL: usize = 8;
 
 /// Row by row what lies column by column.
@@ -93,8 +93,8 @@ impl<S: Shape> Elimination<S> {
         check_solution(d)
     }
 
-    /// Solves for several right-hand sides that lie one after the other, `n` entries each; eight at a
-    /// time where there are as many. The solutions have the bits of single ones.
+    /// Solves for several right-hand sides that lie one after the other, `n` entries each; eight at
+    /// a time where there are as many. The solutions have the bits of single ones.
     ///
     /// # Errors
     /// As [`Elimination::solve`]; the length has to be a multiple of `n`. An overflow names the

@@ -1,8 +1,8 @@
 //! One system with one right-hand side, by elimination from both ends at once.
 //!
 //! The rows above the middle one are eliminated downwards, those below it upwards, and the middle
-//! row meets both (twisted factorization): two chains of operations that do not wait for each other.
-//! With `r_i = 1/p_i`, from above
+//! row meets both (twisted factorization): two chains of operations that do not wait for each
+//! other. With `r_i = 1/p_i`, from above
 //!
 //! ```text
 //! p_i = diagonal_i − lower_{i−1} upper_{i−1} r_{i−1},   η_i = (d_i − lower_{i−1} η_{i−1}) r_i
@@ -10,8 +10,8 @@
 //! ```
 //!
 //! and likewise from below. As elimination of a matrix whose rows are permuted it is as stable for
-//! matrices that are diagonally dominant as [`Sweep`]'s (Higham, *Accuracy and Stability of Numerical
-//! Algorithms*, 2nd ed., theorems 9.11–9.13).
+//! matrices that are diagonally dominant as [`Sweep`]'s (Higham, *Accuracy and Stability of
+//! Numerical Algorithms*, 2nd ed., theorems 9.11–9.13).
 
 use super::error::{TridiagonalError, check_finite, check_length, check_matrix};
 use super::{Stability, Sweep};
@@ -46,8 +46,8 @@ pub fn solve_into(
 /// [`solve_into`], and an estimate of the error of the solution relative to its largest entry,
 /// `4 u · growth · skeel` as [`Stability::relative_error`](super::Stability::relative_error).
 ///
-/// Here `skeel = ‖ |U⁻¹||L⁻¹||A| ‖_∞`, which the same passes give: Skeel's condition for a matrix that
-/// is diagonally dominant by rows or columns, positive definite or an M-matrix, where
+/// Here `skeel = ‖ |U⁻¹||L⁻¹||A| ‖_∞`, which the same passes give: Skeel's condition for a matrix
+/// that is diagonally dominant by rows or columns, positive definite or an M-matrix, where
 /// `|U⁻¹||L⁻¹| = |A⁻¹|`, and an upper bound of it for any other (Higham, *Efficient algorithms for
 /// computing the condition number of a tridiagonal matrix*, SIAM J. Sci. Stat. Comput. 7, 1986).
 ///
@@ -145,8 +145,9 @@ impl End {
         ok: true,
     };
 
-    /// Eliminates a row: `before · x_before + b x + after · x_after = d`, where `facing` is the entry
-    /// of the row before that multiplies x. Returns the factor of the unknown after it, negated.
+    /// Eliminates a row: `before · x_before + b x + after · x_after = d`, where `facing` is the
+    /// entry of the row before that multiplies x. Returns the factor of the unknown after it,
+    /// negated.
     #[inline(always)]
     fn row<const ESTIMATE: bool>(
         &mut self,

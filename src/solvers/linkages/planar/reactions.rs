@@ -281,8 +281,8 @@ fn gathered(joints: &[Named<Joint>], all: &mut Wrenches, sizes: &[f64]) -> Vec<J
         found.force_n[0] += force.re;
         found.force_n[1] += force.im;
     };
-    // Adds the force of a pin on the body of one of its points, and the opposite on the one that carries
-    // the others.
+    // Adds the force of a pin on the body of one of its points, and the opposite on the one that
+    // carries the others.
     let mut pin = |(joint, point): (usize, usize), on: usize, force: Complex64| {
         let own = &mut found[chain.forces[joint]..chain.forces[joint + 1]];
         if let Some(k) = point.checked_sub(1) {

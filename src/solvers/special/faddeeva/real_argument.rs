@@ -286,9 +286,9 @@ functions! {
 
     /// [`erfcx`](super::erfcx()) of a real argument.
     ///
-    /// Proved for every finite argument: within 7/8 of a unit in the last place
-    /// (`mechaudit prove erfcx`), or +∞ where the value is above the range, below −26.62873571375149.
-    /// `erfcx(∞) = 0`, NaN for NaN.
+    /// Proved for every finite argument: within 7/8 of a unit in the last place (`mechaudit prove
+    /// erfcx`), or +∞ where the value is above the range, below −26.62873571375149. `erfcx(∞) = 0`,
+    /// NaN for NaN.
     ///
     /// ```
     /// use mechaudit_solvers::faddeeva::erfcx_real;
@@ -298,8 +298,8 @@ functions! {
 
     /// [`erfi`](super::erfi()) of a real argument.
     ///
-    /// Worst found, 10⁵ arguments of all sizes: 0.9 units in the last place. ±∞ beyond ±26.714, NaN for
-    /// NaN.
+    /// Worst found, 10⁵ arguments of all sizes: 0.9 units in the last place. ±∞ beyond ±26.714, NaN
+    /// for NaN.
     ///
     /// ```
     /// use mechaudit_solvers::faddeeva::erfi_real;

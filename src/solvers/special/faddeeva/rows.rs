@@ -110,8 +110,9 @@ pub(super) static DAWSON: [RealRow; OF_CELLS + tables::REAL_AXIS.len()] = {
     }
     rows
 };
-/// Rows of erf about the real centres 1/4, 1/2, …, 6, from those of w: there `Re w = e^{−x²}`, so that
-/// with its coefficients `c_n` those of erf are `(2/√π) c_{n−1}/n`, and `erf x = 1 − e^{−x²} erfcx x`.
+/// Rows of erf about the real centres 1/4, 1/2, …, 6, from those of w: there `Re w = e^{−x²}`, so
+/// that with its coefficients `c_n` those of erf are `(2/√π) c_{n−1}/n`, and `erf x = 1 − e^{−x²}
+/// erfcx x`.
 pub(super) static ERF: [RealRow; 24] = {
     let mut rows = [const { RealRow([0.0; 20]) }; 24];
     let mut k = 0;

@@ -1,13 +1,15 @@
 //! Switching times: where a motion leaves a smooth piece of its rates, and the way across.
 //!
-//! A piece is proved to hold as long as all its guards have their signs: over a part of a step in balls, or at both
-//! ends of a part over which the guard's rate has a sign. Where one fails, the switching time is bracketed by times
-//! `a < b`: at a the guard has its sign for all solutions that are enclosed, at b it has the other one.
+//! A piece is proved to hold as long as all its guards have their signs: over a part of a step in
+//! balls, or at both ends of a part over which the guard's rate has a sign. Where one fails, the
+//! switching time is bracketed by times `a < b`: at a the guard has its sign for all solutions that
+//! are enclosed, at b it has the other one.
 //!
-//! Between a and b nothing is said about the order of events: a solution of `y′ = f_1` or `y′ = f_2` satisfies
-//! `y(t) ∈ y(a) + [0, b − a] F` for the hull F of both rates over a box that holds this set in its interior. So does
-//! any mean of both, as of a motion that slides along the switch (Filippov, *Differential Equations with
-//! Discontinuous Righthand Sides*, 1988, §4); for such a motion the guard is not proved to have the other sign at b.
+//! Between a and b nothing is said about the order of events: a solution of `y′ = f_1` or `y′ =
+//! f_2` satisfies `y(t) ∈ y(a) + [0, b − a] F` for the hull F of both rates over a box that holds
+//! this set in its interior. So does any mean of both, as of a motion that slides along the switch
+//! (Filippov, *Differential Equations with Discontinuous Righthand Sides*, 1988, §4); for such a
+//! motion the guard is not proved to have the other sign at b.
 
 use super::field::{Guarded, Smooth};
 use crate::evaluation::taylor::Switch;
@@ -92,9 +94,10 @@ pub(super) fn cross(
 /// Values for all times and states of some balls.
 type Slopes<'a> = &'a mut dyn FnMut(&Ball, &[Ball]) -> Option<Vec<Ball>>;
 
-/// The same way across where states after the first `n` are derivatives of those by parameters: with the switching
-/// time τ they jump by `(f_1 − f_2) ∂τ/∂p`, and `∂τ/∂p = −(∂g/∂p)/ġ` for the value g of the switch, derived along the
-/// motion before it (Aizerman, Gantmakher, *Quart. J. Mech. Appl. Math.* 11 (1958) 101–117).
+/// The same way across where states after the first `n` are derivatives of those by parameters:
+/// with the switching time τ they jump by `(f_1 − f_2) ∂τ/∂p`, and `∂τ/∂p = −(∂g/∂p)/ġ` for the
+/// value g of the switch, derived along the motion before it (Aizerman, Gantmakher, *Quart. J.
+/// Mech. Appl. Math.* 11 (1958) 101–117).
 ///
 /// `slopes` gives `∂g/∂p` for all times and states of some balls.
 ///

@@ -24,7 +24,8 @@ pub(super) struct Smooth {
     guards: Guards,
 }
 
-/// A program for the values that change their signs at switches, and for their rates along the motion.
+/// A program for the values that change their signs at switches, and for their rates along the
+/// motion.
 struct Guards {
     compiled: Compiled,
     constants: Vec<Ball>,
@@ -46,7 +47,8 @@ pub(super) const AT_SWITCH: NoValue = NoValue::Undecided("the side of a switch")
 type Fault = (Id, NoValue);
 
 impl Smooth {
-    /// The field on the given sides of switches; the sides of others are those of the evaluator's states.
+    /// The field on the given sides of switches; the sides of others are those of the evaluator's
+    /// states.
     ///
     /// # Errors
     /// A node without a Taylor series or without a value, and why.

@@ -1,7 +1,7 @@
 //! Initial value problems of graphs: certified solutions of `y′ = f(t, y, p)`, `y(t_0) = y_0(p)`.
 //!
-//! [`InitialValueProblem`] states the problem, [`Trajectory`] is its solution for one set of inputs. A
-//! trajectory is extended as far as it is asked for, on both sides of the start.
+//! [`InitialValueProblem`] states the problem, [`Trajectory`] is its solution for one set of
+//! inputs. A trajectory is extended as far as it is asked for, on both sides of the start.
 //!
 //! ```
 //! use mechaudit_symbolic::evaluation::{Goal, InitialValueProblem, Limits, State};

@@ -85,7 +85,8 @@ impl Motion {
             time: start.clone(),
         };
         let mut piece = None;
-        // Derivatives by the inputs have no value where the start is at a switch for one value of them only.
+        // Derivatives by the inputs have no value where the start is at a switch for one value of
+        // them only.
         if let Some(switch) = at_switch.filter(|_| problem.derivatives.is_none()) {
             piece = Motion::away(
                 problem,
@@ -354,8 +355,8 @@ impl Piece {
         Ok(self.field.guards(&time, &states).ok())
     }
 
-    /// Proves the guards from the last time to the end of a step. If one fails, it is returned with a time at which
-    /// it still holds and a length after which it fails.
+    /// Proves the guards from the last time to the end of a step. If one fails, it is returned with
+    /// a time at which it still holds and a length after which it fails.
     fn failure(
         &mut self,
         end: &Rational,

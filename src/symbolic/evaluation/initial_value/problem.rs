@@ -82,7 +82,8 @@ pub struct InitialValueProblem {
     pub(super) derivatives: Option<Derivatives>,
 }
 
-/// Derivatives of states by inputs, which are states themselves: they jump where the rates of the states do.
+/// Derivatives of states by inputs, which are states themselves: they jump where the rates of the
+/// states do.
 #[derive(Clone, Debug)]
 pub(super) struct Derivatives {
     /// The number of states that are derived.
@@ -92,8 +93,8 @@ pub(super) struct Derivatives {
 }
 
 impl InitialValueProblem {
-    /// States a problem by expressions. `inputs` are the names of the parameters p, `time` is the name of t and
-    /// `start` the expression of t_0.
+    /// States a problem by expressions. `inputs` are the names of the parameters p, `time` is the
+    /// name of t and `start` the expression of t_0.
     ///
     /// # Errors
     /// See [`ProblemError`].
@@ -125,8 +126,8 @@ impl InitialValueProblem {
         InitialValueProblem::of_graph(graph, start, &nodes)
     }
 
-    /// States a problem by the nodes of a graph, whose inputs are the parameters, the time and as many states as
-    /// there are pairs of a start and a rate.
+    /// States a problem by the nodes of a graph, whose inputs are the parameters, the time and as
+    /// many states as there are pairs of a start and a rate.
     ///
     /// # Errors
     /// See [`ProblemError`].
@@ -208,7 +209,8 @@ impl InitialValueProblem {
         })
     }
 
-    /// The problem of the states and their derivatives by all inputs, which follow them state by state.
+    /// The problem of the states and their derivatives by all inputs, which follow them state by
+    /// state.
     pub(super) fn with_sensitivities(&self) -> Result<InitialValueProblem, ProblemError> {
         let mut graph = Graph::clone(&self.graph);
         let n = self.states.len();

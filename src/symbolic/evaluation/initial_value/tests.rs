@@ -69,8 +69,9 @@ impl Draw {
     }
 }
 
-/// `e^{At} y` by the exponential series in balls: `‖At‖^n/n!` bounds each entry of its terms, and those beyond the
-/// last add up to at most twice the first of them, since each is at most half its predecessor.
+/// `e^{At} y` by the exponential series in balls: `‖At‖^n/n!` bounds each entry of its terms, and
+/// those beyond the last add up to at most twice the first of them, since each is at most half its
+/// predecessor.
 fn exponential(a: &[Vec<Rational>], y: &[Rational], t: &Rational) -> Vec<Ball> {
     const BITS: u32 = 300;
     let ball = |q: &Rational| Ball::rational(BITS, q);
@@ -258,8 +259,8 @@ fn random_polynomial_fields_with_a_known_solution() {
     }
 }
 
-/// Values of Lorenz's equations and of the pendulum that a Taylor series in mpmath gives at 34 digits, and of a run-up
-/// of Kloss's motor in closed form.
+/// Values of Lorenz's equations and of the pendulum that a Taylor series in mpmath gives at 34
+/// digits, and of a run-up of Kloss's motor in closed form.
 #[test]
 fn values_from_elsewhere() {
     let mut lorenz =

@@ -164,8 +164,8 @@ impl Trajectory {
         &self.start
     }
 
-    /// The states at an exact time, before or after the start, each in a ball that meets the goal, or the narrowest
-    /// one within the limits where none does.
+    /// The states at an exact time, before or after the start, each in a ball that meets the goal,
+    /// or the narrowest one within the limits where none does.
     ///
     /// # Errors
     /// See [`MotionError`].
@@ -180,7 +180,8 @@ impl Trajectory {
         })
     }
 
-    /// The states at an exact time by a run of at least so many working bits, as narrow as they come out.
+    /// The states at an exact time by a run of at least so many working bits, as narrow as they
+    /// come out.
     ///
     /// # Errors
     /// See [`MotionError`].
@@ -280,11 +281,13 @@ impl Trajectory {
         }
     }
 
-    /// The derivatives of the states by the inputs at a time, state by state: `S′ = (∂f/∂y) S + ∂f/∂p` along the
-    /// motion. Each has at least `bits` bits, or as many of the largest one of its state, where the limits allow it.
+    /// The derivatives of the states by the inputs at a time, state by state: `S′ = (∂f/∂y) S +
+    /// ∂f/∂p` along the motion. Each has at least `bits` bits, or as many of the largest one of its
+    /// state, where the limits allow it.
     ///
     /// # Errors
-    /// See [`MotionError`]; inputs by which the rates have no derivative in the language are undecided.
+    /// See [`MotionError`]; inputs by which the rates have no derivative in the language are
+    /// undecided.
     pub fn sensitivities(
         &mut self,
         time: &Rational,

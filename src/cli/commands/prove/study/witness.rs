@@ -1,4 +1,5 @@
-//! Evidence beside a proof: the worst input found, and the comparison of the solver's formula with the definition.
+//! Evidence beside a proof: the worst input found, and the comparison of the solver's formula with
+//! the definition.
 
 use crate::cli::args::ProveArgs;
 use crate::cli::failure::Failure;

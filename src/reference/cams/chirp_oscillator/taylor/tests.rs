@@ -10,8 +10,9 @@ fn problem(w: (i32, i32)) -> Problem {
     Problem::new(&values).unwrap()
 }
 
-/// `f = e^{as + bs²}` grows as fast as the bound allows: `|f| ≤ f(R)` on `|s| ≤ R`. The tail holds what m terms leave
-/// of its integral, and is greater by Cauchy's estimate alone: by less than `8 (m + 1)` times `√(2πm)`.
+/// `f = e^{as + bs²}` grows as fast as the bound allows: `|f| ≤ f(R)` on `|s| ≤ R`. The tail holds
+/// what m terms leave of its integral, and is greater by Cauchy's estimate alone: by less than `8
+/// (m + 1)` times `√(2πm)`.
 #[test]
 fn the_tail_of_the_fastest_growth() {
     for (a, b) in [(1.0f64, 0.0f64), (2.0, 0.5), (0.25, 2.0), (0.0, 1.0)] {
@@ -86,8 +87,9 @@ fn the_norm_is_euclid_s() {
     }
 }
 
-/// A constant force on an undamped oscillator: P is a sine, Q a cosine, and over 355/113 for π to either side of an
-/// extreme the integrals all but vanish. What is left out outweighs the rounding there.
+/// A constant force on an undamped oscillator: P is a sine, Q a cosine, and over 355/113 for π to
+/// either side of an extreme the integrals all but vanish. What is left out outweighs the rounding
+/// there.
 #[test]
 fn panels_hold_integrals_that_cancel() {
     let zero = Rational::new();

@@ -1,5 +1,5 @@
-//! Joints that miss the true ones by a known analytic function: the panel has to hold the true reduced quantities,
-//! and Cauchy's estimates have to be within a stated factor of necessary.
+//! Joints that miss the true ones by a known analytic function: the panel has to hold the true
+//! reduced quantities, and Cauchy's estimates have to be within a stated factor of necessary.
 
 use super::*;
 use crate::Decimal;
@@ -100,8 +100,8 @@ fn what_does_not_contract_is_refused() {
     assert!(refused.is_none());
 }
 
-/// Each joint's coordinate missing by `size · x^k`: only q ≤ ½ is shown, so the radius is twice the step back, and
-/// little more.
+/// Each joint's coordinate missing by `size · x^k`: only q ≤ ½ is shown, so the radius is twice the
+/// step back, and little more.
 #[test]
 fn the_radius_is_twice_what_is_missing() {
     let s = setup((1, 50));
@@ -119,8 +119,8 @@ fn the_radius_is_twice_what_is_missing() {
     }
 }
 
-/// Second differences of the four equations, which are quadratic, against the bound on the change of their Jacobian:
-/// it holds, and is no more than 3.5 times what occurs.
+/// Second differences of the four equations, which are quadratic, against the bound on the change
+/// of their Jacobian: it holds, and is no more than 3.5 times what occurs.
 #[test]
 fn entries_of_the_jacobian_change_by_no_more() {
     for (lb, turn) in [("0", 0), ("0.22", -39), ("2", 45), ("3", 100), ("3", 0)] {
@@ -166,7 +166,8 @@ fn entries_of_the_jacobian_change_by_no_more() {
     }
 }
 
-/// The Jacobian over the disc is the derivative of the equations: exact central differences, as they are quadratic.
+/// The Jacobian over the disc is the derivative of the equations: exact central differences, as
+/// they are quadratic.
 #[test]
 fn the_jacobian_is_that_of_the_equations() {
     let s = setup((1, 50));
@@ -238,8 +239,8 @@ fn norms_count_every_entry() {
     );
 }
 
-/// Functions of modulus one on the disc whose derivative at ¾ or ⅔ is the greatest there is, `1/(1 − x²)`
-/// (Schwarz and Pick): Cauchy's estimates hold them and are less than twice as large.
+/// Functions of modulus one on the disc whose derivative at ¾ or ⅔ is the greatest there is, `1/(1
+/// − x²)` (Schwarz and Pick): Cauchy's estimates hold them and are less than twice as large.
 #[test]
 fn the_fastest_functions_are_held() {
     let size = 1e-3;
@@ -265,7 +266,8 @@ fn the_fastest_functions_are_held() {
     near(&found, 2.0 * 2.0 / 3.0 + size / (1.0 - 4.0 / 9.0));
 }
 
-/// I_n, its derivative and M_o of a panel against those of class III's own kinematics, over the whole of it.
+/// I_n, its derivative and M_o of a panel against those of class III's own kinematics, over the
+/// whole of it.
 #[test]
 fn panels_are_those_of_the_linkage() {
     let phi = ExactAngle::Degrees(Rational::from(50)).to_ball(BITS);
@@ -309,7 +311,8 @@ fn panels_are_those_of_the_linkage() {
     }
 }
 
-/// The radius is no smaller than what is known of the centre, so that the zero there is the one that is continued.
+/// The radius is no smaller than what is known of the centre, so that the zero there is the one
+/// that is continued.
 #[test]
 fn the_radius_takes_in_the_centre() {
     let s = setup((1, 50));

@@ -79,7 +79,8 @@ impl Case {
         proof.bound((!self.rest).then_some(&start), &model(&self.inverse))
     }
 
-    /// The errors of the speed at the end and anywhere within the bounds, which are at most so many times as large.
+    /// The errors of the speed at the end and anywhere within the bounds, which are at most so many
+    /// times as large.
     fn check(self, name: &str, end: f64, anywhere: f64, most: f64) -> Bounds {
         let last: f64 = self.chi.iter().sum();
         let found = self.bounds().unwrap_or_else(|why| panic!("{name}: {why}"));
@@ -192,8 +193,8 @@ fn start_errors_grow_as_the_motor_s_slope_tells() {
     }
 }
 
-/// Without a slope of J in the equation a free motion keeps its speed, and `e = ½ J (v² − p²)` grows with J; where
-/// J is another than its polynomial, e grows though v obeys the slope.
+/// Without a slope of J in the equation a free motion keeps its speed, and `e = ½ J (v² − p²)`
+/// grows with J; where J is another than its polynomial, e grows though v obeys the slope.
 #[test]
 fn start_errors_grow_with_the_inertia() {
     let free = Case {
@@ -219,7 +220,8 @@ fn start_errors_grow_with_the_inertia() {
     other.check("J is little greater", SMALL * 0.55 / 0.56, SMALL, 1.1);
 }
 
-/// A torque that the candidate does not know is a defect, and adds to the speed what the equation says.
+/// A torque that the candidate does not know is a defect, and adds to the speed what the equation
+/// says.
 #[test]
 fn defects_add_up() {
     let free = |load: f64| Case {

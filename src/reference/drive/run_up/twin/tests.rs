@@ -207,7 +207,8 @@ fn errors_go_on_with_the_largest_derivative() {
     assert!((speed.rad().to_f64() - 7.0 / 16.0).abs() < 1e-9);
 }
 
-/// Inside a panel its own values; across a border the union of both, widened by both radii once more on either side.
+/// Inside a panel its own values; across a border the union of both, widened by both radii once
+/// more on either side.
 #[test]
 fn coefficients_across_a_border() {
     let (r0, r1) = (1.0 / 32.0, 1.0 / 16.0);

@@ -1,8 +1,8 @@
 //! Equations of motion of planar mechanisms with any number of degrees of freedom.
 //!
 //! With independent coordinates z among the unknowns u of the tree of bodies, the closures F(u) = 0
-//! give `u̇ = N ż` and `ü = N z̈ + β`, so that a point of a body moves with `v = Σ v_i ż_i` and
-//! `a = Σ v_i z̈_i + a_β`. The equations of motion are those of Kane and Levinson (*Dynamics: Theory
+//! give `u̇ = N ż` and `ü = N z̈ + β`, so that a point of a body moves with `v = Σ v_i ż_i` and `a
+//! = Σ v_i z̈_i + a_β`. The equations of motion are those of Kane and Levinson (*Dynamics: Theory
 //! and Applications*, 1985, section 6.1):
 //!
 //! ```text
@@ -51,8 +51,8 @@ pub enum DrivenLoad {
         /// Components in the ground's axes in N.
         components: [Law; 2],
     },
-    /// Inertia that turns with the difference of two bodies' angles, such as that of a motor's rotor
-    /// seen through its gear.
+    /// Inertia that turns with the difference of two bodies' angles, such as that of a motor's
+    /// rotor seen through its gear.
     Inertia {
         /// The body.
         body: usize,

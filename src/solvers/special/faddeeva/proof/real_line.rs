@@ -14,8 +14,8 @@ use crate::faddeeva::taylor::{RealRow, axis_row};
 use crate::faddeeva::{branch, real_line as formulas};
 
 /// |x| below which erf x is a Maclaurin series, and Dawson's function; below which erfc x is 1 − erf
-/// x; from which |erf x| is 1 and erfc −|x| is 2; from which erfc x is 0, and beyond which erfcx −x is
-/// infinite.
+/// x; from which |erf x| is 1 and erfc −|x| is 2; from which erfc x is 0, and beyond which erfcx −x
+/// is infinite.
 pub const LIMITS: [f64; 5] = [
     formulas::SERIES_OF_ERF,
     formulas::SERIES,
