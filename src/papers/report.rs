@@ -25,6 +25,20 @@ pub struct Citation {
     pub source: &'static str,
 }
 
+impl Citation {
+    /// Returns the authors with the year; none where the paper names nobody.
+    pub fn by(&self) -> Option<String> {
+        let year = self.year.map_or(String::new(), |y| format!(" ({y})"));
+        let by = format!("{}{year}", self.authors);
+        Some(by.trim().to_string()).filter(|by| !by.is_empty())
+    }
+
+    /// Returns the venue, where it is known.
+    pub fn at(&self) -> Option<String> {
+        Some(self.venue.to_string()).filter(|venue| !venue.is_empty())
+    }
+}
+
 /// Everything found about one paper.
 #[derive(Clone, Debug, Serialize)]
 pub struct PaperReport {

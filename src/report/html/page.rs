@@ -164,14 +164,14 @@ impl AboutPaper<'_> {
     /// The page.
     pub fn page(self) -> String {
         let paper = self.paper;
-        let year = paper.year.map_or(String::new(), |y| format!(" ({y})"));
+        let by: Vec<String> = [paper.by(), paper.at()].into_iter().flatten().collect();
         let (tone, word) = match self.verdict.0 {
             true => (Tone::Good, "As recorded"),
             false => (Tone::Bad, "NOT as recorded"),
         };
         let main = html! {
             h1 { (paper.title) } "\n"
-            p.soft { (paper.authors) (year) ", " (paper.venue) } "\n"
+            p.soft { (by.join(", ")) } "\n"
             (verdict(tone, word, &format!("{}.", self.verdict.1)))
             (self.main)
         };

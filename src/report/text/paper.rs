@@ -9,8 +9,9 @@ use crate::report::words::paper::{SUBJECTS, counts, mark, of_subject};
 /// The report of one paper.
 pub fn paper(report: &PaperReport, width: usize) -> String {
     let p = &report.paper;
-    let year = p.year.map_or(String::new(), |y| format!(" ({y})"));
-    let title = format!("{}{year}. {}. {}.", p.authors, p.title, p.venue);
+    let parts = [p.by(), Some(p.title.to_string()), p.at()];
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    let title = format!("{}.", parts.join(". "));
     let mut out = paint(BOLD, &wrap(&title, 0, width));
     out.push_str("\n\n");
     out.push_str(&paragraph(&counts(report), 0, width));

@@ -91,15 +91,11 @@ pub fn methods(reports: &[MethodReport], width: usize) -> String {
 /// The findings of a paper, a line each.
 pub fn paper(report: &PaperReport, width: usize) -> String {
     let p = &report.paper;
-    let year = p.year.map_or(String::new(), |y| format!(" ({y})"));
     let changed = report.findings.iter().filter(|f| !f.as_recorded).count();
-    let head = format!(
-        "{}: {}{year}, {}, {}",
-        p.key,
-        p.authors,
-        count(report.findings.len(), "finding"),
-        recorded(changed)
-    );
+    let findings = count(report.findings.len(), "finding");
+    let parts = [p.by(), Some(findings), Some(recorded(changed))];
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    let head = format!("{}: {}", p.key, parts.join(", "));
     let mut out = format!("{}\n", paint(BOLD, &wrap(&head, 0, width)));
     out.push_str(&paint(DIM, paragraph(&kinds(report), 2, width).trim_end()));
     out.push('\n');
