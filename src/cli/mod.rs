@@ -18,8 +18,8 @@ mod workload;
 use args::{Args, Command};
 use clap::{CommandFactory, FromArgMatches};
 use commands::{
-    audit, campaign, chirp, compare, converge, describe, eval, hunt, identity, judge,
-    linkage, motion, paper, points, prove, regenerate, runup, shell,
+    audit, campaign, chirp, compare, converge, describe, eval, hunt, identity, judge, linkage,
+    motion, paper, points, prove, regenerate, runup, shell,
 };
 use failure::{Failure, Outcome};
 use mechaudit::message;

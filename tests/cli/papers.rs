@@ -217,7 +217,11 @@ fn a_paper_is_a_folder() {
     let d = run(&[]);
     refused(&d, "paper.toml: line 8");
     refused(&d, "the name sh is not declared");
-    std::fs::write(folder.join("table-1.csv"), "x,s,a\n0,zero,0\n1,1,1\n2,2,2\n3,3,3\n4,4,4\n").unwrap();
+    std::fs::write(
+        folder.join("table-1.csv"),
+        "x,s,a\n0,zero,0\n1,1,1\n2,2,2\n3,3,3\n4,4,4\n",
+    )
+    .unwrap();
     std::fs::write(&file, text).unwrap();
     refused(
         &run(&["--check"]),
