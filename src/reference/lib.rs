@@ -7,7 +7,7 @@
 //! |---|---|
 //! | arithmetic | [`Ball`], [`ComplexBall`], [`Mag`], [`Decimal`], [`HexFloat`], Taylor models |
 //! | elementary | [`elementary`]: functions of balls |
-//! | special | [`faddeeva`], [`hartmann_tran`] |
+//! | special | [`faddeeva`] |
 //! | linear | [`dense`], [`banded`], [`tridiagonal`], [`eigenvalues`], [`BallLu`] |
 //! | roots | [`roots::interval`], [`roots::systems`] |
 //! | splines | [`cubic_spline`] |
@@ -62,7 +62,7 @@ pub use linear::tridiagonal;
 pub use linear::{banded, dense, eigenvalues};
 #[cfg(feature = "linkages")]
 pub use linkages::{class_iii, dyad, planar};
-pub use special::{faddeeva, hartmann_tran};
+pub use special::faddeeva;
 pub use splines::cubic_spline;
 
 pub use ball::{Ball, dot};

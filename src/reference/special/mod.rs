@@ -1,4 +1,3 @@
-//! The Faddeeva function and its relatives, line shapes made of it.
+//! The Faddeeva function and its relatives.
 
 pub mod faddeeva;
-pub mod hartmann_tran;

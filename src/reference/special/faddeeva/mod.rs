@@ -53,7 +53,6 @@ pub use related::{
 pub use scaled::Scaled;
 pub use voigt_hwhm::voigt_hwhm;
 pub use zeros::{zero, zero_of_erf};
-pub(crate) use ziv::first;
 
 /// w(z) for z = re + i im, each component with a relative radius of at most 2^-bits.
 ///

@@ -24,7 +24,7 @@ pub(super) fn cap(bits: u32, length: u32) -> u32 {
 }
 
 /// Returns what is found first at a working precision that grows by a part of itself up to the cap.
-pub(crate) fn first<T>(
+pub(super) fn first<T>(
     mut prec: u32,
     part: u32,
     cap: u32,
