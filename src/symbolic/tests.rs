@@ -154,8 +154,9 @@ proptest! {
         let through = enclose_form(&exact.algebra, &form, &point).unwrap();
         let straight = Enclosures::new(&point).value(&definitions, &e).unwrap();
         prop_assert!(overlap(&through, &straight), "{a}: {form}");
+        // Integrals are enclosed to forty bits.
         let size = 1.0 + straight.re.magnitude().to_f64() + straight.im.magnitude().to_f64();
-        prop_assert!(straight.re.rad().to_f64() / size < 1e-15, "{a}");
+        prop_assert!(straight.re.rad().to_f64() / size < 1e-10, "{a}");
     }
 
     #[test]
