@@ -173,7 +173,7 @@ pub fn section(motion: &Motion, about: &Markup) -> Markup {
                     }
                 } } "\n"
                 div.beside {
-                    @if choice { p.soft.small.js { "Choose what is drawn." } "\n" }
+                    @if choice { p.soft.small.js { "Choose what is drawn over the drive." } "\n" }
                     dl.now.js { "\n"
                         @for (i, c) in motion.courses.iter().enumerate() {
                             div {
