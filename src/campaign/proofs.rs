@@ -29,7 +29,7 @@ fn ends(at: &Rectangle) -> Ends {
     vec![at.a.map(f64::to_bits), at.b.map(f64::to_bits)]
 }
 
-/// What is known of a box by name.
+/// Returns an object of a value for each name.
 fn named<T>(names: &[String], all: &[T], of: impl Fn(&T) -> Value) -> Value {
     Value::Object(names.iter().cloned().zip(all.iter().map(of)).collect())
 }

@@ -65,7 +65,7 @@ impl Watch {
     }
 }
 
-/// What is done with a part.
+/// The outcome of one look at a part.
 pub(crate) enum Step<L, P> {
     /// Bounds are proved on all of it.
     Proved(Vec<L>),

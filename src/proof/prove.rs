@@ -86,7 +86,7 @@ pub fn first_rectangles(within: Option<f64>) -> Vec<Rectangle> {
     all
 }
 
-/// What is done with a rectangle that was halved so often.
+/// Proves a rectangle that was halved `depth` times, or cuts it.
 fn step(code: &Code, target: Target, at: &Rectangle, depth: u32) -> Step<Leaf, Rectangle> {
     let last = depth >= target.depth || at.is_point();
     let leaves = match leaves(code, at) {

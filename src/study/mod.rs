@@ -136,7 +136,7 @@ pub struct Study {
     domain: Domain,
     /// The solver that is audited, by its place.
     chosen: usize,
-    /// What is proved of its outputs, where that is the budget.
+    /// The proved bounds of its outputs, where they are budgets.
     proved: Arc<Vec<Option<Limit>>>,
     name: &'static str,
 }

@@ -51,7 +51,7 @@ impl Problem {
         Program::new(&graph, &formulas, condition, &domain, setting).map_err(|e| refused(&e))
     }
 
-    /// What is proved of each output of a solver whose budget is that: in units in the last place,
+    /// The proved bound of each output of a solver whose budget is a proof: in units in the last place,
     /// where there is no such bound of the relative error, and else of the absolute one.
     ///
     /// # Errors

@@ -102,12 +102,12 @@ pub struct Enclosures {
 }
 
 impl Enclosures {
-    /// At that point.
+    /// Creates an evaluator at a point.
     pub fn new(point: &Point) -> Enclosures {
         Enclosures::of_changing(point, &[])
     }
 
-    /// At that point, of expressions whose definitions of these names differ.
+    /// Creates an evaluator at a point for expressions whose definitions of these names differ.
     pub fn of_changing(point: &Point, changing: &[&str]) -> Enclosures {
         Enclosures {
             point: point.clone(),
@@ -118,7 +118,7 @@ impl Enclosures {
         }
     }
 
-    /// An enclosure of the value.
+    /// Returns an enclosure of the value.
     ///
     /// # Errors
     /// A name without a value, an operation that is not defined or may not be, and what has no
@@ -175,7 +175,7 @@ impl Enclosures {
             !*depends.entry(name.clone()).or_insert_with(of_name)
         });
         for k in first..self.evaluator.graph().inputs().len() {
-            // A symbol without a value is told of where it is needed.
+            // A symbol without a value is an error where it is needed.
             if let Ok(value) = self.input(k, BITS) {
                 self.evaluator.set_input(k, value);
             }

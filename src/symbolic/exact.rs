@@ -23,7 +23,7 @@ impl Exact {
     /// The normal form.
     ///
     /// # Errors
-    /// What is outside the algebra.
+    /// A formula outside the algebra.
     pub fn value(&mut self, definitions: &Definitions, e: &Expr) -> Result<ExpSum, SymbolicError> {
         limited(LIMIT, || {
             series::check(definitions, e)?;

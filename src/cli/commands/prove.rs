@@ -52,7 +52,7 @@ pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
     }
 }
 
-/// What a proof came to, as its report and its file of boxes say it.
+/// The result of a proof: its report and its file of boxes.
 trait Theorem {
     fn is_proved(&self) -> bool;
     fn text(&self) -> String;

@@ -224,7 +224,7 @@ impl<R: Read> Source for Rows<R> {
                     let why = format!("row {k} has {} numbers in the place of {width}", row.len());
                     return Some(Ok(SolverAnswer::Fails(why)));
                 }
-                // An answer of too few numbers is told so.
+                // The judge reports an answer of too few numbers.
                 None => break,
                 other => return other,
             }

@@ -21,7 +21,7 @@ pub struct Survey {
     along: StudyInput,
     /// Relative errors, as written and as numbers.
     targets: Vec<(&'static str, f64)>,
-    /// Heights that the advice asks for besides every one.
+    /// Heights from which on the advice names solvers, in addition to all heights.
     floors: Vec<(&'static str, f64)>,
     cases: u64,
     solvers: Vec<(&'static str, Study)>,

@@ -59,7 +59,7 @@ pub fn lower_half_plane(
     })
 }
 
-/// What is done with a rectangle that was halved so often.
+/// Proves a rectangle that was halved `depth` times, or cuts it.
 fn step(code: &Code, target: Target, at: &Rectangle, depth: u32) -> Step<Leaf, Rectangle> {
     let last = depth >= target.depth || at.is_point();
     let good = |l: &Leaf| {

@@ -127,7 +127,7 @@ impl<'a> Bounds<'a> {
         of(program.roots[0], measure)
     }
 
-    /// What the condition on the inputs says about a box.
+    /// The condition on the inputs over a box.
     fn narrowing(&mut self, at: &[Interval]) -> Option<Narrowing> {
         let program = self.program;
         let (tape, place) = program.condition.as_ref()?;

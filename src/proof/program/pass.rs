@@ -72,7 +72,7 @@ pub(crate) struct Pass {
     pub open: Vec<usize>,
     /// Errors that operations may make elsewhere, where the path of another point is followed.
     pub given: Vec<f64>,
-    /// What the condition on the inputs says about the box.
+    /// The condition on the inputs over the box.
     pub narrowing: Option<Narrowing>,
     /// Operations whose range, or that of an operand, holds only where the condition does.
     is_narrowed: Vec<bool>,

@@ -109,7 +109,7 @@ struct Refined<'a> {
 }
 
 impl Refined<'_> {
-    /// What is done with an interval that was halved so often, of one from which so many come.
+    /// Proves an interval that was halved `depth` times, or cuts it.
     fn step(&self, at: &Interval, depth: u32, parts: usize) -> Step<Leaf, Interval> {
         let Code {
             tables, rounding, ..

@@ -7,6 +7,7 @@
 mod build;
 mod derivative;
 mod identities;
+mod substitute;
 mod system;
 mod text;
 

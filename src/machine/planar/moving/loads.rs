@@ -152,7 +152,7 @@ impl MovingLoads {
     }
 }
 
-/// What a motor does: its inertia and its torque less the resistance.
+/// Returns the loads of a motor: its inertia, and its torque less the resistance.
 fn turned(body: usize, from: usize, drive: Drive) -> Vec<DrivenLoad> {
     let inertia = drive.inertia();
     let torque = move |instant: &Instant| {

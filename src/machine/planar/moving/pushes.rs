@@ -154,7 +154,7 @@ impl Writer<'_> {
     }
 }
 
-/// What takes up the forces and torques of loads.
+/// A receiver of the forces and torques of loads, as formulas.
 pub(super) trait Acts {
     /// A force at a point.
     fn push(

@@ -18,7 +18,7 @@ use crate::solvers::planar::{Joint, Point};
 /// Components of forces, and the moment about the ground's origin.
 type Wrench = [String; 3];
 
-/// What joints have to exert on every body, the ground first.
+/// The forces and moments that joints have to exert on every body, the ground first.
 struct Due<'a> {
     on: Vec<[Vec<String>; 3]>,
     accelerations: &'a [String],

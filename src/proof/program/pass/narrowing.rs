@@ -23,7 +23,7 @@ struct Bounded {
     slopes: Vec<Interval>,
 }
 
-/// What the condition says about a box.
+/// The condition over a box.
 #[derive(Clone, Debug)]
 pub(crate) struct Narrowing {
     /// The box about its centre.

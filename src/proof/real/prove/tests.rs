@@ -295,7 +295,7 @@ fn one_operation_that_truncates_shows() {
     }
 }
 
-/// What is proved of an interval that was halved so often, beside what was proved before.
+/// The proof of an interval that was halved `depth` times beside an earlier one.
 fn refined(
     (function, formula, target): (Function, Formula, f64),
     (at, depth): (Interval, u32),

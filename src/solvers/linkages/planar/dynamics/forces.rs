@@ -1,4 +1,4 @@
-//! What loads do: as generalised forces on the independent coordinates, as forces on the bodies,
+//! Effects of loads: as generalised forces on the independent coordinates, as forces on the bodies,
 //! and as energies.
 
 use super::super::chain::{Spot, spot};
@@ -11,7 +11,7 @@ use super::flow::Instant;
 use super::{DrivenLoad, Dynamics, Law};
 use num_complex::Complex64;
 
-/// What takes up the forces and torques of loads.
+/// A receiver of the forces and torques of loads.
 pub(super) trait Sink {
     /// A force in N at a point.
     fn push(&mut self, at: Spot, force: Complex64);
