@@ -144,39 +144,24 @@ impl<P: Problem<N>, const N: usize> System<f64, SVector<f64, N>> for Rates<P, N>
     }
 }
 
-fn dopri5<P: Problem<N>, const N: usize>(tolerance: f64) -> Option<[f64; N]> {
-    let system = Rates::<P, N>(std::marker::PhantomData);
-    let start = SVector::from(P::start());
-    let mut stepper = ode_solvers::Dopri5::new(
-        system,
-        0.0,
-        P::END,
-        P::END,
-        start,
-        tolerance,
-        tolerance * 1e-3,
-    );
-    stepper.set_output(OutputType::Sparse);
-    stepper.integrate().ok()?;
-    Some((*stepper.y_out().last()?).into())
+/// A run of one of the methods of `ode_solvers`.
+macro_rules! by_stepper {
+    ($name:ident, $method:ident) => {
+        fn $name<P: Problem<N>, const N: usize>(tolerance: f64) -> Option<[f64; N]> {
+            let system = Rates::<P, N>(std::marker::PhantomData);
+            let start = SVector::from(P::start());
+            let absolute = tolerance * 1e-3;
+            let mut stepper =
+                ode_solvers::$method::new(system, 0.0, P::END, P::END, start, tolerance, absolute);
+            stepper.set_output(OutputType::Sparse);
+            stepper.integrate().ok()?;
+            Some((*stepper.y_out().last()?).into())
+        }
+    };
 }
 
-fn dop853<P: Problem<N>, const N: usize>(tolerance: f64) -> Option<[f64; N]> {
-    let system = Rates::<P, N>(std::marker::PhantomData);
-    let start = SVector::from(P::start());
-    let mut stepper = ode_solvers::Dop853::new(
-        system,
-        0.0,
-        P::END,
-        P::END,
-        start,
-        tolerance,
-        tolerance * 1e-3,
-    );
-    stepper.set_output(OutputType::Sparse);
-    stepper.integrate().ok()?;
-    Some((*stepper.y_out().last()?).into())
-}
+by_stepper!(dopri5, Dopri5);
+by_stepper!(dop853, Dop853);
 
 fn radau5<P: Problem<N>, const N: usize>(tolerance: f64) -> Option<[f64; N]> {
     by_ivp!(

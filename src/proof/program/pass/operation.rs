@@ -120,14 +120,14 @@ impl Pass {
             (false, _) => v + w,
         };
         let error = sum_up(sum_up(self.error[a], self.error[b]), noise);
-        self.push_rounded(
-            self.rounded_ends(ends),
-            value,
-            (noise, self.unit()),
-            grain,
-            error,
-        );
+        self.push_result(ends, value, noise, grain, error);
         Ok(())
+    }
+
+    /// Adds a result that is rounded once.
+    fn push_result(&mut self, ends: Ends, value: Interval, noise: f64, grain: i32, error: f64) {
+        let rounding = (noise, self.unit());
+        self.push_rounded(self.rounded_ends(ends), value, rounding, grain, error);
     }
 
     /// The exponent of a power of two that an operand is everywhere.
@@ -168,13 +168,7 @@ impl Pass {
             product_up(w.magnitude(), self.error[a]),
         );
         let error = sum_up(error, noise);
-        self.push_rounded(
-            self.rounded_ends(ends),
-            value,
-            (noise, self.unit()),
-            grain,
-            error,
-        );
+        self.push_result(ends, value, noise, grain, error);
         Ok(())
     }
 
@@ -213,13 +207,7 @@ impl Pass {
         );
         let error = sum_up(error, noise);
         let grain = self.setting.lowest();
-        self.push_rounded(
-            self.rounded_ends(ends),
-            value,
-            (noise, self.unit()),
-            grain,
-            error,
-        );
+        self.push_result(ends, value, noise, grain, error);
         Ok(())
     }
 
@@ -243,13 +231,7 @@ impl Pass {
         let carried = quotient_up(e, 2.0 * value.lo).min(sqrt_up(e));
         let error = sum_up(carried, noise);
         let lowest = self.setting.lowest();
-        self.push_rounded(
-            self.rounded_ends(ends),
-            value,
-            (noise, self.unit()),
-            lowest,
-            error,
-        );
+        self.push_result(ends, value, noise, lowest, error);
         Ok(())
     }
 
@@ -277,13 +259,7 @@ impl Pass {
         );
         let error = sum_up(sum_up(error, self.error[c]), noise);
         let value = both + u;
-        self.push_rounded(
-            self.rounded_ends(ends),
-            value,
-            (noise, self.unit()),
-            grain,
-            error,
-        );
+        self.push_result(ends, value, noise, grain, error);
         Ok(())
     }
 }
