@@ -85,6 +85,25 @@ impl Factors {
         first_column: usize,
         blocks: impl Iterator<Item = Range<usize>>,
     ) -> bool {
+        self.begin(blocks);
+        let columns = first_column..first_column + self.n;
+        for r in 0..self.n {
+            self.lu.extend_from_slice(&a.row(r)[columns.clone()]);
+        }
+        self.eliminated()
+    }
+
+    /// [`Factors::of`] of these columns, as many as rows.
+    pub(super) fn of_columns(&mut self, a: &Matrix, columns: &[usize]) -> bool {
+        self.begin(std::iter::once(0..columns.len()));
+        let lines = a.values.chunks_exact(a.columns).take(columns.len());
+        for row in lines {
+            self.lu.extend(columns.iter().map(|c| row[*c]));
+        }
+        self.eliminated()
+    }
+
+    fn begin(&mut self, blocks: impl Iterator<Item = Range<usize>>) {
         self.blocks.clear();
         self.blocks.extend(blocks.filter(|b| !b.is_empty()));
         let n = self.blocks.last().map_or(0, |b| b.end);
@@ -95,12 +114,12 @@ impl Factors {
         self.lu.reserve_exact(n * n);
         self.over.reserve_exact(n);
         self.over.clear();
-        for r in 0..n {
-            self.lu
-                .extend_from_slice(&a.row(r)[first_column..first_column + n]);
-        }
         self.rows.clear();
         self.rows.extend(0..n);
+    }
+
+    /// Factors the blocks; `false` if a pivot is zero or not finite.
+    fn eliminated(&mut self) -> bool {
         // Sizes of dyads and triads by loops that the compiler unrolls.
         (0..self.blocks.len()).all(|k| {
             let block = self.blocks[k].clone();
@@ -208,19 +227,20 @@ impl Factors {
     /// The part of the block of N rows that starts at `from`.
     #[inline(always)]
     fn solve_block<const N: usize>(&self, from: usize, b: impl Fn(usize) -> f64, x: &mut [f64]) {
-        let lines = self.lu[from * self.n..].chunks_exact(self.n);
+        let n = self.n;
         let (before, own) = x.split_at_mut(from);
         let mut y = [0.0; N];
         let mut upper = [[0.0; N]; N];
-        for (r, (line, &row)) in lines.zip(&self.rows[from..]).take(N).enumerate() {
+        for r in 0..N {
+            let line = &self.lu[(from + r) * n..][..from + N];
             let (known, line) = line.split_at(from);
             let known = known.iter().zip(&*before);
-            let mut sum = known.fold(b(row), |sum, (a, x)| sum - a * x);
+            let mut sum = known.fold(b(self.rows[from + r]), |sum, (a, x)| sum - a * x);
             for c in 0..r {
                 sum -= line[c] * y[c];
             }
             y[r] = sum;
-            upper[r].copy_from_slice(&line[..N]);
+            upper[r].copy_from_slice(line);
         }
         for r in (0..N).rev() {
             for c in r + 1..N {

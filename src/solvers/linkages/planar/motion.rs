@@ -1,6 +1,7 @@
 //! First and second derivatives of the bodies' poses with respect to the drive.
 
 use super::chain::{Chain, Closure, Entry, Rail, Spot, Travel};
+use super::model::GROUND;
 use super::plane::{cross, dot, quarter};
 use super::pose::Pose;
 use num_complex::Complex64;
@@ -39,8 +40,23 @@ fn stretched(z: Complex64, along: Complex64, turn: [f64; 2], s: [f64; 2]) -> [Co
 }
 
 impl Motion {
+    /// Becomes that of other derivatives.
+    pub(super) fn copy(&mut self, other: &Motion) {
+        self.bodies.clone_from(&other.bodies);
+    }
+
     /// `rates` holds first and second derivatives of the unknowns.
     pub(super) fn set(&mut self, chain: &Chain, pose: &Pose, rates: [&[f64]; 2]) {
+        self.fill::<true>(chain, pose, rates);
+    }
+
+    /// First derivatives alone: the second ones become NaN.
+    pub(super) fn set_first(&mut self, chain: &Chain, pose: &Pose, rates: &[f64]) {
+        self.fill::<false>(chain, pose, [rates; 2]);
+    }
+
+    #[inline(always)]
+    fn fill<const SECOND: bool>(&mut self, chain: &Chain, pose: &Pose, rates: [&[f64]; 2]) {
         // The ground's, which is not in the order, remain zero.
         self.bodies.resize(chain.body_count(), BodyRates::default());
         let travel = |t: Travel| match t {
@@ -57,7 +73,7 @@ impl Motion {
             let origin = match chain.entries[b] {
                 Entry::Ground => continue,
                 Entry::Pin { on, own } => {
-                    let [_, v, a] = self.spot(pose, on);
+                    let [v, a] = self.moved(pose, on);
                     let [dv, da] = turned(e * own, turn);
                     [v - dv, a - da]
                 }
@@ -76,13 +92,18 @@ impl Motion {
                     along,
                     travel: t,
                 } => {
-                    let [_, v, a] = self.spot(pose, on);
+                    let [v, a] = self.moved(pose, on);
                     let arm = e * (at + along * pose.travel(t));
                     let [dv, da] = stretched(arm, e * along, turn, travel(t));
                     [v - dv, a - da]
                 }
             };
-            self.bodies[b] = BodyRates { turn, origin };
+            let mut body = BodyRates { turn, origin };
+            if !SECOND {
+                let none = f64::NAN;
+                (body.turn[1], body.origin[1]) = (none, Complex64::new(none, none));
+            }
+            self.bodies[b] = body;
         }
     }
 
@@ -96,10 +117,19 @@ impl Motion {
     /// A point fixed on a body.
     #[inline]
     pub(super) fn spot(&self, pose: &Pose, spot: Spot) -> Jet {
+        let [v, a] = self.moved(pose, spot);
+        [pose.at(spot), v, a]
+    }
+
+    /// The derivatives of [`Motion::spot`].
+    #[inline(always)]
+    pub(super) fn moved(&self, pose: &Pose, spot: Spot) -> [Complex64; 2] {
+        if spot.body == GROUND {
+            return [Complex64::ZERO; 2];
+        }
         let BodyRates { turn, origin } = self.bodies[spot.body];
-        let arm = pose.e[spot.body] * spot.at;
-        let [v, a] = turned(arm, turn);
-        [pose.p[spot.body] + arm, origin[0] + v, origin[1] + a]
+        let [v, a] = turned(pose.e[spot.body] * spot.at, turn);
+        [origin[0] + v, origin[1] + a]
     }
 
     /// A rail's direction and the vector from its origin to a point, with derivatives.

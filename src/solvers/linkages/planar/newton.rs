@@ -156,7 +156,7 @@ impl Chain {
             near.0.solve(|r| -work.residual[r], &mut work.step);
             work.size = self.moved(pose, all.clone(), &work.step);
             if done_by_share(near.1, work.size) {
-                pose.turn_little(self, &work.step);
+                pose.turn_by(self, &work.step);
                 return true;
             }
             pose.place(self, &self.order);
@@ -169,7 +169,7 @@ impl Chain {
         work.factors.solve(|r| -work.residual[r], &mut work.step);
         work.size = self.moved(pose, all, &work.step);
         if done_by_curvature(curvature, work.size) {
-            pose.turn_little(self, &work.step);
+            pose.turn_by(self, &work.step);
             return true;
         }
         pose.place(self, &self.order);
@@ -186,7 +186,7 @@ impl Pose {
         factors.solve(|r| -residual[r], step);
         if step.iter().all(|d| d.abs() <= LITTLE) {
             self.u.iter_mut().zip(&*step).for_each(|(u, d)| *u += d);
-            self.turn_little(chain, step);
+            self.turn_by(chain, step);
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::chain::{Chain, Closure, Entry, Rail, Spot, Travel};
 use super::dense::Matrix;
+use super::model::GROUND;
 use super::plane::{cross, dot, quarter};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -9,6 +10,21 @@ use std::ops::Range;
 
 /// Angles below this have squares that rounding hides.
 pub(super) const LITTLE: f64 = 1e-8;
+
+/// Steps up to this turn directions by a series.
+const SMALL: f64 = 0.015_625;
+
+/// `e^{id} − 1` for `|d| ≤` [`SMALL`], by the series to d⁷: the next term is below 1e-19.
+#[inline(always)]
+fn turn_less_one(d: f64) -> Complex64 {
+    if d.abs() <= LITTLE {
+        return Complex64::new(0.0, d);
+    }
+    let q = d * d;
+    let cosine = -q * (0.5 - q * (1.0 / 24.0 - q / 720.0));
+    let sine = d * (1.0 - q * (1.0 / 6.0 - q * (1.0 / 120.0 - q / 5040.0)));
+    Complex64::new(cosine, sine)
+}
 
 /// Directions and origins of all bodies for given unknowns.
 #[derive(Clone, Debug, Default)]
@@ -35,12 +51,17 @@ impl Pose {
         pose
     }
 
+    /// Becomes that of another one of the same chain.
+    pub(super) fn copy(&mut self, other: &Pose) {
+        self.drive = other.drive;
+        self.u.copy_from_slice(&other.u);
+        self.e.copy_from_slice(&other.e);
+        self.p.copy_from_slice(&other.p);
+    }
+
     /// Places these bodies, in the chain's order, on those that they hang on.
     pub(super) fn place(&mut self, chain: &Chain, bodies: &[usize]) {
-        self.hang(chain, bodies, |pose, b| {
-            let (s, c) = pose.angle(chain, b).sin_cos();
-            Complex64::new(c, s)
-        });
+        self.hang(chain, bodies, |pose, b| pose.direction(chain, b));
     }
 
     /// Places these bodies with directions of `turned`.
@@ -71,19 +92,27 @@ impl Pose {
         }
     }
 
-    /// [`Pose::place`] after the unknowns have moved by a step: where it is small, directions turn
-    /// by it, the square being below rounding.
-    pub(super) fn turn_little(&mut self, chain: &Chain, step: &[f64]) {
-        if step.iter().any(|d| !(d.abs() <= LITTLE)) {
-            return self.place(chain, &chain.order);
-        }
-        self.hang(chain, &chain.order, |pose, b| {
-            let e = pose.e[b];
-            match chain.turns[b].unknown {
-                Some(k) => e + quarter(e) * step[k],
-                None => e,
+    /// [`Pose::place`] after the unknowns have moved by a step: directions turn by it where it is
+    /// small, to a rounding error.
+    pub(super) fn turn_by(&mut self, chain: &Chain, step: &[f64]) {
+        self.turn_some_by(chain, &chain.order, step);
+    }
+
+    /// [`Pose::turn_by`] of these bodies in the chain's order, where the others do not move.
+    pub(super) fn turn_some_by(&mut self, chain: &Chain, bodies: &[usize], step: &[f64]) {
+        self.hang(chain, bodies, |pose, b| match chain.turns[b].unknown {
+            Some(k) if step[k].abs() <= SMALL => {
+                let e = pose.e[b];
+                e + e * turn_less_one(step[k])
             }
+            Some(_) => pose.direction(chain, b),
+            None => pose.e[b],
         });
+    }
+
+    fn direction(&self, chain: &Chain, body: usize) -> Complex64 {
+        let (s, c) = self.angle(chain, body).sin_cos();
+        Complex64::new(c, s)
     }
 
     /// The body's angle, not reduced by whole turns.
@@ -105,6 +134,9 @@ impl Pose {
     }
 
     pub(super) fn at(&self, spot: Spot) -> Complex64 {
+        if spot.body == GROUND {
+            return spot.at;
+        }
         self.p[spot.body] + self.e[spot.body] * spot.at
     }
 

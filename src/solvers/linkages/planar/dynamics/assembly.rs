@@ -194,8 +194,10 @@ impl Dynamics {
             0 => 1,
             _ => (STARTS * closures as u32).min(MOST_STARTS),
         };
+        // The root of x^(n+1) = x + 1.
+        let root = (0..50).fold(2.0f64, |x, _| (1.0 + x).powf(1.0 / (n + 1) as f64));
         for k in 0..starts {
-            let u = (0..n).map(|c| self.spread(&wanted, c, k)).collect();
+            let u = (0..n).map(|c| self.spread(&wanted, root, c, k)).collect();
             let Some(pose) = equations.solve(u) else {
                 continue;
             };
@@ -242,13 +244,10 @@ impl Dynamics {
 
     /// The unknown c of the start k: the wanted value or zero first, then values of a sequence of
     /// low discrepancy (powers of the generalised golden ratio).
-    fn spread(&self, wanted: &[Option<f64>], c: usize, k: u32) -> f64 {
+    fn spread(&self, wanted: &[Option<f64>], root: f64, c: usize, k: u32) -> f64 {
         if k == 0 {
             return wanted[c].unwrap_or(0.0);
         }
-        // The root of x^(n+1) = x + 1.
-        let n = self.chain.unknowns as i32;
-        let root = (0..50).fold(2.0f64, |x, _| (1.0 + x).powf(1.0 / f64::from(n + 1)));
         let part = (0.5 + f64::from(k) * root.powi(-(c as i32 + 1))).fract() - 0.5;
         match self.chain.lengths[c] {
             true => 8.0 * part,

@@ -1,12 +1,13 @@
 //! Closed loops, velocities, and accelerations at one moment.
 
-use super::super::chain::{Closure, rail, spot};
+use super::super::chain::{Chain, Closure, Entry, Travel, rail, spot};
 use super::super::dense::{Factors, Matrix};
 use super::super::motion::Motion;
 use super::super::plane::dot;
 use super::super::pose::Pose;
 use super::forces::{Pushed, Sink, drive, load};
 use super::{Dynamics, DynamicsError};
+use num_complex::Complex64;
 
 /// The mechanism at a moment, as laws see it.
 pub struct Instant<'a> {
@@ -38,8 +39,11 @@ impl Instant<'_> {
     }
 }
 
-/// Closures are solved to corrections below this; the next would be its square.
-const SETTLED: f64 = 1e-9;
+/// Closures are solved to a correction whose product with the way since the Jacobian is below this:
+/// the next would be about that product.
+const SETTLED: f64 = 1e-17;
+/// A Jacobian is good for more corrections after a way that is shorter.
+const NEAR: f64 = 5e-3;
 /// The most corrections.
 const ROUNDS: usize = 8;
 /// Unknowns that move by more than this from where they were expected may be on another branch.
@@ -53,15 +57,19 @@ pub(super) struct Flow {
     pub pose: Pose,
     /// Unknowns that the closures determine, and the others: z.
     pub dependent: Vec<usize>,
+    /// Bodies that the former move.
+    placed: Vec<usize>,
     pub independent: Vec<usize>,
     jacobian: Matrix,
-    square: Matrix,
     factors: Factors,
     residual: Vec<f64>,
     step: Vec<f64>,
+    /// The same among all unknowns.
+    moved: Vec<f64>,
+    /// Zero if the factors are those of the pose, infinite if they may be those of any other.
+    astray: f64,
     /// `∂u/∂z_i` for each i.
     pub basis: Vec<Vec<f64>>,
-    zero: Vec<f64>,
     /// Partial velocities for each i.
     partial: Vec<Motion>,
     /// `u̇` and the part β of ü.
@@ -69,6 +77,8 @@ pub(super) struct Flow {
     bias: Vec<f64>,
     /// Velocities and the accelerations for z̈ = 0.
     pub flow: Motion,
+    /// Partial velocities of a centre of mass, and partial turns of its body.
+    reach: Vec<(Complex64, f64)>,
     mass: Vec<f64>,
     force: Vec<f64>,
 }
@@ -83,18 +93,20 @@ impl Flow {
         let mut flow = Flow {
             pose: Pose::new(chain, 0.0, u.to_vec()),
             dependent: Vec::new(),
+            placed: Vec::new(),
             independent: Vec::new(),
             jacobian: Matrix::new(rows, n + 1),
-            square: Matrix::new(rows, rows),
             factors: Factors::default(),
             residual: Vec::new(),
             step: vec![0.0; rows],
+            moved: vec![0.0; n],
+            astray: f64::INFINITY,
             basis: vec![vec![0.0; n]; freedoms],
-            zero: vec![0.0; n],
             partial: vec![Motion::default(); freedoms],
             rates: vec![0.0; n],
             bias: vec![0.0; n],
             flow: Motion::default(),
+            reach: vec![(Complex64::ZERO, 0.0); freedoms],
             mass: vec![0.0; freedoms * freedoms],
             force: vec![0.0; freedoms],
         };
@@ -139,39 +151,55 @@ impl Flow {
             }
         }
         self.independent = (0..n).filter(|c| !self.dependent.contains(c)).collect();
-        self.factored() && self.spread()
-    }
-
-    /// Factors the dependent columns of the Jacobian at hand.
-    fn factored(&mut self) -> bool {
-        let rows = self.step.len();
-        for r in 0..rows {
-            for (k, c) in self.dependent.iter().enumerate() {
-                self.square[(r, k)] = self.jacobian[(r, *c)];
+        for (basis, &c) in self.basis.iter_mut().zip(&self.independent) {
+            basis.fill(0.0);
+            basis[c] = 1.0;
+        }
+        self.placed.clear();
+        for &b in &chain.order {
+            let moves = |k: usize| self.dependent.contains(&k);
+            if chain.turns[b].unknown.is_some_and(moves) || self.hangs(chain.entries[b]) {
+                self.placed.push(b);
             }
         }
-        rows == 0 || self.factors.of(&self.square, rows, 0)
+        self.factored(chain) && self.spread()
+    }
+
+    /// Returns true if a body that hangs in this way moves with dependent unknowns, by its travel or
+    /// by what it hangs on.
+    fn hangs(&self, entry: Entry) -> bool {
+        let (on, travel) = match entry {
+            Entry::Ground => return false,
+            Entry::Pin { on, .. } => (on.body, None),
+            Entry::OnRail { rail, travel, .. } => (rail.body, Some(travel)),
+            Entry::WithRail { on, travel, .. } => (on.body, Some(travel)),
+        };
+        let own = match travel {
+            Some(Travel::Unknown(k)) => self.dependent.contains(&k),
+            _ => false,
+        };
+        own || self.placed.contains(&on)
+    }
+
+    /// The Jacobian with its dependent columns factored.
+    fn factored(&mut self, chain: &Chain) -> bool {
+        self.pose
+            .jacobian(chain, 0..chain.closures.len(), &mut self.jacobian);
+        self.factors.of_columns(&self.jacobian, &self.dependent)
     }
 
     /// The basis: `J_D N_D = −J_I`.
     fn spread(&mut self) -> bool {
-        for (i, &c) in self.independent.iter().enumerate() {
-            let basis = &mut self.basis[i];
-            basis.fill(0.0);
-            basis[c] = 1.0;
-            if self.dependent.is_empty() {
-                continue;
-            }
+        let mut sum = 0.0;
+        for (basis, &c) in self.basis.iter_mut().zip(&self.independent) {
             let jacobian = &self.jacobian;
             self.factors.solve(|r| -jacobian[(r, c)], &mut self.step);
-            for (k, &c) in self.dependent.iter().enumerate() {
-                basis[c] = self.step[k];
-            }
-            if !self.step.iter().all(|x| x.is_finite()) {
-                return false;
+            for (x, &d) in self.step.iter().zip(&self.dependent) {
+                basis[d] = *x;
+                sum += x;
             }
         }
-        true
+        f64::is_finite(sum)
     }
 
     /// The largest entry of the basis: how much faster a dependent unknown moves than z.
@@ -180,96 +208,85 @@ impl Flow {
         all.fold(0.0, |m: f64, x| m.max(x.abs()))
     }
 
-    /// The independent coordinates.
-    pub(super) fn z(&self, out: &mut [f64]) {
-        for (out, &c) in out.iter_mut().zip(&self.independent) {
-            *out = self.pose.u[c];
-        }
+    /// The state (u, ż).
+    pub(super) fn state(&self, out: &mut [f64]) {
+        let rates = self.independent.iter().map(|c| self.rates[*c]);
+        let all = self.pose.u.iter().copied().chain(rates);
+        out.iter_mut().zip(all).for_each(|(out, x)| *out = x);
     }
 
-    /// Moves to other independent coordinates and closes the loops; `false` if that fails.
-    fn close(&mut self, dynamics: &Dynamics, z: &[f64]) -> bool {
+    /// Closes the loops next to these unknowns, of which the independent ones are kept; `false` if
+    /// that fails.
+    fn close(&mut self, dynamics: &Dynamics, u: &[f64]) -> bool {
         let chain = &dynamics.chain;
-        for (i, &c) in self.independent.iter().enumerate() {
-            let moved = z[i] - self.pose.u[c];
-            self.pose.u[c] = z[i];
-            for &d in &self.dependent {
-                self.pose.u[d] += self.basis[i][d] * moved;
-            }
-        }
+        // How far it is from where the Jacobian is that at hand.
+        let ways = u.iter().zip(&self.pose.u).map(|(a, b)| (a - b).abs());
+        let mut since = ways.fold(self.astray, |m, way| if way <= m { m } else { way });
+        self.astray = f64::INFINITY;
+        self.pose.u.copy_from_slice(u);
         self.pose.place(chain, &chain.order);
         if self.dependent.is_empty() {
-            return z.iter().all(|z| z.is_finite());
+            return u.iter().all(|u| u.is_finite());
         }
-        let closures = 0..chain.closures.len();
+        self.moved.fill(0.0);
         let mut all = 0.0;
         for _ in 0..ROUNDS {
+            if !(since <= NEAR) {
+                if !self.factored(chain) {
+                    return false;
+                }
+                since = 0.0;
+            }
             self.pose
                 .residual(chain, &chain.closures, &mut self.residual);
-            self.pose
-                .jacobian(chain, closures.clone(), &mut self.jacobian);
-            if !self.factored() {
-                return false;
-            }
             let residual = &self.residual;
             self.factors.solve(|r| -residual[r], &mut self.step);
-            let mut size = 0.0f64;
-            for (k, &d) in self.dependent.iter().enumerate() {
-                let step = self.step[k];
-                // A step that is no number has no size.
-                size = if step.is_nan() {
-                    f64::NAN
-                } else {
-                    size.max(step.abs())
-                };
+            let mut size = 0.0;
+            for (step, &d) in self.step.iter().zip(&self.dependent) {
+                // A step that is no number makes the sum none.
+                size += step.abs();
+                self.moved[d] = *step;
                 self.pose.u[d] += step;
             }
             all += size;
+            since += size;
             if !(all <= FARTHEST) {
                 return false;
             }
-            self.pose.place(chain, &chain.order);
-            if size <= SETTLED {
-                self.pose.jacobian(chain, closures, &mut self.jacobian);
-                return self.factored() && self.spread();
+            self.pose.turn_some_by(chain, &self.placed, &self.moved);
+            if since * size <= SETTLED {
+                let known = self.factored(chain) && self.spread();
+                self.astray = if known { 0.0 } else { f64::INFINITY };
+                return known;
             }
         }
         false
     }
 
-    /// Positions and velocities at (z, ż); after a failure those of `from` are the start.
-    pub(super) fn set(
-        &mut self,
-        dynamics: &Dynamics,
-        z: &[f64],
-        speeds: &[f64],
-        from: Option<&[f64]>,
-    ) -> bool {
-        if !self.close(dynamics, z) {
-            let Some(from) = from else { return false };
-            self.pose.u.copy_from_slice(from);
-            let chain = &dynamics.chain;
-            self.pose.place(chain, &chain.order);
-            self.pose
-                .jacobian(chain, 0..chain.closures.len(), &mut self.jacobian);
-            if !(self.factored() && self.spread() && self.close(dynamics, z)) {
-                self.pose.u.copy_from_slice(from);
-                return false;
-            }
+    /// Positions next to these unknowns, and rates for ż; `false` if the loops do not close.
+    pub(super) fn set(&mut self, dynamics: &Dynamics, u: &[f64], speeds: &[f64]) -> bool {
+        if !self.close(dynamics, u) {
+            return false;
         }
-        self.set_rates(dynamics, speeds);
-        true
-    }
-
-    /// Velocities, and accelerations for z̈ = 0, from ż.
-    fn set_rates(&mut self, dynamics: &Dynamics, speeds: &[f64]) {
-        let chain = &dynamics.chain;
         self.rates.fill(0.0);
         for (basis, speed) in self.basis.iter().zip(speeds) {
             let pairs = self.rates.iter_mut().zip(basis);
             pairs.for_each(|(r, b)| *r += b * speed);
         }
-        self.flow.set(chain, &self.pose, [&self.rates, &self.zero]);
+        true
+    }
+
+    /// Velocities alone.
+    pub(super) fn set_velocities(&mut self, dynamics: &Dynamics) {
+        self.flow
+            .set_first(&dynamics.chain, &self.pose, &self.rates);
+    }
+
+    /// Velocities, and accelerations for z̈ = 0.
+    pub(super) fn set_bias(&mut self, dynamics: &Dynamics) {
+        let chain = &dynamics.chain;
+        self.bias.fill(0.0);
+        self.flow.set(chain, &self.pose, [&self.rates, &self.bias]);
         if self.dependent.is_empty() {
             return;
         }
@@ -277,7 +294,6 @@ impl Flow {
             .second(&self.pose, &chain.closures, &mut self.residual);
         let residual = &self.residual;
         self.factors.solve(|r| -residual[r], &mut self.step);
-        self.bias.fill(0.0);
         for (k, &d) in self.dependent.iter().enumerate() {
             self.bias[d] = self.step[k];
         }
@@ -288,10 +304,15 @@ impl Flow {
     pub(super) fn closing(&self, work: &[f64]) -> Vec<f64> {
         let mut sizes = vec![0.0; self.dependent.len()];
         let known: Vec<f64> = self.dependent.iter().map(|c| -work[*c]).collect();
-        if !sizes.is_empty() {
-            self.factors
-                .solve_transposed_closely(&self.square, &known, &mut sizes);
+        let rows = sizes.len();
+        let mut square = Matrix::new(rows, rows);
+        for r in 0..rows {
+            for (k, c) in self.dependent.iter().enumerate() {
+                square[(r, k)] = self.jacobian[(r, *c)];
+            }
         }
+        self.factors
+            .solve_transposed_closely(&square, &known, &mut sizes);
         sizes
     }
 
@@ -304,24 +325,24 @@ impl Flow {
     ) -> Result<(), DynamicsError> {
         let chain = &dynamics.chain;
         for (partial, basis) in self.partial.iter_mut().zip(&self.basis) {
-            partial.set(chain, &self.pose, [basis, &self.zero]);
+            partial.set_first(chain, &self.pose, basis);
         }
         self.mass.fill(0.0);
         self.force.fill(0.0);
         let d = self.basis.len();
         let metres = chain.metres;
         for body in &dynamics.rigid {
-            let [_, _, a] = self.flow.spot(&self.pose, body.centre);
+            let [_, a] = self.flow.moved(&self.pose, body.centre);
             let alpha = self.flow.bodies[body.centre.body].turn[1];
             let active = (dynamics.gravity - a * metres) * body.kg;
-            for i in 0..d {
-                let v = self.partial[i].spot(&self.pose, body.centre)[1] * metres;
-                let w = self.partial[i].bodies[body.centre.body].turn[0];
-                self.force[i] += dot(active, v) - body.inertia * alpha * w;
-                for j in 0..=i {
-                    let vj = self.partial[j].spot(&self.pose, body.centre)[1] * metres;
-                    let wj = self.partial[j].bodies[body.centre.body].turn[0];
-                    self.mass[i * d + j] += body.kg * dot(v, vj) + body.inertia * w * wj;
+            for (reach, partial) in self.reach.iter_mut().zip(&self.partial) {
+                let v = partial.moved(&self.pose, body.centre)[0] * metres;
+                *reach = (v, partial.bodies[body.centre.body].turn[0]);
+            }
+            for (i, (v, w)) in self.reach.iter().enumerate() {
+                self.force[i] += dot(active, *v) - body.inertia * alpha * w;
+                for (j, (vj, wj)) in self.reach[..=i].iter().enumerate() {
+                    self.mass[i * d + j] += body.kg * dot(*v, *vj) + body.inertia * w * wj;
                 }
             }
         }
@@ -349,15 +370,14 @@ impl Flow {
         }
     }
 
-    /// Velocities with the accelerations for z̈.
-    pub(super) fn accelerated(&self, dynamics: &Dynamics, accelerations: &[f64]) -> Motion {
-        let mut second = self.bias.clone();
-        for (basis, a) in self.basis.iter().zip(accelerations) {
-            second.iter_mut().zip(basis).for_each(|(s, b)| *s += b * a);
+    /// Sets a motion to the velocities with the accelerations for z̈.
+    pub(super) fn accelerated(&mut self, dynamics: &Dynamics, second: &[f64], out: &mut Motion) {
+        let all = &mut self.moved;
+        all.copy_from_slice(&self.bias);
+        for (basis, a) in self.basis.iter().zip(second) {
+            all.iter_mut().zip(basis).for_each(|(s, b)| *s += b * a);
         }
-        let mut motion = Motion::default();
-        motion.set(&dynamics.chain, &self.pose, [&self.rates, &second]);
-        motion
+        out.set(&dynamics.chain, &self.pose, [&self.rates, all]);
     }
 }
 

@@ -47,7 +47,7 @@ pub(super) struct Pushed<'a> {
 impl Sink for Pushed<'_> {
     fn push(&mut self, at: Spot, force: Complex64) {
         for (sum, partial) in self.force.iter_mut().zip(self.partial) {
-            *sum += dot(force, partial.spot(self.pose, at)[1]) * self.metres;
+            *sum += dot(force, partial.moved(self.pose, at)[0]) * self.metres;
         }
     }
 

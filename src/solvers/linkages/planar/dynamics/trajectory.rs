@@ -17,14 +17,18 @@ pub struct Settings {
     pub tolerance: f64,
     /// The most steps.
     pub steps: usize,
+    /// True for accelerations at the times that are visited, which are NaN else. They take as long
+    /// as the rest.
+    pub accelerations: bool,
 }
 
 impl Default for Settings {
-    /// A tolerance of 1e-12 and a million steps.
+    /// A tolerance of 1e-12, a million steps, and accelerations.
     fn default() -> Settings {
         Settings {
             tolerance: 1e-12,
             steps: 1_000_000,
+            accelerations: true,
         }
     }
 }
@@ -35,73 +39,81 @@ pub struct Moment {
     /// Time in seconds.
     pub time: f64,
     pub(super) pose: Pose,
-    /// Velocities and accelerations.
+    /// Velocities, and accelerations if they are asked for.
     pub(super) motion: Motion,
 }
 
 /// The basis may grow to this before other coordinates are independent: after complete pivoting it
 /// is about one.
 const AMPLIFIED: f64 = 3.0;
-/// A motion under way: the state is (z, ż).
+
+/// A motion under way: the state is (u, ż). Of the unknowns u the independent ones z count; the
+/// others say next to which position the loops are closed, and that is how the branch is kept.
 struct Run<'a> {
     dynamics: &'a Dynamics,
     flow: Flow,
-    /// Unknowns at the end of the last step.
-    anchor: Vec<f64>,
-    freedoms: usize,
+    /// The number of unknowns.
+    unknowns: usize,
+    /// True if they are computed at the times that are visited.
+    accelerations: bool,
+    /// Memory for z̈.
+    work: Vec<f64>,
 }
 
 impl Run<'_> {
-    /// `d(z, ż)/dt`.
+    /// `d(u, ż)/dt`.
     fn rate(&mut self, t: f64, y: &[f64], out: &mut [f64]) -> Result<(), DynamicsError> {
-        let (z, speeds) = y.split_at(self.freedoms);
-        if !self.flow.set(self.dynamics, z, speeds, Some(&self.anchor)) {
-            return Err(DynamicsError::Singular { t });
-        }
-        let (first, second) = out.split_at_mut(self.freedoms);
-        first.copy_from_slice(speeds);
+        self.place(t, y)?;
+        self.flow.set_bias(self.dynamics);
+        let (first, second) = out.split_at_mut(self.unknowns);
+        first.copy_from_slice(&self.flow.rates);
         self.flow.accelerations(self.dynamics, t, second)
     }
 
-    /// Positions and velocities at a state.
-    fn set(&mut self, t: f64, y: &[f64]) -> Result<(), DynamicsError> {
-        let (z, speeds) = y.split_at(self.freedoms);
-        match self.flow.set(self.dynamics, z, speeds, Some(&self.anchor)) {
+    /// Positions and rates at a state.
+    fn place(&mut self, t: f64, y: &[f64]) -> Result<(), DynamicsError> {
+        let (u, speeds) = y.split_at(self.unknowns);
+        match self.flow.set(self.dynamics, u, speeds) {
             true => Ok(()),
             false => Err(DynamicsError::Singular { t }),
         }
     }
 
-    fn moment(&mut self, t: f64, y: &[f64], work: &mut [f64]) -> Result<Moment, DynamicsError> {
-        self.set(t, y)?;
-        self.flow.accelerations(self.dynamics, t, work)?;
-        Ok(Moment {
-            time: t,
-            motion: self.flow.accelerated(self.dynamics, work),
-            pose: self.flow.pose.clone(),
-        })
+    /// Sets a moment to a state.
+    fn moment(&mut self, t: f64, y: &[f64], moment: &mut Moment) -> Result<(), DynamicsError> {
+        self.place(t, y)?;
+        if self.accelerations {
+            self.flow.set_bias(self.dynamics);
+            self.flow.accelerations(self.dynamics, t, &mut self.work)?;
+            self.flow
+                .accelerated(self.dynamics, &self.work, &mut moment.motion);
+        } else {
+            self.flow.set_velocities(self.dynamics);
+            moment.motion.copy(&self.flow.flow);
+        }
+        moment.pose.copy(&self.flow.pose);
+        moment.time = t;
+        Ok(())
     }
 
-    /// After a step: notes where it ended, and chooses other independent coordinates where these
-    /// determine the others badly; then `y` is the state in the new ones.
+    /// After a step: chooses other independent coordinates where these determine the others badly;
+    /// then `y` is the state in the new ones.
     fn settle(&mut self, t: f64, y: &mut [f64]) -> Result<bool, DynamicsError> {
-        self.set(t, y)?;
-        self.anchor.copy_from_slice(&self.flow.pose.u);
+        // The basis at hand is that of some place in the step.
         if self.flow.amplification() <= AMPLIFIED {
             return Ok(false);
         }
+        self.place(t, y)?;
         if !self.flow.choose(self.dynamics) {
             return Err(DynamicsError::Singular { t });
         }
-        self.flow.z(&mut y[..self.freedoms]);
-        for (k, c) in self.flow.independent.iter().enumerate() {
-            y[self.freedoms + k] = self.flow.rates[*c];
-        }
+        self.flow.state(y);
         Ok(true)
     }
 
     fn law(&mut self, law: &Law, t: f64, y: &[f64]) -> Result<f64, DynamicsError> {
-        self.set(t, y)?;
+        self.place(t, y)?;
+        self.flow.set_velocities(self.dynamics);
         Ok(law(&Instant {
             dynamics: self.dynamics,
             pose: &self.flow.pose,
@@ -145,19 +157,21 @@ impl Dynamics {
     ) -> Result<Option<f64>, DynamicsError> {
         let singular = DynamicsError::Singular { t: 0.0 };
         let flow = Flow::new(self, &start.u).ok_or(singular)?;
-        let freedoms = flow.independent.len();
+        let (unknowns, freedoms) = (start.u.len(), flow.independent.len());
+        let mut y = start.u.clone();
+        y.extend(flow.independent.iter().map(|c| start.rates[*c]));
+        let mut moment = Moment {
+            time: 0.0,
+            pose: flow.pose.clone(),
+            motion: Motion::default(),
+        };
         let mut run = Run {
             dynamics: self,
-            anchor: start.u.clone(),
             flow,
-            freedoms,
+            unknowns,
+            accelerations: settings.accelerations,
+            work: vec![0.0; freedoms],
         };
-        let mut y = vec![0.0; 2 * freedoms];
-        run.flow.z(&mut y[..freedoms]);
-        for (k, c) in run.flow.independent.iter().enumerate() {
-            y[freedoms + k] = start.rates[*c];
-        }
-        let mut work = vec![0.0; freedoms];
         let mut solution = Dop853::new(0.0, &y, settings.tolerance);
         let mut side = match until {
             Some(law) => run.law(law, 0.0, &y)?,
@@ -169,7 +183,8 @@ impl Dynamics {
         let mut times = times.iter().copied().peekable();
         let mut at = y.clone();
         while let Some(t) = times.next_if(|t| *t <= 0.0) {
-            if !visit(&run.moment(t, &y, &mut work)?) {
+            run.moment(t, &y, &mut moment)?;
+            if !visit(&moment) {
                 return Ok(None);
             }
         }
@@ -194,7 +209,8 @@ impl Dynamics {
                     &mut |t, y: &[f64], out: &mut [f64]| run.rate(t, y, out),
                     &mut at,
                 )?;
-                if !visit(&run.moment(t, &at, &mut work)?) {
+                run.moment(t, &at, &mut moment)?;
+                if !visit(&moment) {
                     return Ok(None);
                 }
             }
@@ -204,7 +220,8 @@ impl Dynamics {
                     &mut |t, y: &[f64], out: &mut [f64]| run.rate(t, y, out),
                     &mut at,
                 )?;
-                visit(&run.moment(t, &at, &mut work)?);
+                run.moment(t, &at, &mut moment)?;
+                visit(&moment);
                 return Ok(Some(t));
             }
             y.copy_from_slice(solution.y());
