@@ -5,9 +5,10 @@
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
+use mechaudit::solvers::planar::dynamics::Settings;
 use mechaudit::solvers::planar::{Loads, State};
 use mechaudit::solvers::units::Angle;
-use mechaudit_cli::machine::planar::{self, Machine};
+use mechaudit_cli::machine::planar::{self, Machine, Moving};
 use mechaudit_cli::machine::{Linkage, Source};
 use mechaudit_cli::papers::zinchenko::data::solver_start;
 use std::f64::consts::TAU;
@@ -29,6 +30,25 @@ fn machine(text: &str) -> (Machine, State) {
 const SAND_SCREEN: &str = include_str!("../examples/sand-screen-bodies.toml");
 const BUTTERFLY: &str = include_str!("../examples/double-butterfly.toml");
 const STEPHENSON: &str = include_str!("../examples/stephenson-3.toml");
+
+const DAMPED: &str = include_str!("../examples/motion/four-bar-damped.toml");
+
+/// A damped four-bar at 10⁴ times over 5 s, at a tolerance of 1e-12.
+#[divan::bench]
+fn motion(bencher: Bencher) {
+    let moving = Moving::read(&Source::toml(DAMPED)).expect("an example");
+    let times: Vec<f64> = (0..=10_000).map(|k| 5e-4 * f64::from(k)).collect();
+    let settings = Settings {
+        accelerations: false,
+        ..Settings::default()
+    };
+    bencher.counter(ItemsCount::new(times.len())).bench(|| {
+        let mut sum = 0.0;
+        let end = moving.run(&times, settings, |m| sum += moving.dynamics.angle(m, 1)[0]);
+        end.expect("a motion");
+        sum
+    });
+}
 
 /// Rows of the sand screen with I_n, dI_n and M_o over a turn: the special solver.
 #[divan::bench(args = [48, 1000, 100_000])]

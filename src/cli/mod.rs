@@ -112,7 +112,10 @@ fn grammar() -> clap::Command {
 /// Prints help or version, or a usage error as one line.
 fn usage(e: &clap::Error) -> ExitCode {
     if !e.use_stderr() {
-        let _ = e.print();
+        // The same once more, with all that help shows.
+        if let Err(e) = args::explained(grammar()).try_get_matches() {
+            let _ = e.print();
+        }
         return ExitCode::SUCCESS;
     }
     let line = in_one_line(&e.to_string());

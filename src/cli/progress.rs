@@ -2,6 +2,7 @@
 
 use crate::cli::process::interrupt;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::IsTerminal;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
@@ -91,6 +92,10 @@ impl Drop for Progress {
 
 /// Does work of which nobody knows how far it is, and shows how long it takes.
 pub fn waiting<T>(what: &'static str, work: impl FnOnce() -> T) -> T {
+    // Nobody would see the thread that moves it.
+    if !std::io::stderr().is_terminal() {
+        return work();
+    }
     let style = ProgressStyle::with_template("{msg} {spinner} {elapsed}");
     let bar = ProgressBar::hidden();
     bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()));

@@ -67,7 +67,7 @@ pub use splines::cubic_spline;
 
 pub use ball::{Ball, dot};
 pub use complex::ComplexBall;
-pub use decimal::{Decimal, DecimalError, nearest_f64};
+pub use decimal::{Decimal, DecimalError, nearest_f64, with_point};
 pub use hex_float::{HexFloat, HexFloatError};
 #[cfg(feature = "formulas")]
 pub use linear::matrix::{LinearError, Matrix};

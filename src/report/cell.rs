@@ -29,13 +29,20 @@ impl Cell {
 
     /// The value as written in CSV.
     pub fn text(&self) -> String {
+        let mut text = String::new();
+        self.append(&mut text);
+        text
+    }
+
+    /// Appends [`Cell::text`].
+    pub fn append(&self, text: &mut String) {
         match self {
-            Cell::Count(n) => n.to_string(),
-            Cell::Float(x) => shortest(*x),
-            Cell::Decimal(d) | Cell::Word(d) => d.clone(),
-            Cell::Name(n) => (*n).into(),
-            Cell::Undecided => "undecided".into(),
-            Cell::Empty => String::new(),
+            Cell::Count(n) => text.push_str(&n.to_string()),
+            Cell::Float(x) => shortest(*x, text),
+            Cell::Decimal(d) | Cell::Word(d) => text.push_str(d),
+            Cell::Name(n) => text.push_str(n),
+            Cell::Undecided => text.push_str("undecided"),
+            Cell::Empty => {}
         }
     }
 
@@ -51,13 +58,14 @@ impl Cell {
     }
 }
 
-/// The shortest decimal that reads back as the same number.
-fn shortest(x: f64) -> String {
-    let size = x.abs();
-    if size != 0.0 && !(1e-5..1e16).contains(&size) {
-        format!("{x:e}")
+/// Appends the shortest decimal that reads back as the same number.
+fn shortest(x: f64, text: &mut String) {
+    if x == 0.0 || (1e-5..1e16).contains(&x.abs()) {
+        let mut buffer = zmij::Buffer::new();
+        let decimal = buffer.format_finite(x);
+        text.push_str(decimal.strip_suffix(".0").unwrap_or(decimal));
     } else {
-        format!("{x}")
+        text.push_str(&format!("{x:e}"));
     }
 }
 
@@ -77,7 +85,7 @@ mod tests {
             1e16,
             0.00001,
         ] {
-            let text = shortest(x);
+            let text = Cell::Float(x).text();
             assert_eq!(
                 text.parse::<f64>().unwrap().to_bits(),
                 x.to_bits(),

@@ -3,6 +3,7 @@
 use super::cell::Cell;
 use crate::symbolic::{self, Unit};
 use rug::Rational;
+use std::borrow::Cow;
 
 /// The factor of a column's values.
 #[derive(Clone, Debug, PartialEq)]
@@ -244,18 +245,18 @@ impl Columns {
     }
 
     /// A row's value in the column's unit.
-    pub fn cell(&self, column: usize, cell: &Cell) -> Cell {
+    pub fn cell<'a>(&self, column: usize, cell: &'a Cell) -> Cow<'a, Cell> {
         let Some(Some(scale)) = self.scales.get(column) else {
-            return cell.clone();
+            return Cow::Borrowed(cell);
         };
-        match cell {
+        Cow::Owned(match cell {
             Cell::Float(x) => Cell::Float(scale.apply(*x)),
             Cell::Decimal(d) => match power_of_ten(scale) {
                 Some(places) => Cell::Decimal(shifted(d, places)),
                 None => Cell::Undecided,
             },
-            other => other.clone(),
-        }
+            other => return Cow::Borrowed(other),
+        })
     }
 }
 

@@ -3,6 +3,7 @@
 use super::cell::Cell;
 use super::columns::Columns;
 use serde_json::{Map, Value};
+use std::borrow::Cow;
 use std::io::{self, Write};
 
 /// The forms of rows.
@@ -29,6 +30,8 @@ pub struct Rows<'a> {
     kept: Vec<Vec<Cell>>,
     every: usize,
     came: usize,
+    /// Memory for a line of CSV.
+    line: String,
 }
 
 impl<'a> Rows<'a> {
@@ -61,22 +64,33 @@ impl<'a> Rows<'a> {
             kept: Vec::new(),
             every: 1,
             came: 0,
+            line: String::new(),
         })
     }
 
     /// Writes one row.
     pub fn row(&mut self, cells: &[Cell]) -> io::Result<()> {
+        let columns = &self.columns;
         let cells = cells.iter().enumerate();
-        let cells: Vec<Cell> = cells.map(|(k, c)| self.columns.cell(k, c)).collect();
+        let cells = cells.map(|(k, c)| columns.cell(k, c));
         match self.format {
-            Form::Table => self.keep(cells),
+            Form::Table => {
+                let cells = cells.map(Cow::into_owned).collect();
+                self.keep(cells);
+            }
             Form::Csv => {
-                let texts: Vec<String> = cells.iter().map(Cell::text).collect();
-                writeln!(self.out, "{}", texts.join(","))?;
+                self.line.clear();
+                for cell in cells {
+                    cell.append(&mut self.line);
+                    self.line.push(',');
+                }
+                self.line.pop();
+                self.line.push('\n');
+                self.out.write_all(self.line.as_bytes())?;
             }
             Form::Json => {
                 let mut object = Map::new();
-                for (name, cell) in self.columns.names.iter().zip(&cells) {
+                for (name, cell) in columns.names.iter().zip(cells) {
                     object.insert(name.clone(), cell.json());
                 }
                 let comma = if self.any { "," } else { "" };

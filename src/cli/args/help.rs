@@ -5,8 +5,41 @@ use mechaudit::report::glossary;
 /// Columns of a terminal.
 const WIDTH: usize = 80;
 
+/// The grammar with its help texts as they are shown: only then it is time to write them.
+pub fn explained(grammar: clap::Command) -> clap::Command {
+    let whole = |command: clap::Command| match command.get_after_help() {
+        Some(examples) => {
+            let examples = examples.to_string();
+            let shown = text(&examples, topics(command.get_name()));
+            command.after_help(shown)
+        }
+        None => command,
+    };
+    whole(grammar).mut_subcommands(whole)
+}
+
+/// The topics whose columns a command prints.
+fn topics(command: &str) -> &'static [&'static str] {
+    match command {
+        "audit" => &["audit"],
+        "campaign" => &["audit", "campaign"],
+        "chirp" => &["history", "chart", "spectrum"],
+        "compare" => &["compare"],
+        "converge" => &["converge"],
+        "describe" => &["describe"],
+        "hunt" => &["hunt"],
+        "judge" => &["audit", "judge"],
+        "linkage" => &["linkage"],
+        "paper" => &["paper"],
+        "prove" => &["prove"],
+        "regenerate" => &["values"],
+        "runup" => &["runup", "work-precision"],
+        _ => &[],
+    }
+}
+
 /// The text with its examples broken into lines that fit, and the columns of these topics after it.
-pub fn text(examples: &str, topics: &[&str]) -> String {
+fn text(examples: &str, topics: &[&str]) -> String {
     let lines = examples.lines().map(|line| match line.starts_with("  ") {
         true => fitted(line),
         // Prose is wrapped by the parser.

@@ -33,6 +33,7 @@ pub use compare::{CompareArgs, CompareFormat};
 pub use converge::ConvergeArgs;
 pub use describe::{DescribeArgs, ListArgs};
 pub use eval::EvalArgs;
+pub use help::explained;
 pub use hunt::HuntArgs;
 pub use identity::IdentityArgs;
 pub use judge::JudgeArgs;
@@ -76,7 +77,7 @@ Exit codes:
 #[command(
     name = "mechaudit",
     version,
-    after_help = help::text(AFTER_HELP, &[]),
+    after_help = AFTER_HELP,
     max_term_width = 100,
     args_conflicts_with_subcommands = true
 )]
@@ -105,64 +106,64 @@ pub struct RunArgs {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Audit all methods or one, a region of one or a single case
-    #[command(after_help = help::text(audit::AFTER_HELP, &["audit"]))]
+    #[command(after_help = audit::AFTER_HELP)]
     Audit(AuditArgs),
     /// Judge several programs at the same cases, side by side
-    #[command(after_help = help::text(compare::AFTER_HELP, &["compare"]))]
+    #[command(after_help = compare::AFTER_HELP)]
     Compare(CompareArgs),
     /// Show a method's inputs, outputs, budgets and protocol
-    #[command(after_help = help::text(describe::AFTER_DESCRIBE, &["describe"]))]
+    #[command(after_help = describe::AFTER_DESCRIBE)]
     Describe(DescribeArgs),
     /// List the methods and the papers
-    #[command(after_help = help::text(describe::AFTER_LIST, &[]))]
+    #[command(after_help = describe::AFTER_LIST)]
     List(ListArgs),
     /// Write inputs of a method, for programs in any language
-    #[command(after_help = help::text(points::AFTER_HELP, &[]))]
+    #[command(after_help = points::AFTER_HELP)]
     Points(PointsArgs),
     /// Judge a file of precomputed answers
-    #[command(after_help = help::text(judge::AFTER_HELP, &["audit", "judge"]))]
+    #[command(after_help = judge::AFTER_HELP)]
     Judge(JudgeArgs),
     /// Search a method's domain for its worst inputs
-    #[command(after_help = help::text(hunt::AFTER_HELP, &["hunt"]))]
+    #[command(after_help = hunt::AFTER_HELP)]
     Hunt(HuntArgs),
     /// Judge very many cases in shards, on one machine or many, and add up the results exactly
-    #[command(after_help = help::text(campaign::AFTER_HELP, &["audit", "campaign"]))]
+    #[command(after_help = campaign::AFTER_HELP)]
     Campaign(CampaignArgs),
     /// Show the sources of errors of approximations and their orders
-    #[command(after_help = help::text(converge::AFTER_HELP, &["converge"]))]
+    #[command(after_help = converge::AFTER_HELP)]
     Converge(ConvergeArgs),
     /// Prove an error bound of a function over a part of the plane, by machine
-    #[command(after_help = help::text(prove::AFTER_HELP, &["prove"]))]
+    #[command(after_help = prove::AFTER_HELP)]
     Prove(ProveArgs),
     /// Decide equations on standard input, one a line: proved, refuted at a point, or undecided
     #[command(after_help = identity::AFTER_HELP)]
     Identity(IdentityArgs),
     /// Audit a published paper: its tables, its claims or its formulas
-    #[command(after_help = help::text(paper::AFTER_HELP, &["paper"]))]
+    #[command(after_help = paper::AFTER_HELP)]
     Paper(PaperArgs),
     /// Compute a function at the points on standard input, one a line
-    #[command(after_help = help::text(eval::AFTER_HELP, &[]))]
+    #[command(after_help = eval::AFTER_HELP)]
     Eval(EvalArgs),
     /// Compute a linkage given in a file over the crank's turn
-    #[command(after_help = help::text(linkage::AFTER_HELP, &["linkage"]))]
+    #[command(after_help = linkage::AFTER_HELP)]
     Linkage(LinkageArgs),
     /// Compute the certified motion of an initial value problem given in a file
-    #[command(after_help = help::text(motion::AFTER_HELP, &[]))]
+    #[command(after_help = motion::AFTER_HELP)]
     Motion(MotionArgs),
     /// Compute the run-up of a machine given in a file: its linkage under its motor
-    #[command(after_help = help::text(runup::AFTER_HELP, &["runup", "work-precision"]))]
+    #[command(after_help = runup::AFTER_HELP)]
     Runup(RunupArgs),
     /// Compute a cam-driven oscillator given in a file while its shaft changes speed
-    #[command(after_help = help::text(chirp::AFTER_HELP, &["history", "chart", "spectrum"]))]
+    #[command(after_help = chirp::AFTER_HELP)]
     Chirp(ChirpArgs),
     /// Regenerate generated files, or check them
-    #[command(after_help = help::text(regenerate::AFTER_HELP, &["values"]))]
+    #[command(after_help = regenerate::AFTER_HELP)]
     Regenerate(RegenerateArgs),
     /// Write completions for a shell
-    #[command(after_help = help::text(shell::AFTER_COMPLETIONS, &[]))]
+    #[command(after_help = shell::AFTER_COMPLETIONS)]
     Completions(CompletionsArgs),
     /// Write manual pages
-    #[command(after_help = help::text(shell::AFTER_MAN, &[]))]
+    #[command(after_help = shell::AFTER_MAN)]
     Man(ManArgs),
 }
 
@@ -302,7 +303,7 @@ mod tests {
     #[test]
     fn commands_in_help_pages_and_headers_are_commands() {
         let mut texts: Vec<String> = PAGES.into_iter().map(blocks).collect();
-        let grammar = Args::command();
+        let grammar = explained(Args::command());
         let parts = grammar.get_subcommands().chain([&grammar]);
         texts.extend(parts.filter_map(|c| Some(c.get_after_help()?.to_string())));
         let all: Vec<Vec<String>> = texts.iter().flat_map(|t| commands(t)).collect();
@@ -332,7 +333,7 @@ mod tests {
     /// Examples and columns are printed as they stand.
     #[test]
     fn help_is_no_wider_than_a_terminal() {
-        let grammar = Args::command();
+        let grammar = explained(Args::command());
         let mut commands = vec![&grammar];
         let mut seen = 0;
         while let Some(command) = commands.pop() {

@@ -1,6 +1,6 @@
 //! Shell completions and manual pages.
 
-use crate::cli::args::{Args, CompletionsArgs, ManArgs};
+use crate::cli::args::{Args, CompletionsArgs, ManArgs, explained};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
 use clap::CommandFactory;
@@ -17,7 +17,7 @@ pub fn completions(args: &CompletionsArgs) -> Result<Outcome, Failure> {
 
 /// Writes the manual page of the program, or one for each command into a folder.
 pub fn man(args: &ManArgs) -> Result<Outcome, Failure> {
-    let mut command = Args::command();
+    let mut command = explained(Args::command());
     command.build();
     let Some(folder) = &args.output else {
         Output::open(None)?.text(render(command)?)?;

@@ -4,6 +4,7 @@ use crate::cli::args::TextOrJson;
 use crate::cli::failure::Failure;
 use crate::cli::process::interrupt;
 use anstream::adapter::StripBytes;
+use anstream::{AutoStream, ColorChoice};
 use mechaudit::files::Destination;
 use mechaudit::files::temporary::before_names;
 use serde::Serialize;
@@ -96,7 +97,10 @@ impl Output {
         let name = &self.name;
         let refused = |e: io::Error| Failure::output(name, e);
         match self.destination {
-            None => filled(anstream::stdout().lock(), write, refused),
+            None => match AutoStream::choice(&io::stdout()) {
+                ColorChoice::Never => filled(Plain::new(&mut io::stdout().lock()), write, refused),
+                _ => filled(anstream::stdout().lock(), write, refused),
+            },
             Some(destination) => {
                 destination.write(|out| filled(Plain::new(out), write, refused), refused)
             }
@@ -104,13 +108,16 @@ impl Output {
     }
 }
 
+/// Bytes that are written at once: as many as a pipe takes on Linux.
+const BUFFER: usize = 1 << 16;
+
 /// Lets `write` fill it to its end; an error of `to` is `refused`.
 fn filled<T>(
     to: impl Write,
     write: impl FnOnce(&mut dyn Write) -> Result<T, Failure>,
     refused: impl FnOnce(io::Error) -> Failure,
 ) -> Result<T, Failure> {
-    let mut out = BufWriter::new(Noting { to, error: None });
+    let mut out = BufWriter::with_capacity(BUFFER, Noting { to, error: None });
     let outcome = write(&mut out);
     let flushed = out.flush();
     if let Some(e) = out.get_mut().error.take() {
@@ -135,6 +142,12 @@ impl Plain<'_> {
 
 impl Write for Plain<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        // Nothing begins or goes on in them that is left out.
+        let plain = |all: bool, b: &u8| all & (matches!(b, b' '..=b'~') | (*b == b'\n'));
+        if bytes.iter().fold(true, plain) && self.state == StripBytes::default() {
+            self.to.write_all(bytes)?;
+            return Ok(bytes.len());
+        }
         for printable in self.state.strip_next(bytes) {
             self.to.write_all(printable)?;
         }

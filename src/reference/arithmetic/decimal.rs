@@ -227,7 +227,9 @@ impl Ball {
             return None;
         }
         let scaled = self.mid().to_rational()? * Integer::from(10).pow(places);
-        Some(fixed(&scaled.round(), places))
+        let n = scaled.round().into_numer_denom().0;
+        let digits = n.as_abs().to_string();
+        Some(with_point(n < 0, &digits, places as usize))
     }
 
     /// A short, uncertified rendering for people.
@@ -248,6 +250,11 @@ impl Ball {
 /// # Ok::<(), mechaudit_reference::DecimalError>(())
 /// ```
 pub fn nearest_f64(q: &Rational) -> f64 {
+    // The quotient of two doubles is rounded once, and that of these is a normal number.
+    let exact = |n: &Integer| n.to_i64().filter(|n| n.unsigned_abs() <= 1 << 53);
+    if let (Some(n), Some(d)) = (exact(q.numer()), exact(q.denom())) {
+        return n as f64 / d as f64;
+    }
     let (mut x, way) = Float::with_val_round(53, q, Round::Nearest);
     x.subnormalize_ieee_round(way, Round::Nearest);
     x.to_f64()
@@ -264,19 +271,22 @@ fn half_a_unit(x: &Float, digits: usize) -> Mag {
     Mag::above(x).shift(-1).div(Mag::below(&power))
 }
 
-/// `n / 10^places` written out.
-pub fn fixed(n: &Rational, places: u32) -> String {
-    let n = n.numer();
-    let text = n.clone().abs().to_string();
-    let places = places as usize;
-    let text = format!("{text:0>width$}", width = places + 1);
-    let (whole, fraction) = text.split_at(text.len() - places);
-    let sign = if *n < 0 { "-" } else { "" };
-    if places == 0 {
-        format!("{sign}{whole}")
-    } else {
-        format!("{sign}{whole}.{fraction}")
+/// A whole number of that sign and these digits over `10^places`, written out.
+///
+/// ```
+/// use mechaudit_reference::with_point;
+/// assert_eq!(with_point(true, "25", 3), "-0.025");
+/// ```
+pub fn with_point(is_negative: bool, digits: &str, places: usize) -> String {
+    let zeros = (places + 1).saturating_sub(digits.len());
+    let mut text = String::with_capacity(digits.len() + zeros + 2);
+    text.push_str(if is_negative { "-" } else { "" });
+    text.extend(std::iter::repeat_n('0', zeros));
+    text.push_str(digits);
+    if places > 0 {
+        text.insert(text.len() - places, '.');
     }
+    text
 }
 
 /// Turns `1.234e-2` into `0.01234` while the exponent is small; leaves the rest alone.

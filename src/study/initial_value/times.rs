@@ -1,7 +1,7 @@
 //! Lists of times as text.
 
 use crate::study::read::exact;
-use rug::Rational;
+use rug::{Integer, Rational};
 
 /// The most times of a list.
 const MOST: usize = 1_000_000;
@@ -46,6 +46,7 @@ pub fn times(text: &str) -> Result<Vec<Rational>, TimesError> {
     let number = |text: &str| exact(text).ok_or_else(|| TimesError::Number(text.into()));
     let mut all: Vec<Rational> = Vec::new();
     for part in text.split(',') {
+        let before = all.len();
         let fields: Vec<&str> = part.split(':').collect();
         match fields[..] {
             [time] => all.push(number(time)?),
@@ -61,18 +62,31 @@ pub fn times(text: &str) -> Result<Vec<Rational>, TimesError> {
                 let Some(steps) = steps.trunc().numer().to_usize().filter(|n| *n < MOST) else {
                     return Err(TimesError::TooMany);
                 };
-                all.extend((0..=steps).map(|k| (&step * Rational::from(k)) + &first));
+                all.extend(evenly(&first, &step, steps));
             }
             _ => return Err(TimesError::Range(part.into())),
         }
         if all.len() > MOST {
             return Err(TimesError::TooMany);
         }
+        if before > 0 && all[before - 1] >= all[before] {
+            return Err(TimesError::Order(all[before].to_string()));
+        }
     }
-    match all.windows(2).find(|w| w[0] >= w[1]) {
-        Some(w) => Err(TimesError::Order(w[1].to_string())),
-        None => Ok(all),
-    }
+    Ok(all)
+}
+
+/// `first + k step` for k from 0 to `steps`.
+fn evenly(first: &Rational, step: &Rational, steps: usize) -> impl Iterator<Item = Rational> {
+    // Over one denominator sums are those of integers.
+    let under = first.denom().clone().lcm(step.denom());
+    let over = |q: &Rational| Integer::from(&under / q.denom()) * q.numer();
+    let (mut next, by) = (over(first), over(step));
+    (0..=steps).map(move |_| {
+        let time = Rational::from((&next, &under));
+        next += &by;
+        time
+    })
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! The motion of a mechanism: certified, or in floating point.
 
-use super::{Column, Entry, Table, TableRow, shown};
+use super::{Column, Table, shown};
 use crate::cli::args::MotionArgs;
 use crate::cli::complain;
 use crate::cli::failure::Failure;
@@ -8,6 +8,7 @@ use crate::cli::files::source;
 use mechaudit::machine::planar::{Certified, Moving, MovingError, Row};
 use mechaudit::machine::{Linkage, Source};
 use mechaudit::reference::nearest_f64;
+use mechaudit::report::cell::Cell;
 use mechaudit::solvers::planar::dynamics::Settings;
 use rug::Rational;
 
@@ -48,20 +49,6 @@ impl Problem {
     /// The rows at these times.
     pub fn table(&self, times: &[Rational]) -> Result<Table, Failure> {
         let about = |e: &dyn std::fmt::Display| Failure::new(e.to_string()).about(&self.source);
-        let rows = match self.digits {
-            Some(digits) => {
-                let row = Row::Motion {
-                    reactions: self.reactions,
-                };
-                let certified = Certified::new(&self.moving, digits, &row);
-                let (rows, ended) = certified_rows(certified.map_err(|e| about(&e))?, times);
-                if let Some(t) = ended {
-                    complain_of_end(&shown(&t));
-                }
-                rows
-            }
-            None => self.floating(times).map_err(|e| about(&e))?,
-        };
         let time = Column {
             name: "t",
             unit: "s",
@@ -76,36 +63,50 @@ impl Problem {
                 unit: q.unit,
                 text: format!("{}: {}", q.name, q.text),
             });
-        Ok(Table {
-            title: self
-                .moving
-                .name
-                .clone()
-                .unwrap_or_else(|| "mechanism".into()),
-            source: self.source.clone(),
-            columns: std::iter::once(time).chain(quantities).collect(),
-            inputs: Vec::new(),
-            digits: self.digits,
-            rows,
-        })
+        let title = self.moving.name.clone();
+        let columns = std::iter::once(time).chain(quantities).collect();
+        let mut table = Table::new(
+            title.unwrap_or_else(|| "mechanism".into()),
+            self.source.clone(),
+            columns,
+            self.digits,
+        );
+        match self.digits {
+            Some(digits) => {
+                let row = Row::Motion {
+                    reactions: self.reactions,
+                };
+                let certified = Certified::new(&self.moving, digits, &row);
+                if let Some(t) = certify(&mut table, certified.map_err(|e| about(&e))?, times) {
+                    complain_of_end(&shown(&t));
+                }
+            }
+            None => self.float(&mut table, times).map_err(|e| about(&e))?,
+        }
+        Ok(table)
     }
 
-    fn floating(&self, times: &[Rational]) -> Result<Vec<TableRow>, MovingError> {
+    /// Adds the rows in floating point.
+    fn float(&self, table: &mut Table, times: &[Rational]) -> Result<(), MovingError> {
         let seconds: Vec<f64> = times.iter().map(nearest_f64).collect();
-        let mut rows = Vec::new();
-        let ended = self.moving.run(&seconds, Settings::default(), |moment| {
-            let time = times
-                .get(rows.len())
-                .filter(|t| nearest_f64(t) == moment.time);
-            let time = time.cloned().or_else(|| Rational::from_f64(moment.time));
-            let values = self.moving.values(moment, self.reactions);
-            let values = values.into_iter().map(Entry::Float);
-            rows.push((time.unwrap_or_default(), values.collect()));
+        let mut left = seconds.iter().zip(times);
+        let settings = Settings {
+            accelerations: self.reactions,
+            ..Settings::default()
+        };
+        let ended = self.moving.run(&seconds, settings, |moment| {
+            let values = self.moving.values(moment, self.reactions).into_iter();
+            let values = values.map(|x| (Cell::Float(x), None));
+            match left.next().filter(|(s, _)| **s == moment.time) {
+                Some((_, time)) => table.push(time, values),
+                // Where the motion ends.
+                None => table.push(&Rational::from_f64(moment.time).unwrap_or_default(), values),
+            }
         })?;
         if let Some(t) = ended {
             complain_of_end(&t);
         }
-        Ok(rows)
+        Ok(())
     }
 }
 
@@ -115,25 +116,25 @@ fn complain_of_end(time: &dyn std::fmt::Display) {
     ));
 }
 
-/// The rows at some times up to the end of the motion, and the time of the end if it comes first.
-pub fn certified_rows(
+/// Adds the rows at some times up to the end of the motion; returns the time of the end if it comes
+/// first.
+pub fn certify(
+    table: &mut Table,
     mut certified: Certified,
     times: &[Rational],
-) -> (Vec<TableRow>, Option<Rational>) {
-    let mut rows = Vec::new();
+) -> Option<Rational> {
     for time in times {
         let found = certified.at(time);
         let why = found.reason;
-        let value = |decimal: Option<String>| Entry::Certified {
-            why: why.clone().filter(|_| decimal.is_none()),
-            decimal,
-        };
-        let values = found.digits.into_iter().map(value).collect();
+        let value = |digits: Option<String>| (Cell::certified(digits), why.clone());
         let ended = found.ended;
-        rows.push((ended.clone().unwrap_or_else(|| time.clone()), values));
+        table.push(
+            ended.as_ref().unwrap_or(time),
+            found.digits.into_iter().map(value),
+        );
         if ended.is_some() {
-            return (rows, ended);
+            return ended;
         }
     }
-    (rows, None)
+    None
 }

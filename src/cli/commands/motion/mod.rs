@@ -8,8 +8,8 @@ use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
 use crate::cli::progress::waiting;
-use mechaudit::methods::CertifiedValue;
 use mechaudit::motion::{Course, Drive, Motion};
+use mechaudit::reference::{nearest_f64, with_point};
 use mechaudit::report::cell::Cell;
 use mechaudit::report::html::trajectory;
 use mechaudit::report::rows::{Form, Rows};
@@ -29,56 +29,15 @@ pub struct Column {
     pub text: String,
 }
 
-/// A value of a row.
-pub enum Entry {
-    /// A number in floating point.
-    Float(f64),
-    /// A certified decimal, and the reason where there is none or where it is no number.
-    Certified {
-        decimal: Option<String>,
-        why: Option<String>,
-    },
-}
+/// A value of a row, and the reason where it has no digits.
+pub type Entry = (Cell, Option<String>);
 
-impl From<CertifiedValue> for Entry {
-    fn from(value: CertifiedValue) -> Entry {
-        Entry::Certified {
-            decimal: value.decimal,
-            why: value.why,
-        }
-    }
-}
-
-impl Entry {
-    fn cell(&self) -> Cell {
-        match self {
-            Entry::Float(x) => Cell::Float(*x),
-            Entry::Certified { decimal, .. } => Cell::certified(decimal.clone()),
-        }
-    }
-
-    /// The word in the place of digits with the reason for it.
-    fn open(&self) -> Option<(&'static str, Option<&String>)> {
-        let Entry::Certified { decimal, why } = self else {
-            return None;
-        };
-        let word = match decimal.as_deref() {
-            None => "undecided",
-            Some("nan") => "nan",
-            Some(_) => return None,
-        };
-        Some((word, why.as_ref()))
-    }
-
-    /// The value for a curve.
-    fn nearest(&self) -> f64 {
-        match self {
-            Entry::Float(x) => *x,
-            Entry::Certified { decimal, .. } => {
-                let number = decimal.as_ref().and_then(|d| d.parse().ok());
-                number.unwrap_or(f64::NAN)
-            }
-        }
+/// The value for a curve.
+fn nearest(cell: &Cell) -> f64 {
+    match cell {
+        Cell::Float(x) => *x,
+        Cell::Decimal(digits) => digits.parse().unwrap_or(f64::NAN),
+        _ => f64::NAN,
     }
 }
 
@@ -95,12 +54,13 @@ pub struct Table {
     /// Significant digits of every value, which are certified; without them values are
     /// floating-point numbers.
     pub digits: Option<u32>,
-    /// Times with the values there.
-    pub rows: Vec<TableRow>,
+    /// The times of the rows.
+    times: Vec<f64>,
+    /// The times with the values there.
+    rows: Vec<Vec<Cell>>,
+    /// Reasons why values have no digits, each with a line that says it with the first time.
+    open: Vec<(String, String)>,
 }
-
-/// A time with the values there.
-pub type TableRow = (Rational, Vec<Entry>);
 
 /// Computes the motion and writes it.
 pub fn motion(args: &MotionArgs) -> Result<Outcome, Failure> {
@@ -132,6 +92,49 @@ pub fn motion(args: &MotionArgs) -> Result<Outcome, Failure> {
 }
 
 impl Table {
+    /// Without rows.
+    pub fn new(title: String, source: String, columns: Vec<Column>, digits: Option<u32>) -> Table {
+        Table {
+            title,
+            source,
+            columns,
+            inputs: Vec::new(),
+            digits,
+            times: Vec::new(),
+            rows: Vec::new(),
+            open: Vec::new(),
+        }
+    }
+
+    /// Adds a row.
+    pub fn push(&mut self, time: &Rational, values: impl IntoIterator<Item = Entry>) {
+        let mut row = Vec::with_capacity(self.columns.len());
+        row.push(Cell::Word(shown(time)));
+        for (k, (cell, why)) in values.into_iter().enumerate() {
+            self.note(k + 1, &row[0], &cell, why);
+            row.push(cell);
+        }
+        self.times.push(nearest_f64(time));
+        self.rows.push(row);
+    }
+
+    /// Notes the reason for a value without digits.
+    fn note(&mut self, column: usize, time: &Cell, cell: &Cell, why: Option<String>) {
+        let word = match cell {
+            Cell::Undecided => "undecided",
+            Cell::Decimal(word) if word == "nan" => "nan",
+            _ => return,
+        };
+        let why = why.unwrap_or_else(|| "the digits could not be certified".into());
+        // Reasons name the time that was reached, which does not change from row to row.
+        if self.open.len() < MOST_REASONS && self.open.iter().all(|said| said.0 != why) {
+            let [of, time_name] = [column, 0].map(|k| self.columns[k].name);
+            let from = format!("from {time_name} = {}", time.text());
+            let line = format!("{of} is {word} {from} on: {why}");
+            self.open.push((why, line));
+        }
+    }
+
     /// Writes the rows in a form for programs, or the page.
     pub fn write(&self, output: Output, form: Option<Form>) -> Result<Outcome, Failure> {
         output.write(|out| match form {
@@ -143,16 +146,12 @@ impl Table {
 
     /// Says what is not certified.
     fn outcome(&self) -> Outcome {
-        let open = self.open();
-        open.iter().for_each(|line| complain(line));
-        Outcome::of(open.is_empty())
+        self.reasons().for_each(|line| complain(line));
+        Outcome::of(self.open.is_empty())
     }
 
-    fn cells((time, values): &TableRow) -> Vec<Cell> {
-        let values = values.iter().map(Entry::cell);
-        std::iter::once(Cell::Word(shown(time)))
-            .chain(values)
-            .collect()
+    fn reasons(&self) -> impl Iterator<Item = &String> {
+        self.open.iter().map(|(_, line)| line)
     }
 
     /// The names of the columns with their units.
@@ -188,10 +187,10 @@ impl Table {
             .iter()
             .map(|c| (c.name.to_string(), Value::from(c.unit)));
         put("units", Value::Object(units.collect()));
-        put("undecided", self.open().into());
+        put("undecided", self.reasons().cloned().collect());
         let mut rows = Rows::begin(out, form, names, &about)?;
         for row in &self.rows {
-            rows.row(&Table::cells(row))?;
+            rows.row(row)?;
         }
         rows.end()
     }
@@ -202,8 +201,8 @@ impl Table {
         let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
         let mut table = Aligned::new(&heads, &[]);
         for row in &self.rows {
-            let cells = Table::cells(row).into_iter().map(|cell| {
-                let style = match &cell {
+            let cells = row.iter().map(|cell| {
+                let style = match cell {
                     Cell::Undecided => DOUBT,
                     Cell::Decimal(word) if word == "nan" => DOUBT,
                     _ => PLAIN,
@@ -215,29 +214,6 @@ impl Table {
         table.render(0)
     }
 
-    /// Reasons why values have no digits, each with the first time at which it holds.
-    fn open(&self) -> Vec<String> {
-        let mut lines: Vec<String> = Vec::new();
-        let mut said: Vec<String> = Vec::new();
-        for (time, values) in &self.rows {
-            for (value, column) in values.iter().zip(&self.columns[1..]) {
-                let Some((word, why)) = value.open() else {
-                    continue;
-                };
-                let why = why
-                    .cloned()
-                    .unwrap_or_else(|| "the digits could not be certified".into());
-                // Reasons name the time that was reached, which does not change from row to row.
-                if !said.contains(&why) && lines.len() < MOST_REASONS {
-                    let from = format!("from {} = {}", self.columns[0].name, shown(time));
-                    lines.push(format!("{} is {word} {from} on: {why}", column.name));
-                    said.push(why);
-                }
-            }
-        }
-        lines
-    }
-
     /// The page.
     fn page(&self) -> String {
         let course = |(k, c): (usize, &Column)| Course {
@@ -245,7 +221,7 @@ impl Table {
             unit: unit(c.unit),
             variants: vec![(
                 String::new(),
-                self.rows.iter().map(|r| r.1[k].nearest()).collect(),
+                self.rows.iter().map(|r| nearest(&r[k + 1])).collect(),
             )],
             printed: Vec::new(),
         };
@@ -255,7 +231,7 @@ impl Table {
             drive: Drive {
                 symbol: time.name,
                 unit: if time.unit == "1" { "" } else { time.unit },
-                values: self.rows.iter().map(|r| r.0.to_f64()).collect(),
+                values: self.times.clone(),
             },
             closed: false,
             start: 0,
@@ -273,9 +249,8 @@ impl Table {
         let mut facts: Vec<String> = vec![format!("source: {}", self.source)];
         facts.extend(quantities.iter().map(|c| c.text.clone()));
         facts.extend(inputs);
-        facts.extend(self.open());
-        let rows: Vec<Vec<Cell>> = self.rows.iter().map(Table::cells).collect();
-        trajectory::page(&motion, self.digits, &facts, (&self.heads(), &rows))
+        facts.extend(self.reasons().cloned());
+        trajectory::page(&motion, self.digits, &facts, (&self.heads(), &self.rows))
     }
 }
 
@@ -285,6 +260,9 @@ const MOST_REASONS: usize = 8;
 /// A rational number as a decimal where that ends soon, else as a quotient.
 pub fn shown(q: &Rational) -> String {
     const DECIMALS: u32 = 60;
+    if let Some(text) = shown_small(q) {
+        return text;
+    }
     // The denominator of a decimal has no other prime factors than 2 and 5.
     let mut rest = q.denom().clone();
     let powers = [2, 5].map(|prime| rest.remove_factor_mut(&Integer::from(prime)));
@@ -293,15 +271,15 @@ pub fn shown(q: &Rational) -> String {
         return q.to_string();
     }
     let scaled = Integer::from(Integer::u_pow_u(10, decimals)) * q.numer() / q.denom();
-    let digits = scaled.abs().to_string();
-    let sign = if *q < 0 { "-" } else { "" };
-    let decimals = decimals as usize;
-    if decimals == 0 {
-        return format!("{sign}{digits}");
-    }
-    let digits = format!("{digits:0>width$}", width = decimals + 1);
-    let (whole, rest) = digits.split_at(digits.len() - decimals);
-    format!("{sign}{whole}.{rest}")
+    with_point(*q < 0, &scaled.abs().to_string(), decimals as usize)
+}
+
+/// [`shown`] by machine words, where these hold the number.
+fn shown_small(q: &Rational) -> Option<String> {
+    let (n, d) = (q.numer().to_i64()?, q.denom().to_u64()?);
+    let decimals = (0..=19).find(|k| 10u64.pow(*k).is_multiple_of(d))?;
+    let digits = n.unsigned_abs().checked_mul(10u64.pow(decimals) / d)?;
+    Some(with_point(n < 0, &digits.to_string(), decimals as usize))
 }
 
 #[cfg(test)]
@@ -318,6 +296,7 @@ mod tests {
             ((1, 3), "1/3"),
             ((-1, 64), "-0.015625"),
             ((700, 7), "100"),
+            ((1, 1 << 30), "0.000000000931322574615478515625"),
         ] {
             assert_eq!(shown(&Rational::from(q)), due);
         }

@@ -1,11 +1,12 @@
 //! The motion of a study.
 
-use super::{Column, Entry, Table};
+use super::{Column, Table};
 use crate::cli::args::MotionArgs;
 use crate::cli::failure::Failure;
 use mechaudit::audit::{Input, Method, Output, did_you_mean};
 use mechaudit::methods::Evaluable;
 use mechaudit::reference::nearest_f64;
+use mechaudit::report::cell::Cell;
 use mechaudit::study::Study;
 use rug::Rational;
 
@@ -97,17 +98,17 @@ impl Problem {
             text: p.text.clone(),
         };
         let quantities = outputs.iter().zip(&problem.outputs).map(quantity);
-        let row = |time: &Rational| {
+        let mut table = Table::new(
+            problem.title.clone(),
+            problem.source.clone(),
+            time.into_iter().chain(quantities).collect(),
+            Some(self.digits),
+        );
+        table.inputs = self.inputs.clone();
+        for time in times {
             let values = self.study.digits(&self.at(time), self.digits).into_iter();
-            (time.clone(), values.map(Entry::from).collect())
-        };
-        Table {
-            title: problem.title.clone(),
-            source: problem.source.clone(),
-            columns: time.into_iter().chain(quantities).collect(),
-            inputs: self.inputs.clone(),
-            digits: Some(self.digits),
-            rows: times.iter().map(row).collect(),
+            table.push(time, values.map(|v| (Cell::certified(v.decimal), v.why)));
         }
+        table
     }
 }

@@ -1,7 +1,7 @@
 //! A run with certified digits.
 
 use crate::cli::args::RunupArgs;
-use crate::cli::commands::motion::machine::certified_rows;
+use crate::cli::commands::motion::machine::certify;
 use crate::cli::commands::motion::{Column, Table, shown};
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
@@ -28,25 +28,22 @@ pub fn certified(args: &RunupArgs, digits: u32) -> Result<Outcome, Failure> {
         motion,
         times,
     } = run;
-    let (rows, ended) = waiting("run", || certified_rows(motion, &times));
-    if let Some(t) = ended {
-        complain(&format!(
-            "run.target_speed is reached at t = {} s",
-            shown(&t)
-        ));
-    }
     let column = |(name, unit, text): (&'static str, &'static str, &str)| Column {
         name,
         unit,
         text: text.into(),
     };
-    let table = Table {
-        title: name.unwrap_or_else(|| "run-up".into()),
-        source: args.file.display().to_string(),
-        columns: COLUMNS.map(column).into(),
-        inputs: Vec::new(),
-        digits: Some(digits),
-        rows,
-    };
+    let mut table = Table::new(
+        name.unwrap_or_else(|| "run-up".into()),
+        args.file.display().to_string(),
+        COLUMNS.map(column).into(),
+        Some(digits),
+    );
+    if let Some(t) = waiting("run", || certify(&mut table, motion, &times)) {
+        complain(&format!(
+            "run.target_speed is reached at t = {} s",
+            shown(&t)
+        ));
+    }
     table.write(output, args.format.rows())
 }
