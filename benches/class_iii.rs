@@ -64,7 +64,7 @@ mod certified {
     fn rows(bencher: Bencher, (n, digits): (usize, u32)) {
         let bits = (f64::from(digits) * 3.33) as u32 + 48;
         let (linkage, start) = data::start(bits).expect("decided");
-        let masses = data::masses(data::RECOVERED);
+        let masses = data::recovered();
         let angle =
             |k: usize| data::row_angle(&Rational::from((48 * k as u32, n as u32))).to_ball(bits);
         bencher.counter(ItemsCount::new(n)).bench(|| {

@@ -48,7 +48,7 @@ macro_rules! texts {
 const PAPERS: &[Paper] = &[
     Paper {
         key: zinchenko::KEY,
-        texts: texts!("zinchenko": "paper.toml" "dynamics.toml" "spline.toml" "sweep.toml" "numbers.toml" "rates.toml"),
+        texts: texts!("zinchenko": "paper.toml" "tables.toml" "claims.toml" "dynamics.toml" "spline.toml" "sweep.toml" "numbers.toml" "rates.toml"),
         audit: zinchenko::report,
         motion: Some(zinchenko::motion),
     },

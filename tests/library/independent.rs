@@ -13,7 +13,7 @@ const BITS: u32 = 256;
 fn mpmath_agrees_to_thirty_digits() {
     let text = include_str!("../../reference/independent/class_iii_rows.csv");
     let (linkage, start) = data::start(BITS).expect("decided");
-    let masses = data::masses(data::RECOVERED);
+    let masses = data::recovered();
     let mut here = start;
     let mut rows = 0;
     for (row, line) in text.lines().skip(1).enumerate() {

@@ -99,7 +99,7 @@ struct Machine {
 
 impl Machine {
     fn new() -> Machine {
-        let (g, m) = (data::geometry(), data::masses(data::RECOVERED));
+        let (g, m) = (data::geometry(), data::recovered());
         let angle = |a: &mechaudit::reference::class_iii::ExactAngle| a.to_ball(BITS).mid().clone();
         let point = |p: &[Rational; 2]| [f(p[0].clone()), f(p[1].clone())];
         Machine {
@@ -313,7 +313,7 @@ impl Machine {
 pub fn certified_run(bits: u32) -> (Coefficients, Run) {
     let (_, start) = data::start(bits).expect("decided");
     let offset = data::row_angle(&Rational::new());
-    let masses = data::masses(data::RECOVERED);
+    let masses = data::recovered();
     let curve = LinkageCurve::new(&data::geometry(), &masses, &offset, &start, 48, bits);
     let run = Run {
         motor: Motor::Rated {
@@ -350,7 +350,7 @@ fn mpmath_agrees_to_fifteen_digits() {
     let text = include_str!("../../reference/independent/run_up.csv");
     let (_, start) = data::start(BITS).expect("decided");
     let offset = data::row_angle(&Rational::new());
-    let masses = data::masses(data::RECOVERED);
+    let masses = data::recovered();
     let curve = LinkageCurve::new(&data::geometry(), &masses, &offset, &start, 48, BITS);
     let screen = Coefficients::exact(&Arc::new(curve));
     let rotor = Coefficients::constant(&q("0.9"), &Rational::new(), BITS);

@@ -2,7 +2,7 @@
 
 use super::claim::Quantity;
 use super::table::{Column, Rounding};
-use super::{Accuracy, Claim, PaperFile, Survey, Table};
+use super::{Accuracy, Claim, Measured, PaperFile, Survey, Table};
 use crate::papers::ledger::{Verdict, dimension, finding, proved};
 use crate::papers::number::{AS_PRINTED, Number, explained, tally};
 use crate::papers::{
@@ -36,6 +36,7 @@ impl PaperFile {
             tallies.extend(of_columns);
         }
         progress("claims", 2, 3);
+        findings.extend(self.measured(&Measured::default()));
         findings.par_extend(self.claims.par_iter().map(judge_claim));
         findings.extend(self.accuracies.iter().map(Accuracy::finding));
         findings.extend(self.surveys.iter().flat_map(Survey::findings));

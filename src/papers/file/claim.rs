@@ -69,7 +69,7 @@ const VERDICTS: [(&str, Outcome); 3] = [
     ("undecided", Outcome::Undecided),
 ];
 
-const SUBJECTS: [(&str, Subject); 4] = [
+pub(super) const SUBJECTS: [(&str, Subject); 4] = [
     ("claim", Subject::Claim),
     ("data", Subject::Data),
     ("tables", Subject::Tables),

@@ -6,6 +6,7 @@ mod accuracy;
 mod audit;
 mod claim;
 mod entry;
+mod measured;
 #[cfg(test)]
 mod planted_tests;
 mod read;
@@ -20,6 +21,7 @@ mod tests;
 
 pub use accuracy::Accuracy;
 pub use claim::Claim;
+pub use measured::{Measured, Measurement, Quantity};
 pub use source::Texts;
 pub use summary::Summary;
 pub use survey::Survey;
@@ -49,6 +51,8 @@ pub struct PaperFile {
     pub accuracies: Vec<Accuracy>,
     /// The surveys of solvers.
     pub surveys: Vec<Survey>,
+    /// The findings on what an analysis measured.
+    pub measurements: Vec<Measurement>,
     /// The findings that sum up entries.
     pub summaries: Vec<Summary>,
 }
@@ -105,6 +109,12 @@ impl PaperFile {
     /// The findings that sum up entries of the ledger, in the order of the files.
     pub(super) fn summaries(&self, ledger: &Ledger) -> Vec<Finding> {
         self.summaries.iter().map(|s| s.finding(ledger)).collect()
+    }
+
+    /// The findings on what an analysis measured, in the order of the files.
+    pub(super) fn measured(&self, measured: &Measured) -> Vec<Finding> {
+        let all = self.measurements.iter();
+        all.map(|m| m.finding(measured)).collect()
     }
 
     /// Decides every entry.

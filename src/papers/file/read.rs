@@ -2,14 +2,14 @@
 
 use super::source::Source;
 use super::symbols::{self, Symbols};
-use super::{PaperFile, accuracy, claim, entry, summary, survey, table};
+use super::{PaperFile, accuracy, claim, entry, measured, summary, survey, table};
 use crate::papers::Citation;
 use crate::study::document::{self, Item as Node, Value};
 use crate::study::{Study, StudyError, intern, is_name};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Keys of the first file, and of those that it names.
-const KEYS: [&str; 16] = [
+const KEYS: [&str; 17] = [
     "title",
     "authors",
     "year",
@@ -25,9 +25,10 @@ const KEYS: [&str; 16] = [
     "solver",
     "accuracy",
     "survey",
+    "measured",
     "finding",
 ];
-const KEYS_OF_PARTS: [&str; 8] = [
+const KEYS_OF_PARTS: [&str; 9] = [
     "definitions",
     "entry",
     "table",
@@ -35,6 +36,7 @@ const KEYS_OF_PARTS: [&str; 8] = [
     "solver",
     "accuracy",
     "survey",
+    "measured",
     "finding",
 ];
 
@@ -245,6 +247,7 @@ pub(super) fn paper(key: &str, source: &Source, first: &str) -> Result<PaperFile
         claims: Vec::new(),
         accuracies: Vec::new(),
         surveys: Vec::new(),
+        measurements: Vec::new(),
         summaries: Vec::new(),
     };
     paper.symbols = symbols::read(&file).map_err(in_first)?;
@@ -330,6 +333,9 @@ fn part(reading: &mut Reading, file: &Node, paper: &mut PaperFile) -> Result<(),
     }
     for node in list("survey")? {
         paper.surveys.push(survey::read(reading, node)?);
+    }
+    for node in list("measured")? {
+        paper.measurements.push(measured::read(reading, node)?);
     }
     for node in list("finding")? {
         paper.summaries.push(summary::read(reading, node)?);

@@ -19,7 +19,7 @@ pub struct Summary {
     file: &'static str,
 }
 
-const VERDICTS: [(&str, FindingVerdict); 6] = [
+pub(super) const VERDICTS: [(&str, FindingVerdict); 6] = [
     ("confirmed", FindingVerdict::Confirmed),
     ("error-of-paper", FindingVerdict::ErrorOfPaper),
     ("print-or-scan", FindingVerdict::PrintOrScan),

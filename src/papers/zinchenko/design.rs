@@ -1,6 +1,8 @@
 //! Least-squares designs: how the values of a periodic cubic spline at the table's rows depend on
 //! its nodes.
 
+use crate::papers::number::Number;
+use crate::reference::nearest_f64;
 use crate::solvers::cubic_spline::{Boundary, UniformCubicSpline};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
@@ -8,9 +10,18 @@ use std::f64::consts::TAU;
 /// Different rows of the tables in one turn.
 pub(super) const TURN: usize = 48;
 
-/// Standard deviation of rounding to a unit.
-pub(super) fn rounding_deviation(unit: f64) -> f64 {
-    unit / 12f64.sqrt()
+/// The value of a printed number, a unit of its last digit, and the standard deviation of rounding
+/// to that unit.
+pub(super) fn read(number: &Number) -> [f64; 3] {
+    let [value, unit] = [&number.value.value, &number.value.unit()].map(nearest_f64);
+    [value, unit, unit / 12f64.sqrt()]
+}
+
+/// The entries of a turn in some columns, and their standard deviations of rounding.
+pub(super) fn observed(columns: &[Vec<Number>]) -> [DVector<f64>; 2] {
+    let all = columns.iter().flat_map(|c| c[..TURN].iter().map(read));
+    let all: Vec<[f64; 3]> = all.collect();
+    [0, 2].map(|part| DVector::from_fn(all.len(), |i, _| all[i][part]))
 }
 
 /// The matrix that takes the values at `n` equally spaced nodes, the first of them at row
@@ -161,6 +172,8 @@ mod tests {
             assert!(((&here * &nodes)[row] - x.cos()).abs() < 1e-3, "{row}");
             assert!(((&slope * &nodes)[row] + x.sin()).abs() < 1e-2, "{row}");
         }
-        assert!((rounding_deviation(3.0) - 0.75f64.sqrt()).abs() < 1e-15);
+        let [value, unit, deviation] = read(&Number::read("-1.25"));
+        assert_eq!((value, unit), (-1.25, 0.01));
+        assert!((deviation - 1e-2 / 12f64.sqrt()).abs() < 1e-17);
     }
 }

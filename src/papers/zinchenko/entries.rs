@@ -1,42 +1,35 @@
 //! Every printed entry against its recomputed value.
 
-use super::tables::{Column, Printed, ROWS};
-use crate::papers::number::{explained, tally};
+use super::tables::{COLUMNS, ROWS, twin};
+use crate::papers::number::{Number, explained, tally};
 use crate::papers::{Entry, EntryVerdict, Tally, VariantJudgement, decided};
 use crate::reference::Ball;
-use std::collections::BTreeMap;
 
 /// Digits of the recomputed values.
 const DIGITS: usize = 25;
 
-/// A variant of the data with its recomputed columns, in the order of [`Column::ALL`].
-pub(super) struct Variant {
-    pub name: &'static str,
-    pub columns: Vec<Vec<Ball>>,
-}
+/// A variant of the data: its name and its recomputed columns.
+pub(super) type Variant = (&'static str, Vec<Vec<Ball>>);
 
+/// Judges an entry; the twin is the other table's print of the same quantity with its number.
 fn judge(
-    printed: &[Printed],
-    at: usize,
+    p: &Number,
     value: &Ball,
-    twin: Option<(&Printed, &Ball)>,
+    twin: Option<(u32, &Number, &Ball)>,
     column_agrees: bool,
 ) -> VariantJudgement {
-    let p = &printed[at].number;
     let by_twin = || {
-        let (t, v) = twin?;
-        let (table, text) = (t.column.table(), &t.number.text);
+        let (table, other, v) = twin?;
+        let text = &other.text;
         let says = || format!("Table {table} prints {text} for the same quantity, which agrees");
-        t.number.is_rounded(v).then(says)
+        other.is_rounded(v).then(says)
     };
-    let reason = || by_twin().or_else(|| explained(&p.text, value));
-    let (verdict, note) = match p.verdict(value) {
-        EntryVerdict::Unexplained if column_agrees => match reason() {
-            Some(note) => (EntryVerdict::Misprint, Some(note)),
-            None => (EntryVerdict::Unexplained, None),
-        },
-        verdict => (verdict, None),
-    };
+    let mut verdict = p.verdict(value);
+    let mut note = None;
+    if verdict == EntryVerdict::Unexplained && column_agrees {
+        note = by_twin().or_else(|| explained(&p.text, value));
+        verdict = note.as_ref().map_or(verdict, |_| EntryVerdict::Misprint);
+    }
     VariantJudgement {
         recomputed: decided(value.to_decimal(DIGITS)),
         units_in_last_digit: (p.units_off(value) * 1e6).round() / 1e6,
@@ -46,60 +39,43 @@ fn judge(
 }
 
 /// Judges every entry under every variant.
-pub(super) fn entries(printed: &[Printed], variants: &[Variant]) -> (Vec<Entry>, Vec<Tally>) {
-    let mut all: Vec<Entry> = printed
-        .iter()
-        .map(|p| Entry {
-            table: p.column.table(),
-            row: p.row as u32,
-            column: p.column.name(),
-            printed: p.number.text.clone(),
-            variants: BTreeMap::new(),
-        })
-        .collect();
+pub(super) fn entries(printed: &[Vec<Number>], variants: &[Variant]) -> (Vec<Entry>, Vec<Tally>) {
     let mut tallies = Vec::new();
-    let index = |c: Column| Column::ALL.iter().position(|&x| x == c).expect("a column");
-    for v in variants {
-        for (c, &column) in Column::ALL.iter().enumerate() {
-            let first = c * ROWS;
-            let pairs = printed[first..]
-                .iter()
-                .map(|p| &p.number)
-                .zip(&v.columns[c]);
-            let tally = tally([v.name, column.name()], column.table(), pairs.take(ROWS));
-            // A misprint stands out only where nearly everything else agrees.
-            let column_agrees = ROWS - tally.within_one <= ROWS / 10;
-            for row in 0..ROWS {
-                let twin = column.twin().map(|t| {
-                    let k = index(t);
-                    (&printed[k * ROWS + row], &v.columns[k][row])
-                });
-                let result = judge(
-                    printed,
-                    first + row,
-                    &v.columns[c][row],
-                    twin,
-                    column_agrees,
-                );
-                all[first + row].variants.insert(v.name, result);
-            }
-            tallies.push(tally);
+    for (name, values) in variants {
+        for (c, (table, column)) in COLUMNS.into_iter().enumerate() {
+            let pairs = printed[c].iter().zip(&values[c]);
+            tallies.push(tally([name, column], table, pairs));
+        }
+    }
+    // A misprint stands out only where nearly everything else agrees.
+    let agrees = |t: &Tally| ROWS - t.within_one <= ROWS / 10;
+    let mut all = Vec::new();
+    for (c, (table, column)) in COLUMNS.into_iter().enumerate() {
+        for row in 0..ROWS {
+            let of = |(k, (name, values)): (usize, &Variant)| {
+                let beside = twin(c).map(|t| (COLUMNS[t].0, &printed[t][row], &values[t][row]));
+                let agrees = agrees(&tallies[k * COLUMNS.len() + c]);
+                (
+                    *name,
+                    judge(&printed[c][row], &values[c][row], beside, agrees),
+                )
+            };
+            all.push(Entry {
+                table,
+                row: row as u32,
+                column,
+                printed: printed[c][row].text.clone(),
+                variants: variants.iter().enumerate().map(of).collect(),
+            });
         }
     }
     (all, tallies)
-}
-
-/// `(within half a unit, within one)` over all columns of a variant.
-pub(super) fn totals(tallies: &[Tally], variant: &str) -> (usize, usize) {
-    let of = tallies.iter().filter(|t| t.variant == variant);
-    of.fold((0, 0), |(a, b), t| (a + t.within_half, b + t.within_one))
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::tables;
     use super::*;
-    use crate::papers::number::Number;
     use crate::reference::Decimal;
 
     fn ball(text: &str) -> Ball {
@@ -127,42 +103,26 @@ mod tests {
     fn a_column_with_five_entries_off_has_no_misprints() {
         let printed = tables::printed();
         for (off, due) in [(4, EntryVerdict::Misprint), (5, EntryVerdict::Unexplained)] {
+            let exact = |p: &Number| Ball::rational(200, &p.value.value);
             let mut columns: Vec<Vec<Ball>> = printed
-                .chunks(ROWS)
-                .map(|c| {
-                    c.iter()
-                        .map(|p| Ball::rational(200, &p.number.value.value))
-                        .collect()
-                })
+                .iter()
+                .map(|c| c.iter().map(exact).collect())
                 .collect();
             // A thousand too little, in a column without a twin.
-            let c = Column::ALL.iter().position(|c| c.twin().is_none()).unwrap();
-            for value in &mut columns[c][..off] {
+            for value in &mut columns[0][..off] {
                 *value = &*value + &ball("3");
             }
-            let name = "planted";
-            let (all, tallies) = entries(&printed, &[Variant { name, columns }]);
-            assert_eq!(tallies[c].within_one, ROWS - off);
-            let verdicts = all[c * ROWS..].iter().map(|e| e.variants[name].verdict);
-            let found: Vec<EntryVerdict> = verdicts.take(off).collect();
-            assert!(found.contains(&due));
-            assert!(!found.contains(&EntryVerdict::Agrees));
+            let (all, tallies) = entries(&printed, &[("planted", columns)]);
+            assert_eq!(tallies[0].within_one, ROWS - off);
+            let verdicts = all[..off].iter().map(|e| e.variants["planted"].verdict);
+            let found: Vec<EntryVerdict> = verdicts.collect();
+            assert!(found.contains(&due) && !found.contains(&EntryVerdict::Agrees));
         }
     }
 
     #[test]
     fn an_entry_is_judged_by_its_units() {
-        let printed = |text: &str| Printed {
-            column: Column::Inertia,
-            row: 0,
-            number: Number::read(text),
-        };
-        let all = [printed("10.534"), printed("10.5")];
-        let of = |value: &str, twin: Option<&str>, column_agrees| {
-            let twin = twin.map(ball);
-            let beside = twin.as_ref().map(|v| (&all[1], v));
-            judge(&all, 0, &ball(value), beside, column_agrees)
-        };
+        let (printed, beside) = (Number::read("10.534"), Number::read("10.5"));
         for (value, twin, agrees, due, units) in [
             ("10.53449", None, true, EntryVerdict::Agrees, -0.49),
             ("10.53451", None, true, EntryVerdict::Rounding, -0.51),
@@ -180,8 +140,10 @@ mod tests {
             // Nothing explains one entry of a column that is wrong throughout.
             ("10.834", None, false, EntryVerdict::Unexplained, -300.0),
         ] {
-            let found = of(value, twin, agrees);
-            assert_eq!(found.verdict, due, "{value} {twin:?}");
+            let twin = twin.map(ball);
+            let twin = twin.as_ref().map(|v| (3, &beside, v));
+            let found = judge(&printed, &ball(value), twin, agrees);
+            assert_eq!(found.verdict, due, "{value}");
             assert!((found.units_in_last_digit - units).abs() < 1e-6, "{value}");
             assert_eq!(found.note.is_some(), due == EntryVerdict::Misprint);
         }

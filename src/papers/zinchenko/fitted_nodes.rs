@@ -1,106 +1,142 @@
 //! The twelve nodes of M_o that the printed columns imply.
+//!
+//! They are slightly wrong, and no mass parameter can be the reason: the moment of weights on fixed
+//! mass points is `−dU/dφ1`, so its mean over a turn is zero whatever the masses, centres, gravity
+//! and angles. The mean of N equally spaced nodes then is the trapezoidal rule's error, which is
+//! certified to be far below the printed digits. The printed nodes have a mean that rounding cannot
+//! explain.
 
-use super::design::{Fit, TURN, least_squares, rounding_deviation, spline_rows};
+use super::design::{TURN, least_squares, read, spline_rows};
 use super::recipe::NODES;
-use super::tables::{Column, Printed, column};
+use super::tables::{MOMENT, ROWS};
+use crate::papers::file::{Measured, Quantity};
+use crate::papers::number::Number;
+use crate::reference::Ball;
 use nalgebra::{DMatrix, DVector};
-
-/// Nodes of M_o fitted to its two printed columns.
-#[derive(Clone, Debug)]
-pub(super) struct FittedMoment {
-    /// Node values in N·m, rounded to 1e-6.
-    pub nodes: [f64; NODES],
-    /// Standard deviations of the least-squares nodes from rounding alone.
-    pub deviations: [f64; NODES],
-    /// The largest deviation of the entries fitted, in units of the last digit.
-    pub worst_units: f64,
-    /// Entries left out because no nodes bring them within one unit, as (column, row).
-    pub left_out: Vec<(Column, usize)>,
-}
 
 /// Rounds of reweighting, after which the nodes have come to rest, and the least weight, which
 /// keeps entries that happened to be hit exactly.
 const ROUNDS: usize = 400;
 const FLOOR: f64 = 1e-9;
+/// Entries at most that may be left out.
+const MOST_LEFT_OUT: usize = 8;
 
-/// One printed entry as an equation for the nodes.
-struct Equation {
-    design: DVector<f64>,
-    printed: f64,
-    unit: f64,
-    place: (Column, usize),
-}
-
-/// The equations of both columns, without those left out.
-fn equations(printed: &[Printed], left_out: &[(Column, usize)]) -> Vec<Equation> {
-    let value = spline_rows(NODES, 0, false);
-    let slope = spline_rows(NODES, 0, true);
-    let mut all = Vec::new();
-    for (c, design) in [(Column::Moment, &value), (Column::MomentSlope, &slope)] {
-        for e in column(printed, c) {
-            if !left_out.contains(&(c, e.row)) {
-                all.push(Equation {
-                    design: design.row(e.row % TURN).transpose(),
-                    printed: e.to_f64(),
-                    unit: e.unit(),
-                    place: (c, e.row),
-                });
+/// Fits the nodes to the columns M_o and S'_Mo and compares them with the exact ones; returns them
+/// in N·m, rounded to 1e-6. Entries that least squares leaves off by more than one unit are left
+/// out, worst first; then Lawson's reweighting turns the fit into the minimax one, because a
+/// correctly rounded entry is off by at most half a unit and nothing more is known.
+pub(super) fn fit(printed: &[Vec<Number>], exact: &[Ball], measured: &mut Measured) -> Vec<f64> {
+    let designs = [false, true].map(|slope| spline_rows(NODES, 0, slope));
+    let rows: Vec<[f64; 3]> = printed[MOMENT..MOMENT + 2]
+        .iter()
+        .flatten()
+        .map(read)
+        .collect();
+    let n = rows.len();
+    let a = DMatrix::from_fn(n, NODES, |i, j| designs[i / ROWS][(i % ROWS % TURN, j)]);
+    let b = DVector::from_fn(n, |i, _| rows[i][0]);
+    // A fit, and what it is off by in units of the last digit; zero without a weight.
+    let fitted = |weights: &[f64]| {
+        let sigma = DVector::from_fn(n, |i, _| rows[i][2] / weights[i].sqrt());
+        let fit = least_squares(&a, &b, &sigma);
+        let off = &a * &fit.x - &b;
+        let units = |i: usize| {
+            if weights[i] > 0.0 {
+                (off[i] / rows[i][1]).abs()
+            } else {
+                0.0
             }
+        };
+        (fit, (0..n).map(units).collect::<Vec<f64>>())
+    };
+    let largest = |u: &[f64]| u.iter().copied().fold(0.0, f64::max);
+    let mut weights = vec![1.0; n];
+    let (first, mut units) = loop {
+        let (fit, units) = fitted(&weights);
+        let left_out = weights.iter().filter(|w| **w == 0.0).count();
+        if largest(&units) <= 1.0 || left_out == MOST_LEFT_OUT {
+            measured.set("left_out", left_out as f64);
+            break (fit, units);
+        }
+        let worst = (0..n).max_by(|&i, &j| units[i].total_cmp(&units[j]));
+        weights[worst.expect("rows")] = 0.0;
+    };
+    let mut best = (largest(&units), first.x.clone());
+    for _ in 0..ROUNDS {
+        let total: f64 = weights.iter().zip(&units).map(|(w, u)| w * u).sum();
+        for (w, u) in weights.iter_mut().zip(&units).filter(|(w, _)| **w > 0.0) {
+            *w = (*w * u * n as f64 / total).max(FLOOR);
+        }
+        let (fit, next) = fitted(&weights);
+        units = next;
+        if largest(&units) < best.0 {
+            best = (largest(&units), fit.x);
         }
     }
-    all
-}
-
-/// A weighted fit; residuals come in units of the last printed digit.
-fn fit_weighted(rows: &[Equation], weights: &[f64]) -> (Fit, Vec<f64>) {
-    let a = DMatrix::from_fn(rows.len(), NODES, |i, j| rows[i].design[j]);
-    let b = DVector::from_fn(rows.len(), |i, _| rows[i].printed);
-    let sigma = DVector::from_fn(rows.len(), |i, _| {
-        rounding_deviation(rows[i].unit) / weights[i].sqrt()
-    });
-    let fit = least_squares(&a, &b, &sigma);
-    let off = &a * &fit.x - &b;
-    let units = (0..rows.len())
-        .map(|i| (off[i] / rows[i].unit).abs())
+    measured.set("worst_units", best.0);
+    measured.set(
+        "node_sd",
+        largest(first.covariance.diagonal().map(f64::sqrt).as_slice()),
+    );
+    let nodes: Vec<f64> = best.1.iter().map(|x| (x * 1e6).round() / 1e6).collect();
+    let off: Vec<f64> = nodes
+        .iter()
+        .zip(exact)
+        .map(|(f, e)| f - e.to_f64())
         .collect();
-    (fit, units)
+    for (j, off) in off.iter().enumerate() {
+        measured.set(format!("off_{j}"), 1e4 * off);
+    }
+    measured.set(
+        "off_worst",
+        off.iter().fold(0.0, |m: f64, x| m.max(x.abs())),
+    );
+    means(printed, exact, measured);
+    nodes
 }
 
-/// Fits the nodes to the columns M_o and S'_Mo. Entries that least squares leaves off by more than
-/// one unit are left out, worst first; then Lawson's reweighting turns the fit into the minimax
-/// one, because a correctly rounded entry is off by at most half a unit and nothing more is known.
-pub(super) fn fit(printed: &[Printed]) -> FittedMoment {
-    let mut left_out: Vec<(Column, usize)> = Vec::new();
-    loop {
-        let rows = equations(printed, &left_out);
-        let mut weights = vec![1.0; rows.len()];
-        let (first, mut units) = fit_weighted(&rows, &weights);
-        let worst = (0..rows.len()).max_by(|&i, &j| units[i].total_cmp(&units[j]));
-        if let Some(i) = worst
-            && units[i] > 1.0
-            && left_out.len() < 8
-        {
-            left_out.push(rows[i].place);
-            continue;
+/// The means of the exact and of the printed nodes, and the latter's deviation by rounding.
+fn means(printed: &[Vec<Number>], exact: &[Ball], measured: &mut Measured) {
+    let sum = exact
+        .iter()
+        .skip(1)
+        .fold(exact[0].clone(), |sum, x| sum + x);
+    let mean = &sum / &Ball::integer(sum.prec(), NODES as i64);
+    measured.add("nodes_mean", Quantity::Number(mean));
+    let nodes = printed[MOMENT]
+        .iter()
+        .take(TURN)
+        .step_by(TURN / NODES)
+        .map(read);
+    let [total, variance] = nodes.fold([0.0; 2], |[a, b], [x, _, sd]| [a + x, b + sd * sd]);
+    measured.set("printed_mean", total / NODES as f64);
+    measured.set("mean_sd", variance.sqrt() / NODES as f64);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Twelve entries of three decimals: their mean is known to a unit over 12.
+    #[test]
+    fn means_are_of_twelve_nodes() {
+        let mut printed = super::super::tables::printed();
+        for k in 0..NODES {
+            printed[MOMENT][4 * k].value.value = rug::Rational::from((k * k) as u32);
         }
-        let largest = |u: &[f64]| u.iter().copied().fold(0.0, f64::max);
-        let mut best = (largest(&units), first.x.clone());
-        for _ in 0..ROUNDS {
-            let total: f64 = weights.iter().zip(&units).map(|(w, u)| w * u).sum();
-            for (w, u) in weights.iter_mut().zip(&units) {
-                *w = (*w * u * rows.len() as f64 / total).max(FLOOR);
-            }
-            let (fit, next) = fit_weighted(&rows, &weights);
-            units = next;
-            if largest(&units) < best.0 {
-                best = (largest(&units), fit.x);
-            }
+        let exact: Vec<Ball> = (1..=12).map(|k| Ball::integer(64, k)).collect();
+        let mut measured = Measured::default();
+        means(&printed, &exact, &mut measured);
+        // (0 + 1 + 4 + … + 121)/12.
+        for (name, due) in [
+            ("nodes_mean", 6.5),
+            ("printed_mean", 506.0 / 12.0),
+            ("mean_sd", 1e-3 / 12.0),
+        ] {
+            let Quantity::Number(found) = &measured.0[name] else {
+                panic!("{name}")
+            };
+            assert!((found.to_f64() - due).abs() < 1e-12, "{name}");
         }
-        return FittedMoment {
-            nodes: std::array::from_fn(|j| (best.1[j] * 1e6).round() / 1e6),
-            deviations: std::array::from_fn(|j| first.covariance[(j, j)].sqrt()),
-            worst_units: best.0,
-            left_out,
-        };
     }
 }

@@ -1,8 +1,8 @@
 //! The sand screen over one turn of its crank.
 
-use super::data::{MassParameters, PRINTED, RECOVERED, START_DEG};
-use super::recovery::node_states;
-use super::tables::{Column, Printed, column, printed};
+use super::data::{self, START_DEG};
+use super::recovery::Parameters;
+use super::tables::{INERTIA, MOMENT, printed};
 use crate::motion::{Course, Motion, class_iii};
 use crate::solvers::reduction::Reduced;
 
@@ -14,49 +14,37 @@ const ROWS: usize = 48;
 /// The sand screen on the paper's assembly mode, with I_n, dI_n/dφ and M_o for the printed and for
 /// the recovered centres of mass, and the printed columns at the paper's 48 crank angles.
 pub fn motion() -> Motion {
-    let states = node_states(POSITIONS);
+    let states = data::states(POSITIONS);
     let table = printed();
     let start: f64 = START_DEG.parse().expect("a decimal in the source");
     let degrees = |k: usize, n: usize| start + 360.0 * k as f64 / n as f64;
-    let reduced = [("recovered", RECOVERED), ("as printed", PRINTED)].map(|(name, centres)| {
-        let masses = MassParameters::new(centres).masses();
-        let rows: Vec<Reduced> = states.iter().map(|s| masses.reduce(s)).collect();
-        (name, rows)
-    });
-    let course = |name: &str, unit: &str, of: fn(&Reduced) -> f64, printed_as: Column| Course {
+    let (linkage, recovered, _) = data::solver_start();
+    let as_printed = Parameters::new(&data::printed()).masses();
+    let reduced = [("recovered", recovered), ("as printed", as_printed)]
+        .map(|(name, m)| (name, states.iter().map(|s| m.reduce(s)).collect::<Vec<_>>()));
+    // The last row of a printed column repeats the first.
+    let course = |name: &str, unit: &str, of: fn(&Reduced) -> f64, column: usize| Course {
         name: name.into(),
         unit: unit.into(),
         variants: reduced
             .iter()
             .map(|(v, rows)| (v.to_string(), rows.iter().map(of).collect()))
             .collect(),
-        printed: nodes(&table, printed_as)
-            .enumerate()
-            .map(|(k, value)| (degrees(k, ROWS), value))
+        printed: (0..ROWS)
+            .map(|k| (degrees(k, ROWS), table[column][k].value.value.to_f64()))
             .collect(),
     };
-    let linkage = super::data::solver_linkage();
     let values = (0..POSITIONS).map(|k| degrees(k, POSITIONS)).collect();
+    let derivative = |r: &Reduced| r.inertia_derivative_kg_m2;
     Motion {
         name: "Sand screen".into(),
         courses: vec![
-            course("I_n", "kg·m²", |r| r.inertia_kg_m2, Column::Inertia),
-            course(
-                "dI_n/dφ",
-                "kg·m²/rad",
-                |r| r.inertia_derivative_kg_m2,
-                Column::Derivative,
-            ),
-            course("M_o", "N·m", |r| r.moment_n_m, Column::Moment),
+            course("I_n", "kg·m²", |r| r.inertia_kg_m2, INERTIA),
+            course("dI_n/dφ", "kg·m²/rad", derivative, INERTIA + 2),
+            course("M_o", "N·m", |r| r.moment_n_m, MOMENT),
         ],
         ..class_iii(&linkage, &states, values)
     }
-}
-
-/// A printed column of one turn; the last row repeats the first.
-fn nodes(table: &[Printed], of: Column) -> impl Iterator<Item = f64> {
-    let entries = column(table, of).into_iter().take(ROWS);
-    entries.map(|e| e.to_f64())
 }
 
 #[cfg(test)]

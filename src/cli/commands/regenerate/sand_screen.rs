@@ -47,7 +47,7 @@ fn digits(ball: &Ball) -> Outcome<String> {
 pub fn made() -> Outcome<Made> {
     let (_, start) = data::start(BITS)?;
     let offset = data::row_angle(&Rational::new());
-    let (geometry, masses) = (data::geometry(), data::masses(data::RECOVERED));
+    let (geometry, masses) = (data::geometry(), data::recovered());
     let curve = LinkageCurve::new(&geometry, &masses, &offset, &start, PANELS, BITS);
     let curve = Arc::new(curve);
     let run = Run {
