@@ -80,7 +80,7 @@ const COS: [f64; 7] = reciprocals(4, 2, -1.0);
 
 /// `Σ c_k x^k` by even and odd terms: half the length of the chain of dependent operations.
 #[inline(always)]
-fn paired<R: Real, const N: usize>(c: &[f64; N], x: R) -> R {
+pub(crate) fn paired<R: Real, const N: usize>(c: &[f64; N], x: R) -> R {
     let xx = x * x;
     let top = |k: usize| x.like(c[k]);
     let (mut even, mut odd) = (top((N - 1) & !1), top((N - 2) | 1));
@@ -248,7 +248,7 @@ pub(crate) fn sin_cos_rounded<R: Real>(r: Dd<R>) -> (R, R) {
 
 /// Chooses and signs `(sin, cos)` by the quadrant, given as `ROUND + k`.
 #[inline(always)]
-fn turned<R: Real>(sin: R, cos: R, n: R) -> (R, R) {
+pub(crate) fn turned<R: Real>(sin: R, cos: R, n: R) -> (R, R) {
     let swap = n.is_odd();
     let next = n + n.like(1.0);
     (

@@ -1,6 +1,7 @@
 //! Floating-point arithmetic: exact constants, sums and products of two parts, vectors, and the
 //! exponential, sine and cosine of arguments in two parts.
 
+pub(crate) mod arctangent;
 pub(crate) mod double_double;
 pub(crate) mod double_double_functions;
 pub(crate) mod exponential;

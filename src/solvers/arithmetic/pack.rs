@@ -336,6 +336,10 @@ impl<S: Wide> Masked for Pack<S> {
         let bits = s.xor_u64s(s.transmute_u64s_f64s(self.1), sign);
         Pack(s, s.transmute_f64s_u64s(bits))
     }
+    #[inline(always)]
+    fn root(self) -> Self {
+        Pack(self.0, self.0.sqrt_f64s(self.1))
+    }
 }
 
 /// Something to be computed by vectors.

@@ -155,6 +155,8 @@ pub(crate) trait Masked: Real {
     fn except(self, a: Self::Mask, b: Self::Mask) -> Self::Mask;
     /// `self`, negated where `x` has a minus sign.
     fn with_sign_of(self, x: Self) -> Self;
+    /// Its square root.
+    fn root(self) -> Self;
 }
 
 impl Masked for f64 {
@@ -173,6 +175,10 @@ impl Masked for f64 {
     #[inline(always)]
     fn with_sign_of(self, x: f64) -> f64 {
         with_sign_of(self, x)
+    }
+    #[inline(always)]
+    fn root(self) -> f64 {
+        self.sqrt()
     }
 }
 

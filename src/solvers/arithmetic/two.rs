@@ -107,4 +107,8 @@ impl<R: Masked> Masked for Two<R> {
     fn with_sign_of(self, x: Self) -> Self {
         Two(self.0.with_sign_of(x.0), self.1.with_sign_of(x.1))
     }
+    #[inline(always)]
+    fn root(self) -> Self {
+        Two(self.0.root(), self.1.root())
+    }
 }

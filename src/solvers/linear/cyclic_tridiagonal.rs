@@ -13,7 +13,10 @@
 //! pivoting of the matrix as it stands, hence as stable as the open sweep for dominant matrices;
 //! no rank-one correction with a free parameter is involved.
 
+use std::cell::Cell;
+
 use super::tridiagonal::elimination::{Elimination, Shape};
+use super::tridiagonal::{Bands, Right, Rows, both_ends};
 use super::tridiagonal::{TridiagonalError as Error, check_finite, check_length, check_pivot};
 
 /// The factors of a cyclic tridiagonal matrix, without pivoting.
@@ -158,6 +161,136 @@ impl Elimination<Cyclic> {
     }
 }
 
+/// The rows of a cyclic matrix but for the last one, and the last unknown's column as a second
+/// right-hand side.
+struct Bordered<'a> {
+    open: Bands<'a, &'a [Cell<f64>]>,
+    /// Its entries in the first and last row.
+    column: [f64; 2],
+}
+
+impl Rows<2> for Bordered<'_> {
+    fn len(&self) -> usize {
+        self.open.diagonal.len()
+    }
+    #[inline(always)]
+    fn row(&self, i: usize) -> ([f64; 3], [f64; 2]) {
+        let (bands, [d]) = self.open.row(i);
+        let [first, last] = self.column;
+        let border = match i {
+            0 => first,
+            _ if i + 1 == Rows::len(self) => last,
+            _ => 0.0,
+        };
+        (bands, [d, border])
+    }
+    #[inline(always)]
+    fn four(&self, i: usize) -> ([[f64; 4]; 3], [[f64; 4]; 2]) {
+        let (bands, [d]) = self.open.four(i);
+        (bands, [d, [0.0; 4]])
+    }
+}
+
+/// Solves one cyclic system whose right-hand side stands in `x`, and returns an estimate of the
+/// error as [`solve_into_with_error`](super::tridiagonal::solve_into_with_error) has it, if it is
+/// asked for. After an error the content of `x` is unspecified.
+///
+/// The rows but the last are eliminated from both ends at once, for the right-hand side and for the
+/// column of the last unknown; the last row then has that unknown alone. Where a pivot of theirs
+/// vanishes, [`CyclicSweep`] is tried before the system is refused.
+///
+/// ```
+/// use mechaudit_solvers::cyclic_tridiagonal::solve_in_place;
+/// let mut x = [6.0; 5];
+/// solve_in_place(&[1.0; 5], &[4.0; 5], &[1.0; 5], &mut x, false)?;
+/// assert!(x.iter().all(|x| (x - 1.0).abs() < 1e-15));
+/// # Ok::<(), mechaudit_solvers::tridiagonal::TridiagonalError>(())
+/// ```
+///
+/// # Errors
+/// As [`CyclicSweep::factor`](Elimination::factor) and [`CyclicSweep::solve`](Elimination::solve).
+pub fn solve_in_place(
+    lower: &[f64],
+    diagonal: &[f64],
+    upper: &[f64],
+    x: &mut [f64],
+    estimate: bool,
+) -> Result<f64, Error> {
+    let n = diagonal.len();
+    let fits = n >= 3 && [lower.len(), upper.len(), x.len()] == [n; 3];
+    // Nothing is written over before the other rows are known to be finite.
+    let last = |v: &[f64]| v[n - 1].is_finite();
+    if fits && last(lower) && last(diagonal) && last(upper) && last(x) {
+        let cells: &[Cell<f64>] = Cell::from_mut(x).as_slice_of_cells();
+        let found = match estimate {
+            true => bordered::<true>([lower, diagonal, upper], cells)?,
+            false => bordered::<false>([lower, diagonal, upper], cells)?,
+        };
+        if let Some(error) = found {
+            return Ok(error);
+        }
+    }
+    let sweep = CyclicSweep::factor(lower, diagonal, upper)?;
+    sweep.solve_in_place(x)?;
+    Ok(match estimate {
+        true => sweep.stability().relative_error(),
+        false => 0.0,
+    })
+}
+
+/// Returns none, with `x` as it was, where a pivot of the rows but the last vanishes.
+fn bordered<const ESTIMATE: bool>(
+    [lower, diagonal, upper]: [&[f64]; 3],
+    x: &[Cell<f64>],
+) -> Result<Option<f64>, Error> {
+    let last = x.len() - 1;
+    let (inner, rest) = (&x[..last], x[last].get());
+    let rows = Bordered {
+        open: Bands {
+            lower: &lower[1..last],
+            diagonal: &diagonal[..last],
+            upper: &upper[..last - 1],
+            d: inner,
+        },
+        column: [lower[0], upper[last - 1]],
+    };
+    let mut column = vec![0.0; last];
+    let column: &[Cell<f64>] = Cell::from_mut(&mut column[..]).as_slice_of_cells();
+    let Some(found) = both_ends::<ESTIMATE, 2, _>(&rows, [inner, column])? else {
+        return Ok(None);
+    };
+    let (a, b, c) = (lower[last], diagonal[last], upper[last]);
+    let [first_v, last_v] = [column[0].get(), column[last - 1].get()];
+    let filled = [a * last_v, c * first_v];
+    let corner = (b - filled[0]) - filled[1];
+    check_pivot(last, corner)?;
+    let z = ((rest - a * inner[last - 1].get()) - c * inner[0].get()) / corner;
+    if !z.is_finite() {
+        return Err(Error::Overflow { row: last });
+    }
+    let (mut widest, mut finite) = (0.0f64, 0.0);
+    for (x, v) in inner.iter().zip(column) {
+        let value = (-z).mul_add(v.get(), x.get());
+        widest = widest.max(v.get().abs());
+        finite += value * 0.0;
+        x.set(value);
+    }
+    x[last].set(z);
+    if let (true, Some(row)) = (finite != 0.0, x.iter().position(|x| !x.get().is_finite())) {
+        return Err(Error::Overflow { row });
+    }
+    if !ESTIMATE {
+        return Ok(Some(0.0));
+    }
+    let row = a.abs() + b.abs() + c.abs();
+    let growth = (b.abs() + filled[0].abs() + filled[1].abs()) / row;
+    // The unknown of the border, and the others with it.
+    let size = (row + a.abs() * found.sizes[1] + c.abs() * found.sizes[0]) / corner.abs();
+    let size = size.max(size.mul_add(widest, found.size));
+    let growth = growth.max(found.growth * (1.0 + widest));
+    Ok(Some(2.0 * f64::EPSILON * growth * size))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -192,6 +325,58 @@ mod tests {
                 assert!((g - x).abs() < 1e-13, "{n} transposed: {got:?}");
             }
         }
+    }
+
+    /// One system at a time, as by the sweep; more rows than are kept.
+    #[test]
+    fn solved_in_place() {
+        for n in (3..40).chain([8197, 8198, 20_001]) {
+            let some = |k: usize| -> Vec<f64> {
+                (0..n).map(|i| ((i * k + n) % 13) as f64 - 6.0).collect()
+            };
+            let (l, u, x) = (some(5), some(7), some(3));
+            let d: Vec<f64> = some(11).iter().map(|v| v + 20.0).collect();
+            let right = product(&l, &d, &u, &x);
+            for estimate in [false, true] {
+                let mut got = right.clone();
+                let error = solve_in_place(&l, &d, &u, &mut got, estimate).unwrap();
+                let off = got.iter().zip(&x).map(|(p, q)| (p - q).abs());
+                assert!(off.fold(0.0, f64::max) < 1e-14, "{n}");
+                if estimate {
+                    let s = CyclicSweep::factor(&l, &d, &u).unwrap().stability();
+                    let times = error / s.relative_error();
+                    assert!((0.9..30.0).contains(&times), "{n}: {times}");
+                }
+            }
+        }
+        let solve = |l: &[f64], d: &[f64], u: &[f64], mut x: Vec<f64>| {
+            solve_in_place(l, d, u, &mut x, true).map(|error| (x, error))
+        };
+        let e = solve(&[-1.0; 3], &[2.0; 3], &[-1.0; 3], vec![1.0; 3]);
+        assert_eq!(e.unwrap_err(), Error::Pivot { row: 2, value: 0.0 });
+        let e = solve(&[1.0; 2], &[4.0; 2], &[1.0; 2], vec![1.0; 2]);
+        assert_eq!(e.unwrap_err(), Error::TooFew { needed: 3, got: 2 });
+        for bad in [f64::NAN, f64::INFINITY] {
+            for place in 0..4 {
+                let mut d = vec![1.0; 4];
+                d[place] = bad;
+                let e = solve(&[1.0; 4], &[4.0; 4], &[1.0; 4], d.clone());
+                assert!(matches!(e, Err(Error::NotFinite { index, .. }) if index == place));
+                let e = solve(&[1.0; 4], &d, &[1.0; 4], vec![1.0; 4]);
+                assert!(
+                    matches!(e, Err(Error::NotFinite { name: "diagonal", index, .. }) if index == place)
+                );
+                let e = solve(&d, &[4.0; 4], &[1.0; 4], vec![1.0; 4]);
+                assert!(
+                    matches!(e, Err(Error::NotFinite { name: "lower", index, .. }) if index == place)
+                );
+            }
+        }
+        // A pivot that vanishes from above alone: by the sweep, which finds another that does.
+        assert!(solve(&[1.0; 4], &[0.0, 4.0, 4.0, 4.0], &[1.0; 4], vec![1.0; 4]).is_err());
+        // Nearly singular, and said so.
+        let (_, error) = solve(&[-1.0; 9], &[2.0 + 1e-14; 9], &[-1.0; 9], vec![1.0; 9]).unwrap();
+        assert!(error > 1e-2, "{error}");
     }
 
     #[test]

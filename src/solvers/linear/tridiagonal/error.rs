@@ -49,6 +49,19 @@ pub enum TridiagonalError {
 
 use TridiagonalError as Error;
 
+impl TridiagonalError {
+    /// The same of a system that begins `by` entries further on.
+    pub(super) fn further(mut self, by: usize) -> TridiagonalError {
+        if let Error::NotFinite { index: at, .. }
+        | Error::Pivot { row: at, .. }
+        | Error::Overflow { row: at } = &mut self
+        {
+            *at += by;
+        }
+        self
+    }
+}
+
 pub(crate) fn check_length(
     name: &'static str,
     v: &[f64],

@@ -19,19 +19,22 @@
 //! the index `i−1` in the middle term, Table 1 has `b_n = 1` where `−1` is meant, and
 //! `λ_1 = η_1 = 0` holds only for `U_0 = 0` (row 0 gives `η_1 = U_0`).
 
+mod batch;
 pub(crate) mod elimination;
 mod error;
 mod one_shot;
 mod pivoted;
 mod stability;
 
+pub use batch::solve_batch_in_place;
 pub use elimination::Elimination;
 use elimination::{SEVERAL, Shape, gather, scatter};
 pub use error::TridiagonalError;
 use error::TridiagonalError as Error;
 use error::check_matrix;
 pub(crate) use error::{check_finite, check_length, check_pivot};
-pub use one_shot::{solve_into, solve_into_with_error};
+pub(crate) use one_shot::{Bands, Right, Rows, both_ends, solve_rows};
+pub use one_shot::{solve_in_place, solve_into, solve_into_with_error};
 pub use pivoted::Pivoted;
 pub use stability::Stability;
 

@@ -70,6 +70,14 @@ pub enum DyadError {
         /// The most it can span, in metres.
         most_m: f64,
     },
+    /// A column has not as many places as there are angles.
+    #[error("a column has {room} places, {angles} are needed")]
+    Room {
+        /// The number of angles.
+        angles: usize,
+        /// The number of places.
+        room: usize,
+    },
     /// A result exceeds the range of `f64`.
     #[error("{what} exceeds the range of f64")]
     Overflow {
@@ -88,6 +96,7 @@ impl DyadError {
             DyadError::CannotClose { .. } => "cannot close",
             DyadError::Unreachable { .. } => "unreachable",
             DyadError::Singular { .. } => "singular",
+            DyadError::Room { .. } => "room",
             DyadError::Overflow { .. } => "overflow",
         }
     }

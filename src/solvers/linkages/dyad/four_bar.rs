@@ -3,8 +3,11 @@
 use super::error::DyadError;
 use super::motion::{Assembly, LinkMotion, PointMotion};
 use super::numeric::{check_lengths, scale};
-use super::rrr::{Span, check_finite, joint_motion, link, solve_span};
+use super::rows::{self, Rows};
+use super::rrr::{Kernel, Span, check_finite, joint_motion, link, solve_span};
+use crate::arctangent;
 use crate::double_double::{Dd, sign_of_sum};
+use crate::real::{Masked, ROUND};
 use crate::units::{Angle, Length};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -151,39 +154,14 @@ impl FourBar {
                 value: phi,
             });
         }
-        let [a, b, c, d] = self.scaled();
-        let (sin, cos) = phi.sin_cos();
-        let x = d - a * cos;
-        let span = Span {
-            d: [x, -a * sin],
-            d1: if a <= d {
-                [a * sin, -a * cos]
-            } else {
-                [0.0, -d]
-            },
-            d2: if a <= d {
-                [a * cos, a * sin]
-            } else {
-                [-d, 0.0]
-            },
-            // D·D' = a d sin φ1 in both frames.
-            radial: Some([a * d * sin, if a <= d { a * (d * cos - a) } else { -d * x }]),
-        };
-        let mut k = solve_span(&span, b, c, assembly, self.exponent)?;
-        if a > d {
-            k.rates2[0] += 1.0;
-            k.rates3[0] += 1.0;
-        }
-        let s = assembly.sign();
-        let (phi2, phi3) = if a <= d {
-            let theta = span.d[1].atan2(span.d[0]);
-            (theta + s * k.alpha.angle(), theta + s * k.beta.supplement())
-        } else {
-            let principal = (-span.d[1]).atan2(-span.d[0]);
-            let turns = ((phi - principal) / TAU).round();
-            let eta = (principal + turns * TAU) + turns * (2.0 * Dd::PI.lo);
-            (eta - s * k.alpha.supplement(), eta - s * k.beta.angle())
-        };
+        let [a, b, c, _] = self.scaled();
+        let Moved {
+            kernel: k,
+            angles: [phi2, phi3],
+            gamma,
+            crank: [cos, sin],
+        } = rows::at(self, phi, assembly);
+        k.check([b, c], self.exponent)?;
         let m = |v: f64| scale(v, self.exponent);
         let crank_end = PointMotion {
             position_m: [m(a * cos), m(a * sin)],
@@ -197,8 +175,99 @@ impl FourBar {
             joint,
             coupler: link(phi2, k.rates2),
             rocker: link(phi3, k.rates3),
-            transmission: Angle::from_rad(k.gamma),
+            transmission: Angle::from_rad(gamma),
             determinant_m2,
         })
+    }
+}
+
+/// A position in scaled lengths.
+pub(super) struct Moved<R> {
+    kernel: Kernel<R>,
+    /// Of coupler and rocker.
+    angles: [R; 2],
+    gamma: R,
+    /// Cosine and sine of the crank angle.
+    crank: [R; 2],
+}
+
+impl Rows for FourBar {
+    type Moved<R> = Moved<R>;
+
+    #[inline(always)]
+    fn moved<R: Masked>(&self, phi: R, (sin, cos): (R, R), s: f64) -> Moved<R> {
+        let like = |v: f64| phi.like(v);
+        let [a, b, c, d] = self.scaled();
+        let crank = [like(a) * cos, like(a) * sin];
+        let x = like(-a).fma(cos, like(d));
+        let span = Span {
+            d: [x, -crank[1]],
+            d1: if a <= d {
+                [crank[1], -crank[0]]
+            } else {
+                [like(0.0), like(-d)]
+            },
+            d2: if a <= d { crank } else { [like(-d), like(0.0)] },
+            // D·D' = a d sin φ1 in both frames.
+            radial: Some([
+                like(a * d) * sin,
+                if a <= d {
+                    like(a) * like(d).fma(cos, like(-a))
+                } else {
+                    like(-d) * x
+                },
+            ]),
+        };
+        let mut kernel = solve_span(&span, [b, c], s);
+        if a > d {
+            kernel.rates2[0] = kernel.rates2[0] + like(1.0);
+            kernel.rates3[0] = kernel.rates3[0] + like(1.0);
+        }
+        let s = like(s);
+        let angles = if a <= d {
+            let theta = arctangent::angle(span.d[1], span.d[0]);
+            [
+                s.fma(kernel.alpha.angle(), theta),
+                s.fma(kernel.beta.supplement(), theta),
+            ]
+        } else {
+            let principal = arctangent::angle(-span.d[1], -span.d[0]);
+            let turns = (phi - principal).fma(like(1.0 / TAU), like(ROUND)) - like(ROUND);
+            let eta = turns.fma(like(TAU), principal) + turns * like(2.0 * Dd::PI.lo);
+            [
+                (-s).fma(kernel.alpha.supplement(), eta),
+                (-s).fma(kernel.beta.angle(), eta),
+            ]
+        };
+        let gamma = kernel.gamma.angle();
+        Moved {
+            kernel,
+            angles,
+            gamma,
+            crank: [cos, sin],
+        }
+    }
+
+    #[inline(always)]
+    fn row<R: Masked>(&self, m: &Moved<R>) -> ([R; 8], R::Mask) {
+        let k = &m.kernel;
+        let row = [
+            m.angles[0],
+            m.angles[1],
+            k.rates2[0],
+            k.rates3[0],
+            k.rates2[1],
+            k.rates3[1],
+            m.gamma,
+            scale(k.determinant, 2 * self.exponent),
+        ];
+        // Not so where it is no number: the links do not reach.
+        let zero = k.determinant.like(0.0);
+        (row, zero.below(k.determinant.magnitude()))
+    }
+
+    #[inline(always)]
+    fn relative<R: Masked>(&self, phi: R) -> R {
+        phi
     }
 }

@@ -35,6 +35,7 @@ mod limit_tests;
 mod linkage_type;
 mod motion;
 mod numeric;
+mod rows;
 mod rrp;
 mod rrr;
 mod slider_crank;

@@ -1,6 +1,9 @@
 //! Scaling by powers of two, exact signs of sums, and triangles from their sides.
 
 use super::error::{DyadError, MAX_LENGTH_RATIO};
+use crate::arctangent::first_quadrant;
+use crate::double_double::Dd;
+use crate::real::{Masked, Real};
 use crate::units::Length;
 
 /// `2^k` for `k` in `−1022..=1023`.
@@ -9,9 +12,10 @@ fn pow2(k: i32) -> f64 {
 }
 
 /// `x · 2^k`, rounded at most once where the result is not subnormal.
-pub(super) fn scale(x: f64, k: i32) -> f64 {
+pub(super) fn scale<R: Real>(x: R, k: i32) -> R {
     let half = k / 2;
-    x * pow2(half.clamp(-1022, 1023)) * pow2((k - half).clamp(-1022, 1023))
+    let power = |k: i32| x.like(pow2(k.clamp(-1022, 1023)));
+    x * power(half) * power(k - half)
 }
 
 /// The exponent of `x > 0`: `x` lies in `[2^e, 2^(e+1))`.
@@ -61,11 +65,11 @@ pub(super) fn check_lengths(
 /// tan(angle/2) = √((o − p + q)(o + p − q)) / √((p + q − o)(p + q + o))      (1)
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub(super) struct HalfAngle {
+pub(super) struct HalfAngle<R = f64> {
     /// Proportional to `sin(angle/2)`.
-    pub sin: f64,
+    pub sin: R,
     /// Proportional to `cos(angle/2)`.
-    pub cos: f64,
+    pub cos: R,
 }
 
 impl HalfAngle {
@@ -76,45 +80,65 @@ impl HalfAngle {
             cos: (p_q_o * sum).sqrt(),
         }
     }
+}
 
+impl<R: Masked> HalfAngle<R> {
     /// The angle, in `[0, π]`.
-    pub fn angle(self) -> f64 {
-        2.0 * self.sin.atan2(self.cos)
+    #[inline(always)]
+    pub fn angle(self) -> R {
+        self.sin.like(2.0) * first_quadrant(self.sin, self.cos)
     }
 
     /// π minus the angle, without subtracting.
-    pub fn supplement(self) -> f64 {
-        2.0 * self.cos.atan2(self.sin)
+    #[inline(always)]
+    pub fn supplement(self) -> R {
+        self.sin.like(2.0) * first_quadrant(self.cos, self.sin)
     }
+}
 
-    /// `(sin, cos)` of the angle.
-    pub fn sin_cos(self) -> (f64, f64) {
-        let whole = self.sin * self.sin + self.cos * self.cos;
-        (
-            2.0 * self.sin * self.cos / whole,
-            (self.cos - self.sin) * (self.cos + self.sin) / whole,
-        )
-    }
+/// The square root of a sum of two parts, to half a unit in the last place, and its reciprocal, to
+/// one unit; zero has a large one.
+#[inline(always)]
+pub(super) fn root<R: Masked>(square: Dd<R>) -> (R, R) {
+    let like = |v: f64| square.hi.like(v);
+    let r = square.hi.root();
+    let per = like(1.0) / r.raised(f64::MIN_POSITIVE);
+    let rest = (-r).fma(r, square.hi) + square.lo;
+    let root = (like(0.5) * per).fma(rest, r);
+    (root, per.fma((-root).fma(per, like(1.0)), per))
+}
+
+/// The length of a vector and its reciprocal.
+#[inline(always)]
+pub(super) fn length<R: Masked>([x, y]: [R; 2]) -> (R, R) {
+    let like = |v: f64| x.like(v);
+    // Squares of what is tiny would underflow.
+    let size = x.magnitude().at_least(y.magnitude());
+    let by = x.pick(size.below(like(pow2(-400))), like(pow2(500)), like(1.0));
+    let (x, y) = (x * by, y * by);
+    let ((p, e), (q, f)) = (x.two_prod(x), y.two_prod(y));
+    let (hi, lo) = p.two_sum(q);
+    let (length, per) = root(Dd::new(hi, lo + (e + f)));
+    let back = x.pick(like(1.0).below(by), like(pow2(-500)), like(1.0));
+    (length * back, per * by)
 }
 
 /// The sum of three numbers, the two of largest opposite magnitude first: where the result is
 /// small against them that first difference is exact.
-pub(super) fn sum3([a, b, c]: [f64; 3]) -> f64 {
-    let close = |x: f64, y: f64, z: f64| ((x + y).abs(), x + y + z);
-    let (ab, bc, ca) = (close(a, b, c), close(b, c, a), close(c, a, b));
-    let least = if ab.0 <= bc.0 && ab.0 <= ca.0 {
-        ab
-    } else if bc.0 <= ca.0 {
-        bc
-    } else {
-        ca
+#[inline(always)]
+pub(super) fn sum3<R: Real>([a, b, c]: [R; 3]) -> R {
+    let close = |x: R, y: R, z: R| ((x + y).magnitude(), x + y + z);
+    let closer = |x: (R, R), y: (R, R)| {
+        let m = y.0.below(x.0);
+        (a.pick(m, y.0, x.0), a.pick(m, y.1, x.1))
     };
-    least.1
+    closer(closer(close(a, b, c), close(b, c, a)), close(c, a, b)).1
 }
 
 /// The scalar product.
-pub(super) fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
+#[inline(always)]
+pub(super) fn dot<R: Real>(a: [R; 2], b: [R; 2]) -> R {
+    a[0].fma(b[0], a[1] * b[1])
 }
 
 #[cfg(test)]
@@ -137,7 +161,6 @@ mod tests {
         let angle =
             |p: f64, q: f64, o: f64| HalfAngle::new(o - p + q, o + p - q, p + q - o, p + q + o);
         assert_eq!(angle(3.0, 4.0, 5.0).angle(), std::f64::consts::FRAC_PI_2);
-        assert_eq!(angle(3.0, 4.0, 5.0).sin_cos(), (1.0, 0.0));
         assert_eq!(angle(1.0, 2.0, 3.0).angle(), std::f64::consts::PI);
         assert_eq!(angle(1.0, 2.0, 3.0).supplement(), 0.0);
         assert_eq!(angle(3.0, 2.0, 1.0).angle(), 0.0);

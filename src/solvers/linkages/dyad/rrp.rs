@@ -3,7 +3,10 @@
 use super::error::DyadError;
 use super::motion::{Assembly, LinkMotion, PointMotion};
 use super::numeric::{check_lengths, dot, exponent, scale};
+use crate::arctangent::first_quadrant;
 use crate::double_double::Dd;
+use crate::lanes::{Lanes, Task, with_best};
+use crate::real::Masked;
 use crate::units::{Angle, Length};
 use std::f64::consts::PI;
 
@@ -88,7 +91,33 @@ impl RrpDyad {
         let relative = [0, 1].map(|i| a.position_m[i] - guide.origin_m[i]);
         let along = [relative, a.first_m, a.second_m].map(|v| scale(dot(v, [cos, sin]), -e));
         let across = [relative, a.first_m, a.second_m].map(|v| scale(-dot(v, [-sin, cos]), -e));
-        solve_guide(along, across, scale(b, -e), direction, self.assembly, e)
+        let b = scale(b, -e);
+        let alone = Alone {
+            along,
+            across,
+            b,
+            direction,
+            assembly: self.assembly,
+        };
+        with_best(alone).motion(b, e)
+    }
+}
+
+/// One dyad by itself.
+pub(super) struct Alone {
+    pub along: [f64; 3],
+    pub across: [f64; 3],
+    pub b: f64,
+    pub direction: f64,
+    pub assembly: Assembly,
+}
+
+impl Task for Alone {
+    type Output = Slid<f64>;
+    #[inline(always)]
+    fn run<L: Lanes>(self, _: L) -> Slid<f64> {
+        let s = self.assembly.sign();
+        solve_guide(self.along, self.across, self.b, self.direction, s)
     }
 }
 
@@ -100,66 +129,90 @@ impl RrpDyad {
 /// x = p + s R         x' = p' − h θ'           x'' = p'' − h' θ' − h θ''                  (7)
 /// θ' = h' / (s R)     θ'' = (h'' + h θ'²) / (s R)                                         (8)
 /// ```
-pub(super) fn solve_guide(
-    along: [f64; 3],
-    across: [f64; 3],
+#[inline(always)]
+pub(super) fn solve_guide<R: Masked>(
+    along: [R; 3],
+    across: [R; 3],
     b: f64,
     direction: f64,
-    assembly: Assembly,
-    e: i32,
-) -> Result<RrpMotion, DyadError> {
+    s: f64,
+) -> Slid<R> {
     let [h, h1, h2] = across;
-    let (span_m, least_m, most_m) = (scale(h.abs(), e), 0.0, scale(b, e));
-    // Also where the distance has overflowed to an infinity or to NaN.
-    if h.is_nan() || h.abs() > b {
-        return Err(DyadError::Unreachable {
-            span_m,
-            least_m,
-            most_m,
-        });
-    }
-    let root = ((b - h) * (b + h)).sqrt();
-    if root == 0.0 {
-        return Err(DyadError::Singular {
-            span_m,
-            least_m,
-            most_m,
-        });
-    }
-    let s = assembly.sign();
-    let reach = s * root;
+    let like = |v: f64| h.like(v);
+    let root = ((like(b) - h) * (like(b) + h)).root();
+    let reach = like(s) * root;
     let first = h1 / reach;
-    let second = (h2 + h * first * first) / reach;
-    let tilt = h.atan2(root);
-    let angle = match assembly {
-        Assembly::Positive => direction + tilt,
-        Assembly::Negative => ((direction + PI) + Dd::PI.lo) - tilt,
+    let second = (h * first).fma(first, h2) / reach;
+    let tilt = first_quadrant(h.magnitude(), root).with_sign_of(h);
+    let angle = match s > 0.0 {
+        true => like(direction) + tilt,
+        false => like((direction + PI) + Dd::PI.lo) - tilt,
     };
-    let m = |x: f64| scale(x, e);
-    let out = RrpMotion {
-        slider_m: m(along[0] + reach),
-        slider_first_m: m(along[1] - h * first),
-        slider_second_m: m(along[2] - h1 * first - h * second),
-        rod: LinkMotion {
-            angle: Angle::from_rad(angle),
-            first,
-            second,
-        },
-        pressure: Angle::from_rad(tilt.abs()),
-        transmission: Angle::from_rad(root.atan2(h.abs())),
-        determinant_m: m(reach),
-    };
-    let values = [
-        out.slider_m,
-        out.slider_first_m,
-        out.slider_second_m,
-        first,
-        second,
-    ];
-    if values.iter().any(|x| !x.is_finite()) {
-        return Err(DyadError::Overflow {
-            what: "the motion of the slider or rod",
-        });
+    Slid {
+        slider: [
+            along[0] + reach,
+            (-h).fma(first, along[1]),
+            (-h).fma(second, (-h1).fma(first, along[2])),
+        ],
+        rod: [angle, first, second],
+        tilt,
+        transmission: first_quadrant(root, h.magnitude()),
+        reach,
+        height: h,
     }
-    Ok(out)
+}
+
+/// A position in scaled lengths.
+pub(super) struct Slid<R> {
+    pub slider: [R; 3],
+    pub rod: [R; 3],
+    tilt: R,
+    pub transmission: R,
+    pub reach: R,
+    /// The distance `h`.
+    height: R,
+}
+
+impl Slid<f64> {
+    /// The motion in metres.
+    pub fn motion(&self, b: f64, e: i32) -> Result<RrpMotion, DyadError> {
+        let h = self.height;
+        let (span_m, least_m, most_m) = (scale(h.abs(), e), 0.0, scale(b, e));
+        // Also where the distance has overflowed to an infinity or to NaN.
+        if h.is_nan() || h.abs() > b {
+            return Err(DyadError::Unreachable {
+                span_m,
+                least_m,
+                most_m,
+            });
+        }
+        if self.reach == 0.0 {
+            return Err(DyadError::Singular {
+                span_m,
+                least_m,
+                most_m,
+            });
+        }
+        let [slider_m, slider_first_m, slider_second_m] = self.slider.map(|x| scale(x, e));
+        let [angle, first, second] = self.rod;
+        let values = [slider_m, slider_first_m, slider_second_m, first, second];
+        if values.iter().any(|x| !x.is_finite()) {
+            return Err(DyadError::Overflow {
+                what: "the motion of the slider or rod",
+            });
+        }
+        Ok(RrpMotion {
+            slider_m,
+            slider_first_m,
+            slider_second_m,
+            rod: LinkMotion {
+                angle: Angle::from_rad(angle),
+                first,
+                second,
+            },
+            pressure: Angle::from_rad(self.tilt.abs()),
+            transmission: Angle::from_rad(self.transmission),
+            determinant_m: scale(self.reach, e),
+        })
+    }
 }

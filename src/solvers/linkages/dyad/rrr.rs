@@ -2,7 +2,10 @@
 
 use super::error::DyadError;
 use super::motion::{Assembly, LinkMotion, PointMotion};
-use super::numeric::{HalfAngle, check_lengths, dot, exponent, scale, sum3};
+use super::numeric::{HalfAngle, check_lengths, dot, exponent, length, root, scale, sum3};
+use crate::double_double::Dd;
+use crate::lanes::{Lanes, Task, with_best};
+use crate::real::Masked;
 use crate::units::{Angle, Length};
 
 /// The links `AC` and `BC` with the inner joint `C`.
@@ -81,14 +84,20 @@ impl RrrDyad {
             d2: diff(a.second_m, b.second_m),
             radial: None,
         };
-        let k = solve_span(&span, scale(first, -e), scale(second, -e), self.assembly, e)?;
+        let (first_scaled, second_scaled) = (scale(first, -e), scale(second, -e));
+        let k = with_best(Alone {
+            span: &span,
+            links: [first_scaled, second_scaled],
+            assembly: self.assembly,
+        });
+        k.check([first_scaled, second_scaled], e)?;
         let angle = |v: [f64; 2]| v[1].atan2(v[0]);
         let joint = joint_motion(a, first, k.e2, k.rates2);
         let m = RrrMotion {
             joint,
             first: link(angle(k.e2), k.rates2),
             second: link(angle(k.e3), k.rates3),
-            transmission: Angle::from_rad(k.gamma),
+            transmission: Angle::from_rad(k.gamma.angle()),
             determinant_m2: scale(k.determinant, 2 * e),
         };
         check_finite(&joint, &[k.rates2, k.rates3], m.determinant_m2)?;
@@ -136,32 +145,82 @@ pub(super) fn joint_motion(a: &PointMotion, l: f64, e: [f64; 2], [w, x]: [f64; 2
 }
 
 /// `D = B − A` with its derivatives, scaled so that the longer link lies in `[1, 2)`.
-pub(super) struct Span {
-    pub d: [f64; 2],
-    pub d1: [f64; 2],
-    pub d2: [f64; 2],
+pub(super) struct Span<R> {
+    pub d: [R; 2],
+    pub d1: [R; 2],
+    pub d2: [R; 2],
     /// `D·D'` and `D·D''`, where the caller knows them better than from the coordinates.
-    pub radial: Option<[f64; 2]>,
+    pub radial: Option<[R; 2]>,
 }
 
 /// The dyad in scaled lengths.
-pub(super) struct Kernel {
+pub(super) struct Kernel<R> {
     /// Unit vector from A to C.
-    pub e2: [f64; 2],
+    pub e2: [R; 2],
     /// Unit vector from B to C.
-    pub e3: [f64; 2],
+    pub e3: [R; 2],
     /// Angle at A.
-    pub alpha: HalfAngle,
+    pub alpha: HalfAngle<R>,
     /// Angle at B.
-    pub beta: HalfAngle,
+    pub beta: HalfAngle<R>,
     /// Angle at C.
-    pub gamma: f64,
+    pub gamma: HalfAngle<R>,
     /// First and second derivative of the angle of AC.
-    pub rates2: [f64; 2],
+    pub rates2: [R; 2],
     /// First and second derivative of the angle of BC.
-    pub rates3: [f64; 2],
+    pub rates3: [R; 2],
     /// `(C − A) × (C − B)`.
-    pub determinant: f64,
+    pub determinant: R,
+    /// The least of the sums of two sides less the third one: negative where the links do not reach.
+    least: R,
+    /// `|AB|`
+    span: R,
+}
+
+impl Kernel<f64> {
+    /// Refuses a dyad that does not reach or is flat.
+    pub fn check(&self, [b, c]: [f64; 2], e: i32) -> Result<(), DyadError> {
+        let (span_m, least_m) = (scale(self.span, e), scale((b - c).abs(), e));
+        let most_m = scale(b + c, e);
+        // Also where the span has overflowed.
+        if self.least.is_nan() || self.least < 0.0 {
+            return Err(DyadError::Unreachable {
+                span_m,
+                least_m,
+                most_m,
+            });
+        }
+        if self.determinant == 0.0 {
+            return Err(DyadError::Singular {
+                span_m,
+                least_m,
+                most_m,
+            });
+        }
+        Ok(())
+    }
+}
+
+/// One dyad by itself.
+struct Alone<'a> {
+    span: &'a Span<f64>,
+    links: [f64; 2],
+    assembly: Assembly,
+}
+
+impl Task for Alone<'_> {
+    type Output = Kernel<f64>;
+    #[inline(always)]
+    fn run<L: Lanes>(self, _: L) -> Kernel<f64> {
+        solve_span(self.span, self.links, self.assembly.sign())
+    }
+}
+
+/// `(p q − r t) f`
+#[inline(always)]
+fn difference<R: Masked>([p, q]: [R; 2], [r, t]: [R; 2], f: R) -> R {
+    let (high, low) = r.two_prod(t);
+    (p.fma(q, -high) - low) * f
 }
 
 /// The loop equation `b e2 − c e3 = D` and its derivatives. With `σ = e2 × e3`,
@@ -171,86 +230,82 @@ pub(super) struct Kernel {
 /// φ2'' = (D''·e3 + b φ2'² cos γ − c φ3'²) / (b σ)                                        (3)
 /// φ3'' = (D''·e2 + b φ2'² − c φ3'² cos γ) / (c σ)                                        (4)
 /// ```
-pub(super) fn solve_span(
-    span: &Span,
-    b: f64,
-    c: f64,
-    assembly: Assembly,
-    e: i32,
-) -> Result<Kernel, DyadError> {
-    let s = assembly.sign();
-    let d = span.d[0].hypot(span.d[1]);
+///
+/// Where the links do not reach or lie in one line, the rates say nothing.
+#[inline(always)]
+pub(super) fn solve_span<R: Masked>(span: &Span<R>, [b, c]: [f64; 2], s: f64) -> Kernel<R> {
+    let like = |v: f64| span.d[0].like(v);
+    let (d, per_d) = length(span.d);
     // The four factors of 16 area² (Heron).
-    let stretched = sum3([b, c, -d]);
-    let folded_b = sum3([d, c, -b]);
-    let folded_c = sum3([d, b, -c]);
-    let sum = d + b + c;
-    let (span_m, least_m, most_m) = (scale(d, e), scale((b - c).abs(), e), scale(b + c, e));
-    if !(stretched >= 0.0 && folded_b >= 0.0 && folded_c >= 0.0) {
-        return Err(DyadError::Unreachable {
-            span_m,
-            least_m,
-            most_m,
-        });
-    }
-    let area4 = ((stretched * folded_b) * (folded_c * sum)).sqrt();
-    if area4 == 0.0 {
-        return Err(DyadError::Singular {
-            span_m,
-            least_m,
-            most_m,
-        });
-    }
-    let alpha = HalfAngle::new(stretched, folded_b, folded_c, sum);
-    let beta = HalfAngle::new(stretched, folded_c, folded_b, sum);
-    let gamma = HalfAngle::new(folded_b, folded_c, stretched, sum);
-    let unit = [span.d[0] / d, span.d[1] / d];
-    let turned =
-        |sin: f64, cos: f64| [unit[0] * cos - unit[1] * sin, unit[1] * cos + unit[0] * sin];
-    let (sa, ca) = alpha.sin_cos();
-    let (sb, cb) = beta.sin_cos();
-    let e2 = turned(s * sa, ca);
-    let e3 = turned(s * sb, -cb);
-    let cos_gamma = gamma.sin_cos().1;
-    let determinant = s * area4 / 2.0;
-    let sigma_b = determinant / c; // b σ
-    let sigma_c = determinant / b; // c σ
+    let stretched = sum3([like(b), like(c), -d]);
+    let folded_b = sum3([d, like(c), like(-b)]);
+    let folded_c = sum3([d, like(b), like(-c)]);
+    let sum = d + like(b) + like(c);
+    let least = stretched.at_most(folded_b).at_most(folded_c);
+    // 16 area² in two parts: with the cosine of half an angle it is its sine.
+    let ((p, p_low), (q, q_low)) = (stretched.two_prod(folded_b), folded_c.two_prod(sum));
+    let (square, low) = p.two_prod(q);
+    let (area4, per_area4) = root(Dd::new(square, p.fma(q_low, p_low.fma(q, low))));
+    let half = |p_q_o: R| HalfAngle {
+        sin: area4,
+        cos: p_q_o * sum,
+    };
+    let (alpha, beta, gamma) = (half(folded_c), half(folded_b), half(stretched));
+    let unit = [span.d[0] * per_d, span.d[1] * per_d];
+    let turned = |sin: R, cos: R| {
+        [
+            unit[0].fma(cos, -(unit[1] * sin)),
+            unit[1].fma(cos, unit[0] * sin),
+        ]
+    };
+    // sin α = 4 area/(2 b d), cos α by the same factors over 4 b d.
+    let (per_b, per_c) = (like(0.5 / b) * per_d, like(0.5 / c) * per_d);
+    let of_half = like(0.5);
+    let ca = difference([folded_c, sum], [stretched, folded_b], of_half * per_b);
+    let cb = difference([folded_b, sum], [stretched, folded_c], of_half * per_c);
+    let e2 = turned(like(s) * (area4 * per_b), ca);
+    let e3 = turned(like(s) * (area4 * per_c), -cb);
+    let cos_gamma = difference([stretched, sum], [folded_b, folded_c], like(0.25 / (b * c)));
+    // b c σ, and 1/(b σ) and 1/(c σ).
+    let determinant = like(0.5 * s) * area4;
+    let per = like(2.0 * s) * per_area4;
+    let (per_sigma_b, per_sigma_c) = (like(c) * per, like(b) * per);
     // D'·e3 = (b D'·e2 − D·D')/c and D'·e2 = (c D'·e3 + D·D')/b: the shorter links win.
-    let project = |v: [f64; 2], radial: Option<f64>| {
+    let project = |v: [R; 2], radial: Option<R>| {
         let (v2, v3) = (dot(v, e2), dot(v, e3));
         match radial {
-            Some(r) if b < c / 4.0 => (v2, (b * v2 - r) / c),
-            Some(r) if c < b / 4.0 => ((c * v3 + r) / b, v3),
+            Some(r) if b < c / 4.0 => (v2, like(b).fma(v2, -r) / like(c)),
+            Some(r) if c < b / 4.0 => (like(c).fma(v3, r) / like(b), v3),
             _ => (v2, v3),
         }
     };
     let (v2, v3) = project(span.d1, span.radial.map(|r| r[0]));
-    let (w2, w3) = (v3 / sigma_b, v2 / sigma_c);
+    let (w2, w3) = (v3 * per_sigma_b, v2 * per_sigma_c);
     let (a2, a3) = project(span.d2, span.radial.map(|r| r[1]));
     // The centripetal terms of (3) and (4). Where the span is the shortest side, links and rates
     // are nearly equal and their difference is taken first: b cos γ − c = D·e3,
     // b − c cos γ = D·e2 and φ3' − φ2' = D·D'/(b c σ).
-    let (m2, m3) = if d < b.min(c) {
-        let radial = span.radial.map_or_else(|| dot(span.d, span.d1), |r| r[0]);
-        let both = radial / determinant * (w2 + w3);
-        (
-            w2 * w2 * dot(span.d, e3) - c * both,
-            w3 * w3 * dot(span.d, e2) - b * both,
-        )
-    } else {
-        let (n2, n3) = (b * w2 * w2, c * w3 * w3);
-        (n2 * cos_gamma - n3, n2 - n3 * cos_gamma)
-    };
-    let x2 = (a3 + m2) / sigma_b;
-    let x3 = (a2 + m3) / sigma_c;
-    Ok(Kernel {
+    let radial = span.radial.map_or_else(|| dot(span.d, span.d1), |r| r[0]);
+    let both = radial * per * (w2 + w3);
+    let (p2, p3) = (w2 * w2, w3 * w3);
+    let near = [
+        p2.fma(dot(span.d, e3), -(like(c) * both)),
+        p3.fma(dot(span.d, e2), -(like(b) * both)),
+    ];
+    let (n2, n3) = (like(b) * p2, like(c) * p3);
+    let far = [n2.fma(cos_gamma, -n3), (-n3).fma(cos_gamma, n2)];
+    let is_near = d.below(like(b.min(c)));
+    let centripetal = |i: usize| d.pick(is_near, near[i], far[i]);
+    Kernel {
         e2,
         e3,
         alpha,
         beta,
-        gamma: gamma.angle(),
-        rates2: [w2, x2],
-        rates3: [w3, x3],
+        gamma,
+        rates2: [w2, (a3 + centripetal(0)) * per_sigma_b],
+        rates3: [w3, (a2 + centripetal(1)) * per_sigma_c],
         determinant,
-    })
+        least,
+        span: d,
+    }
 }

@@ -3,9 +3,10 @@
 use super::error::DyadError;
 use super::motion::Assembly;
 use super::numeric::{check_lengths, scale};
-use super::rrp::RrpMotion;
-use super::rrp::solve_guide;
+use super::rows::{self, Rows};
+use super::rrp::{RrpMotion, Slid, solve_guide};
 use crate::double_double::sign_of_sum;
+use crate::real::Masked;
 use crate::units::{Angle, Length};
 use std::f64::consts::PI;
 
@@ -195,24 +196,50 @@ impl SliderCrank {
         assembly: Assembly,
     ) -> Result<SliderCrankMotion, DyadError> {
         let phi = phi1.rad();
-        let direction = self.direction.rad();
-        let psi = phi - direction;
-        if !psi.is_finite() {
+        if !(phi - self.direction.rad()).is_finite() {
             return Err(DyadError::NotFinite {
                 what: "crank angle",
                 value: phi,
             });
         }
+        let moved = rows::at(self, phi, assembly);
+        moved.motion(self.scaled()[1], self.exponent)
+    }
+}
+
+impl Rows for SliderCrank {
+    type Moved<R> = Slid<R>;
+
+    #[inline(always)]
+    fn relative<R: Masked>(&self, phi: R) -> R {
+        phi - phi.like(self.direction.rad())
+    }
+
+    #[inline(always)]
+    fn moved<R: Masked>(&self, phi: R, (sin, cos): (R, R), s: f64) -> Slid<R> {
         let [a, b, e] = self.scaled();
-        let (sin, cos) = psi.sin_cos();
-        let (p, q) = (a * cos, a * sin);
-        solve_guide(
-            [p, -q, -p],
-            [e - q, -p, q],
-            b,
-            direction,
-            assembly,
-            self.exponent,
-        )
+        let (p, q) = (phi.like(a) * cos, phi.like(a) * sin);
+        let h = phi.like(-a).fma(sin, phi.like(e));
+        solve_guide([p, -q, -p], [h, -p, q], b, self.direction.rad(), s)
+    }
+
+    #[inline(always)]
+    fn row<R: Masked>(&self, m: &Slid<R>) -> ([R; 8], R::Mask) {
+        let slider = m.slider.map(
+            #[inline(always)]
+            |x| scale(x, self.exponent),
+        );
+        let row = [
+            slider[0],
+            m.rod[0],
+            slider[1],
+            m.rod[1],
+            slider[2],
+            m.rod[2],
+            m.transmission,
+            scale(m.reach, self.exponent),
+        ];
+        // Not so where it is no number: the guide is out of reach.
+        (row, m.reach.like(0.0).below(m.reach.magnitude()))
     }
 }

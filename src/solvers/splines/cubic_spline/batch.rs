@@ -55,7 +55,7 @@ impl<G: Grid> Spline<G> {
             let found = x[start..]
                 .first_chunk::<GROUP>()
                 .filter(|x| PLAIN || plain(x))
-                .and_then(|x| self.grid.group(lookup, &self.y, &self.bend, x));
+                .and_then(|x| self.grid.group(lookup, &self.y, &self.bend, x, None));
             if let Some(found) = found {
                 out[start..start + GROUP].copy_from_slice(&found);
                 start += GROUP;
@@ -128,7 +128,7 @@ impl<G: Grid> Spline<G> {
             } else if G::GROUPS {
                 self.any_order::<L, false>(lookup, offset + done, x, out)?;
             } else {
-                segment = self.block(segment, x, out);
+                segment = self.block(lookup, segment, x, out);
             }
             before = greatest;
             done += x.len();
@@ -155,35 +155,32 @@ impl<G: Grid> Spline<G> {
         Ok(())
     }
 
-    /// An ascending block between the knots; `segment` is not behind its first point. Returns the
-    /// segment of the last point.
-    fn block(&self, mut segment: usize, x: &[f64], out: &mut [f64]) -> usize {
+    /// An ascending block between the knots; `segment` does not begin after its first point.
+    /// Returns the segment of the last point.
+    #[inline(always)]
+    fn block<L: Lookup>(&self, lookup: L, mut segment: usize, x: &[f64], out: &mut [f64]) -> usize {
         let end = self.grid.segments() - 1;
-        let mut start = 0;
-        let mut cell = self.cell(segment);
-        while start < x.len() {
-            // The next segment is the usual case; a search when it is further away.
-            let mut steps = 0;
-            while segment < end && !cell.is_left_of_end(x[start]) {
-                steps += 1;
-                segment = if steps < 8 {
-                    segment + 1
-                } else {
-                    self.grid.locate(x[start])
-                };
-                cell = self.cell(segment);
+        for (x, out) in x.chunks(GROUP).zip(out.chunks_mut(GROUP)) {
+            let group = x.first_chunk().and_then(|x| {
+                self.grid
+                    .group(lookup, &self.y, &self.bend, x, Some(&mut segment))
+            });
+            if let Some(found) = group {
+                out.copy_from_slice(&found);
+                continue;
             }
-            let rest = &x[start..];
-            let count = if segment == end {
-                rest.len()
-            } else {
-                let beyond = rest.iter().position(|x| !cell.is_left_of_end(*x));
-                beyond.unwrap_or(rest.len())
-            };
-            for (x, out) in rest[..count].iter().zip(&mut out[start..start + count]) {
-                *out = cell.value(*x);
+            for (x, out) in x.iter().zip(out) {
+                // The next segment is the usual case; a search when it is further away.
+                let mut steps = 0;
+                while segment < end && self.grid.knot(segment + 1) <= *x {
+                    steps += 1;
+                    segment = match steps < 8 {
+                        true => segment + 1,
+                        false => self.grid.locate(*x),
+                    };
+                }
+                *out = self.cell(segment).value(*x);
             }
-            start += count;
         }
         segment
     }

@@ -36,12 +36,6 @@ impl<G: Grid> Cell<G> {
         blend(at, (self.y0, self.y1), (self.p, self.q))
     }
 
-    /// Returns whether the right end is greater than `x`.
-    #[inline(always)]
-    pub(super) fn is_left_of_end(&self, x: f64) -> bool {
-        G::offsets(&self.at, x).1 > 0.0
-    }
-
     /// `S(x)`.
     #[inline(always)]
     pub(super) fn value(&self, x: f64) -> f64 {

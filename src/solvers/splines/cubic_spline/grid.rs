@@ -33,7 +33,7 @@ pub trait Grid: sealed::Sealed + Sync {
     /// Segment `i`.
     #[doc(hidden)]
     fn interval(&self, i: usize) -> Interval;
-    /// Tells whether [`Grid::group`] does anything.
+    /// Tells whether [`Grid::group`] takes points in any order.
     #[doc(hidden)]
     const GROUPS: bool;
     /// Knot `i`, rounded.
@@ -42,9 +42,17 @@ pub trait Grid: sealed::Sealed + Sync {
     #[doc(hidden)]
     fn offsets(at: &Interval, x: f64) -> (f64, f64);
     /// Values at some points, bit for bit those found one by one; `None` if one of them needs more
-    /// care or the grid has no quicker way.
+    /// care or the grid has no quicker way. Of points in ascending order `near` is a segment that
+    /// does not begin after the first one, and becomes that of the last one.
     #[doc(hidden)]
-    fn group<L: Lookup>(&self, at: L, y: &[f64], bend: &[f64], x: &[f64; 8]) -> Option<[f64; 8]>;
+    fn group<L: Lookup>(
+        &self,
+        lookup: L,
+        y: &[f64],
+        bend: &[f64],
+        x: &[f64; GROUP],
+        near: Option<&mut usize>,
+    ) -> Option<[f64; GROUP]>;
     /// The segment that holds `x`, which lies in the span: the one that begins at `x` if `x` is an
     /// interior knot.
     #[doc(hidden)]
@@ -73,6 +81,14 @@ impl Knots {
                 needed: 2,
                 got: x.len(),
             });
+        }
+        // Without an early end, so that it becomes vector instructions. What is not finite fails.
+        let good = x.windows(2).fold(x[0].abs() <= LARGEST, |all, p| {
+            let h = p[1] - p[0];
+            all & (h >= f64::MIN_POSITIVE) & (p[1].abs() <= LARGEST)
+        });
+        if good {
+            return Ok(Knots(x));
         }
         if let Some(index) = x.iter().position(|v| !v.is_finite()) {
             return Err(Error::NotFinite {
@@ -138,8 +154,38 @@ impl Grid for Knots {
     }
 
     #[inline(always)]
-    fn group<L: Lookup>(&self, _: L, _: &[f64], _: &[f64], _: &[f64; 8]) -> Option<[f64; 8]> {
-        None
+    #[allow(clippy::needless_range_loop)] // the loops are over parallel arrays
+    fn group<L: Lookup>(
+        &self,
+        lookup: L,
+        y: &[f64],
+        bend: &[f64],
+        x: &[f64; GROUP],
+        near: Option<&mut usize>,
+    ) -> Option<[f64; GROUP]> {
+        let near = near?;
+        let knots = self.0.get(*near..)?.first_chunk::<{ GROUP + 1 }>()?;
+        if x[GROUP - 1] >= knots[GROUP] {
+            return None;
+        }
+        // The segment is as many ahead as knots are passed.
+        let mut segment = [*near as u64; GROUP];
+        for knot in &knots[1..] {
+            for j in 0..GROUP {
+                segment[j] += u64::from(*knot <= x[j]);
+            }
+        }
+        let [from, to, ..] = lookup.ends(&self.0, &self.0, &segment)?;
+        let [y0, y1, p, q] = lookup.ends(y, bend, &segment)?;
+        let mut out = [0.0; GROUP];
+        for j in 0..GROUP {
+            let h = to[j] - from[j];
+            let at = fractions((x[j] - from[j], to[j] - x[j]), 1.0 / h);
+            let c = h * h / 6.0;
+            out[j] = blend(at, (y0[j], y1[j]), (c * p[j], c * q[j]));
+        }
+        *near = segment[GROUP - 1] as usize;
+        Some(out)
     }
 
     #[inline]
@@ -335,6 +381,7 @@ impl Grid for UniformKnots {
         y: &[f64],
         bend: &[f64],
         x: &[f64; GROUP],
+        _: Option<&mut usize>,
     ) -> Option<[f64; GROUP]> {
         // Adding 1.5 · 2^52 rounds to an integer, which then stands in the low bits. The bias makes
         // it the integer below, also at a knot; just below a knot it fails, which is noticed.

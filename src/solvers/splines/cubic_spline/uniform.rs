@@ -15,7 +15,7 @@ use super::evaluate::plain;
 use super::fit::{check_boundary, check_values};
 use super::grid::{LARGEST, UniformKnots};
 use super::spline::{Extrapolation, Spline, UniformCubicSpline};
-use crate::cyclic_tridiagonal::CyclicSweep;
+use crate::cyclic_tridiagonal;
 
 /// Room for the `λ_i` before they repeat.
 const TABLE: usize = 24;
@@ -247,9 +247,11 @@ fn periodic(y: &[f64]) -> Option<Vec<f64>> {
     let mut m = match n {
         1 => vec![0.0],
         2 => vec![d[0] / 2.0, d[1] / 2.0],
-        _ => CyclicSweep::factor(&vec![1.0; n], &vec![4.0; n], &vec![1.0; n])
-            .and_then(|a| a.solve(&d))
-            .ok()?,
+        _ => {
+            let (ones, mut m) = (vec![1.0; n], d);
+            cyclic_tridiagonal::solve_in_place(&ones, &vec![4.0; n], &ones, &mut m, false).ok()?;
+            m
+        }
     };
     m.push(m[0]);
     Some(m)

@@ -40,7 +40,7 @@ fn backward_error([lower, diagonal, upper, d]: &[Vec<f64>; 4], x: &[f64]) -> f64
 #[test]
 fn solutions_of_every_length() {
     let mut random = Random(41);
-    for n in (1..60).chain([1000, 1001]) {
+    for n in (1..60).chain([1000, 1001, 8196, 8205, 8206, 17_000]) {
         let system = system(&mut random, n, 2.0);
         let [lower, diagonal, upper, d] = &system;
         let mut x = vec![7.0; n];
@@ -49,6 +49,9 @@ fn solutions_of_every_length() {
         let mut again = vec![7.0; n];
         let error = solve_into_with_error(lower, diagonal, upper, d, &mut again).expect("dominant");
         assert_eq!(x, again);
+        let mut there = d.clone();
+        let same = solve_in_place(lower, diagonal, upper, &mut there, true).expect("dominant");
+        assert_eq!((&x, error.to_bits()), (&there, same.to_bits()));
         // Above Hager's estimate, which is from below, and the same but for that.
         let s = swept(lower, diagonal, upper, d)
             .expect("dominant")
@@ -152,4 +155,34 @@ fn refused_as_by_the_sweep() {
     // Pivots that vanish from one side alone: 1 and 1 − 1.
     let x = solve(&[1.0; 2], &[1.0; 3], &[1.0; 2], &[2.0, 3.0, 2.0]);
     assert_eq!(x, Ok(vec![1.0, 1.0, 1.0]));
+}
+
+/// Entries of any size, of neighbouring rows and of one: continuants leave their limits and are
+/// set back, or the rows are eliminated one after the other.
+#[test]
+fn rows_of_any_scale() {
+    let mut random = Random(43);
+    for spread in [8.0, 60.0, 300.0, 600.0] {
+        for n in [37, 200] {
+            let mut system = system(&mut random, n, 2.0);
+            let [lower, diagonal, upper, d] = &mut system;
+            for i in 0..n {
+                let scale = 2f64.powf(random.between(-spread, spread));
+                diagonal[i] *= scale;
+                d[i] *= scale;
+                if i > 0 {
+                    lower[i - 1] *= scale;
+                }
+                if i + 1 < n {
+                    upper[i] *= scale;
+                }
+            }
+            let mut x = vec![7.0; n];
+            solve_into(&system[0], &system[1], &system[2], &system[3], &mut x).expect("dominant");
+            assert!(
+                backward_error(&system, &x) < 8.0 * f64::EPSILON,
+                "{spread} {n}"
+            );
+        }
+    }
 }

@@ -14,7 +14,7 @@ fn spline(n: usize) -> UniformCubicSpline {
 #[test]
 fn groups_between_the_knots() {
     let s = spline(60);
-    let group = |x: &[f64; GROUP]| s.grid.group(Plain, &s.y, &s.bend, x);
+    let group = |x: &[f64; GROUP]| s.grid.group(Plain, &s.y, &s.bend, x, None);
     for start in 0..50 {
         for off in [0.0, 0.25, 0.5, 0.999] {
             let x = std::array::from_fn(|j| s.grid.knot(start + j) + off * 0.125);
