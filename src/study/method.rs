@@ -163,7 +163,7 @@ impl Method for Study {
         let rows = self.problem().of_rows(&exact, Rational::clone);
         let found = rows.iter().map(|row| self.compiled.conditions(row));
         let found = found.collect::<Option<Vec<_>>>().map(|rows| rows.concat());
-        // Differences of a motion take a trajectory for each input.
+        // The conditions of a motion are proved, or there are none.
         match self.compiled.motion.is_some() {
             true => found,
             false => found.or_else(|| conditions_by_differences(self, input, |_| true)),

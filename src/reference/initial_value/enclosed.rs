@@ -1,6 +1,6 @@
 //! Matrices of double numbers with radii, for linear maps that are needed to a few digits only.
 
-use crate::Mag;
+use crate::{Ball, Mag};
 
 /// `n × n` matrices: every entry is within its radius of the double number.
 #[derive(Clone, Debug)]
@@ -33,6 +33,26 @@ impl Enclosed {
     pub fn exact(n: usize, mid: Vec<f64>) -> Enclosed {
         let rad = vec![0.0; n * n];
         Enclosed { n, mid, rad }
+    }
+
+    /// The matrix of balls, row by row.
+    pub fn of_balls(n: usize, entries: &[Ball]) -> Enclosed {
+        let mid: Vec<f64> = entries.iter().map(|x| x.mid().to_f64()).collect();
+        let rad = entries.iter().zip(&mid).map(|(x, mid)| {
+            let rounding = mid.abs() * f64::EPSILON;
+            up(x.rad().to_f64() + rounding)
+        });
+        let rad = rad.collect();
+        Enclosed { n, mid, rad }
+    }
+
+    /// The radii, column by column.
+    pub fn columns_of_radii(&self) -> impl Iterator<Item = Vec<Mag>> {
+        let column = |j: usize| {
+            let entries = self.rad.iter().skip(j).step_by(self.n);
+            entries.map(|r| Mag::from_f64(*r)).collect()
+        };
+        (0..self.n).map(column)
     }
 
     /// A diagonal matrix.

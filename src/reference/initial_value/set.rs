@@ -10,44 +10,48 @@
 use super::enclosed::{Enclosed, orthogonal};
 use crate::Mag;
 
-/// `{B x : |x_i| ≤ r_i}`.
+/// Sets `{B x : |x_i| ≤ r_i}` of one basis B, each with radii r of its own. The first one decides
+/// how the basis turns.
 #[derive(Clone, Debug)]
 pub(super) struct ErrorSet {
     basis: Enclosed,
-    r: Vec<Mag>,
+    boxes: Vec<Vec<Mag>>,
 }
 
 impl ErrorSet {
-    /// The box of some radii.
-    pub fn of_box(radii: &[Mag], weights: &[f64]) -> ErrorSet {
-        let weighted = radii.iter().zip(weights);
+    /// Boxes of some radii.
+    pub fn of_boxes(radii: &[Vec<Mag>], weights: &[f64]) -> ErrorSet {
+        let scaled = |radii: &Vec<Mag>| {
+            let weighted = radii.iter().zip(weights);
+            weighted.map(|(r, w)| r.div(Mag::from_f64(*w))).collect()
+        };
         ErrorSet {
             basis: Enclosed::diagonal(weights),
-            r: weighted.map(|(r, w)| r.div(Mag::from_f64(*w))).collect(),
+            boxes: radii.iter().map(scaled).collect(),
         }
     }
 
-    /// Bounds on the components.
+    /// Bounds on the components of the first set.
     pub fn radii(&self) -> Vec<Mag> {
-        self.basis.reach(&self.r)
+        self.basis.reach(&self.boxes[0])
     }
 
-    /// Bounds on the components of `Φ e` for the errors e of the set.
-    pub fn radii_after(&self, flow: &Enclosed) -> Vec<Mag> {
-        flow.times(&self.basis).reach(&self.r)
-    }
-
-    /// A set that holds `Φ e + δ` for all errors e of this one and `|δ_i| ≤ extra_i`, in
-    /// coordinates of the sizes `weights`, which are powers of two.
-    pub fn moved(&self, flow: &Enclosed, extra: &[Mag], weights: &[f64]) -> ErrorSet {
-        let n = self.basis.n;
+    /// Bounds on the components of `Φ e` for the errors e of each set.
+    pub fn radii_after(&self, flow: &Enclosed) -> Vec<Vec<Mag>> {
         let image = flow.times(&self.basis);
-        let rotated = rotation(&image, &self.r, weights)
+        self.boxes.iter().map(|r| image.reach(r)).collect()
+    }
+
+    /// Sets that hold `Φ e + δ` for all errors e of these and `|δ_i| ≤ extra_i`, in coordinates of
+    /// the sizes `weights`, which are powers of two.
+    pub fn moved(&self, flow: &Enclosed, extra: &[Vec<Mag>], weights: &[f64]) -> ErrorSet {
+        let image = flow.times(&self.basis);
+        let rotated = rotation(&image, &self.boxes[0], weights)
             .and_then(|q| self.in_basis(&image, extra, weights, q));
         rotated.unwrap_or_else(|| {
-            let radii = image.reach(&self.r);
-            let radii: Vec<Mag> = (0..n).map(|i| radii[i].add(extra[i])).collect();
-            ErrorSet::of_box(&radii, weights)
+            let radii = self.boxes.iter().map(|r| image.reach(r));
+            let radii: Vec<Vec<Mag>> = radii.zip(extra).map(|(r, d)| sum(&r, d)).collect();
+            ErrorSet::of_boxes(&radii, weights)
         })
     }
 
@@ -56,7 +60,7 @@ impl ErrorSet {
     fn in_basis(
         &self,
         image: &Enclosed,
-        extra: &[Mag],
+        extra: &[Vec<Mag>],
         weights: &[f64],
         q: Vec<f64>,
     ) -> Option<ErrorSet> {
@@ -89,19 +93,25 @@ impl ErrorSet {
         };
         let w = scaled(|k, n| k % n, false, &inverse);
         let basis = scaled(|k, n| k / n, true, &q);
-        let (turned, added) = (w.times(image), w.reach(extra));
+        let turned = w.times(image);
         if !turned.is_finite() {
             return None;
         }
-        let r = turned.reach(&self.r);
-        let r: Vec<Mag> = (0..n).map(|i| r[i].add(added[i])).collect();
-        let largest = r.iter().fold(Mag::ZERO, |m, r| m.max(*r));
-        let rest = Mag::from_f64(super::enclosed::up(kappa / (1.0 - kappa))).mul(largest);
+        let share = Mag::from_f64(super::enclosed::up(kappa / (1.0 - kappa)));
+        let boxes = self.boxes.iter().zip(extra).map(|(r, extra)| {
+            let r = sum(&turned.reach(r), &w.reach(extra));
+            let rest = share.mul(r.iter().fold(Mag::ZERO, |m, r| m.max(*r)));
+            r.into_iter().map(|r| r.add(rest)).collect()
+        });
         Some(ErrorSet {
+            boxes: boxes.collect(),
             basis,
-            r: r.into_iter().map(|r| r.add(rest)).collect(),
         })
     }
+}
+
+fn sum(a: &[Mag], b: &[Mag]) -> Vec<Mag> {
+    a.iter().zip(b).map(|(a, b)| a.add(*b)).collect()
 }
 
 /// The orthogonal factor of `D^{−1} A diag(r)`, in units of the largest r.

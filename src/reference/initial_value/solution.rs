@@ -1,5 +1,6 @@
 //! A solution as a sequence of steps from its start, in both directions.
 
+use super::enclosed::Enclosed;
 use super::set::ErrorSet;
 use super::step::{Failure, Place, Setting, Step};
 use super::{Constants, Field, Obstacle};
@@ -87,7 +88,8 @@ impl Solution {
         let place = Place {
             time,
             mid: rounded.iter().map(|b| b.mid().clone()).collect(),
-            errors: ErrorSet::of_box(&radii, &vec![1.0; radii.len()]),
+            errors: ErrorSet::of_boxes(&[radii], &vec![1.0; states.len()]),
+            carried: None,
         };
         let branch = |backward| Branch {
             backward,
@@ -102,6 +104,20 @@ impl Solution {
             order: (f64::from(bits) * 0.35) as usize + 6,
             branches: [branch(false), branch(true)],
         }
+    }
+
+    /// The solution with a matrix S that the linearised flow carries along: `S′ = (∂f/∂y) S`, given
+    /// at the start row by row. It is known to the accuracy of double numbers at best.
+    pub fn carrying(mut self, matrix: &[Ball]) -> Solution {
+        for branch in &mut self.branches {
+            let place = &mut branch.places[0];
+            let start = Enclosed::of_balls(place.mid.len(), matrix);
+            let mut radii = vec![place.errors.radii()];
+            radii.extend(start.columns_of_radii());
+            place.errors = ErrorSet::of_boxes(&radii, &vec![1.0; start.n]);
+            place.carried = Some(Enclosed::exact(start.n, start.mid));
+        }
+        self
     }
 
     /// The working precision in bits.
@@ -129,6 +145,27 @@ impl Solution {
         let is_backward = *time < self.branches[0].places[0].time;
         let step = self.step_at(field, constants, time, is_backward, steps)?;
         Ok(step.at(time))
+    }
+
+    /// The matrix that is carried along at an exact time, row by row; see [`Solution::at`].
+    ///
+    /// # Errors
+    /// See [`Stopped`].
+    pub fn carried(
+        &mut self,
+        field: &Field,
+        constants: &Constants,
+        time: &Rational,
+        steps: &mut u64,
+    ) -> Result<Vec<Ball>, Stopped> {
+        let setting = Setting {
+            field,
+            constants,
+            bits: self.bits,
+            order: self.order,
+        };
+        let is_backward = *time < self.branches[0].places[0].time;
+        self.branches[usize::from(is_backward)].carried(&setting, time, steps)
     }
 
     /// The states at all times from one to another, which have to be those of one step
@@ -228,6 +265,30 @@ impl Branch {
             }
             self.extend(setting, steps)?;
         }
+    }
+
+    /// The matrix that is carried along. Early in a step, beside whose end it may be small, it is
+    /// that of a shorter step.
+    fn carried(
+        &mut self,
+        setting: &Setting<'_>,
+        time: &Rational,
+        steps: &mut u64,
+    ) -> Result<Vec<Ball>, Stopped> {
+        let step = self.step_at(setting, time, steps)?;
+        let way = Rational::from(time - step.start()).abs().to_f64();
+        let found = step.carried(time);
+        let Some((k, step)) = &self.current else {
+            return Ok(found);
+        };
+        if way == 0.0 || 4.0 * way > step.h.abs() {
+            return Ok(found);
+        }
+        let shorter = self.made(setting, *k, 1.0625 * way, steps)?;
+        Ok(match shorter.h.abs() >= way {
+            true => shorter.carried(time),
+            false => found,
+        })
     }
 
     fn is_reached(&self, time: &Rational) -> bool {

@@ -35,11 +35,14 @@ const MOST_FLOW_TERMS: usize = 90;
 /// The largest relative error of a linearised flow by truncation and rounding.
 const LARGEST_TRUNCATION: f64 = 1e-4;
 
-/// A state of the motion: an exact time, a midpoint and the set of its errors.
+/// A state of the motion: an exact time, a midpoint and the sets of its errors.
 #[derive(Clone, Debug)]
 pub(super) struct Place {
     pub time: Rational,
     pub mid: Vec<Float>,
+    /// A matrix that the linearised flow carries along; its errors are those sets that follow the
+    /// one of the states, column by column.
+    pub carried: Option<Enclosed>,
     pub errors: ErrorSet,
 }
 
@@ -368,7 +371,7 @@ impl Step {
         let tau = since / h;
         let near = tau.to_f64().clamp(0.0, 1.0);
         let share = reach.div(Mag::from_f64(self.h)).to_f64();
-        let flow = self.flow.at(near, (share + f64::EPSILON).next_up());
+        let flow = self.flow.at(near, (share + near * f64::EPSILON).next_up());
         (values.collect(), flow)
     }
 
@@ -382,7 +385,7 @@ impl Step {
         let middle = Rational::from(from + to) / 2u32;
         let half = Ball::rational(64, &(Rational::from(to - from) / 2u32)).magnitude();
         let (values, flow) = self.along(&(middle - &self.start.time), half);
-        let errors = self.start.errors.radii_after(&flow);
+        let errors = self.start.errors.radii_after(&flow).swap_remove(0);
         values
             .into_iter()
             .zip(errors)
@@ -390,14 +393,35 @@ impl Step {
             .collect()
     }
 
+    /// The matrix that is carried along at a time of the step, row by row; none where there is none.
+    pub fn carried(&self, time: &Rational) -> Vec<Ball> {
+        let Some(carried) = &self.start.carried else {
+            return Vec::new();
+        };
+        let (_, flow) = self.along(&Rational::from(time - &self.start.time), Mag::ZERO);
+        let errors = self.start.errors.radii_after(&flow);
+        let image = flow.times(carried);
+        let entry = |k: usize| {
+            let error = Mag::from_f64(image.rad[k]).add(errors[1 + k % image.n][k / image.n]);
+            Ball::exact(64, image.mid[k]).widened(error)
+        };
+        (0..image.mid.len()).map(entry).collect()
+    }
+
     /// The place at the end.
     pub fn next(&self) -> Place {
         let time = self.end();
         let (values, flow) = self.along(&Rational::from(&time - &self.start.time), Mag::ZERO);
         let rounded: Vec<Ball> = values.iter().map(|v| v.with_prec(self.bits)).collect();
-        let extra: Vec<Mag> = rounded.iter().map(Ball::rad).collect();
+        let mut extra = vec![rounded.iter().map(Ball::rad).collect()];
+        let carried = self.start.carried.as_ref().map(|carried| {
+            let image = flow.times(carried);
+            extra.extend(image.columns_of_radii());
+            Enclosed::exact(image.n, image.mid)
+        });
         Place {
             time,
+            carried,
             mid: rounded.iter().map(|b| b.mid().clone()).collect(),
             errors: self.start.errors.moved(&flow, &extra, &self.weights),
         }

@@ -257,7 +257,7 @@ fn sets_hold_the_images_of_their_errors() {
                 .map(|_| Mag::from_f64(unit(&mut draw).abs() + 1e-3))
                 .collect();
             let weights: Vec<f64> = (0..n).map(|i| (i as f64 - 2.0).exp2()).collect();
-            let mut set = ErrorSet::of_box(&radii, &weights);
+            let mut set = ErrorSet::of_boxes(&[radii], &weights);
             for _ in 0..5 {
                 let matrix =
                     |draw: &mut Draw| -> Vec<f64> { (0..n * n).map(|_| unit(draw)).collect() };
@@ -269,8 +269,8 @@ fn sets_hold_the_images_of_their_errors() {
                     .map(|_| Mag::from_f64(size * unit(&mut draw).abs()))
                     .collect();
                 let image = set.radii_after(&flow);
-                set = set.moved(&flow, &extra, &weights);
-                let least = image
+                set = set.moved(&flow, &[extra.clone()], &weights);
+                let least = image[0]
                     .iter()
                     .zip(&extra)
                     .map(|(a, b)| a.to_f64() + b.to_f64());
@@ -288,9 +288,9 @@ fn sets_turn_without_wrapping() {
     let (s, c) = 0.7f64.sin_cos();
     let flow = Enclosed::exact(2, vec![c, -s, s, c]);
     let one = Mag::from_f64(1.0);
-    let mut set = ErrorSet::of_box(&[one, one], &[1.0, 1.0]);
+    let mut set = ErrorSet::of_boxes(&[vec![one, one]], &[1.0, 1.0]);
     for _ in 0..1000 {
-        set = set.moved(&flow, &[Mag::ZERO; 2], &[1.0, 1.0]);
+        set = set.moved(&flow, &[vec![Mag::ZERO; 2]], &[1.0, 1.0]);
     }
     assert!(set.radii().iter().all(|r| *r < Mag::from_f64(1.5)));
 }
@@ -394,7 +394,8 @@ fn a_tube_that_is_left_proves_nothing() {
     let place = |radius: f64| Place {
         time: Rational::from(0),
         mid: vec![Float::with_val(BITS, 1)],
-        errors: ErrorSet::of_box(&[Mag::from_f64(radius)], &[1.0]),
+        errors: ErrorSet::of_boxes(&[vec![Mag::from_f64(radius)]], &[1.0]),
+        carried: None,
     };
     let (expansion, p) = setting.expand(&place(0.0)).unwrap();
     // Every coefficient is 1.
@@ -436,5 +437,32 @@ fn a_rational_solution() {
             panic!("{beyond:?}");
         };
         assert!(reached < 1 && reached > 0.999 && (near - 1.0).abs() < 1e-6);
+    }
+}
+
+/// `∂y/∂y_0 = 1/(1 − t)²`, times a matrix that is known to one part in 64.
+#[test]
+fn a_matrix_is_carried_along() {
+    let field = quadratic();
+    let constants = Constants {
+        rates: Vec::new(),
+        jacobian: Vec::new(),
+    };
+    let start = [Ball::integer(BITS, 1)];
+    let matrix = [Ball::integer(64, 1).widened(Mag::power_of_two(-6))];
+    let mut solution = Solution::new(Rational::from(0), &start, BITS).carrying(&matrix);
+    let mut steps = 1000;
+    for t in [(1, 1000), (-7, 2), (9, 10), (1, 3), (0, 1)] {
+        let t = Rational::from(t);
+        let found = solution
+            .carried(&field, &constants, &t, &mut steps)
+            .unwrap();
+        let exact = 1 / Rational::from(1 - &t).square();
+        for share in [63, 65] {
+            let end = Rational::from(&exact * share) / 64;
+            assert!(found[0].contains(&end), "{t}: {found:?}");
+        }
+        let width = Mag::from_f64(exact.to_f64() / 64.0 * 1.0001);
+        assert!(found[0].rad() <= width, "{t}: {found:?}");
     }
 }

@@ -277,7 +277,8 @@ impl Flow {
         weighted(&self.truncation) / weighted(&self.at(1.0, 0.0).mid).max(1.0)
     }
 
-    /// The flow at τ, which is given as a double number and a bound on its error.
+    /// The flow at τ, which is given as a double number and a bound on its error. The polynomial's
+    /// own error grows from zero by at most its bound in a unit of τ.
     pub fn at(&self, tau: f64, off: f64) -> Enclosed {
         let n = self.n;
         let order = self.terms.len() - 1;
@@ -286,13 +287,13 @@ impl Flow {
         for (k, terms) in self.terms.iter().enumerate().rev() {
             for e in 0..n * n {
                 mid[e] = mid[e] * tau + terms[e];
-                size[e] += terms[e].abs();
+                size[e] = size[e] * tau + terms[e].abs();
                 slope[e] += k as f64 * terms[e].abs();
             }
         }
         let rounding = gamma(2 * order + 2);
         let rad = (0..n * n)
-            .map(|e| up(self.error[e] + size[e] * rounding + slope[e] * off))
+            .map(|e| up(self.error[e] * (tau + off) + size[e] * rounding + slope[e] * off))
             .collect();
         Enclosed { n, mid, rad }
     }

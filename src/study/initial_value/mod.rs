@@ -125,7 +125,7 @@ impl Solution {
             });
         }
         let fault = |e: ProblemError| StudyError::new(e.to_string());
-        let conditions = conditions::Conditions::new(problem, of, &mut graph, &outputs, &nodes);
+        let conditions = conditions::Conditions::new(problem, &mut graph, &outputs, &nodes);
         let limits = Limits::default();
         let posed = InitialValueProblem::of_graph(graph.clone(), start, &nodes).map_err(fault)?;
         let solution = Solution {
@@ -150,9 +150,6 @@ impl Solution {
     pub fn set_limit(&mut self, bits: u32) {
         self.limits.bits = bits;
         self.trajectories.set_limit(bits);
-        if let Some(conditions) = &mut self.conditions {
-            conditions.set_limit(bits);
-        }
     }
 
     /// The reason why a time is none of the motion.
@@ -318,13 +315,7 @@ impl Solution {
     /// states.
     pub fn conditions(&self, inputs: &[Rational]) -> Option<Vec<f64>> {
         let (time, inputs) = inputs.split_last()?;
-        let states = self
-            .trajectories
-            .at(inputs, time, Goal::Double(conditions::BITS))
-            .ok()?;
-        self.conditions
-            .as_ref()?
-            .values(self, inputs, time, &states)
+        self.conditions.as_ref()?.values(self, inputs, time)
     }
 }
 

@@ -192,3 +192,62 @@ fn faults_have_their_place() {
     );
     assert!(fault(&system).contains("either [ode] or [system]"));
 }
+
+/// Conditions of problems with and without inputs, against central differences of Taylor series in
+/// mpmath's numbers of 60 digits.
+#[test]
+fn conditions_are_those_of_mpmath() {
+    let text = |name: &str| {
+        let path = format!(
+            "{}/examples/studies/motion/{name}.toml",
+            env!("CARGO_MANIFEST_DIR")
+        );
+        std::fs::read_to_string(path).unwrap()
+    };
+    let cases: [(&str, &[f64], &[f64]); 5] = [
+        (
+            "lorenz",
+            &[5.0],
+            &[24.0412544469, 100.347457246, 93.8697398476],
+        ),
+        ("pendulum-swing", &[5.0], &[5.12551714039, 23.4725790683]),
+        (
+            "rigid-body",
+            &[20.0],
+            &[13.8973478437, 41.0932792847, 7.6340186344],
+        ),
+        ("van-der-pol", &[1.0, 5.0], &[11.3949925722, 11.0357134834]),
+        (
+            "kepler-orbit",
+            &[3.0],
+            &[105.627789322, 61.3863245568, 71.9384137373, 14.7673042139],
+        ),
+    ];
+    for (name, input, due) in cases {
+        let study = Study::parse(&text(name), name).unwrap();
+        let found = study.conditions(input).unwrap();
+        assert!(found.len() >= due.len());
+        for (found, due) in found.iter().zip(due) {
+            assert!((found - due).abs() <= 1e-9 * due, "{name}: {found} {due}");
+        }
+    }
+}
+
+/// The condition jumps where the rate does, and there is none where
+/// the start moves off a switch.
+#[test]
+fn conditions_across_switches() {
+    let at = |start: &str, t: f64| {
+        let text = with(
+            "",
+            &format!("y = {{ start = \"{start}\", rate = \"if(y < 1, 1, 2)\" }}"),
+        );
+        Study::parse(&text, "switch").unwrap().conditions(&[t])
+    };
+    // y = 1 + 2 (t − 1 + y_0) past the switch, t + y_0 before it.
+    let past = at("1/4", 2.0).unwrap()[0];
+    assert!((past - (2.0 * 2.0 + 2.0 * 0.25)).abs() < 1e-9, "{past}");
+    let before = at("1/4", 0.5).unwrap()[0];
+    assert!((before - 0.75).abs() < 1e-9, "{before}");
+    assert_eq!(at("1", 0.5), None);
+}

@@ -1,7 +1,9 @@
 //! Trajectories of a problem, kept for a while: rows with the same inputs share one.
 
 use crate::reference::Ball;
-use mechaudit_symbolic::evaluation::{Goal, InitialValueProblem, Limits, MotionError, Trajectory};
+use mechaudit_symbolic::evaluation::{
+    Derivatives, Goal, InitialValueProblem, Limits, MotionError, Trajectory,
+};
 use rug::Rational;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -17,7 +19,6 @@ pub struct Trajectories {
     limits: Limits,
     /// The one used last comes last.
     kept: Mutex<Vec<Kept>>,
-    most: usize,
 }
 
 impl Trajectories {
@@ -26,14 +27,7 @@ impl Trajectories {
             problem,
             limits,
             kept: Mutex::default(),
-            most: KEPT,
         }
-    }
-
-    /// The same where so many trajectories are asked for in turn.
-    pub fn keeping(mut self, more: usize) -> Trajectories {
-        self.most = KEPT + more;
-        self
     }
 
     /// The number of states.
@@ -57,11 +51,31 @@ impl Trajectories {
         time: &Rational,
         goal: Goal,
     ) -> Result<Vec<Ball>, MotionError> {
+        self.with(inputs, |trajectory| trajectory.at(time, goal))
+    }
+
+    /// The derivatives of the states at a time.
+    ///
+    /// # Errors
+    /// As [`Trajectory::derivatives`].
+    pub fn derivatives(
+        &self,
+        inputs: &[Rational],
+        time: &Rational,
+    ) -> Result<Derivatives, MotionError> {
+        self.with(inputs, |trajectory| trajectory.derivatives(time))
+    }
+
+    fn with<T>(
+        &self,
+        inputs: &[Rational],
+        of: impl FnOnce(&mut Trajectory) -> Result<T, MotionError>,
+    ) -> Result<T, MotionError> {
         let trajectory = self.trajectory(inputs)?;
         // A trajectory that a panic left behind may be half extended.
         match trajectory.lock() {
-            Ok(mut trajectory) => trajectory.at(time, goal),
-            Err(_) => self.problem.trajectory(inputs, self.limits)?.at(time, goal),
+            Ok(mut trajectory) => of(&mut trajectory),
+            Err(_) => of(&mut self.problem.trajectory(inputs, self.limits)?),
         }
     }
 
@@ -74,7 +88,7 @@ impl Trajectories {
                 (inputs.to_vec(), Arc::new(Mutex::new(new)))
             }
         };
-        if kept.len() >= self.most {
+        if kept.len() >= KEPT {
             kept.remove(0);
         }
         let trajectory = found.1.clone();

@@ -24,7 +24,7 @@ pub use adaptive::{Algebraic, Answer, Certified, Goal, LIMIT, Undecided};
 pub use ball::{Balls, Value};
 pub use float::{Elementary, FloatValue, Floating, Format};
 pub use initial_value::{
-    InitialValueProblem, Limits, MotionError, ProblemError, State, Trajectory,
+    Derivatives, InitialValueProblem, Limits, MotionError, ProblemError, State, Trajectory,
 };
 
 use crate::graph::{Binding, Graph, Id, Node};

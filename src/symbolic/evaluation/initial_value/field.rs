@@ -20,6 +20,8 @@ pub(super) struct Smooth {
     sides: Sides,
     rates: Compiled,
     jacobian: Compiled,
+    /// The rows of the entries of the Jacobian, and their places.
+    entries: Vec<(usize, Slot)>,
     outputs: Vec<Slot>,
     guards: Guards,
 }
@@ -98,6 +100,7 @@ impl Smooth {
         };
         let entries = problem.jacobian.iter().zip(slots);
         let entries = entries.map(|((row, column, _), slot)| (*row, *column, slot));
+        let entries: Vec<(usize, usize, Slot)> = entries.collect();
         let constants = Constants {
             rates: constants(evaluator, &rates)?,
             jacobian: constants(evaluator, &jacobian)?,
@@ -107,12 +110,13 @@ impl Smooth {
                 rates.program.clone(),
                 outputs.clone(),
                 jacobian.program.clone(),
-                entries.collect(),
+                entries.clone(),
             ),
             constants,
             sides,
             rates,
             jacobian,
+            entries: entries.iter().map(|e| (e.0, e.2)).collect(),
             outputs,
             guards,
         })
@@ -147,6 +151,19 @@ impl Smooth {
         let bits = time.prec();
         let (program, constants) = (&self.rates.program, &self.constants.rates);
         values(program, constants, time, states, &self.outputs, bits)
+    }
+
+    /// Row by row, the sum of the magnitudes of the Jacobian's entries for all times and states of
+    /// some balls.
+    pub fn steepness(&self, time: &Ball, states: &[Ball]) -> Result<Vec<Mag>, Obstacle> {
+        let (program, constants) = (&self.jacobian.program, &self.constants.jacobian);
+        let slots: Vec<Slot> = self.entries.iter().map(|e| e.1).collect();
+        let found = values(program, constants, time, states, &slots, time.prec())?;
+        let mut rows = vec![Mag::ZERO; states.len()];
+        for ((row, _), entry) in self.entries.iter().zip(found) {
+            rows[*row] = rows[*row].add(entry.magnitude());
+        }
+        Ok(rows)
     }
 
     /// The guards at all times and states of some balls.

@@ -27,6 +27,6 @@ mod problem;
 mod trajectory;
 
 pub use problem::{InitialValueProblem, ProblemError, State};
-pub use trajectory::{Limits, MotionError, Trajectory};
+pub use trajectory::{Derivatives, Limits, MotionError, Trajectory};
 #[cfg(test)]
 mod tests;

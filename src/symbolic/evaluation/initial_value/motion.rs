@@ -1,6 +1,6 @@
 //! A motion in one direction at one working precision: smooth pieces, one after another.
 
-use super::crossing::{Crossing, TOUCHES, cross, jumped, times};
+use super::crossing::{Crossing, TOUCHES, Uncrossed, cross, jumped, times, whole};
 use super::field::{AT_SWITCH, Guarded, Sides, Smooth, set, side};
 use super::{InitialValueProblem, MotionError};
 use crate::evaluation::ball::unary;
@@ -60,8 +60,12 @@ pub(super) struct Motion {
 /// Parts of a step are halved so often before a guard is given up.
 const DEPTH: u32 = 128;
 
+/// The most switches that are crossed at once: there is a piece for each choice of their sides.
+const MOST: usize = 4;
+
 impl Motion {
-    /// Begins a motion from the states at the start.
+    /// Begins a motion from the states at the start, and from the derivatives that the problem
+    /// carries along.
     ///
     /// # Errors
     /// A rate without a value, a switch at the start that is not crossed.
@@ -69,38 +73,27 @@ impl Motion {
         problem: &InitialValueProblem,
         mut evaluator: Evaluator<Balls>,
         start: Rational,
-        starts: Vec<Ball>,
+        (starts, variation): (Vec<Ball>, Vec<Ball>),
         (bits, is_backward): (u32, bool),
     ) -> Result<Motion, Halt> {
         let exact = Ball::rational(evaluator.interpretation.prec, &start);
         set(&mut evaluator, problem, &exact, &starts);
-        let at_switch = problem
-            .switches
-            .iter()
-            .map(|switch| switch.0)
-            .find(|switch| side(&mut evaluator, *switch) == Err(AT_SWITCH));
+        let switches = problem.switches.iter().map(|switch| switch.0);
+        let at: Vec<Switch> = switches
+            .filter(|switch| side(&mut evaluator, *switch) == Err(AT_SWITCH))
+            .collect();
         let fault = |(node, reason): (Id, NoValue)| Halt::Rate {
             node,
             reason,
             time: start.clone(),
         };
-        let mut piece = None;
-        // Derivatives by the inputs have no value where the start is at a switch for one value of
-        // them only.
-        if let Some(switch) = at_switch.filter(|_| problem.derivatives.is_none()) {
-            piece = Motion::away(
-                problem,
-                &mut evaluator,
-                (&start, &starts),
-                switch,
-                (bits, is_backward),
-            );
-        }
-        let piece = match piece {
+        let place = (&start, starts.as_slice(), variation.as_slice());
+        let way = (bits, is_backward);
+        let piece = match Motion::away(problem, &mut evaluator, place, &at, way) {
             Some(piece) => piece,
             None => Piece {
                 field: Smooth::new(problem, &mut evaluator, &Sides::new()).map_err(fault)?,
-                solution: Solution::new(start.clone(), &starts, bits),
+                solution: carrying(Solution::new(start.clone(), &starts, bits), &variation),
                 entry: None,
                 verified: start.clone(),
                 start,
@@ -114,29 +107,42 @@ impl Motion {
         })
     }
 
-    /// The first piece of a motion that starts at a switch and leaves it.
+    /// The first piece of a motion that starts at some switches and leaves them.
     fn away(
         problem: &InitialValueProblem,
         evaluator: &mut Evaluator<Balls>,
-        (start, starts): (&Rational, &[Ball]),
-        switch: Switch,
+        (start, starts, variation): (&Rational, &[Ball], &[Ball]),
+        at: &[Switch],
         (bits, is_backward): (u32, bool),
     ) -> Option<Piece> {
-        let sides = about(evaluator, switch)?;
-        let mut pieces = Vec::new();
-        for side in sides {
-            let known = Sides::from([(switch, side)]);
-            pieces.push(Smooth::new(problem, evaluator, &known).ok()?);
+        if at.is_empty() || at.len() > MOST {
+            return None;
+        }
+        let sides = at.iter().map(|switch| about(evaluator, *switch));
+        let sides: Vec<[Side; 2]> = sides.collect::<Option<_>>()?;
+        let mut fields = Vec::new();
+        for choice in 0..1 << at.len() {
+            let side = |(k, sides): (usize, &[Side; 2])| sides[choice >> k & 1].clone();
+            let chosen = sides.iter().enumerate().map(side);
+            let known: Sides = at.iter().copied().zip(chosen).collect();
+            fields.push(Smooth::new(problem, evaluator, &known).ok()?);
         }
         let width = Rational::from(1) >> bits;
-        for _ in 0..2 {
-            let both = [&pieces[0], &pieces[1]];
+        for _ in 0..fields.len() {
+            // The last piece is another one each time.
+            fields.rotate_left(1);
+            let pieces: Vec<&Smooth> = fields.iter().collect();
             let way = (width.clone(), is_backward);
-            if let Ok(crossing) = cross((start, starts), both, switch, way, bits) {
-                let field = pieces.pop()?;
-                return Some(Piece::after(field, crossing, bits));
+            let Ok(crossing) = cross((start, starts), &pieces, at, way, bits) else {
+                continue;
+            };
+            let mut s = variation.to_vec();
+            if problem.variation.is_some() {
+                let gradients = gradients(problem, evaluator, at, &crossing);
+                let switches = (at, gradients.as_slice());
+                s = jumped(s, &crossing, &pieces, switches, true);
             }
-            pieces.swap(0, 1);
+            return Some(Piece::after(fields.pop()?, crossing, &s, bits));
         }
         None
     }
@@ -168,7 +174,7 @@ impl Motion {
         }
     }
 
-    /// The states at a time.
+    /// The states at a time, and the derivatives that the problem carries along.
     pub fn at(
         &mut self,
         problem: &InitialValueProblem,
@@ -200,13 +206,15 @@ impl Motion {
             }
             k -= 1;
         }
-        if let Some(states) = states {
+        if let Some(mut states) = states {
+            let unknown = problem.variation.as_ref().map_or(0, |s| s.start.len());
+            states.extend((0..unknown).map(|_| whole()));
             return Ok(states);
         }
         let piece = &mut self.pieces[k];
-        let (field, constants) = (&piece.field.field, &piece.field.constants);
-        let found = piece.solution.at(field, constants, time, steps);
-        found.map_err(Halt::Stopped)
+        let mut states = piece.at(time, steps)?;
+        states.extend(piece.carried(time, steps)?);
+        Ok(states)
     }
 
     /// Proves the guards of the last piece over the next step, or enters the next piece.
@@ -233,40 +241,87 @@ impl Motion {
             &Ball::rational(bits + 16, &before),
             &states,
         );
-        let mut sides = piece.field.active();
-        let side = other_side(&sides, &guarded).ok_or(halt(TOUCHES))?;
-        sides.insert(guarded.switch, side);
-        let next =
-            Smooth::new(problem, &mut self.evaluator, &sides).map_err(|(node, reason)| {
-                Halt::Rate {
+        let sides = piece.field.active();
+        let other = |guarded: &Guarded| {
+            let side = other_side(&sides, guarded).ok_or(halt(TOUCHES))?;
+            Ok((guarded.switch, side))
+        };
+        let mut others = vec![other(&guarded)?];
+        let mut fields: Vec<Smooth> = Vec::new();
+        let (at, crossing) = loop {
+            // All choices of sides that have the new one past its switch.
+            for choice in 0..1 << (others.len() - 1) {
+                let is_past = |k: &usize| k + 1 == others.len() || choice >> k & 1 == 1;
+                let chosen = (0..others.len()).filter(is_past).map(|k| others[k].clone());
+                let mut sides = sides.clone();
+                sides.extend(chosen);
+                let field = Smooth::new(problem, &mut self.evaluator, &sides);
+                fields.push(field.map_err(|(node, reason)| Halt::Rate {
                     node,
                     reason,
                     time: before.clone(),
+                })?);
+            }
+            let pieces: Vec<&Smooth> = [&piece.field].into_iter().chain(&fields).collect();
+            let at: Vec<Switch> = others.iter().map(|other| other.0).collect();
+            let from = (&before, states.as_slice());
+            match cross(from, &pieces, &at, (width.clone(), is_backward), bits) {
+                Ok(crossing) => break (at, crossing),
+                Err(Uncrossed::Meets(_)) if at.len() == MOST => {
+                    return Err(halt("the motion meets too many switches at once"));
                 }
-            })?;
-        let from = (&before, states.as_slice());
-        let pieces = [&piece.field, &next];
-        let crossing = cross(from, pieces, guarded.switch, (width, is_backward), bits);
-        let mut crossing = crossing.map_err(halt)?;
-        if let Some(derivatives) = &problem.derivatives {
-            let mut slopes = |span: &Ball, hull: &[Ball]| {
-                set_again(&mut self.evaluator, problem, span, hull);
-                let nodes = derivatives.switches.get(&guarded.switch)?;
-                let value = |id: &Id| self.evaluator.value(*id).ok()?.real().cloned();
-                nodes.iter().map(value).collect()
-            };
-            crossing = jumped(
-                crossing,
-                pieces,
-                guarded.switch,
-                (derivatives.states, &mut slopes),
-                bits,
-            )
-            .map_err(halt)?;
+                Err(Uncrossed::Meets(met)) => others.push(other(&met)?),
+                Err(Uncrossed::Open(reason)) => return Err(halt(reason)),
+            }
+        };
+        let mut s = piece.carried(&before, steps)?;
+        if problem.variation.is_some() {
+            let pieces: Vec<&Smooth> = [&piece.field].into_iter().chain(&fields).collect();
+            let gradients = gradients(problem, &mut self.evaluator, &at, &crossing);
+            s = jumped(s, &crossing, &pieces, (&at, &gradients), false);
         }
         piece.verified = before;
-        self.pieces.push(Piece::after(next, crossing, bits));
+        let next = fields.pop().expect("a piece past the switches");
+        self.pieces.push(Piece::after(next, crossing, &s, bits));
         Ok(())
+    }
+}
+
+/// The gradients of the values that change their signs at switches, over the way across them.
+fn gradients(
+    problem: &InitialValueProblem,
+    evaluator: &mut Evaluator<Balls>,
+    switches: &[Switch],
+    crossing: &Crossing,
+) -> Vec<Vec<Ball>> {
+    let span = times(
+        evaluator.interpretation.prec,
+        &crossing.before,
+        &crossing.after,
+    );
+    set_again(evaluator, problem, &span, &crossing.hull);
+    let mut value = |id: &Id| {
+        let value = evaluator
+            .value(*id)
+            .ok()
+            .and_then(|value| value.real().cloned());
+        value.unwrap_or_else(whole)
+    };
+    let gradient = |switch: &Switch| {
+        let nodes = problem.variation.as_ref()?.gradients.get(switch)?;
+        Some(nodes.iter().map(&mut value).collect())
+    };
+    let found = switches.iter().map(gradient);
+    found
+        .map(|g| g.unwrap_or_else(|| vec![whole(); crossing.states.len()]))
+        .collect()
+}
+
+/// A solution that carries derivatives along, if there are any.
+fn carrying(solution: Solution, variation: &[Ball]) -> Solution {
+    match variation {
+        [] => solution,
+        _ => solution.carrying(variation),
     }
 }
 
@@ -325,10 +380,11 @@ fn other_side(sides: &Sides, guarded: &Guarded) -> Option<Side> {
 }
 
 impl Piece {
-    fn after(field: Smooth, crossing: Crossing, bits: u32) -> Piece {
+    fn after(field: Smooth, crossing: Crossing, variation: &[Ball], bits: u32) -> Piece {
+        let solution = Solution::new(crossing.after.clone(), &crossing.states, bits);
         Piece {
             field,
-            solution: Solution::new(crossing.after.clone(), &crossing.states, bits),
+            solution: carrying(solution, variation),
             entry: Some((crossing.before, crossing.hull)),
             verified: crossing.after.clone(),
             start: crossing.after,
@@ -338,6 +394,13 @@ impl Piece {
     fn at(&mut self, time: &Rational, steps: &mut u64) -> Result<Vec<Ball>, Halt> {
         let (field, constants) = (&self.field.field, &self.field.constants);
         let found = self.solution.at(field, constants, time, steps);
+        found.map_err(Halt::Stopped)
+    }
+
+    /// The derivatives that are carried along.
+    fn carried(&mut self, time: &Rational, steps: &mut u64) -> Result<Vec<Ball>, Halt> {
+        let (field, constants) = (&self.field.field, &self.field.constants);
+        let found = self.solution.carried(field, constants, time, steps);
         found.map_err(Halt::Stopped)
     }
 
@@ -373,14 +436,10 @@ impl Piece {
                 }
                 // Where its rate has a sign, a guard that holds at both ends holds between them.
                 if lost.iter().all(|k| over[*k].rises().is_some()) {
-                    let at = self
-                        .guards_over([&to, &to], bits, steps)?
-                        .unwrap_or_default();
-                    let open: Vec<&usize> = lost.iter().filter(|k| !at[**k].holds()).collect();
-                    match open.as_slice() {
-                        [] => continue,
-                        [k] if at[**k].fails() => {
-                            return self.bracket(**k, from, to, bits, steps).map(Some);
+                    match self.guards_over([&to, &to], bits, steps)? {
+                        Some(at) if lost.iter().all(|k| at[*k].holds()) => continue,
+                        Some(at) if lost.iter().any(|k| at[*k].fails()) => {
+                            return self.bracket(from, to, bits, steps).map(Some);
                         }
                         _ => {}
                     }
@@ -399,10 +458,10 @@ impl Piece {
         Ok(None)
     }
 
-    /// A guard, a time at which it still holds, and a length after which it does not.
+    /// The first guard that fails, a time at which all still hold, and a length after which that one
+    /// does not.
     fn bracket(
         &mut self,
-        k: usize,
         mut from: Rational,
         mut to: Rational,
         bits: u32,
@@ -411,23 +470,24 @@ impl Piece {
         let mut is_narrow = false;
         for _ in 0..4 * bits {
             let middle = Rational::from(&from + &to) / 2u32;
-            let at = self.guards_over([&middle, &middle], bits, steps)?;
-            let Some(at) = at.filter(|at| at.len() > k) else {
+            let Some(at) = self.guards_over([&middle, &middle], bits, steps)? else {
                 break;
             };
             match () {
-                () if at[k].holds() => from = middle,
+                () if at.iter().all(Guarded::holds) => from = middle,
                 () if is_narrow => break,
                 () => {
-                    // Beyond a time that balls do not decide the last one that holds is sought.
-                    is_narrow = !at[k].fails();
+                    // Beyond a time that balls do not decide the last one at which all hold is
+                    // sought.
+                    is_narrow = !at.iter().any(Guarded::fails);
                     to = middle;
                 }
             }
         }
-        let guards = self.guards_over([&from, &from], bits, steps)?;
-        let guarded =
-            guards.and_then(|mut guards| (k < guards.len()).then(|| guards.swap_remove(k)));
+        let at = self
+            .guards_over([&to, &to], bits, steps)?
+            .unwrap_or_default();
+        let guarded = at.into_iter().find(|guard| !guard.holds());
         let width = Rational::from(&to - &from).abs();
         let halt = || Halt::Switch {
             reached: from.clone(),

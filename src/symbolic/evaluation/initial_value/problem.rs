@@ -6,7 +6,7 @@ use crate::graph::{Graph, Id, Node};
 use crate::{Definitions, Expr, SymbolicError};
 use rug::Rational;
 use std::collections::HashMap;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// A state: its value at the start and its rate.
 #[derive(Clone, Debug)]
@@ -78,18 +78,20 @@ pub struct InitialValueProblem {
     pub(super) jacobian: Vec<(usize, usize, Id)>,
     /// The switches of the rates, and the rates of the values that change their signs there.
     pub(super) switches: Vec<(Switch, Option<Id>)>,
-    /// The derivatives by the inputs that are carried along as further states.
-    pub(super) derivatives: Option<Derivatives>,
+    /// The derivatives that are carried along.
+    pub(super) variation: Option<Variation>,
+    /// The problem that carries derivatives along, once it is asked for.
+    varied: Arc<OnceLock<Result<InitialValueProblem, ProblemError>>>,
 }
 
-/// Derivatives of states by inputs, which are states themselves: they jump where the rates of the
-/// states do.
+/// Derivatives of states and inputs by their values at the start. Inputs are further states, which
+/// rest.
 #[derive(Clone, Debug)]
-pub(super) struct Derivatives {
-    /// The number of states that are derived.
-    pub states: usize,
-    /// For each switch, the derivatives by the inputs of the value that changes its sign.
-    pub switches: HashMap<Switch, Vec<Id>>,
+pub(super) struct Variation {
+    /// The derivatives at the start, row by row.
+    pub start: Vec<Id>,
+    /// For each switch, the derivatives by states and inputs of the value that changes its sign.
+    pub gradients: HashMap<Switch, Vec<Id>>,
 }
 
 impl InitialValueProblem {
@@ -205,71 +207,59 @@ impl InitialValueProblem {
             starts: states.iter().map(|s| s.0).collect(),
             rates,
             graph: Arc::new(graph),
-            derivatives: None,
+            variation: None,
+            varied: Arc::default(),
         })
     }
 
-    /// The problem of the states and their derivatives by all inputs, which follow them state by
-    /// state.
-    pub(super) fn with_sensitivities(&self) -> Result<InitialValueProblem, ProblemError> {
+    /// The problem of the states and the inputs, with their derivatives by the starts of the states
+    /// and by the inputs.
+    pub(super) fn with_variation(&self) -> Result<&InitialValueProblem, ProblemError> {
+        let varied = self.varied.get_or_init(|| self.varied());
+        varied.as_ref().map_err(Clone::clone)
+    }
+
+    fn varied(&self) -> Result<InitialValueProblem, ProblemError> {
         let mut graph = Graph::clone(&self.graph);
         let n = self.states.len();
-        let state = |graph: &mut Graph, k: usize| graph.input(self.inputs + 1 + k);
-        let own: Vec<Id> = (0..n).map(|k| state(&mut graph, k)).collect();
+        let [zero, one] = [0, 1].map(|k| graph.number(k));
+        let inputs: Vec<Id> = (0..self.inputs).map(|k| graph.input(k)).collect();
+        let own: Vec<Id> = (0..n).map(|k| graph.input(self.inputs + 1 + k)).collect();
+        for name in self.inputs() {
+            graph.add_input(format!("{name} as a state"));
+        }
+        let fault = |k: usize, part| {
+            let name = self.states[k].clone();
+            move |error| ProblemError::Expression { part, name, error }
+        };
+        let mut start = Vec::new();
         let mut slopes = Vec::new();
-        for name in &self.states {
-            for input in 0..self.inputs {
-                slopes.push(graph.add_input(format!("d{name}/d{}", self.graph.inputs()[input])));
-            }
-        }
-        let one = graph.number(1);
-        let mut states: Vec<(Id, Id)> = self
-            .starts
-            .iter()
-            .copied()
-            .zip(self.rates.iter().copied())
-            .collect();
-        // One derivative of everything by each input, through the states.
-        let paths: Vec<Vec<(Id, Id)>> = (0..self.inputs)
-            .map(|input| {
-                let columns = slopes.iter().skip(input).step_by(self.inputs);
-                let by_states = own.iter().copied().zip(columns.copied());
-                [(graph.input(input), one)]
-                    .into_iter()
-                    .chain(by_states)
-                    .collect()
-            })
-            .collect();
         for k in 0..n {
-            for path in &paths {
-                let fault = |error| ProblemError::Expression {
-                    part: "rate",
-                    name: self.states[k].clone(),
-                    error,
-                };
-                let start = graph
-                    .derivative_along(self.starts[k], &path[..1])
-                    .map_err(fault)?;
-                let rate = graph.derivative_along(self.rates[k], path).map_err(fault)?;
-                states.push((start, rate));
+            start.extend((0..n).map(|j| if j == k { one } else { zero }));
+            for (j, input) in inputs.iter().enumerate() {
+                let slope = graph.derivative(self.starts[k], *input);
+                start.push(slope.map_err(fault(k, "start"))?);
+                let slope = graph.derivative(self.rates[k], *input);
+                slopes.push((k, n + j, slope.map_err(fault(k, "rate"))?));
             }
         }
-        let mut switches = HashMap::new();
-        for (switch, _) in &self.switches {
+        let size = n + self.inputs;
+        start
+            .extend((n * size..size * size).map(|k| if k % size == k / size { one } else { zero }));
+        let gradients = self.switches.iter().filter_map(|(switch, _)| {
             let value = value_of_switch(&mut graph, *switch);
-            let found = paths
-                .iter()
-                .map(|path| graph.derivative_along(value, path))
-                .collect::<Result<Vec<Id>, _>>();
-            if let Ok(found) = found {
-                switches.insert(*switch, found);
-            }
-        }
-        let mut problem = InitialValueProblem::of_graph(graph, self.start, &states)?;
-        problem.derivatives = Some(Derivatives {
-            states: n,
-            switches,
+            let by = own.iter().chain(&inputs);
+            let found: Result<Vec<Id>, _> = by.map(|by| graph.derivative(value, *by)).collect();
+            Some((*switch, found.ok()?))
         });
+        let gradients = gradients.collect();
+        let states = self.starts.iter().copied().zip(self.rates.iter().copied());
+        let rest = inputs.iter().map(|input| (*input, zero));
+        let states: Vec<(Id, Id)> = states.chain(rest).collect();
+        let mut problem = InitialValueProblem::of_graph(graph, self.start, &states)?;
+        slopes.retain(|slope| slope.2 != zero);
+        problem.jacobian.extend(slopes);
+        problem.variation = Some(Variation { start, gradients });
         Ok(problem)
     }
 

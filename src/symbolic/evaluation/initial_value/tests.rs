@@ -306,8 +306,12 @@ fn starts_and_times_are_exact() {
     );
     // The derivative by k of √2 e^{k u} is u times it.
     let at = motion.at(&Rational::from((4, 3)), bits(30)).unwrap();
-    let slope = motion.sensitivities(&Rational::from((4, 3)), 60).unwrap();
-    assert!(slope[0][0].overlaps(&at[0]) && slope[0][0].accuracy_bits() >= 60);
+    let found = motion.derivatives(&Rational::from((4, 3))).unwrap();
+    let slope = &found.by_inputs[0][0];
+    assert!(
+        slope.overlaps(&at[0]) && slope.accuracy_bits() >= 36,
+        "{slope:?} {at:?}"
+    );
     let irrational = InitialValueProblem::new(
         &definitions,
         &[],
@@ -463,44 +467,160 @@ fn switches() {
     );
 }
 
-/// Rates that jump: the derivative by a parameter jumps with them.
+/// A problem with inputs, whose values are given.
+fn with_inputs(inputs: &[(&str, (i64, i64))], text: &str) -> Trajectory {
+    let states: Vec<State> = text
+        .split(';')
+        .map(|line| {
+            let (name, rest) = line.split_once('=').unwrap();
+            let (start, rate) = rest.split_once("->").unwrap();
+            State::new(name.trim(), parse(start).unwrap(), parse(rate).unwrap())
+        })
+        .collect();
+    let start = parse("0").unwrap();
+    let names: Vec<&str> = inputs.iter().map(|input| input.0).collect();
+    let definitions = Definitions::default();
+    let problem = InitialValueProblem::new(&definitions, &names, "t", &start, &states).unwrap();
+    let values: Vec<Rational> = inputs.iter().map(|q| Rational::from(q.1)).collect();
+    problem.trajectory(&values, limited()).unwrap()
+}
+
+/// Compares the derivatives by the starts, then by the inputs, state by state.
+fn check_derivatives(mut motion: Trajectory, t: (i64, i64), due: &[f64]) {
+    let found = motion.derivatives(&Rational::from(t)).unwrap();
+    let rows = found.by_starts.iter().zip(&found.by_inputs);
+    let all: Vec<&Ball> = rows.flat_map(|(a, b)| a.iter().chain(b)).collect();
+    assert_eq!(all.len(), due.len());
+    for (found, due) in all.iter().zip(due) {
+        if due.is_nan() {
+            assert!(!found.is_finite(), "{found:?}");
+            continue;
+        }
+        // The expected values are rounded themselves.
+        let rounding = Mag::from_f64(due.abs() * 1e-15);
+        let near = Ball::exact(64, *due).widened(rounding);
+        assert!(found.overlaps(&near), "{found:?} {due}");
+        assert!(
+            found.rad() <= Mag::from_f64(1e-7 * (1.0 + due.abs())),
+            "{found:?}"
+        );
+    }
+}
+
+#[test]
+fn derivatives_of_motions_in_closed_form() {
+    // x = a cos ωt + b/ω sin ωt.
+    let (w, t, b): (f64, f64, f64) = (1.5, 8.0, -1.0);
+    let (s, c) = (w * t).sin_cos();
+    let by_w = [
+        -t * s + b * (t * c / w - s / w / w),
+        -s - w * t * c - b * t * s,
+    ];
+    let due = [c, s / w, by_w[0], -w * s, c, by_w[1]];
+    let oscillator = with_inputs(&[("w", (3, 2))], "x = 1 -> v; v = -1 -> -w^2*x");
+    check_derivatives(oscillator, (8, 1), &due);
+    // y = K/(1 + (K/a − 1) e^{−rt}).
+    let (k, r, a, t) = (4.0f64, 2.0f64, 0.5f64, 1.5);
+    let e = (-r * t).exp();
+    let below = 1.0 + (k / a - 1.0) * e;
+    let square = below * below;
+    let by_k = 1.0 / below - k * e / a / square;
+    let due = [
+        k * k * e / (a * a * square),
+        by_k,
+        k * (k / a - 1.0) * t * e / square,
+    ];
+    let inputs = [("k", (4, 1)), ("r", (2, 1))];
+    check_derivatives(
+        with_inputs(&inputs, "y = 1/2 -> r*y*(1 - y/k)"),
+        (3, 2),
+        &due,
+    );
+    // A start that is a function of the input: √q e^{−qt}, forwards and backwards.
+    for t in [1.0f64, -1.0] {
+        let (q, e) = (2.0f64, (-2.0 * t).exp());
+        let due = [e, e / (2.0 * q.sqrt()) - q.sqrt() * t * e];
+        let decay = with_inputs(&[("q", (2, 1))], "y = sqrt(q) -> -q*y");
+        check_derivatives(decay, (t as i64, 1), &due);
+    }
+}
+
+/// Rates that jump: the derivatives jump with them.
 #[test]
 fn derivatives_across_switches() {
-    let motion = |inputs: &[&str], values: &[(i64, i64)], text: &str| {
-        let definitions = Definitions::default();
-        let states: Vec<State> = text
-            .split(';')
-            .map(|line| {
-                let (name, rest) = line.split_once('=').unwrap();
-                let (start, rate) = rest.split_once("->").unwrap();
-                State::new(name.trim(), parse(start).unwrap(), parse(rate).unwrap())
-            })
-            .collect();
-        let start = parse("0").unwrap();
-        let problem = InitialValueProblem::new(&definitions, inputs, "t", &start, &states).unwrap();
-        let values: Vec<Rational> = values.iter().map(|q| Rational::from(*q)).collect();
-        problem.trajectory(&values, limited()).unwrap()
-    };
-    let check = |mut m: Trajectory, t: (i64, i64), due: &[(i64, i64)]| {
-        let found = m.sensitivities(&Rational::from(t), 60).unwrap();
-        for (found, due) in found.iter().flatten().zip(due) {
-            assert!(found.contains(&Rational::from(*due)), "{found:?} {due:?}");
-            assert!(found.rad() < Mag::power_of_two(-50), "{found:?}");
-        }
-    };
     // Reaches 1 at t = 1 − p, then moves twice as fast: y = 1 + 2 (t − 1 + p).
-    let m = motion(&["p"], &[(1, 4)], "y = p -> if(y < 1, 1, 2)");
-    check(m, (1, 2), &[(1, 1)]);
-    let m = motion(&["p"], &[(1, 4)], "y = p -> if(y < 1, 1, 2)");
-    check(m, (2, 1), &[(2, 1)]);
+    let rise = || with_inputs(&[("p", (1, 4))], "y = p -> if(y < 1, 1, 2)");
+    check_derivatives(rise(), (1, 2), &[1.0, 1.0]);
+    check_derivatives(rise(), (2, 1), &[2.0, 2.0]);
+    check_derivatives(rise(), (0, 1), &[1.0, 1.0]);
     // The time of the switch is a parameter: y = q + k (t − q).
-    let m = motion(&["q", "k"], &[(1, 3), (5, 1)], "y = 0 -> if(t < q, 1, k)");
-    check(m, (3, 1), &[(-4, 1), (8, 3)]);
+    let inputs = [("q", (1, 3)), ("k", (5, 1))];
+    let turn = with_inputs(&inputs, "y = 0 -> if(t < q, 1, k)");
+    check_derivatives(turn, (3, 1), &[1.0, -4.0, 8.0 / 3.0]);
     // Rates that are continuous: y = −(p − t)²/2 up to t = p, then (t − p)²/2.
-    let m = motion(&["p"], &[(1, 3)], "y = -p^2/2 -> abs(t - p)");
-    check(m, (1, 1), &[(-2, 3)]);
+    let smooth = with_inputs(&[("p", (1, 3))], "y = -p^2/2 -> abs(t - p)");
+    check_derivatives(smooth, (1, 1), &[1.0, -2.0 / 3.0]);
     // Up with 1 and down with −3, and the sum of both as a second state.
     let text = "y = 0 -> if(t < p, 1, -3); z = 0 -> y";
-    let m = motion(&["p"], &[(1, 2)], text);
-    check(m, (1, 1), &[(4, 1), (2, 1)]);
+    let both = with_inputs(&[("p", (1, 2))], text);
+    check_derivatives(both, (1, 1), &[1.0, 0.0, 4.0, 1.0, 1.0, 2.0]);
+    // x = cos t, then −2 sin((t − π/2)/2): by the start (x = a cos t), x at π/2 switches at the
+    // same time whatever a is.
+    let spring = with_inputs(&[], "x = 1 -> v; v = 0 -> -if(x < 0, x/4, x)");
+    let t = 2.0 - std::f64::consts::FRAC_PI_2;
+    let (s, c) = (t / 2.0).sin_cos();
+    check_derivatives(spring, (2, 1), &[-2.0 * s, c, -c, -s / 2.0]);
+}
+
+/// Switches at one instant: times that steps of floor share, and a place at a time.
+#[test]
+fn switches_at_one_instant() {
+    let at = |text: &str, t: (i64, i64)| decimals(&mut trajectory(text), t, 15)[0].clone();
+    // ∫ floor(t) + floor(2t) over [0, 5/2] is 3/2 + 1 and 1/2 + 1 + 3/2 + 2.
+    assert_eq!(
+        at("y = 0 -> floor(t) + floor(2*t) - 1/2", (5, 2)),
+        "5.75000000000000"
+    );
+    // y = t up to 1, where both switch; then the rate is 2 + 3.
+    let both = "y = 0 -> if(y < 1, 1, 2) + if(t < 1, 0, 3)";
+    assert_eq!(at(both, (2, 1)), "6.00000000000000");
+    assert_eq!(at(both, (1, 2)), "0.500000000000000");
+    let three = "y = 0 -> 1 + if(y < 1, 0, 2) + if(z < 2, 0, 3) + floor(t); z = 1 -> 1";
+    assert_eq!(at(three, (3, 2)), "4.50000000000000");
+    // Two of the same: they come to rest at once.
+    let twins = "x = 0 -> v; v = 1 -> -if(v > 0, 1, 2); y = 0 -> w; w = 1 -> -if(w > 0, 1, 2)";
+    assert_eq!(at(twins, (2, 1)), "-0.500000000000000");
+    // One that is crossed and one that is touched.
+    let touched = at(
+        "y = -1 -> 1 + if(t < 1, 0, 1); z = 1 -> if(y < 0, -1, 1)*abs(z)",
+        (3, 1),
+    );
+    assert_eq!(touched, "4.00000000000000");
+    let stays = at("y = -1 -> if(y < 0, 1, -1) + 0*floor(t)", (3, 1));
+    assert!(stays.contains("touch"), "{stays}");
+    // Times that nothing moves: the derivatives pass.
+    let steps = with_inputs(&[("k", (3, 1))], "y = 1 -> k*(floor(t) + floor(2*t))");
+    check_derivatives(steps, (9, 4), &[1.0, 5.5]);
+    // A place that moves and a time that does not: which comes first decides.
+    let both = with_inputs(
+        &[("k", (1, 1))],
+        "y = 0 -> k + if(y < 1, 0, 1) + if(t < 1, 0, 3)",
+    );
+    check_derivatives(both, (2, 1), &[f64::NAN, f64::NAN]);
+}
+
+#[test]
+fn starts_at_switches() {
+    let start = |text: &str| with_inputs(&[("k", (2, 1))], text);
+    // The start does not leave the switch with k: v = −3kt; with v it does.
+    let rest = start("x = 1 -> v; v = 0 -> -k*if(v > 0, 1, 3)");
+    check_derivatives(rest, (1, 1), &[1.0, f64::NAN, -1.5, 0.0, f64::NAN, -3.0]);
+    let rest = start("x = 1 -> v; v = 0 -> -k*if(v > 0, 1, 3)");
+    check_derivatives(rest, (0, 1), &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0]);
+    let moved = start("y = k - 2 -> 1 + if(y < 0, 0, 1)");
+    check_derivatives(moved, (1, 1), &[f64::NAN, f64::NAN]);
+    // Two at once.
+    let both = start("y = 0 -> k + abs(y) + floor(t)");
+    let e = std::f64::consts::E.sqrt();
+    check_derivatives(both, (1, 2), &[f64::NAN, e - 1.0]);
 }

@@ -81,8 +81,21 @@ pub struct Trajectory {
     start: Rational,
     /// The motion at one working precision, before and after the start.
     run: [Option<Motion>; 2],
-    /// The trajectory of the derivatives by the inputs.
-    sensitivities: Option<Box<Trajectory>>,
+    /// The trajectory with the derivatives by starts and inputs.
+    variation: Option<Box<Trajectory>>,
+}
+
+/// The derivatives of the states at a time.
+#[derive(Clone, Debug)]
+pub struct Derivatives {
+    /// The states at the start.
+    pub starts: Vec<Ball>,
+    /// The states at the time.
+    pub states: Vec<Ball>,
+    /// State by state, the derivatives by the states at the start.
+    pub by_starts: Vec<Vec<Ball>>,
+    /// State by state, the derivatives by the inputs.
+    pub by_inputs: Vec<Vec<Ball>>,
 }
 
 /// Bits that errors may take while they are carried on, before a run is made once more.
@@ -102,7 +115,7 @@ impl Trajectory {
             steps: limits.steps,
             start: Rational::new(),
             run: [None, None],
-            sensitivities: None,
+            variation: None,
         };
         trajectory.start = trajectory.start_time()?;
         Ok(trajectory)
@@ -134,11 +147,11 @@ impl Trajectory {
         }
     }
 
-    /// The values of nodes that depend on the inputs alone.
-    fn starts(&self, bits: u32) -> Result<Vec<Ball>, MotionError> {
+    /// The states at the start, and the derivatives that are carried along.
+    fn starts(&self, bits: u32) -> Result<[Vec<Ball>; 2], MotionError> {
         let mut evaluator = self.evaluator(bits, false);
-        let starts = self.problem.starts.iter().zip(&self.problem.states);
-        let value = |(id, name): (&Id, &String)| {
+        let problem = &self.problem;
+        let mut value = |(id, name): (&Id, &String)| {
             let fault = |reason: String| MotionError::Start {
                 name: name.clone(),
                 reason,
@@ -151,7 +164,11 @@ impl Trajectory {
                 Err(stop) => Err(fault(reason(&self.problem, &stop))),
             }
         };
-        starts.map(value).collect()
+        let starts = problem.starts.iter().zip(&problem.states);
+        let starts = starts.map(&mut value).collect::<Result<_, _>>()?;
+        let slopes = problem.variation.iter().flat_map(|v| &v.start).enumerate();
+        let of = |(k, id)| value((id, &problem.states[k / problem.states.len()]));
+        Ok([starts, slopes.map(of).collect::<Result<_, _>>()?])
     }
 
     /// The number of steps that were made in all runs.
@@ -226,14 +243,21 @@ impl Trajectory {
     /// The states at a time by a run of at least so many bits.
     fn at_bits(&mut self, time: &Rational, bits: u32) -> Result<Vec<Ball>, Halt> {
         let side = usize::from(*time < self.start);
+        if self.problem.variation.is_some() && *time == self.start {
+            return self
+                .starts(bits)
+                .map(|found| found.concat())
+                .map_err(Halt::Error);
+        }
         if self.run[side].as_ref().is_none_or(|run| run.bits() < bits) {
             // Starts and constants are rounded once more than anything else.
-            let starts = self.starts(bits + 16).map_err(Halt::Error)?;
+            let [starts, variation] = self.starts(bits + 16).map_err(Halt::Error)?;
             let evaluator = self.evaluator(bits + 16, false);
             let start = self.start.clone();
             self.run[side] = None;
-            let motion = Motion::new(&self.problem, evaluator, start, starts, (bits, side == 1))?;
-            self.run[side] = Some(motion);
+            let starts = (starts, variation);
+            let motion = Motion::new(&self.problem, evaluator, start, starts, (bits, side == 1));
+            self.run[side] = Some(motion?);
         }
         let run = self.run[side].as_mut().expect("a run");
         run.at(&self.problem, time, &mut self.steps)
@@ -281,47 +305,53 @@ impl Trajectory {
         }
     }
 
-    /// The derivatives of the states by the inputs at a time, state by state: `S′ = (∂f/∂y) S +
-    /// ∂f/∂p` along the motion. Each has at least `bits` bits, or as many of the largest one of its
-    /// state, where the limits allow it.
+    /// The derivatives of the states at a time by those at the start and by the inputs: `S′ =
+    /// (∂f/∂y) S + ∂f/∂p` along the motion, carried along in double numbers with radii. For each
+    /// state the errors add up to at most 2^−20 of itself or of `Σ |y_k(0) ∂y/∂y_k(0)| + Σ |p_j
+    /// ∂y/∂p_j|` where double numbers can say that.
     ///
     /// # Errors
     /// See [`MotionError`]; inputs by which the rates have no derivative in the language are
     /// undecided.
-    pub fn sensitivities(
-        &mut self,
-        time: &Rational,
-        bits: u32,
-    ) -> Result<Vec<Vec<Ball>>, MotionError> {
-        let (n, columns) = (self.problem.states.len(), self.problem.inputs);
-        if columns == 0 {
-            return Ok(vec![Vec::new(); n]);
-        }
-        if self.sensitivities.is_none() {
-            let problem = self.problem.with_sensitivities();
+    pub fn derivatives(&mut self, time: &Rational) -> Result<Derivatives, MotionError> {
+        /// The working precision at first, without the spare bits.
+        const BITS: u32 = 64;
+        /// Bits of a sum of derivatives.
+        const ACCURACY: i64 = 20;
+        if self.variation.is_none() {
+            let problem = self.problem.with_variation();
             let problem = problem.map_err(|error| MotionError::Undecided {
                 reached: self.start.clone(),
                 reason: error.to_string(),
             })?;
-            let trajectory = Trajectory::new(&problem, &self.inputs, self.limits)?;
-            self.sensitivities = Some(Box::new(trajectory));
+            let trajectory = Trajectory::new(problem, &self.inputs, self.limits)?;
+            self.variation = Some(Box::new(trajectory));
         }
-        let trajectory = self.sensitivities.as_mut().expect("a trajectory");
-        let found = trajectory.until(time, bits, |balls| {
-            let rows = balls[n..].chunks(columns);
-            let lacks = rows.map(|row| {
-                let largest = row
-                    .iter()
-                    .fold(Mag::ZERO, |m, ball| m.max(ball.mignitude()));
-                let allowed = largest.shift(-i64::from(bits));
-                let open = row.iter().filter(|ball| ball.rad() > allowed);
-                open.map(|ball| lacking(ball, Goal::Bits(bits)))
-                    .max()
-                    .unwrap_or(0)
+        let trajectory = self.variation.as_mut().expect("a trajectory");
+        let [data, _] = trajectory.starts(BITS)?;
+        let (n, size) = (self.problem.states.len(), data.len());
+        let found = trajectory.until(time, BITS, |found| {
+            let is_open = (0..n).any(|i| {
+                let row = found[size * (1 + i)..].iter().zip(&data);
+                let terms = row.filter(|(_, x)| !x.is_zero()).map(|(s, x)| s * x);
+                let mut error = Mag::ZERO;
+                // Beside it radii of double numbers are no longer relative ones.
+                let mut sum = found[i].mignitude().max(Mag::power_of_two(-900));
+                for term in terms {
+                    sum = sum.max(term.mignitude());
+                    error = error.add(term.rad());
+                }
+                error > sum.shift(-ACCURACY)
             });
-            lacks.max().unwrap_or(0)
+            if is_open { u32::MAX } else { 0 }
         })?;
-        Ok(found[n..].chunks(columns).map(<[Ball]>::to_vec).collect())
+        let rows = || found[size..].chunks(size).take(n);
+        Ok(Derivatives {
+            starts: data[..n].to_vec(),
+            states: found[..n].to_vec(),
+            by_starts: rows().map(|row| row[..n].to_vec()).collect(),
+            by_inputs: rows().map(|row| row[n..].to_vec()).collect(),
+        })
     }
 
     /// Enclosures of the times at which the rates switched from one smooth piece to another, and
