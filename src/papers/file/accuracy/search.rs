@@ -2,7 +2,7 @@
 
 use super::{Held, Measure, Test};
 use crate::audit::{
-    Case, CaseReport, Cases, HuntSettings, Limit, Method, Origin, Settings, SolverAnswer, Variant,
+    Case, Cases, HuntSettings, Limit, Method, Origin, Settings, SolverAnswer, Variant,
     Verdict as Judged, audit_method, hunt, hunt_answers, judge_case_briefly,
 };
 use crate::papers::{Figure, figure};
@@ -82,19 +82,20 @@ impl Test {
         }
     }
 
-    fn judged(method: &dyn Method, input: &[f64]) -> CaseReport {
+    /// The error at an input in units of the limit, and whether it certainly is over it.
+    fn share(method: &dyn Method, input: &[f64]) -> (f64, bool) {
+        let answer = method.solve(input);
+        // A program that has not answered has not erred.
+        if let SolverAnswer::Unanswered(_) = answer {
+            return (f64::INFINITY, false);
+        }
         let case = Case {
             method: method.name(),
             region: "given",
             input: input.to_vec(),
             origin: Origin::Given,
         };
-        judge_case_briefly(method, case, method.solve(input), &Settings::default())
-    }
-
-    /// The error at an input in units of the limit, and whether it certainly is over it.
-    fn share(method: &dyn Method, input: &[f64]) -> (f64, bool) {
-        let judgement = Test::judged(method, input).judgement;
+        let judgement = judge_case_briefly(method, case, answer, &Settings::default()).judgement;
         let over = matches!(judgement.verdict, Judged::Over | Judged::WrongKind);
         (judgement.share(), over)
     }
