@@ -108,6 +108,7 @@ impl<'a> Workload<'a> {
 pub fn candidate(command: &str, program: &ProgramArgs) -> Candidate {
     Candidate {
         command: command.into(),
+        folder: None,
         timeout: program.timeout,
         run_timeout: program.run_timeout,
         form: match program.binary {

@@ -9,6 +9,7 @@ pub mod n_four_bar;
 pub mod number;
 pub mod pmksweb;
 mod report;
+mod several;
 pub mod zinchenko;
 
 pub use report::{
@@ -17,24 +18,30 @@ pub use report::{
 };
 
 pub use file::PaperFile;
+pub use several::summary;
 
 use crate::motion::Motion;
 use crate::reference::Undecided;
 use crate::study::StudyError;
-use report::{Draft, decided, figure, figures, known, recorded, shown};
+use report::{Analysis, Draft, Found, decided, figure, figures, known, recorded, shown};
 use std::sync::LazyLock;
 
 /// Called now and then with the phase, how much of it is done, and its whole.
 pub type Progress<'a> = &'a (dyn Fn(&str, u64, u64) + Sync);
 
-/// Audits a paper; undecided when a certified value cannot be had.
-pub type PaperAudit = fn(Progress) -> Result<PaperReport, Undecided>;
+/// The audit of a paper.
+enum Audit {
+    /// By the program alone.
+    Whole(fn(Progress) -> Result<PaperReport, Undecided>),
+    /// By its files, with an analysis for the findings that they state.
+    Analysis(fn() -> Result<Analysis, Undecided>),
+}
 
 /// A paper that is compiled in.
 struct Paper {
     key: &'static str,
     texts: file::Texts,
-    audit: PaperAudit,
+    audit: Audit,
     motion: Option<fn() -> Motion>,
 }
 
@@ -49,31 +56,31 @@ const PAPERS: &[Paper] = &[
     Paper {
         key: zinchenko::KEY,
         texts: texts!("zinchenko": "paper.toml" "tables.toml" "claims.toml" "dynamics.toml" "spline.toml" "sweep.toml" "numbers.toml" "rates.toml"),
-        audit: zinchenko::report,
+        audit: Audit::Whole(zinchenko::report),
         motion: Some(zinchenko::motion),
     },
     Paper {
         key: gembara_senyk::KEY,
         texts: texts!("gembara-senyk": "paper.toml" "model.toml" "solution.toml" "amplitude.toml" "numbers.toml"),
-        audit: gembara_senyk::report,
+        audit: Audit::Analysis(gembara_senyk::analysis),
         motion: None,
     },
     Paper {
         key: andrews::KEY,
         texts: texts!("andrews": "paper.toml" "dynamics.toml" "constraints.toml"),
-        audit: andrews::report,
+        audit: Audit::Analysis(andrews::analysis),
         motion: None,
     },
     Paper {
         key: n_four_bar::KEY,
         texts: texts!("n-four-bar": "paper.toml"),
-        audit: n_four_bar::report,
+        audit: Audit::Analysis(n_four_bar::analysis),
         motion: None,
     },
     Paper {
         key: pmksweb::KEY,
         texts: texts!("pmksweb": "paper.toml"),
-        audit: pmksweb::report,
+        audit: Audit::Analysis(pmksweb::analysis),
         motion: None,
     },
 ];
@@ -97,9 +104,12 @@ fn file_of_known(key: &str) -> &'static PaperFile {
     file_of(key).expect("a paper that is compiled in")
 }
 
-/// The audit of the paper of that key.
-pub fn find(key: &str) -> Option<PaperAudit> {
-    paper(key).map(|p| p.audit)
+/// Audits the paper of that key; undecided when there is no certified value.
+pub fn audit(key: &str, progress: Progress) -> Option<Result<PaperReport, Undecided>> {
+    Some(match paper(key)?.audit {
+        Audit::Whole(audit) => audit(progress),
+        Audit::Analysis(analyse) => file_of_known(key).analysed(analyse, progress),
+    })
 }
 
 /// The ledger of the paper of that key, decided now.
@@ -131,10 +141,57 @@ impl Named {
             return Ok(Some(Named::Key(paper.key)));
         }
         let path = std::path::Path::new(text);
-        match path.exists() {
-            true => Ok(Some(Named::File(Box::new(PaperFile::open(path)?)))),
-            false => Ok(None),
+        if !path.exists() {
+            return Ok(None);
         }
+        let file = PaperFile::open(path)?;
+        match file.analysis.filter(|key| paper(key).is_none()) {
+            Some(key) => Err(StudyError::new(format!(
+                "{text}: there is no analysis {key:?}"
+            ))),
+            None => Ok(Some(Named::File(Box::new(file)))),
+        }
+    }
+
+    /// The papers that an argument names, each with its own argument: one, as [`Named::open`] has
+    /// it, or those in the folders of a folder that is no paper, in the order of their names. None if
+    /// it names nothing.
+    ///
+    /// # Errors
+    /// A folder that cannot be read as a paper, and one that holds none.
+    pub fn open_all(text: &str) -> Result<Vec<(String, Named)>, StudyError> {
+        let path = std::path::Path::new(text);
+        let mut below = Vec::new();
+        if paper(text).is_none() && path.is_dir() && !path.join("paper.toml").exists() {
+            let folders = std::fs::read_dir(path).into_iter().flatten().flatten();
+            let papers = folders.filter(|f| f.path().join("paper.toml").exists());
+            below.extend(papers.map(|f| f.path().display().to_string()));
+            below.sort();
+        }
+        if below.is_empty() {
+            below.push(text.into());
+        }
+        let mut all = Vec::new();
+        for text in below {
+            all.extend(Named::open(&text)?.map(|named| (text, named)));
+        }
+        Ok(all)
+    }
+
+    /// Runs the programs under test that the paper names by `by`.
+    ///
+    /// # Errors
+    /// The paper has programs, and there is nothing that may run them.
+    pub fn run_by(&self, by: Option<&'static dyn file::Programs>) -> Result<(), StudyError> {
+        match (self, by) {
+            (Named::File(file), Some(by)) => file.run_by(by),
+            (Named::File(file), None) if file.has_programs() => {
+                let reason = "solvers of the paper are programs: --exec lets them run";
+                return Err(StudyError::new(format!("{}: {reason}", file.citation.key)));
+            }
+            _ => {}
+        }
+        Ok(())
     }
 
     /// The ledger, decided now.
@@ -151,11 +208,11 @@ impl Named {
     /// [`Undecided`] when a certified value cannot be had.
     pub fn report(&self, progress: Progress) -> Result<PaperReport, Undecided> {
         match self {
-            Named::Key(key) => match paper(key) {
-                Some(paper) => (paper.audit)(progress),
-                None => file_of_known(key).report(progress),
+            Named::Key(key) => audit(key, progress).expect("a paper that is compiled in"),
+            Named::File(file) => match file.analysis.and_then(paper).map(|p| &p.audit) {
+                Some(Audit::Analysis(analyse)) => file.analysed(analyse, progress),
+                _ => file.report(progress),
             },
-            Named::File(file) => file.report(progress),
         }
     }
 
@@ -190,12 +247,13 @@ mod tests {
                 "pmksweb"
             ]
         );
-        assert!(keys.iter().all(|key| find(key).is_some()));
         let moving: Vec<&&str> = keys.iter().filter(|key| motion_of(key).is_some()).collect();
         assert_eq!(moving, [&"zinchenko"]);
         assert_eq!(ledger_of("pmksweb").unwrap().paper.key, "pmksweb");
         assert!(
-            find("none").is_none() && ledger_of("none").is_none() && motion_of("none").is_none()
+            audit("none", &|_, _, _| {}).is_none()
+                && ledger_of("none").is_none()
+                && motion_of("none").is_none()
         );
     }
 }

@@ -206,11 +206,7 @@ pub(super) fn tally<'a>(
         variant,
         table,
         column,
-        entries: 0,
-        within_half: 0,
-        within_one: 0,
-        worst_units: 0.0,
-        worst: 0.0,
+        ..Tally::default()
     };
     for (printed, value) in of {
         let off = printed.units_off(value).abs();

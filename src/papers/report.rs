@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 pub const SCHEMA_VERSION: u32 = 1;
 
 /// The paper.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct Citation {
     /// The name used on the command line.
     pub key: &'static str,
@@ -81,6 +81,66 @@ impl PaperReport {
     /// Returns true if every finding is as recorded.
     pub fn as_recorded(&self) -> bool {
         !self.findings.is_empty() && self.findings.iter().all(|f| f.as_recorded)
+    }
+}
+
+/// The results of the program's own analysis of a paper, for findings that its files state.
+#[derive(Default)]
+pub(super) struct Analysis {
+    /// By the names of the findings.
+    pub found: BTreeMap<&'static str, Found>,
+    /// Printed entries that it judges.
+    pub entries: Vec<Entry>,
+    /// Their counts.
+    pub tallies: Vec<Tally>,
+}
+
+impl Analysis {
+    /// Adds what was found for a finding.
+    pub(super) fn add(&mut self, id: &'static str, found: Found) {
+        self.found.insert(id, found);
+    }
+
+    /// Findings that no file states, which are not as recorded.
+    pub(super) fn not_stated(&mut self) -> impl Iterator<Item = Finding> {
+        let more = std::mem::take(&mut self.found).into_keys();
+        more.map(|id| {
+            let draft = Draft::new(id, Subject::Claim, "analysis");
+            draft
+                .titled("No file states this finding")
+                .recorded_if(false)
+        })
+    }
+}
+
+/// The results for one finding.
+pub(super) struct Found {
+    /// Words that stand in its title and text.
+    pub words: Vec<String>,
+    /// Its figures. Where the file lists them, their names and units are the file's.
+    pub figures: Vec<Figure>,
+    /// True if everything else that the finding rests on holds.
+    pub holds: bool,
+}
+
+impl Found {
+    pub(super) fn new(figures: impl IntoIterator<Item = Figure>, holds: bool) -> Found {
+        Found {
+            words: Vec::new(),
+            figures: figures.into_iter().collect(),
+            holds,
+        }
+    }
+
+    /// Figures whose names and units the file states.
+    pub(super) fn values(values: impl IntoIterator<Item = String>, holds: bool) -> Found {
+        let values = values.into_iter();
+        Found::new(values.map(|value| figure("", value, "1")), holds)
+    }
+
+    pub(super) fn worded(mut self, words: impl IntoIterator<Item = String>) -> Found {
+        self.words = words.into_iter().collect();
+        self
     }
 }
 
@@ -293,7 +353,7 @@ pub struct Entry {
 }
 
 /// How many entries of a column agree.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct Tally {
     /// Variant of the data.
     pub variant: &'static str,
@@ -355,14 +415,7 @@ mod tests {
             as_recorded,
         };
         let recorded = |of: &[bool]| {
-            let paper = Citation {
-                key: "",
-                authors: "",
-                title: "",
-                year: None,
-                venue: "",
-                source: "",
-            };
+            let paper = Citation::default();
             PaperReport::new(paper, of.iter().map(|r| finding(*r)).collect()).as_recorded()
         };
         assert!(recorded(&[true]) && recorded(&[true, true]));

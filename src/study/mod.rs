@@ -141,6 +141,15 @@ pub struct Study {
     name: &'static str,
 }
 
+impl std::fmt::Debug for Study {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let mut study = f.debug_struct("Study");
+        study
+            .field("name", &self.problem().name)
+            .finish_non_exhaustive()
+    }
+}
+
 impl Study {
     /// Prepares a problem.
     ///

@@ -9,7 +9,7 @@ use std::sync::Mutex;
 fn in_every_form(key: &str) {
     let told = Mutex::new(Vec::new());
     let tell = |phase: &str, done, whole| told.lock().unwrap().push((phase == "done", done, whole));
-    let paper = papers::find(key).unwrap()(&tell).unwrap();
+    let paper = papers::audit(key, &tell).unwrap().unwrap();
     let changed = paper.findings.iter().filter(|f| !f.as_recorded);
     let changed: Vec<&str> = changed.map(|f| f.id).collect();
     assert!(paper.as_recorded(), "{key}: {changed:?}");
@@ -226,5 +226,87 @@ fn a_paper_is_a_folder() {
     refused(
         &run(&["--check"]),
         "table-1.csv: line 2: column s: \"zero\" is no number",
+    );
+}
+
+/// A folder of two papers, one of which has a program for its solver: run where `--exec` says so,
+/// in the paper's folder, and summed up.
+#[test]
+#[cfg(unix)]
+fn papers_of_a_folder_are_summed_up_and_their_programs_run() {
+    let dir = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| {
+        let file = dir.path().join(name);
+        std::fs::create_dir_all(file.parent().unwrap()).unwrap();
+        std::fs::write(file, text).unwrap();
+    };
+    let study = "[inputs]\nx = { from = 1, to = 3 }\n[outputs]\n\
+                 y = { is = 'x', budget = '1 ulp', why = 'a test' }\n";
+    let claim = |bound: &str| {
+        format!(
+            "[[accuracy]]\nid = 'a'\nplace = 'p'\nclaims = 'c'\nsolver = 's'\ncases = 40\n{bound}\n"
+        )
+    };
+    write("one/s.toml", study);
+    write("one/same.sh", "exec cat\n");
+    let program = "title = 'One'\n[solver.s]\nstudy = 's.toml'\nexec = ['sh', 'same.sh']\n";
+    write(
+        "one/paper.toml",
+        &format!("{program}{}", claim("bound = '1e-15'")),
+    );
+    let formula = "title = 'Two'\n[solver.s]\nstudy = 's.toml'\ny = 'x*(1 + 1e-6)'\n";
+    write("two/s.toml", study);
+    let refuted = claim("bound = '1e-9'\nverdict = 'refuted'");
+    write("two/paper.toml", &format!("{formula}{refuted}"));
+    let [one, two] = ["one", "two"].map(|name| dir.path().join(name));
+    let (one, two, both) = (path(&one), path(&two), path(dir.path()));
+    for words in [
+        &["paper", one][..],
+        &["paper", both],
+        &["paper", one, two, "--check"],
+    ] {
+        refused(&run(words), "--exec lets them run");
+    }
+    let d = run(&["paper", one, "--exec", "--check"]);
+    assert_eq!((d.code, d.out.as_str(), d.err.as_str()), (0, "", ""));
+    let d = run(&["paper", both, "--exec"]);
+    assert_eq!(d.code, 0, "{}{}", d.out, d.err);
+    for due in [
+        "Summary of 2 papers",
+        "2 claims about algorithms",
+        "1 refuted",
+        "one: a",
+    ] {
+        assert!(d.out.contains(due), "{due}: {}", d.out);
+    }
+    assert_eq!(run(&["paper", one, two, "--exec", "--check"]).code, 0);
+    let json = run(&["paper", both, "--exec", "--format", "json"]);
+    let json: serde_json::Value = serde_json::from_str(&json.out).unwrap();
+    let ids = json["findings"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|f| &f["id"]);
+    assert_eq!(
+        ids.collect::<Vec<_>>(),
+        ["paper-one", "paper-two", "claims"]
+    );
+    let html = run(&["paper", both, "--exec", "--format", "html"]).out;
+    needs_nothing_else(&html);
+    readable(&html);
+    refused(
+        &run(&["paper", one, two, "--exec", "--ledger"]),
+        "one paper at a time",
+    );
+    // What the program gives is judged.
+    write("one/same.sh", "sed s/^.*$/2/\n");
+    let d = run(&["paper", one, "--exec", "--check"]);
+    assert_eq!(d.code, 1);
+    said(&d, "a is not as recorded");
+    refused(&run(&["paper", "new"]), "one folder");
+    std::fs::create_dir(dir.path().join("none")).unwrap();
+    refused(
+        &run(&["paper", path(&dir.path().join("none"))]),
+        "paper.toml",
     );
 }

@@ -142,9 +142,12 @@ fn planted_sign_errors_are_found_and_undone() {
             let bad = Item {
                 printed: Some(Box::leak(faulty.to_string().into_boxed_str())),
                 facts: Vec::new(),
+                family: Some(Family::default()),
+                most_edits: 1,
+                expected: Verdict::Misprint,
                 ..item.clone()
             };
-            let found = decide(&bad.misprint(1, &[], ""));
+            let found = decide(&bad);
             if found.verdict == Verdict::Proved {
                 // The sign does not matter there: under a square, or of a whole equation.
                 continue;
@@ -198,28 +201,34 @@ fn corrupted_corrections_are_refuted() {
 #[test]
 fn expectations_are_compared_not_believed() {
     use mechaudit_cli::papers::ledger::Kind::Formula;
-    let right = Item::new("right", "here", Formula)
-        .printed("y = 2*x")
-        .requires(&["y = x + x"]);
+    let item = |printed: Option<&'static str>, requires: &[&str]| Item {
+        printed,
+        requirements: requires.iter().map(ToString::to_string).collect(),
+        ..Item::new("id", "here", Formula)
+    };
+    let right = item(Some("y = 2*x"), &["y = x + x"]);
     assert!(decide(&right).as_recorded);
-    let called_wrong = right.clone().refuted(&[], "");
+    let called_wrong = Item {
+        family: Some(Family::default()),
+        expected: Verdict::Refuted,
+        ..right.clone()
+    };
     let found = decide(&called_wrong);
     assert_eq!((found.verdict, found.as_recorded), (Verdict::Proved, false));
-    let wrong = Item::new("wrong", "here", Formula)
-        .printed("y = 2*x")
-        .requires(&["y = x"]);
+    let wrong = item(Some("y = 2*x"), &["y = x"]);
     let found = decide(&wrong);
     assert_eq!(
         (found.verdict, found.as_recorded),
         (Verdict::Refuted, false)
     );
-    let empty = Item::new("empty", "here", Formula).printed("y = 2*x");
+    let empty = item(Some("y = 2*x"), &[]);
     assert_eq!(decide(&empty).verdict, Verdict::Undecided);
-    let untested = Item::new("untested", "here", Formula).model();
+    let untested = Item {
+        expected: Verdict::Model,
+        ..item(None, &[])
+    };
     assert!(!decide(&untested).as_recorded);
-    let unreadable = Item::new("unreadable", "here", Formula)
-        .printed("y = (2*x")
-        .requires(&["y = x"]);
+    let unreadable = item(Some("y = (2*x"), &["y = x"]);
     let found = decide(&unreadable);
     assert_eq!(
         (found.verdict, found.as_recorded),

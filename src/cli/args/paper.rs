@@ -13,17 +13,18 @@ Examples:
   mechaudit paper pmksweb
   mechaudit paper new my-paper
   mechaudit paper my-paper --check
+  mechaudit paper my-paper other-paper --format html --output summary.html
+  mechaudit paper reference/papers --check
   mechaudit paper gembara-senyk --ledger
   mechaudit paper gembara-senyk --ledger --format html --output ledger.html";
 
 /// Arguments of `paper`.
 #[derive(ClapArgs, Debug)]
 pub struct PaperArgs {
-    /// The paper's key, see `mechaudit list`; a folder with paper.toml, or a file; or `new`
-    #[arg(value_name = "PAPER")]
-    pub key: String,
-    /// With `new`: the folder that a commented skeleton of a paper is written to
-    pub folder: Option<PathBuf>,
+    /// The paper's key, see `mechaudit list`; a folder with paper.toml, or a file. Several, or a
+    /// folder of such folders, are summed up. `new FOLDER` writes a commented skeleton of a paper
+    #[arg(value_name = "PAPER", required = true)]
+    pub papers: Vec<String>,
     /// Show every formula with its proof, its refutation or its smallest repair
     #[arg(long)]
     pub ledger: bool,
@@ -31,6 +32,9 @@ pub struct PaperArgs {
     /// With `--ledger --output FILE`: compare the ledger with the file instead of writing it
     #[arg(long)]
     pub check: bool,
+    /// Run the programs that the papers name as solvers, each in its paper's folder
+    #[arg(long)]
+    pub exec: bool,
     /// Form of the report
     #[arg(long, value_enum, default_value = "text")]
     pub format: PaperFormat,

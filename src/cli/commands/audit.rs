@@ -106,10 +106,9 @@ fn end(outcome: Outcome) -> End {
 
 /// Audits a paper; `None` if there is none of that key.
 pub fn paper(key: &str, progress: &Progress) -> Option<Result<PaperReport, Undecided>> {
-    let audit = papers::find(key)?;
-    Some(audit(&|phase: &str, done, total| {
+    papers::audit(key, &|phase: &str, done, total| {
         progress.show(phase, done, total);
-    }))
+    })
 }
 
 /// Judges methods' own solvers, one method after the other.

@@ -17,6 +17,7 @@ use mechaudit::audit::{
 use std::cell::Cell;
 use std::io::{BufWriter, Write};
 use std::ops::Range;
+use std::path::PathBuf;
 use std::process::ChildStdin;
 use std::sync::Arc;
 use std::thread;
@@ -27,6 +28,8 @@ use std::time::{Duration, Instant};
 pub struct Candidate {
     /// The command that starts it.
     pub command: String,
+    /// The folder that it is started in, where that is not the program's own.
+    pub folder: Option<PathBuf>,
     /// The time without an answer after which it is ended.
     pub timeout: Duration,
     /// The time after which it is ended, however much it has answered.
@@ -75,7 +78,7 @@ impl CandidateProcess {
             Form::Frames => "binary",
             Form::Lines => "text",
         };
-        let mut child = Program::start(&candidate.command, protocol)?;
+        let mut child = Program::start(&candidate.command, candidate.folder.as_deref(), protocol)?;
         let (stdin, stdout) = child.pipes()?;
         let given = Arc::clone(inputs);
         thread::spawn(move || feed(stdin, &given, total, form, decimal));

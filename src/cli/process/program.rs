@@ -6,6 +6,7 @@ use crate::cli::process::answers::End;
 #[cfg(unix)]
 use crate::cli::process::guard::Guard;
 use std::io;
+use std::path::Path;
 use std::process::{Child, ChildStdin, ChildStdout, Command, ExitStatus, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -20,8 +21,8 @@ pub struct Program {
 }
 
 impl Program {
-    /// Starts a command; `protocol` tells it how it is spoken to.
-    pub fn start(command: &str, protocol: &str) -> Result<Program, Failure> {
+    /// Starts a command in a folder, or in the current one; `protocol` tells it how it is spoken to.
+    pub fn start(command: &str, folder: Option<&Path>, protocol: &str) -> Result<Program, Failure> {
         let words = shell_words::split(command)
             .map_err(|e| Failure::caused(e).about(format!("--exec {command:?}")))?;
         let [program, arguments @ ..] = words.as_slice() else {
@@ -29,6 +30,7 @@ impl Program {
         };
         let mut start = Command::new(program);
         start.args(arguments);
+        folder.map(|folder| start.current_dir(folder));
         start.env("MECHAUDIT_PROTOCOL", protocol);
         start.stdin(Stdio::piped()).stdout(Stdio::piped());
         let failed = |e: io::Error| Failure::caused(e).about(format!("cannot start {program:?}"));

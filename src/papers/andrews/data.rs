@@ -1,6 +1,7 @@
 //! The mechanism as the test set prints it.
 
-use crate::reference::Decimal;
+use super::KEY;
+use crate::papers::file_of_known;
 use crate::reference::planar::{
     Attachment, Body, Drive, Forces, Joint, Mechanism, MechanismError, Point, Spring,
 };
@@ -9,62 +10,9 @@ use rug::{Float, Rational};
 /// Working precision in bits.
 pub const BITS: u32 = 160;
 
-/// Parameters in SI units.
-const PARAMETERS: [(&str, &str); 42] = [
-    ("m1", "0.04325"),
-    ("m2", "0.00365"),
-    ("m3", "0.02373"),
-    ("m4", "0.00706"),
-    ("m5", "0.07050"),
-    ("m6", "0.00706"),
-    ("m7", "0.05498"),
-    ("xa", "-0.06934"),
-    ("ya", "-0.00227"),
-    ("xb", "-0.03635"),
-    ("yb", "0.03273"),
-    ("xc", "0.014"),
-    ("yc", "0.072"),
-    ("c0", "4530"),
-    ("i1", "2.194e-6"),
-    ("i2", "4.410e-7"),
-    ("i3", "5.255e-6"),
-    ("i4", "5.667e-7"),
-    ("i5", "1.169e-5"),
-    ("i6", "5.667e-7"),
-    ("i7", "1.912e-5"),
-    ("d", "28e-3"),
-    ("da", "115e-4"),
-    ("e", "2e-2"),
-    ("ea", "1421e-5"),
-    ("rr", "7e-3"),
-    ("ra", "92e-5"),
-    ("l0", "7785e-5"),
-    ("ss", "35e-3"),
-    ("sa", "1874e-5"),
-    ("sb", "1043e-5"),
-    ("sc", "18e-3"),
-    ("sd", "2e-2"),
-    ("ta", "2308e-5"),
-    ("tb", "916e-5"),
-    ("u", "4e-2"),
-    ("ua", "1228e-5"),
-    ("ub", "449e-5"),
-    ("zf", "2e-2"),
-    ("zt", "4e-2"),
-    ("fa", "1421e-5"),
-    ("mom", "33e-3"),
-];
-
 /// A parameter by its printed name.
 pub fn parameter(name: &str) -> Rational {
-    let found = PARAMETERS.iter().find(|(n, _)| *n == name);
-    let (_, text) = found.expect("a parameter of the mechanism");
-    exactly(text)
-}
-
-/// A decimal of the print.
-pub(super) fn exactly(text: &str) -> Rational {
-    Decimal::parse(text).expect("a printed decimal").value
+    file_of_known(KEY).given("parameters", name)
 }
 
 /// Bodies K1 to K7 by index. The angles of their axes are β, β + Θ, γ, Φ + δ, δ, Ω + ε, ε; K2 joins

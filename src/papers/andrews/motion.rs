@@ -2,6 +2,7 @@
 
 use super::data;
 use super::printed::QUANTITIES;
+use crate::papers::number::Number;
 use crate::reference::planar::{Course, Linkage, Moment, Position, Rates};
 use crate::reference::{Ball, Undecided};
 
@@ -53,7 +54,7 @@ pub fn motion(bits: u32) -> Result<Motion, Undecided> {
     let folded = Linkage::new(&mechanism, &data::fold(), bits).map_err(broken)?;
     let start = folded.position(&Ball::integer(bits, 0), &data::near_the_start())?;
     let linkage = Linkage::new(&mechanism, &data::crank(), bits).map_err(broken)?;
-    let times = TIMES.map(data::exactly);
+    let times = TIMES.map(|t| Number::read(t).value.value);
     let course = linkage.from_rest(
         &linkage.driven(&start),
         &start.midpoints(),

@@ -3,12 +3,14 @@
 
 mod search;
 
-use super::read::{Reading, count, required, text, texts, word};
+use super::program::Asked;
+use super::read::{Reading, count, only, required, text, texts, word};
 use crate::audit::selected_outputs;
 use crate::papers::{Draft, Finding, FindingVerdict, Subject, figure};
 use crate::reference::nearest_f64;
 use crate::study::document::Item as Node;
 use crate::study::{Study, StudyError, StudyInput, input, intern, rational};
+use std::sync::Arc;
 
 /// The measure of an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,7 +49,7 @@ pub enum Held {
 }
 
 /// A claim about an algorithm.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub struct Accuracy {
     /// A stable name.
     pub id: &'static str,
@@ -62,19 +64,13 @@ pub struct Accuracy {
     test: Option<Test>,
 }
 
-impl std::fmt::Debug for Accuracy {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Accuracy")
-            .field("id", &self.id)
-            .finish_non_exhaustive()
-    }
-}
-
 /// The evidence that decides a claim.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 struct Test {
     /// The study over each region of the claim.
     studies: Vec<Study>,
+    /// The program under test, where it is no formula of the studies.
+    program: Option<Arc<Asked>>,
     /// The same over the part where the claim holds, with the part in words.
     part: Option<(Vec<Study>, String)>,
     /// The only input, where the claim is about one.
@@ -87,23 +83,8 @@ struct Test {
     cases: u64,
 }
 
-const KEYS: [&str; 15] = [
-    "id",
-    "place",
-    "claims",
-    "note",
-    "study",
-    "solver",
-    "region",
-    "part",
-    "at",
-    "output",
-    "measure",
-    "statistic",
-    "bound",
-    "cases",
-    "verdict",
-];
+const KEYS: &str = "id place claims note study solver region part at output measure statistic \
+                    bound cases verdict";
 
 const MEASURES: [(&str, Measure); 3] = [
     ("relative", Measure::Relative),
@@ -128,7 +109,7 @@ const MOST_CASES: u32 = 100_000;
 
 /// Reads a claim; without a bound it is not testable.
 pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Accuracy, StudyError> {
-    node.only(&KEYS)?;
+    only(node, KEYS)?;
     let id = reading.id(node)?;
     for key in ["place", "claims"] {
         required(node, key)?;
@@ -158,12 +139,12 @@ fn test(reading: &mut Reading, node: &Node, bound: &Node) -> Result<Test, StudyE
     }
     let solver = required(node, "solver")?;
     let known = reading.solver(solver.text()?);
-    let study = match (known, node.get("study")) {
-        (Some(study), None) => study,
+    let (study, program) = match (known, node.get("study")) {
+        (Some(known), None) => (known.study.clone(), known.program.clone()),
         _ => {
             let study = reading.study(required(node, "study")?)?;
             let chosen = study.with_solver(solver.text()?);
-            chosen.map_err(|e| e.at(solver.place))?
+            (chosen.map_err(|e| e.at(solver.place))?, None)
         }
     };
     let part = |key: &str| node.get(key).map(|n| n.text().map(intern)).transpose();
@@ -187,6 +168,7 @@ fn test(reading: &mut Reading, node: &Node, bound: &Node) -> Result<Test, StudyE
         .get("cases")
         .map_or(Ok(CASES), |n| count(n, MOST_CASES))?;
     Ok(Test {
+        program,
         part,
         at,
         output,

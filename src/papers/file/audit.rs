@@ -2,14 +2,15 @@
 
 use super::claim::Quantity;
 use super::table::{Column, Rounding};
-use super::{Accuracy, Claim, Measured, PaperFile, Survey, Table};
-use crate::papers::ledger::{Verdict, dimension, finding, proved};
+use super::{Accuracy, Claim, Measured, PaperFile, Summary, Survey, Table};
+use crate::papers::ledger::{Ledger, LedgerEntry, Verdict, dimension, finding, proved};
 use crate::papers::number::{AS_PRINTED, Number, explained, tally};
 use crate::papers::{
-    Draft, Entry, EntryVerdict, Figure, Finding, FindingVerdict, PaperReport, Progress, Subject,
-    Tally, VariantJudgement, figure,
+    Analysis, Draft, Entry, EntryVerdict, Figure, Finding, FindingVerdict, PaperReport, Progress,
+    Subject, Tally, VariantJudgement, figure,
 };
 use crate::reference::{Ball, Undecided};
+use crate::study::Study;
 use crate::symbolic::Outcome;
 use crate::symbolic::evaluation::{Answer, Goal};
 use rayon::prelude::*;
@@ -17,7 +18,7 @@ use rug::Rational;
 use std::collections::BTreeMap;
 
 /// Significant digits of recomputed values beyond those that are printed.
-const MORE_DIGITS: usize = 10;
+pub(super) const MORE_DIGITS: usize = 10;
 
 impl PaperFile {
     /// Audits the paper: the ledger, the tables entry by entry, the claims.
@@ -25,51 +26,74 @@ impl PaperFile {
     /// # Errors
     /// None; the signature is that of every paper.
     pub fn report(&self, progress: Progress) -> Result<PaperReport, Undecided> {
-        progress("ledger", 0, 3);
-        let mut findings = self.of_the_ledger();
-        progress("tables", 1, 3);
-        let (mut entries, mut tallies) = (Vec::new(), Vec::new());
+        self.analysed(|| Ok(Analysis::default()), progress)
+    }
+
+    /// Audits the paper with the results of its own analysis.
+    ///
+    /// # Errors
+    /// [`Undecided`] when the analysis has no certified value.
+    pub(in crate::papers) fn analysed(
+        &self,
+        analyse: impl FnOnce() -> Result<Analysis, Undecided>,
+        progress: Progress,
+    ) -> Result<PaperReport, Undecided> {
+        progress("ledger", 0, 4);
+        let ledger = self.ledger();
+        progress("analysis", 1, 4);
+        let mut analysis = analyse()?;
+        let mut findings = self.stated(&ledger, &mut analysis);
+        progress("tables", 2, 4);
+        let (mut entries, mut tallies) = (analysis.entries, analysis.tallies);
         for table in &self.tables {
             let (found, of_table, of_columns) = judge_table(table);
             findings.push(found);
             entries.extend(of_table);
             tallies.extend(of_columns);
         }
-        progress("claims", 2, 3);
+        progress("claims", 3, 4);
         findings.extend(self.measured(&Measured::default()));
         findings.par_extend(self.claims.par_iter().map(judge_claim));
         findings.extend(self.accuracies.iter().map(Accuracy::finding));
         findings.extend(self.surveys.iter().flat_map(Survey::findings));
-        progress("done", 3, 3);
+        progress("done", 4, 4);
         Ok(PaperReport::new(self.citation.clone(), findings).with_entries(entries, tallies))
     }
 
-    /// A finding for each entry that is wrong or open, and one for those that are proved.
-    fn of_the_ledger(&self) -> Vec<Finding> {
-        if self.items.is_empty() {
-            return Vec::new();
+    /// The findings that the files state, in their order; after those on single entries one for each
+    /// other entry that is wrong or open, and one for everything that is proved.
+    fn stated(&self, ledger: &Ledger, analysis: &mut Analysis) -> Vec<Finding> {
+        let on_entries = self.summaries.iter().take_while(|s| s.is_on_entries());
+        let (first, rest) = self.summaries.split_at(on_entries.count());
+        let covered = |e: &&LedgerEntry| !self.summaries.iter().any(|s| s.covers(e.id));
+        let alone = ledger.entries.iter().filter(covered);
+        let mut all: Vec<Finding> = first.iter().filter_map(|s| s.on_ledger(ledger)).collect();
+        all.extend(alone.flat_map(|e| [finding(e), dimension(e)]).flatten());
+        if !self.items.is_empty() && !self.summaries.iter().any(Summary::is_on_proofs) {
+            let title = match ledger.count(Verdict::Proved) {
+                1 => "One entry of the ledger is proved as printed".to_string(),
+                count => format!("{count} entries of the ledger are proved as printed"),
+            };
+            all.push(proved(
+                ledger,
+                ["ledger-proved", "all formulas"],
+                title,
+                PROOFS,
+            ));
         }
-        let ledger = self.ledger();
-        let count = ledger.count(Verdict::Proved);
-        let title = match count {
-            1 => "One entry of the ledger is proved as printed".to_string(),
-            count => format!("{count} entries of the ledger are proved as printed"),
-        };
-        let text = "The difference of both sides has the normal form zero in the exact algebra, or \
-                    lies within its bound in balls. The ledger lists every entry with its requirements.";
-        let whole = proved(&ledger, ["ledger-proved", "all formulas"], title, text);
-        let alone = ledger.entries.iter();
-        let alone = alone.filter(|e| !self.summaries.iter().any(|s| s.covers(e.id)));
-        let alone = alone
-            .flat_map(|e| [finding(e), dimension(e)])
-            .flatten()
-            .chain([whole]);
-        self.summaries(&ledger).into_iter().chain(alone).collect()
+        let found = |s: &Summary| s.on_ledger(ledger).or_else(|| s.on_figures(analysis));
+        all.extend(rest.iter().filter_map(found));
+        all.extend(analysis.not_stated());
+        all
     }
 }
 
+/// The text of the finding on everything that is proved.
+const PROOFS: &str = "The difference of both sides has the normal form zero in the exact algebra, or lies within its \
+                      bound in balls. The ledger lists every entry with its requirements.";
+
 /// A value as far as it is known.
-type Known = Result<Ball, String>;
+pub(super) type Known = Result<Ball, String>;
 
 /// The certified value of a column in a row.
 fn value_in_row(column: &Column, inputs: &[Rational], digits: usize) -> Known {
@@ -90,6 +114,11 @@ fn known(answers: impl IntoIterator<Item = Answer>) -> Known {
         Some(Answer::Undecided(open)) => Err(format!("undecided: {open}")),
         None => Err("undecided".into()),
     }
+}
+
+/// The certified value of a study without inputs.
+pub(super) fn recomputed(study: &Study, digits: usize) -> Known {
+    known(study.answers(&[], Goal::Bits(bits(digits))))
 }
 
 /// Returns true if a printed number is right by a rule of rounding.
@@ -225,9 +254,7 @@ fn judge_claim(claim: &Claim) -> Finding {
     let numbers = claim.printed.iter().chain(claim.bounds.iter().flatten());
     let longest = numbers.map(|n| n.text.len()).max().unwrap_or_default();
     let value = match &claim.quantity {
-        Quantity::Value(study) => {
-            known(study.answers(&[], Goal::Bits(bits(longest + MORE_DIGITS))))
-        }
+        Quantity::Value(study) => recomputed(study, longest + MORE_DIGITS),
         Quantity::Largest(f) => f.largest(within(claim)).ok_or_else(not_enclosed),
         Quantity::Smallest(f) => {
             let found = f.largest(within(claim)).map(|b| -&b);
@@ -284,7 +311,7 @@ fn within(claim: &Claim) -> f64 {
 }
 
 /// The digits that are known.
-fn shown(value: &Known, digits: usize) -> String {
+pub(super) fn shown(value: &Known, digits: usize) -> String {
     let value = match value {
         Ok(value) => value,
         Err(reason) => return reason.clone(),

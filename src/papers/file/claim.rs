@@ -1,7 +1,7 @@
 //! Claims with numbers: a value, or an extreme over a box, and the number as printed.
 
 use super::entry::fault;
-use super::read::{Reading, required, text, word};
+use super::read::{Reading, only, required, text, word};
 use super::table::{ROUNDINGS, Rounding, formula, shared};
 use crate::papers::Subject;
 use crate::papers::ledger::boxes::{Function, Region};
@@ -12,7 +12,7 @@ use crate::study::{Study, StudyError, is_name, rational};
 use crate::symbolic::{Expr, Outcome};
 
 /// The number that a claim is about.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub(super) enum Quantity {
     /// An expression without free symbols.
     Value(Study),
@@ -23,7 +23,7 @@ pub(super) enum Quantity {
 }
 
 /// A claim with a number.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub struct Claim {
     /// A stable name.
     pub id: &'static str,
@@ -50,18 +50,8 @@ pub struct Claim {
     pub(super) quantity: Quantity,
 }
 
-impl std::fmt::Debug for Claim {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Claim")
-            .field("id", &self.id)
-            .finish_non_exhaustive()
-    }
-}
-
-const KEYS: [&str; 16] = [
-    "id", "place", "subject", "claims", "note", "is", "largest", "smallest", "over", "with",
-    "printed", "rounding", "above", "below", "unit", "verdict",
-];
+const KEYS: &str = "id place subject claims note is largest smallest over with printed rounding \
+                    above below unit verdict";
 
 const VERDICTS: [(&str, Outcome); 3] = [
     ("confirmed", Outcome::Proved),
@@ -78,7 +68,7 @@ pub(super) const SUBJECTS: [(&str, Subject); 4] = [
 
 /// Reads a claim.
 pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Claim, StudyError> {
-    node.only(&KEYS)?;
+    only(node, KEYS)?;
     let id = reading.id(node)?;
     required(node, "place")?;
     required(node, "claims")?;

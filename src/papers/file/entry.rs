@@ -1,16 +1,14 @@
 //! Entries of a ledger, read from a file.
 
-use super::read::{Reading, count, defined, required, text, texts, truth, word};
+use super::read::{Reading, count, defined, only, required, text, texts, truth, word};
 use crate::papers::ledger::{Item, Kind, Names, Requirement, Verdict};
 use crate::study::document::{Item as Node, Value};
 use crate::study::{StudyError, fault_in, intern, is_name};
 use crate::symbolic::{Definitions, Dimensions, Expr, Family, Outcome, SymbolicError, unit};
 use std::sync::Arc;
 
-const KEYS: [&str; 17] = [
-    "id", "place", "kind", "printed", "composed", "claims", "with", "requires", "also", "values",
-    "verdict", "repair", "edits", "confused", "missing", "note", "unit",
-];
+const KEYS: &str = "id place kind printed composed claims with requires also values verdict \
+                    repair edits confused missing note unit";
 
 const KINDS: [(&str, Kind); 5] = [
     ("formula", Kind::Formula),
@@ -36,7 +34,7 @@ const MOST_NAMES: usize = 40;
 
 /// Reads an entry and every formula in it.
 pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Item, StudyError> {
-    node.only(&KEYS)?;
+    only(node, KEYS)?;
     let id = reading.id(node)?;
     required(node, "place")?;
     let kind = word(node.get("kind"), &KINDS, Kind::Formula)?;

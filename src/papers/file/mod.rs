@@ -9,6 +9,7 @@ mod entry;
 mod measured;
 #[cfg(test)]
 mod planted_tests;
+mod program;
 mod read;
 mod source;
 mod study;
@@ -22,20 +23,29 @@ mod tests;
 pub use accuracy::Accuracy;
 pub use claim::Claim;
 pub use measured::{Measured, Measurement, Quantity};
+pub use program::{Program, Programs};
 pub use source::Texts;
 pub use summary::Summary;
+pub(super) use summary::VERDICTS as FINDING_VERDICTS;
 pub use survey::Survey;
 pub use symbols::Symbol;
 pub use table::{Column, Rounding, Table};
 
+#[cfg(test)]
+use super::Analysis;
 use super::ledger::{Item, Ledger};
 use super::{Citation, Finding};
+use crate::reference::Decimal;
 use crate::study::StudyError;
+use program::Asked;
+use rug::Rational;
 use source::Source;
+use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::Arc;
 
 /// A paper as its files state it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct PaperFile {
     /// The paper.
     pub citation: Citation,
@@ -53,8 +63,14 @@ pub struct PaperFile {
     pub surveys: Vec<Survey>,
     /// The findings on what an analysis measured.
     pub measurements: Vec<Measurement>,
-    /// The findings that sum up entries.
+    /// Groups of definitions by their names.
+    groups: BTreeMap<String, Vec<String>>,
+    /// The solvers that are programs.
+    programs: Vec<Arc<Asked>>,
+    /// The findings that it states in words.
     pub summaries: Vec<Summary>,
+    /// The paper whose analysis in the program finds the figures of findings.
+    pub analysis: Option<&'static str>,
 }
 
 /// A skeleton of a paper, which is one itself.
@@ -106,9 +122,45 @@ impl PaperFile {
         read::paper(key, &Source::Texts(texts), "paper.toml")
     }
 
-    /// The findings that sum up entries of the ledger, in the order of the files.
+    /// Returns true if solvers of the paper are programs, which somebody has to run.
+    pub fn has_programs(&self) -> bool {
+        !self.programs.is_empty()
+    }
+
+    /// Runs the programs of the paper by this from now on. Claims about programs that nothing runs
+    /// are open.
+    pub fn run_by(&self, by: &'static dyn Programs) {
+        self.programs.iter().for_each(|program| program.run_by(by));
+    }
+
+    /// The findings that rest on the ledger, in the order of the files.
     pub(super) fn summaries(&self, ledger: &Ledger) -> Vec<Finding> {
-        self.summaries.iter().map(|s| s.finding(ledger)).collect()
+        let all = self.summaries.iter();
+        all.filter_map(|s| s.on_ledger(ledger)).collect()
+    }
+
+    /// The findings that rest on figures, in the order of the files.
+    #[cfg(test)]
+    pub(super) fn on_figures(&self, analysis: &mut Analysis) -> Vec<Finding> {
+        let all = self.summaries.iter();
+        all.filter_map(|s| s.on_figures(analysis)).collect()
+    }
+
+    /// The number that a group defines, `name = decimal`.
+    ///
+    /// # Panics
+    /// If there is none: for papers that are compiled in.
+    pub(super) fn given(&self, group: &str, name: &str) -> Rational {
+        let number = |line: &String| {
+            let (left, right) = line.split_once('=')?;
+            let right = (left.trim() == name).then(|| Decimal::parse(right.trim()))?;
+            right.ok()
+        };
+        let found = self
+            .groups
+            .get(group)
+            .and_then(|g| g.iter().find_map(number));
+        found.expect("a number of the paper").value
     }
 
     /// The findings on what an analysis measured, in the order of the files.

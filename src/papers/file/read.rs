@@ -1,44 +1,21 @@
 //! The files of a paper, read in their order.
 
+use super::program::Asked;
 use super::source::Source;
 use super::symbols::{self, Symbols};
 use super::{PaperFile, accuracy, claim, entry, measured, summary, survey, table};
+use crate::audit::{Method, SolverAnswer};
 use crate::papers::Citation;
 use crate::study::document::{self, Item as Node, Value};
 use crate::study::{Study, StudyError, intern, is_name};
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
-/// Keys of the first file, and of those that it names.
-const KEYS: [&str; 17] = [
-    "title",
-    "authors",
-    "year",
-    "venue",
-    "source",
-    "parts",
-    "units",
-    "symbols",
-    "definitions",
-    "entry",
-    "table",
-    "claim",
-    "solver",
-    "accuracy",
-    "survey",
-    "measured",
-    "finding",
-];
-const KEYS_OF_PARTS: [&str; 9] = [
-    "definitions",
-    "entry",
-    "table",
-    "claim",
-    "solver",
-    "accuracy",
-    "survey",
-    "measured",
-    "finding",
-];
+/// Keys of the first file.
+const KEYS: &str = "title authors year venue source analysis parts units symbols definitions \
+                    entry table claim solver accuracy survey measured finding";
+/// Keys of the files that it names.
+const KEYS_OF_PARTS: &str = "definitions entry table claim solver accuracy survey measured finding";
 
 /// The largest number of entries, tables and claims of a paper.
 const MOST: usize = 10_000;
@@ -51,13 +28,36 @@ pub(super) struct Reading<'a> {
     pub groups: BTreeMap<String, Vec<String>>,
     /// Studies by the names of their files.
     studies: BTreeMap<String, Study>,
-    /// Studies with the solvers that the paper states, in their order, each with the name of the
-    /// study's file.
-    pub solvers: Vec<(&'static str, &'static str, Study)>,
+    /// The solvers that the paper states, in their order.
+    pub solvers: Vec<Solver>,
     /// Names of entries and claims.
     ids: BTreeSet<String>,
     /// The name of the file that is being read, kept for good.
     pub file: &'static str,
+    /// True if the program analyses the paper.
+    pub is_analysed: bool,
+}
+
+/// A solver that the paper states.
+#[derive(Clone, Debug)]
+pub(super) struct Solver {
+    pub name: &'static str,
+    /// The name of its study's file.
+    pub file: &'static str,
+    /// The study, with the solver where it is stated in formulas.
+    pub study: Study,
+    /// The program that it is otherwise.
+    pub program: Option<Arc<Asked>>,
+}
+
+impl Solver {
+    /// The answer to an input.
+    pub fn solve(&self, input: &[f64]) -> SolverAnswer {
+        match &self.program {
+            Some(program) => program.solve(&self.study, input),
+            None => self.study.solve(input),
+        }
+    }
 }
 
 impl Reading<'_> {
@@ -89,10 +89,9 @@ impl Reading<'_> {
         Ok(study)
     }
 
-    /// The study with a solver that the paper states.
-    pub fn solver(&self, name: &str) -> Option<Study> {
-        let found = self.solvers.iter().find(|s| s.0 == name);
-        found.map(|s| s.2.clone())
+    /// The solver of that name that the paper states.
+    pub fn solver(&self, name: &str) -> Option<&Solver> {
+        self.solvers.iter().find(|s| s.name == name)
     }
 
     /// Reads the solvers of a file: each names its study.
@@ -102,10 +101,29 @@ impl Reading<'_> {
                 return Err(node.fault(format!("the solver {name} is stated twice")));
             }
             let file = required(node, "study")?;
-            let own = self.with_definitions(node)?;
-            let study = self.study(file)?.and_solver(name, &own)?;
-            self.solvers
-                .push((intern(name), intern(file.text()?), study));
+            let mut study = self.study(file)?;
+            let program = match node.get("exec") {
+                None => {
+                    study = study.and_solver(name, &self.with_definitions(node)?)?;
+                    None
+                }
+                Some(exec) => {
+                    node.only(&["study", "exec", "title", "source", "read"])?;
+                    let words = exec
+                        .list()?
+                        .iter()
+                        .map(|word| word.text().map(String::from));
+                    let words = words.collect::<Result<_, _>>()?;
+                    let program = Asked::new(words, self.source).map_err(|e| e.at(exec.place))?;
+                    Some(Arc::new(program))
+                }
+            };
+            self.solvers.push(Solver {
+                name: intern(name),
+                file: intern(file.text()?),
+                study,
+                program,
+            });
         }
         Ok(())
     }
@@ -174,6 +192,11 @@ pub(super) fn defined(text: &str) -> Option<&str> {
     (!left.contains(':')).then(|| left.trim())
 }
 
+/// Refuses keys other than these, which are separated by blanks.
+pub(super) fn only(node: &Node, keys: &str) -> Result<(), StudyError> {
+    node.only(&keys.split_whitespace().collect::<Vec<_>>())
+}
+
 /// A key that has to be there.
 pub(super) fn required<'a>(node: &'a Node, key: &str) -> Result<&'a Node, StudyError> {
     node.get(key)
@@ -238,17 +261,12 @@ pub(super) fn paper(key: &str, source: &Source, first: &str) -> Result<PaperFile
     };
     let file = read(first)?;
     let in_first = |e: StudyError| e.in_file(first);
-    file.only(&KEYS).map_err(in_first)?;
+    only(&file, KEYS).map_err(in_first)?;
+    let analysis = file.get("analysis").map(|key| key.text().map(intern));
     let mut paper = PaperFile {
         citation: citation(key, &file).map_err(in_first)?,
-        symbols: Vec::new(),
-        items: Vec::new(),
-        tables: Vec::new(),
-        claims: Vec::new(),
-        accuracies: Vec::new(),
-        surveys: Vec::new(),
-        measurements: Vec::new(),
-        summaries: Vec::new(),
+        analysis: analysis.transpose().map_err(in_first)?,
+        ..PaperFile::default()
     };
     paper.symbols = symbols::read(&file).map_err(in_first)?;
     let dimensions = symbols::dimensions(&file, &paper.symbols).map_err(in_first)?;
@@ -260,16 +278,20 @@ pub(super) fn paper(key: &str, source: &Source, first: &str) -> Result<PaperFile
         solvers: Vec::new(),
         ids: BTreeSet::new(),
         file: intern(first),
+        is_analysed: paper.analysis.is_some(),
     };
     part(&mut reading, &file, &mut paper).map_err(in_first)?;
     for name in texts(file.get("parts")).map_err(in_first)? {
         let text = name.text().map_err(in_first)?;
         let more = read(text).map_err(|e| e.at(name.place).in_file(first))?;
         let here = |e: StudyError| e.in_file(text);
-        more.only(&KEYS_OF_PARTS).map_err(here)?;
+        only(&more, KEYS_OF_PARTS).map_err(here)?;
         reading.file = intern(text);
         part(&mut reading, &more, &mut paper).map_err(here)?;
     }
+    paper.groups = reading.groups;
+    let programs = reading.solvers.into_iter().filter_map(|s| s.program);
+    paper.programs = programs.collect();
     for summary in &paper.summaries {
         summary.check(&paper.items)?;
     }

@@ -1,7 +1,7 @@
 //! Surveys of solvers: how near to zero of an input each keeps an accuracy, how far its values jump
 //! where one formula takes over from another, and what follows for whoever has to choose.
 
-use super::read::{Reading, count, required, text, texts};
+use super::read::{Reading, Solver, count, only, required, text, texts};
 use crate::audit::{Case, Cases, Judge, Limit, Method, Origin, Settings, SolverAnswer, Variant};
 use crate::papers::{Draft, Figure, Finding, FindingVerdict, Subject, figure};
 use crate::study::document::Item as Node;
@@ -11,12 +11,13 @@ use rug::Rational;
 use rug::ops::Pow;
 
 /// A survey of the solvers of one study.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub struct Survey {
     id: &'static str,
     place: &'static str,
-    /// The study over the region, without a solver.
+    /// The study over the region, without a solver, and its text with the region's name.
     study: Study,
+    text: String,
     /// The input whose powers of ten are the heights.
     along: StudyInput,
     /// Relative errors, as written and as numbers.
@@ -24,22 +25,12 @@ pub struct Survey {
     /// Heights from which on the advice names solvers, in addition to all heights.
     floors: Vec<(&'static str, f64)>,
     cases: u64,
-    solvers: Vec<(&'static str, Study)>,
+    solvers: Vec<Solver>,
     /// The heights of solvers on record.
     recorded: Option<Vec<(&'static str, &'static str)>>,
 }
 
-impl std::fmt::Debug for Survey {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Survey")
-            .field("id", &self.id)
-            .finish_non_exhaustive()
-    }
-}
-
-const KEYS: [&str; 10] = [
-    "id", "place", "study", "region", "along", "targets", "floors", "cases", "solvers", "recorded",
-];
+const KEYS: &str = "id place study region along targets floors cases solvers recorded";
 
 /// Points in each region of each band, unless the survey says how many, and the largest number.
 const CASES: u32 = 30;
@@ -55,10 +46,12 @@ const LEAST: f64 = 1e-14;
 
 /// Reads a survey.
 pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Survey, StudyError> {
-    node.only(&KEYS)?;
+    only(node, KEYS)?;
     let id = reading.id(node)?;
     let file = required(node, "study")?;
     let region = node.get("region").map(Node::text).transpose()?;
+    let definition = reading.source.read(file.text()?);
+    let definition = definition.map_err(|e| e.at(file.place))?;
     let study = reading.study(file)?;
     let study = study.within(region, &[]).map_err(|e| e.at(node.place))?;
     let along = required(node, "along")?;
@@ -84,17 +77,18 @@ pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Survey, StudyEr
     };
     let file = file.text()?;
     let mut solvers = Vec::new();
-    for (name, of, solver) in &reading.solvers {
-        if *of == file {
-            let solver = solver.within(region, &[]).map_err(|e| e.at(node.place))?;
-            solvers.push((*name, solver));
-        }
+    for solver in reading.solvers.iter().filter(|s| s.file == file) {
+        let study = solver.study.within(region, &[]);
+        solvers.push(Solver {
+            study: study.map_err(|e| e.at(node.place))?,
+            ..solver.clone()
+        });
     }
     if let Some(names) = node.get("solvers") {
         let all = std::mem::take(&mut solvers);
         for name in names.list()? {
             let text = name.text()?;
-            let found = all.iter().find(|s| s.0 == text);
+            let found = all.iter().find(|s| s.name == text);
             let none = || name.fault("there is no such solver of this study above");
             solvers.push(found.cloned().ok_or_else(none)?);
         }
@@ -116,6 +110,7 @@ pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Survey, StudyEr
         id,
         place: text(node, "place")?,
         study,
+        text: format!("{definition}\n{}", region.unwrap_or_default()),
         along: input,
         targets: numbers("targets")?,
         floors: numbers("floors")?,
@@ -153,6 +148,22 @@ enum Height {
 }
 
 impl Survey {
+    /// Takes the solvers of another survey in, if it is one of the same function for the same
+    /// needs; returns false otherwise.
+    pub(in crate::papers) fn join(&mut self, other: &Survey) -> bool {
+        let same = self.text == other.text
+            && self.along.name == other.along.name
+            && (&self.targets, &self.floors) == (&other.targets, &other.floors)
+            && (self.cases, self.recorded.is_some()) == (other.cases, other.recorded.is_some());
+        if same {
+            self.solvers.extend(other.solvers.iter().cloned());
+            if let (Some(all), Some(more)) = (&mut self.recorded, &other.recorded) {
+                all.extend(more);
+            }
+        }
+        same
+    }
+
     /// The exponents of the bands' lower ends; the first band begins where the range does.
     fn powers(&self) -> std::ops::Range<i32> {
         let exponent = |q: &Option<Rational>| q.as_ref().map_or(0.0, Rational::to_f64).log10();
@@ -183,7 +194,7 @@ impl Survey {
         let rows = self.solvers.iter();
         let mut rows: Vec<Heights> = rows
             .map(|s| Heights {
-                name: s.0,
+                name: s.name,
                 bands: Vec::new(),
             })
             .collect();
@@ -196,6 +207,12 @@ impl Survey {
             let worst = self.band(k).map(|band| {
                 let variant = Variant::new(&band).limit(Limit::Relative(WHOLE));
                 let cases = Cases::new(&variant, &settings);
+                for solver in &self.solvers {
+                    if let Some(program) = &solver.program {
+                        let inputs = (0..cases.len()).map(|i| cases.get(i).input);
+                        program.answers(&solver.study, &inputs.collect::<Vec<_>>());
+                    }
+                }
                 let all = (0..cases.len()).into_par_iter();
                 let found = all.map(|i| self.errors(&variant, &cases.get(i).input));
                 let none = || vec![[0.0; 2]; self.solvers.len()];
@@ -225,7 +242,7 @@ impl Survey {
             input: input.to_vec(),
             origin: Origin::Given,
         });
-        let error = |(_, solver): &(&'static str, Study)| {
+        let error = |solver: &Solver| {
             let judgement = referee.judge(solver.solve(input), false).judgement;
             if !judgement.is_measured() {
                 return [f64::INFINITY; 2];
@@ -252,7 +269,7 @@ impl Survey {
     }
 
     /// The findings: heights, jumps, and what meets each need.
-    pub(super) fn findings(&self) -> Vec<Finding> {
+    pub(in crate::papers) fn findings(&self) -> Vec<Finding> {
         let rows = self.heights();
         let name = &self.along.name;
         let draft = |part: &str, title: String, of: &str| {
@@ -283,7 +300,7 @@ impl Survey {
         let jumps = self
             .solvers
             .par_iter()
-            .filter_map(|(name, study)| self.jump(name, study));
+            .filter_map(|solver| self.jump(solver));
         let jumps: Vec<Figure> = jumps.collect();
         let seams = draft("seams", title.into(), text)
             .figures(jumps)
@@ -341,9 +358,12 @@ impl Survey {
     }
 
     /// The largest jump of a solver, where there is one that is not rounding.
-    fn jump(&self, name: &'static str, solver: &Study) -> Option<Figure> {
+    fn jump(&self, solver: &Solver) -> Option<Figure> {
+        if solver.program.is_some() {
+            return None;
+        }
         let mut largest: Option<(f64, Vec<f64>)> = None;
-        for [a, b] in solver.seams() {
+        for [a, b] in solver.study.seams() {
             let values = |input: &[f64]| match solver.solve(input) {
                 SolverAnswer::Values(values) => Some(values),
                 _ => None,
@@ -367,7 +387,7 @@ impl Survey {
         let inputs = self.study.problem().inputs.iter().zip(&at);
         let at: Vec<String> = inputs.map(|(i, x)| format!("{} = {x:?}", i.name)).collect();
         Some(figure(
-            name,
+            solver.name,
             format!("{size:.1e} at {}", at.join(", ")),
             "1",
         ))

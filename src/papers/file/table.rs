@@ -1,7 +1,7 @@
 //! Printed tables: CSV files with the definition of each column.
 
 use super::entry::{circular, fault};
-use super::read::{Reading, count, defined, required, text, texts, word};
+use super::read::{Reading, count, defined, only, required, text, texts, word};
 use super::study;
 use crate::audit::Limit;
 use crate::papers::number::Number;
@@ -44,7 +44,7 @@ pub struct Table {
 }
 
 /// A column that is judged.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub struct Column {
     /// Its name.
     pub name: &'static str,
@@ -58,14 +58,6 @@ pub struct Column {
     pub rounding: Rounding,
     /// The rows that are known to be wrong.
     pub wrong: Vec<u32>,
-}
-
-impl std::fmt::Debug for Column {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Column")
-            .field("name", &self.name)
-            .finish_non_exhaustive()
-    }
 }
 
 /// The largest number of rows.
@@ -153,9 +145,10 @@ impl Cells {
 
 /// Reads a table, its file and the definitions of its columns.
 pub(super) fn read(reading: &Reading, node: &Node) -> Result<Table, StudyError> {
-    node.only(&[
-        "number", "title", "file", "row", "given", "study", "with", "rounding", "columns",
-    ])?;
+    only(
+        node,
+        "number title file row given study with rounding columns",
+    )?;
     let of = match node.get("study") {
         None => None,
         Some(file) => {

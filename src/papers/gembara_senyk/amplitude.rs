@@ -1,25 +1,22 @@
-//! The amplitude (18) of one harmonic and its modulus in (19), as printed and corrected, enclosed.
+//! The amplitude (18) of one harmonic and its modulus in (19), as printed and corrected
+//! (`passage.toml` of the paper), beside the convolution (10).
 //!
-//! ```text
-//! |A| = w² √(2π)/(4 w₃ √κ) · |W(U) + W(V) − W(U₀) e^{U₀²−U²} − W(V₀) e^{V₀²−V²}|
-//! U = (1 − i)(ω − w₃ + i n)/(2√κ),   V = −(1 − i)(ω + w₃ + i n)/(2√κ),   ω = κt,   κ = kε
-//! ```
-//!
-//! and `U₀`, `V₀` are the same at `ω = 0`. The paper prints `− i n` in `U` (12), though not in
-//! `U₀`; and in (19) `W(V₀)` where `W(U₀)` belongs, with a 4 too many in the prefactor.
+//! The paper prints `− i n` in `U` (12), though not in `U₀`; and in (19) `W(V₀)` where `W(U₀)`
+//! belongs, with a 4 too many in the prefactor.
 
 use crate::reference::chirp_oscillator::{Problem, enclose};
-use crate::reference::{Ball, ComplexBall, faddeeva};
+use crate::reference::{Ball, Mag};
+use crate::study::Study;
+use crate::symbolic::evaluation::{Answer, Goal};
 use rug::Rational;
+use std::sync::LazyLock;
 
-/// An oscillator that a shaft, at rest at first, passes with one harmonic.
-#[derive(Clone, Debug)]
-pub struct Passage {
-    /// Natural frequency w, damping n < w, acceleration ε > 0 of the shaft, harmonic k, time t.
-    pub values: [Rational; 5],
-}
+static FORMULAS: LazyLock<Study> = LazyLock::new(|| {
+    let text = include_str!("../../../reference/papers/gembara-senyk/passage.toml");
+    Study::parse(text, "passage").expect("a study that is compiled in")
+});
 
-/// Which formula.
+/// Which formula, by its place among the outputs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Formula {
     /// (18), with `U` as it has to be.
@@ -30,64 +27,32 @@ pub enum Formula {
     Printed19,
 }
 
+/// An oscillator that a shaft, at rest at first, passes with one harmonic: natural frequency w,
+/// damping n < w, acceleration ε > 0 of the shaft, harmonic k, time t.
+#[derive(Clone, Debug)]
+pub struct Passage(pub [Rational; 5]);
+
 impl Passage {
-    /// From fractions.
-    pub fn new(values: [(i32, u32); 5]) -> Passage {
-        Passage {
-            values: values.map(Rational::from),
-        }
+    /// `|A(t)|` by the formulas; an infinite ball where there is no value.
+    pub fn moduli(&self, bits: u32) -> Vec<Ball> {
+        let known = |answer| match answer {
+            Answer::Number(ball) => ball,
+            _ => Ball::integer(bits, 0).widened(Mag::INFINITY),
+        };
+        let answers = FORMULAS.answers(&self.0, Goal::Bits(bits));
+        answers.into_iter().map(known).collect()
     }
 
-    /// `|A(t)|` by a formula.
-    pub fn modulus(&self, formula: Formula, prec: u32) -> Ball {
-        let [w, n, eps, k, t] = &self.values;
-        let real = |q: &Rational| Ball::rational(prec, q);
-        let kappa = Rational::from(k * eps);
-        let omega = Rational::from(&kappa * t);
-        let below = Rational::from(w - n) * Rational::from(w + n);
-        let w3 = real(&below).sqrt();
-        let root = real(&kappa).sqrt();
-        // (1 − i)(x + i y)/(2√κ)
-        let turned = |x: Ball, y: Ball| {
-            let scale = root.shift(1).recip();
-            ComplexBall::new((&x + &y) * &scale, (&y - &x) * &scale)
-        };
-        let u = |omega: &Rational, damping: Ball| turned(real(omega) - &w3, damping);
-        let v = |omega: &Rational| turned(-(real(omega) + &w3), -real(n));
-        let zero = Rational::new();
-        let sign = match formula {
-            Formula::Printed18 => -real(n),
-            _ => real(n),
-        };
-        let (u, u0) = (u(&omega, sign), u(&zero, real(n)));
-        let (v, v0) = (v(&omega), v(&zero));
-        let third = match formula {
-            Formula::Printed19 => &v0,
-            _ => &u0,
-        };
-        let value = |z: &ComplexBall| faddeeva::w_ball(z, prec);
-        let decay = |z0: &ComplexBall, z: &ComplexBall| (&z0.square() - &z.square()).exp();
-        let sum = &(&value(&u) + &value(&v))
-            - &(&(&value(third) * &decay(&u0, &u)) + &(&value(&v0) * &decay(&v0, &v)));
-        let scale = real(w).square() * Ball::pi(prec).shift(1).sqrt() / (w3 * root).shift(2);
-        sum.norm_sqr().sqrt() * scale
-    }
-
-    /// `|A(t)|` by the convolution (10), whatever the formulas say.
-    pub fn reference(&self, prec: u32) -> Ball {
-        let [w, n, eps, k, t] = self.values.clone();
+    /// The relative errors of the formulas against the convolution (10), whatever they say.
+    pub fn errors(&self, bits: u32) -> Vec<Ball> {
+        let [w, n, eps, k, t] = self.0.clone();
         let o = Rational::new;
-        let values = [w, n, eps, o(), k, o(), o(), o(), t];
-        match Problem::new(&values) {
-            Ok(problem) => enclose(&problem, prec).amplitude.norm_sqr().sqrt(),
-            Err(_) => Ball::rational(prec, &o()),
-        }
-    }
-
-    /// The relative error of a formula.
-    pub fn error(&self, formula: Formula, prec: u32) -> Ball {
-        let due = self.reference(prec);
-        (self.modulus(formula, prec) - &due) / due
+        let due = match Problem::new(&[w, n, eps, o(), k, o(), o(), o(), t]) {
+            Ok(problem) => enclose(&problem, bits).amplitude.norm_sqr().sqrt(),
+            Err(_) => Ball::integer(bits, 0),
+        };
+        let moduli = self.moduli(bits).into_iter();
+        moduli.map(|m| (m - &due) / &due).collect()
     }
 }
 
@@ -102,8 +67,8 @@ mod tests {
             [(10, 1), (1, 10), (4, 1), (1, 1), (4, 1)],
             [(3, 1), (1, 1), (4, 1), (1, 1), (2, 1)],
         ] {
-            let p = Passage::new(values);
-            let error = p.error(Formula::Corrected, 200);
+            let passage = Passage(values.map(Rational::from));
+            let error = &passage.errors(200)[Formula::Corrected as usize];
             assert!(error.contains_zero(), "{values:?}: {error:?}");
             assert!(error.magnitude().to_f64() < 1e-40, "{values:?}: {error:?}");
         }

@@ -21,7 +21,7 @@ const MOST: usize = 100_000;
 const LARGEST: f64 = 1e300;
 
 /// A real function on a box.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub struct Function {
     graph: Arc<Graph>,
     value: Id,

@@ -16,11 +16,7 @@ fn item() -> Item {
 fn citation() -> Citation {
     Citation {
         key: "key",
-        authors: "",
-        title: "",
-        year: None,
-        venue: "",
-        source: "",
+        ..Citation::default()
     }
 }
 

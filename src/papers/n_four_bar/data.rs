@@ -5,7 +5,6 @@
 //! and `V = ((N + 1)/2 + N) m g l cos φ` (ledger, nb-inertia, nb-potential).
 
 use crate::reference::pendulum::Turning;
-use crate::reference::planar::{Attachment, Body, Forces, Joint, Mechanism, MechanismError};
 use crate::reference::{Ball, Undecided};
 use rug::Rational;
 
@@ -51,44 +50,6 @@ pub fn pendulum(n: u32, bits: u32) -> Result<Turning, Undecided> {
     })
 }
 
-/// Cranks 0 to N by index, then rods 0 to N − 1; angles from x.
-///
-/// # Errors
-/// None for these data.
-pub fn mechanism(n: usize) -> Result<Mechanism, MechanismError> {
-    let x = |x: usize| [Rational::from(x as u32), Rational::new()];
-    let bar = |name: String| Body {
-        name,
-        mass: Rational::from(1),
-        inertia: Rational::from((1, 12)),
-        centre: [Rational::from((1, 2)), Rational::new()],
-    };
-    let cranks = (0..=n).map(|k| bar(format!("crank {k}")));
-    let bodies = cranks.chain((0..n).map(|k| bar(format!("rod {k}"))));
-    let pin = |a, b| Joint::Pin { a, b };
-    let mut joints = Vec::new();
-    for k in 0..=n {
-        let (start, end) = (Attachment::body(k, x(0)), Attachment::body(k, x(1)));
-        joints.push(pin(Attachment::ground(x(k)), start));
-        if k < n {
-            joints.push(pin(end.clone(), Attachment::body(n + 1 + k, x(0))));
-        }
-        if k > 0 {
-            joints.push(pin(end, Attachment::body(n + k, x(1))));
-        }
-    }
-    Mechanism::new(bodies.collect(), joints)
-}
-
-/// Weights alone.
-pub fn forces() -> Forces {
-    Forces {
-        drive: Rational::new(),
-        springs: Vec::new(),
-        gravity: [Rational::new(), -gravity()],
-    }
-}
-
 /// Position and velocity of B0.
 pub struct State {
     /// φ, over all turns.
@@ -107,30 +68,4 @@ pub fn state(motion: &Turning, time: &Rational) -> Result<State, Undecided> {
     let (s, c) = angle.sin_cos();
     let values = [s.clone(), c.clone(), &speed * &c, -(&speed * &s)];
     Ok(State { angle, values })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::reference::planar::{Drive, Linkage};
-
-    /// The reference for any planar mechanism finds the same inertia and force on the parallelogram
-    /// branch.
-    #[test]
-    fn inertia_and_weight_are_those_of_the_bars() {
-        for n in [1usize, 2, 4] {
-            let linkage = Linkage::new(&mechanism(n).unwrap(), &Drive::coordinate(0), 128).unwrap();
-            // The angle from x whose sine and cosine are about 3/5 and 4/5.
-            let theta = Ball::exact(128, 0.643_501_1);
-            let mut guess = vec![theta.mid().clone(); n + 1];
-            guess.resize(2 * n + 1, rug::Float::new(64));
-            let position = linkage.position(&theta, &guess).unwrap();
-            let series = linkage.series(&position, 2).unwrap();
-            let i = linkage.reduced_inertia(&series);
-            assert!(i[0].contains(&inertia(n as u32)) && i[1].contains(&Rational::new()));
-            let [force, _] = linkage.reduced_force(&series, &forces());
-            let due = Ball::rational(128, &(weight(n as u32) * gravity())) * theta.sin_cos().1;
-            assert!((force + due).contains_zero());
-        }
-    }
 }

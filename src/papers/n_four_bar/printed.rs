@@ -1,6 +1,8 @@
 //! The printed numbers: the library's reference for N = 40, and EXUDYN's runs for N = 2.
 
-use crate::papers::number::{Number, records};
+use super::motion::{DIGITS, Motion};
+use crate::papers::number::{self, Column, Number, records};
+use crate::papers::{Entry, Tally};
 use rug::Rational;
 
 const LIBRARY: &str = include_str!("../../../reference/published/n-four-bar-a02.csv");
@@ -26,14 +28,10 @@ pub struct Copied {
     pub number: Number,
 }
 
-fn seconds(text: &str) -> Rational {
-    Number::read(text).value.value
-}
-
 /// The library's rows.
 pub fn library() -> Vec<Row> {
     let row = |r: &csv::StringRecord| Row {
-        time: seconds(&r[0]),
+        time: Number::read(&r[0]).value.value,
         place: [Number::read(&r[1]), Number::read(&r[2])],
     };
     records(LIBRARY).iter().map(row).collect()
@@ -43,9 +41,28 @@ pub fn library() -> Vec<Row> {
 pub fn exudyn() -> Vec<Copied> {
     let row = |r: &csv::StringRecord| Copied {
         step: r[0].into(),
-        time: seconds(&r[1]),
+        time: Number::read(&r[1]).value.value,
         quantity: r[2].into(),
         number: Number::read(&r[3]),
     };
     records(EXUDYN).iter().map(row).collect()
+}
+
+/// Judges every printed number for which a certified value exists: table 1 is the library's, table
+/// 2 EXUDYN's.
+pub(super) fn entries(motion: &Motion) -> (Vec<Entry>, Vec<Tally>) {
+    let mut all: Vec<Column> = Vec::new();
+    for (k, column) in ["B0_x", "B0_y"].into_iter().enumerate() {
+        let rows = motion.library.iter().zip(1..);
+        let rows = rows.map(|((row, due), i)| (i, column, &row.place[k], &due.values[k]));
+        all.push((1, column, rows.collect()));
+    }
+    for column in ["B0_x", "B0_y", "B0_vx", "B0_vy", "C0_x", "C0_y"] {
+        let of = motion.exudyn.iter().zip(1..);
+        let of = of.filter(|((copied, _), _)| copied.quantity == column);
+        let rows =
+            of.filter_map(|((copied, due), i)| Some((i, column, &copied.number, due.as_ref()?)));
+        all.push((2, column, rows.collect()));
+    }
+    number::entries(&all, DIGITS)
 }

@@ -22,8 +22,32 @@
 //! along without another curve. The parallelograms', (0, N), is regular.
 
 use super::data;
-use super::exact::{Matrix, rank, solve};
+use crate::reference::dense::solve_exactly;
 use rug::Rational;
+
+/// Rows of equal length.
+type Matrix = Vec<Vec<Rational>>;
+
+/// The rank, by elimination.
+fn rank(mut m: Matrix) -> usize {
+    let mut found = 0;
+    for c in 0..m.first().map_or(0, Vec::len) {
+        let Some(p) = (found..m.len()).find(|&i| m[i][c] != 0) else {
+            continue;
+        };
+        m.swap(found, p);
+        let (above, below) = m.split_at_mut(found + 1);
+        let pivot = &above[found];
+        for row in below.iter_mut().filter(|row| row[c] != 0) {
+            let factor = Rational::from(&row[c] / &pivot[c]);
+            for (x, y) in row.iter_mut().zip(pivot).skip(c).filter(|(_, y)| **y != 0) {
+                *x -= Rational::from(&factor * y);
+            }
+        }
+        found += 1;
+    }
+    found
+}
 
 /// Cosine and sine of a bar's angle from x.
 pub type Direction = [Rational; 2];
@@ -173,18 +197,16 @@ pub fn meeting(n: usize, right: usize) -> Meeting {
 /// u²/6`.
 pub fn accelerations_without_branch(n: usize) -> Option<Vec<Rational>> {
     let rods = |k: usize| u32::from(k > 0) + u32::from(k < n);
-    let row = |k: usize| {
-        let mut row = vec![Rational::new(); n + 2];
-        row[k] = Rational::from((1 + rods(k), 3));
-        for other in [k.checked_sub(1), Some(k + 1).filter(|i| *i <= n)] {
-            other
-                .into_iter()
-                .for_each(|i| row[i] = Rational::from((1, 6)));
-        }
-        row[n + 1] = Rational::from((1 + rods(k), 2));
-        row
+    let inertia = |k: usize, other: usize| match k.abs_diff(other) {
+        0 => Rational::from((1 + rods(k), 3)),
+        1 => Rational::from((1, 6)),
+        _ => Rational::new(),
     };
-    solve((0..=n).map(row).collect())
+    let matrix = crate::reference::Matrix::from_fn(n + 1, n + 1, inertia);
+    let force =
+        crate::reference::Matrix::from_fn(n + 1, 1, |k, _| Rational::from((1 + rods(k), 2)));
+    let found = solve_exactly(&matrix, &force).ok()?;
+    Some(found.entries().to_vec())
 }
 
 /// The limit of `sin θ F/(m g)` at the horizontal positions for the force F along every rod: a pole

@@ -1,31 +1,11 @@
 //! A four-bar as drawn: crank AB, coupler BC, rocker DC, by the two circles around B and D, in
 //! balls.
 
-use crate::reference::{Ball, ComplexBall, Decimal, Undecided};
+use crate::reference::{Ball, ComplexBall, Undecided};
 use rug::Rational;
 
 /// Working precision in bits.
 pub const BITS: u32 = 160;
-
-/// A point of a drawing in cm.
-pub type Drawn = [&'static str; 2];
-
-/// A point or vector.
-pub fn point([x, y]: Drawn) -> ComplexBall {
-    let part = |text| Ball::rational(BITS, &decimal(text));
-    ComplexBall::new(part(x), part(y))
-}
-
-fn decimal(text: &str) -> Rational {
-    Decimal::parse(text).expect("a drawn coordinate").value
-}
-
-/// The square of the distance of two drawn points.
-fn square(p: Drawn, q: Drawn) -> Rational {
-    let parts = [0, 1].map(|i| (decimal(p[i]) - decimal(q[i])).square());
-    let [x, y] = parts;
-    x + y
-}
 
 /// Degrees as an angle.
 pub fn degrees(x: &Rational) -> Ball {
@@ -37,8 +17,7 @@ pub struct FourBar {
     a: ComplexBall,
     d: ComplexBall,
     crank: ComplexBall,
-    /// Lengths of crank, coupler, rocker, frame.
-    pub lengths: [Ball; 4],
+    /// Squares of the lengths of coupler and rocker.
     squares: [Ball; 2],
     /// True if C was drawn to the left of the way from B to D.
     pub left: bool,
@@ -57,57 +36,18 @@ impl FourBar {
     ///
     /// # Errors
     /// [`Undecided`] if B, C and D lie on one line as far as the balls tell.
-    pub fn new([a, b, c, d]: [Drawn; 4]) -> Result<FourBar, Undecided> {
-        let squares = [square(a, b), square(b, c), square(c, d), square(a, d)];
-        let balls = squares.each_ref().map(|s| Ball::rational(BITS, s));
-        let way = &point(d) - &point(b);
-        let side = way.cross(&(&point(c) - &point(b)));
+    pub fn new([a, b, c, d]: [ComplexBall; 4]) -> Result<FourBar, Undecided> {
+        let side = (&d - &b).cross(&(&c - &b));
         if side.contains_zero() {
             return Err(undecided("the drawn side"));
         }
         Ok(FourBar {
-            crank: &point(b) - &point(a),
-            a: point(a),
-            d: point(d),
-            lengths: balls.each_ref().map(Ball::sqrt),
-            squares: [balls[1].clone(), balls[2].clone()],
+            crank: &b - &a,
+            squares: [&b, &d].map(|end| (&c - end).norm_sqr()),
             left: side.is_positive(),
+            a,
+            d,
         })
-    }
-
-    /// The square of the largest |BD| that coupler and rocker reach.
-    fn stretched(&self) -> Ball {
-        (&self.lengths[1] + &self.lengths[2]).square()
-    }
-
-    /// Returns the angle that the crank turns from the frame's direction, from A to D, to the dead
-    /// position with B, C, D stretched on one line; none if it goes past there, because |BD| never
-    /// gets so long.
-    ///
-    /// # Errors
-    /// [`Undecided`] if the sum of two lengths may equal that of the others.
-    pub fn dead(&self) -> Result<Option<Ball>, Undecided> {
-        let [r, _, _, g] = &self.lengths;
-        let cosine = (r.square() + g.square() - self.stretched()) / (r * g).shift(1);
-        let sine = Ball::integer(BITS, 1) - cosine.square();
-        match () {
-            () if sine.is_positive() => Ok(Some(sine.sqrt().atan2(&cosine))),
-            () if sine.is_negative() => Ok(None),
-            () => Err(undecided("whether the crank turns fully")),
-        }
-    }
-
-    /// Returns true if |BD| keeps above the difference of coupler and rocker, so that they never
-    /// fold on each other.
-    pub fn never_folds(&self) -> bool {
-        let [r, l, s, g] = &self.lengths;
-        ((r - g).abs() - (l - s).abs()).is_positive()
-    }
-
-    /// The angle of the crank as drawn less that of the frame.
-    pub fn drawn(&self) -> Ball {
-        let frame = &self.d - &self.a;
-        frame.cross(&self.crank).atan2(&frame.dot(&self.crank))
     }
 
     /// Both positions of C with the crank turned by an angle from the drawing; none past a dead
@@ -140,7 +80,7 @@ impl FourBar {
     }
 }
 
-pub(super) fn undecided(what: &str) -> Undecided {
+fn undecided(what: &str) -> Undecided {
     Undecided {
         bits: BITS,
         reason: format!("{what} cannot be told"),
@@ -171,32 +111,60 @@ pub fn nearest_leaves(linkage: &FourBar, step: &Rational) -> Result<Option<Ratio
     }
 }
 
+/// The largest turn of the coupler over a step of the crank clockwise, in degrees, and where it
+/// ends.
+///
+/// # Errors
+/// [`Undecided`] too near a dead position.
+pub fn swiftest(linkage: &FourBar, step: u32) -> Result<(f64, u32), Undecided> {
+    let mut most = (0.0, 0);
+    let mut before: Option<ComplexBall> = None;
+    let mut turned = 0;
+    while let Some(modes) = linkage.modes(&degrees(&-Rational::from(turned)))? {
+        let coupler = &modes.c[0] - &modes.b;
+        if let Some(before) = &before {
+            let turn = before.cross(&coupler).atan2(&before.dot(&coupler));
+            let turn = turn.to_f64().abs().to_degrees();
+            most = if turn > most.0 { (turn, turned) } else { most };
+        }
+        before = Some(coupler);
+        turned += step;
+    }
+    Ok(most)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Crank 1, coupler 2, rocker 2, frame 3, drawn with the crank square to the frame.
-    const SWINGING: [Drawn; 4] = [["0", "0"], ["0", "1"], ["2", "1"], ["3.2", "-0.6"]];
+    fn drawn(points: [[f64; 2]; 4]) -> [ComplexBall; 4] {
+        let ball = |x: f64| Ball::exact(BITS, x);
+        points.map(|[x, y]| ComplexBall::new(ball(x), ball(y)))
+    }
+
+    /// Crank 1, coupler 2, rocker 2, frame 3, drawn with the crank square to the frame; halves are
+    /// exact.
+    fn swinging() -> [ComplexBall; 4] {
+        drawn([[0.0, 0.0], [0.0, 1.0], [2.0, 1.0], [3.0, -0.5]])
+    }
 
     #[test]
     fn positions_keep_the_lengths_and_begin_with_the_drawing() {
-        let linkage = FourBar::new(SWINGING).unwrap();
-        let d = point(SWINGING[3]);
+        let points = swinging();
+        let linkage = FourBar::new(points.clone()).unwrap();
+        let [_, b, c, d] = &points;
         let here = linkage.modes(&Ball::integer(BITS, 0)).unwrap().unwrap();
-        assert!(
-            (&here.c[0] - &point(SWINGING[2]))
-                .norm_sqr()
-                .contains_zero()
-        );
+        assert!((&here.c[0] - c).norm_sqr().contains_zero());
+        let due = [b, d].map(|end| (c - end).norm_sqr());
         for turned in [-20, 7, 31] {
             let modes = linkage
                 .modes(&degrees(&Rational::from(turned)))
                 .unwrap()
                 .unwrap();
             for c in &modes.c {
-                let way = [&(c - &modes.b), &(c - &d)].map(ComplexBall::norm_sqr);
+                let way = [&(c - &modes.b), &(c - d)].map(ComplexBall::norm_sqr);
                 assert!(
-                    way.iter().all(|n| n.contains(&Rational::from(4))),
+                    way.iter().zip(&due).all(|(n, due)| n.overlaps(due)),
                     "{turned}"
                 );
             }
@@ -205,39 +173,15 @@ mod tests {
         }
     }
 
-    /// |AD| − |AB| = 2.26, and coupler and rocker differ by nothing, or by 2.59.
-    #[test]
-    fn coupler_and_rocker_fold_where_their_difference_is_reached() {
-        assert!(FourBar::new(SWINGING).unwrap().never_folds());
-        let [a, b, _, d] = SWINGING;
-        assert!(!FourBar::new([a, b, ["5", "1"], d]).unwrap().never_folds());
-    }
-
-    /// Stretched to 4 beyond |AB| + |AD|, or short of it.
-    #[test]
-    fn a_crank_ends_where_coupler_and_rocker_are_too_short() {
-        let free = FourBar::new(SWINGING).unwrap();
-        let [r, _, _, g] = &free.lengths;
-        assert!((r + g - Ball::integer(BITS, 4)).is_positive());
-        let dead = free.dead().unwrap().expect("a dead position");
-        let end = &dead - &free.drawn();
-        let before = &end - &degrees(&Rational::from((1, 1000)));
-        assert!(free.modes(&before).unwrap().is_some());
-        let after = &end + &degrees(&Rational::from((1, 1000)));
-        assert!(free.modes(&after).unwrap().is_none());
-        let turns = [["0", "0"], ["0", "1"], ["2", "1"], ["2", "-1"]];
-        assert!(FourBar::new(turns).unwrap().dead().unwrap().is_none());
-    }
-
     #[test]
     fn what_balls_cannot_tell_is_undecided() {
-        let flat = [["0", "0"], ["0", "1"], ["1", "1"], ["2", "1"]];
+        let flat = drawn([[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [2.0, 1.0]]);
         assert!(FourBar::new(flat).is_err());
-        let linkage = FourBar::new(SWINGING).unwrap();
-        let end = linkage.dead().unwrap().expect("a dead position") - linkage.drawn();
-        assert!(linkage.modes(&end).is_err());
-        // A parallelogram: crank and frame are as long as coupler and rocker.
-        let change = [["0", "0"], ["0", "1"], ["2", "1"], ["2", "0"]];
-        assert!(FourBar::new(change).unwrap().dead().is_err());
+        // Coupler and rocker of 2 reach as far as 4, from B at (0, 1) to (4, 1) after no turn.
+        let linkage = FourBar {
+            squares: [4, 4].map(|n| Ball::integer(BITS, n)),
+            ..FourBar::new(drawn([[0.0, 0.0], [0.0, 1.0], [2.0, 2.0], [4.0, 1.0]])).unwrap()
+        };
+        assert!(linkage.modes(&Ball::integer(BITS, 0)).is_err());
     }
 }

@@ -217,6 +217,7 @@ fn answers(
 ) -> Result<Option<Who>, Box<dyn Error + Send + Sync>> {
     let candidate = Candidate {
         command: program.exec.clone(),
+        folder: None,
         timeout: Duration::try_from_secs_f64(program.timeout)?,
         run_timeout: SHARD,
         form: match program.binary {

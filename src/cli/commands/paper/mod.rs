@@ -3,14 +3,18 @@
 mod check;
 mod ledger;
 mod new;
+mod programs;
 
 use crate::cli::args::{PaperArgs, PaperFormat};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
 use crate::cli::progress::Progress;
 use crate::cli::{complain, terminal};
+use mechaudit::papers::file::Programs;
 use mechaudit::papers::{self, Named};
 use mechaudit::report::{csv, html, text};
+use programs::Runner;
+use std::path::Path;
 
 /// No paper of that key.
 pub fn unknown(key: &str) -> Failure {
@@ -19,45 +23,64 @@ pub fn unknown(key: &str) -> Failure {
 
 /// Audits the paper and writes its report.
 pub fn paper(args: &PaperArgs) -> Result<Outcome, Failure> {
-    match (&*args.key, &args.folder) {
-        ("new", Some(folder)) => return new::write(folder),
-        ("new", None) => {
+    match args.papers.as_slice() {
+        [word, folder] if word == "new" => return new::write(Path::new(folder)),
+        [word, ..] if word == "new" => {
             return Err(Failure::new(
-                "paper new needs a folder: mechaudit paper new FOLDER",
+                "paper new needs one folder: mechaudit paper new FOLDER",
             ));
         }
-        (_, None) => {}
-        (key, Some(more)) => {
-            let more = more.display();
-            return Err(Failure::new(format!(
-                "one paper at a time: {key} or {more}"
-            )));
-        }
+        _ => {}
     }
-    let named = Named::open(&args.key).map_err(Failure::caused)?;
-    let named = named.ok_or_else(|| unknown(&args.key))?;
+    let mut papers: Vec<(String, Named)> = Vec::new();
+    for text in &args.papers {
+        let found = Named::open_all(text).map_err(Failure::caused)?;
+        if found.is_empty() {
+            return Err(unknown(text));
+        }
+        papers.extend(found);
+    }
+    let by: Option<&'static dyn Programs> = match args.exec {
+        true => Some(&Runner),
+        false => None,
+    };
+    for (_, named) in &papers {
+        named.run_by(by).map_err(Failure::caused)?;
+    }
     if args.check && !args.ledger {
         if args.output.is_some() {
             return Err(Failure::new(
                 "--check compares a file with the ledger: add --ledger",
             ));
         }
-        return check::check(&named, &args.key);
+        let all = papers.iter().map(|(text, named)| check::check(named, text));
+        let all = all.collect::<Result<Vec<Outcome>, Failure>>()?;
+        return Ok(Outcome::of(all.iter().all(|o| *o == Outcome::AsExpected)));
     }
     if args.ledger {
-        return ledger::ledger(args, &named);
+        return match papers.as_slice() {
+            [(_, named)] => ledger::ledger(args, named),
+            _ => Err(Failure::new("--ledger is for one paper at a time")),
+        };
     }
     if matches!(args.format, PaperFormat::Latex | PaperFormat::Errata) {
         return Err(Failure::new("this form is one of the ledger: add --ledger"));
     }
     let output = Output::open(args.output.as_deref())?;
     let progress = Progress::new();
-    let report = named.report(&|phase: &str, done, total| progress.show(phase, done, total));
+    let show = |phase: &str, done, total| progress.show(phase, done, total);
+    let (report, motion) = match papers.as_slice() {
+        [(_, named)] => (named.report(&show), named.motion()),
+        _ => {
+            let all = papers.into_iter().map(|(_, named)| named).collect();
+            (papers::summary(all, &show), None)
+        }
+    };
     progress.clear();
     let report = match report {
         Ok(report) => report,
         Err(e) => {
-            complain(&format!("paper {}: {e}", args.key));
+            complain(&format!("paper {}: {e}", args.papers.join(" ")));
             return Ok(Outcome::Finding);
         }
     };
@@ -74,7 +97,7 @@ pub fn paper(args: &PaperArgs) -> Result<Outcome, Failure> {
         PaperFormat::Csv => Ok(csv::paper(&report, out)?),
         PaperFormat::Latex | PaperFormat::Errata => Ok(()),
         PaperFormat::Html => {
-            Ok(out.write_all(html::paper::page(&report, named.motion().as_ref()).as_bytes())?)
+            Ok(out.write_all(html::paper::page(&report, motion.as_ref()).as_bytes())?)
         }
     })?;
     Ok(Outcome::of(report.as_recorded()))

@@ -23,6 +23,7 @@ fn zero() -> Case {
 fn spoken(script: &str, seconds: f64) -> Candidate {
     Candidate {
         command: shell(script),
+        folder: None,
         timeout: Duration::from_secs_f64(seconds),
         run_timeout: Duration::from_secs(3600),
         form: Form::Lines,

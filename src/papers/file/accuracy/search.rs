@@ -2,13 +2,14 @@
 
 use super::{Held, Measure, Test};
 use crate::audit::{
-    Case, CaseReport, Cases, HuntSettings, Limit, Method, Origin, Settings, SolverAnswer, Variant,
-    Verdict as Judged, audit_method, hunt, judge_case_briefly,
+    Case, Cases, HuntSettings, Limit, Method, Origin, Settings, SolverAnswer, Variant,
+    Verdict as Judged, audit_method, hunt, hunt_answers, judge_case_briefly,
 };
 use crate::papers::{Figure, figure};
 use crate::study::Study;
 use rayon::prelude::*;
 use rug::Rational;
+use std::sync::atomic::AtomicBool;
 
 /// Evaluations of the hunt for each point.
 const HUNTED: u64 = 2;
@@ -56,10 +57,21 @@ impl Test {
             Measure::Absolute => variant.limit(Limit::Absolute(limit)),
             Measure::Relative => variant.limit(Limit::Relative(limit)),
         };
-        match self.output {
-            Some(output) => variant.outputs(&[output]).ok(),
-            None => Some(variant),
+        let variant = match self.output {
+            Some(output) => variant.outputs(&[output]).ok()?,
+            None => variant,
+        };
+        let Some(program) = self.program.clone() else {
+            return Some(variant);
+        };
+        let variant = variant.solver(move |input| program.solve(study, input));
+        // All at once: a program is started for each batch.
+        let cases = Cases::new(&variant, &self.settings());
+        let inputs = (0..cases.len()).map(|k| cases.get(k).input);
+        if let Some(program) = self.program.as_ref().filter(|_| self.at.is_none()) {
+            program.answers(study, &inputs.collect::<Vec<_>>());
         }
+        Some(variant)
     }
 
     fn settings(&self) -> Settings {
@@ -70,19 +82,20 @@ impl Test {
         }
     }
 
-    fn judged(method: &dyn Method, input: &[f64]) -> CaseReport {
+    /// The error at an input in units of the limit, and whether it certainly is over it.
+    fn share(method: &dyn Method, input: &[f64]) -> (f64, bool) {
+        let answer = method.solve(input);
+        // A program that has not answered has not erred.
+        if let SolverAnswer::Unanswered(_) = answer {
+            return (f64::INFINITY, false);
+        }
         let case = Case {
             method: method.name(),
             region: "given",
             input: input.to_vec(),
             origin: Origin::Given,
         };
-        judge_case_briefly(method, case, method.solve(input), &Settings::default())
-    }
-
-    /// The error at an input in units of the limit, and whether it certainly is over it.
-    fn share(method: &dyn Method, input: &[f64]) -> (f64, bool) {
-        let judgement = Test::judged(method, input).judgement;
+        let judgement = judge_case_briefly(method, case, answer, &Settings::default()).judgement;
         let over = matches!(judgement.verdict, Judged::Over | Judged::WrongKind);
         (judgement.share(), over)
     }
@@ -125,7 +138,14 @@ impl Test {
             evaluations: self.cases * HUNTED,
             seed: SEED,
         };
-        let climbed = hunt(&variant, &hunted, &|_| ());
+        let climbed = match &self.program {
+            Some(program) => {
+                let answers = |inputs: &[Vec<f64>]| program.answers(study, inputs);
+                let never = AtomicBool::new(false);
+                hunt_answers(&variant, &hunted, &answers, &|_| (), &never)
+            }
+            None => hunt(&variant, &hunted, &|_| ()),
+        };
         let audited = report.failures.iter().chain(&report.worst);
         let audited = audited.chain(&report.wrong).map(|c| &c.case.input);
         let worst = climbed.worst.iter().map(|w| &w.input);
@@ -177,7 +197,11 @@ impl Test {
         let outputs = study.outputs();
         let exact: Option<Vec<_>> = input.iter().map(|x| Rational::from_f64(*x)).collect();
         let due = exact.map_or_else(Vec::new, |exact| study.digits(&exact, 12));
-        if let SolverAnswer::Values(got) = study.solve(input) {
+        let answer = match &self.program {
+            Some(program) => program.solve(study, input),
+            None => study.solve(input),
+        };
+        if let SolverAnswer::Values(got) = answer {
             for ((output, got), due) in outputs.iter().zip(got).zip(due) {
                 if self.output.is_none_or(|o| o == output.name) {
                     let due = due.decimal.unwrap_or_else(|| "undecided".into());

@@ -1,6 +1,9 @@
+use super::data::{gravity, inertia, weight};
 use super::*;
 use crate::reference::Ball;
-use crate::reference::planar::{Drive, Linkage};
+use crate::reference::planar::{
+    Attachment, Body, Drive, Forces, Joint, Linkage, Mechanism, MechanismError,
+};
 use std::collections::BTreeSet;
 
 #[test]
@@ -119,21 +122,19 @@ fn accelerations_without_a_branch_are_others() {
 fn forces_grow_as_the_poles_say() {
     for n in [1u32, 2, 3] {
         let k = n as usize;
-        let mechanism = data::mechanism(k).unwrap();
+        let mechanism = mechanism(k).unwrap();
         let linkage = Linkage::new(&mechanism, &Drive::coordinate(0), 192).unwrap();
         let theta = Ball::exact(192, 1e-6);
         let mut guess = vec![theta.mid().clone(); k + 1];
         guess.resize(2 * k + 1, rug::Float::new(64));
         let position = linkage.position(&theta, &guess).unwrap();
         let series = linkage.series(&position, 2).unwrap();
-        let [force, _] = linkage.reduced_force(&series, &data::forces());
+        let [force, _] = linkage.reduced_force(&series, &forces());
         let acceleration = force / Ball::rational(192, &data::inertia(n));
         let speed = Ball::integer(192, -3);
         let rates = linkage.in_time(&position, &speed, &acceleration).unwrap();
-        let found = linkage
-            .multipliers(&position, &rates, &data::forces())
-            .unwrap();
-        let scale = theta.sin_cos().0 / Ball::rational(192, &data::gravity());
+        let found = linkage.multipliers(&position, &rates, &forces()).unwrap();
+        let scale = theta.sin_cos().0 / Ball::rational(192, &gravity());
         let found: Vec<f64> = found.iter().map(|f| (f * &scale).to_f64()).collect();
         for pole in poles(n) {
             let due = pole.to_f64();
@@ -189,4 +190,77 @@ fn bars_point_as_they_are_said_to() {
     let turned = [Rational::from((3, 5)), Rational::from((4, 5))];
     assert_eq!(at.cranks, vec![turned; 3]);
     assert_eq!(signs(&at.rods), [1, 1]);
+}
+
+#[test]
+fn ranks_are_exact() {
+    fn matrix<const C: usize>(rows: &[[i32; C]]) -> Matrix {
+        let row = |r: &[i32; C]| r.iter().map(|x| Rational::from(*x)).collect();
+        rows.iter().map(row).collect()
+    }
+    assert_eq!(rank(matrix(&[[1, 2, 3], [2, 4, 6], [0, 0, 5]])), 2);
+    assert_eq!(rank(matrix(&[[0, 0], [0, 0]])), 0);
+    assert_eq!(rank(matrix(&[[0, 1], [3, 0], [3, 1]])), 2);
+    let tall = [[1, 2, 3], [4, 5, 6], [7, 8, 9], [1, 1, 1]];
+    assert_eq!(rank(matrix(&tall)), 2);
+    assert_eq!(rank(matrix(&[[0, 0, 1], [0, 2, 1], [3, 1, 1]])), 3);
+    assert_eq!(rank(Vec::new()), 0);
+}
+
+/// Cranks 0 to N by index, then rods 0 to N − 1; angles from x.
+///
+/// # Errors
+/// None for these data.
+fn mechanism(n: usize) -> Result<Mechanism, MechanismError> {
+    let x = |x: usize| [Rational::from(x as u32), Rational::new()];
+    let bar = |name: String| Body {
+        name,
+        mass: Rational::from(1),
+        inertia: Rational::from((1, 12)),
+        centre: [Rational::from((1, 2)), Rational::new()],
+    };
+    let cranks = (0..=n).map(|k| bar(format!("crank {k}")));
+    let bodies = cranks.chain((0..n).map(|k| bar(format!("rod {k}"))));
+    let pin = |a, b| Joint::Pin { a, b };
+    let mut joints = Vec::new();
+    for k in 0..=n {
+        let (start, end) = (Attachment::body(k, x(0)), Attachment::body(k, x(1)));
+        joints.push(pin(Attachment::ground(x(k)), start));
+        if k < n {
+            joints.push(pin(end.clone(), Attachment::body(n + 1 + k, x(0))));
+        }
+        if k > 0 {
+            joints.push(pin(end, Attachment::body(n + k, x(1))));
+        }
+    }
+    Mechanism::new(bodies.collect(), joints)
+}
+
+/// Weights alone.
+fn forces() -> Forces {
+    Forces {
+        drive: Rational::new(),
+        springs: Vec::new(),
+        gravity: [Rational::new(), -gravity()],
+    }
+}
+
+/// The reference for any planar mechanism finds the same inertia and force on the parallelogram
+/// branch.
+#[test]
+fn inertia_and_weight_are_those_of_the_bars() {
+    for n in [1usize, 2, 4] {
+        let linkage = Linkage::new(&mechanism(n).unwrap(), &Drive::coordinate(0), 128).unwrap();
+        // The angle from x whose sine and cosine are about 3/5 and 4/5.
+        let theta = Ball::exact(128, 0.643_501_1);
+        let mut guess = vec![theta.mid().clone(); n + 1];
+        guess.resize(2 * n + 1, rug::Float::new(64));
+        let position = linkage.position(&theta, &guess).unwrap();
+        let series = linkage.series(&position, 2).unwrap();
+        let i = linkage.reduced_inertia(&series);
+        assert!(i[0].contains(&inertia(n as u32)) && i[1].contains(&Rational::new()));
+        let [force, _] = linkage.reduced_force(&series, &forces());
+        let due = Ball::rational(128, &(weight(n as u32) * gravity())) * theta.sin_cos().1;
+        assert!((force + due).contains_zero());
+    }
 }
