@@ -1,6 +1,7 @@
 //! Certified values of graphs: the working precision is raised until they are accurate enough.
 
 use super::ball::{Balls, MAY_BE_EQUAL, Value, ball_of};
+use super::short::FirstPass;
 use super::{Evaluator, Interpretation, Stop};
 use crate::exact::proves_zero;
 use crate::graph::{Graph, Id, Node};
@@ -86,6 +87,8 @@ pub struct Algebraic {
 /// Certified values of the nodes of a graph.
 pub struct Certified {
     evaluator: Evaluator<Balls>,
+    /// Balls of machine words, which are tried first.
+    first: Option<FirstPass>,
     /// The highest working precision.
     limit: u32,
     /// Values of constants at this precision are at hand.
@@ -110,7 +113,7 @@ enum Proved {
 const LARGEST: u32 = 1000;
 
 /// The working precision that is tried first to name the nearest binary64.
-const FIRST: u32 = 63;
+pub(super) const FIRST: u32 = 63;
 
 /// The working precision from which on the symbolic algebra is asked: it costs more than balls of
 /// fewer bits.
@@ -129,6 +132,7 @@ impl Certified {
     /// Creates an evaluator with a limit on the working precision.
     pub fn new(graph: Arc<Graph>, limit: u32) -> Certified {
         Certified {
+            first: FirstPass::new(&graph),
             evaluator: Evaluator::new(graph, Balls::new(FIRST)),
             limit: limit.max(64),
             constants: 0,
@@ -147,7 +151,13 @@ impl Certified {
 
     /// The values of nodes at exact inputs.
     pub fn values(&mut self, inputs: &[Rational], nodes: &[Id], goal: Goal) -> Vec<Answer> {
-        let mut answers: Vec<Option<Answer>> = vec![None; nodes.len()];
+        let mut answers: Vec<Option<Answer>> = match &mut self.first {
+            Some(first) => first.answers(inputs, nodes, goal),
+            None => vec![None; nodes.len()],
+        };
+        if answers.iter().all(Option::is_some) {
+            return answers.into_iter().flatten().collect();
+        }
         let mut asked = vec![false; nodes.len()];
         self.asked.clear();
         self.proved.clear();

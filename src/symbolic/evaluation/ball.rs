@@ -362,15 +362,8 @@ impl Interpretation for Balls {
                 }
             }
         };
-        match (relation, order) {
-            (Relation::Less, Some(o)) => Ok(o == Ordering::Less),
-            (Relation::LessEqual, Some(o)) => Ok(o != Ordering::Greater),
-            (Relation::Greater, Some(o)) => Ok(o == Ordering::Greater),
-            (Relation::GreaterEqual, Some(o)) => Ok(o != Ordering::Less),
-            (Relation::Equal, Some(o)) => Ok(o == Ordering::Equal),
-            (Relation::NotEqual, Some(o)) => Ok(o != Ordering::Equal),
-            (_, None) => Err(NoValue::Undecided(MAY_BE_EQUAL)),
-        }
+        let order = order.ok_or(NoValue::Undecided(MAY_BE_EQUAL))?;
+        Ok(relation.holds(order))
     }
 
     fn to_integer(&self, a: &Value) -> Option<i64> {

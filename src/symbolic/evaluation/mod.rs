@@ -14,6 +14,7 @@ mod huge;
 mod initial_value;
 mod integral;
 mod root;
+mod short;
 mod sum;
 mod system;
 mod taylor;
