@@ -7,7 +7,7 @@
 
 use crate::{Ball, Mag};
 use gmp_mpfr_sys::gmp::LIMB_BITS;
-use rug::{Float, Integer, Rational};
+use rug::{Float, Rational};
 use std::cmp::Ordering;
 
 /// The number `±m 2^e`, known to within `r 2^e`.
@@ -62,65 +62,64 @@ fn product(a: u128, b: u128) -> (u128, u128) {
     (high, middle << 64 | low & LOW)
 }
 
-/// The quotient of `high 2^128 + low` by `d`, and whether it is exact; `high < d`, and the highest
-/// bit of `d` is set. Knuth, *The Art of Computer Programming* 2, 4.3.1, algorithm D, with two
-/// digits of 64 bits.
-fn quotient(high: u128, low: u128, d: u128) -> (u128, bool) {
-    let (d1, d0) = (d >> 64, d & LOW);
-    let digit = |high: u128, next: u128| {
-        let (mut q, mut rest) = (high / d1, high % d1);
-        while q > LOW || q * d0 > (rest << 64 | next) {
-            q -= 1;
-            rest += d1;
-            if rest > LOW {
-                break;
-            }
-        }
-        let left = (high << 64 | next).wrapping_sub(q.wrapping_mul(d));
-        (q, left)
-    };
-    let (q1, rest) = digit(high, low >> 64);
-    let (q0, rest) = digit(rest, low & LOW);
-    (q1 << 64 | q0, rest == 0)
+/// A number of 256 bits: its upper and its lower half.
+type Wide = (u128, u128);
+
+/// `a − b`, of which the upper half is signed.
+fn difference(a: Wide, b: Wide) -> (i128, u128) {
+    let (low, borrow) = a.1.overflowing_sub(b.1);
+    (
+        a.0.wrapping_sub(b.0).wrapping_sub(borrow.into()) as i128,
+        low,
+    )
 }
 
-/// The integer below the root of `x 2^128 + low`, where one of the two highest bits of `x` is set,
-/// and whether it is the root.
-fn root(x: u128, low: u128) -> (u128, bool) {
-    // Each step doubles the bits of the first guess, up to those of the midpoint.
-    let guess = ((x >> 64) as u64 as f64).sqrt() * power_of_two(96);
-    let mut s = if guess >= power_of_two(128) {
-        u128::MAX
-    } else {
-        guess as u128
-    };
-    // `x 2^128 + low − s²`, which fits because the guess has 50 bits right.
-    let rest = |s: u128| {
-        let (high, square) = product(s, s);
-        let (lower, borrow) = low.overflowing_sub(square);
-        (
-            (x.wrapping_sub(high) as i128).wrapping_sub(i128::from(borrow)),
-            lower,
-        )
-    };
+/// Brings a guess with 50 bits right to within a few units, by two steps of Newton's method in
+/// doubles: each brings 50 bits more. `rest` is the exact residual, and `slope` its derivative.
+fn refined(guess: f64, slope: f64, rest: impl Fn(u128) -> (i128, u128)) -> u128 {
+    // Saturates.
+    let mut x = guess as u128;
     for _ in 0..2 {
-        let (high, lower) = rest(s);
-        let left = high as f64 * power_of_two(128) + (lower >> 64) as u64 as f64 * power_of_two(64);
-        let step = left / (2.0 * ((s >> 64) as u64 as f64 * power_of_two(64)));
-        s = if step >= 0.0 {
-            s.saturating_add(step as u128)
-        } else {
-            s.saturating_sub(-step as u128)
-        };
+        let (high, low) = rest(x);
+        let left = high as f64 * power_of_two(128) + (low >> 64) as u64 as f64 * power_of_two(64);
+        x = x.saturating_add_signed((left / slope) as i128);
     }
+    x
+}
+
+/// The quotient of `high 2^128 + low` by `d` without its fraction, and whether it is exact;
+/// `high < d`, and the highest bit of `d` is set.
+fn quotient(high: u128, low: u128, d: u128) -> (u128, bool) {
+    let divisor = fraction(d);
+    let guess = fraction(high) / divisor * power_of_two(128);
+    let rest = |q: u128| difference((high, low), product(q, d));
+    let mut q = refined(guess, divisor * power_of_two(128), rest);
     loop {
-        let (high, lower) = rest(s);
-        if high < 0 {
+        let (above, left) = rest(q);
+        if above < 0 {
+            q -= 1;
+        } else if above > 0 || left >= d {
+            q += 1;
+        } else {
+            return (q, left == 0);
+        }
+    }
+}
+
+/// The integer below the root of `high 2^128 + low`, where one of the two highest bits of `high` is
+/// set, and whether it is the root.
+fn root(high: u128, low: u128) -> (u128, bool) {
+    let guess = fraction(high).sqrt() * power_of_two(128);
+    let rest = |s: u128| difference((high, low), product(s, s));
+    let mut s = refined(guess, 2.0 * guess, rest);
+    loop {
+        let (above, left) = rest(s);
+        if above < 0 {
             s -= 1;
-        } else if (high as u128, lower) > (s >> 127, s << 1) {
+        } else if (above as u128, left) > (s >> 127, s << 1) {
             s += 1;
         } else {
-            return (s, high == 0 && lower == 0);
+            return (s, above == 0 && left == 0);
         }
     }
 }
@@ -158,23 +157,26 @@ impl Ball128 {
     }
 
     /// A rational number whose denominator is a power of two and whose numerator has at most 128
-    /// bits but for zeros at its end, exactly.
+    /// bits but for limbs of zeros, exactly.
     pub fn dyadic(q: &Rational) -> Option<Ball128> {
-        let denominator = q.denom();
-        if !denominator.is_power_of_two() {
+        let (one, zeros) = q.denom().as_limbs().split_last()?;
+        if LIMB_BITS != 64 || !one.is_power_of_two() || zeros.iter().any(|&limb| limb != 0) {
             return None;
         }
-        let e = 1 - i64::from(denominator.significant_bits());
-        let numerator = q.numer();
-        let negative = numerator.is_negative();
-        match numerator.as_abs().to_u128() {
-            Some(m) => Ball128::normal(negative, m, e, 0.0),
-            None => {
-                let zeros = numerator.find_one(0)?;
-                let m = Integer::from(&*numerator.as_abs() >> zeros).to_u128()?;
-                Ball128::normal(negative, m, e + i64::from(zeros), 0.0)
-            }
+        let places = 64 * zeros.len() as i64 + i64::from(one.trailing_zeros());
+        let mut limbs = q.numer().as_limbs();
+        let mut e = -places;
+        while let [0, rest @ ..] = limbs {
+            limbs = rest;
+            e += 64;
         }
+        let m = match *limbs {
+            [] => return Some(Ball128::ZERO),
+            [low] => u128::from(low),
+            [low, high] => u128::from(high) << 64 | u128::from(low),
+            _ => return None,
+        };
+        Ball128::normal(q.is_negative(), m, e, 0.0)
     }
 
     /// The ball of 128 bits around a ball. None if it is unbounded or too wide.

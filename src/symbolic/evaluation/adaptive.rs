@@ -2,6 +2,7 @@
 
 use super::ball::{Balls, MAY_BE_EQUAL, Value, ball_of};
 use super::short::FirstPass;
+use super::tuning::{Size, precisions};
 use super::{Evaluator, Interpretation, Stop};
 use crate::exact::proves_zero;
 use crate::graph::{Graph, Id, Node};
@@ -71,6 +72,8 @@ impl Balls {
             places: u32::MAX,
             evaluations: EVALUATIONS,
             known: i64::MAX,
+            precisions: Vec::new(),
+            hint: 0,
         }
     }
 }
@@ -115,9 +118,9 @@ const LARGEST: u32 = 1000;
 /// The working precision that is tried first to name the nearest binary64.
 pub(super) const FIRST: u32 = 63;
 
-/// The working precision from which on the symbolic algebra is asked: it costs more than balls of
-/// fewer bits.
-const ASK_ALGEBRA: u32 = 2048;
+/// The working precision from which on the symbolic algebra is asked, in graphs of functions alone
+/// and in others: it costs more than balls of fewer bits.
+const ASK_ALGEBRA: [u32; 2] = [8192, 2048];
 
 /// Reason that exact rational numbers may settle.
 const MAY_BE_ZERO: &str = "the divisor may be zero";
@@ -164,10 +167,27 @@ impl Certified {
         if std::mem::take(&mut self.evaluator.interpretation.exact) {
             self.constants = 0;
         }
+        // Bits that an output is to have for as long as it is not accurate enough.
+        let mut wanted = match goal {
+            Goal::Nearest => 128,
+            Goal::Bits(bits) | Goal::Double(bits) => bits,
+        };
+        self.evaluator.interpretation.precisions.clear();
         let mut prec = match goal {
-            Goal::Nearest => FIRST,
+            Goal::Nearest => match &self.first {
+                Some(first) => {
+                    let open = nodes.iter().zip(&answers).filter(|(_, a)| a.is_none());
+                    let open: Vec<Id> = open.map(|(node, _)| *node).collect();
+                    let next = first.next().min(self.limit);
+                    self.evaluator.interpretation.precisions =
+                        first.precisions(&open, wanted, next);
+                    next
+                }
+                None => FIRST,
+            },
             Goal::Bits(bits) | Goal::Double(bits) => bits.saturating_add(16),
         };
+        let ask_algebra = ASK_ALGEBRA[usize::from(self.first.is_none())].min(self.limit);
         loop {
             prec = prec.min(self.limit);
             self.begin(inputs, prec, goal);
@@ -263,11 +283,12 @@ impl Certified {
             };
             if !is_exact && open.iter().any(may_help) {
                 self.evaluator.interpretation.exact = true;
+                self.evaluator.interpretation.precisions.clear();
                 self.constants = 0;
                 continue;
             }
             // A divisor or a difference that decides may be zero.
-            if prec >= ASK_ALGEBRA.min(self.limit) {
+            if prec >= ask_algebra {
                 let before = self.proved.len();
                 for (_, node, _) in &open {
                     self.ask_of_operands(*node, inputs);
@@ -278,8 +299,7 @@ impl Certified {
             }
             // A value whose balls hold zero may be zero.
             for (k, _, _) in &open {
-                let is_new =
-                    prec >= ASK_ALGEBRA.min(self.limit) && !std::mem::replace(&mut asked[*k], true);
+                let is_new = prec >= ask_algebra && !std::mem::replace(&mut asked[*k], true);
                 if is_new && self.is_zero(nodes[*k], inputs) {
                     answers[*k] = Some(Answer::Zero);
                 }
@@ -295,9 +315,23 @@ impl Certified {
                 }
                 break;
             }
+            let before = prec;
             prec = needed
                 .clamp(prec + 32, prec.saturating_mul(4))
-                .next_multiple_of(64);
+                .max(self.evaluator.interpretation.hint)
+                .next_multiple_of(64)
+                .min(self.limit);
+            wanted += 64;
+            if self.first.as_ref().is_some_and(FirstPass::is_straight) && !is_exact {
+                let open: Vec<Id> = open.iter().map(|o| nodes[o.0]).collect();
+                let size = |id: Id| {
+                    let value = self.evaluator.known[id as usize].as_ref();
+                    value.and_then(Value::real).map(Size::of)
+                };
+                let graph = self.evaluator.graph();
+                let found = precisions(graph, &open, size, wanted, before, prec);
+                self.evaluator.interpretation.precisions = found;
+            }
         }
         answers.into_iter().flatten().collect()
     }
@@ -306,6 +340,7 @@ impl Certified {
     fn begin(&mut self, inputs: &[Rational], prec: u32, goal: Goal) {
         let balls = &mut self.evaluator.interpretation;
         balls.prec = prec;
+        balls.hint = 0;
         balls.goal = match goal {
             Goal::Nearest => prec.saturating_sub(16),
             Goal::Bits(bits) | Goal::Double(bits) => bits + 4,
@@ -313,10 +348,9 @@ impl Certified {
         self.evaluator.reset(prec != self.constants);
         self.constants = prec;
         for (k, input) in inputs.iter().enumerate() {
-            let ball = ball_of(prec, input);
             let value = match self.evaluator.interpretation.exact {
-                true => Value::Exact(Box::new((input.clone(), ball))),
-                false => Value::Real(ball),
+                true => Value::rational(prec, input.clone()),
+                false => Value::Real(ball_of(prec, input)),
             };
             self.evaluator.set_input(k, value);
         }

@@ -4,6 +4,7 @@
 
 use super::adaptive::{Answer, FIRST, Goal};
 use super::ball::{Balls, Value, ball_of};
+use super::tuning::{Size, precisions};
 use super::{Evaluator, Interpretation, Stop};
 use crate::graph::{Binding, Graph, Id, Node};
 use crate::{Constant, Func, Relation};
@@ -49,6 +50,12 @@ impl Short {
             Node::ImaginaryUnit => false,
             _ => true,
         })
+    }
+
+    /// Returns true if each node has one value.
+    fn is_straight(graph: &Graph) -> bool {
+        let is_bound = |id| matches!(graph.node(id), Node::Bound(_) | Node::Last(..));
+        !(0..graph.len() as u32).any(is_bound)
     }
 
     /// A rational number.
@@ -160,6 +167,8 @@ impl Interpretation for Short {
 /// Values of the nodes of a graph in these balls, for as far as they decide.
 pub(super) struct FirstPass {
     evaluator: Evaluator<Short>,
+    next: u32,
+    is_straight: bool,
 }
 
 impl FirstPass {
@@ -174,7 +183,37 @@ impl FirstPass {
         };
         Short::takes(graph).then(|| FirstPass {
             evaluator: Evaluator::new(graph.clone(), meaning),
+            next: FIRST,
+            is_straight: Short::is_straight(graph),
         })
+    }
+
+    /// Returns the working precision to name the nearest binary64 of what was left open.
+    pub fn next(&self) -> u32 {
+        self.next
+    }
+
+    /// Returns true if the graph has neither loops nor sums.
+    pub fn is_straight(&self) -> bool {
+        self.is_straight
+    }
+
+    /// The precisions of all nodes for a pass with `most` bits; none without sizes to go by.
+    pub fn precisions(&self, roots: &[Id], bits: u32, most: u32) -> Vec<u32> {
+        if self.next == FIRST || !self.is_straight {
+            return Vec::new();
+        }
+        let evaluator = &self.evaluator;
+        let size = |id: Id| {
+            evaluator.known[id as usize]
+                .as_ref()
+                .and_then(Size::of_short)
+        };
+        let before = match evaluator.interpretation.has_called {
+            true => evaluator.interpretation.balls.prec,
+            false => 128,
+        };
+        precisions(evaluator.graph(), roots, size, bits, before, most)
     }
 
     /// The answers that are accurate enough.
@@ -189,21 +228,40 @@ impl FirstPass {
             Goal::Nearest => [FIRST, FirstPass::MOST],
             Goal::Bits(bits) | Goal::Double(bits) => [bits.saturating_add(16), u32::MAX],
         };
+        self.next = FIRST;
         for prec in precisions {
             if prec > FirstPass::MOST || !self.begin(inputs, prec) {
                 break;
             }
-            let mut is_open = false;
+            // More bits of functions may help.
+            let mut may_help = false;
             for (node, answer) in nodes.iter().zip(&mut answers) {
                 if answer.is_some() {
                     continue;
                 }
                 self.evaluator.begin();
-                let value = self.evaluator.value(*node);
-                *answer = value.ok().and_then(|x| accepted(x, goal));
-                is_open |= answer.is_none();
+                let Ok(value) = self.evaluator.value(*node) else {
+                    continue;
+                };
+                *answer = accepted(value, goal);
+                if answer.is_some() {
+                    continue;
+                }
+                // Where everything cancels, the bits that are missing are unknown, and many.
+                let next = match value.accuracy() {
+                    None => 512,
+                    Some(bits) if bits < 64 => 192,
+                    Some(_) => FIRST,
+                };
+                may_help |= next == 192;
+                self.next = self.next.max(next);
             }
-            if !is_open || !self.evaluator.interpretation.has_called {
+            let hint = self.evaluator.interpretation.balls.hint;
+            if hint > FirstPass::MOST {
+                self.next = hint.next_multiple_of(64);
+                break;
+            }
+            if !may_help || !self.evaluator.interpretation.has_called {
                 break;
             }
         }
@@ -215,6 +273,7 @@ impl FirstPass {
         let short = &mut self.evaluator.interpretation;
         let is_other = short.balls.prec != prec;
         short.balls.prec = prec;
+        short.balls.hint = 0;
         short.has_called = false;
         self.evaluator.reset(is_other);
         inputs.iter().enumerate().all(|(k, input)| {
