@@ -254,6 +254,27 @@ impl Ball128 {
         }
     }
 
+    /// Exponents of two above the magnitude, at most the magnitude and above the radius; none where
+    /// these are zero or may be.
+    pub fn exponents(&self) -> [Option<i64>; 3] {
+        // The exponent above a number.
+        let above = |r: f64| (r > 0.0).then(|| self.e + (r.to_bits() >> 52) as i64 - 1022);
+        let radius = above(self.r);
+        let middle = (self.m != 0).then_some(self.e + 128);
+        let upper = match (middle, radius) {
+            (Some(a), Some(b)) => Some(a.max(b) + 1),
+            (a, b) => a.or(b),
+        };
+        // At least a 2^-49th of the midpoint is left.
+        let lower = self
+            .is_off_zero()
+            .then(|| match self.r < power_of_two(126) {
+                true => self.e + 126,
+                false => self.e + 70,
+            });
+        [upper, lower, radius]
+    }
+
     /// The binary64 nearest to all numbers of the ball; none if they have several, or if it is
     /// subnormal or infinite.
     pub fn nearest_f64(&self) -> Option<f64> {

@@ -2,7 +2,7 @@
 
 use super::ball::{Balls, MAY_BE_EQUAL, Value, ball_of};
 use super::short::FirstPass;
-use super::tuning::{Size, precisions};
+use super::tuning::{Passes, Size};
 use super::{Evaluator, Interpretation, Stop};
 use crate::exact::proves_zero;
 use crate::graph::{Graph, Id, Node};
@@ -94,8 +94,8 @@ pub struct Certified {
     first: Option<FirstPass>,
     /// The highest working precision.
     limit: u32,
-    /// Values of constants at this precision are at hand.
-    constants: u32,
+    /// Values of constants at this precision are at hand, and whether they are exact.
+    constants: (u32, bool),
     /// The expressions of nodes, by which the symbolic algebra proves zeros.
     algebra: Option<Arc<Algebraic>>,
     /// Nodes on whose operands the algebra was asked at these inputs.
@@ -118,8 +118,8 @@ const LARGEST: u32 = 1000;
 /// The working precision that is tried first to name the nearest binary64.
 pub(super) const FIRST: u32 = 63;
 
-/// The working precision from which on the symbolic algebra is asked, in graphs of functions alone
-/// and in others: it costs more than balls of fewer bits.
+/// The working precision from which on the symbolic algebra is asked, of arithmetic and roots alone
+/// and of other graphs: it costs more than balls of fewer bits.
 const ASK_ALGEBRA: [u32; 2] = [8192, 2048];
 
 /// Reason that exact rational numbers may settle.
@@ -138,7 +138,7 @@ impl Certified {
             first: FirstPass::new(&graph),
             evaluator: Evaluator::new(graph, Balls::new(FIRST)),
             limit: limit.max(64),
-            constants: 0,
+            constants: (0, false),
             algebra: None,
             asked: Vec::new(),
             proved: Vec::new(),
@@ -164,30 +164,31 @@ impl Certified {
         let mut asked = vec![false; nodes.len()];
         self.asked.clear();
         self.proved.clear();
-        if std::mem::take(&mut self.evaluator.interpretation.exact) {
-            self.constants = 0;
-        }
         // Bits that an output is to have for as long as it is not accurate enough.
         let mut wanted = match goal {
             Goal::Nearest => 128,
             Goal::Bits(bits) | Goal::Double(bits) => bits,
         };
-        self.evaluator.interpretation.precisions.clear();
-        let mut prec = match goal {
-            Goal::Nearest => match &self.first {
-                Some(first) => {
-                    let open = nodes.iter().zip(&answers).filter(|(_, a)| a.is_none());
-                    let open: Vec<Id> = open.map(|(node, _)| *node).collect();
-                    let next = first.next().min(self.limit);
-                    self.evaluator.interpretation.precisions =
-                        first.precisions(&open, wanted, next);
-                    next
-                }
-                None => FIRST,
-            },
-            Goal::Bits(bits) | Goal::Double(bits) => bits.saturating_add(16),
+        let open = nodes.iter().zip(&answers).filter(|(_, a)| a.is_none());
+        let open: Vec<Id> = open.map(|(node, _)| *node).collect();
+        let prec = match (goal, &self.first) {
+            (Goal::Nearest, Some(first)) => first.next(),
+            (Goal::Nearest, None) => FIRST,
+            (Goal::Bits(bits) | Goal::Double(bits), _) => bits.saturating_add(16),
         };
-        let ask_algebra = ASK_ALGEBRA[usize::from(self.first.is_none())].min(self.limit);
+        let mut prec = prec.min(self.limit);
+        let balls = &mut self.evaluator.interpretation;
+        balls.precisions.clear();
+        // Arithmetic that cancels is exact at once.
+        let graph = self.evaluator.graph();
+        let is_rational = open.iter().all(|id| graph.is_rational(*id));
+        let is_exact = is_rational && self.first.as_ref().is_some_and(FirstPass::has_cancelled);
+        if let (Goal::Nearest, Some(first), false) = (goal, &self.first, is_exact) {
+            self.evaluator.interpretation.precisions = first.precisions(&open, wanted, prec);
+        }
+        self.evaluator.interpretation.exact = is_exact;
+        let is_arithmetic = self.first.as_ref().is_some_and(|first| !first.has_called());
+        let ask_algebra = ASK_ALGEBRA[usize::from(!is_arithmetic)].min(self.limit);
         loop {
             prec = prec.min(self.limit);
             self.begin(inputs, prec, goal);
@@ -284,7 +285,6 @@ impl Certified {
             if !is_exact && open.iter().any(may_help) {
                 self.evaluator.interpretation.exact = true;
                 self.evaluator.interpretation.precisions.clear();
-                self.constants = 0;
                 continue;
             }
             // A divisor or a difference that decides may be zero.
@@ -305,6 +305,10 @@ impl Certified {
                 }
             }
             if prec >= self.limit {
+                // The estimates may have been wrong.
+                if !std::mem::take(&mut self.evaluator.interpretation.precisions).is_empty() {
+                    continue;
+                }
                 for (k, node, reason) in open {
                     let place = self.evaluator.graph().text(node);
                     answers[k].get_or_insert(Answer::Undecided(Undecided {
@@ -322,14 +326,19 @@ impl Certified {
                 .next_multiple_of(64)
                 .min(self.limit);
             wanted += 64;
-            if self.first.as_ref().is_some_and(FirstPass::is_straight) && !is_exact {
+            if self.first.as_ref().is_some_and(FirstPass::is_tuned) && !is_exact {
                 let open: Vec<Id> = open.iter().map(|o| nodes[o.0]).collect();
-                let size = |id: Id| {
-                    let value = self.evaluator.known[id as usize].as_ref();
-                    value.and_then(Value::real).map(Size::of)
+                let passes = Passes {
+                    graph: self.evaluator.graph(),
+                    size: |id: Id| {
+                        let value = self.evaluator.known[id as usize].as_ref();
+                        value.and_then(Value::real).map(Size::of)
+                    },
+                    before,
+                    most: prec,
+                    wanted,
                 };
-                let graph = self.evaluator.graph();
-                let found = precisions(graph, &open, size, wanted, before, prec);
+                let found = passes.precisions(&open);
                 self.evaluator.interpretation.precisions = found;
             }
         }
@@ -345,8 +354,9 @@ impl Certified {
             Goal::Nearest => prec.saturating_sub(16),
             Goal::Bits(bits) | Goal::Double(bits) => bits + 4,
         };
-        self.evaluator.reset(prec != self.constants);
-        self.constants = prec;
+        let constants = (prec, balls.exact);
+        self.evaluator
+            .reset(std::mem::replace(&mut self.constants, constants) != constants);
         for (k, input) in inputs.iter().enumerate() {
             let value = match self.evaluator.interpretation.exact {
                 true => Value::rational(prec, input.clone()),

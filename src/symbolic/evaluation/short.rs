@@ -4,7 +4,7 @@
 
 use super::adaptive::{Answer, FIRST, Goal};
 use super::ball::{Balls, Value, ball_of};
-use super::tuning::{Size, precisions};
+use super::tuning::{Passes, Size};
 use super::{Evaluator, Interpretation, Stop};
 use crate::graph::{Binding, Graph, Id, Node};
 use crate::{Constant, Func, Relation};
@@ -171,6 +171,9 @@ pub(super) struct FirstPass {
     is_straight: bool,
 }
 
+/// The next precision where nothing is left of a value.
+const CANCELLED: u32 = 512;
+
 impl FirstPass {
     /// Bits of functions where values at [`FIRST`] are not accurate enough.
     const MOST: u32 = 120;
@@ -193,27 +196,37 @@ impl FirstPass {
         self.next
     }
 
-    /// Returns true if the graph has neither loops nor sums.
-    pub fn is_straight(&self) -> bool {
-        self.is_straight
+    /// Returns true if nothing is left of a value.
+    pub fn has_cancelled(&self) -> bool {
+        self.next >= CANCELLED
+    }
+
+    /// Returns true if precisions of nodes save time: the graph has neither loops nor sums, and
+    /// functions are called.
+    pub fn is_tuned(&self) -> bool {
+        self.is_straight && self.has_called()
+    }
+
+    /// Returns true if there are functions that machine words do not evaluate.
+    pub fn has_called(&self) -> bool {
+        self.evaluator.interpretation.has_called
     }
 
     /// The precisions of all nodes for a pass with `most` bits; none without sizes to go by.
     pub fn precisions(&self, roots: &[Id], bits: u32, most: u32) -> Vec<u32> {
-        if self.next == FIRST || !self.is_straight {
+        // The bits of arithmetic cost less than the estimates.
+        if !self.is_tuned() {
             return Vec::new();
         }
         let evaluator = &self.evaluator;
-        let size = |id: Id| {
-            evaluator.known[id as usize]
-                .as_ref()
-                .and_then(Size::of_short)
+        let passes = Passes {
+            graph: evaluator.graph(),
+            size: |id: Id| evaluator.known[id as usize].as_ref().map(Size::of_short),
+            before: evaluator.interpretation.balls.prec,
+            most,
+            wanted: bits,
         };
-        let before = match evaluator.interpretation.has_called {
-            true => evaluator.interpretation.balls.prec,
-            false => 128,
-        };
-        precisions(evaluator.graph(), roots, size, bits, before, most)
+        passes.precisions(roots)
     }
 
     /// The answers that are accurate enough.
@@ -241,6 +254,7 @@ impl FirstPass {
                 }
                 self.evaluator.begin();
                 let Ok(value) = self.evaluator.value(*node) else {
+                    self.next = self.next.max(256);
                     continue;
                 };
                 *answer = accepted(value, goal);
@@ -249,7 +263,7 @@ impl FirstPass {
                 }
                 // Where everything cancels, the bits that are missing are unknown, and many.
                 let next = match value.accuracy() {
-                    None => 512,
+                    None => CANCELLED,
                     Some(bits) if bits < 64 => 192,
                     Some(_) => FIRST,
                 };

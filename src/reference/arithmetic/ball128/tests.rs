@@ -127,6 +127,16 @@ proptest! {
     }
 
     #[test]
+    fn exponents_are_bounds(a in balls(), s in parts()) {
+        let x = inside(&a, s).abs();
+        let power = |e: i64| Rational::from(1) << i32::try_from(e).unwrap();
+        let [upper, lower, radius] = a.exponents();
+        prop_assert!(upper.map_or(x == 0, |e| x < power(e)));
+        prop_assert!(lower.is_none_or(|e| power(e) <= x));
+        prop_assert!(radius.map_or(a.r == 0.0, |e| rational(1, a.e) * Rational::from_f64(a.r).unwrap() < power(e)));
+    }
+
+    #[test]
     fn nearest_doubles_are_those_of_all_numbers(a in balls(), s in parts()) {
         if let Some(found) = a.nearest_f64() {
             let x = Float::with_val(600, inside(&a, s));
