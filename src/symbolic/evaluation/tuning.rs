@@ -64,10 +64,12 @@ pub(super) struct Passes<'a, S> {
 }
 
 impl<S: Fn(Id) -> Option<Size>> Passes<'_, S> {
-    /// The precisions of all nodes for the next pass.
+    /// The precisions of all nodes up to the last root for the next pass.
     pub fn precisions(&self, roots: &[Id]) -> Vec<u32> {
-        let exponents = self.exponents();
-        let mut errors = vec![i64::MAX; self.graph.len()];
+        // Operands stand before what they are used in.
+        let end = roots.iter().max().map_or(0, |id| id + 1);
+        let exponents = self.exponents(end);
+        let mut errors = vec![i64::MAX; end as usize];
         for root in roots {
             let least = match exponents[*root as usize] {
                 Some(e) => e - i64::from(self.wanted) - SPARE,
@@ -75,7 +77,7 @@ impl<S: Fn(Id) -> Option<Size>> Passes<'_, S> {
             };
             errors[*root as usize] = least;
         }
-        for id in (0..self.graph.len() as Id).rev() {
+        for id in (0..end).rev() {
             if errors[id as usize] != i64::MAX {
                 self.ask_operands(id, &exponents, &mut errors);
             }
@@ -96,10 +98,10 @@ impl<S: Fn(Id) -> Option<Size>> Passes<'_, S> {
 
     /// Estimates of `log2 |x|`; where a value may be zero, from the operands but for differences,
     /// which may be as small as the next pass can tell from zero.
-    fn exponents(&self) -> Vec<Option<i64>> {
+    fn exponents(&self, end: Id) -> Vec<Option<i64>> {
         let gain = i64::from(self.most) - i64::from(self.before);
-        let mut found: Vec<Option<i64>> = Vec::with_capacity(self.graph.len());
-        for id in 0..self.graph.len() as Id {
+        let mut found: Vec<Option<i64>> = Vec::with_capacity(end as usize);
+        for id in 0..end {
             let of = |id: Id| found[id as usize];
             let both = |a: Id, b: Id| of(a).zip(of(b));
             let estimate = (self.size)(id).and_then(|size| match (size.lower, size.radius) {
