@@ -186,8 +186,7 @@ impl Enclosures {
     /// The value of an input.
     fn input(&self, k: usize, bits: u32) -> Result<Value, SymbolicError> {
         let value = self.point.value(&self.evaluator.graph().inputs()[k])?;
-        let ball = Ball::rational(bits, &value);
-        Ok(Value::Exact(Box::new((value, ball))))
+        Ok(Value::rational(bits, value))
     }
 
     /// The reason why a node has no value.

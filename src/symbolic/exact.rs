@@ -375,6 +375,10 @@ impl Algebra {
     }
 }
 
+/// Operations allowed for a proof that a value is zero, which is asked for where balls only suggest
+/// it: some hundredths of a second with numbers of a thousand bits.
+const LEAST: u64 = LIMIT / 40;
+
 /// Returns true if the normal form of an expression is zero at rational values of its symbols.
 pub(super) fn proves_zero(
     definitions: &Definitions,
@@ -391,7 +395,7 @@ pub(super) fn proves_zero(
         };
         definitions.set(name, value);
     }
-    let form = Exact::default().value(&definitions, e);
+    let form = limited(LEAST, || Exact::default().value(&definitions, e));
     form.is_ok_and(|form| form.is_zero())
 }
 

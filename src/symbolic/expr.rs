@@ -1,6 +1,7 @@
 //! Formulas as data.
 
 pub use super::function::Func;
+use std::cmp::Ordering;
 use std::fmt;
 
 /// A comparison of two numbers.
@@ -37,6 +38,18 @@ impl Relation {
             .iter()
             .find(|r| r.0 == self)
             .map_or("", |r| r.1)
+    }
+
+    /// Returns true if it holds between two numbers in this order.
+    pub fn holds(self, order: Ordering) -> bool {
+        match self {
+            Relation::Less => order == Ordering::Less,
+            Relation::LessEqual => order != Ordering::Greater,
+            Relation::Greater => order == Ordering::Greater,
+            Relation::GreaterEqual => order != Ordering::Less,
+            Relation::Equal => order == Ordering::Equal,
+            Relation::NotEqual => order != Ordering::Equal,
+        }
     }
 }
 

@@ -5,6 +5,7 @@
 
 mod convert;
 
+use cpu_time::ThreadTime;
 use mechaudit::audit::{Draw, Method};
 use mechaudit::study::Study;
 use mechaudit_symbolic::Definitions;
@@ -12,7 +13,7 @@ use mechaudit_symbolic::evaluation::{Answer, Goal};
 use rival::{Discretization, Ival, MachineBuilder, RivalError};
 use rug::{Float, Rational};
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 #[global_allocator]
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
@@ -233,12 +234,12 @@ fn measure(study: &Study) -> Option<Row> {
     let mut said = vec![[Said::Undecided; 2]; inputs.len()];
     for chunk in 0..inputs.len().div_ceil(32) {
         let range = chunk * 32..(chunk * 32 + 32).min(inputs.len());
-        let start = Instant::now();
+        let start = ThreadTime::now();
         for k in range.clone() {
             said[k][0] = our_answer(&inputs[k].1);
         }
         times[0] += start.elapsed();
-        let start = Instant::now();
+        let start = ThreadTime::now();
         for k in range {
             said[k][1] = their_answer(&inputs[k].0);
         }

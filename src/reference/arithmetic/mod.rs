@@ -1,6 +1,8 @@
 //! Balls, numbers as they are written, Taylor models.
 
 pub(crate) mod ball;
+#[cfg(feature = "formulas")]
+pub(crate) mod ball128;
 pub(crate) mod complex;
 pub(crate) mod decimal;
 pub(crate) mod elementary;

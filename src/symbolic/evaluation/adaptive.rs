@@ -1,6 +1,8 @@
 //! Certified values of graphs: the working precision is raised until they are accurate enough.
 
 use super::ball::{Balls, MAY_BE_EQUAL, Value, ball_of};
+use super::short::FirstPass;
+use super::tuning::{Passes, Size};
 use super::{Evaluator, Interpretation, Stop};
 use crate::exact::proves_zero;
 use crate::graph::{Graph, Id, Node};
@@ -70,6 +72,8 @@ impl Balls {
             places: u32::MAX,
             evaluations: EVALUATIONS,
             known: i64::MAX,
+            precisions: Vec::new(),
+            hint: 0,
         }
     }
 }
@@ -86,10 +90,12 @@ pub struct Algebraic {
 /// Certified values of the nodes of a graph.
 pub struct Certified {
     evaluator: Evaluator<Balls>,
+    /// Balls of machine words, which are tried first.
+    first: Option<FirstPass>,
     /// The highest working precision.
     limit: u32,
-    /// Values of constants at this precision are at hand.
-    constants: u32,
+    /// Values of constants at this precision are at hand, and whether they are exact.
+    constants: (u32, bool),
     /// The expressions of nodes, by which the symbolic algebra proves zeros.
     algebra: Option<Arc<Algebraic>>,
     /// Nodes on whose operands the algebra was asked at these inputs.
@@ -110,11 +116,11 @@ enum Proved {
 const LARGEST: u32 = 1000;
 
 /// The working precision that is tried first to name the nearest binary64.
-const FIRST: u32 = 63;
+pub(super) const FIRST: u32 = 63;
 
-/// The working precision from which on the symbolic algebra is asked: it costs more than balls of
-/// fewer bits.
-const ASK_ALGEBRA: u32 = 2048;
+/// The working precision from which on the symbolic algebra is asked, of arithmetic and roots alone
+/// and of other graphs: it costs more than balls of fewer bits.
+const ASK_ALGEBRA: [u32; 2] = [8192, 2048];
 
 /// Reason that exact rational numbers may settle.
 const MAY_BE_ZERO: &str = "the divisor may be zero";
@@ -129,9 +135,10 @@ impl Certified {
     /// Creates an evaluator with a limit on the working precision.
     pub fn new(graph: Arc<Graph>, limit: u32) -> Certified {
         Certified {
+            first: FirstPass::new(&graph),
             evaluator: Evaluator::new(graph, Balls::new(FIRST)),
             limit: limit.max(64),
-            constants: 0,
+            constants: (0, false),
             algebra: None,
             asked: Vec::new(),
             proved: Vec::new(),
@@ -147,17 +154,41 @@ impl Certified {
 
     /// The values of nodes at exact inputs.
     pub fn values(&mut self, inputs: &[Rational], nodes: &[Id], goal: Goal) -> Vec<Answer> {
-        let mut answers: Vec<Option<Answer>> = vec![None; nodes.len()];
+        let mut answers: Vec<Option<Answer>> = match &mut self.first {
+            Some(first) => first.answers(inputs, nodes, goal),
+            None => vec![None; nodes.len()],
+        };
+        if answers.iter().all(Option::is_some) {
+            return answers.into_iter().flatten().collect();
+        }
         let mut asked = vec![false; nodes.len()];
         self.asked.clear();
         self.proved.clear();
-        if std::mem::take(&mut self.evaluator.interpretation.exact) {
-            self.constants = 0;
-        }
-        let mut prec = match goal {
-            Goal::Nearest => FIRST,
-            Goal::Bits(bits) | Goal::Double(bits) => bits.saturating_add(16),
+        // Bits that an output is to have for as long as it is not accurate enough.
+        let mut wanted = match goal {
+            Goal::Nearest => 128,
+            Goal::Bits(bits) | Goal::Double(bits) => bits,
         };
+        let open = nodes.iter().zip(&answers).filter(|(_, a)| a.is_none());
+        let open: Vec<Id> = open.map(|(node, _)| *node).collect();
+        let prec = match (goal, &self.first) {
+            (Goal::Nearest, Some(first)) => first.next(),
+            (Goal::Nearest, None) => FIRST,
+            (Goal::Bits(bits) | Goal::Double(bits), _) => bits.saturating_add(16),
+        };
+        let mut prec = prec.min(self.limit);
+        let balls = &mut self.evaluator.interpretation;
+        balls.precisions.clear();
+        // Arithmetic that cancels is exact at once.
+        let graph = self.evaluator.graph();
+        let is_rational = open.iter().all(|id| graph.is_rational(*id));
+        let is_exact = is_rational && self.first.as_ref().is_some_and(FirstPass::has_cancelled);
+        if let (Goal::Nearest, Some(first), false) = (goal, &self.first, is_exact) {
+            self.evaluator.interpretation.precisions = first.precisions(&open, wanted, prec);
+        }
+        self.evaluator.interpretation.exact = is_exact;
+        let is_arithmetic = self.first.as_ref().is_some_and(|first| !first.has_called());
+        let ask_algebra = ASK_ALGEBRA[usize::from(!is_arithmetic)].min(self.limit);
         loop {
             prec = prec.min(self.limit);
             self.begin(inputs, prec, goal);
@@ -253,11 +284,11 @@ impl Certified {
             };
             if !is_exact && open.iter().any(may_help) {
                 self.evaluator.interpretation.exact = true;
-                self.constants = 0;
+                self.evaluator.interpretation.precisions.clear();
                 continue;
             }
             // A divisor or a difference that decides may be zero.
-            if prec >= ASK_ALGEBRA.min(self.limit) {
+            if prec >= ask_algebra {
                 let before = self.proved.len();
                 for (_, node, _) in &open {
                     self.ask_of_operands(*node, inputs);
@@ -268,13 +299,16 @@ impl Certified {
             }
             // A value whose balls hold zero may be zero.
             for (k, _, _) in &open {
-                let is_new =
-                    prec >= ASK_ALGEBRA.min(self.limit) && !std::mem::replace(&mut asked[*k], true);
+                let is_new = prec >= ask_algebra && !std::mem::replace(&mut asked[*k], true);
                 if is_new && self.is_zero(nodes[*k], inputs) {
                     answers[*k] = Some(Answer::Zero);
                 }
             }
             if prec >= self.limit {
+                // The estimates may have been wrong.
+                if !std::mem::take(&mut self.evaluator.interpretation.precisions).is_empty() {
+                    continue;
+                }
                 for (k, node, reason) in open {
                     let place = self.evaluator.graph().text(node);
                     answers[k].get_or_insert(Answer::Undecided(Undecided {
@@ -285,9 +319,28 @@ impl Certified {
                 }
                 break;
             }
+            let before = prec;
             prec = needed
                 .clamp(prec + 32, prec.saturating_mul(4))
-                .next_multiple_of(64);
+                .max(self.evaluator.interpretation.hint)
+                .next_multiple_of(64)
+                .min(self.limit);
+            wanted += 64;
+            if self.first.as_ref().is_some_and(FirstPass::is_tuned) && !is_exact {
+                let open: Vec<Id> = open.iter().map(|o| nodes[o.0]).collect();
+                let passes = Passes {
+                    graph: self.evaluator.graph(),
+                    size: |id: Id| {
+                        let value = self.evaluator.known[id as usize].as_ref();
+                        value.and_then(Value::real).map(Size::of)
+                    },
+                    before,
+                    most: prec,
+                    wanted,
+                };
+                let found = passes.precisions(&open);
+                self.evaluator.interpretation.precisions = found;
+            }
         }
         answers.into_iter().flatten().collect()
     }
@@ -296,17 +349,18 @@ impl Certified {
     fn begin(&mut self, inputs: &[Rational], prec: u32, goal: Goal) {
         let balls = &mut self.evaluator.interpretation;
         balls.prec = prec;
+        balls.hint = 0;
         balls.goal = match goal {
             Goal::Nearest => prec.saturating_sub(16),
             Goal::Bits(bits) | Goal::Double(bits) => bits + 4,
         };
-        self.evaluator.reset(prec != self.constants);
-        self.constants = prec;
+        let constants = (prec, balls.exact);
+        self.evaluator
+            .reset(std::mem::replace(&mut self.constants, constants) != constants);
         for (k, input) in inputs.iter().enumerate() {
-            let ball = ball_of(prec, input);
             let value = match self.evaluator.interpretation.exact {
-                true => Value::Exact(Box::new((input.clone(), ball))),
-                false => Value::Real(ball),
+                true => Value::rational(prec, input.clone()),
+                false => Value::Real(ball_of(prec, input)),
             };
             self.evaluator.set_input(k, value);
         }

@@ -3,12 +3,13 @@
 use super::complex;
 use super::huge;
 use super::{Evaluator, Interpretation, Stop};
-use crate::graph::{Binding, Graph, Node};
+use crate::graph::{Binding, Graph, Id, Node};
 use crate::{Constant, Func, Relation};
 use mechaudit_reference::elementary as real;
 use mechaudit_reference::elementary::{Evaluated, NoValue};
 use mechaudit_reference::{Ball, ComplexBall, Mag};
 use rug::{Float, Rational};
+use std::cell::OnceCell;
 use std::cmp::Ordering;
 
 /// A value in balls.
@@ -17,7 +18,7 @@ pub enum Value {
     /// A real number.
     Real(Ball),
     /// A rational number, kept exactly beside its ball where comparisons ask for it.
-    Exact(Box<(Rational, Ball)>),
+    Exact(Box<Exact>),
     /// A complex number.
     Complex(ComplexBall),
     /// A function of a real variable, continued to a rectangle of complex values of it, where it is
@@ -32,12 +33,37 @@ pub enum Value {
     },
 }
 
+/// A rational number with its ball, which is made when it is asked for.
+#[derive(Clone, Debug)]
+pub struct Exact {
+    number: Rational,
+    prec: u32,
+    ball: OnceCell<Ball>,
+}
+
+impl Exact {
+    /// The number.
+    pub fn number(&self) -> &Rational {
+        &self.number
+    }
+
+    fn ball(&self) -> &Ball {
+        self.ball.get_or_init(|| ball_of(self.prec, &self.number))
+    }
+}
+
 impl Value {
+    /// A rational number whose ball has a precision.
+    pub fn rational(prec: u32, number: Rational) -> Value {
+        let ball = OnceCell::new();
+        Value::Exact(Box::new(Exact { number, prec, ball }))
+    }
+
     /// The real number: of a complex one whose imaginary part is exactly zero as well.
     pub fn real(&self) -> Option<&Ball> {
         match self {
             Value::Real(x) => Some(x),
-            Value::Exact(x) => Some(&x.1),
+            Value::Exact(x) => Some(x.ball()),
             Value::Complex(z) if z.im.is_zero() => Some(&z.re),
             _ => None,
         }
@@ -47,7 +73,7 @@ impl Value {
     pub fn to_complex(&self) -> Option<ComplexBall> {
         match self {
             Value::Real(x) => Some(ComplexBall::new(x.clone(), Ball::integer(x.prec(), 0))),
-            Value::Exact(x) => Value::Real(x.1.clone()).to_complex(),
+            Value::Exact(x) => Value::Real(x.ball().clone()).to_complex(),
             Value::Complex(z) | Value::Continued(z) => Some(z.clone()),
             Value::Huge { .. } => None,
         }
@@ -77,6 +103,10 @@ pub struct Balls {
     pub evaluations: u64,
     /// Bits to which the variables of integrals around are known.
     pub known: i64,
+    /// The precisions of nodes; `prec` for those beyond their end.
+    pub precisions: Vec<u32>,
+    /// The precision at which the wide arguments of trigonometric functions are narrow ones.
+    pub hint: u32,
 }
 
 /// A value of a real function; one that is too large for MPFR is huge.
@@ -96,14 +126,13 @@ const LONGEST: u32 = 1 << 14;
 impl Balls {
     /// A rational number with its ball.
     fn rational(&self, q: Rational) -> Value {
-        let ball = Ball::rational(self.prec, &q);
         let bits = q
             .numer()
             .significant_bits()
             .max(q.denom().significant_bits());
         match bits <= LONGEST {
-            true => Value::Exact(Box::new((q, ball))),
-            false => Value::Real(ball),
+            true => Value::rational(self.prec, q),
+            false => Value::Real(Ball::rational(self.prec, &q)),
         }
     }
 
@@ -115,7 +144,9 @@ impl Balls {
         of: fn(&Rational, &Rational) -> Option<Rational>,
     ) -> Option<Value> {
         match (a, b) {
-            (Value::Exact(x), Value::Exact(y)) => of(&x.0, &y.0).map(|q| self.rational(q)),
+            (Value::Exact(x), Value::Exact(y)) => {
+                of(&x.number, &y.number).map(|q| self.rational(q))
+            }
             _ => None,
         }
     }
@@ -141,6 +172,12 @@ impl Balls {
 
 impl Interpretation for Balls {
     type V = Value;
+
+    fn at(&mut self, node: Id) {
+        if let Some(prec) = self.precisions.get(node as usize) {
+            self.prec = *prec;
+        }
+    }
 
     fn number(&mut self, graph: &Graph, place: u32) -> Found {
         let q = graph.rational(place);
@@ -191,7 +228,7 @@ impl Interpretation for Balls {
     fn neg(&mut self, a: &Value) -> Found {
         Ok(match a {
             Value::Real(x) => Value::Real(-x),
-            Value::Exact(x) => Value::Exact(Box::new((Rational::from(-&x.0), -&x.1))),
+            Value::Exact(x) => self.rational(Rational::from(-&x.number)),
             Value::Complex(z) => Value::Complex(-z),
             Value::Continued(z) => Value::Continued(-z),
             Value::Huge { negative, exponent } => Value::Huge {
@@ -261,7 +298,7 @@ impl Interpretation for Balls {
                     |x: &Rational, y: &Rational| (*y != 0).then(|| Rational::from(x / y));
                 match (self.exactly(a, b, quotient), b) {
                     (Some(value), _) => Ok(value),
-                    (None, Value::Exact(y)) if y.0 == 0 => {
+                    (None, Value::Exact(y)) if y.number == 0 => {
                         Err(NoValue::Undefined("division by zero"))
                     }
                     (None, _) => self.div(&inexact(a), &inexact(b)),
@@ -276,11 +313,11 @@ impl Interpretation for Balls {
         match a {
             Value::Real(x) if k == 2 => wrap(real::sqr(x, self.prec)),
             Value::Real(x) => wrap(real::powi(x, k.into(), self.prec)),
-            Value::Exact(x) => match (x.0.cmp0(), k.unsigned_abs() <= 64) {
+            Value::Exact(x) => match (x.number.cmp0(), k.unsigned_abs() <= 64) {
                 (Ordering::Equal, _) | (_, false) => self.power(&inexact(a), k),
                 (_, true) => {
                     use rug::ops::Pow;
-                    Ok(self.rational(Rational::from((&x.0).pow(k))))
+                    Ok(self.rational(Rational::from((&x.number).pow(k))))
                 }
             },
             Value::Huge { .. } => huge::power(a, k, self.prec),
@@ -293,7 +330,7 @@ impl Interpretation for Balls {
         let p = self.prec;
         if x.iter().any(|x| matches!(x, Value::Exact(_))) {
             let rational = |x: &&Value| match x {
-                Value::Exact(x) => Some(x.0.clone()),
+                Value::Exact(x) => Some(x.number.clone()),
                 _ => None,
             };
             let rationals: Option<Vec<Rational>> = x.iter().map(rational).collect();
@@ -309,7 +346,12 @@ impl Interpretation for Balls {
                 let root = real::sqrt(&-x, p)?;
                 Ok(Value::Complex(ComplexBall::new(Ball::integer(p, 0), root)))
             }
-            [Value::Real(x)] => unary(f, x, p),
+            [Value::Real(x)] => {
+                if let Func::Sin | Func::Cos | Func::Tan = f {
+                    self.hint = self.hint.max(bits_of_turns(x));
+                }
+                unary(f, x, p)
+            }
             [Value::Real(x), Value::Real(y)] => wrap(binary(f, x, y, p)),
             [Value::Real(x), Value::Real(y), Value::Real(z)] => wrap(match f {
                 Func::Fma => real::fma(x, y, z, p),
@@ -324,7 +366,7 @@ impl Interpretation for Balls {
     fn flat(&mut self, f: Func, x: &Value) -> Found {
         let steps = match x {
             Value::Real(x) => x,
-            Value::Exact(x) => &x.1,
+            Value::Exact(x) => x.ball(),
             Value::Continued(z) => &z.re,
             _ => return Err(huge::UNDECIDED),
         };
@@ -338,7 +380,7 @@ impl Interpretation for Balls {
 
     fn compare(&mut self, relation: Relation, a: &Value, b: &Value) -> Result<bool, NoValue> {
         let order = match (a, b) {
-            (Value::Exact(x), Value::Exact(y)) => Some(x.0.cmp(&y.0)),
+            (Value::Exact(x), Value::Exact(y)) => Some(x.number.cmp(&y.number)),
             (Value::Huge { negative: x, .. }, Value::Huge { negative: y, .. }) if x == y => None,
             (Value::Huge { negative, .. }, _) => Some(match negative {
                 true => Ordering::Less,
@@ -351,7 +393,7 @@ impl Interpretation for Balls {
             _ => {
                 let part = |v: &Value| match v {
                     Value::Real(x) => Some(x.clone()),
-                    Value::Exact(x) => Some(x.1.clone()),
+                    Value::Exact(x) => Some(x.ball().clone()),
                     Value::Continued(z) => Some(z.re.clone()),
                     Value::Complex(z) if z.im.is_zero() => Some(z.re.clone()),
                     _ => None,
@@ -362,15 +404,8 @@ impl Interpretation for Balls {
                 }
             }
         };
-        match (relation, order) {
-            (Relation::Less, Some(o)) => Ok(o == Ordering::Less),
-            (Relation::LessEqual, Some(o)) => Ok(o != Ordering::Greater),
-            (Relation::Greater, Some(o)) => Ok(o == Ordering::Greater),
-            (Relation::GreaterEqual, Some(o)) => Ok(o != Ordering::Less),
-            (Relation::Equal, Some(o)) => Ok(o == Ordering::Equal),
-            (Relation::NotEqual, Some(o)) => Ok(o != Ordering::Equal),
-            (_, None) => Err(NoValue::Undecided(MAY_BE_EQUAL)),
-        }
+        let order = order.ok_or(NoValue::Undecided(MAY_BE_EQUAL))?;
+        Ok(relation.holds(order))
     }
 
     fn to_integer(&self, a: &Value) -> Option<i64> {
@@ -424,13 +459,22 @@ pub(super) fn ball_of(prec: u32, q: &Rational) -> Ball {
     }
 }
 
+/// The precision at which the argument of a trigonometric function has a radius of some `2^-80`, if
+/// it has one above `2^-10` now; zero if it has less.
+fn bits_of_turns(x: &Ball) -> u32 {
+    match (x.rad().exponent(), x.magnitude().exponent()) {
+        (Some(-10..), Some(e)) => u32::try_from(e + 80).unwrap_or(0),
+        _ => 0,
+    }
+}
+
 /// Reason that exact rational numbers may settle.
 pub(super) const MAY_BE_EQUAL: &str = "a comparison of numbers that may be equal";
 
 /// A value without its exact rational number.
 fn inexact(x: &Value) -> Value {
     match x {
-        Value::Exact(x) => Value::Real(x.1.clone()),
+        Value::Exact(x) => Value::Real(x.ball().clone()),
         x => x.clone(),
     }
 }

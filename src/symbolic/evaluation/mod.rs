@@ -14,11 +14,13 @@ mod huge;
 mod initial_value;
 mod integral;
 mod root;
+mod short;
 mod sum;
 mod system;
 mod taylor;
 #[cfg(test)]
 mod tests;
+mod tuning;
 
 pub use adaptive::{Algebraic, Answer, Certified, Goal, LIMIT, Undecided};
 pub use ball::{Balls, Value};
@@ -46,6 +48,8 @@ pub struct Stop {
 pub trait Interpretation: Sized {
     /// The values of numbers.
     type V: Clone;
+    /// Prepares the operation of a node.
+    fn at(&mut self, _node: Id) {}
     /// A number of the graph's table.
     fn number(&mut self, graph: &Graph, place: u32) -> Result<Self::V, NoValue>;
     /// A small integer.
@@ -96,8 +100,10 @@ pub struct Evaluator<I: Interpretation> {
     orders: Vec<Option<Arc<[Id]>>>,
     /// The nodes of the inputs.
     inputs: Vec<Option<Id>>,
-    /// Nodes that depend on inputs or variables.
+    /// Nodes that depend on inputs or variables, of those that have had values.
     varying: Vec<Id>,
+    /// The nodes among them.
+    is_varying: Vec<bool>,
     /// Rounds of loops and terms of sums that are left.
     pub rounds: u64,
     /// Evaluations of integrands that are left, those of integrals within integrals among them.
@@ -134,9 +140,8 @@ impl<I: Interpretation> Evaluator<I> {
             interpretation,
             orders: vec![None; graph.len()],
             inputs: input_nodes(&graph),
-            varying: (0..graph.len() as Id)
-                .filter(|id| graph.varies(*id))
-                .collect(),
+            varying: Vec::new(),
+            is_varying: vec![false; graph.len()],
             rounds: ROUNDS,
             evaluations: ALL_EVALUATIONS,
             graph,
@@ -150,16 +155,23 @@ impl<I: Interpretation> Evaluator<I> {
 
     /// Adds nodes to the graph; values that are known are kept.
     pub fn extend<T>(&mut self, add: impl FnOnce(&mut Graph) -> T) -> T {
-        let before = self.graph.len();
         let found = add(Arc::make_mut(&mut self.graph));
         let graph = &self.graph;
         self.known.resize(graph.len(), None);
         self.truths.resize(graph.len(), None);
         self.orders.resize(graph.len(), None);
+        self.is_varying.resize(graph.len(), false);
         self.inputs = input_nodes(graph);
-        let new = (before as Id..graph.len() as Id).filter(|id| graph.varies(*id));
-        self.varying.extend(new);
         found
+    }
+
+    /// Keeps a node in mind that is to be forgotten when inputs or variables change.
+    fn note(&mut self, id: Id) {
+        let place = id as usize;
+        if !self.is_varying[place] && self.graph.varies(id) {
+            self.is_varying[place] = true;
+            self.varying.push(id);
+        }
     }
 
     /// Forgets what depends on inputs and variables; everything if `constants` as well.
@@ -188,12 +200,13 @@ impl<I: Interpretation> Evaluator<I> {
     /// Gives an input a value. What depends on it has to be forgotten before.
     pub fn set_input(&mut self, k: usize, value: I::V) {
         if let Some(id) = self.inputs.get(k).copied().flatten() {
-            self.known[id as usize] = Some(value);
+            self.set(id, value);
         }
     }
 
     /// Gives a node a value.
     fn set(&mut self, id: Id, value: I::V) {
+        self.note(id);
         self.known[id as usize] = Some(value);
     }
 
@@ -204,6 +217,7 @@ impl<I: Interpretation> Evaluator<I> {
                 relation,
                 Relation::LessEqual | Relation::Equal | Relation::GreaterEqual
             );
+            self.note(id);
             self.truths[id as usize] = Some(holds);
         }
     }
@@ -216,7 +230,7 @@ impl<I: Interpretation> Evaluator<I> {
         }
         for (k, value) in values.into_iter().enumerate() {
             if let Some(id) = self.graph.find(Node::Variable(binder, k as u32)) {
-                self.known[id as usize] = Some(value);
+                self.set(id, value);
             }
         }
     }
@@ -283,6 +297,9 @@ impl<I: Interpretation> Evaluator<I> {
         }
         let mut order: Vec<Id> = seen.into_iter().collect();
         order.sort_unstable();
+        for id in &order {
+            self.note(*id);
+        }
         let order: Arc<[Id]> = order.into();
         self.orders[root as usize] = Some(order.clone());
         order
@@ -292,6 +309,7 @@ impl<I: Interpretation> Evaluator<I> {
         for id in self.order(root).iter() {
             let place = *id as usize;
             if self.known[place].is_none() && self.truths[place].is_none() {
+                self.interpretation.at(*id);
                 self.compute(*id)?;
             }
         }
@@ -449,7 +467,7 @@ impl<I: Interpretation> Evaluator<I> {
     fn set_last(&mut self, binder: u32, values: Vec<I::V>) {
         for (k, value) in values.into_iter().enumerate() {
             if let Some(id) = self.graph.find(Node::Last(binder, k as u32)) {
-                self.known[id as usize] = Some(value);
+                self.set(id, value);
             }
         }
     }

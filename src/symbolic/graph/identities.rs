@@ -5,8 +5,9 @@ use crate::Func;
 
 impl Graph {
     /// The same real function without some differences that cancel: `e^x − 1` is `expm1(x)`,
-    /// `log(1 + x)` is `log1p(x)`, and `1 − cos x` is `2 sin²(x/2)`. Of a bound variable, whose values
-    /// are wide, `a/x^k` is `a x^{−k}`: a power of a rectangle holds zero where its base does not.
+    /// `log(1 + x)` is `log1p(x)`, and `1 − cos x` is `2 sin²(x/2)`. `pow` with a small integer is a
+    /// power. Of a bound variable, whose values are wide, `a/x^k` is `a x^{−k}`: a power of a
+    /// rectangle holds zero where its base does not.
     ///
     /// This is for definitions, which are meant over the reals; a formula in floating point would
     /// be another one.
@@ -47,6 +48,10 @@ impl Graph {
                 }
                 _ => node,
             },
+            Node::Binary(Func::Pow, a, b) => match self.small_integer(b) {
+                Some(k) => Node::Power(a, k),
+                None => node,
+            },
             Node::Div(a, b) => match self.node(b) {
                 Node::Power(x, k) if k > 1 && !self.facts[x as usize].binders.is_empty() => {
                     let power = self.push(Node::Power(x, -k));
@@ -59,5 +64,14 @@ impl Graph {
             },
             node => node,
         }
+    }
+    /// The exponent that a node is, if a few products give the power.
+    fn small_integer(&self, id: Id) -> Option<i32> {
+        let Node::Number(place) = self.node(id) else {
+            return None;
+        };
+        let number = self.rational(place);
+        let k = number.is_integer().then(|| number.numer().to_i32())??;
+        (1..=64).contains(&k.unsigned_abs()).then_some(k)
     }
 }

@@ -127,8 +127,7 @@ impl Trajectory {
         balls.exact = exact;
         let mut evaluator = Evaluator::new(self.problem.graph.clone(), balls);
         for (k, input) in self.inputs.iter().enumerate() {
-            let ball = Ball::rational(bits, input);
-            evaluator.set_input(k, Value::Exact(Box::new((input.clone(), ball))));
+            evaluator.set_input(k, Value::rational(bits, input.clone()));
         }
         evaluator
     }
@@ -138,7 +137,7 @@ impl Trajectory {
         let node = self.problem.start;
         let text = || self.problem.graph.text(node);
         match self.evaluator(64, true).value(node) {
-            Ok(Value::Exact(value)) => Ok(value.0.clone()),
+            Ok(Value::Exact(value)) => Ok(value.number().clone()),
             Ok(_) => Err(MotionError::StartTime(text())),
             Err(stop) => Err(MotionError::Start {
                 name: self.problem.time.clone(),
