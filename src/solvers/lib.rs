@@ -53,7 +53,7 @@ mod tests;
 pub mod units;
 
 use arithmetic::{
-    double_double, double_double_functions, exponential, hex, lanes, payne_hanek, real,
+    double_double, double_double_functions, exponential, hex, lanes, numbers, payne_hanek, real,
 };
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 use arithmetic::{pack, two};

@@ -18,6 +18,7 @@ use super::rows::{
     above_real_axis, below_real_axis, disc_cell, disc_row, imaginary_axis_row, in_cell,
     nearest_zero, on_axis, on_real_axis, real_axis_row, zero_row,
 };
+use super::places::One;
 use super::taylor::{axis_row, complex_row, complex_row_rounded};
 use super::{special, trapezoidal, zeros};
 use crate::double_double::{Dd, fast_two_sum, two_prod};
@@ -111,7 +112,7 @@ impl Task for Cancelled {
     fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
         let Cancelled { a, b } = self;
         let (re, im, e) = if a.max(b) < 4096.0 {
-            trapezoidal::lower(lanes, a, b)
+            trapezoidal::lower(One(lanes), a, b)
         } else {
             large(lanes, a, b)
         };
