@@ -7,6 +7,10 @@ use crate::real::Masked;
 use num_complex::Complex;
 
 /// A function of N numbers with a value of M numbers.
+#[cfg_attr(
+    not(all(target_arch = "x86_64", feature = "vectors")),
+    allow(dead_code)
+)]
 pub(super) trait Function<const N: usize, const M: usize>: Copy {
     /// `ROUND` plus a number below 30: places that have it in common need the same formulas, mostly.
     fn class<R: Masked>(self, at: [R; N]) -> R;
