@@ -1,11 +1,12 @@
-/* Functions of a real argument beside SLEEF's vectors and libm's loops: their time over ours, in one run.
+/* Functions of a real argument beside SLEEF's vectors and libm's loops, and batches of all functions beside one point
+ * at a time: their time over ours, in one run.
  *
  *     capi/install PREFIX
  *     gcc -O2 -march=native benches/compare_sleef.c -IPREFIX/include -LPREFIX/lib -lmechaudit -lsleef -lm \
  *         -Wl,-rpath,PREFIX/lib -o target/compare_sleef && target/compare_sleef
  *
  * Needs SLEEF (Debian's libsleef-dev). Both sides in turns; the median of the ratios of 200 passes, and the least
- * time of ours. Points are uniform in -8 ... 8, in random order. */
+ * time of ours. Real points are uniform in -8 ... 8, complex ones in the square, in random order. */
 #include <immintrin.h>
 #include <math.h>
 #include <mechaudit.h>
@@ -34,7 +35,7 @@ typedef void Loop(int n);
 #define SLEEF_NAME "AVX-512"
 #define SLEEF(name, function512, function256)                            \
     static void name(int n) {                                            \
-        for (int i = 0; i + 8 <= n; i += 8) {                            \
+        for (int i = 0; i < n; i += 8) {                            \
             _mm512_storeu_pd(y + i, function512(_mm512_loadu_pd(x + i))); \
         }                                                                \
     }
@@ -42,7 +43,7 @@ typedef void Loop(int n);
 #define SLEEF_NAME "AVX2"
 #define SLEEF(name, function512, function256)                            \
     static void name(int n) {                                            \
-        for (int i = 0; i + 4 <= n; i += 4) {                            \
+        for (int i = 0; i < n; i += 4) {                            \
             _mm256_storeu_pd(y + i, function256(_mm256_loadu_pd(x + i))); \
         }                                                                \
     }
@@ -76,6 +77,25 @@ OURS(our_erfcx, 4)
 OURS(our_erfi, 5)
 OURS(our_dawson, 6)
 
+#define COMPLEX(name, function, code)                                     \
+    static void one_##name(int n) {                                       \
+        for (int i = 0; i < n; i += 2) {                             \
+            function(x[i], x[i + 1], y + i, y + i + 1);                   \
+        }                                                                 \
+    }                                                                     \
+    static void our_##name(int n) {                                       \
+        if (mechaudit_batch(code, n / 2, x, 1, y, 1, NULL) != MECHAUDIT_STATUS_OK) { \
+            abort();                                                      \
+        }                                                                 \
+    }
+COMPLEX(w, mechaudit_faddeeva, 0)
+COMPLEX(slope, mechaudit_faddeeva_derivative, 1)
+COMPLEX(complex_erf, mechaudit_erf, 2)
+COMPLEX(complex_erfc, mechaudit_erfc, 3)
+COMPLEX(complex_erfcx, mechaudit_erfcx, 4)
+COMPLEX(complex_erfi, mechaudit_erfi, 5)
+COMPLEX(complex_dawson, mechaudit_dawson, 6)
+
 static void compare(const char *what, int n, Loop ours, Loop theirs) {
     static double ratio[PASSES];
     double least = 1;
@@ -107,8 +127,8 @@ int main(void) {
         x[i] = -8 + 16.0 * rand() / RAND_MAX;
         y[i] = 0;
     }
-    printf("| batch beside | points | its time over ours | ours, ns a point |\n|---|---|---|---|\n");
-    const int sizes[] = {8, 64, 1024, 10240, MOST};
+    printf("| batch beside | numbers | its time over ours | ours, ns a number |\n|---|---|---|---|\n");
+    const int sizes[] = {2, 10, 100, 1000, 10000, MOST};
     for (unsigned k = 0; k < sizeof sizes / sizeof *sizes; ++k) {
         const int n = sizes[k];
         compare("erf, SLEEF " SLEEF_NAME, n, our_erf, sleef_erf);
@@ -120,8 +140,16 @@ int main(void) {
         compare("erfcx, one point at a time", n, our_erfcx, one_erfcx);
         compare("erfi, one point at a time", n, our_erfi, one_erfi);
         compare("dawson, one point at a time", n, our_dawson, one_dawson);
+        /* n numbers are n / 2 complex points. */
+        compare("complex w, one point at a time", n, our_w, one_w);
+        compare("complex w', one point at a time", n, our_slope, one_slope);
+        compare("complex erf, one point at a time", n, our_complex_erf, one_complex_erf);
+        compare("complex erfc, one point at a time", n, our_complex_erfc, one_complex_erfc);
+        compare("complex erfcx, one point at a time", n, our_complex_erfcx, one_complex_erfcx);
+        compare("complex erfi, one point at a time", n, our_complex_erfi, one_complex_erfi);
+        compare("complex dawson, one point at a time", n, our_complex_dawson, one_complex_dawson);
     }
-    printf("\n| one point beside | points | its time over ours | ours, ns a point |\n|---|---|---|---|\n");
+    printf("\n| one point beside | numbers | its time over ours | ours, ns a number |\n|---|---|---|---|\n");
     compare("erf, libm", 4096, one_erf, libm_erf);
     compare("erfc, libm", 4096, one_erfc, libm_erfc);
     free(x);

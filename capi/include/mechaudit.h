@@ -209,8 +209,8 @@ const char *mechaudit_version(void);
  * A function at n complex numbers `z`, each a real and an imaginary part one after the other, as C,
  * C++, Fortran and Julia store them. Strides count complex numbers and may be negative or, for `z`, zero; the
  * k-th number is `z[2*k*incz]`. `w` may be `z` with the same stride; other overlap gives values of
- * what was overwritten. The values are those of one point at a time, bit for bit. Thread-safe. The
- * Faddeeva function and Dawson's and erfcx are several times as fast as one at a time; dense arrays are fastest.
+ * what was overwritten. The values are those of one point at a time, bit for bit, and
+ * several times as fast. Thread-safe. Dense arrays are fastest.
  *
  * Errors: `NULL_POINTER`, `SIZE` (also `incw` = 0 for n > 1), `ARGUMENT`; nothing is written then.
  * `error` may be NULL.

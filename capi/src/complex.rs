@@ -62,29 +62,20 @@ pub enum Function {
     Dawson = 6,
 }
 
-fn each(f: fn(Complex64) -> Complex64) -> impl Fn(&[Complex64], &mut [Complex64]) {
-    move |z, w| {
-        for (w, z) in w.iter_mut().zip(z) {
-            *w = f(*z);
-        }
-    }
-}
-
 /// A batch of a function.
 ///
 /// # Safety
 /// All input can be read and all output written; nothing else does either meanwhile.
 unsafe fn batch(function: c_int, points: Option<Complexes>) -> Result<(), Failure> {
-    use solver::{dawson_batch, erfcx_batch, faddeeva_batch};
-    type Batch<'a> = &'a dyn Fn(&[Complex64], &mut [Complex64]);
+    type Batch = fn(&[Complex64], &mut [Complex64]) -> Result<(), solver::LengthMismatch>;
     let f: Batch = match function {
-        0 => &|z, w| faddeeva_batch(z, w).expect("equal lengths"),
-        1 => &each(solver::w_derivative),
-        2 => &each(solver::erf),
-        3 => &each(solver::erfc),
-        4 => &|z, w| erfcx_batch(z, w).expect("equal lengths"),
-        5 => &each(solver::erfi),
-        6 => &|z, w| dawson_batch(z, w).expect("equal lengths"),
+        0 => solver::faddeeva_batch,
+        1 => solver::w_derivative_batch,
+        2 => solver::erf_batch,
+        3 => solver::erfc_batch,
+        4 => solver::erfcx_batch,
+        5 => solver::erfi_batch,
+        6 => solver::dawson_batch,
         other => {
             let text = format!("function {other} is none of mechaudit_function");
             return Err(Failure::new(Status::Argument, text));
@@ -92,7 +83,7 @@ unsafe fn batch(function: c_int, points: Option<Complexes>) -> Result<(), Failur
     };
     if let Some(points) = points {
         // SAFETY: as promised.
-        unsafe { points.apply(f) };
+        unsafe { points.apply(|z, w| f(z, w).expect("equal lengths")) };
     }
     Ok(())
 }
@@ -100,8 +91,8 @@ unsafe fn batch(function: c_int, points: Option<Complexes>) -> Result<(), Failur
 /// A function at n complex numbers `z`, each a real and an imaginary part one after the other, as C,
 /// C++, Fortran and Julia store them. Strides count complex numbers and may be negative or, for `z`, zero; the
 /// k-th number is `z[2*k*incz]`. `w` may be `z` with the same stride; other overlap gives values of
-/// what was overwritten. The values are those of one point at a time, bit for bit. Thread-safe. The
-/// Faddeeva function and Dawson's and erfcx are several times as fast as one at a time; dense arrays are fastest.
+/// what was overwritten. The values are those of one point at a time, bit for bit, and
+/// several times as fast. Thread-safe. Dense arrays are fastest.
 ///
 /// Errors: `NULL_POINTER`, `SIZE` (also `incw` = 0 for n > 1), `ARGUMENT`; nothing is written then.
 /// `error` may be NULL.

@@ -119,6 +119,17 @@ def main():
                 )
                 cells.append(f"{found:.2f}")
             print(f"| `{name}`, {kind} | " + " | ".join(cells) + " |", flush=True)
+    cells = []
+    for n in sizes:
+        z = points("b", n, rng)
+        found, _ = ratio(
+            special.wofz_derivative,
+            lambda z: 2j / np.sqrt(np.pi) - 2 * z * scipy.special.wofz(z),
+            (z,),
+            seconds,
+        )
+        cells.append(f"{found:.2f}")
+    print("| `wofz_derivative` beside `2j/sqrt(pi) - 2*z*wofz(z)` | " + " | ".join(cells) + " |", flush=True)
     for what, widths in (
         ("one σ and γ", lambda n: (1.0, 0.2)),
         ("arrays of σ and γ", lambda n: (rng.uniform(0.5, 2, n), rng.uniform(0.1, 2, n))),

@@ -301,12 +301,6 @@ impl Draft {
     pub(super) fn recorded_if(self, condition: bool) -> Finding {
         self.only_if(condition).0
     }
-
-    /// As recorded if the figures have these values and there are no others.
-    pub(super) fn recorded(self, values: &[&str]) -> Finding {
-        let same = recorded(&self.0.figures, values);
-        self.recorded_if(same)
-    }
 }
 
 /// The verdict on a printed entry.

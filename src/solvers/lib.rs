@@ -53,7 +53,8 @@ mod tests;
 pub mod units;
 
 use arithmetic::{
-    arctangent, double_double, double_double_functions, exponential, hex, lanes, payne_hanek, real,
+    arctangent, double_double, double_double_functions, exponential, hex, lanes, numbers,
+    payne_hanek, real,
 };
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 use arithmetic::{pack, two};

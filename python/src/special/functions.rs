@@ -10,7 +10,6 @@ pub trait Function<T> {
     fn many(x: &[T], y: &mut [T]);
 }
 
-/// A function with a batch of its own.
 macro_rules! batch {
     ($name:ident, $type:ty, $one:path, $many:path) => {
         impl Function<$type> for $name {
@@ -25,34 +24,23 @@ macro_rules! batch {
     };
 }
 
-/// A function called point by point.
-macro_rules! pointwise {
-    ($name:ident, $type:ty, $one:path) => {
-        impl Function<$type> for $name {
-            fn one(x: $type) -> $type {
-                $one(x)
-            }
-            fn many(x: &[$type], y: &mut [$type]) {
-                for (y, &x) in y.iter_mut().zip(x) {
-                    *y = $one(x);
-                }
-            }
-        }
-    };
-}
-
 pub struct Wofz;
 batch!(Wofz, Complex<f64>, solver::faddeeva, solver::faddeeva_batch);
 
 pub struct WofzDerivative;
-pointwise!(WofzDerivative, Complex<f64>, solver::w_derivative);
+batch!(
+    WofzDerivative,
+    Complex<f64>,
+    solver::w_derivative,
+    solver::w_derivative_batch
+);
 
 pub struct Erf;
-pointwise!(Erf, Complex<f64>, solver::erf);
+batch!(Erf, Complex<f64>, solver::erf, solver::erf_batch);
 batch!(Erf, f64, solver::erf_real, solver::erf_real_batch);
 
 pub struct Erfc;
-pointwise!(Erfc, Complex<f64>, solver::erfc);
+batch!(Erfc, Complex<f64>, solver::erfc, solver::erfc_batch);
 batch!(Erfc, f64, solver::erfc_real, solver::erfc_real_batch);
 
 pub struct Erfcx;
@@ -60,7 +48,7 @@ batch!(Erfcx, Complex<f64>, solver::erfcx, solver::erfcx_batch);
 batch!(Erfcx, f64, solver::erfcx_real, solver::erfcx_real_batch);
 
 pub struct Erfi;
-pointwise!(Erfi, Complex<f64>, solver::erfi);
+batch!(Erfi, Complex<f64>, solver::erfi, solver::erfi_batch);
 batch!(Erfi, f64, solver::erfi_real, solver::erfi_real_batch);
 
 pub struct Dawsn;

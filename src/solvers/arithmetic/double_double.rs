@@ -82,13 +82,6 @@ impl Dd {
             lo: self.lo * power_of_two,
         }
     }
-
-    /// The square, relative error ≤ 5u².
-    #[inline(always)]
-    pub(crate) fn square(self) -> Dd {
-        let p = two_prod(self.hi, self.hi);
-        fast_two_sum(p.hi, (2.0 * self.hi).mul_add(self.lo, p.lo))
-    }
 }
 
 impl<R> Dd<R> {
@@ -116,6 +109,13 @@ impl<R: Real> Dd<R> {
     pub(crate) fn add_f(self, b: R) -> Dd<R> {
         let s = two_sum(self.hi, b);
         fast_two_sum(s.hi, s.lo + self.lo)
+    }
+
+    /// The square, relative error ≤ 5u².
+    #[inline(always)]
+    pub(crate) fn square(self) -> Dd<R> {
+        let p = two_prod(self.hi, self.hi);
+        fast_two_sum(p.hi, (self.hi + self.hi).fma(self.lo, p.lo))
     }
 
     /// `DWTimesFP3`, relative error ≤ 2u².

@@ -4,8 +4,8 @@ use super::exponential::{LARGE_PHASE, exponent, phase, turn};
 use super::payne_hanek;
 use super::tables::{HALF_PI, INVERSE_FACTORIAL, LN_2};
 use crate::double_double::{Dd, two_prod, two_sum};
-use crate::lanes::Lanes;
-use crate::real::{ROUND, Real};
+use crate::numbers::Numbers;
+use crate::real::{Masked, ROUND, Real};
 
 /// `1/n!`, and ln 2.
 #[cfg(feature = "proof")]
@@ -64,80 +64,98 @@ fn exp<R: Real>(x: Dd<R>) -> (Dd<R>, R) {
 
 /// `x` modulo π/2 and `ROUND` plus the quadrant, for |x| < 2³⁰.
 #[inline(always)]
-fn reduce(x: Dd) -> (Dd, f64) {
-    let n = x.hi.mul_add(std::f64::consts::FRAC_2_PI, ROUND);
-    (minus_multiple(x, n - ROUND, HALF_PI), n)
+fn reduce<R: Real>(x: Dd<R>) -> (Dd<R>, R) {
+    let like = |c: f64| x.hi.like(c);
+    let n = x.hi.fma(like(std::f64::consts::FRAC_2_PI), like(ROUND));
+    (minus_multiple(x, n - like(ROUND), HALF_PI), n)
 }
 
 /// `(sin, cos)` of two phases and two exponentials, `e^x = m 2^k` with `ROUND + k`.
-pub(crate) struct Factors {
-    pub circle: [(Dd, Dd); 2],
-    pub exponentials: [(Dd, f64); 2],
+pub(crate) struct Factors<R> {
+    pub circle: [(Dd<R>, Dd<R>); 2],
+    pub exponentials: [(Dd<R>, R); 2],
 }
 
 /// The factors of two phases, reduced already, and two exponents.
 #[inline(always)]
-fn factors<L: Lanes>(lanes: L, phases: [(Dd, f64); 2], exponents: [Dd; 2]) -> Factors {
+fn factors<N: Numbers>(
+    numbers: N,
+    phases: [(Dd<N::Number>, N::Number); 2],
+    exponents: [Dd<N::Number>; 2],
+) -> Factors<N::Number> {
     let [(p, n), (q, m)] = phases;
+    let (zero, one) = (n.like(0.0), n.like(1.0));
     // Sine and cosine of both side by side.
     let r = Dd::new(
-        lanes.quad([p.hi, p.hi, q.hi, q.hi]),
-        lanes.quad([p.lo, p.lo, q.lo, q.lo]),
+        numbers.quad([p.hi, p.hi, q.hi, q.hi]),
+        numbers.quad([p.lo, p.lo, q.lo, q.lo]),
     );
-    let sum = series::<L::Quad, 14>(
+    let sum = series::<N::Quad, 14>(
         r * r,
         8,
         #[inline(always)]
         |j| {
             let sign = if j % 2 == 0 { 1.0 } else { -1.0 };
             let (s, c) = (INVERSE_FACTORIAL[2 * j + 1], INVERSE_FACTORIAL[2 * j]);
-            let part = |i: usize| lanes.quad([sign * s[i], sign * c[i], sign * s[i], sign * c[i]]);
-            Dd::new(part(0), part(1))
+            let (sh, sl) = (n.like(sign * s[0]), n.like(sign * s[1]));
+            let (ch, cl) = (n.like(sign * c[0]), n.like(sign * c[1]));
+            Dd::new(
+                numbers.quad([sh, ch, sh, ch]),
+                numbers.quad([sl, cl, sl, cl]),
+            )
         },
     );
     let by = Dd::new(
-        lanes.quad([p.hi, 1.0, q.hi, 1.0]),
-        lanes.quad([p.lo, 0.0, q.lo, 0.0]),
+        numbers.quad([p.hi, one, q.hi, one]),
+        numbers.quad([p.lo, zero, q.lo, zero]),
     );
     let sum = sum * by;
-    let (hi, lo) = (lanes.array(sum.hi), lanes.array(sum.lo));
-    let value = |i: usize| Dd::new(hi[i], lo[i]);
+    let (hi, lo) = (numbers.quarters(sum.hi), numbers.quarters(sum.lo));
 
     let [e, g] = exponents;
     let x = Dd::new(
-        lanes.quad([e.hi, g.hi, e.hi, g.hi]),
-        lanes.quad([e.lo, g.lo, e.lo, g.lo]),
+        numbers.quad([e.hi, g.hi, e.hi, g.hi]),
+        numbers.quad([e.lo, g.lo, e.lo, g.lo]),
     );
     let (v, k) = exp(x);
-    let (vh, vl, k) = (lanes.array(v.hi), lanes.array(v.lo), lanes.array(k));
+    let (vh, vl) = (numbers.quarters(v.hi), numbers.quarters(v.lo));
+    let k = numbers.quarters(k);
     Factors {
-        circle: [turn(value(0), value(1), n), turn(value(2), value(3), m)],
+        circle: [
+            turn(Dd::new(hi[0], lo[0]), Dd::new(hi[1], lo[1]), n),
+            turn(Dd::new(hi[2], lo[2]), Dd::new(hi[3], lo[3]), m),
+        ],
         exponentials: [(Dd::new(vh[0], vl[0]), k[0]), (Dd::new(vh[1], vl[1]), k[1])],
     }
 }
 
 /// Real and imaginary part of `e^{−z²}` without the power of two, and `ROUND` plus that.
-pub(crate) type Gaussian = (Dd, Dd, f64);
+pub(crate) type Gaussian<R = f64> = (Dd<R>, Dd<R>, R);
 
 /// `e^{−z²} = (re + i im) 2^k` at `z = a − i b`, without the power of two and with `ROUND + k`, and
 /// beside it `(sin, cos)` of another phase (below 2³⁰) and another exponential.
 #[inline(always)]
-pub(crate) fn exp_minus_square<L: Lanes>(
-    lanes: L,
-    a: f64,
-    b: f64,
-    other_phase: Dd,
-    other_exponent: Dd,
-) -> (Gaussian, (Dd, Dd), (Dd, f64)) {
+pub(crate) fn exp_minus_square<N: Numbers>(
+    numbers: N,
+    a: N::Number,
+    b: N::Number,
+    other_phase: Dd<N::Number>,
+    other_exponent: Dd<N::Number>,
+) -> (
+    Gaussian<N::Number>,
+    (Dd<N::Number>, Dd<N::Number>),
+    (Dd<N::Number>, N::Number),
+) {
     let theta = phase(a, -b);
-    let reduced = if theta.hi.abs() < LARGE_PHASE {
-        reduce(theta)
-    } else {
-        payne_hanek::reduce(a, -b)
-    };
+    let (r, n) = reduce(theta);
+    let small = theta.hi.magnitude().below(a.like(LARGE_PHASE));
+    let [hi, lo, n] = numbers.replaced(small, [r.hi, r.lo, n], [a, b], |[a, b]| {
+        let (r, n) = payne_hanek::reduce(a, -b);
+        [r.hi, r.lo, n]
+    });
     let f = factors(
-        lanes,
-        [reduced, reduce(other_phase)],
+        numbers,
+        [(Dd::new(hi, lo), n), reduce(other_phase)],
         [exponent(a, -b), other_exponent],
     );
     let ([(s, c), circle], [(e, k), other]) = (f.circle, f.exponentials);
@@ -146,18 +164,20 @@ pub(crate) fn exp_minus_square<L: Lanes>(
 
 /// `(sin, cos)` of two phases below 2³⁰, and `e^x` of an exponent within ±700.
 #[inline(always)]
-pub(crate) fn circles_and_exponential<L: Lanes>(
-    lanes: L,
-    phases: [Dd; 2],
-    exponent: Dd,
-) -> ([(Dd, Dd); 2], Dd) {
+pub(crate) fn circles_and_exponential<N: Numbers>(
+    numbers: N,
+    phases: [Dd<N::Number>; 2],
+    exponent: Dd<N::Number>,
+) -> ([(Dd<N::Number>, Dd<N::Number>); 2], Dd<N::Number>) {
+    let zero = exponent.hi.like(0.0);
     let f = factors(
-        lanes,
+        numbers,
         [reduce(phases[0]), reduce(phases[1])],
-        [exponent, Dd::new(0.0, 0.0)],
+        [exponent, Dd::new(zero, zero)],
     );
     let (m, n) = f.exponentials[0];
-    (f.circle, m.scale(n.power_of_two()))
+    let by = n.power_of_two();
+    (f.circle, Dd::new(m.hi * by, m.lo * by))
 }
 
 #[cfg(test)]

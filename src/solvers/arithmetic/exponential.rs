@@ -11,7 +11,7 @@ use super::payne_hanek;
 use super::tables::{self, HALF_PI, INVERSE_FACTORIAL};
 use crate::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use crate::hex::hex;
-use crate::real::{ROUND, Real, scaled};
+use crate::real::{Masked, ROUND, Real, scaled};
 
 const LOG2_E: f64 = std::f64::consts::LOG2_E;
 /// ln 2, the first part with 12 trailing zeros, so that its product with an exponent is exact.
@@ -347,13 +347,18 @@ pub(crate) fn pair_times_power<R: Real>(t: Dd<R>, n: R) -> Dd<R> {
 
 /// `t 2^k`, `n = ROUND + k`, for any `k`: in range where t is subnormal and k above 2040, too.
 #[inline(always)]
-pub(crate) fn times_power(t: f64, n: f64) -> f64 {
-    let most = n.clamp(ROUND - 2040.0, ROUND + 2040.0);
+pub(crate) fn times_power<R: Masked>(t: R, n: R) -> R {
+    let like = |c: f64| t.like(c);
+    let most = n
+        .at_least(like(ROUND - 2040.0))
+        .at_most(like(ROUND + 2040.0));
     let scaled_once = scaled(t, most);
-    if n > most {
-        return scaled(scaled_once, (ROUND + (n - most)).min(ROUND + 2040.0));
+    let beyond = most.below(n);
+    if !t.any(beyond) {
+        return scaled_once;
     }
-    scaled_once
+    let rest = (like(ROUND) + (n - most)).at_most(like(ROUND + 2040.0));
+    t.pick(beyond, scaled(scaled_once, rest), scaled_once)
 }
 
 /// The sine and cosine of `2 a y`, `a ≥ 0`, for any size of the phase.
@@ -367,13 +372,17 @@ pub(crate) fn circle(a: f64, y: f64) -> (Dd, Dd) {
 /// `e^t` as [`exp`], whose exponents end at ±2020, with another 1024 of them: enough for
 /// `2^{-1074} e^t`.
 #[inline(always)]
-pub(crate) fn exp_wide(t: Dd) -> (Dd, f64) {
-    if t.hi.abs() < 1000.0 {
+pub(crate) fn exp_wide<R: Masked>(t: Dd<R>) -> (Dd<R>, R) {
+    let like = |c: f64| t.hi.like(c);
+    let usual = t.hi.magnitude().below(like(1000.0));
+    if t.hi.all(usual) {
         return exp(t);
     }
-    let k = 1024f64.copysign(t.hi);
-    let (e, n) = exp(t - Dd::new(tables::LN_2[0], tables::LN_2[1]).scale(k));
-    (e, n + k)
+    let k = like(1024.0).with_sign_of(t.hi);
+    let less = t - Dd::new(like(tables::LN_2[0]) * k, like(tables::LN_2[1]) * k);
+    let pick = |yes: R, no: R| t.hi.pick(usual, yes, no);
+    let (e, n) = exp(Dd::new(pick(t.hi, less.hi), pick(t.lo, less.lo)));
+    (e, n + pick(like(0.0), k))
 }
 
 /// `e^{−z²}` at `a + i y` as mantissas and `ROUND` plus the exponent, for any phase and as many
@@ -388,8 +397,9 @@ pub(crate) fn gaussian(a: f64, y: f64) -> (Dd, Dd, f64) {
     (e * c, -(e * s), n)
 }
 
+/// `e^{−z²}` from `e^{Re −z²}` and the reduced phase, with their power of two and quadrant.
 #[inline(always)]
-fn product<R: Real>((e, n): (Dd<R>, R), (r, quadrant): (Dd<R>, R)) -> (Dd<R>, Dd<R>, R) {
+pub(crate) fn product<R: Real>((e, n): (Dd<R>, R), (r, quadrant): (Dd<R>, R)) -> (Dd<R>, Dd<R>, R) {
     let (sin, cos) = sin_cos_accurate(r);
     let (s, c) = turn(sin, cos, quadrant);
     (short_product(e, c), -short_product(e, s), n)

@@ -7,6 +7,7 @@ pub(crate) mod double_double_functions;
 pub(crate) mod exponential;
 pub(crate) mod hex;
 pub(crate) mod lanes;
+pub(crate) mod numbers;
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 pub(crate) mod pack;
 pub(crate) mod payne_hanek;

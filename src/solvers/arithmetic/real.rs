@@ -137,6 +137,12 @@ pub(crate) fn scaled<R: Real>(x: R, n: R) -> R {
     x * half.power_of_two() * rest.power_of_two()
 }
 
+/// Where a number is zero.
+#[inline(always)]
+pub(crate) fn is_zero<R: Real>(x: R) -> R::Mask {
+    x.magnitude().below(x.like(f64::from_bits(1)))
+}
+
 /// `t`, negated if `x` has a minus sign: without a branch, which for signs by chance is taken
 /// wrongly every other time.
 #[inline(always)]

@@ -101,8 +101,15 @@ proptest! {
     fn batches(z in prop::collection::vec((any_f64(), any_f64()), 0..150)) {
         let z: Vec<C> = z.into_iter().map(|(x, y)| Complex::new(x, y)).collect();
         type Batch = fn(&[C], &mut [C]) -> Result<(), LengthMismatch>;
-        let all: [(Batch, Function); 3] =
-            [(faddeeva_batch, faddeeva), (erfcx_batch, erfcx), (dawson_batch, dawson)];
+        let all: [(Batch, Function); 7] = [
+            (faddeeva_batch, faddeeva),
+            (w_derivative_batch, w_derivative),
+            (erf_batch, erf),
+            (erfc_batch, erfc),
+            (erfcx_batch, erfcx),
+            (erfi_batch, erfi),
+            (dawson_batch, dawson),
+        ];
         let mut out = vec![C::default(); z.len()];
         for (batch, one) in all {
             prop_assert!(batch(&z, &mut out).is_ok());

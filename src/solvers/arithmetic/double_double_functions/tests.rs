@@ -2,6 +2,7 @@ use super::super::tests::Random;
 use super::super::tests::exact::{are_parts, error, gaussian, shifted, wide};
 use super::*;
 use crate::lanes::Plain;
+use crate::numbers::One;
 use mechaudit_reference::Ball;
 use rug::{Float, Integer, Rational};
 use std::f64::consts::FRAC_PI_4;
@@ -47,9 +48,9 @@ fn sine_and_cosine() {
         };
         let r = two_sum(x, x * random.number(-70, -54));
         let zero = (Dd::ZERO, ROUND);
-        let [(s, c), other] = factors(Plain, [(r, ROUND), zero], [Dd::ZERO; 2]).circle;
+        let [(s, c), other] = factors(One(Plain), [(r, ROUND), zero], [Dd::ZERO; 2]).circle;
         assert_eq!((other.0.hi, other.1.hi), (0.0, 1.0));
-        let [other, same] = factors(Plain, [zero, (r, ROUND)], [Dd::ZERO; 2]).circle;
+        let [other, same] = factors(One(Plain), [zero, (r, ROUND)], [Dd::ZERO; 2]).circle;
         assert_eq!((other.0.hi, other.1.hi), (0.0, 1.0));
         assert_eq!(same, (s, c));
         let exact = wide(r);
@@ -84,7 +85,7 @@ fn gaussian_of_a_complex_number() {
         if exponent(a, y).hi.abs() > 1400.0 {
             continue;
         }
-        let ((c, s, n), ..) = exp_minus_square(Plain, a, -y, Dd::ZERO, Dd::ZERO);
+        let ((c, s, n), ..) = exp_minus_square(One(Plain), a, -y, Dd::ZERO, Dd::ZERO);
         let exact = gaussian(a, y);
         let size = Float::with_val(640, exact.0.hypot_ref(&exact.1));
         let off =

@@ -15,6 +15,7 @@ use crate::double_double::{Dd, two_prod};
 use crate::double_double_functions::circles_and_exponential;
 use crate::exponential::LARGE_PHASE;
 use crate::lanes::{Lanes, Task, with_best};
+use crate::numbers::One;
 use num_complex::Complex;
 
 /// A sum smaller than this part of its terms is computed again.
@@ -89,7 +90,7 @@ impl Task for Sum<'_> {
         } = self;
         let n = Dd::from(roots.n);
         let ([(sin, cos), (s, c)], e) =
-            circles_and_exponential(lanes, self.phases, -two_prod(roots.n, t));
+            circles_and_exponential(One(lanes), self.phases, -two_prod(roots.n, t));
         let s = s.div(roots.half);
         // K, K′ and K′ + 2nK.
         let (k, k1, k0) = (e * s, e * (c - n * s), e * (c + n * s));

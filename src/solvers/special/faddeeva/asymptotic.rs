@@ -13,6 +13,7 @@ use super::tables::REAL_LINE;
 use crate::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use crate::double_double_functions::exp_minus_square;
 use crate::lanes::Lanes;
+use crate::numbers::One;
 use crate::real::{Real, scaled};
 
 /// Coefficients available.
@@ -240,7 +241,7 @@ pub(super) fn four_terms(a: f64, b: f64) -> (Dd, Dd) {
 #[inline(always)]
 pub(super) fn large<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd, f64) {
     let (u, v) = four_terms(a, b);
-    let ((c, s, k), ..) = exp_minus_square(lanes, a, b, Dd::ZERO, Dd::ZERO);
+    let ((c, s, k), ..) = exp_minus_square(One(lanes), a, b, Dd::ZERO, Dd::ZERO);
     let by = |t: Dd| Dd::new(scaled(t.hi, k + 1.0), scaled(t.lo, k + 1.0));
     (by(c) - u, by(s) + v, scaled(1.0, k + 1.0))
 }

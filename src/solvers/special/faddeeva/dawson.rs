@@ -10,21 +10,26 @@
 //! Beside the real axis the two terms share their real parts; there the imaginary parts of the
 //! coefficients of w about real centres are those of `(2/√π) F`.
 
-use super::branch::{STRIP, is_huge};
+use super::branch::{HUGE, STRIP, is_huge, modulus_squared};
 use super::constants::HALF_SQRT_PI;
 use super::erf_zeros;
+use super::groups::{Function, at_all, at_one};
 use super::lengths::{LengthMismatch, same_length};
 use super::long_relatives;
 use super::long_w::{turned, vanishing_part};
 use super::odd_series::{self, odd};
+use super::pairs::{self, Formulas};
+use super::places::{Mask, Number, Places};
 use super::quadrant::{
-    circle, dawson_in_strip, gaussian, gaussian_exact, lifted, pair_times_power, times_power, w,
-    w_exact,
+    IN_PAIRS, VANISHING, circle, dawson_in_strip, gaussian, gaussian_exact, gaussian_in_pairs,
+    lifted, pair_times_power, times_power, w_exact,
 };
 use super::relatives_tables::{MAXIMUM_OF_DAWSON as MAXIMUM, MINUS_INVERSE_MAXIMUM};
+use super::trapezoidal::upper;
 use crate::double_double::{Dd, two_prod, two_sum};
-use crate::lanes::{Lanes, Task, with_best};
-use crate::real::{ROUND, scaled, with_sign_of};
+use crate::exponential::exponent;
+use crate::lanes::{Lanes, Task};
+use crate::real::{Masked, ROUND, Real, is_zero, scaled};
 use num_complex::Complex;
 
 /// A component smaller than this part of its terms is computed again in double-double.
@@ -60,29 +65,35 @@ use crate::hex::hex;
 /// 2 f₂ t + f₃ (3t² − b²) + f₄ (4t³ − 4tb²) + …
 /// ```
 ///
-/// `true` if the two leading terms cancel so far that the rounding of the others, of the size of
+/// `true` where the two leading terms cancel so far that the rounding of the others, of the size of
 /// b⁴, shows; it does not where b is small.
 #[inline(always)]
-fn slope_beside_maximum(x: f64, b: f64) -> (Dd, bool) {
-    let s = two_sum(x, -MAXIMUM[0]);
-    let distance = Dd::new(s.hi, s.lo).add_f(-MAXIMUM[1]).add_f(-MAXIMUM[2]);
+fn slope_beside_maximum<R: Masked>(x: R, b: R) -> (Dd<R>, R::Mask) {
+    let like = |c: f64| x.like(c);
+    let s = two_sum(x, like(-MAXIMUM[0]));
+    let distance = s.add_f(like(-MAXIMUM[1])).add_f(like(-MAXIMUM[2]));
     let t = distance.hi;
+    let twice = like(2.0) * t;
     // Im δⁿ/b by the recurrence δⁿ⁺¹ = 2t δⁿ − |δ|² δⁿ⁻¹.
-    let r2 = t.mul_add(t, b * b);
+    let r2 = t.fma(t, b * b);
     let square = distance.square();
-    let third = square + square.scale(2.0) - two_prod(b, b);
-    let (mut before, mut here) = (2.0 * t, third.hi);
-    let mut sum = 0.0;
+    let third = square + Dd::new(square.hi + square.hi, square.lo + square.lo) - two_prod(b, b);
+    let (mut before, mut here) = (twice, third.hi);
+    let mut sum = like(0.0);
     let mut n = 4;
     while n < ORDER {
-        let next = (2.0 * t).mul_add(here, -(r2 * before));
-        sum = COEFFICIENTS[n].mul_add(next, sum);
+        let next = twice.fma(here, -(r2 * before));
+        sum = like(COEFFICIENTS[n]).fma(next, sum);
         (before, here) = (here, next);
         n += 1;
     }
-    let linear = LEADING[0] * distance;
-    let slope = (linear + LEADING[1] * third).add_f(sum);
-    let cancelled = slope.hi.abs() < 0.0625 * linear.hi.abs() && b > ROUNDING_SHOWS;
+    let linear = LEADING[0].like(x) * distance;
+    let slope = (linear + LEADING[1].like(x) * third).add_f(sum);
+    let small = slope
+        .hi
+        .magnitude()
+        .below(like(0.0625) * linear.hi.magnitude());
+    let cancelled = x.both(small, like(ROUNDING_SHOWS).below(b));
     (slope, cancelled)
 }
 
@@ -135,54 +146,93 @@ impl Exact {
 
 /// `(v − Im e^{−z²}, Re e^{−z²} − u)`
 #[inline(always)]
-fn difference((c, s, n): (Dd, Dd, f64), (u, v): (Dd, Dd)) -> (Dd, Dd) {
+fn difference<R: Real>((c, s, n): (Dd<R>, Dd<R>, R), (u, v): (Dd<R>, Dd<R>)) -> (Dd<R>, Dd<R>) {
     (v - pair_times_power(s, n), pair_times_power(c, n) - u)
 }
 
-/// F in the first quadrant, `|z| < 10¹⁰⁰`.
+/// Returns whether a sum is smaller than a part of its term.
 #[inline(always)]
-fn quadrant<L: Lanes>(lanes: L, x: f64, y: f64) -> (f64, f64) {
-    let r2 = x.mul_add(x, y * y);
-    if r2 < odd_series::REACH {
-        let (re, im) = odd(odd_series::DAWSON, x, y);
-        return (re.value(), im.value());
+fn lost<R: Real>(part: f64, sum: Dd<R>, term: Dd<R>) -> R::Mask {
+    let least = sum.hi.like(part) * term.hi.magnitude();
+    sum.hi.magnitude().below(least)
+}
+
+/// `(√π/2) t 2^k`, `n = ROUND + k`.
+#[inline(always)]
+fn by_root<R: Masked>(t: Dd<R>, n: R) -> R {
+    times_power((t * HALF_SQRT_PI.like(n)).value(), n)
+}
+
+/// F in the first quadrant, and where it holds.
+#[inline(always)]
+fn quadrant<P: Places>(places: P, x: Number<P>, y: Number<P>) -> ([Number<P>; 2], Mask<P>) {
+    let like = |c: f64| x.like(c);
+    let root = HALF_SQRT_PI.like(x);
+    let r2 = x.fma(x, y * y);
+    let finite = modulus_squared(x, y).below(like(HUGE));
+    let near = r2.below(like(odd_series::REACH));
+    let among = x.except(finite, near);
+    let beside = y.below(like(STRIP));
+    let (strip, away) = (x.both(among, beside), x.except(among, beside));
+    let (mut re, mut im, mut kept) = (x, y, finite);
+    let ((a, x_down), (b, y_down)) = (lifted(x, y), lifted(y, x));
+    if x.any(away) {
+        let (u, v) = pairs::w(places, a, b, away);
+        let (c, s, n) = gaussian(places, a, b);
+        let (p, q) = difference((c, s, n.at_most(like(ROUND + 900.0))), (u, v));
+        let alone = like(ROUND + 200.0).below(n);
+        let small = x.or(lost(CANCELLED, p, v), lost(CANCELLED, q, u));
+        kept = x.except(kept, x.both(away, x.except(small, alone)));
+        re = by_root(p, like(ROUND) - x_down);
+        im = by_root(q, like(ROUND) - y_down);
+        if x.any(alone) {
+            re = x.pick(alone, by_root(-s, n - x_down), re);
+            im = x.pick(alone, by_root(c, n - y_down), im);
+        }
     }
-    let ((x, x_down), (y, y_down)) = (lifted(x, y), lifted(y, x));
-    if y < STRIP {
-        let (re, im) = dawson_in_strip(lanes, x, y);
-        let im = if (x - MAXIMUM[0]).abs() < BESIDE_MAXIMUM {
-            let (slope, cancelled) = slope_beside_maximum(x, y);
-            if cancelled {
-                let down = (x_down, y_down);
-                return lanes.call(Exact { x, y, down });
-            }
-            y * slope.value()
-        } else {
-            (im * HALF_SQRT_PI).value()
-        };
-        return ((re * HALF_SQRT_PI).value(), times_power(im, ROUND - y_down));
+    if x.any(strip) {
+        let (p, q) = dawson_in_strip(places, a, b, strip);
+        let mut q = (q * root).value();
+        let at_maximum = (a - like(MAXIMUM[0]))
+            .magnitude()
+            .below(like(BESIDE_MAXIMUM));
+        let at_maximum = x.both(strip, at_maximum);
+        if x.any(at_maximum) {
+            let (slope, cancelled) = slope_beside_maximum(a, b);
+            q = x.pick(at_maximum, b * slope.value(), q);
+            kept = x.except(kept, x.both(at_maximum, cancelled));
+        }
+        re = x.pick(strip, (p * root).value(), re);
+        im = x.pick(strip, times_power(q, like(ROUND) - y_down), im);
     }
-    let (u, v) = w(lanes, x, y);
-    let (c, s, n) = gaussian(x, y);
-    let root = HALF_SQRT_PI;
-    if n > ROUND + 200.0 {
-        return (
-            times_power(-(s * root).value(), n - x_down),
-            times_power((c * root).value(), n - y_down),
-        );
+    if x.any(near) {
+        let (p, q) = odd(odd_series::DAWSON, x, y);
+        re = x.pick(near, p.value(), re);
+        im = x.pick(near, q.value(), im);
     }
-    let (re, im) = difference((c, s, n), (u, v));
-    if (re.hi.abs() < CANCELLED * v.hi.abs()) | (im.hi.abs() < CANCELLED * u.hi.abs()) {
-        return lanes.call(Exact {
-            x,
-            y,
-            down: (x_down, y_down),
-        });
-    }
-    (
-        times_power((re * root).value(), ROUND - x_down),
-        times_power((im * root).value(), ROUND - y_down),
-    )
+    ([re, im], kept)
+}
+
+/// The same in double-double, where it holds: as [`Exact`] away from zeros of components.
+#[inline(always)]
+fn in_pairs<P: Places>(places: P, x: Number<P>, y: Number<P>) -> ([Number<P>; 2], Mask<P>) {
+    let like = |c: f64| x.like(c);
+    let ((a, x_down), (b, y_down)) = (lifted(x, y), lifted(y, x));
+    let usual = x.both(
+        a.at_least(b).below(like(IN_PAIRS[0])),
+        exponent(a, b).hi.magnitude().below(like(IN_PAIRS[1] / 4.0)),
+    );
+    let (c, s, n) = gaussian_in_pairs(places, a, b);
+    let (u, v) = upper(places, a, b);
+    let (p, q) = difference((c, s, n), (u, v));
+    let e = scaled(like(VANISHING), n);
+    let beside = x.or(p.hi.magnitude().below(e), q.hi.magnitude().below(e));
+    let small = x.or(lost(VANISHING, p, v), lost(VANISHING, q, u));
+    let parts = [
+        by_root(p, like(ROUND) - x_down),
+        by_root(q, like(ROUND) - y_down),
+    ];
+    (parts, x.except(usual, x.or(small, beside)))
 }
 
 /// F in the first quadrant at points that are huge or not finite.
@@ -220,33 +270,57 @@ fn limits(x: f64, y: f64) -> (f64, f64) {
     ((s * half).add_f(u).value(), (c * half).add_f(v).value())
 }
 
-/// Returns whether F falls at x. The maximum is no `f64`.
-#[inline(always)]
-fn beyond_maximum(x: f64) -> bool {
-    x > MAXIMUM[0] || (x == MAXIMUM[0] && MAXIMUM[1] < 0.0)
+/// Dawson's function.
+#[derive(Clone, Copy)]
+pub(super) struct Dawson;
+
+impl Dawson {
+    /// The value at any point from that in the first quadrant.
+    #[inline(always)]
+    fn anywhere<R: Masked>([x, y]: [R; 2], [re, im]: [R; 2]) -> [R; 2] {
+        let like = |c: f64| x.like(c);
+        let re = x.pick(is_zero(x), like(0.0), re);
+        // The sign of F′(x). The maximum is no `f64`.
+        let last = if MAXIMUM[1] < 0.0 {
+            MAXIMUM[0].next_down()
+        } else {
+            MAXIMUM[0]
+        };
+        let falls = like(last).below(x.magnitude());
+        let zero = x.pick(falls, like(-0.0), like(0.0));
+        let im = x.pick(is_zero(y), zero, im);
+        [re.with_sign_of(x), im.with_sign_of(y)]
+    }
 }
 
-/// Dawson's function.
-struct Dawson(f64, f64);
-
-impl Task for Dawson {
-    type Output = (f64, f64);
+impl Function<2, 2> for Dawson {
     #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
-        let (x, y) = (self.0.abs(), self.1.abs());
-        let (re, im) = if is_huge(x, y) {
-            limits(x, y)
+    fn class<R: Masked>(self, [x, y]: [R; 2]) -> R {
+        let (a, b) = (x.magnitude(), y.magnitude());
+        let near = a.fma(a, b * b).below(x.like(odd_series::REACH));
+        x.pick(near, x.like(ROUND + 15.0), Formulas::class(a, b))
+    }
+    #[inline(always)]
+    fn value<P: Places>(self, places: P, [x, y]: [Number<P>; 2]) -> ([Number<P>; 2], Mask<P>) {
+        let (parts, kept) = quadrant(places, x.magnitude(), y.magnitude());
+        (Dawson::anywhere([x, y], parts), kept)
+    }
+    #[inline(always)]
+    fn again<P: Places>(self, places: P, [x, y]: [Number<P>; 2]) -> ([Number<P>; 2], Mask<P>) {
+        let (parts, kept) = in_pairs(places, x.magnitude(), y.magnitude());
+        (Dawson::anywhere([x, y], parts), kept)
+    }
+    #[inline(always)]
+    fn alone<L: Lanes>(self, lanes: L, [x, y]: [f64; 2]) -> [f64; 2] {
+        let (a, b) = (x.abs(), y.abs());
+        let (re, im) = if is_huge(a, b) {
+            limits(a, b)
         } else {
-            quadrant(lanes, x, y)
+            let ((x, x_down), (y, y_down)) = (lifted(a, b), lifted(b, a));
+            let down = (x_down, y_down);
+            Exact { x, y, down }.run(lanes)
         };
-        let re = if x == 0.0 { 0.0 } else { re };
-        // The sign of F′(x).
-        let im = match y == 0.0 {
-            true if beyond_maximum(x) => -0.0,
-            true => 0.0,
-            false => im,
-        };
-        (with_sign_of(re, self.0), with_sign_of(im, self.1))
+        Dawson::anywhere([x, y], [re, im])
     }
 }
 
@@ -278,24 +352,10 @@ impl Task for Dawson {
 /// assert!((f.re - 0.5380795069127684).abs() < 1e-15 && f.im == 0.0);
 /// ```
 pub fn dawson(z: Complex<f64>) -> Complex<f64> {
-    let (re, im) = with_best(Dawson(z.re, z.im));
-    Complex::new(re, im)
+    at_one(Dawson, z)
 }
 
-struct Batch<'a>(&'a [Complex<f64>], &'a mut [Complex<f64>]);
-
-impl Task for Batch<'_> {
-    type Output = ();
-    #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L) {
-        for (f, z) in self.1.iter_mut().zip(self.0) {
-            let (re, im) = Dawson(z.re, z.im).run(lanes);
-            *f = Complex::new(re, im);
-        }
-    }
-}
-
-/// [`dawson`] at many points; the values have the same bits.
+/// [`dawson`] at many points, several times as fast; the values have the same bits.
 ///
 /// # Errors
 /// [`LengthMismatch`] if the slices differ in length; nothing is written then.
@@ -312,6 +372,6 @@ impl Task for Batch<'_> {
 /// ```
 pub fn dawson_batch(z: &[Complex<f64>], f: &mut [Complex<f64>]) -> Result<(), LengthMismatch> {
     same_length(z.len(), [f.len()])?;
-    with_best(Batch(z, f));
+    at_all(Dawson, z, f);
     Ok(())
 }

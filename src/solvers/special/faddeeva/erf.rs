@@ -12,287 +12,231 @@
 //! Re erf is small, the third next to zero. The other quadrants follow from
 //! `erf(−z) = −erf z`, `erf z̄ = conj erf z`.
 
-use super::branch::{STRIP, is_huge};
-use super::constants::{INV_SQRT_PI, TWO_OVER_SQRT_PI};
-use super::erf_zeros;
-use super::long::Long;
-use super::long_relatives;
-use super::long_w::{turned, vanishing_part};
+use super::branch::{HUGE, STRIP, modulus_squared};
+use super::constants::TWO_OVER_SQRT_PI;
+use super::erf_exact::{LINEAR, Which, alone, shifted};
+use super::groups::{Function, at_all, at_one};
+use super::lengths::{LengthMismatch, same_length};
 use super::odd_series::{self, odd};
+use super::pairs::{self, Formulas};
+use super::places::{Choose, Mask, Number, Places};
 use super::quadrant::{
-    circle, dawson_in_strip, gaussian, gaussian_exact, lifted, pair_times_power, product, size,
-    times_power, w, w_exact,
+    IN_PAIRS, VANISHING, dawson_in_strip, gaussian, gaussian_in_pairs, lifted, product, times_power,
 };
 use super::real_line::COMPLEMENT;
+use super::trapezoidal::upper;
 use crate::double_double::Dd;
-use crate::hex::hex;
-use crate::lanes::{Lanes, Task, with_best};
-use crate::real::{ROUND, scaled, with_sign_of};
+use crate::exponential::exponent;
+use crate::lanes::Lanes;
+use crate::real::{Masked, ROUND, Real, is_zero, scaled};
 use num_complex::Complex;
 
-/// xy below which, x being small, Re erf is linear in it.
-const LINEAR: f64 = hex("0x1p-32");
-
-/// Which function: `offset + sign · erf` in the real part, `sign · erf` in the imaginary part.
-#[derive(Clone, Copy, PartialEq)]
-enum Which {
-    /// erf z.
-    Erf,
-    /// 1 − erf z.
-    Erfc,
-    /// 1 + erf z, for erfc(−z).
-    Erfcm,
+/// `(offset, sign)` for erf and for erfc, as [`Which`] has them, at several points, which may differ.
+#[derive(Clone, Copy)]
+struct Forms<R> {
+    of_erf: (R, R),
+    of_erfc: (R, R),
+    /// Re z below which the series may serve.
+    reach: R,
 }
 
-impl Which {
-    /// `(offset, sign)` for erf.
+/// erf, or erfc.
+#[derive(Clone, Copy)]
+pub(super) struct ErrorFunction {
+    complement: bool,
+}
+
+impl ErrorFunction {
     #[inline(always)]
-    fn of_erf(self) -> (f64, f64) {
-        match self {
-            Which::Erf => (0.0, 1.0),
-            Which::Erfc => (1.0, -1.0),
-            Which::Erfcm => (1.0, 1.0),
+    fn forms<R: Masked>(self, x: R) -> Forms<R> {
+        let like = |c: f64| x.like(c);
+        let one = like(1.0);
+        if !self.complement {
+            return Forms {
+                of_erf: (like(0.0), one),
+                of_erfc: (one, -one),
+                reach: like(f64::INFINITY),
+            };
         }
-    }
-    /// `(offset, sign)` for erfc.
-    #[inline(always)]
-    fn of_erfc(self) -> (f64, f64) {
-        match self {
-            Which::Erf => (1.0, -1.0),
-            Which::Erfc => (0.0, 1.0),
-            Which::Erfcm => (2.0, -1.0),
+        // erfc(−z) = 1 + erf z.
+        let sign = one.with_sign_of(x);
+        let left = sign.below(like(0.0));
+        Forms {
+            of_erf: (one, -sign),
+            of_erfc: (one - sign, sign),
+            reach: x.pick(left, like(f64::INFINITY), like(COMPLEMENT)),
         }
     }
 }
 
-/// `offset + sign · t 2^k`, `n = ROUND + k`; `true` if the two cancel.
+/// The function in the first quadrant, and where it holds.
 #[inline(always)]
-fn shifted((offset, sign): (f64, f64), t: Dd, n: f64) -> (f64, bool) {
-    if t.hi == 0.0 {
-        return (offset, false);
-    }
-    if offset == 0.0 || size(t.hi, n) > 200.0 {
-        return (times_power(sign * t.value(), n), false);
-    }
-    let t = pair_times_power(t, n);
-    let t = if sign < 0.0 { -t } else { t };
-    let sum = t.add_f(offset);
-    // The terms of t may have cancelled to a sixth before.
-    (sum.value(), sum.hi.abs() < 0.5 * offset)
-}
-
-/// `e^{−z²} (u − i v)` in double-double.
-struct Exact {
-    which: Which,
-    x: f64,
-    y: f64,
-    /// Exponents to subtract again.
-    down: (f64, f64),
-}
-
-impl Task for Exact {
-    type Output = (f64, f64);
-    #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
-        let Exact { which, x, y, down } = self;
-        let zero = match which {
-            Which::Erf => erf_zeros::near_zero_of_erf(x, y),
-            Which::Erfc => None,
-            Which::Erfcm => erf_zeros::near_zero_of_erfc(x, y),
-        };
-        let (c, s, n) = gaussian_exact(lanes, x, y);
-        if let Some((u, v)) = zero {
-            let (re, im, _) = product((c, s), (u, v));
-            let (p, q) = (re.hi.abs(), im.hi.abs());
-            if p.min(q) < vanishing_part(x, y) * p.max(q) {
-                return self.vanishing();
-            }
-            return (times_power(re.value(), n), times_power(im.value(), n));
+fn quadrant<P: Places>(
+    places: P,
+    forms: Forms<Number<P>>,
+    x: Number<P>,
+    y: Number<P>,
+) -> ([Number<P>; 2], Mask<P>) {
+    let like = |c: f64| x.like(c);
+    let r2 = x.fma(x, y * y);
+    let near = x.both(r2.below(like(odd_series::REACH)), x.below(forms.reach));
+    let finite = modulus_squared(x, y).below(like(HUGE));
+    let among = x.except(finite, near);
+    let (mut re, mut im, mut kept) = (x, y, finite);
+    if x.any(among) {
+        let ((x, x_down), (y, y_down)) = (lifted(x, y), lifted(y, x));
+        let beside = x.below(like(STRIP));
+        let (strip, away) = (x.both(among, beside), x.except(among, beside));
+        let mut factor = (Dd::ZERO.like(x), Dd::ZERO.like(x));
+        if x.any(strip) {
+            // i (c + i s)(p − i q), p + i q = (2/√π) F(y + i x).
+            factor = dawson_in_strip(places, y, x, strip);
         }
-        let (u, v) = w_exact(lanes, y, x);
-        let (product_re, im, _) = product((c, s), (u, -v));
-        let (offset, sign) = which.of_erfc();
-        let linear = x < STRIP && x * y < LINEAR;
-        let re = if linear {
-            // Re erf = (2/√π) x e^{y²} (1 − x²(2y² + 1)/3 + …), and c = e^{y²} (1 − x²(2y² + 1) +
-            // …); e^{−z²}w is far larger.
-            let linear = (c * TWO_OVER_SQRT_PI).mul_f(x);
-            let second = 2.0 / 3.0 * (x * x) * (2.0 * y).mul_add(y, 1.0);
-            let linear = linear.add_f(linear.hi * second);
-            shifted(which.of_erf(), linear, n - down.0).0
-        } else {
-            shifted((offset, sign), product_re, n - down.0).0
-        };
-        let (part, t) = (vanishing_part(x, y), turned(x, y));
-        let (u, v, e) = (u.hi.abs(), v.hi.abs(), c.hi.abs().max(s.hi.abs()));
-        let (re_terms, im_terms) = (e * t.mul_add(v, u), e * t.mul_add(u, v));
-        let within_range = (n - down.0).clamp(ROUND - 2040.0, ROUND + 900.0);
-        let im_value = times_power(sign * im.value(), n - down.1);
-        if linear {
-            let vanishes = re.abs() < part * which.of_erf().0;
-            return (if vanishes { self.linear() } else { re }, im_value);
+        if x.any(away) {
+            factor = pairs::w(places, y, x, away).or_else(away, factor);
         }
-        let vanishes = (product_re.hi.abs() < part * re_terms)
-            | (im.hi.abs() < part * im_terms)
-            | (re.abs() < part * offset.max(scaled(re_terms, within_range)));
-        if vanishes {
-            return self.vanishing();
-        }
-        (re, im_value)
-    }
-}
-
-impl Exact {
-    /// Where a component is too small beside its terms for double-double.
-    #[cold]
-    #[inline(never)]
-    fn vanishing(&self) -> (f64, f64) {
-        let (offset, sign) = self.which.of_erfc();
-        let (re, im) = long_relatives::erfc(self.x, self.y);
-        let (re, im) = if sign < 0.0 { (-re, -im) } else { (re, im) };
-        let re = Long::from(offset) + re;
-        let down = [self.down.0, self.down.1].map(|k| -(k as i64));
-        (re.scale(down[0]).value(), im.scale(down[1]).value())
-    }
-
-    /// The real part where that of erf is linear in x and next to 1.
-    #[cold]
-    #[inline(never)]
-    fn linear(&self) -> f64 {
-        let (offset, sign) = self.which.of_erf();
-        let re = long_relatives::re_erf(self.x, self.y).scale(-(self.down.0 as i64));
-        (Long::from(offset) + if sign < 0.0 { -re } else { re }).value()
-    }
-}
-
-/// The function in the first quadrant, `|z| < 10¹⁰⁰`.
-#[inline(always)]
-fn quadrant<L: Lanes>(lanes: L, which: Which, x: f64, y: f64) -> (f64, f64) {
-    let r2 = x.mul_add(x, y * y);
-    let near = if which == Which::Erfc {
-        x < COMPLEMENT
-    } else {
-        true
-    };
-    if r2 < odd_series::REACH && near {
-        let (re, im) = odd(odd_series::ERF, x, y);
-        let (offset, sign) = which.of_erf();
-        let (re, _) = shifted((offset, sign), re * TWO_OVER_SQRT_PI, ROUND);
-        return (re, sign * (im * TWO_OVER_SQRT_PI).value());
-    }
-    let ((x, x_down), (y, y_down)) = (lifted(x, y), lifted(y, x));
-    let exact = Exact {
-        which,
-        x,
-        y,
-        down: (x_down, y_down),
-    };
-    let (c, s, n) = gaussian(x, y);
-    let (re, im, form, any) = if x < STRIP {
-        // i (c + i s)(p − i q), p + i q = (2/√π) F(y + i x).
-        let (p, q) = dawson_in_strip(lanes, y, x);
-        let (a, b, any) = product((c, s), (p, -q));
-        (-b, a, which.of_erf(), any)
-    } else {
-        let (u, v) = w(lanes, y, x);
-        let (re, im, any) = product((c, s), (u, -v));
-        (re, im, which.of_erfc(), any)
-    };
-    let (re, cancelled) = shifted(form, re, n - x_down);
-    if any | cancelled {
-        return lanes.call(exact);
-    }
-    (re, times_power(form.1 * im.value(), n - y_down))
-}
-
-/// The function in the first quadrant at points that are huge or not finite.
-#[cold]
-#[inline(never)]
-fn limits(which: Which, x: f64, y: f64) -> (f64, f64) {
-    let (offset, sign) = which.of_erf();
-    let one = offset + sign;
-    if x.is_nan() || y.is_nan() {
-        // Real on the real axis; Re erf is zero on the imaginary axis.
-        let re = if x == 0.0 { offset } else { f64::NAN };
-        let im = if y == 0.0 { sign * y } else { f64::NAN };
-        return (re, im);
-    }
-    if x > y || y == 0.0 {
-        return (one, sign * 0.0);
-    }
-    if x == 0.0 {
-        return (offset, sign * f64::INFINITY);
-    }
-    if y.is_infinite() {
-        return (f64::NAN, f64::NAN);
-    }
-    // erfc ~ e^{−2ixy} (x − i y)/(√π r²), of modulus e^{y² − x²}/(√π r).
-    let (s, c) = circle(x, y);
-    if y > x {
-        // Exponents apart, so that nothing overflows; the signs are those of −erfc.
-        let ratio = x / y;
-        let re = c.hi.mul_add(ratio, -s.hi);
-        let im = -s.hi.mul_add(ratio, c.hi);
-        let sign = -sign;
-        return (
-            f64::INFINITY.copysign(sign * re),
-            f64::INFINITY.copysign(sign * im),
+        let (c, s, n) = gaussian(places, x, y);
+        let (a, b, lost) = product((c, s), (factor.0, -factor.1));
+        let (p, q) = (-b, a).or_else(strip, (a, b));
+        let form = (
+            x.pick(strip, forms.of_erf.0, forms.of_erfc.0),
+            x.pick(strip, forms.of_erf.1, forms.of_erfc.1),
         );
+        let (value, cancelled) = shifted(form, p, n - x_down);
+        re = value;
+        im = times_power(form.1 * q.value(), n - y_down);
+        kept = x.except(finite, x.both(among, x.or(lost, cancelled)));
     }
-    let size = 0.5 * INV_SQRT_PI.hi / x;
-    let re = (c + -s).value() * size;
-    let im = -(s + c).value() * size;
-    let (offset, sign) = which.of_erfc();
-    (offset + sign * re, sign * im)
+    if x.any(near) {
+        let (p, q) = odd(odd_series::ERF, x, y);
+        let factor = TWO_OVER_SQRT_PI.like(x);
+        let (value, _) = shifted(forms.of_erf, p * factor, like(ROUND));
+        re = x.pick(near, value, re);
+        im = x.pick(near, forms.of_erf.1 * (q * factor).value(), im);
+    }
+    ([re, im], kept)
 }
 
-/// Any point of the first quadrant, NaN included. On an axis erf is real or imaginary, and there
-/// its slope is positive, so that the zero has the sign of the other part.
+/// The same in double-double, where it holds: as [`alone`] away from zeros of components.
 #[inline(always)]
-fn anywhere<L: Lanes>(lanes: L, which: Which, x: f64, y: f64) -> (f64, f64) {
-    let (re, im) = if is_huge(x, y) {
-        limits(which, x, y)
-    } else {
-        quadrant(lanes, which, x, y)
-    };
-    let (offset, sign) = which.of_erf();
+fn in_pairs<P: Places>(
+    places: P,
+    forms: Forms<Number<P>>,
+    x: Number<P>,
+    y: Number<P>,
+) -> ([Number<P>; 2], Mask<P>) {
+    let like = |c: f64| x.like(c);
+    let ((x, x_down), (y, y_down)) = (lifted(x, y), lifted(y, x));
+    let usual = x.both(
+        x.at_least(y).below(like(IN_PAIRS[0])),
+        exponent(x, y).hi.magnitude().below(like(IN_PAIRS[1])),
+    );
+    let linear = x.both(x.below(like(STRIP)), (x * y).below(like(LINEAR)));
+    let (c, s, n) = gaussian_in_pairs(places, x, y);
+    let (u, v) = upper(places, y, x);
+    let (p, q, _) = product((c, s), (u, -v));
+    let (offset, sign) = forms.of_erfc;
+    let (re, _) = shifted((offset, sign), p, n - x_down);
+    let im = times_power(sign * q.value(), n - y_down);
+    let e = c.hi.magnitude().at_least(s.hi.magnitude());
+    let terms = like(VANISHING) * e * (u.hi.magnitude() + v.hi.magnitude());
+    let small = x.or(
+        p.hi.magnitude().below(terms),
+        x.or(
+            q.hi.magnitude().below(terms),
+            re.magnitude().below(like(VANISHING) * offset),
+        ),
+    );
+    // Beside an offset that cancels, the sum may be small beside the terms.
+    let sum = x.both(
+        like(0.0).below(offset),
+        re.magnitude()
+            .below(like(VANISHING) * scaled(terms, (n - x_down).at_most(like(ROUND + 900.0)))),
+    );
     (
-        if x == 0.0 { offset } else { re },
-        if y == 0.0 { sign * 0.0 } else { im },
+        [re, im],
+        x.except(x.except(usual, linear), x.or(small, sum)),
     )
 }
 
-/// erf z.
-struct Erf(f64, f64);
-
-impl Task for Erf {
-    type Output = (f64, f64);
+impl Function<2, 2> for ErrorFunction {
     #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
-        let (re, im) = anywhere(lanes, Which::Erf, self.0.abs(), self.1.abs());
-        (with_sign_of(re, self.0), with_sign_of(im, self.1))
+    fn class<R: Masked>(self, [x, y]: [R; 2]) -> R {
+        let (a, b) = (x.magnitude(), y.magnitude());
+        let near = a.fma(a, b * b).below(x.like(odd_series::REACH));
+        x.pick(near, x.like(ROUND + 15.0), Formulas::class(b, a))
+    }
+
+    #[inline(always)]
+    fn value<P: Places>(self, places: P, [x, y]: [Number<P>; 2]) -> ([Number<P>; 2], Mask<P>) {
+        let forms = self.forms(x);
+        let (parts, kept) = quadrant(places, forms, x.magnitude(), y.magnitude());
+        (self.anywhere(forms, [x, y], parts), kept)
+    }
+
+    #[inline(always)]
+    fn again<P: Places>(self, places: P, [x, y]: [Number<P>; 2]) -> ([Number<P>; 2], Mask<P>) {
+        let forms = self.forms(x);
+        let (parts, kept) = in_pairs(places, forms, x.magnitude(), y.magnitude());
+        (self.anywhere(forms, [x, y], parts), kept)
+    }
+
+    #[inline(always)]
+    fn alone<L: Lanes>(self, lanes: L, [x, y]: [f64; 2]) -> [f64; 2] {
+        let (a, b) = (x.abs(), y.abs());
+        let which = match (self.complement, x.is_sign_negative()) {
+            (false, _) => Which::Erf,
+            (true, false) => Which::Erfc,
+            (true, true) => Which::Erfcm,
+        };
+        let (re, im) = alone(lanes, which, a, b);
+        self.anywhere(self.forms(x), [x, y], [re, im])
     }
 }
 
-/// erfc z.
-struct Erfc(f64, f64);
-
-impl Task for Erfc {
-    type Output = (f64, f64);
+impl ErrorFunction {
+    /// The value at any point from that in the first quadrant. On an axis erf is real or imaginary,
+    /// and there its slope is positive, so that the zero has the sign of the other part.
     #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
-        let left = self.0.is_sign_negative();
-        let which = if left { Which::Erfcm } else { Which::Erfc };
-        let (re, im) = anywhere(lanes, which, self.0.abs(), self.1.abs());
-        // erfc(−z) = 1 + erf z.
-        (
-            re,
-            if left != self.1.is_sign_negative() {
-                -im
-            } else {
-                im
-            },
-        )
+    fn anywhere<R: Masked>(self, forms: Forms<R>, [x, y]: [R; 2], [re, im]: [R; 2]) -> [R; 2] {
+        let (offset, sign) = forms.of_erf;
+        let re = x.pick(is_zero(x), offset, re);
+        let im = x.pick(is_zero(y), sign * x.like(0.0), im);
+        if self.complement {
+            // erfc(−z) = 1 + erf z.
+            [re, im.with_sign_of(x).with_sign_of(y)]
+        } else {
+            [re.with_sign_of(x), im.with_sign_of(y)]
+        }
+    }
+}
+
+pub(super) const ERF: ErrorFunction = ErrorFunction { complement: false };
+pub(super) const ERFC: ErrorFunction = ErrorFunction { complement: true };
+
+/// erfi.
+#[derive(Clone, Copy)]
+pub(super) struct Turned;
+
+impl Function<2, 2> for Turned {
+    #[inline(always)]
+    fn class<R: Masked>(self, [x, y]: [R; 2]) -> R {
+        ERF.class([y, x])
+    }
+    #[inline(always)]
+    fn value<P: Places>(self, places: P, [x, y]: [Number<P>; 2]) -> ([Number<P>; 2], Mask<P>) {
+        let ([re, im], kept) = ERF.value(places, [-y, x]);
+        ([im, -re], kept)
+    }
+    #[inline(always)]
+    fn again<P: Places>(self, places: P, [x, y]: [Number<P>; 2]) -> ([Number<P>; 2], Mask<P>) {
+        let ([re, im], kept) = ERF.again(places, [-y, x]);
+        ([im, -re], kept)
+    }
+    #[inline(always)]
+    fn alone<L: Lanes>(self, lanes: L, [x, y]: [f64; 2]) -> [f64; 2] {
+        let [re, im] = ERF.alone(lanes, [-y, x]);
+        [im, -re]
     }
 }
 
@@ -326,8 +270,28 @@ impl Task for Erfc {
 /// assert!((f.im / 18.564802414575553 - 1.0).abs() < 1e-15);
 /// ```
 pub fn erf(z: Complex<f64>) -> Complex<f64> {
-    let (re, im) = with_best(Erf(z.re, z.im));
-    Complex::new(re, im)
+    at_one(ERF, z)
+}
+
+/// [`erf`] at many points, several times as fast; the values have the same bits.
+///
+/// # Errors
+/// [`LengthMismatch`] if the slices differ in length; nothing is written then.
+///
+/// ```
+/// use mechaudit_solvers::faddeeva::{erf, erf_batch};
+/// use num_complex::Complex;
+///
+/// let z = [Complex::new(0.5, 1.0), Complex::new(3.0, -2.0)];
+/// let mut f = [Complex::default(); 2];
+/// erf_batch(&z, &mut f)?;
+/// assert_eq!(f, z.map(erf));
+/// # Ok::<(), mechaudit_solvers::faddeeva::LengthMismatch>(())
+/// ```
+pub fn erf_batch(z: &[Complex<f64>], f: &mut [Complex<f64>]) -> Result<(), LengthMismatch> {
+    same_length(z.len(), [f.len()])?;
+    at_all(ERF, z, f);
+    Ok(())
 }
 
 /// The complementary error function `erfc z = 1 − erf z = e^{−z²} w(iz)` (DLMF 7.2.2, 7.2.3), on
@@ -351,8 +315,28 @@ pub fn erf(z: Complex<f64>) -> Complex<f64> {
 /// assert!((f.re / 5.395865611607901e-176 - 1.0).abs() < 1e-15);
 /// ```
 pub fn erfc(z: Complex<f64>) -> Complex<f64> {
-    let (re, im) = with_best(Erfc(z.re, z.im));
-    Complex::new(re, im)
+    at_one(ERFC, z)
+}
+
+/// [`erfc`] at many points, several times as fast; the values have the same bits.
+///
+/// # Errors
+/// [`LengthMismatch`] if the slices differ in length; nothing is written then.
+///
+/// ```
+/// use mechaudit_solvers::faddeeva::{erfc, erfc_batch};
+/// use num_complex::Complex;
+///
+/// let z = [Complex::new(0.5, 1.0), Complex::new(3.0, -2.0)];
+/// let mut f = [Complex::default(); 2];
+/// erfc_batch(&z, &mut f)?;
+/// assert_eq!(f, z.map(erfc));
+/// # Ok::<(), mechaudit_solvers::faddeeva::LengthMismatch>(())
+/// ```
+pub fn erfc_batch(z: &[Complex<f64>], f: &mut [Complex<f64>]) -> Result<(), LengthMismatch> {
+    same_length(z.len(), [f.len()])?;
+    at_all(ERFC, z, f);
+    Ok(())
 }
 
 /// The imaginary error function `erfi z = −i erf(iz) = (2/√π) e^{z²} F(z)` (DLMF 7.5.1), on the
@@ -369,6 +353,26 @@ pub fn erfc(z: Complex<f64>) -> Complex<f64> {
 /// assert!((f.re / 1.6504257587975428 - 1.0).abs() < 1e-15 && f.im == 0.0);
 /// ```
 pub fn erfi(z: Complex<f64>) -> Complex<f64> {
-    let (re, im) = with_best(Erf(-z.im, z.re));
-    Complex::new(im, -re)
+    at_one(Turned, z)
+}
+
+/// [`erfi`] at many points, several times as fast; the values have the same bits.
+///
+/// # Errors
+/// [`LengthMismatch`] if the slices differ in length; nothing is written then.
+///
+/// ```
+/// use mechaudit_solvers::faddeeva::{erfi, erfi_batch};
+/// use num_complex::Complex;
+///
+/// let z = [Complex::new(0.5, 1.0), Complex::new(3.0, -2.0)];
+/// let mut f = [Complex::default(); 2];
+/// erfi_batch(&z, &mut f)?;
+/// assert_eq!(f, z.map(erfi));
+/// # Ok::<(), mechaudit_solvers::faddeeva::LengthMismatch>(())
+/// ```
+pub fn erfi_batch(z: &[Complex<f64>], f: &mut [Complex<f64>]) -> Result<(), LengthMismatch> {
+    same_length(z.len(), [f.len()])?;
+    at_all(Turned, z, f);
+    Ok(())
 }

@@ -2,9 +2,11 @@
 
 use super::lengths::{LengthMismatch, same_length};
 use super::many::all;
+use super::places::One;
 use super::plane;
 use super::points::{Interleaved, Points};
-use super::quadrant::{derivative, exp_wide, gaussian, pair_times_power, times_power};
+use super::quadrant::{exp_wide, gaussian, pair_times_power, times_power};
+use super::slope::derivative;
 use crate::exponential::exponent;
 use crate::hex::hex;
 use crate::lanes::{Lanes, Task, with_best};
@@ -60,7 +62,7 @@ impl Task for Flat {
         let (re, im) = plane::w(lanes, -self.1, self.0);
         let (a, b) = (self.1.abs(), real::scaled(-self.0, real::ROUND + UP));
         let (e, n) = exp_wide(exponent(a, 0.0));
-        let (_, slope, _) = derivative(lanes, a, 0.0);
+        let ((_, slope), _) = derivative(One(lanes), a, 0.0, true);
         let gaussian = pair_times_power(e, n + UP);
         let sum = gaussian + slope.mul_f(b);
         if sum.hi.abs() < CANCELLED * gaussian.hi {
@@ -81,7 +83,7 @@ impl Task for Tiny {
         let down = 300.0;
         if x < -27.0 {
             // 2 e^{z²} is all of it; Re erfcx has overflowed.
-            let (_, s, n) = gaussian(y.abs(), x);
+            let (_, s, n) = gaussian(One(lanes), y.abs(), x);
             let im = times_power(s.value(), n + (1.0 - down));
             return (f64::INFINITY, if y.is_sign_negative() { im } else { -im });
         }

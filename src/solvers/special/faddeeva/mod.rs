@@ -68,9 +68,11 @@ mod constants;
 mod dawson;
 mod derivative;
 mod erf;
+mod erf_exact;
 mod erf_zeros;
 mod erfcx;
 mod extended;
+mod groups;
 mod lengths;
 mod long;
 mod long_functions;
@@ -93,6 +95,7 @@ mod reflection;
 mod relatives_tables;
 mod rows;
 mod seams;
+mod slope;
 mod special;
 #[rustfmt::skip]
 #[allow(clippy::all)]
@@ -107,8 +110,8 @@ pub use branch::Branch;
 pub use seams::{LIMITS_OF_VOIGT, LIMITS_OF_VOIGT_HWHM, SEAMS, SEAMS_OF_RELATIVES, Seams};
 
 pub use dawson::{dawson, dawson_batch};
-pub use derivative::w_derivative;
-pub use erf::{erf, erfc, erfi};
+pub use derivative::{w_derivative, w_derivative_batch};
+pub use erf::{erf, erf_batch, erfc, erfc_batch, erfi, erfi_batch};
 pub use erfcx::{erfcx, erfcx_batch};
 pub use lengths::LengthMismatch;
 pub use real_argument::{

@@ -67,55 +67,57 @@ const DAWSON_TERMS: [f64; 18] = {
 
 /// The coefficient and what it lacks by a number in two parts.
 #[inline(always)]
-fn by((c, low): (f64, f64), x: Dd) -> Dd {
+fn by<R: Real>((c, low): (f64, f64), x: Dd<R>) -> Dd<R> {
+    let (c, low) = (x.hi.like(c), x.hi.like(low));
     let p = two_prod(c, x.hi);
-    Dd::new(p.hi, c.mul_add(x.lo, low * x.hi) + p.lo)
+    Dd::new(p.hi, c.fma(x.lo, low * x.hi) + p.lo)
 }
 
 /// A sum that is not renormalised: enough digits beside a rest of the series in double precision.
 #[inline(always)]
-fn sum(a: Dd, b: Dd) -> Dd {
+fn sum<R: Real>(a: Dd<R>, b: Dd<R>) -> Dd<R> {
     let s = two_sum(a.hi, b.hi);
     Dd::new(s.hi, s.lo + (a.lo + b.lo))
 }
 
 /// `b − 3a`: `x² − 3y²` and, negated, `3x² − y²`.
 #[inline(always)]
-fn triple(a: Dd, b: Dd) -> Dd {
-    let p = two_prod(-3.0, a.hi);
-    sum(Dd::new(p.hi, (-3.0f64).mul_add(a.lo, p.lo)), b)
+fn triple<R: Real>(a: Dd<R>, b: Dd<R>) -> Dd<R> {
+    let minus = a.hi.like(-3.0);
+    let p = two_prod(minus, a.hi);
+    sum(Dd::new(p.hi, minus.fma(a.lo, p.lo)), b)
 }
 
 /// `s = 2(x² − y²)` and `t = (x² + y²)²` of the recurrence, rounded, with what they are rounded
 /// from.
 #[derive(Clone, Copy)]
-struct Powers {
-    s: f64,
-    p: Dd,
-    t: f64,
-    rr: Dd,
+struct Powers<R> {
+    s: R,
+    p: Dd<R>,
+    t: R,
+    rr: Dd<R>,
 }
 
-impl Powers {
+impl<R: Real> Powers<R> {
     /// `x (1 + c₁h + c₂(hs − t) + …)`: the real part with `h = x² − 3y²`, the imaginary one with y
     /// for x and `h = 3x² − y²`.
     #[inline(always)]
     fn part<const N: usize>(
         self,
-        x: f64,
-        h: Dd,
+        x: R,
+        h: Dd<R>,
         (c, low): (&[f64; N], [f64; 2]),
-        [first, second]: [f64; 2],
-    ) -> Dd {
+        [first, second]: [R; 2],
+    ) -> Dd<R> {
         let hs = two_prod(h.hi, self.s);
         let hs = Dd::new(
             hs.hi,
-            h.lo.mul_add(self.s, 2.0 * (h.hi * self.p.lo)) + hs.lo,
+            h.lo.fma(self.s, x.like(2.0) * (h.hi * self.p.lo)) + hs.lo,
         );
-        let one = sum(Dd::from(1.0), by((c[1], low[0]), h));
+        let one = sum(Dd::from(1.0).like(x), by((c[1], low[0]), h));
         let two = by((c[2], low[1]), sum(hs, -self.rr));
         let three = sum(one, two);
-        let rest = h.hi.mul_add(first, -(self.t * second));
+        let rest = h.hi.fma(first, -(self.t * second));
         two_sum(three.hi, three.lo + rest).mul_f(x)
     }
 }
@@ -124,25 +126,30 @@ impl Powers {
 /// leave of one another: they are taken in double-double, the rest of the series in double
 /// precision.
 #[inline(always)]
-pub(super) fn odd<const N: usize>((c, low): (&[f64; N], [f64; 2]), x: f64, y: f64) -> (Dd, Dd) {
+pub(super) fn odd<R: Real, const N: usize>(
+    (c, low): (&[f64; N], [f64; 2]),
+    x: R,
+    y: R,
+) -> (Dd<R>, Dd<R>) {
+    let like = |c: f64| x.like(c);
     let (xx, yy) = (two_prod(x, x), two_prod(y, y));
     let (p, r) = (sum(xx, -yy), sum(xx, yy));
-    let s = 2.0 * p.hi;
+    let s = like(2.0) * p.hi;
     let t = r.hi * r.hi;
-    let (mut b1, mut b2) = (c[N - 1], 0.0);
+    let (mut b1, mut b2) = (like(c[N - 1]), like(0.0));
     let mut k = N - 1;
     while k > 3 {
         k -= 1;
-        let next = s.mul_add(b1, (-t).mul_add(b2, c[k]));
+        let next = s.fma(b1, (-t).fma(b2, like(c[k])));
         b2 = b1;
         b1 = next;
     }
     // The next one is c₂ + second, and c₁ + sc₂ + first the one after it.
-    let second = s.mul_add(b1, -(t * b2));
-    let first = s.mul_add(second, -(t * b1));
+    let second = s.fma(b1, -(t * b2));
+    let first = s.fma(second, -(t * b1));
     // (x² + y²)² with its rounding errors.
     let rr = two_prod(r.hi, r.hi);
-    let rr = Dd::new(rr.hi, (2.0 * r.hi).mul_add(r.lo, rr.lo));
+    let rr = Dd::new(rr.hi, (like(2.0) * r.hi).fma(r.lo, rr.lo));
     let powers = Powers { s, p, t, rr };
     let (c, rest) = ((c, low), [first, second]);
     (

@@ -1,8 +1,10 @@
 //! W in the closed first quadrant as pairs of numbers, at one point or at several side by side.
 
 use super::asymptotic::series;
-use super::branch::{ENDS_OF_PAIRS, FINE, ROWS_ON_REAL_AXIS, STRIP, STRIP_ENDS, modulus_squared};
-use super::places::{Mask, Number, Places, by_ends};
+use super::branch::{
+    ENDS_OF_PAIRS, FINE, HUGE, ROWS_ON_REAL_AXIS, STRIP, STRIP_ENDS, modulus_squared,
+};
+use super::places::{Choose, Mask, Number, Places, by_ends};
 use super::plane::from_erfcx;
 use super::rows::{
     cell, cell_row, dawson_row, imaginary_axis_row, on_axis, on_axis_of_dawson, on_real_axis,
@@ -10,7 +12,7 @@ use super::rows::{
 };
 use crate::double_double::Dd;
 use crate::exponential::{exp_minus_square, pair_times_power};
-use crate::real::{Masked, Real};
+use crate::real::{Masked, ROUND, Real};
 
 /// Real and imaginary part.
 pub(super) type Parts<R> = (Dd<R>, Dd<R>);
@@ -58,8 +60,61 @@ pub(super) fn far<R: Masked>(a: R, b: R, among: R::Mask) -> Parts<R> {
     )
 }
 
+/// Where each formula for the pairs holds. Beside either axis w is expanded about centres on it.
+pub(super) struct Formulas<M> {
+    pub in_cell: M,
+    pub on_imaginary: M,
+    pub on_real: M,
+    /// The asymptotic series, with `e^{−z²}` in the strip beside the real axis.
+    pub beyond: M,
+    pub strip: M,
+}
+
+impl<M: Copy> Formulas<M> {
+    /// The formulas at `a + i b`, `a, b ≥ 0`, in the places `among`.
+    #[inline(always)]
+    pub(super) fn of<R: Masked<Mask = M>>(a: R, b: R, among: M) -> Formulas<M> {
+        let like = |c: f64| a.like(c);
+        let r2 = modulus_squared(a, b);
+        let below = |end: f64| r2.below(like(end));
+        let beside = a.both(among, b.below(like(STRIP)));
+        let strip = a.except(a.both(beside, below(STRIP_ENDS[1])), below(STRIP_ENDS[0]));
+        let on_real = a.both(strip, below(ROWS_ON_REAL_AXIS[1]));
+        let near = a.except(a.both(among, below(ENDS_OF_PAIRS[0])), strip);
+        let width = a.pick(
+            a.at_least(b).below(like(FINE)),
+            like(STRIP),
+            like(2.0 * STRIP),
+        );
+        let on_imaginary = a.both(near, a.below(width));
+        let beyond = a.except(a.except(among, near), on_real);
+        Formulas {
+            in_cell: a.except(near, on_imaginary),
+            on_imaginary,
+            on_real,
+            beyond,
+            strip: a.both(beyond, strip),
+        }
+    }
+
+    /// Five classes of distances, and of each those beside the imaginary and beside the real axis:
+    /// `ROUND` plus a number below 15 by which points with the same formula can be brought
+    /// together.
+    #[inline(always)]
+    pub(super) fn class<R: Masked<Mask = M>>(a: R, b: R) -> R {
+        let like = |c: f64| a.like(c);
+        let r2 = modulus_squared(a, b);
+        let mut ring = like(ROUND);
+        for end in [ENDS_OF_PAIRS[0], ENDS_OF_PAIRS[1], ENDS_OF_PAIRS[2], HUGE] {
+            ring = ring + a.pick(r2.below(like(end)), like(0.0), like(1.0));
+        }
+        let side = a.pick(a.below(like(2.0 * STRIP)), like(5.0), like(0.0));
+        ring + a.pick(b.below(like(STRIP)), like(10.0), side)
+    }
+}
+
 /// `(Re w, Im w)` at `a + i b`, `a, b ≥ 0`, `|z| < 10¹⁰⁰`, in the places `among`; elsewhere
-/// anything. Beside either axis w is expanded about centres on it.
+/// anything.
 #[inline(always)]
 pub(super) fn w<P: Places>(
     places: P,
@@ -67,52 +122,33 @@ pub(super) fn w<P: Places>(
     b: Number<P>,
     among: Mask<P>,
 ) -> Parts<Number<P>> {
-    use super::places::Choose;
-
-    let like = |c: f64| a.like(c);
-    let r2 = modulus_squared(a, b);
-    let below = |end: f64| r2.below(like(end));
-    // The strip beside the real axis, where it has formulas of its own.
-    let beside = a.both(among, b.below(like(STRIP)));
-    let strip = a.except(a.both(beside, below(STRIP_ENDS[1])), below(STRIP_ENDS[0]));
-    let on_real = a.both(strip, below(ROWS_ON_REAL_AXIS[1]));
-    let near = a.except(a.both(among, below(ENDS_OF_PAIRS[0])), strip);
-    let width = a.pick(
-        a.at_least(b).below(like(FINE)),
-        like(STRIP),
-        like(2.0 * STRIP),
-    );
-    let on_imaginary = a.both(near, a.below(width));
-    let in_cell = a.except(near, on_imaginary);
-    let beyond = a.except(a.except(among, near), on_real);
-
+    let formulas = Formulas::of(a, b, among);
     let mut value = Choose::none(a);
-    if a.any(in_cell) {
+    if a.any(formulas.in_cell) {
         let [n, dx, dy] = cell(a, b);
         value = places
             .complex_rows(cell_row, n, (dx, dy))
-            .or_else(in_cell, value);
+            .or_else(formulas.in_cell, value);
     }
-    if a.any(on_imaginary) {
+    if a.any(formulas.on_imaginary) {
         let (n, t) = on_axis(b);
         let parts = from_erfcx(a, places.real_rows(imaginary_axis_row, n, (t, a)));
-        value = parts.or_else(on_imaginary, value);
+        value = parts.or_else(formulas.on_imaginary, value);
     }
-    if a.any(on_real) {
+    if a.any(formulas.on_real) {
         let (n, t) = on_real_axis(a);
         value = places
             .complex_rows(real_axis_row, n, (t, b))
-            .or_else(on_real, value);
+            .or_else(formulas.on_real, value);
     }
-    if a.any(beyond) {
-        let (u, v) = far(a, b, beyond);
-        let with_exponential = a.both(beyond, strip);
+    if a.any(formulas.beyond) {
+        let (u, v) = far(a, b, formulas.beyond);
         let mut parts = (u, v);
-        if a.any(with_exponential) {
+        if a.any(formulas.strip) {
             let (c, _, n) = exp_minus_square(a, b);
-            parts = (u + pair_times_power(c, n), v).or_else(with_exponential, parts);
+            parts = (u + pair_times_power(c, n), v).or_else(formulas.strip, parts);
         }
-        value = parts.or_else(beyond, value);
+        value = parts.or_else(formulas.beyond, value);
     }
     value
 }

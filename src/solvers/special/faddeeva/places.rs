@@ -1,19 +1,22 @@
 //! One point, or several side by side: how formulas that are written for both find rows of tables.
 
+use super::slope::{derived, derived_real};
 use super::taylor::{ComplexRow, RealRow, axis_row, complex_row, real_row};
 use crate::double_double::Dd;
 use crate::lanes::Lanes;
+use crate::numbers::Numbers;
+pub(super) use crate::numbers::One;
 use crate::real::{Masked, Real};
 
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 use super::taylor::{OnRows, axis_rows, real_rows};
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
+pub(super) use crate::numbers::Several;
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 use crate::pack::{Pack, Wide};
 
 /// One point or several.
-pub(super) trait Places: Copy {
-    /// A number for each.
-    type Number: Masked;
+pub(super) trait Places: Numbers {
     /// [`axis_row`] at each, `t` from the centre of the row that belongs to the number in `n`.
     fn axis_rows(
         self,
@@ -35,18 +38,30 @@ pub(super) trait Places: Copy {
         n: Self::Number,
         delta: (Self::Number, Self::Number),
     ) -> (Dd<Self::Number>, Dd<Self::Number>);
-    /// The values where the mask is true, and `f` of the places elsewhere.
-    fn replaced<const N: usize>(
+    /// The derivatives of [`complex_rows`](Places::complex_rows) as far as its rows go, from the
+    /// distance to the centre and this, and the next coefficients.
+    fn complex_slopes(
         self,
-        mask: <Self::Number as Real>::Mask,
-        values: Self::Number,
-        arguments: [Self::Number; N],
-        f: impl Fn([f64; N]) -> f64,
-    ) -> Self::Number;
+        row: impl Fn(f64) -> &'static ComplexRow,
+        n: Self::Number,
+        centre: (Self::Number, Self::Number),
+        delta: (Self::Number, Self::Number),
+    ) -> Slopes<Self::Number>;
+    /// The derivatives of [`real_rows`](Places::real_rows).
+    fn real_slopes(
+        self,
+        row: impl Fn(f64) -> &'static RealRow,
+        n: Self::Number,
+        centre: Self::Number,
+        delta: (Self::Number, Self::Number),
+    ) -> (Dd<Self::Number>, Dd<Self::Number>);
 }
 
+/// Real and imaginary part, and three coefficients.
+type Slopes<R> = ((Dd<R>, Dd<R>), [(R, R); 3]);
+
 /// The number at one point or several.
-pub(super) type Number<P> = <P as Places>::Number;
+pub(super) type Number<P> = <P as Numbers>::Number;
 /// Where something holds.
 pub(super) type Mask<P> = <Number<P> as Real>::Mask;
 
@@ -103,12 +118,7 @@ macro_rules! by_ends {
 }
 pub(super) use by_ends;
 
-/// One point.
-#[derive(Clone, Copy)]
-pub(super) struct One<L>(pub L);
-
 impl<L: Lanes> Places for One<L> {
-    type Number = f64;
     #[inline(always)]
     fn axis_rows(self, row: impl Fn(f64) -> &'static RealRow, n: f64, t: f64) -> Dd {
         axis_row(self.0, row(n), t)
@@ -132,21 +142,27 @@ impl<L: Lanes> Places for One<L> {
         complex_row(self.0, row(n), dx, dy)
     }
     #[inline(always)]
-    fn replaced<const N: usize>(
+    fn complex_slopes(
         self,
-        mask: bool,
-        value: f64,
-        arguments: [f64; N],
-        f: impl Fn([f64; N]) -> f64,
-    ) -> f64 {
-        if mask { value } else { f(arguments) }
+        row: impl Fn(f64) -> &'static ComplexRow,
+        n: f64,
+        centre: (f64, f64),
+        (dx, dy): (f64, f64),
+    ) -> Slopes<f64> {
+        let (row, next) = derived(row(n), centre);
+        (complex_row(self.0, &row, dx, dy), next)
+    }
+    #[inline(always)]
+    fn real_slopes(
+        self,
+        row: impl Fn(f64) -> &'static RealRow,
+        n: f64,
+        centre: f64,
+        (t, b): (f64, f64),
+    ) -> (Dd, Dd) {
+        real_row(self.0, &derived_real(row(n), centre), t, b)
     }
 }
-
-/// As many points as a vector has places.
-#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
-#[derive(Clone, Copy)]
-pub(super) struct Several<S>(pub S);
 
 /// The rows of as many points as there are.
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
@@ -162,7 +178,6 @@ fn rows_of<S: Wide, T: 'static>(n: Pack<S>, row: impl Fn(f64) -> &'static T) -> 
 
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 impl<S: Wide> Places for Several<S> {
-    type Number = Pack<S>;
     #[inline(always)]
     fn axis_rows(
         self,
@@ -192,24 +207,41 @@ impl<S: Wide> Places for Several<S> {
         OnRows { rows, dx, dy }.unevaluated(self.0)
     }
     #[inline(always)]
-    fn replaced<const N: usize>(
+    fn complex_slopes(
         self,
-        mask: S::m64s,
-        values: Pack<S>,
-        arguments: [Pack<S>; N],
-        f: impl Fn([f64; N]) -> f64,
-    ) -> Pack<S> {
-        if values.all(mask) {
-            return values;
-        }
-        let kept = values.pick(mask, values.like(1.0), values.like(0.0));
-        let (kept, arguments) = (kept.array(), arguments.map(Pack::array));
-        let mut values = values.array();
+        row: impl Fn(f64) -> &'static ComplexRow,
+        n: Pack<S>,
+        centre: (Pack<S>, Pack<S>),
+        (dx, dy): (Pack<S>, Pack<S>),
+    ) -> Slopes<Pack<S>> {
+        let (rows, x, y) = (rows_of(n, row), centre.0.array(), centre.1.array());
+        let mut slopes = [const { ComplexRow([0.0; 40]) }; 8];
+        let mut next = [[[0.0; 8]; 2]; 3];
         for m in 0..S::WIDTH {
-            if kept[m] == 0.0 {
-                values[m] = f(arguments.map(|a| a[m]));
+            let (row, more) = derived(rows[m], (x[m], y[m]));
+            slopes[m] = row;
+            for (next, (re, im)) in next.iter_mut().zip(more) {
+                (next[0][m], next[1][m]) = (re, im);
             }
         }
-        Pack::load(self.0, &values, 0)
+        let rows = slopes.each_ref().map(|r| &r.0);
+        let parts = OnRows { rows, dx, dy }.unevaluated(self.0);
+        let load = |x: &[f64; 8]| Pack::load(self.0, x, 0);
+        (parts, next.map(|[re, im]| (load(&re), load(&im))))
+    }
+    #[inline(always)]
+    fn real_slopes(
+        self,
+        row: impl Fn(f64) -> &'static RealRow,
+        n: Pack<S>,
+        centre: Pack<S>,
+        (t, b): (Pack<S>, Pack<S>),
+    ) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
+        let (rows, centre) = (rows_of(n, row), centre.array());
+        let mut slopes = [const { RealRow([0.0; 20]) }; 8];
+        for m in 0..S::WIDTH {
+            slopes[m] = derived_real(rows[m], centre[m]);
+        }
+        real_rows(self.0, &slopes.each_ref().map(|r| &r.0), t, b)
     }
 }

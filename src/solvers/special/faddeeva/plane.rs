@@ -10,6 +10,7 @@ use super::branch::{
 };
 use super::long_w::{self, turned, vanishing_part};
 use super::maclaurin::{self, nine_terms, twenty_one_terms};
+use super::places::One;
 use super::reflection::{
     ALONE, DOMINANT, NEGLIGIBLE, close, decay, exponential_dominates, image_dominates, negligible,
     reflect,
@@ -111,7 +112,7 @@ impl Task for Cancelled {
     fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
         let Cancelled { a, b } = self;
         let (re, im, e) = if a.max(b) < 4096.0 {
-            trapezoidal::lower(lanes, a, b)
+            trapezoidal::lower(One(lanes), a, b)
         } else {
             large(lanes, a, b)
         };

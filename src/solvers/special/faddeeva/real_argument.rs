@@ -109,7 +109,8 @@ impl Function for Erfcx {
                 value = x.pick(alone, scaled(e.value(), n + like(1.0)), value);
             }
         }
-        places.replaced(finite, value, [x], limit_of_erfcx)
+        let [value] = places.replaced(finite, [value], [x], |at| [limit_of_erfcx(at)]);
+        value
     }
 }
 

@@ -18,12 +18,14 @@
 //! M = (r² − τ)² + 4τy²,   τ = t²,   a = (2h/π) e^{−τ}
 //! ```
 
+use super::places::Choose;
 use super::tables::{TRAPEZOIDAL_NODES, TRAPEZOIDAL_WEIGHTS};
 use crate::double_double::{Dd, two_prod};
 use crate::double_double_functions::exp_minus_square;
 use crate::hex::hex;
 use crate::lanes::{Lanes, Task};
-use crate::real::{ROUND, scaled};
+use crate::numbers::{Numbers, One};
+use crate::real::{ROUND, Real, scaled};
 
 /// Nodes of each rule.
 pub(super) const NODES: usize = 24;
@@ -39,81 +41,154 @@ pub(super) const CONSTANTS: (Dd, Dd) = (TWO_PI, TWO_PI_OVER_PER);
 const STEPS: f64 = 64.0;
 const PER: f64 = 23.0;
 
-/// The sums over the nodes, without the factors `y` and `x`.
+/// The second number where the mask is true, else the first.
 #[inline(always)]
-fn sums(rule: usize, r2: Dd, y2: Dd) -> (Dd, Dd) {
-    let (tau, a) = (&TRAPEZOIDAL_NODES[rule], &TRAPEZOIDAL_WEIGHTS[rule]);
-    let zero = [0.0f64; LANES];
-    let (mut ph, mut pl, mut mh, mut ml) = (zero, zero, zero, zero);
+fn either<R: Real>(second: R::Mask, like: R, [a, b]: [f64; 2]) -> R {
+    like.pick(second, like.like(b), like.like(a))
+}
+
+#[inline(always)]
+fn total<R: Real>(parts: [Dd<R>; LANES]) -> Dd<R> {
+    let zero = Dd::ZERO.like(parts[0].hi);
+    let mut sum = zero;
+    for part in parts {
+        sum = sum + part;
+    }
+    sum
+}
+
+/// The sums over the nodes of the second rule where the mask is true, else of the first, without
+/// the factors `y` and `x`.
+#[inline(always)]
+fn sums<R: Real>(second: R::Mask, r2: Dd<R>, y2: Dd<R>) -> (Dd<R>, Dd<R>) {
+    let x = r2.hi;
+    let ([t0, t1], [w0, w1]) = (&TRAPEZOIDAL_NODES, &TRAPEZOIDAL_WEIGHTS);
+    let zero = Dd::ZERO.like(x);
+    let mut plus = [zero; LANES];
+    let mut minus = [zero; LANES];
     for chunk in 0..NODES / LANES {
         for j in 0..LANES {
             let k = chunk * LANES + j;
-            let t = tau[k];
+            let t = either(second, x, [t0[k], t1[k]]);
+            let high = either(second, x, [w0[0][k], w1[0][k]]);
+            let low = either(second, x, [w0[1][k], w1[1][k]]);
             let less = r2.add_f(-t);
-            let m = less.square() + y2.mul_f(4.0 * t);
-            let q = Dd::new(a[0][k], a[1][k]).div(m);
-            let plus = Dd::new(ph[j], pl[j]) + q * r2.add_f(t);
-            let minus = Dd::new(mh[j], ml[j]) + q * less;
-            ph[j] = plus.hi;
-            pl[j] = plus.lo;
-            mh[j] = minus.hi;
-            ml[j] = minus.lo;
+            let m = less.square() + y2.mul_f(x.like(4.0) * t);
+            let q = Dd::new(high, low).div(m);
+            plus[j] = plus[j] + q * r2.add_f(t);
+            minus[j] = minus[j] + q * less;
         }
     }
-    let (mut plus, mut minus) = (Dd::ZERO, Dd::ZERO);
-    for j in 0..LANES {
-        plus = plus + Dd::new(ph[j], pl[j]);
-        minus = minus + Dd::new(mh[j], ml[j]);
-    }
-    (plus, minus)
+    (total(plus), total(minus))
 }
 
-/// The rule for which `cos 2θ ≤ 0`, with `−cos 2θ` and `sin 2θ`.
+/// Where `cos 2θ > 0`, which takes the second rule, and `|cos 2θ|`, and `sin 2θ` with the sign that
+/// the rule gives it.
 #[inline(always)]
-fn chosen(sine: Dd, cosine: Dd) -> (usize, Dd, Dd) {
-    match cosine.hi <= 0.0 {
-        true => (0, -cosine, sine),
-        false => (1, cosine, -sine),
-    }
+fn chosen<R: Real>(sine: Dd<R>, cosine: Dd<R>) -> (R::Mask, Dd<R>, Dd<R>) {
+    let second = sine.hi.like(0.0).below(cosine.hi);
+    (
+        second,
+        cosine.or_else(second, -cosine),
+        (-sine).or_else(second, sine),
+    )
+}
+
+/// The phase `2πa/h`, less a multiple of 2π.
+#[inline(always)]
+fn phase_of_nodes<R: Real>(a: R) -> Dd<R> {
+    let like = |c: f64| a.like(c);
+    let n = (a * like(STEPS / PER) + like(ROUND)) - like(ROUND);
+    let f = Dd::new(n.fma(like(-PER), a * like(STEPS)), like(0.0));
+    f.div(Dd::from(PER).like(a)) * TWO_PI.like(a)
+}
+
+/// Both parts of `t 2^k`, `n = ROUND + k`.
+#[inline(always)]
+fn by<R: Real>(t: Dd<R>, n: R) -> Dd<R> {
+    Dd::new(scaled(t.hi, n), scaled(t.lo, n))
+}
+
+/// Both parts times a power of two.
+#[inline(always)]
+fn times<R: Real>(t: Dd<R>, power: R) -> Dd<R> {
+    Dd::new(t.hi * power, t.lo * power)
 }
 
 /// The value at `a − i b`, `a, b ≥ 0`, `|z| < 2²⁴`, away from overflow; relative error of each
 /// component about 2⁻⁹² of the larger of the two terms it is the sum of. After it `|2e^{−z²}|`,
 /// about.
 #[inline(always)]
-pub(super) fn lower<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd, f64) {
+pub(super) fn lower<N: Numbers>(
+    numbers: N,
+    a: N::Number,
+    b: N::Number,
+) -> (Dd<N::Number>, Dd<N::Number>, N::Number) {
+    let like = |c: f64| a.like(c);
     // The phase 2πa/h and G = e^{−2πb/h}.
-    let n = (a * (STEPS / PER) + ROUND) - ROUND;
-    let f = Dd::from(n.mul_add(-PER, a * STEPS)).div(Dd::from(PER));
     let ((c, s, k), (sine, cosine), (g, gk)) = exp_minus_square(
-        lanes,
+        numbers,
         a,
         b,
-        f * TWO_PI,
-        two_prod(b.min(8.0), -STEPS) * TWO_PI_OVER_PER,
+        phase_of_nodes(a),
+        two_prod(b.at_most(like(8.0)), like(-STEPS)) * TWO_PI_OVER_PER.like(a),
     );
     let (rule, kappa, sine) = chosen(sine, cosine);
     let (xx, yy) = (two_prod(a, a), two_prod(b, b));
     let (plus, minus) = sums(rule, xx + yy, yy);
     // Tiny parts are lifted, lest the low halves become subnormal.
-    let lift = if b < 1e-200 { 200.0 } else { 0.0 };
-    let (re, im) = (plus.mul_f(-scaled(b, ROUND + lift)), minus.mul_f(a));
+    let lift = a.pick(b.below(like(1e-200)), like(200.0), like(0.0));
+    let (re, im) = (plus.mul_f(-scaled(b, like(ROUND) + lift)), minus.mul_f(a));
 
     // 2 e^{−z²} (1 + κG − i G sin 2θ)/(1 + G² + 2κG).
-    let g = g.scale(scaled(1.0, gk));
-    let den = (g * (g + kappa.scale(2.0))).add_f(1.0);
-    let (p, q) = ((kappa * g).add_f(1.0), -(g * sine));
+    let g = times(g, scaled(like(1.0), gk));
+    let den = (g * (g + times(kappa, like(2.0)))).add_f(like(1.0));
+    let (p, q) = ((kappa * g).add_f(like(1.0)), -(g * sine));
     let (c, s) = ((c * p - s * q).div(den), (c * q + s * p).div(den));
-    let by = |t: Dd, k: f64| Dd::new(scaled(t.hi, k), scaled(t.lo, k));
-    let re = re + by(c, k + (1.0 + lift));
-    let down = ROUND - lift;
-    let re = Dd::new(scaled(re.hi, down), scaled(re.lo, down));
-    (re, im + by(s, k + 1.0), scaled(1.0, k + 1.0))
+    let re = by(re + by(c, k + (like(1.0) + lift)), like(ROUND) - lift);
+    let next = k + like(1.0);
+    (re, im + by(s, next), scaled(like(1.0), next))
 }
 
 /// The value at `a + i b`, `a, b ≥ 0`, `|z| < 2²⁴`; relative error of each component about 2⁻¹⁰⁰ of
-/// the larger of the two terms it is the sum of. A function of its own: each relative has a use for
-/// it.
+/// the larger of the two terms it is the sum of.
+#[inline(always)]
+pub(super) fn upper<N: Numbers>(
+    numbers: N,
+    a: N::Number,
+    b: N::Number,
+) -> (Dd<N::Number>, Dd<N::Number>) {
+    let like = |c: f64| a.like(c);
+    // Beyond, what is left of the residue is below the error of the rule.
+    let outside = a.or(like(8.0).below(b), like(30.0).below(a));
+    let (x, y) = (a.pick(outside, like(0.0), a), a.pick(outside, like(0.0), b));
+    let ((c, s, k), (sine, cosine), (g, gk)) = exp_minus_square(
+        numbers,
+        x,
+        -y,
+        phase_of_nodes(a),
+        two_prod(y, like(-STEPS)) * TWO_PI_OVER_PER.like(a),
+    );
+    let (rule, kappa, sine) = chosen(sine, cosine);
+    let (xx, yy) = (two_prod(a, a), two_prod(b, b));
+    let (plus, minus) = sums(rule, xx + yy, yy);
+    let (re, im) = (plus.mul_f(b), minus.mul_f(a));
+    if a.all(outside) {
+        return (re, im);
+    }
+    // 2 e^{−z²} (g² + κg − i g sin 2θ)/(1 + g² + 2κg), g = e^{−2πb/h}.
+    let g = times(g, scaled(like(1.0), gk));
+    let den = (g * (g + times(kappa, like(2.0)))).add_f(like(1.0));
+    let (p, q) = (g * (g + kappa), -(g * sine));
+    let (c, s) = ((c * p - s * q).div(den), (c * q + s * p).div(den));
+    let k = k + like(1.0);
+    (
+        re.or_else(outside, re + by(c, k)),
+        im.or_else(outside, im + by(s, k)),
+    )
+}
+
+/// [`upper`] at one point, as a function of its own: each relative has a use for it.
 pub(super) struct Upper {
     pub a: f64,
     pub b: f64,
@@ -123,33 +198,7 @@ impl Task for Upper {
     type Output = (Dd, Dd);
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> (Dd, Dd) {
-        let Upper { a, b } = self;
-        let n = (a * (STEPS / PER) + ROUND) - ROUND;
-        let f = Dd::from(n.mul_add(-PER, a * STEPS)).div(Dd::from(PER));
-        // Beyond, what is left of the residue is below the error of the rule.
-        let outside = b > 8.0 || a > 30.0;
-        let (x, y) = if outside { (0.0, 0.0) } else { (a, b) };
-        let ((c, s, k), (sine, cosine), (g, gk)) = exp_minus_square(
-            lanes,
-            x,
-            -y,
-            f * TWO_PI,
-            two_prod(y, -STEPS) * TWO_PI_OVER_PER,
-        );
-        let (rule, kappa, sine) = chosen(sine, cosine);
-        let (xx, yy) = (two_prod(a, a), two_prod(b, b));
-        let (plus, minus) = sums(rule, xx + yy, yy);
-        let (re, im) = (plus.mul_f(b), minus.mul_f(a));
-        if outside {
-            return (re, im);
-        }
-        // 2 e^{−z²} (g² + κg − i g sin 2θ)/(1 + g² + 2κg), g = e^{−2πb/h}.
-        let g = g.scale(scaled(1.0, gk));
-        let den = (g * (g + kappa.scale(2.0))).add_f(1.0);
-        let (p, q) = (g * (g + kappa), -(g * sine));
-        let (c, s) = ((c * p - s * q).div(den), (c * q + s * p).div(den));
-        let by = |t: Dd| Dd::new(scaled(t.hi, k + 1.0), scaled(t.lo, k + 1.0));
-        (re + by(c), im + by(s))
+        upper(One(lanes), self.a, self.b)
     }
 }
 

@@ -4,7 +4,8 @@ use super::constants::{INV_PI, INV_SQRT_2, INV_SQRT_2_PI, TWO_OVER_SQRT_PI};
 use super::lengths::{LengthMismatch, same_length};
 use super::pairs;
 use super::places::{Number, One, Places};
-use super::quadrant::{derivative, exp_wide, times_power, w};
+use super::quadrant::{exp_wide, times_power};
+use super::slope::derivative;
 use crate::double_double::{Dd, two_prod};
 use crate::hex::hex;
 use crate::lanes::{Lanes, Task, with_best};
@@ -103,7 +104,8 @@ fn profile<P: Places>(places: P, [x, sigma, gamma]: [Number<P>; 3]) -> Number<P>
         let density = u * INV_SQRT_2_PI.like(x);
         value = density.div(Dd::new(sigma, like(0.0))).value();
     }
-    places.replaced(kept, value, [x, sigma, gamma], anywhere)
+    let [value] = places.replaced(kept, [value], [x, sigma, gamma], |at| [anywhere(at)]);
+    value
 }
 
 /// The profile where its arguments have to be scaled or are no densities.
@@ -154,13 +156,13 @@ impl Task for Anywhere {
         }
         if q.hi < LINEAR {
             // e^{−p²} − q Im w′(p), each with its own power of two.
-            let slope = derivative(lanes, p.hi, 0.0).1;
+            let ((_, slope), _) = derivative(One(lanes), p.hi, 0.0, true);
             let t = (-slope).mul_f(mg) * INV_SQRT_2_PI * INV_SQRT_2;
             let t = t.div(two_prod(ms, ms)).value();
             return gauss(p, (ms, es)) + times_power(t, ROUND + (eg - 2.0 * es));
         }
-        let (u, _) = w(lanes, p.hi, q.hi);
-        let (du, dv, _) = derivative(lanes, p.hi, q.hi);
+        let (u, _) = pairs::w(One(lanes), p.hi, q.hi, true);
+        let ((du, dv), _) = derivative(One(lanes), p.hi, q.hi, true);
         let u = u.add_f(du.hi * p.lo - dv.hi * q.lo);
         times_power((u * INV_SQRT_2_PI).div(Dd::from(ms)).value(), ROUND - es)
     }

@@ -15,10 +15,10 @@ impl Chunk<'_> {
     /// operation waits for the one before.
     #[inline(always)]
     pub(super) fn without_rows<S: Wide>(&mut self, simd: S, bucket: usize, formula: impl Formula) {
-        let len = self.buffers.len(bucket);
+        let len = self.buffers.order.len(bucket);
         let mut at = 0;
         while at < len {
-            let (x, y) = self.gather_two(simd, self.buffers.numbers(bucket, at));
+            let (x, y) = self.gather_two(simd, self.buffers.order.numbers(bucket, at));
             let (re, im) = formula.value(x.magnitude(), y);
             let im = im.with_sign_of(x);
             self.scatter(bucket, at, re.0, im.0);
@@ -36,7 +36,7 @@ impl Chunk<'_> {
         bucket: usize,
         mut each: impl FnMut(&mut Self, usize, Pack<S>, Pack<S>, OnRows<'_, S>),
     ) {
-        let len = self.buffers.len(bucket);
+        let len = self.buffers.order.len(bucket);
         self.locate(simd, rows, bucket, len);
         let mut at = 0;
         while at < len {
@@ -83,7 +83,7 @@ impl Chunk<'_> {
         at: usize,
         lost: [(S::m64s, Pack<S>); M],
     ) {
-        let len = self.buffers.len(bucket);
+        let len = self.buffers.order.len(bucket);
         for (k, (lost, any)) in lost.into_iter().enumerate() {
             let lost = any.pick(lost, any.like(1.0), any.like(0.0));
             if lost.is_zero() {
@@ -92,7 +92,7 @@ impl Chunk<'_> {
             let (lost, at) = (lost.array(), at + k * S::WIDTH);
             for m in 0..len.saturating_sub(at).min(S::WIDTH) {
                 if lost[m] > 0.0 {
-                    self.cancelled(lanes, self.buffers.numbers(bucket, at)[m]);
+                    self.cancelled(lanes, self.buffers.order.numbers(bucket, at)[m]);
                 }
             }
         }
@@ -128,7 +128,7 @@ impl Chunk<'_> {
     /// Takes the values of a group.
     #[inline(always)]
     pub(super) fn scatter<S: Wide>(&mut self, bucket: usize, at: usize, re: Pack<S>, im: Pack<S>) {
-        let numbers = self.buffers.numbers(bucket, at);
+        let numbers = self.buffers.order.numbers(bucket, at);
         let pairs = re.0.interleave(re.1, im.1);
         for m in 0..S::WIDTH {
             let [re, im] = pairs[m];
@@ -142,7 +142,7 @@ impl Chunk<'_> {
     fn locate<S: Wide>(&mut self, simd: S, rows: impl Rows, bucket: usize, len: usize) {
         let mut at = 0;
         while at < len {
-            let (x, y) = self.gather(simd, self.buffers.numbers(bucket, at), 0);
+            let (x, y) = self.gather(simd, self.buffers.order.numbers(bucket, at), 0);
             let buffers = &mut *self.buffers;
             let [codes, dx, dy] = rows.locate(x.magnitude(), y);
             let codes = codes.array();

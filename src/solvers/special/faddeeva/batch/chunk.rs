@@ -4,15 +4,15 @@ use super::bucket::BUCKETS;
 use num_complex::Complex;
 
 /// Points sorted at a time.
-pub(super) const CHUNK: usize = 256;
+pub(in super::super) const CHUNK: usize = 256;
 /// Two groups in the widest vectors.
-pub(super) const GROUPS: usize = 16;
+pub(in super::super) const GROUPS: usize = 16;
 /// Places of a bucket: room for all points, and for repeating the last one.
-pub(super) const ROOM: usize = CHUNK + GROUPS;
+pub(in super::super) const ROOM: usize = CHUNK + GROUPS;
 /// Room for all buckets and one more, a power of two.
 pub(super) const SETS: usize = (BUCKETS + 1).next_power_of_two();
 /// The bucket of those left for later.
-pub(super) const LATER: usize = BUCKETS;
+pub(super) const LATER: usize = SETS - 1;
 /// Room for the points of all buckets, one after another, the last one of each repeated.
 pub(super) const ORDERED: usize = (CHUNK + GROUPS * BUCKETS).next_power_of_two();
 
@@ -23,13 +23,18 @@ pub(super) struct Chunk<'a> {
     pub buffers: &'a mut Buffers,
 }
 
-pub(super) struct Buffers {
+/// Points in the order of their buckets.
+pub(in super::super) struct Order {
     /// The bucket of each point.
     pub codes: [u8; CHUNK],
     /// The points of all buckets, where those of each begin, and how many it has.
-    pub order: [u8; ORDERED + GROUPS],
-    pub start: [usize; SETS],
-    pub len: [usize; SETS],
+    pub(super) order: [u8; ORDERED + GROUPS],
+    pub(super) start: [usize; SETS],
+    pub(super) len: [usize; SETS],
+}
+
+pub(super) struct Buffers {
+    pub order: Order,
     /// The points of the bucket at work that needs rows, these, and the distances from the centres.
     pub x: [f64; ROOM],
     pub y: [f64; ROOM],
@@ -46,10 +51,7 @@ impl Buffers {
     pub(super) fn new() -> Buffers {
         let none = [0.0; ROOM];
         Buffers {
-            codes: [0; CHUNK],
-            order: [0; ORDERED + GROUPS],
-            start: [0; SETS],
-            len: [0; SETS],
+            order: Order::new(),
             x: none,
             y: none,
             row: [0; ROOM],
@@ -59,16 +61,28 @@ impl Buffers {
             zeros: [0; ROOM],
         }
     }
+}
+
+impl Order {
+    #[inline(always)]
+    pub(in super::super) fn new() -> Order {
+        Order {
+            codes: [0; CHUNK],
+            order: [0; ORDERED + GROUPS],
+            start: [0; SETS],
+            len: [0; SETS],
+        }
+    }
 
     /// How many points a bucket has.
     #[inline(always)]
-    pub(super) fn len(&self, bucket: usize) -> usize {
+    pub(in super::super) fn len(&self, bucket: usize) -> usize {
         self.len[bucket].min(CHUNK)
     }
 
     /// The numbers of two groups of points of a bucket from a place on.
     #[inline(always)]
-    pub(super) fn numbers(&self, bucket: usize, at: usize) -> &[u8; GROUPS] {
+    pub(in super::super) fn numbers(&self, bucket: usize, at: usize) -> &[u8; GROUPS] {
         self.order[(self.start[bucket] + at) & (ORDERED - 1)..]
             .first_chunk()
             .expect("there is room")

@@ -56,13 +56,13 @@ impl Later {
     /// Takes those of the chunk that begins at point `start` of the batch.
     #[inline(always)]
     pub(super) fn take(&mut self, chunk: &Chunk, start: usize) {
-        let more = chunk.buffers.len(LATER);
+        let more = chunk.buffers.order.len(LATER);
         for at in 0..more {
-            let i = chunk.buffers.numbers(LATER, at)[0] as usize;
+            let i = chunk.buffers.order.numbers(LATER, at)[0] as usize;
             let to = (self.len + at) & (CHUNK - 1);
             self.z[to] = chunk.z[i];
             self.number[to] = start + i;
-            self.codes[to] = chunk.buffers.codes[i];
+            self.codes[to] = chunk.buffers.order.codes[i];
         }
         self.len += more;
     }
@@ -70,7 +70,7 @@ impl Later {
     /// Sets the buckets of a chunk that consists of these points; which there are.
     #[inline(always)]
     pub(super) fn classify(&self, chunk: &mut Chunk) -> u32 {
-        chunk.buffers.codes = self.codes;
+        chunk.buffers.order.codes = self.codes;
         self.codes[..self.len()]
             .iter()
             .fold(0, |present, code| present | 1 << (code & 31))

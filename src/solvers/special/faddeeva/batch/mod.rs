@@ -3,7 +3,7 @@
 
 pub(super) mod bucket;
 mod buckets;
-mod chunk;
+pub(super) mod chunk;
 mod formulas;
 mod later;
 mod reflection;
@@ -140,7 +140,7 @@ impl<S: Wide, L: Lanes> NullaryFnOnce for Compute<'_, S, L> {
             present,
             room,
         } = self;
-        chunk.sort(simd, n, present, room);
+        chunk.buffers.order.sort(simd, n, present, room);
         chunk.run(simd, lanes);
     }
 }
@@ -180,8 +180,8 @@ impl Chunk<'_> {
             #[inline(always)]
             || self.beside_real_axis(simd, lanes),
         );
-        for at in 0..self.buffers.len(Branch::Huge.number()) {
-            let i = self.buffers.numbers(Branch::Huge.number(), at)[0];
+        for at in 0..self.buffers.order.len(Branch::Huge.number()) {
+            let i = self.buffers.order.numbers(Branch::Huge.number(), at)[0];
             self.alone(lanes, i);
         }
         self.next_to_zeros(simd, lanes);
@@ -231,10 +231,10 @@ impl Chunk<'_> {
         bucket: usize,
         formula: impl UnlessLost,
     ) {
-        let len = self.buffers.len(bucket);
+        let len = self.buffers.order.len(bucket);
         let mut at = 0;
         while at < len {
-            let (x, y) = self.gather_two(simd, self.buffers.numbers(bucket, at));
+            let (x, y) = self.gather_two(simd, self.buffers.order.numbers(bucket, at));
             let (re, im, lost) = formula.value(x.magnitude(), y);
             let im = im.with_sign_of(x);
             self.scatter(bucket, at, re.0, im.0);

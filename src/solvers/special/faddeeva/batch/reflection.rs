@@ -93,8 +93,8 @@ impl Chunk<'_> {
         );
         let bucket = SERIES_26.number() + LOWER;
         let mut at = 0;
-        while at < self.buffers.len(bucket) {
-            let (x, y) = self.gather(simd, self.buffers.numbers(bucket, at), 0);
+        while at < self.buffers.order.len(bucket) {
+            let (x, y) = self.gather(simd, self.buffers.order.numbers(bucket, at), 0);
             let image = series::<_, 26>(x.magnitude(), y.magnitude());
             self.reflect(lanes, (bucket, at), image, (x, y));
             at += S::WIDTH;
@@ -128,10 +128,10 @@ impl Chunk<'_> {
     /// either term to be negligible.
     #[inline(always)]
     fn far<S: Wide, L: Lanes, const N: usize>(&mut self, simd: S, lanes: L, bucket: usize) {
-        let len = self.buffers.len(bucket);
+        let len = self.buffers.order.len(bucket);
         let mut at = 0;
         while at < len {
-            let (x, y) = self.gather(simd, self.buffers.numbers(bucket, at), 0);
+            let (x, y) = self.gather(simd, self.buffers.order.numbers(bucket, at), 0);
             let (a, b) = (x.magnitude(), y.magnitude());
             let (u, v) = series::<_, N>(a, b);
             let none = negligible(a, b, u.hi, v.hi);
@@ -166,8 +166,8 @@ impl Chunk<'_> {
             return;
         }
         let special = special.array();
-        let numbers = *self.buffers.numbers(bucket, at);
-        for m in 0..(self.buffers.len(bucket) - at).min(S::WIDTH) {
+        let numbers = *self.buffers.order.numbers(bucket, at);
+        for m in 0..(self.buffers.order.len(bucket) - at).min(S::WIDTH) {
             let i = numbers[m];
             if special[m] == FOR_SCALAR {
                 self.alone(lanes, i);

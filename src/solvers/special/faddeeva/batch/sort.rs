@@ -1,7 +1,7 @@
 //! Points into buckets.
 
 use super::bucket::{bucket, places};
-use super::chunk::{CHUNK, Chunk, GROUPS, LATER, ORDERED, SETS, pair};
+use super::chunk::{CHUNK, Chunk, GROUPS, LATER, ORDERED, Order, SETS, pair};
 use crate::pack::{Pack, Wide};
 
 /// Points compared with a bucket at a time.
@@ -51,20 +51,22 @@ impl Chunk<'_> {
             at += S::WIDTH;
         }
         let mut present = 0_u32;
-        for (code, place) in buffers.codes[..n].iter_mut().zip(&buffers.x) {
+        for (code, place) in buffers.order.codes[..n].iter_mut().zip(&buffers.x) {
             *code = bucket(place.to_bits());
             present |= 1 << (*code & 31);
         }
         present
     }
+}
 
+impl Order {
     /// Sorts the first `n` points into the buckets: each bucket collects its own, so that no count
     /// waits for the one before. Buckets with few points leave them for later, as long as there is
     /// room.
     #[inline(always)]
-    pub(super) fn sort<S: Wide>(&mut self, simd: S, n: usize, present: u32, room: usize) {
+    pub(in super::super) fn sort<S: Wide>(&mut self, simd: S, n: usize, present: u32, room: usize) {
         let (mut present, mut room) = (present, room);
-        let buffers = &mut *self.buffers;
+        let buffers = self;
         buffers.codes[n..].fill(NONE);
         buffers.len = [0; SETS];
         let order = &mut buffers.order;

@@ -14,6 +14,7 @@ use crate::double_double::Dd;
 use crate::double_double_functions as functions;
 use crate::exponential as exponentials;
 use crate::lanes::{Lanes, Task, with_best};
+use crate::numbers::One;
 
 /// Two numbers whose sum is meant.
 pub type Pair<R> = (R, R);
@@ -254,7 +255,7 @@ impl Task for Pairs {
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> (Dd, Dd, f64) {
         match self.0.max(self.1) < 4096.0 {
-            true => trapezoidal::lower(lanes, self.0, self.1),
+            true => trapezoidal::lower(One(lanes), self.0, self.1),
             false => asymptotic::large(lanes, self.0, self.1),
         }
     }

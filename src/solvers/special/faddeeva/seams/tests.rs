@@ -1,7 +1,9 @@
 //! Every change of the formula lies on a seam, and every seam is one.
 
-use super::super::quadrant::{derivative, w};
+use super::super::pairs::w;
+use super::super::places::One;
 use super::super::rows::{cell, cell_number, nearest_zero, on_real_axis};
+use super::super::slope::derivative;
 use super::super::tests::Random;
 use super::super::{Branch, branch};
 use super::*;
@@ -123,7 +125,8 @@ fn circles_of_the_relatives_are_told_apart() {
     let circles = SEAMS_OF_RELATIVES.circles;
     assert!(circles.windows(2).all(|pair| pair[0] < pair[1]));
     let values = |a: f64, b: f64| {
-        let ((p, q), (r, s, _)) = (w(Plain, a, b), derivative(Plain, a, b));
+        let places = One(Plain);
+        let ((p, q), ((r, s), _)) = (w(places, a, b, true), derivative(places, a, b, true));
         [p, q, r, s].map(|part| part.value())
     };
     for (r2, part) in circles[1..]

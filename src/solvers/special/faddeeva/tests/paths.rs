@@ -132,6 +132,56 @@ fn every_set_of_vectors() {
     }
 }
 
+/// The relatives: few points and many, every formula and both ways of computing again.
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
+#[test]
+fn relatives() {
+    use super::super::groups::{Function, every_way};
+    use super::super::{dawson, derivative, erf};
+    use super::super::{dawson_batch, erf_batch, erfc_batch, erfi_batch, w_derivative_batch};
+
+    type Batch = fn(&[Complex<f64>], &mut [Complex<f64>]) -> Result<(), LengthMismatch>;
+    fn check(
+        name: &str,
+        one: fn(Complex<f64>) -> Complex<f64>,
+        batch: Batch,
+        f: impl Function<2, 2>,
+    ) {
+        for n in [0, 1, 7, 8, 9, 60, 257, 40_000] {
+            let z = points(50 + n as u64, n);
+            let mut w = vec![Complex::new(7.0, 7.0); n];
+            batch(&z, &mut w).expect("equal lengths");
+            for values in std::iter::once(w).chain(every_way(f, &z)) {
+                for (z, w) in z.iter().zip(values) {
+                    let one = one(*z);
+                    assert!(
+                        same(one.re, w.re) && same(one.im, w.im),
+                        "{name}({:e} + {:e} i) = {one:?} alone, {w:?} in a batch of {n}",
+                        z.re,
+                        z.im
+                    );
+                }
+            }
+        }
+        let z = points(50, 3);
+        let lost = Err(LengthMismatch {
+            points: 3,
+            values: 2,
+        });
+        assert_eq!(batch(&z, &mut [Complex::ZERO; 2]), lost);
+    }
+    check("erf", erf::erf, erf_batch, erf::ERF);
+    check("erfc", erf::erfc, erfc_batch, erf::ERFC);
+    check("erfi", erf::erfi, erfi_batch, erf::Turned);
+    check("dawson", dawson::dawson, dawson_batch, dawson::Dawson);
+    check(
+        "w_derivative",
+        derivative::w_derivative,
+        w_derivative_batch,
+        derivative::Derivative,
+    );
+}
+
 #[test]
 fn plain_arrays() {
     for z in points(41, 50_000) {

@@ -26,7 +26,7 @@ fn constants() {
 
 /// The error of each component by the larger of the terms it is the sum of.
 fn check(a: f64, b: f64) -> f64 {
-    let (re, im, _) = lower(Plain, a, b);
+    let (re, im, _) = lower(One(Plain), a, b);
     let exact = w(a, -b);
     let (u, v) = w(a, b);
     let (c, s) = gaussian(a, -b);
