@@ -2,7 +2,7 @@
 
 ``python3 benches/compare_dyads.py`` with the Python package installed: angles, their first and second derivatives at
 200 000 crank angles, numpy's time over ours, interleaved in one run. `Linkage.sweep` has the transmission angle and the
-determinant as well, and knows where a linkage cannot be joined. The Rust solver alone: ``cargo bench --bench dyads``.
+determinant as well, and knows where a linkage cannot be joined.
 """
 
 import time
