@@ -19,6 +19,7 @@ for bench in class_iii planar run_up spline chirp_oscillator judgements faddeeva
 done
 measure scipy python3 benches/compare_scipy.py
 measure lapack python3 benches/compare_lapack.py "${MECHAUDIT_DIR:-/usr/local}"
+measure dyads python3 benches/compare_dyads.py
 measure dop853 python3 benches/compare_dop853.py
 measure flint python3 benches/compare_flint.py
 measure integrators python3 benches/integrators/atlas.py

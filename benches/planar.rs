@@ -42,12 +42,14 @@ fn motion(bencher: Bencher) {
         accelerations: false,
         ..Settings::default()
     };
-    bencher.counter(ItemsCount::new(times.len())).bench(|| {
-        let mut sum = 0.0;
-        let end = moving.run(&times, settings, |m| sum += moving.dynamics.angle(m, 1)[0]);
-        end.expect("a motion");
-        sum
-    });
+    bencher
+        .counter(ItemsCount::new(times.len()))
+        .bench_local(|| {
+            let mut sum = 0.0;
+            let end = moving.run(&times, settings, |m| sum += moving.dynamics.angle(m, 1)[0]);
+            end.expect("a motion");
+            sum
+        });
 }
 
 /// Rows of the sand screen with I_n, dI_n and M_o over a turn: the special solver.

@@ -164,6 +164,15 @@ module mechaudit
             integer(c_int) :: status
         end function
 
+        function mechaudit_tridiagonal_solve_batch(m, n, lower, diagonal, upper, d, x, error) bind(c) result(status)
+            import :: c_double, c_int, c_size_t, mechaudit_error
+            integer(c_size_t), value :: m, n
+            real(c_double), intent(in) :: lower(*), diagonal(*), upper(*), d(*)
+            real(c_double), intent(inout) :: x(*)
+            type(mechaudit_error), intent(out), optional :: error
+            integer(c_int) :: status
+        end function
+
         function mechaudit_spline_fit(n, x, y, first_kind, first_value, last_kind, last_value, outside, spline, &
                 error) bind(c) result(status)
             import :: c_double, c_int, c_ptr, c_size_t, mechaudit_error

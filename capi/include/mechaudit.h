@@ -601,8 +601,8 @@ enum mechaudit_status mechaudit_spline_integral(const struct mechaudit_spline *s
  * For others `*error_estimate`, unless NULL, tells an estimate of the relative error; without pivoting it
  * may be large. Accuracy: `mechaudit audit tridiagonal`.
  *
- * Errors: `NULL_POINTER`, `SIZE` (n = 0), `NOT_FINITE`, `PIVOT` (index: the row), `OVERFLOW`; `x` is as
- * it was then. `error` may be NULL.
+ * Errors: `NULL_POINTER`, `SIZE` (n = 0), `NOT_FINITE`, `PIVOT` (index: the row), `OVERFLOW`; what `x`
+ * holds then is unspecified. `error` may be NULL.
  *
  * # Safety
  * The arrays have these lengths; `error_estimate` and `error` are NULL or can be written to.
@@ -631,6 +631,27 @@ enum mechaudit_status mechaudit_cyclic_tridiagonal_solve(size_t n,
                                                          double *x,
                                                          double *error_estimate,
                                                          struct mechaudit_error *error);
+
+/**
+ * Solves m tridiagonal systems of n equations each, which lie one after the other, n numbers each in all
+ * arrays; of each system the first number of `lower` and the last one of `upper` are not used. `x` may be `d`.
+ * Several systems are solved side by side: for many small ones.
+ *
+ * Errors: as `mechaudit_tridiagonal_solve` with the place in the whole array, and `SIZE` where m n numbers
+ * do not fit in memory; what `x` holds then is unspecified.
+ *
+ * # Safety
+ * The arrays have m n doubles, `x` does not overlap `lower`, `diagonal` or `upper`, nor `d` unless it is `d`;
+ * `error` is NULL or can be written to.
+ */
+enum mechaudit_status mechaudit_tridiagonal_solve_batch(size_t m,
+                                                        size_t n,
+                                                        const double *lower,
+                                                        const double *diagonal,
+                                                        const double *upper,
+                                                        const double *d,
+                                                        double *x,
+                                                        struct mechaudit_error *error);
 
 #ifdef __cplusplus
 }  // extern "C"

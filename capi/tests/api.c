@@ -251,6 +251,12 @@ static void systems(void) {
     CHECK(mechaudit_tridiagonal_solve(1, NULL, diagonal, NULL, d, x, NULL, &e) == MECHAUDIT_STATUS_OK && x[0] == 0.25);
     CHECK(mechaudit_tridiagonal_solve(3, lower, diagonal, upper, d, NULL, NULL, &e) == MECHAUDIT_STATUS_NULL_POINTER);
     CHECK(mechaudit_tridiagonal_solve(3, NULL, diagonal, upper, d, x, NULL, &e) == MECHAUDIT_STATUS_NULL_POINTER);
+    double two[6] = {5, 6, 5, 5, 6, 5};
+    const double bands[6] = {1, 1, 1, 1, 1, 1}, fours[6] = {4, 4, 4, 4, 4, 4};
+    CHECK(mechaudit_tridiagonal_solve_batch(2, 3, bands, fours, bands, two, two, &e) == MECHAUDIT_STATUS_OK);
+    for (int k = 0; k < 6; k++) CHECK(fabs(two[k] - 1) < 1e-15);
+    CHECK(mechaudit_tridiagonal_solve_batch(SIZE_MAX, 3, bands, fours, bands, two, two, &e) == MECHAUDIT_STATUS_SIZE);
+    CHECK(mechaudit_tridiagonal_solve_batch(2, 0, bands, fours, bands, two, two, &e) == MECHAUDIT_STATUS_SIZE);
     /* A matrix that elimination without pivoting cannot be trusted with says so. */
     const double tiny[2] = {1e-20, 1}, one[1] = {1}, right[2] = {1, 2};
     CHECK(mechaudit_tridiagonal_solve(2, one, tiny, one, right, x, &estimate, NULL) == MECHAUDIT_STATUS_OK);

@@ -1,9 +1,11 @@
 //! Tridiagonal systems.
 
 use crate::errors::value_error;
-use mechaudit::solvers::cyclic_tridiagonal::CyclicSweep;
-use mechaudit::solvers::tridiagonal::{Stability, Sweep, TridiagonalError, solve_into};
-use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
+use mechaudit::solvers::cyclic_tridiagonal::{CyclicSweep, solve_in_place};
+use mechaudit::solvers::tridiagonal::{
+    Stability, Sweep, TridiagonalError, solve_into, solve_many_in_place,
+};
+use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 
 type Evidence = (f64, bool, f64, f64, f64, bool);
@@ -31,19 +33,28 @@ pub fn solve_tridiagonal<'py>(
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
     let (lower, diagonal, upper) = (lower.as_slice()?, diagonal.as_slice()?, upper.as_slice()?);
     let d = d.as_slice()?;
-    let x = py
-        .detach(|| {
-            if d.len() == diagonal.len() {
-                let mut x = vec![0.0; d.len()];
-                solve_into(lower, diagonal, upper, d, &mut x)?;
-                return Ok(x);
-            }
-            let mut x = d.to_vec();
-            Sweep::factor(lower, diagonal, upper)?.solve_many_in_place(&mut x)?;
-            Ok(x)
-        })
-        .map_err(|e: TridiagonalError| value_error(e))?;
-    Ok(x.into_pyarray(py))
+    solution(py, d, |x| match d.len() == diagonal.len() {
+        true => solve_into(lower, diagonal, upper, d, x),
+        false => {
+            x.copy_from_slice(d);
+            solve_many_in_place(lower, diagonal, upper, x)
+        }
+    })
+}
+
+/// An array as long as the right-hand sides, with the solutions. Its memory is numpy's, which comes
+/// in larger pages.
+fn solution<'py>(
+    py: Python<'py>,
+    d: &[f64],
+    solve: impl FnOnce(&mut [f64]) -> Result<(), TridiagonalError> + Send,
+) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    let all = PyArray1::zeros(py, d.len(), false);
+    let mut borrowed = all.readwrite();
+    let x = borrowed.as_slice_mut()?;
+    py.detach(|| solve(x)).map_err(value_error)?;
+    drop(borrowed);
+    Ok(all)
 }
 
 /// Error bound and condition of solutions with a tridiagonal matrix.
@@ -73,10 +84,14 @@ pub fn solve_cyclic<'py>(
     d: PyReadonlyArray1<'py, f64>,
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
     let (lower, diagonal, upper) = (lower.as_slice()?, diagonal.as_slice()?, upper.as_slice()?);
-    let mut x = d.as_slice()?.to_vec();
-    py.detach(|| CyclicSweep::factor(lower, diagonal, upper)?.solve_many_in_place(&mut x))
-        .map_err(value_error)?;
-    Ok(x.into_pyarray(py))
+    let d = d.as_slice()?;
+    solution(py, d, |x| {
+        x.copy_from_slice(d);
+        match d.len() == diagonal.len() {
+            true => solve_in_place(lower, diagonal, upper, x, false).map(|_| ()),
+            false => CyclicSweep::factor(lower, diagonal, upper)?.solve_many_in_place(x),
+        }
+    })
 }
 
 /// Error bound and condition of solutions with a cyclic matrix.

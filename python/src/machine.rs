@@ -13,7 +13,7 @@ use mechaudit_cli::machine::run_up::{Machine, Overrides};
 use mechaudit_cli::machine::{self, CamOscillator, Source};
 use mechaudit_cli::report::svg::linkage as drawn;
 use numpy::ndarray::Array2;
-use numpy::{PyArray2, PyReadonlyArray1, ToPyArray};
+use numpy::{PyArray2, PyArrayMethods, PyReadonlyArray1, ToPyArray};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -81,6 +81,28 @@ fn row(given: f64, number: usize, values: impl IntoIterator<Item = f64>) -> Vec<
 fn degrees(x: f64) -> PyResult<Rational> {
     Rational::from_f64(x)
         .ok_or_else(|| PyValueError::new_err(format!("phi: a crank angle must be finite, got {x}")))
+}
+
+/// The rows of a dyad in the memory of the array.
+fn dyad_table<'py>(
+    py: Python<'py>,
+    linkage: &Dyad,
+    angles: &[f64],
+    assembly: Assembly,
+) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    const WIDTH: usize = size_of::<dyad::Row>() / size_of::<f64>();
+    if let Some(bad) = angles.iter().find(|phi| !phi.is_finite()) {
+        degrees(*bad)?;
+    }
+    let all = PyArray2::zeros(py, [angles.len(), WIDTH], false);
+    let mut borrowed = all.readwrite();
+    let (rows, _) = borrowed.as_slice_mut()?.as_chunks_mut::<WIDTH>();
+    for (angles, rows) in angles.chunks(64 * ROWS).zip(rows.chunks_mut(64 * ROWS)) {
+        py.check_signals()?;
+        dyad::table(linkage, angles, assembly, rows).map_err(value_error)?;
+    }
+    drop(borrowed);
+    Ok(all)
 }
 
 impl Linkage {
@@ -232,11 +254,7 @@ impl Linkage {
             }
             machine::Linkage::Dyad(l) => {
                 let assembly = assembly(l, branch)?;
-                along(dyad::number(assembly), &mut |phi| {
-                    let values =
-                        dyad::floating(l, &degrees(phi)?, assembly).map_err(value_error)?;
-                    Ok(values.map(Vec::from))
-                })?
+                return Ok((names, dyad_table(py, l, angles, assembly)?));
             }
             machine::Linkage::Planar(l) => {
                 let first = angles.first().copied().unwrap_or(0.0);

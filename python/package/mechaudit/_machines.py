@@ -76,9 +76,10 @@ class Rows(np.ndarray[Any, Any]):
 def _rows(table: tuple[list[str], Any]) -> Rows:
     names, values = table
     kinds = [(n, np.int64 if n == "branch" else np.float64) for n in names]
-    rows = np.empty(len(values), dtype=kinds)
-    for k, name in enumerate(names):
-        rows[name] = values[:, k]
+    # In the memory of the table, which nobody else has.
+    rows = values.view(kinds).reshape(len(values))
+    if "branch" in names:
+        rows["branch"] = values[:, names.index("branch")].astype(np.int64)
     return rows.view(Rows)
 
 

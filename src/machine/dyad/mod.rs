@@ -13,7 +13,7 @@ pub use motion::{drives, motion};
 pub use path::{Position, path, position, range};
 pub use range::{Dead, Turn, dead, swing, turn};
 pub use singular::{Meeting, Reached, meetings};
-pub use values::{ASSEMBLIES, RowError, Values, floating, names, number};
+pub use values::{ASSEMBLIES, Row, RowError, Values, floating, names, number, table};
 
 use super::planar::{self, LinkPoint};
 use super::quantity::Quantity;
@@ -303,6 +303,20 @@ impl Shape {
                 (d.degrees || d.value == 0).then(|| Rational::from(degrees - &d.value))
             }
         }
+    }
+
+    /// Returns false where neither cosine nor sine of that angle is rational, from its neighbourhood
+    /// alone.
+    fn may_be_rational(&self, degrees: f64) -> bool {
+        let from = match self {
+            Shape::SliderCrank { direction: d, .. } if d.degrees => nearest_f64(&d.value),
+            Shape::SliderCrank { direction: d, .. } if d.value != 0 => return false,
+            _ => 0.0,
+        };
+        let twelfths = (degrees - from) / 30.0;
+        let off = (twelfths - twelfths.round()).abs();
+        // A large angle is rounded before its direction is seen.
+        off <= 1e-9 + 1e-15 * twelfths.abs()
     }
 
     /// The crank angle from the frame or from the guide, in radians, enclosed.

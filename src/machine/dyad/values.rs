@@ -75,10 +75,7 @@ pub fn floating(
             });
         }
     };
-    if let Some(crank) = &dyad.crank {
-        let (w, e) = (crank.omega.to_f64(), crank.epsilon.to_f64());
-        values = at_crank_speed(values, |f, s| (f * w, s * w * w + f * e));
-    }
+    values = at_given_speed(dyad, values);
     in_degrees(dyad, &mut values);
     match values.iter().position(|x| !x.is_finite()) {
         None => Ok(Some(values)),
@@ -87,6 +84,58 @@ pub fn floating(
             degrees: at,
         }),
     }
+}
+
+/// A row with the crank angle in degrees and the number of the branch before its values.
+pub type Row = [f64; 10];
+
+/// Rows at many finite crank angles in degrees, those of [`floating`] bit for bit; NaN where the
+/// crank does not reach.
+///
+/// # Errors
+/// [`RowError`].
+pub fn table(
+    dyad: &Dyad,
+    degrees: &[f64],
+    assembly: Assembly,
+    rows: &mut [Row],
+) -> Result<(), RowError> {
+    const CHUNK: usize = 256;
+    let branch = number(assembly) as f64;
+    let (mut phi, mut columns) = ([0.0; CHUNK], [[0.0; CHUNK]; 8]);
+    for (degrees, rows) in degrees.chunks(CHUNK).zip(rows.chunks_mut(CHUNK)) {
+        let n = degrees.len();
+        for (phi, at) in phi.iter_mut().zip(degrees) {
+            *phi = at.to_radians();
+        }
+        let room = columns.each_mut().map(|column| &mut column[..n]);
+        let found = match &dyad.shape {
+            Shape::FourBar { solver, .. } => solver.rows(&phi[..n], assembly, room),
+            Shape::SliderCrank { solver, .. } => solver.rows(&phi[..n], assembly, room),
+        };
+        found.expect("a place for each angle");
+        for (i, (at, row)) in degrees.iter().zip(rows).enumerate() {
+            let mut values = at_given_speed(dyad, columns.each_ref().map(|column| column[i]));
+            in_degrees(dyad, &mut values);
+            if values.iter().any(|x| !x.is_finite()) || dyad.shape.may_be_rational(*at) {
+                let exact = Rational::from_f64(*at);
+                let careful = exact.map(|at| floating(dyad, &at, assembly)).transpose()?;
+                values = careful.flatten().unwrap_or([f64::NAN; 8]);
+            }
+            (row[0], row[1]) = (*at, branch);
+            row[2..].copy_from_slice(&values);
+        }
+    }
+    Ok(())
+}
+
+/// The values at the crank's speed, where the file gives it.
+fn at_given_speed(dyad: &Dyad, values: Values<f64>) -> Values<f64> {
+    let Some(crank) = &dyad.crank else {
+        return values;
+    };
+    let (w, e) = (crank.omega.to_f64(), crank.epsilon.to_f64());
+    at_crank_speed(values, |f, s| (f * w, s * w * w + f * e))
 }
 
 fn in_degrees(dyad: &Dyad, values: &mut Values<f64>) {

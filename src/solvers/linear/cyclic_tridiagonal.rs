@@ -16,7 +16,7 @@
 use std::cell::Cell;
 
 use super::tridiagonal::elimination::{Elimination, Shape};
-use super::tridiagonal::{Bands, Right, Rows, both_ends};
+use super::tridiagonal::{Bands, Rows, both_ends};
 use super::tridiagonal::{TridiagonalError as Error, check_finite, check_length, check_pivot};
 
 /// The factors of a cyclic tridiagonal matrix, without pivoting.
@@ -164,7 +164,7 @@ impl Elimination<Cyclic> {
 /// The rows of a cyclic matrix but for the last one, and the last unknown's column as a second
 /// right-hand side.
 struct Bordered<'a> {
-    open: Bands<'a, &'a [Cell<f64>]>,
+    open: Bands<'a, [&'a [Cell<f64>]; 1]>,
     /// Its entries in the first and last row.
     column: [f64; 2],
 }
@@ -250,13 +250,18 @@ fn bordered<const ESTIMATE: bool>(
             lower: &lower[1..last],
             diagonal: &diagonal[..last],
             upper: &upper[..last - 1],
-            d: inner,
+            d: [inner],
         },
         column: [lower[0], upper[last - 1]],
     };
     let mut column = vec![0.0; last];
     let column: &[Cell<f64>] = Cell::from_mut(&mut column[..]).as_slice_of_cells();
-    let Some(found) = both_ends::<ESTIMATE, 2, _>(&rows, [inner, column])? else {
+    let found = both_ends::<ESTIMATE, 2, _>(&rows, [inner, column]).map_err(|e| match e {
+        // Of the column: the last unknown is its factor.
+        Error::Overflow { row } => Error::Overflow { row: row.min(last) },
+        e => e,
+    });
+    let Some(found) = found? else {
         return Ok(None);
     };
     let (a, b, c) = (lower[last], diagonal[last], upper[last]);

@@ -57,7 +57,14 @@ pub fn solve_batch_in_place(
         for (k, x) in x.chunks_mut(n).enumerate() {
             let [a, b, c] = bands.map(|band| &band[k * n..(k + 1) * n]);
             let solved = solve_in_place(&a[1..], b, &c[..n - 1], x, false);
-            solved.map_err(|e| e.further(from + k * n))?;
+            // The slice without the first entry begins one further on.
+            let skipped = |e: &TridiagonalError| {
+                matches!(e, TridiagonalError::NotFinite { name: "lower", .. })
+            };
+            solved.map_err(|e| {
+                let by = from + k * n + usize::from(skipped(&e));
+                e.further(by)
+            })?;
         }
     }
     Ok(())
@@ -195,6 +202,17 @@ mod tests {
             }
         ));
         diagonal[25] = 4.0;
+        let mut lower = [1.0; 40];
+        lower[23] = f64::NAN;
+        let e = solve_batch_in_place(2, &lower, &diagonal, &[1.0; 40], &mut [1.0; 40]);
+        assert!(matches!(
+            e,
+            Err(Error::NotFinite {
+                name: "lower",
+                index: 23,
+                ..
+            })
+        ));
         let mut d = vec![1.0; 40];
         d[39] = f64::INFINITY;
         let e = solve(&diagonal, d).unwrap_err();

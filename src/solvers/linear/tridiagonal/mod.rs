@@ -33,8 +33,8 @@ pub use error::TridiagonalError;
 use error::TridiagonalError as Error;
 use error::check_matrix;
 pub(crate) use error::{check_finite, check_length, check_pivot};
-pub(crate) use one_shot::{Bands, Right, Rows, both_ends, solve_rows};
-pub use one_shot::{solve_in_place, solve_into, solve_into_with_error};
+pub(crate) use one_shot::{Bands, Rows, both_ends, solve_rows};
+pub use one_shot::{solve_in_place, solve_into, solve_into_with_error, solve_many_in_place};
 pub use pivoted::Pivoted;
 pub use stability::Stability;
 

@@ -18,6 +18,7 @@
 //! Long systems are eliminated twice, the second time block by block from the middle outwards: that
 //! takes less time than fresh memory for the factors of all rows.
 
+use super::elimination::SEVERAL;
 use super::error::{TridiagonalError, check_finite, check_length, check_matrix, check_solution};
 use super::{Stability, Sweep};
 use crate::hex::hex;
@@ -26,13 +27,13 @@ use std::cell::Cell;
 
 /// Products of entries from here on are rounded to their last place.
 const LEAST: f64 = 1e-290;
-/// Continuants are set back to this, outside of a span about it, and four rows on they have to lie
-/// within the limits: then their quotients are normal numbers, and products with [`LEAST`] too.
+/// Continuants are set back to this outside of a span about it, and four rows on they have to lie
+/// within the limits: then their quotients are normal numbers, and so are those of the pivots.
 const REST: f64 = hex("0x1p400");
 const SPAN: [f64; 2] = [hex("0x1p200"), hex("0x1p600")];
 const LIMITS: [f64; 2] = [hex("0x1p-20"), hex("0x1p1000")];
 /// Rows of each end whose factors are kept.
-const BLOCK: usize = 4096;
+const BLOCK: usize = 16_384;
 
 /// The rows of a system: the entries before, on and after the diagonal, and K right-hand sides.
 pub(crate) trait Rows<const K: usize> {
@@ -77,8 +78,8 @@ impl Right for &[Cell<f64>] {
     }
     #[inline(always)]
     fn four(&self, i: usize) -> [f64; 4] {
-        let d = &self[i..i + 4];
-        std::array::from_fn(|k| d[k].get())
+        let d: &[Cell<f64>; 4] = self[i..].first_chunk().expect("four more rows");
+        [d[0].get(), d[1].get(), d[2].get(), d[3].get()]
     }
 }
 
@@ -87,24 +88,42 @@ fn four(v: &[f64], i: usize) -> [f64; 4] {
     *v[i..].first_chunk().expect("four more rows")
 }
 
-impl<D: Right> Rows<1> for Bands<'_, D> {
+impl<D> Bands<'_, D> {
+    #[inline(always)]
+    fn bands(&self, i: usize) -> [f64; 3] {
+        let before = if i > 0 { self.lower[i - 1] } else { 0.0 };
+        [
+            before,
+            self.diagonal[i],
+            self.upper.get(i).copied().unwrap_or(0.0),
+        ]
+    }
+    #[inline(always)]
+    fn four_bands(&self, i: usize) -> [[f64; 4]; 3] {
+        let (a, b, c) = (self.lower, self.diagonal, self.upper);
+        [four(a, i - 1), four(b, i), four(c, i)]
+    }
+}
+
+impl<const K: usize, D: Right> Rows<K> for Bands<'_, [D; K]> {
     fn len(&self) -> usize {
         self.diagonal.len()
     }
     #[inline(always)]
-    fn row(&self, i: usize) -> ([f64; 3], [f64; 1]) {
-        let before = if i > 0 { self.lower[i - 1] } else { 0.0 };
-        let after = self.upper.get(i).copied().unwrap_or(0.0);
-        ([before, self.diagonal[i], after], [self.d.at(i)])
+    fn row(&self, i: usize) -> ([f64; 3], [f64; K]) {
+        let mut d = [0.0; K];
+        for j in 0..K {
+            d[j] = self.d[j].at(i);
+        }
+        (self.bands(i), d)
     }
     #[inline(always)]
-    fn four(&self, i: usize) -> ([[f64; 4]; 3], [[f64; 4]; 1]) {
-        let bands = [
-            four(self.lower, i - 1),
-            four(self.diagonal, i),
-            four(self.upper, i),
-        ];
-        (bands, [self.d.four(i)])
+    fn four(&self, i: usize) -> ([[f64; 4]; 3], [[f64; 4]; K]) {
+        let mut d = [[0.0; 4]; K];
+        for j in 0..K {
+            d[j] = self.d[j].four(i);
+        }
+        (self.four_bands(i), d)
     }
 }
 
@@ -182,6 +201,59 @@ pub fn solve_in_place(
     }
 }
 
+/// Solves for several right-hand sides that lie one after the other in `x`, which the solutions
+/// replace; eight at a time, as [`solve_into`] does for one. After an error the content of `x` is
+/// unspecified.
+///
+/// ```
+/// use mechaudit_solvers::tridiagonal::solve_many_in_place;
+/// let mut x = [5.0, 6.0, 5.0, 10.0, 12.0, 10.0];
+/// solve_many_in_place(&[1.0, 1.0], &[4.0, 4.0, 4.0], &[1.0, 1.0], &mut x)?;
+/// assert_eq!(x, [1.0, 1.0, 1.0, 2.0, 2.0, 2.0]);
+/// # Ok::<(), mechaudit_solvers::tridiagonal::TridiagonalError>(())
+/// ```
+///
+/// # Errors
+/// As [`solve_into`], with the place in the whole slice.
+pub fn solve_many_in_place(
+    lower: &[f64],
+    diagonal: &[f64],
+    upper: &[f64],
+    x: &mut [f64],
+) -> Result<(), TridiagonalError> {
+    let n = diagonal.len();
+    if n == 0 || lower.len() != n - 1 || upper.len() != n - 1 {
+        check_matrix(lower, diagonal, upper)?;
+    }
+    check_length("right-hand sides", x, x.len().div_ceil(n) * n)?;
+    for (group, x) in x.chunks_mut(n * SEVERAL).enumerate() {
+        let from = group * n * SEVERAL;
+        if x.len() == n * SEVERAL {
+            let cells: &[Cell<f64>] = Cell::from_mut(&mut *x).as_slice_of_cells();
+            let columns: [&[Cell<f64>]; SEVERAL] = std::array::from_fn(|j| &cells[j * n..][..n]);
+            let rows = Bands {
+                lower,
+                diagonal,
+                upper,
+                d: columns,
+            };
+            let found = both_ends::<false, SEVERAL, _>(&rows, columns);
+            if found.map_err(|e| e.further(from))?.is_some() {
+                continue;
+            }
+        }
+        for (j, x) in x.chunks_exact_mut(n).enumerate() {
+            let solved = solve_in_place(lower, diagonal, upper, x, false);
+            solved.map_err(|e| match e {
+                TridiagonalError::Pivot { .. } => e,
+                TridiagonalError::NotFinite { name, .. } if name != "right-hand side" => e,
+                e => e.further(from + j * n),
+            })?;
+        }
+    }
+    Ok(())
+}
+
 fn solve<const ESTIMATE: bool, D: Right + Copy>(
     (lower, diagonal, upper, d): (&[f64], &[f64], &[f64], D),
     x: &[Cell<f64>],
@@ -201,7 +273,7 @@ fn solve<const ESTIMATE: bool, D: Right + Copy>(
         lower,
         diagonal,
         upper,
-        d,
+        d: [d],
     };
     match both_ends::<ESTIMATE, 1, _>(&bands, [x])? {
         Some(found) => Ok(2.0 * f64::EPSILON * found.growth * found.size),
@@ -283,9 +355,9 @@ pub(crate) fn both_ends<const ESTIMATE: bool, const K: usize, R: Rows<K>>(
         return Ok(None);
     };
     if !finite {
-        for x in x {
+        for (j, x) in x.into_iter().enumerate() {
             let x: Vec<f64> = x.iter().map(Cell::get).collect();
-            check_solution(&x)?;
+            check_solution(&x).map_err(|e| e.further(j * x.len()))?;
         }
     }
     Ok(Some(found))
@@ -325,6 +397,14 @@ struct End<const K: usize> {
 }
 
 impl<const K: usize> End<K> {
+    /// Sets the continuants back. Where the one before is beyond the limits, so are the next ones.
+    #[inline(always)]
+    fn rest(&mut self) {
+        let before = REST * self.reciprocal;
+        let inside = before.abs() >= LIMITS[0] && before.abs() <= LIMITS[1];
+        self.theta = [if inside { REST } else { f64::NAN }, before];
+    }
+
     const BEFORE: End<K> = End {
         theta: [REST, 0.0],
         reciprocal: 0.0,
@@ -359,7 +439,9 @@ impl<const ESTIMATE: bool, const K: usize, R: Rows<K>> Both<'_, ESTIMATE, K, R> 
         }
     }
 
-    /// Eliminates one row and keeps it at `k`.
+    /// Eliminates one row and keeps it at `k`: a function of its own, without fused operations, which
+    /// not all instructions have that it may be compiled for.
+    #[inline(never)]
     fn one(
         &mut self,
         end: &mut End<K>,
@@ -368,21 +450,23 @@ impl<const ESTIMATE: bool, const K: usize, R: Rows<K>> Both<'_, ESTIMATE, K, R> 
         ([before, b, after], d): ([f64; 3], [f64; K]),
     ) {
         let product = before * end.after;
-        let p = (-product).mul_add(end.reciprocal, b);
+        let filled = product * end.reciprocal;
+        let p = b - filled;
         let r = 1.0 / p;
         self.ok &= p.is_normal() & r.is_normal() & is_accurate(product, before, end.after);
         let by_before = before * r;
         if ESTIMATE {
             let row = before.abs() + b.abs() + after.abs();
-            self.note((product * end.reciprocal).abs() + p.abs(), row);
-            end.size = by_before.abs().mul_add(end.size, row * r.abs());
+            self.note(filled.abs() + p.abs(), row);
+            end.size = by_before.abs() * end.size + row * r.abs();
             self.room.sizes[side][k] = end.size;
         }
         for (j, d) in d.into_iter().enumerate() {
-            end.eta[j] = (-by_before).mul_add(end.eta[j], d * r);
+            end.eta[j] = d * r - by_before * end.eta[j];
             self.room.etas[j][side][k] = end.eta[j];
         }
-        (end.theta, end.reciprocal, end.after) = ([REST, REST * r], r, after);
+        (end.reciprocal, end.after) = (r, after);
+        end.rest();
         self.room.factors[side][k] = after * r;
     }
 
@@ -401,19 +485,10 @@ impl<const ESTIMATE: bool, const K: usize, R: Rows<K>> Both<'_, ESTIMATE, K, R> 
         for i in 0..4 {
             t[i + 2] = b[i].mul_add(t[i + 1], -(e[i] * t[i]));
         }
-        let mut ok = true;
-        for t in t {
-            ok &= (t.abs() >= LIMITS[0]) & (t.abs() <= LIMITS[1]);
-        }
-        for i in 0..4 {
-            ok &= is_accurate(e[i], before[i], facing[i]);
-        }
-        if !ok {
-            for i in 0..4 {
-                let row = ([before[i], b[i], after[i]], d.map(|d| d[i]));
-                self.one(end, side, k + i, row);
-            }
-            return;
+        // A product that underflows is off by 2⁻¹⁰⁷⁵, which is nothing beside these.
+        let inside = |t: f64| (t.abs() >= LIMITS[0]) & (t.abs() <= LIMITS[1]);
+        if !(inside(t[2]) & inside(t[3]) & inside(t[4]) & inside(t[5])) {
+            return self.singly(end, side, k, &([before, b, after], d));
         }
         let r = each(|i| t[i + 1] / t[i + 2]);
         let by_before = each(|i| before[i] * r[i]);
@@ -449,7 +524,23 @@ impl<const ESTIMATE: bool, const K: usize, R: Rows<K>> Both<'_, ESTIMATE, K, R> 
         (end.reciprocal, end.after) = (r[3], after[3]);
         end.theta = [t[5], t[4]];
         if !(t[5].abs() >= SPAN[0] && t[5].abs() <= SPAN[1]) {
-            end.theta = [REST, REST * r[3]];
+            end.rest();
+        }
+    }
+
+    /// Eliminates four rows one after the other.
+    #[cold]
+    #[inline(never)]
+    fn singly(
+        &mut self,
+        end: &mut End<K>,
+        side: usize,
+        k: usize,
+        (bands, d): &([[f64; 4]; 3], [[f64; 4]; K]),
+    ) {
+        for i in 0..4 {
+            let row = (bands.map(|band| band[i]), d.map(|d| d[i]));
+            self.one(end, side, k + i, row);
         }
     }
 
@@ -493,29 +584,32 @@ impl<const ESTIMATE: bool, const K: usize, R: Rows<K>> Both<'_, ESTIMATE, K, R> 
         }
     }
 
+    /// Substitutes back row number `k` of an end, which is kept at `at`.
+    #[inline(always)]
+    fn back(&self, next: &mut Back<K>, side: usize, k: usize, at: usize) {
+        let room = &self.room;
+        let factor = room.factors[side][at];
+        let place = if side == 0 { k } else { self.len() - 1 - k };
+        for j in 0..K {
+            next.x[j] = (-factor).mul_add(next.x[j], room.etas[j][side][at]);
+            self.x[j][place].set(next.x[j]);
+        }
+        if ESTIMATE {
+            next.size = factor.abs().mul_add(next.size, room.sizes[side][at]);
+            next.most = next.most.max(next.size);
+        }
+    }
+
     /// Substitutes back the rows from number `from` up to `to` of each end.
     #[inline(always)]
     fn substitute(&self, next: &mut [Back<K>; 2], from: usize, to: [usize; 2]) {
-        let n = self.len();
-        let one = |side: usize, k: usize, next: &mut Back<K>| {
-            let room = &self.room;
-            let factor = room.factors[side][k - from];
-            for j in 0..K {
-                next.x[j] = (-factor).mul_add(next.x[j], room.etas[j][side][k - from]);
-                self.x[j][if side == 0 { k } else { n - 1 - k }].set(next.x[j]);
-            }
-            if ESTIMATE {
-                next.size = factor.abs().mul_add(next.size, room.sizes[side][k - from]);
-                next.most = next.most.max(next.size);
-            }
-        };
         let [mut above, mut below] = *next;
         for k in (to[1].max(from)..to[0]).rev() {
-            one(0, k, &mut above);
+            self.back(&mut above, 0, k, k - from);
         }
         for k in (from..to[1]).rev() {
-            one(0, k, &mut above);
-            one(1, k, &mut below);
+            self.back(&mut above, 0, k, k - from);
+            self.back(&mut below, 1, k, k - from);
         }
         *next = [above, below];
     }

@@ -12,6 +12,7 @@ fn pow2(k: i32) -> f64 {
 }
 
 /// `x · 2^k`, rounded at most once where the result is not subnormal.
+#[inline(always)]
 pub(super) fn scale<R: Real>(x: R, k: i32) -> R {
     let half = k / 2;
     let power = |k: i32| x.like(pow2(k.clamp(-1022, 1023)));

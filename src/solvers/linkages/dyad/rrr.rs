@@ -223,6 +223,33 @@ fn difference<R: Masked>([p, q]: [R; 2], [r, t]: [R; 2], f: R) -> R {
     (p.fma(q, -high) - low) * f
 }
 
+/// A unit vector, turned.
+#[inline(always)]
+fn turned<R: Masked>(unit: [R; 2], sin: R, cos: R) -> [R; 2] {
+    [
+        unit[0].fma(cos, -(unit[1] * sin)),
+        unit[1].fma(cos, unit[0] * sin),
+    ]
+}
+
+/// `D'·e2` and `D'·e3`, where `D'·e3 = (b D'·e2 − D·D')/c` and `D'·e2 = (c D'·e3 + D·D')/b`: the
+/// shorter links win.
+#[inline(always)]
+fn project<R: Masked>(
+    v: [R; 2],
+    [e2, e3]: [[R; 2]; 2],
+    [b, c]: [f64; 2],
+    radial: Option<R>,
+) -> (R, R) {
+    let like = |x: f64| v[0].like(x);
+    let (v2, v3) = (dot(v, e2), dot(v, e3));
+    match radial {
+        Some(r) if b < c / 4.0 => (v2, like(b).fma(v2, -r) / like(c)),
+        Some(r) if c < b / 4.0 => (like(c).fma(v3, r) / like(b), v3),
+        _ => (v2, v3),
+    }
+}
+
 /// The loop equation `b e2 − c e3 = D` and its derivatives. With `σ = e2 × e3`,
 ///
 /// ```text
@@ -252,36 +279,21 @@ pub(super) fn solve_span<R: Masked>(span: &Span<R>, [b, c]: [f64; 2], s: f64) ->
     };
     let (alpha, beta, gamma) = (half(folded_c), half(folded_b), half(stretched));
     let unit = [span.d[0] * per_d, span.d[1] * per_d];
-    let turned = |sin: R, cos: R| {
-        [
-            unit[0].fma(cos, -(unit[1] * sin)),
-            unit[1].fma(cos, unit[0] * sin),
-        ]
-    };
     // sin α = 4 area/(2 b d), cos α by the same factors over 4 b d.
     let (per_b, per_c) = (like(0.5 / b) * per_d, like(0.5 / c) * per_d);
     let of_half = like(0.5);
     let ca = difference([folded_c, sum], [stretched, folded_b], of_half * per_b);
     let cb = difference([folded_b, sum], [stretched, folded_c], of_half * per_c);
-    let e2 = turned(like(s) * (area4 * per_b), ca);
-    let e3 = turned(like(s) * (area4 * per_c), -cb);
+    let e2 = turned(unit, like(s) * (area4 * per_b), ca);
+    let e3 = turned(unit, like(s) * (area4 * per_c), -cb);
     let cos_gamma = difference([stretched, sum], [folded_b, folded_c], like(0.25 / (b * c)));
     // b c σ, and 1/(b σ) and 1/(c σ).
     let determinant = like(0.5 * s) * area4;
     let per = like(2.0 * s) * per_area4;
     let (per_sigma_b, per_sigma_c) = (like(c) * per, like(b) * per);
-    // D'·e3 = (b D'·e2 − D·D')/c and D'·e2 = (c D'·e3 + D·D')/b: the shorter links win.
-    let project = |v: [R; 2], radial: Option<R>| {
-        let (v2, v3) = (dot(v, e2), dot(v, e3));
-        match radial {
-            Some(r) if b < c / 4.0 => (v2, like(b).fma(v2, -r) / like(c)),
-            Some(r) if c < b / 4.0 => (like(c).fma(v3, r) / like(b), v3),
-            _ => (v2, v3),
-        }
-    };
-    let (v2, v3) = project(span.d1, span.radial.map(|r| r[0]));
+    let (v2, v3) = project(span.d1, [e2, e3], [b, c], span.radial.map(|r| r[0]));
     let (w2, w3) = (v3 * per_sigma_b, v2 * per_sigma_c);
-    let (a2, a3) = project(span.d2, span.radial.map(|r| r[1]));
+    let (a2, a3) = project(span.d2, [e2, e3], [b, c], span.radial.map(|r| r[1]));
     // The centripetal terms of (3) and (4). Where the span is the shortest side, links and rates
     // are nearly equal and their difference is taken first: b cos γ − c = D·e3,
     // b − c cos γ = D·e2 and φ3' − φ2' = D·D'/(b c σ).

@@ -169,11 +169,9 @@ impl Grid for Knots {
             return None;
         }
         // The segment is as many ahead as knots are passed.
-        let mut segment = [*near as u64; GROUP];
-        for knot in &knots[1..] {
-            for j in 0..GROUP {
-                segment[j] += u64::from(*knot <= x[j]);
-            }
+        let mut segment = lookup.passed(knots.last_chunk()?, x);
+        for segment in &mut segment {
+            *segment += *near as u64;
         }
         let [from, to, ..] = lookup.ends(&self.0, &self.0, &segment)?;
         let [y0, y1, p, q] = lookup.ends(y, bend, &segment)?;

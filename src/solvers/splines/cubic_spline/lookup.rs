@@ -12,6 +12,11 @@ pub(super) type Lane<T> = [T; GROUP];
 pub trait Lookup: Copy {
     /// `y[i]`, `y[i + 1]`, `bend[i]`, `bend[i + 1]` for eight `i`; `None` if one is too large.
     fn ends(self, y: &[f64], bend: &[f64], i: &[u64; 8]) -> Option<[[f64; 8]; 4]>;
+    /// For each number how many of the knots it has passed.
+    #[inline(always)]
+    fn passed(self, knots: &[f64; 8], x: &[f64; 8]) -> [u64; 8] {
+        x.map(|x| knots.iter().map(|knot| u64::from(*knot <= x)).sum())
+    }
 }
 
 /// One number after the other.
@@ -82,7 +87,21 @@ mod x86 {
         Plain.ends(y, bend, black_box(i))
     }
 
+    /// The comparison `≤`, false for what is no number.
+    const AT_MOST: i32 = 18;
+
     impl Lookup for V4 {
+        #[inline(always)]
+        fn passed(self, knots: &Lane<f64>, x: &Lane<f64>) -> Lane<u64> {
+            let f = self.avx512f;
+            let (x, one) = (cast(*x), f._mm512_set1_epi64(1));
+            let mut count = f._mm512_set1_epi64(0);
+            for knot in knots {
+                let passed = f._mm512_cmp_pd_mask::<AT_MOST>(f._mm512_set1_pd(*knot), x);
+                count = f._mm512_mask_add_epi64(count, passed, count, one);
+            }
+            cast(count)
+        }
         #[inline(always)]
         fn ends(self, y: &[f64], bend: &[f64], i: &Lane<u64>) -> Option<[Lane<f64>; 4]> {
             let from = i[0] as usize;
@@ -114,6 +133,20 @@ mod x86 {
     }
 
     impl Lookup for V3 {
+        #[inline(always)]
+        fn passed(self, knots: &Lane<f64>, x: &Lane<f64>) -> Lane<u64> {
+            let x: [[f64; GROUP / 2]; 2] = cast(*x);
+            let mut count = [self.avx._mm256_setzero_si256(); 2];
+            for knot in knots {
+                let knot = self.avx._mm256_set1_pd(*knot);
+                for (count, x) in count.iter_mut().zip(x) {
+                    // A mask of ones is −1.
+                    let passed = cast(self.avx._mm256_cmp_pd::<AT_MOST>(knot, cast(x)));
+                    *count = self.avx2._mm256_sub_epi64(*count, passed);
+                }
+            }
+            cast(count)
+        }
         #[inline(always)]
         fn ends(self, y: &[f64], bend: &[f64], i: &Lane<u64>) -> Option<[Lane<f64>; 4]> {
             const HALF: usize = GROUP / 2;

@@ -186,3 +186,41 @@ fn rows_of_any_scale() {
         }
     }
 }
+
+/// Several right-hand sides are as many single ones, bit for bit; errors have their place in all.
+#[test]
+fn many_right_hand_sides() {
+    let mut random = Random(45);
+    for n in [1, 2, 3, 12, 13, 14, 15, 8300] {
+        let [lower, diagonal, upper, _] = system(&mut random, n, 2.0);
+        let many: Vec<f64> = (0..n * 11).map(|_| random.between(-1.0, 1.0)).collect();
+        let solve = |mut x: Vec<f64>, diagonal: &[f64]| {
+            solve_many_in_place(&lower, diagonal, &upper, &mut x).map(|()| x)
+        };
+        let single = |d: &[f64]| {
+            let mut x = vec![0.0; n];
+            solve_into(&lower, &diagonal, &upper, d, &mut x).map(|()| x)
+        };
+        let due: Vec<_> = many
+            .chunks(n)
+            .map(|d| single(d).expect("dominant"))
+            .collect();
+        assert_eq!(
+            solve(many.clone(), &diagonal).expect("dominant"),
+            due.concat()
+        );
+        for place in [0, n, 9 * n, 11 * n - 1] {
+            let mut bad = many.clone();
+            bad[place] = f64::NAN;
+            let e = solve(bad, &diagonal).unwrap_err();
+            assert!(
+                matches!(e, Error::NotFinite { index, .. } if index == place),
+                "{e} {place}"
+            );
+        }
+        let mut bad = diagonal.clone();
+        bad[n - 1] = f64::NAN;
+        let e = solve(many, &bad).unwrap_err();
+        assert!(matches!(e, Error::NotFinite { name: "diagonal", index, .. } if index == n - 1));
+    }
+}
