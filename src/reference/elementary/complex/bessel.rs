@@ -376,7 +376,9 @@ fn value(which: Which, order: &Ball, z: &ComplexBall, prec: u32) -> ComplexEvalu
         };
         let change = slope.mul(rho);
         let zero = ComplexBall::zero(prec);
-        let z_is_real = z.im.is_zero();
+        // A broken power of a negative number is complex.
+        let low = || real::support::ends(&z.re, BITS)[0].clone();
+        let z_is_real = z.im.is_zero() && (order.is_integer() || low() >= 0);
         let wide = match at {
             Ok(at) if !(change > most) => widened(&at, change, prec)?,
             Err(why) if !most.is_finite() => return Err(why),

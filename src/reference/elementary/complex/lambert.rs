@@ -48,8 +48,8 @@ fn start(z: &ComplexBall, lower: bool) -> Result<ComplexBall, NoValue> {
         let w = real::sub(&log, &less, BITS)?;
         return Ok(ComplexBall::new(w, exact(BITS, 0)));
     }
-    // Right of the origin ln(1 + z) is near, elsewhere ln z − ln ln z.
-    if x >= 0.0 && x.hypot(y) < 4.0 {
+    // Right of the branch point ln(1 + z) is near, elsewhere ln z − ln ln z.
+    if x >= -0.25 && x.hypot(y) < 4.0 {
         return super::log1p(z, BITS);
     }
     let log = super::log(z, BITS)?;
@@ -87,22 +87,31 @@ fn approximation(z: &ComplexBall, lower: bool, p: u32) -> ComplexEvaluated {
 }
 
 /// Returns true if the disc about v is certainly in the range of the branch.
-fn is_in_range(v: &ComplexBall, delta: Mag, lower: bool, p: u32) -> bool {
+///
+/// `Im w e^w = e^x sin y (x + y cot y)`: for 0 < |y| < π a w whose z has an imaginary part of the
+/// sign of y, or none, is not left of the curve. The curve itself is where z is on the cut.
+fn is_in_range(z: &ComplexBall, v: &ComplexBall, delta: Mag, lower: bool, p: u32) -> bool {
     let disc = v.widened(delta);
     let [x, high] = real::support::ends(&disc.re, p);
     if lower {
         return v.im.is_zero() && high < -1;
     }
-    let y = disc.im.magnitude();
-    let y = Ball::new(y.to_float(), Mag::ZERO);
-    if !(y.upper() < 3.14159265) {
+    let [bottom, top] = real::support::ends(&disc.im, p);
+    // The double is below π.
+    if bottom < -std::f64::consts::PI || top > std::f64::consts::PI {
         return false;
     }
+    let [below, above] = real::support::ends(&z.im, p);
+    if (below >= 0 && bottom > 0) || (above < 0 && top < 0) {
+        return true;
+    }
+    // −y cot y rises with |y|: its greatest value is that at the end.
+    let y = if -bottom.clone() > top { -bottom } else { top };
+    let y = Ball::new(y, Mag::ZERO);
     let found = || -> Evaluated {
         let cot = real::div(&real::cos(&y, p)?, &real::sin(&y, p)?, p)?;
         real::mul(&y, &cot, p)
     };
-    // −y cot y rises with |y|: its greatest value is that at the end.
     found().is_ok_and(|most| x > -most.lower())
 }
 
@@ -134,7 +143,7 @@ fn value(z: &ComplexBall, lower: bool, prec: u32) -> ComplexEvaluated {
     if !(l <= Mag::power_of_two(-1)) {
         return Err(WIDE);
     }
-    if !is_in_range(&v, delta, lower, bits) {
+    if !is_in_range(z, &v, delta, lower, bits) {
         return Err(NoValue::Undecided("the branch of Lambert's function"));
     }
     // η/(1 − L), and 1/(1 − L) ≤ 1 + 2L.
