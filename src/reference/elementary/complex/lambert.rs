@@ -17,7 +17,7 @@
 
 use super::super::support::{BITS, WIDE, exact, exp_above};
 use super::super::{self as real, ComplexEvaluated, Evaluated, NoValue};
-use super::{GUARD, bounded, middle, rounded};
+use super::{GUARD, below, bounded, middle, rounded, widened};
 use crate::{Ball, ComplexBall, Mag};
 /// A number near W(z).
 fn start(z: &ComplexBall, lower: bool) -> Result<ComplexBall, NoValue> {
@@ -152,6 +152,10 @@ fn value(z: &ComplexBall, lower: bool, prec: u32) -> ComplexEvaluated {
 }
 
 /// The principal branch W₀, with its cut left of −1/e.
+///
+/// For Re z ≥ 0 the real part of W is not negative: `Re w e^w = e^x (x cos y − y sin y)` is below
+/// zero for x < 0 and |y| ≤ π/2, and beyond that the range has x > 0. There `W' = W/(z (1 + W))`
+/// is at most 1/|z|, and `1/(e^W (1 + W))` at most 1, which serves where the disc proves nothing.
 pub fn lambertw(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
     bounded(z)?;
     if z.re.is_zero() && z.im.is_zero() {
@@ -167,7 +171,17 @@ pub fn lambertw(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
             "the operand meets the cut of Lambert's function",
         ));
     }
-    value(z, false, prec)
+    match value(z, false, prec) {
+        Err(NoValue::Undecided(_)) if real::support::ends(&z.re, BITS)[0] >= 0 => {
+            let slope = Mag::power_of_two(0).min(Mag::power_of_two(0).div(below(z)));
+            widened(
+                &value(&middle(z), false, prec)?,
+                slope.mul(z.radius()),
+                prec,
+            )
+        }
+        found => found,
+    }
 }
 
 /// Returns true if x is certainly above −1/e, false if it is below.
