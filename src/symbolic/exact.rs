@@ -226,6 +226,23 @@ impl Domain for Exact {
             | Func::Tgamma
             | Func::Lgamma
             | Func::Digamma
+            | Func::AiryAi
+            | Func::AiryAiPrime
+            | Func::AiryBi
+            | Func::AiryBiPrime
+            | Func::SinInt
+            | Func::CosInt
+            | Func::Ei
+            | Func::ExpInt
+            | Func::LambertW
+            | Func::LambertWm1
+            | Func::Zeta
+            | Func::ZetaDerivative
+            | Func::BesselJ
+            | Func::BesselI
+            | Func::BesselIe
+            | Func::WeierstrassP
+            | Func::WeierstrassPPrime
             | Func::Floor
             | Func::Ceil
             | Func::Round

@@ -109,10 +109,44 @@ functions! {
     Dawson/1 "dawson" | "dawsn";
     /// Gamma function.
     Tgamma/1 "tgamma" | "gamma";
-    /// `log |Γ(x)|`.
+    /// `log |Γ(x)|` of real numbers; off the axis the logarithm that is real for x > 0.
     Lgamma/1 "lgamma";
     /// `Γ′(x)/Γ(x)`.
     Digamma/1 "digamma";
+    /// Airy function Ai.
+    AiryAi/1 "airyai";
+    /// `Ai′(x)`.
+    AiryAiPrime/1 "airyaiprime";
+    /// Airy function Bi.
+    AiryBi/1 "airybi";
+    /// `Bi′(x)`.
+    AiryBiPrime/1 "airybiprime";
+    /// Sine integral `∫_0^x sin(t)/t dt`.
+    SinInt/1 "sinint";
+    /// Cosine integral `−∫_x^∞ cos(t)/t dt`.
+    CosInt/1 "cosint";
+    /// Exponential integral Ei, a principal value.
+    Ei/1 "ei";
+    /// Exponential integral `E₁(x) = ∫_x^∞ e^{−t}/t dt`.
+    ExpInt/1 "expint";
+    /// Lambert's function W₀, the inverse of `w e^w` for w ≥ −1.
+    LambertW/1 "lambertw";
+    /// Lambert's function W₋₁, the inverse of `w e^w` for w ≤ −1.
+    LambertWm1/1 "lambertwm1";
+    /// Riemann's zeta function.
+    Zeta/1 "zeta";
+    /// Its n-th derivative: `zetaderivative(n, s)`.
+    ZetaDerivative/2 "zetaderivative";
+    /// Bessel function of the first kind: `besselj(ν, x)`.
+    BesselJ/2 "besselj";
+    /// Modified Bessel function of the first kind: `besseli(ν, x)`.
+    BesselI/2 "besseli";
+    /// `e^{−x} I_ν(x)`.
+    BesselIe/2 "besselie";
+    /// Weierstrass's function ℘(z) with the periods 1 and τ: `weierstrassp(z, τ)`.
+    WeierstrassP/2 "weierstrassp";
+    /// `℘′(z)`.
+    WeierstrassPPrime/2 "weierstrasspprime";
     /// Largest integer not above x.
     Floor/1 "floor";
     /// Smallest integer not below x.

@@ -25,6 +25,7 @@ mod error;
 mod exponential;
 mod gamma;
 mod hyperbolic;
+mod special;
 mod steps;
 mod support;
 mod trigonometric;
@@ -39,6 +40,10 @@ pub use error::{dawson, erf, erfc, erfcx, erfi};
 pub use exponential::{exp, exp2, exp10, expm1, log, log1p, log2, log10, pow};
 pub use gamma::{digamma, lgamma, tgamma};
 pub use hyperbolic::{acosh, asinh, atanh, cosh, sinh, tanh};
+pub use special::{
+    airyai, airyaiprime, airybi, airybiprime, besseli, besselie, besselj, ci, e1, ei, lambertw,
+    lambertwm1, si, zeta, zetaderivative,
+};
 pub use steps::{ceil, copysign, floor, fmod, nearbyint, remainder, round, trunc};
 pub use trigonometric::{acos, asin, atan, atan2, cos, cospi, sin, sinpi, tan, tanpi};
 pub use voigt::voigt;

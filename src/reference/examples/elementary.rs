@@ -53,12 +53,15 @@ fn of_complex(found: Result<ComplexBall, NoValue>) -> Answer {
 
 macro_rules! table {
     (one: $($one:ident)*; two: $($two:ident)*; three: $($three:ident)*;
-        complex: $($complex:ident)*; complex_two: $($pair:ident)*;) => {
+        ordered: $($ordered:ident)*; complex: $($complex:ident)*; complex_two: $($pair:ident)*;) => {
         fn value(name: &str, prec: u32, words: &mut Word) -> Option<Answer> {
             let b = ball;
             if let Some(name) = name.strip_prefix("complex_") {
                 return match name {
                     $(stringify!($complex) => Some(of_complex(complex::$complex(&box_of(words)?, prec))),)*
+                    $(stringify!($ordered) => {
+                        Some(of_complex(complex::$ordered(&b(words)?, &box_of(words)?, prec)))
+                    })*
                     $(stringify!($pair) => {
                         Some(of_complex(complex::$pair(&box_of(words)?, &box_of(words)?, prec)))
                     })*
@@ -68,6 +71,7 @@ macro_rules! table {
             let found = match name {
                 $(stringify!($one) => elementary::$one(&b(words)?, prec),)*
                 $(stringify!($two) => elementary::$two(&b(words)?, &b(words)?, prec),)*
+                $(stringify!($ordered) => elementary::$ordered(&b(words)?, &b(words)?, prec),)*
                 $(stringify!($three) => {
                     elementary::$three(&b(words)?, &b(words)?, &b(words)?, prec)
                 })*
@@ -82,12 +86,15 @@ macro_rules! table {
 table! {
     one: sqrt cbrt exp exp2 exp10 expm1 log log2 log10 log1p sin cos tan asin acos atan sinh cosh
         tanh asinh acosh atanh erf erfc erfcx erfi dawson tgamma lgamma digamma fabs floor ceil
-        round trunc nearbyint recip sqr sinpi cospi tanpi;
+        round trunc nearbyint recip sqr sinpi cospi tanpi airyai airyaiprime airybi airybiprime si ci e1 ei
+        lambertw lambertwm1 zeta;
     two: hypot pow atan2 fmin fmax fdim fmod remainder copysign add sub mul div;
     three: fma voigt;
+    ordered: besselj besseli besselie zetaderivative;
     complex: exp log sqrt sin cos tan sinh cosh tanh asin acos atan asinh acosh atanh expm1 log1p
-        cbrt recip erf erfc erfcx erfi dawson w tgamma lgamma;
-    complex_two: pow div;
+        cbrt recip erf erfc erfcx erfi dawson w tgamma lgamma airyai airyaiprime airybi
+        airybiprime si ci e1 lambertw zeta;
+    complex_two: pow div weierstrassp weierstrasspprime;
 }
 
 fn main() -> std::io::Result<()> {

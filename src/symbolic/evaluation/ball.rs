@@ -526,6 +526,17 @@ pub(super) fn unary(f: Func, x: &Ball, p: u32) -> Found {
         Func::Tgamma => real::tgamma(x, p),
         Func::Lgamma => real::lgamma(x, p),
         Func::Digamma => real::digamma(x, p),
+        Func::AiryAi => real::airyai(x, p),
+        Func::AiryAiPrime => real::airyaiprime(x, p),
+        Func::AiryBi => real::airybi(x, p),
+        Func::AiryBiPrime => real::airybiprime(x, p),
+        Func::SinInt => real::si(x, p),
+        Func::CosInt => real::ci(x, p),
+        Func::Ei => real::ei(x, p),
+        Func::ExpInt => real::e1(x, p),
+        Func::LambertW => real::lambertw(x, p),
+        Func::LambertWm1 => real::lambertwm1(x, p),
+        Func::Zeta => real::zeta(x, p),
         Func::Abs => real::fabs(x, p),
         Func::Floor => real::floor(x, p),
         Func::Ceil => real::ceil(x, p),
@@ -554,7 +565,13 @@ pub(super) fn unary(f: Func, x: &Ball, p: u32) -> Found {
         | Func::Remainder
         | Func::Copysign
         | Func::Fma
-        | Func::Voigt => Err(NoValue::Undefined(
+        | Func::Voigt
+        | Func::ZetaDerivative
+        | Func::BesselJ
+        | Func::BesselI
+        | Func::BesselIe
+        | Func::WeierstrassP
+        | Func::WeierstrassPPrime => Err(NoValue::Undefined(
             "a function of another number of arguments",
         )),
     };
@@ -573,6 +590,10 @@ fn binary(f: Func, x: &Ball, y: &Ball, p: u32) -> Evaluated {
         Func::Fmod => real::fmod(x, y, p),
         Func::Remainder => real::remainder(x, y, p),
         Func::Copysign => real::copysign(x, y, p),
+        Func::ZetaDerivative => real::zetaderivative(x, y, p),
+        Func::BesselJ => real::besselj(x, y, p),
+        Func::BesselI => real::besseli(x, y, p),
+        Func::BesselIe => real::besselie(x, y, p),
         _ => Err(NoValue::Undefined(
             "a function of another number of arguments",
         )),

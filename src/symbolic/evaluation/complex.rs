@@ -80,6 +80,18 @@ fn holomorphic(f: Func, z: &ComplexBall, p: u32) -> Option<ComplexEvaluated> {
         Func::Dawson => c::dawson(z, p),
         Func::W => c::w(z, p),
         Func::Tgamma => c::tgamma(z, p),
+        // Real numbers have the logarithm of the modulus.
+        Func::Lgamma if !z.im.is_zero() => c::lgamma(z, p),
+        Func::AiryAi => c::airyai(z, p),
+        Func::AiryAiPrime => c::airyaiprime(z, p),
+        Func::AiryBi => c::airybi(z, p),
+        Func::AiryBiPrime => c::airybiprime(z, p),
+        Func::SinInt => c::si(z, p),
+        Func::CosInt => c::ci(z, p),
+        Func::Ei => c::ei(z, p),
+        Func::ExpInt => c::e1(z, p),
+        Func::LambertW => c::lambertw(z, p),
+        Func::Zeta => c::zeta(z, p),
         Func::Abs
         | Func::Arg
         | Func::Re
@@ -102,7 +114,32 @@ fn holomorphic(f: Func, z: &ComplexBall, p: u32) -> Option<ComplexEvaluated> {
         | Func::Remainder
         | Func::Copysign
         | Func::Fma
-        | Func::Voigt => return None,
+        | Func::Voigt
+        | Func::LambertWm1
+        | Func::ZetaDerivative
+        | Func::BesselJ
+        | Func::BesselI
+        | Func::BesselIe
+        | Func::WeierstrassP
+        | Func::WeierstrassPPrime => return None,
+    })
+}
+
+/// A holomorphic function of the second of two numbers, or of both.
+fn holomorphic_in_two(f: Func, [a, b]: [&ComplexBall; 2], p: u32) -> Option<ComplexEvaluated> {
+    use real::complex as c;
+    let of_order = match f {
+        Func::BesselJ => c::besselj,
+        Func::BesselI => c::besseli,
+        Func::BesselIe => c::besselie,
+        Func::ZetaDerivative => c::zetaderivative,
+        Func::WeierstrassP => return Some(c::weierstrassp(a, b, p)),
+        Func::WeierstrassPPrime => return Some(c::weierstrasspprime(a, b, p)),
+        _ => return None,
+    };
+    Some(match a.im.is_zero() {
+        true => of_order(&a.re, b, p),
+        false => Err(NoValue::Undecided("an order that is not real")),
     })
 }
 
@@ -173,6 +210,10 @@ fn off_cuts(f: Func, x: &[&Value], must_be_holomorphic: bool, p: u32) -> Found {
             let product = &complex(a)? * &complex(b)?;
             Ok(Value::Complex(&product + &complex(c)?))
         }
+        (f, [a, b]) => match holomorphic_in_two(f, [&complex(a)?, &complex(b)?], p) {
+            Some(found) => found.map(Value::Complex),
+            None => Err(NO_REAL_FUNCTION),
+        },
         _ => Err(NO_REAL_FUNCTION),
     }
 }
@@ -276,7 +317,10 @@ pub(super) fn continued(f: Func, x: &[&Value], p: u32) -> Found {
                         &half - &angle
                     }
                 }
-                _ => return Err(NoValue::Undecided("a function without continuation")),
+                f => match holomorphic_in_two(f, [&a, &b], p) {
+                    Some(found) => found?,
+                    None => return Err(NoValue::Undecided("a function without continuation")),
+                },
             }
         }
         [a, b, c] => {

@@ -117,7 +117,22 @@ impl Floating {
             Func::Re | Func::Conj => x,
             Func::Im => 0.0,
             Func::Arg => return self.binary(Func::Atan2, 0.0, x),
-            Func::W | Func::Erfcx | Func::Erfi | Func::Dawson | Func::Digamma => {
+            Func::W
+            | Func::Erfcx
+            | Func::Erfi
+            | Func::Dawson
+            | Func::Digamma
+            | Func::AiryAi
+            | Func::AiryAiPrime
+            | Func::AiryBi
+            | Func::AiryBiPrime
+            | Func::SinInt
+            | Func::CosInt
+            | Func::Ei
+            | Func::ExpInt
+            | Func::LambertW
+            | Func::LambertWm1
+            | Func::Zeta => {
                 return Err(NoValue::Undefined("a function that is not in C's library"));
             }
             Func::Pow
@@ -130,7 +145,13 @@ impl Floating {
             | Func::Remainder
             | Func::Copysign
             | Func::Fma
-            | Func::Voigt => {
+            | Func::Voigt
+            | Func::ZetaDerivative
+            | Func::BesselJ
+            | Func::BesselI
+            | Func::BesselIe
+            | Func::WeierstrassP
+            | Func::WeierstrassPPrime => {
                 return Err(NoValue::Undefined(
                     "a function of another number of arguments",
                 ));
@@ -142,9 +163,6 @@ impl Floating {
     /// A function of MPFR, or one that balls enclose, rounded once to the format; none for those
     /// that are exact.
     fn correct(self, f: Func, x: f64) -> Option<f64> {
-        if matches!(f, Func::Erfcx | Func::Erfi | Func::Dawson | Func::Digamma) {
-            return self.enclosed(f, x);
-        }
         let x = Float::with_val(53, x);
         macro_rules! rounded {
             ($method:ident) => {
@@ -181,19 +199,24 @@ impl Floating {
                 let (_, way) = value.ln_abs_gamma_round(Round::Nearest);
                 (value, way)
             }),
-            _ => return None,
+            // These are exact or rounded once already.
+            Func::Sqrt | Func::Re | Func::Im | Func::Conj | Func::Arg => return None,
+            f if f.is_rational() => return None,
+            f => return self.enclosed(f, &[x.to_f64()]),
         })
     }
 
     /// The number that both ends of an enclosure are rounded to, at a precision that is raised
     /// until they are the same.
-    fn enclosed(self, f: Func, x: f64) -> Option<f64> {
+    fn enclosed(self, f: Func, x: &[f64]) -> Option<f64> {
         /// A function whose value is so close to a tie is not decided.
         const MOST: u32 = 2048;
         let mut bits = 128;
-        while x.is_finite() && bits <= MOST {
-            let x = Value::Real(Ball::exact(bits, x));
-            let value = Balls::new(bits).call(f, &[&x]).ok()?;
+        while x.iter().all(|x| x.is_finite()) && bits <= MOST {
+            let exact = |x: &f64| Value::Real(Ball::exact(bits, *x));
+            let x: Vec<Value> = x.iter().map(exact).collect();
+            let x: Vec<&Value> = x.iter().collect();
+            let value = Balls::new(bits).call(f, &x).ok()?;
             let ball = value.real()?;
             let [low, high] = [ball.lower(), ball.upper()]
                 .map(|end| self.nearest(|bits| Float::with_val_round(bits, &end, Round::Nearest)));
@@ -226,7 +249,11 @@ impl Floating {
                         Float::with_val_round(bits, a.hypot_ref(&b), Round::Nearest)
                     }));
                 }
-                _ => {}
+                f if f.is_rational() => {}
+                f => {
+                    let why = NoValue::Undefined("a function that is not in C's library");
+                    return self.enclosed(f, &[x, y]).ok_or(why);
+                }
             }
         }
         Ok(match f {
@@ -243,9 +270,7 @@ impl Floating {
             Func::Remainder => libm::remainder(x, y),
             Func::Copysign => x.copysign(y),
             _ => {
-                return Err(NoValue::Undefined(
-                    "a function of another number of arguments",
-                ));
+                return Err(NoValue::Undefined("a function that is not in C's library"));
             }
         })
     }

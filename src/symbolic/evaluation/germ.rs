@@ -131,7 +131,13 @@ impl Germs {
             Func::Erfc if x.is_positive() => x.powi(2)?.neg().exp()?.mul(&self.within(0, 1)),
             Func::Erfc => Some(self.within(0, 2)),
             Func::Erfcx if x.is_positive() => Some(self.within(0, 1)),
-            Func::Erf | Func::Dawson => Some(self.within(-1, 1)),
+            Func::Erf | Func::Dawson | Func::AiryAi => Some(self.within(-1, 1)),
+            Func::SinInt => Some(self.within(-2, 2)),
+            // 0 < E₁(x) < e^{−x} ln(1 + 1/x) (DLMF 6.8.1).
+            Func::ExpInt if x.is_positive() => {
+                let log = one.add(&one.div(x)?)?.ln()?;
+                x.neg().exp()?.mul(&log)?.mul(&self.within(0, 1))
+            }
             // e^x ≤ Γ(x) ≤ x^x ≤ e^{x²} for x ≥ 8: Γ(8) = 5040 > e^8, and ψ(x) > 1 from there on.
             Func::Tgamma => {
                 let eight = Germ::constant(&Ball::integer(self.bits, 8), self.k);
@@ -160,6 +166,21 @@ impl Germs {
             | Func::Erfi
             | Func::Lgamma
             | Func::Digamma
+            | Func::AiryAiPrime
+            | Func::AiryBi
+            | Func::AiryBiPrime
+            | Func::CosInt
+            | Func::Ei
+            | Func::ExpInt
+            | Func::LambertW
+            | Func::LambertWm1
+            | Func::Zeta
+            | Func::ZetaDerivative
+            | Func::BesselJ
+            | Func::BesselI
+            | Func::BesselIe
+            | Func::WeierstrassP
+            | Func::WeierstrassPPrime
             | Func::W
             | Func::Im
             | Func::Arg
@@ -178,6 +199,10 @@ impl Germs {
     }
 
     fn binary(&self, f: Func, x: &Near, y: &Near) -> Option<Germ> {
+        let is_integer = |x: &Near| {
+            let order = x.constant.as_ref();
+            order.is_some_and(|n| n.rad().is_zero() && n.mid().is_integer())
+        };
         let (a, b) = (&x.germ, &y.germ);
         match f {
             Func::Pow => match (&x.constant, &y.constant) {
@@ -194,6 +219,14 @@ impl Germs {
             Func::Fmin | Func::Fmax => a.either(b),
             Func::Atan2 => Some(self.within(-4, 4)),
             Func::Copysign => a.abs()?.mul(&self.within(-1, 1)),
+            // |J_n(x)| ≤ 1 for an integer n (DLMF 10.9.2).
+            Func::BesselJ if is_integer(x) => Some(self.within(-1, 1)),
+            // |e^{−x} I_n(x)| ≤ (1/π) ∫_0^π e^{−x (1 − cos θ)} dθ (10.32.3) ≤ √(π/8x), from
+            // 1 − cos θ ≥ 2θ²/π².
+            Func::BesselIe if is_integer(x) && b.is_positive() => {
+                let half = Ball::exact(self.bits, -0.5);
+                b.pow(&half)?.mul(&self.within(-1, 1))
+            }
             Func::Fdim => {
                 let zero = Germ::constant(&Ball::integer(self.bits, 0), self.k);
                 a.sub(b)?.either(&zero)

@@ -30,6 +30,60 @@ fn value(text: &str, x: (i64, i64), digits: usize) -> String {
     }
 }
 
+/// To 25 digits by mpmath.
+#[test]
+fn special_functions_at_a_point() {
+    for (text, due) in [
+        ("besselj(0, x)", "0.7651976865579665514497175"),
+        ("besselj(2, 5*x/2)", "0.4460590584396172267359408"),
+        ("besseli(1, x)", "0.5651591039924850272076960"),
+        ("besselie(1, x)*exp(x)", "0.5651591039924850272076960"),
+        ("airyai(x)", "0.1352924163128814155241474"),
+        ("airyaiprime(-2*x)", "0.6182590207416910414062643"),
+        ("airybi(x)", "1.207423594952871259436379"),
+        ("sinint(2*x)", "1.605412976802694848576720"),
+        ("cosint(2*x)", "0.4229808287748649956985652"),
+        ("ei(2*x)", "4.954234356001890163379505"),
+        ("expint(2*x)", "0.04890051070806111956723984"),
+        ("lambertw(x)", "0.5671432904097838729999687"),
+        ("lambertwm1(-x/4)", "-2.153292364110349649169099"),
+        ("zeta(3*x)", "1.202056903159594285399738"),
+        ("D(zeta(2*x), x)", "-1.875096508630687507405149"),
+        ("im(lgamma(1 + i*x))", "-0.3016403204675331978875317"),
+    ] {
+        assert_eq!(value(text, (1, 1), 25), due, "{text}");
+    }
+}
+
+/// What a differential equation makes of derivatives is zero.
+#[test]
+fn special_functions_have_their_derivatives() {
+    for text in [
+        "D(besselj(0, x), x) + besselj(1, x)",
+        "D(besseli(2, x), x) - (besseli(1, x) + besseli(3, x))/2",
+        "D(besselie(2, x), x) - (besselie(1, x) + besselie(3, x))/2 + besselie(2, x)",
+        "D(D(airyai(x), x), x) - x*airyai(x)",
+        "D(D(airybi(x), x), x) - x*airybi(x)",
+        "D(sinint(x), x) - sin(x)/x",
+        "D(cosint(x), x) - cos(x)/x",
+        "D(ei(x), x) - exp(x)/x",
+        "D(expint(x), x) + exp(-x)/x",
+        "D(lambertw(x), x)*x*(1 + lambertw(x)) - lambertw(x)",
+        "D(lambertwm1(-x), x)*x*(1 + lambertwm1(-x)) - lambertwm1(-x)",
+        "D(zetaderivative(1, x), x) - zetaderivative(2, x)",
+        "re(D(weierstrassp(x, i), x) - weierstrasspprime(x, i))",
+    ] {
+        let e = parse(text).unwrap();
+        let mut graph = Graph::new(["x".to_string()]);
+        let id = graph.build(&Definitions::default(), &e).unwrap();
+        let mut evaluator = Evaluator::new(Arc::new(graph), Balls::new(160));
+        evaluator.set_input(0, Value::Real(Ball::exact(160, 0.3125)));
+        let found = evaluator.value(id).unwrap().real().unwrap().clone();
+        let small = Mag::power_of_two(-120);
+        assert!(found.contains_zero() && found.rad() < small, "{text}");
+    }
+}
+
 #[test]
 fn formulas_at_a_point() {
     for (text, x, due) in [

@@ -332,6 +332,41 @@ impl Graph {
                 self.product(id, psi)
             }
             Func::Lgamma => self.of(Func::Digamma, a),
+            Func::AiryAi => self.of(Func::AiryAiPrime, a),
+            Func::AiryBi => self.of(Func::AiryBiPrime, a),
+            Func::AiryAiPrime | Func::AiryBiPrime => {
+                let of = match f {
+                    Func::AiryAiPrime => Func::AiryAi,
+                    _ => Func::AiryBi,
+                };
+                let value = self.of(of, a);
+                self.product(a, value)
+            }
+            Func::SinInt | Func::CosInt | Func::Ei | Func::ExpInt => {
+                let above = match f {
+                    Func::SinInt => self.of(Func::Sin, a),
+                    Func::CosInt => self.of(Func::Cos, a),
+                    Func::Ei => self.of(Func::Exp, a),
+                    _ => {
+                        let turned = self.push(Node::Neg(a));
+                        let fall = self.of(Func::Exp, turned);
+                        self.push(Node::Neg(fall))
+                    }
+                };
+                self.ratio(above, a)
+            }
+            // e^{−w}/(1 + w).
+            Func::LambertW | Func::LambertWm1 => {
+                let turned = self.push(Node::Neg(id));
+                let fall = self.of(Func::Exp, turned);
+                let one = self.number(1);
+                let below = self.push(Node::Add(one, id));
+                self.ratio(fall, below)
+            }
+            Func::Zeta => {
+                let one = self.number(1);
+                self.push(Node::Binary(Func::ZetaDerivative, one, a))
+            }
             Func::Floor | Func::Ceil | Func::Round | Func::Trunc | Func::Nearbyint => {
                 self.push(Node::Flat(f, a))
             }
@@ -428,6 +463,36 @@ impl Graph {
                 let signs = [a, b].map(|x| self.push(Node::Binary(Func::Copysign, one, x)));
                 let sign = self.product(signs[0], signs[1]);
                 self.times(da, sign)
+            }
+            Func::WeierstrassP if db.is_none() => {
+                let slope = self.push(Node::Binary(Func::WeierstrassPPrime, a, b));
+                self.times(da, slope)
+            }
+            Func::ZetaDerivative if da.is_none() => {
+                let one = self.number(1);
+                let next = self.push(Node::Add(a, one));
+                let slope = self.push(Node::Binary(f, next, b));
+                self.times(db, slope)
+            }
+            // (f_{ν−1} ∓ f_{ν+1})/2, less f for e^{−x} I_ν.
+            Func::BesselJ | Func::BesselI | Func::BesselIe if da.is_none() => {
+                let one = self.number(1);
+                let orders = [Node::Sub(a, one), Node::Add(a, one)];
+                let [low, high] = orders.map(|order| {
+                    let order = self.push(order);
+                    self.push(Node::Binary(f, order, b))
+                });
+                let sum = self.push(match f {
+                    Func::BesselJ => Node::Sub(low, high),
+                    _ => Node::Add(low, high),
+                });
+                let two = self.number(2);
+                let half = self.ratio(sum, two);
+                let slope = match f {
+                    Func::BesselIe => self.push(Node::Sub(half, id)),
+                    _ => half,
+                };
+                self.times(db, slope)
             }
             f => return unsupported(format!("the derivative of {}", f.name())),
         })

@@ -8,6 +8,9 @@ use rug::Float;
 
 /// `1/z`: `|1/z − 1/m| = |z − m|/(|z| |m|) ≤ ρ/(|z| |m|)`.
 pub fn recip(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
+    if z.im.is_zero() {
+        return Ok(ComplexBall::new(real::recip(&z.re, prec)?, exact(prec, 0)));
+    }
     let one = ComplexBall::new(exact(BITS, 1), exact(BITS, 0));
     div(&one, z, prec)
 }
@@ -146,6 +149,9 @@ pub(super) fn sqrt_above(m: &ComplexBall, p: u32) -> ComplexEvaluated {
 
 /// The principal square root, with its real part not negative: the derivative is `1/(2√z)`.
 pub fn sqrt(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
+    if z.im.is_zero() && z.re.is_positive() {
+        return Ok(ComplexBall::new(real::sqrt(&z.re, prec)?, exact(prec, 0)));
+    }
     off_cut(z)?;
     let p = prec + GUARD;
     let m = middle(z);
@@ -160,7 +166,7 @@ pub fn sqrt(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
 }
 
 /// Refuses a box that has points on both sides of the negative real axis.
-fn off_cut(z: &ComplexBall) -> Result<(), NoValue> {
+pub(super) fn off_cut(z: &ComplexBall) -> Result<(), NoValue> {
     let low = || real::support::ends(&z.re, BITS)[0].clone();
     if is_across(z) && low() <= 0 {
         return Err(NoValue::Undecided(

@@ -49,7 +49,7 @@ fn tangent_numbers(n: usize) -> Vec<Integer> {
 }
 
 /// `B_2k/(2k (2k − 1))` for k = 1 … n, with `B_2k = (−1)^{k−1} 2k T_k/(4^k (4^k − 1))`.
-fn coefficients(n: usize) -> Arc<Vec<Rational>> {
+pub(super) fn coefficients(n: usize) -> Arc<Vec<Rational>> {
     static KNOWN: Mutex<Option<Arc<Vec<Rational>>>> = Mutex::new(None);
     let mut known = KNOWN.lock().unwrap_or_else(|broken| broken.into_inner());
     if let Some(all) = known.as_ref().filter(|all| all.len() >= n) {

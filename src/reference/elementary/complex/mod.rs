@@ -11,23 +11,78 @@
 //! `|f(z) − f(m)| ≤ ρ sup |f'|` enlarges both components (the box is convex). An overflow is one of
 //! the modulus, and has no sign.
 
+mod airy;
+mod bessel;
 mod error;
 mod exponential;
+mod exponential_integral;
 mod gamma;
+mod hypergeometric;
 mod inverse;
+pub(super) mod lambert;
 mod trigonometric;
+mod weierstrass;
+mod zeta;
 
 use super::support::{BITS, WIDE, ends, unsigned};
 use super::{ComplexEvaluated, NoValue};
 use crate::{Ball, ComplexBall, Mag};
 use rug::Float;
 use rug::float::Round;
+use std::sync::{Arc, Mutex};
 
+pub use airy::{airyai, airyaiprime, airybi, airybiprime};
+pub use bessel::{besseli, besselie, besselj};
 pub use error::{dawson, erf, erfc, erfcx, erfi, w};
 pub use exponential::{cbrt, div, exp, expm1, log, log1p, pow, recip, sqrt};
+pub use exponential_integral::{ci, e1, ei, si};
 pub use gamma::{lgamma, tgamma};
 pub use inverse::{acos, acosh, asin, asinh, atan, atanh};
+pub use lambert::lambertw;
 pub use trigonometric::{cos, cosh, sin, sinh, tan, tanh};
+pub use weierstrass::{weierstrassp, weierstrasspprime};
+pub use zeta::{zeta, zetaderivative};
+
+/// Constants at the precisions that are in use, which are multiples of 64 bits.
+struct Kept<T>(Mutex<Vec<(u32, Arc<T>)>>);
+
+impl<T> Kept<T> {
+    const fn new() -> Kept<T> {
+        Kept(Mutex::new(Vec::new()))
+    }
+
+    /// Those at a precision or the next one above, made if they are not there or not enough.
+    fn get(
+        &self,
+        p: u32,
+        is_enough: impl Fn(&T) -> bool,
+        make: impl FnOnce(u32) -> Result<T, NoValue>,
+    ) -> Result<Arc<T>, NoValue> {
+        /// Precisions that are kept.
+        const MOST: usize = 8;
+        let p = p.next_multiple_of(64);
+        let mut known = self.0.lock().unwrap_or_else(|broken| broken.into_inner());
+        if let Some((_, found)) = known.iter().find(|k| k.0 == p && is_enough(&k.1)) {
+            return Ok(Arc::clone(found));
+        }
+        let found = Arc::new(make(p)?);
+        known.retain(|k| k.0 != p);
+        if known.len() >= MOST {
+            known.remove(0);
+        }
+        known.push((p, Arc::clone(&found)));
+        Ok(found)
+    }
+}
+
+/// Reports the overflow of a function that grows like `e^a`, up to factors and divisors below
+/// 2^5000, from a lower bound on a: `e^{7.6e8} > 2^{1.096e9}`.
+fn overflow(a: f64) -> Result<(), NoValue> {
+    match a >= 7.6e8 {
+        true => Err(NoValue::Overflow { negative: false }),
+        false => Ok(()),
+    }
+}
 
 /// Bits beyond those of the result.
 const GUARD: u32 = 16;

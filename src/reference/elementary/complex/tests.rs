@@ -8,7 +8,7 @@ type Complex = fn(&ComplexBall, u32) -> ComplexEvaluated;
 
 /// Functions, and the share of the radius of a small box that is used at least, away from their
 /// singularities.
-const ALL: [(&str, Complex, f64); 27] = [
+const ALL: [(&str, Complex, f64); 36] = [
     ("exp", exp, 0.5),
     ("expm1", expm1, 0.5),
     ("log", log, 0.5),
@@ -36,12 +36,34 @@ const ALL: [(&str, Complex, f64); 27] = [
     ("dawson", dawson, 0.05),
     ("tgamma", tgamma, 0.1),
     ("lgamma", lgamma, 0.05),
+    ("airyai", airyai, 0.2),
+    ("airyaiprime", airyaiprime, 0.05),
+    ("airybi", airybi, 0.2),
+    ("airybiprime", airybiprime, 0.05),
+    ("si", si, 0.05),
+    ("ci", ci, 0.05),
+    ("e1", e1, 0.2),
+    ("lambertw", lambertw, 0.4),
+    ("zeta", zeta, 0.3),
 ];
 
 const P: u32 = 160;
 const HIGH: u32 = 400;
 
-fn point(x: f64, y: f64) -> ComplexBall {
+/// In each quadrant and on each axis.
+pub(super) const PLACES: [(f64, f64); 9] = [
+    (1.0, 0.0),
+    (0.75, 0.5),
+    (0.5, -0.75),
+    (0.0, 1.0),
+    (0.0, -1.0),
+    (-0.5, 0.875),
+    (-0.75, -0.25),
+    (-1.0, 0.0),
+    (0.97, 0.01),
+];
+
+pub(super) fn point(x: f64, y: f64) -> ComplexBall {
     ComplexBall::new(Ball::exact(64, x), Ball::exact(64, y))
 }
 

@@ -1,0 +1,68 @@
+//! Series against asymptotic sums, and boxes.
+
+use super::super::tests::{PLACES, point};
+use super::*;
+
+#[test]
+fn remainders_of_the_sums_are_needed_and_enough() {
+    for (x, y) in PLACES {
+        for size in [6.0, 10.0] {
+            let z = point(size * x, size * y);
+            if x > -1.0 {
+                let (a, b) = (
+                    first(&z, true, 160).unwrap(),
+                    first(&z, false, 160).unwrap(),
+                );
+                assert!(a.overlaps(&b), "{z:?}: {a:?} {b:?}");
+                assert!(a.radius() <= b.magnitude().shift(-2), "{z:?}: {a:?}");
+            }
+            if x >= 0.0 {
+                let pair = |is_sine, far| right(is_sine, &z, far, 160).unwrap();
+                assert!(pair(true, true).overlaps(&pair(true, false)), "{z:?}");
+                assert!(pair(false, true).overlaps(&pair(false, false)), "{z:?}");
+                assert!(pair(true, true).radius() <= Mag::from_f64(20.0));
+            }
+        }
+    }
+}
+
+/// `Ei(−x) = −E₁(x)`, and the real part of E₁ on its cut.
+#[test]
+fn the_integrals_are_related() {
+    for x in [0.01, 1.0, 30.0, 200.0] {
+        let [plus, minus] = [point(x, 0.0), point(-x, 0.0)];
+        let (a, b) = (ei(&minus, 120).unwrap(), e1(&plus, 120).unwrap());
+        assert!((-a.re).overlaps(&b.re), "{x}");
+        let (a, b) = (ei(&plus, 120).unwrap(), e1(&minus, 120).unwrap());
+        assert!(
+            (-a.re).overlaps(&b.re) && b.im.overlaps(&-Ball::pi(200)),
+            "{x}"
+        );
+    }
+    assert!(
+        ci(&point(-2.0, 0.0), 64)
+            .unwrap()
+            .im
+            .overlaps(&Ball::pi(200))
+    );
+    assert!(ei(&point(0.0, 0.0), 64).is_err() && ci(&point(0.0, 0.0), 64).is_err());
+}
+
+#[test]
+fn boxes_hold_values() {
+    for f in [e1, ei, si, ci] {
+        for (x, y) in PLACES {
+            for size in [0.0, 2.0, 40.0, 150.0] {
+                for r in [1e-12, 0.01, 0.3, 2.0] {
+                    let z = point(size * x, size * y).widened(Mag::from_f64(r));
+                    let Ok(found) = f(&z, 80) else { continue };
+                    for (s, t) in PLACES {
+                        let z = point(size * x + 0.99 * r * s, size * y + 0.99 * r * t);
+                        let value = f(&z, 120).unwrap();
+                        assert!(found.overlaps(&value), "{z:?} {r} {found:?} {value:?}");
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,194 @@
+//! Sums of hypergeometric terms in fixed-point arithmetic.
+//!
+//! # Sum
+//! `Σ_{k<n} t_k` with `t_0 = 1`, `t_{k+1} = t_k w a_k/b_k`, integers a_k and b_k > 0. The terms of
+//! the same k mod 4 are added up by themselves: `Σ i^{mk} t_k` is the sum at `i^m w`.
+//!
+//! # Error
+//! Both parts of every number are integers that count `u = 2^-bits`. A product loses less than u in
+//! each part, and so does a quotient. If e bounds the error of t_k and e_w that of w, then t_{k+1}
+//! is off by at most `(|ŵ| e + (|t̂| + e) e_w + √2 u) |a_k|/b_k + √2 u`, and the sum by the sum of
+//! these bounds.
+//!
+//! # Remainder
+//! Where `|w a_k|/b_k` does not increase from some k on and is at most 1/2, what is omitted is at
+//! most twice the first omitted term. For an asymptotic series the caller multiplies that term by
+//! the factor of its theorem.
+
+use super::super::support::WIDE;
+use super::super::{ComplexEvaluated, NoValue};
+use crate::{Ball, ComplexBall, Mag};
+use rug::{Assign, Float, Integer};
+
+/// The kind of a series, by which it ends.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// The quotients of its terms do not increase in modulus.
+    Convergent,
+    /// Its terms decrease and then increase: it ends before they do.
+    Asymptotic,
+}
+
+/// The sums of terms of the same number modulo 4.
+pub(super) struct Sum {
+    parts: [ComplexBall; 4],
+    /// A bound on the modulus of the first omitted term.
+    pub next: Mag,
+    /// The number of terms.
+    pub terms: u64,
+}
+
+impl Sum {
+    /// The sum at `i^m w`, without what was omitted.
+    pub fn at(&self, m: usize) -> ComplexBall {
+        let [a, b, c, d] = &self.parts;
+        let odd = [b - d, (b - d).turned(), d - b, (d - b).turned()];
+        match m % 4 {
+            0 | 2 => {
+                let (even, odd) = (a + c, b + d);
+                if m % 4 == 0 {
+                    &even + &odd
+                } else {
+                    &even - &odd
+                }
+            }
+            m => &(a - c) + &odd[m],
+        }
+    }
+}
+
+/// Terms of a sum at most.
+const MOST: u64 = 1 << 17;
+
+/// A bound on `2^k`; infinite beyond the doubles, not zero below them.
+fn power_of_two(k: i64) -> f64 {
+    Mag::power_of_two(k.max(-1000)).to_f64()
+}
+
+/// A bound on the modulus of a number of these parts, in units of `2^-bits`.
+fn size([re, im]: &[Integer; 2], bits: i64) -> f64 {
+    let longest = i64::from(re.significant_bits().max(im.significant_bits()));
+    if im.is_zero() || re.is_zero() {
+        return power_of_two(longest - bits);
+    }
+    power_of_two(longest - bits) * DIAGONAL
+}
+
+/// Above √2.
+const DIAGONAL: f64 = 1.41421357;
+
+/// What rounding of the bounds may have taken from them, in fewer than 2^21 operations.
+const ROUNDING: f64 = 1.0 + 1e-9;
+
+/// The sum with `bits` binary places.
+///
+/// Errors are counted in units of the last place, in doubles.
+pub(super) fn sum(
+    w: &ComplexBall,
+    bits: u32,
+    kind: Kind,
+    ratio: impl Fn(u64) -> (i64, u64),
+) -> Result<Sum, NoValue> {
+    let places = i64::from(bits);
+    let fixed = |x: &Ball| -> Option<Integer> {
+        let scaled = Float::with_val(x.prec(), x.mid() << bits);
+        scaled.to_integer()
+    };
+    if !w.is_finite() || w.magnitude() > Mag::power_of_two(1 << 20) {
+        return Err(WIDE);
+    }
+    let (Some(p), Some(q)) = (fixed(&w.re), fixed(&w.im)) else {
+        return Err(WIDE);
+    };
+    let is_real = q.is_zero() && w.im.is_zero();
+    // Rounded to nearest, each part by half a unit at most.
+    let off = w.radius().shift(places).to_f64() + 1.0;
+    let unit = power_of_two(-places);
+    let reach = w.magnitude().to_f64();
+    let about = reach + unit;
+    let mut t = [Integer::from(1) << bits, Integer::new()];
+    let mut other = Integer::new();
+    let mut parts: [[Integer; 2]; 4] = Default::default();
+    let (mut error, mut total, mut k) = (0.0, 0.0, 0_u64);
+    loop {
+        for (sum, part) in parts[k as usize % 4].iter_mut().zip(&t) {
+            *sum += part;
+        }
+        total += error;
+        let (a, b) = ratio(k);
+        let factor = a.unsigned_abs() as f64 / b as f64;
+        let turned = (size(&t, places) + error * unit) * off;
+        error = (about * error + turned + DIAGONAL) * factor + DIAGONAL;
+        if is_real {
+            t[0] *= &p;
+        } else {
+            let [re, im] = &mut t;
+            // (p + iq)(re + i im)
+            other.assign(&*re * &q);
+            *re *= &p;
+            *re -= &*im * &q;
+            *im *= &p;
+            *im += &other;
+        }
+        for part in &mut t {
+            *part >>= bits;
+            if a != 1 {
+                *part *= a;
+            }
+            *part /= b;
+        }
+        k += 1;
+        let quotient = reach * factor * ROUNDING;
+        let is_small = t.iter().all(|part| part.significant_bits() <= 4);
+        let ends = match kind {
+            Kind::Convergent => is_small && quotient <= 0.5,
+            Kind::Asymptotic => is_small || (quotient >= 1.0 && k > 1),
+        };
+        if ends {
+            break;
+        }
+        if k >= MOST || !error.is_finite() {
+            return Err(NoValue::Undecided("a series takes too many terms"));
+        }
+    }
+    let longest = t[0].significant_bits().max(t[1].significant_bits());
+    let next = Mag::from_f64(error * ROUNDING)
+        .add(Mag::from_f64(DIAGONAL).shift(longest.into()))
+        .shift(-places);
+    let total = Mag::from_f64(total * ROUNDING).shift(-places);
+    let ball = |x: &Integer| {
+        let exact = Float::with_val(x.significant_bits().max(bits), x);
+        Ball::new(exact >> bits, Mag::ZERO)
+    };
+    // The parts share the error: each holds all of it.
+    let of = |[re, im]: &[Integer; 2]| {
+        let z = ComplexBall::new(ball(re), ball(im));
+        let wide = z.re.widened(total);
+        ComplexBall::new(wide, if is_real { z.im } else { z.im.widened(total) })
+    };
+    Ok(Sum {
+        parts: [of(&parts[0]), of(&parts[1]), of(&parts[2]), of(&parts[3])],
+        next,
+        terms: k,
+    })
+}
+
+/// The sum of a convergent series.
+pub(super) fn series(
+    w: &ComplexBall,
+    bits: u32,
+    ratio: impl Fn(u64) -> (i64, u64),
+) -> ComplexEvaluated {
+    let sum = sum(w, bits, Kind::Convergent, ratio)?;
+    let all = sum.at(0);
+    let rest = sum.next.shift(1);
+    let im = if w.im.is_zero() {
+        all.im
+    } else {
+        all.im.widened(rest)
+    };
+    Ok(ComplexBall::new(all.re.widened(rest), im))
+}
+
+#[cfg(test)]
+mod tests;

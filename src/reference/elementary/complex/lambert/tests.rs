@@ -1,0 +1,87 @@
+//! The equation, the branches, and boxes.
+
+use super::super::tests::{PLACES, point};
+use super::*;
+
+/// `w e^w` is z again.
+fn returns(z: &ComplexBall, w: &ComplexBall) {
+    let back = w * &super::super::exp(w, 200).unwrap();
+    assert!(back.overlaps(z), "{z:?} {w:?}");
+}
+
+#[test]
+fn values_solve_the_equation() {
+    for (x, y) in PLACES {
+        for size in [1e-40, 0.2, 0.4, 3.0, 1e6] {
+            let z = point(size * x, size * y);
+            let w = lambertw(&z, 120).unwrap();
+            returns(&z, &w);
+            assert!(w.radius() <= w.magnitude().shift(-100), "{z:?} {w:?}");
+            // The principal branch.
+            assert!(
+                w.im.magnitude() < Mag::from_f64(3.1416)
+                    && (y == 0.0 || w.im.is_positive() == (y > 0.0))
+            );
+        }
+    }
+    for x in [-0.3678, -0.2, -1e-3, -1e-60] {
+        let x = Ball::exact(64, x);
+        let w = real_branch(&x, true, 120).unwrap();
+        assert!(w.upper() < -1);
+        returns(
+            &ComplexBall::new(x, exact(64, 0)),
+            &ComplexBall::new(w, exact(64, 0)),
+        );
+    }
+    assert!(matches!(
+        real_branch(&Ball::exact(64, -0.4), false, 64),
+        Err(NoValue::Undefined(_))
+    ));
+    assert!(matches!(
+        real_branch(&Ball::exact(64, 0.4), true, 64),
+        Err(NoValue::Undefined(_))
+    ));
+}
+
+/// Where Newton's map is not certainly a contraction, nothing is proved.
+#[test]
+fn wide_boxes_are_refused() {
+    let wide = point(2.0, 2.0).widened(Mag::from_f64(1.9));
+    assert!(value(&wide, false, 64).is_err() && lambertw(&wide, 64).is_ok());
+    let next = point(-0.36, 0.0).widened(Mag::from_f64(0.005));
+    assert!(value(&next, false, 64).is_err());
+}
+
+/// A disc that leaves the range of the branch proves nothing.
+#[test]
+fn the_range_ends_at_its_boundary() {
+    let anywhere = point(0.0, 0.0).widened(Mag::from_f64(100.0));
+    let inside =
+        |x: f64, y: f64, r: f64| is_in_range(&anywhere, &point(x, y), Mag::from_f64(r), false, 100);
+    assert!(inside(0.0, 1.5, 0.01) && inside(-0.9, 0.0, 0.05) && inside(60.0, 3.0, 0.01));
+    // −y cot y at 2 is 0.915.
+    assert!(inside(0.93, 2.0, 1e-3) && !inside(0.91, 2.0, 1e-3) && !inside(0.93, 2.0, 0.1));
+    assert!(!inside(-0.9, 0.0, 0.2) && !inside(90.0, 3.2, 0.01) && !inside(-1.5, 0.0, 0.1));
+}
+
+#[test]
+fn boxes_hold_values() {
+    for (x, y) in PLACES {
+        for size in [0.0, 0.3, 1.0, 20.0] {
+            for r in [1e-12, 0.01, 0.05, 0.3, 9.0] {
+                let z = point(size * x, size * y).widened(Mag::from_f64(r));
+                let Ok(found) = lambertw(&z, 80) else {
+                    continue;
+                };
+                for (s, t) in PLACES {
+                    let value = lambertw(
+                        &point(size * x + 0.99 * r * s, size * y + 0.99 * r * t),
+                        120,
+                    )
+                    .unwrap();
+                    assert!(found.overlaps(&value), "{z:?} {r}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! Sums with few terms, whose remainders matter, and known values.
+
+use super::super::tests::point;
+use super::*;
+
+#[test]
+fn remainders_are_needed_and_enough() {
+    for (x, y) in [(0.5, 14.0), (2.0, 0.0), (-1.5, 3.0), (0.25, -6.0)] {
+        let s = point(x, y);
+        let due = jet(&s, 3, [60, 40], 200).unwrap();
+        for numbers in [[2, 2], [3, 4], [6, 3], [8, 6]] {
+            let found = jet(&s, 3, numbers, 200).unwrap();
+            for (a, b) in found.iter().zip(&due) {
+                assert!(a.overlaps(b), "{s:?} {numbers:?}: {a:?} {b:?}");
+                assert!(b.radius() < Mag::power_of_two(-60));
+            }
+        }
+        let close = &jet(&s, 1, [8, 6], 200).unwrap()[0];
+        assert!(close.radius() < Mag::from_f64(0.05), "{close:?}");
+    }
+}
+
+#[test]
+fn known_values() {
+    let of = |x: f64, y: f64| zeta(&point(x, y), 120).unwrap();
+    let sixth = Ball::pi(200).square() / Ball::integer(64, 6);
+    assert!(of(2.0, 0.0).re.overlaps(&sixth));
+    assert!(of(0.0, 0.0).re.overlaps(&Ball::exact(64, -0.5)));
+    let rational = |p: i32, q: i32| Ball::rational(200, &Rational::from((p, q)));
+    assert!(of(-1.0, 0.0).re.overlaps(&rational(-1, 12)));
+    assert!(of(-7.0, 0.0).re.overlaps(&rational(1, 240)));
+    assert!(of(-20.0, 0.0).re.contains_zero() && of(300.0, 2.0).re.overlaps(&Ball::integer(64, 1)));
+    // ζ'(0) = −ln(2π)/2
+    let slope = zetaderivative(&Ball::integer(64, 1), &point(0.0, 0.0), 120).unwrap();
+    let due = -real::log(&Ball::pi(200).shift(1), 200).unwrap().shift(-1);
+    assert!(slope.re.overlaps(&due) && slope.re.rad() < Mag::power_of_two(-100));
+    assert!(matches!(
+        zeta(&point(1.0, 0.0), 64),
+        Err(NoValue::Undefined(_))
+    ));
+    let broken = zetaderivative(&Ball::exact(64, 0.5), &point(0.0, 0.0), 120);
+    assert!(broken.is_err());
+}
+
+#[test]
+fn boxes_hold_values() {
+    for (x, y) in [
+        (0.5, 14.0),
+        (2.0, 0.1),
+        (-1.5, 3.0),
+        (30.0, 5.0),
+        (200.0, 0.0),
+    ] {
+        for order in [0, 1] {
+            for r in [1e-12, 1e-5, 0.01, 0.3] {
+                let f = |s: &ComplexBall| zetaderivative(&Ball::integer(64, order), s, 80);
+                let Ok(found) = f(&point(x, y).widened(Mag::from_f64(r))) else {
+                    continue;
+                };
+                for (s, t) in super::super::tests::PLACES {
+                    let value = f(&point(x + 0.99 * r * s, y + 0.99 * r * t)).unwrap();
+                    assert!(found.overlaps(&value), "{x} {y} {r}");
+                }
+            }
+        }
+    }
+}
