@@ -70,6 +70,11 @@ fn reduce<R: Real>(x: Dd<R>) -> (Dd<R>, R) {
     (minus_multiple(x, n - like(ROUND), HALF_PI), n)
 }
 
+/// Sine and cosine.
+type Circle<R> = (Dd<R>, Dd<R>);
+/// An exponential without its power of two, and `ROUND` plus that.
+type Exponential<R> = (Dd<R>, R);
+
 /// `(sin, cos)` of two phases and two exponentials, `e^x = m 2^k` with `ROUND + k`.
 pub(crate) struct Factors<R> {
     pub circle: [(Dd<R>, Dd<R>); 2],
@@ -143,8 +148,8 @@ pub(crate) fn exp_minus_square<N: Numbers>(
     other_exponent: Dd<N::Number>,
 ) -> (
     Gaussian<N::Number>,
-    (Dd<N::Number>, Dd<N::Number>),
-    (Dd<N::Number>, N::Number),
+    Circle<N::Number>,
+    Exponential<N::Number>,
 ) {
     let theta = phase(a, -b);
     let (r, n) = reduce(theta);
@@ -168,7 +173,7 @@ pub(crate) fn circles_and_exponential<N: Numbers>(
     numbers: N,
     phases: [Dd<N::Number>; 2],
     exponent: Dd<N::Number>,
-) -> ([(Dd<N::Number>, Dd<N::Number>); 2], Dd<N::Number>) {
+) -> ([Circle<N::Number>; 2], Dd<N::Number>) {
     let zero = exponent.hi.like(0.0);
     let f = factors(
         numbers,
