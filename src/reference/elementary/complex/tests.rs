@@ -44,7 +44,7 @@ const ALL: [(&str, Complex, f64); 36] = [
     ("ci", ci, 0.05),
     ("e1", e1, 0.2),
     ("lambertw", lambertw, 0.4),
-    ("zeta", zeta, 0.3),
+    ("zeta", zeta, 0.2),
 ];
 
 const P: u32 = 160;
