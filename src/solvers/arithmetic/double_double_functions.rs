@@ -136,6 +136,8 @@ fn factors<N: Numbers>(
 
 /// Real and imaginary part of `e^{−z²}` without the power of two, and `ROUND` plus that.
 pub(crate) type Gaussian<R = f64> = (Dd<R>, Dd<R>, R);
+/// It, and the circle and the exponential that are computed beside it.
+type WithOthers<R> = (Gaussian<R>, Circle<R>, Exponential<R>);
 
 /// `e^{−z²} = (re + i im) 2^k` at `z = a − i b`, without the power of two and with `ROUND + k`, and
 /// beside it `(sin, cos)` of another phase (below 2³⁰) and another exponential.
@@ -146,11 +148,7 @@ pub(crate) fn exp_minus_square<N: Numbers>(
     b: N::Number,
     other_phase: Dd<N::Number>,
     other_exponent: Dd<N::Number>,
-) -> (
-    Gaussian<N::Number>,
-    Circle<N::Number>,
-    Exponential<N::Number>,
-) {
+) -> WithOthers<N::Number> {
     let theta = phase(a, -b);
     let (r, n) = reduce(theta);
     let small = theta.hi.magnitude().below(a.like(LARGE_PHASE));
