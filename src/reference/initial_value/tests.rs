@@ -457,7 +457,7 @@ fn a_matrix_is_carried_along() {
         let found = solution
             .carried(&field, &constants, &t, &mut steps)
             .unwrap();
-        let exact = 1 / Rational::from(1 - &t).square();
+        let exact: Rational = 1 / Rational::from(1 - &t).square();
         for share in [63, 65] {
             let end = Rational::from(&exact * share) / 64;
             assert!(found[0].contains(&end), "{t}: {found:?}");
