@@ -298,7 +298,7 @@ fn papers_of_a_folder_are_summed_up_and_their_programs_run() {
         &run(&["paper", one, two, "--exec", "--ledger"]),
         "one paper at a time",
     );
-    // What the program gives is judged.
+    // The program's values are judged.
     write("one/same.sh", "sed s/^.*$/2/\n");
     let d = run(&["paper", one, "--exec", "--check"]);
     assert_eq!(d.code, 1);

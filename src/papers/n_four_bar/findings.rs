@@ -96,7 +96,7 @@ fn library(motion: &Motion, worst: f64, when: f64) -> Found {
     Found::values(values, true).worded([format!("{worst:.1e}")].into_iter().chain(counts))
 }
 
-/// How far N = 2 and N = 40 are apart in the 10 s of the page, and when.
+/// The largest distance between N = 2 and N = 40 in the 10 s of the page, and its time.
 fn gaps(motion: &Motion) -> Vec<(f64, f64)> {
     let rows = motion.library.iter().zip(&motion.two);
     let rows = rows.filter(|((row, _), _)| row.time <= 10);

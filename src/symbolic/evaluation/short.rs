@@ -1,6 +1,7 @@
 //! Graphs in balls of machine words: a first pass, of which most values are accurate enough.
 //!
-//! What these balls do not decide, undefined and complex values among it, is left to [`Balls`].
+//! Values that these balls do not decide, undefined and complex ones among them, are left to
+//! [`Balls`].
 
 use super::adaptive::{Answer, FIRST, Goal};
 use super::ball::{Balls, Value, ball_of};

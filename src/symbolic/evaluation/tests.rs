@@ -55,7 +55,7 @@ fn special_functions_at_a_point() {
     }
 }
 
-/// What a differential equation makes of derivatives is zero.
+/// Derivatives obey the differential equation: its residual is zero.
 #[test]
 fn special_functions_have_their_derivatives() {
     for text in [

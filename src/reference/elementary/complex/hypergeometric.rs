@@ -77,7 +77,7 @@ fn size([re, im]: &[Integer; 2], bits: i64) -> f64 {
 /// Above √2.
 const DIAGONAL: f64 = 1.41421357;
 
-/// What rounding of the bounds may have taken from them, in fewer than 2^21 operations.
+/// More than rounding may have taken from the bounds, in fewer than 2^21 operations.
 const ROUNDING: f64 = 1.0 + 1e-9;
 
 /// The sum with `bits` binary places.

@@ -79,7 +79,7 @@ fn gap(x: Mag) -> Mag {
     Mag::power_of_two(0).sub_below(x)
 }
 
-/// What follows M terms.
+/// The terms after the first M.
 fn rest(s: Mag, size: Mag, terms: usize, power: usize) -> Mag {
     let next = Mag::from_f64(terms as f64 + 1.0);
     let quotient = Mag::from_f64(terms as f64 + 2.0).div(next);

@@ -679,7 +679,7 @@ impl<const ESTIMATE: bool, const K: usize, R: Rows<K>> Task for Both<'_, ESTIMAT
             }
             self.substitute(&mut next, *from, stop(j));
         }
-        // What is not finite stays so in all rows after it.
+        // A number that is not finite makes all rows after it so.
         let [above, below] = next;
         let finite = |x: &[f64]| x.iter().all(|x| x.is_finite());
         let sizes = [above.size, below.size];

@@ -219,7 +219,7 @@ impl Flow {
     /// that fails.
     fn close(&mut self, dynamics: &Dynamics, u: &[f64]) -> bool {
         let chain = &dynamics.chain;
-        // How far it is from where the Jacobian is that at hand.
+        // The distance from the place of the Jacobian that is at hand.
         let ways = u.iter().zip(&self.pose.u).map(|(a, b)| (a - b).abs());
         let mut since = ways.fold(self.astray, |m, way| if way <= m { m } else { way });
         self.astray = f64::INFINITY;
