@@ -358,7 +358,7 @@ def f_bessel(name):
     """A Bessel function of an order and a number, from above its cut."""
 
     def value(order, x, y=Dyadic(0)):
-        if y.m == 0 and x.m <= 0 and not order.is_integer():
+        if y.m == 0 and x.m < 0 and not order.is_integer():
             y = NUDGE
         z, n = acb(x.arb(), y.arb()), acb(order.arb())
         if name == "j":

@@ -369,10 +369,16 @@ fn value(which: Which, order: &Ball, z: &ComplexBall, prec: u32) -> ComplexEvalu
             true => far(which, order, &m, p),
             false => near(which, order, &m, p),
         };
+        // The box reaches from the operand to what it was clipped to.
+        let reach = |z: &Ball, m: &Ball| match z.mid() == m.mid() {
+            true => z.clone(),
+            false => m.widened(z.magnitude()),
+        };
         let (most, slope) = if rho.is_zero() {
             (Mag::INFINITY, Mag::ZERO)
         } else {
-            bounds(which, order, z)
+            let around = ComplexBall::new(reach(&z.re, &m.re), reach(&z.im, &m.im));
+            bounds(which, order, &around)
         };
         let change = slope.mul(rho);
         let zero = ComplexBall::zero(prec);
