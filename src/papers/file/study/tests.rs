@@ -120,8 +120,8 @@ fn published_motions_are_as_recorded() {
         std::path::PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../reference/papers");
     for (paper, entries) in [
         ("iftomm-pendulum", 24),
-        ("ivp-test-set", 60),
-        ("modelica-multibody", 154),
+        ("ivp-test-set", 48),
+        ("modelica-multibody", 132),
     ] {
         let file = PaperFile::open(&folder.join(paper)).unwrap();
         let report = file.report(&|_, _, _| {}).unwrap();
