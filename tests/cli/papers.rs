@@ -169,7 +169,7 @@ fn readable(html: &str) {
             .collect()
     };
     let (links, ids) = (values("href=\"#"), values(" id=\""));
-    assert!(links.len() >= text.matches("<article").count() && links.len() > 7);
+    assert!(links.len() >= text.matches("<article").count() && links.len() > 5);
     for link in &links {
         assert_eq!(ids.iter().filter(|id| *id == link).count(), 1, "{link}");
     }

@@ -284,10 +284,10 @@ impl Branch {
         if way == 0.0 || 4.0 * way > step.h.abs() {
             return Ok(found);
         }
-        let shorter = self.made(setting, *k, 1.0625 * way, steps)?;
-        Ok(match shorter.h.abs() >= way {
-            true => shorter.carried(time),
-            false => found,
+        // A step may be shorter than any that is made.
+        Ok(match self.made(setting, *k, 1.0625 * way, steps) {
+            Ok(shorter) if shorter.h.abs() >= way => shorter.carried(time),
+            _ => found,
         })
     }
 

@@ -5,7 +5,7 @@ use super::*;
 
 #[test]
 fn periods_are_one_and_tau() {
-    for tau in [point(0.0, 1.0), point(0.5, 0.875), point(-0.25, 0.4)] {
+    for tau in [point(0.0, 1.0), point(0.5, 0.875), point(-0.25, 0.45)] {
         for (x, y) in [(0.3125, 0.1), (0.25, -0.4), (0.5, 0.0)] {
             for f in [weierstrassp, weierstrasspprime] {
                 let value = f(&point(x, y), &tau, 150).unwrap();
