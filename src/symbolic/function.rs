@@ -126,7 +126,7 @@ functions! {
     /// Cosine integral `−∫_x^∞ cos(t)/t dt`.
     CosInt/1 "cosint";
     /// Exponential integral Ei, a principal value.
-    Ei/1 "ei";
+    Ei/1 "expi";
     /// Exponential integral `E₁(x) = ∫_x^∞ e^{−t}/t dt`.
     ExpInt/1 "expint";
     /// Lambert's function W₀, the inverse of `w e^w` for w ≥ −1.
@@ -134,9 +134,9 @@ functions! {
     /// Lambert's function W₋₁, the inverse of `w e^w` for w ≤ −1.
     LambertWm1/1 "lambertwm1";
     /// Riemann's zeta function.
-    Zeta/1 "zeta";
-    /// Its n-th derivative: `zetaderivative(n, s)`.
-    ZetaDerivative/2 "zetaderivative";
+    Zeta/1 "riemannzeta";
+    /// Its n-th derivative: `riemannzetaderivative(n, s)`.
+    ZetaDerivative/2 "riemannzetaderivative";
     /// Bessel function of the first kind: `besselj(ν, x)`.
     BesselJ/2 "besselj";
     /// Modified Bessel function of the first kind: `besseli(ν, x)`.

@@ -32,7 +32,7 @@ const INTEGRALS: [(u32, &str); 39] = [
     // The path is its own mirror image in the real axis: twice the part above it.
     (
         7,
-        "(re(int(t, 0, 1, zeta(2 + i*t)) - int(t, 0, 1, zeta(-1 + i*t))) - im(int(t, -1, 2, zeta(t + i))))/pi",
+        "(re(int(t, 0, 1, riemannzeta(2 + i*t)) - int(t, 0, 1, riemannzeta(-1 + i*t))) - im(int(t, -1, 2, riemannzeta(t + i))))/pi",
     ),
     (8, "int(x, 0, 1, sin(1/x))"),
     (9, "int(x, 0, 1, x*sin(1/x))"),
@@ -56,7 +56,7 @@ const INTEGRALS: [(u32, &str); 39] = [
     ),
     (
         22,
-        "1 + (im(int(t, 0, 1000, i*zetaderivative(1, 100 + i*t)/zeta(100 + i*t)) - int(t, 1/2, 100, zetaderivative(1, t + 1000*i)/zeta(t + 1000*i))) + im(lgamma(1/4 + 500*i)) - 500*log(pi))/pi",
+        "1 + (im(int(t, 0, 1000, i*riemannzetaderivative(1, 100 + i*t)/riemannzeta(100 + i*t)) - int(t, 1/2, 100, riemannzetaderivative(1, t + 1000*i)/riemannzeta(t + 1000*i))) + im(lgamma(1/4 + 500*i)) - 500*log(pi))/pi",
     ),
     (23, "int(x, 0, 1000, lambertw(x))"),
     (24, "int(x, 0, pi, max(sin(x), cos(x)))"),
