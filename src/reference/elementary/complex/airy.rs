@@ -249,7 +249,8 @@ fn value(which: Which, z: &ComplexBall, prec: u32) -> ComplexEvaluated {
         return rounded(&whole(found?), prec);
     }
     let (m, rho) = clipped(z);
-    let value = at(which, &m, p)?;
+    let at = |which, p| at(which, &m, p).map_err(|why| super::of_box(why, rho));
+    let value = at(which, p)?;
     if rho.is_zero() {
         return rounded(&whole(value), prec);
     }
@@ -258,7 +259,6 @@ fn value(which: Which, z: &ComplexBall, prec: u32) -> ComplexEvaluated {
             slope: false,
             ..which
         },
-        &m,
         BITS,
     )?
     .magnitude();
@@ -267,7 +267,6 @@ fn value(which: Which, z: &ComplexBall, prec: u32) -> ComplexEvaluated {
             slope: true,
             ..which
         },
-        &m,
         BITS,
     )?
     .magnitude();

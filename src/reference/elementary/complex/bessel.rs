@@ -387,7 +387,7 @@ fn value(which: Which, order: &Ball, z: &ComplexBall, prec: u32) -> ComplexEvalu
         let z_is_real = z.im.is_zero() && (order.is_integer() || low() >= 0);
         let wide = match at {
             Ok(at) if !(change > most) => widened(&at, change, prec)?,
-            Err(why) if !most.is_finite() => return Err(why),
+            Err(why) if !most.is_finite() => return Err(super::of_box(why, rho)),
             _ => widened(&zero, most, prec)?,
         };
         match z_is_real {

@@ -302,7 +302,8 @@ fn circular(is_sine: bool, z: &ComplexBall, prec: u32) -> ComplexEvaluated {
             true => clipped(z),
             false => (middle(z), z.radius()),
         };
-        let value = turned(&m, is_far(super::below(&m).to_f64(), p), p + long)?;
+        let value = turned(&m, is_far(super::below(&m).to_f64(), p), p + long)
+            .map_err(|why| super::of_box(why, rho))?;
         let least = super::below(z);
         let inverse = Mag::power_of_two(0).div(least);
         let slope = exp_above(z.im.magnitude().to_f64() * (1.0 + 1e-15));

@@ -176,6 +176,15 @@ fn clipped(z: &ComplexBall) -> (ComplexBall, Mag) {
     (ComplexBall::new(re, im), rho)
 }
 
+/// The reason of a whole box, of which one point was tried: an overflow there says nothing of the
+/// other points.
+fn of_box(why: NoValue, rho: Mag) -> NoValue {
+    match why {
+        NoValue::Overflow { .. } if !rho.is_zero() => WIDE,
+        why => why,
+    }
+}
+
 /// A float rounded down, as a double.
 fn f64_down(x: &Float) -> f64 {
     x.to_f64_round(Round::Down)
