@@ -118,7 +118,19 @@ pub fn hunt_until(
     progress: &(dyn Fn(u64) + Sync),
     stop: &AtomicBool,
 ) -> Hunt {
-    search(method, settings, None, progress, stop)
+    search(method, settings, &[], None, progress, stop)
+}
+
+/// [`hunt_until`], which begins at given inputs too: the first of them, up to a third of the
+/// evaluations.
+pub fn hunt_from(
+    method: &dyn Method,
+    settings: &HuntSettings,
+    given: &[Vec<f64>],
+    progress: &(dyn Fn(u64) + Sync),
+    stop: &AtomicBool,
+) -> Hunt {
+    search(method, settings, given, None, progress, stop)
 }
 
 /// [`hunt_until`], judging answers from elsewhere in place of those of the method's own solver.
@@ -129,12 +141,13 @@ pub fn hunt_answers(
     progress: &(dyn Fn(u64) + Sync),
     stop: &AtomicBool,
 ) -> Hunt {
-    search(method, settings, Some(answers), progress, stop)
+    search(method, settings, &[], Some(answers), progress, stop)
 }
 
 fn search(
     method: &dyn Method,
     settings: &HuntSettings,
+    given: &[Vec<f64>],
     answers: Option<&Answers>,
     progress: &(dyn Fn(u64) + Sync),
     stop: &AtomicBool,
@@ -154,7 +167,7 @@ fn search(
         progress,
         stop,
     };
-    let (seeds, failures) = hunter.seeds(settings.evaluations / 3);
+    let (seeds, failures) = hunter.seeds(settings.evaluations / 3, given);
     let starts = choose(&seeds, hunter.outputs.len());
     let share = hunter.left / STARTS.max(hunter.outputs.len()) as u64;
     for (k, (start, output)) in starts.iter().enumerate() {
@@ -251,14 +264,24 @@ impl Hunter<'_> {
     }
 
     /// Seeds of every kind, and the drawn inputs that fail without a share.
-    fn seeds(&mut self, budget: u64) -> (Vec<Seed>, Vec<Case>) {
+    fn seeds(&mut self, budget: u64, given: &[Vec<f64>]) -> (Vec<Seed>, Vec<Case>) {
         let regions = self.method.domain().regions.len().max(1) as u64;
         self.settings.cases_per_region = (budget / (3 * regions)).max(2);
         let cases = Cases::new(self.method, &self.settings);
         let going_on = |_: &usize| !self.stop.load(Ordering::Relaxed);
         let numbers = (0..cases.len()).take_while(going_on);
         let drawn: Vec<Case> = numbers.map(|i| cases.get(i)).collect();
-        let mut all: Vec<(Case, &'static str)> = Vec::new();
+        // Chosen among those of the first region, by their shares.
+        let regions = &self.method.domain().regions;
+        let region = regions.first().map_or("the domain", |r| r.name);
+        let given = given.iter().take(budget.min(usize::MAX as u64) as usize);
+        let given = given.map(|input| Case {
+            method: self.method.name(),
+            region,
+            input: input.clone(),
+            origin: Origin::Given,
+        });
+        let mut all: Vec<(Case, &'static str)> = given.map(|case| (case, "given")).collect();
         for (k, case) in drawn.iter().enumerate() {
             let kind = match case.origin {
                 Origin::CheckPoint { .. } => "check point",
@@ -288,7 +311,7 @@ impl Hunter<'_> {
         let mut seeds = Vec::new();
         let mut failures = Vec::new();
         for ((case, kind), found) in all.into_iter().zip(found) {
-            let drawn = !matches!(kind, "edge" | "spaced");
+            let drawn = !matches!(kind, "edge" | "spaced" | "given");
             if found.shares.is_some() {
                 self.record(&found, &|| format!("{kind} in {}", case.region));
                 let region = case.region;

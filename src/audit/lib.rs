@@ -61,7 +61,7 @@ pub use domain::{CheckPoint, Domain, Draw, Region, Sampler};
 pub use expected::Expected;
 pub use hard::{HARD_HEADER, HardCase, HardCaseError, HardCaseFault, rounded_up};
 pub use hex_float::{hex_float, write_hex_float};
-pub use hunt::{Answers, Hunt, HuntSettings, Worst, hunt, hunt_answers, hunt_until};
+pub use hunt::{Answers, Hunt, HuntSettings, Worst, hunt, hunt_answers, hunt_from, hunt_until};
 pub use judge::{ComponentJudgement, Judgement, Rules, Verdict, judge, judge_by, judge_with_norm};
 pub use judged::{answer_of, audit_case, judge_case, judge_case_briefly};
 pub use kind::{Kind, Kinds};

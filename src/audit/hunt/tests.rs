@@ -296,10 +296,35 @@ fn shares_are_those_of_outputs() {
 
 /// Returns kind, region and first number of each seed of a hunt.
 fn seeds_of(h: &mut Hunter, budget: u64) -> (Vec<(&'static str, &'static str, f64)>, Vec<f64>) {
-    let (seeds, failures) = h.seeds(budget);
+    let (seeds, failures) = h.seeds(budget, &[]);
     let seeds = seeds.iter().map(|s| (s.kind, s.region, s.found.input[0]));
     let failures = failures.iter().map(|c| c.input[0]);
     (seeds.collect(), failures.collect())
+}
+
+/// Given inputs come first and up to a third of the evaluations, and none of them is a failure.
+#[test]
+fn hunts_begin_at_given_inputs() {
+    let method = Planted {
+        solve: Box::new(|x| match x[0] {
+            1e9 => SolverAnswer::Values(vec![f64::NAN]),
+            v => SolverAnswer::Values(vec![off(v, if v == 1e8 { 3 } else { 0 })]),
+        }),
+        ..Planted::default()
+    };
+    let hunt = |given: &[f64]| {
+        let given: Vec<Vec<f64>> = given.iter().map(|x| vec![*x]).collect();
+        let settings = HuntSettings {
+            evaluations: 9,
+            seed: 1,
+        };
+        hunt_from(&method, &settings, &given, &|_| {}, &never())
+    };
+    let found = hunt(&[1e9, 2.0, 1e8, 3.0]);
+    assert_eq!((found.worst[0].input[0], found.failures.len()), (1e8, 0));
+    assert!(is(found.worst[0].share, 0.75));
+    let found = hunt(&[1e9, 2.0, 3.0, 1e8]);
+    assert!(found.worst[0].share < 0.75);
 }
 
 /// Check points at multiples of eight, which leave a place for each eighth between them.

@@ -5,6 +5,7 @@
 //! [`Evaluator`](crate::evaluation::Evaluator) gives its nodes values.
 
 mod build;
+mod continuation;
 mod derivative;
 mod identities;
 mod substitute;

@@ -1,5 +1,6 @@
 //! Proofs of rounding-error bounds of the solvers of studies.
 
+mod places;
 mod witness;
 
 use super::{boxes, line, tell, versioned, watched};
@@ -162,7 +163,7 @@ impl Theorem {
         let own = own_study(problem, solver, setting, outputs)?;
         let mut found = Vec::new();
         for (measure, proof) in &proofs {
-            let worst = worst(&own, *measure, proof.bound, args)?;
+            let worst = worst(&own, *measure, proof, args)?;
             if let Some(f) = worst
                 .as_ref()
                 .filter(|f| f.error > proof.bound * (1.0 + 1e-9))

@@ -1,11 +1,12 @@
 //! Evidence beside a proof: the worst input found, and the comparison of the solver's formula with
 //! the definition.
 
+use super::places::places;
 use crate::cli::args::ProveArgs;
 use crate::cli::failure::Failure;
 use crate::cli::process::interrupt;
-use mechaudit::audit::{HuntSettings, Method, SolverAnswer, Worst, hunt_until};
-use mechaudit::proof::program::{Measure, Setting};
+use mechaudit::audit::{HuntSettings, Method, SolverAnswer, Worst, hunt_from};
+use mechaudit::proof::program::{Measure, Proof, Setting};
 use mechaudit::study::proof::limit;
 use mechaudit::study::{Problem, Study, StudyOutput, StudySolver};
 use mechaudit::symbolic::evaluation::{Answer, Goal};
@@ -45,16 +46,17 @@ pub struct Found {
     pub input: Vec<f64>,
 }
 
-/// The names that the study and its solver define differently, the outputs among them.
+/// The names that the study and its solver define differently, the outputs among them. An input
+/// that the solver gives a definition is one.
 fn differing<'a>(
     problem: &'a Problem,
     solver: &'a StudySolver,
 ) -> impl Iterator<Item = &'a String> {
     let definitions = &problem.definitions.names;
-    let of_solver = solver.definitions.names.iter();
-    let others = of_solver.filter(|(name, own)| {
+    let others = solver.definitions.names.iter().filter(|(name, own)| {
         let known = definitions.get(*name);
         known.is_some_and(|e| e.to_string() != own.to_string())
+            || problem.inputs.iter().any(|input| input.name == **name)
     });
     others.map(|(name, _)| name)
 }
@@ -104,9 +106,10 @@ pub fn own_study(
 pub fn worst(
     own: &Problem,
     measure: Measure,
-    bound: f64,
+    proof: &Proof,
     args: &ProveArgs,
 ) -> Result<Option<Found>, Failure> {
+    let bound = proof.bound;
     if args.evals == 0 || bound == 0.0 {
         return Ok(None);
     }
@@ -127,7 +130,8 @@ pub fn worst(
         evaluations: args.evals,
         seed: 1,
     };
-    let found = hunt_until(&study, &settings, &|_| {}, interrupt::flag());
+    let given = places(&study, proof);
+    let found = hunt_from(&study, &settings, &given, &|_| {}, interrupt::flag());
     let each = found
         .worst
         .into_iter()
@@ -183,9 +187,13 @@ pub fn same(
         graph.build(&problem.definitions, is),
         graph.build(&solver.definitions, &solver.formulas[k]),
     ];
-    if let [Ok(a), Ok(b)] = both
-        && a == b
-    {
+    let differs = || {
+        let mut names = differing(problem, solver);
+        names.find(|n| problem.definitions.reaches(is, &[n]))
+    };
+    // Loops have nodes of their own each time that they are built.
+    let is_written_alike = *is == solver.formulas[k] && differs().is_none();
+    if matches!(&both, [Ok(a), Ok(b)] if a == b) || is_written_alike {
         return Same::Proved("the same formula");
     }
     if let Ok(of_solver) = Study::new(own.clone()) {
@@ -210,7 +218,7 @@ pub fn same(
         }
     }
     // The algebra reads both sides with one set of definitions.
-    if let Some(name) = differing(problem, solver).find(|n| problem.definitions.reaches(is, &[n])) {
+    if let Some(name) = differs() {
         return Same::Undecided(format!("the solver defines {name} differently"));
     }
     // The algebra takes names without a definition for positive numbers.
@@ -219,9 +227,13 @@ pub fn same(
         left: is.clone(),
         right: solver.formulas[k].clone(),
     };
+    let everywhere = match both {
+        [Ok(a), Ok(b)] => graph.continues([a, b], |k| positive(&problem.inputs[k])),
+        _ => problem.inputs.iter().all(positive),
+    };
     let decided = Identity::of(&own.definitions, &equation);
     match decided.outcome {
-        Decision::Proved if problem.inputs.iter().all(positive) => Same::Proved("by the algebra"),
+        Decision::Proved if everywhere => Same::Proved("by the algebra"),
         Decision::Proved => {
             Same::Undecided("proved by the algebra for positive inputs alone".into())
         }
