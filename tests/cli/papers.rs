@@ -293,7 +293,6 @@ fn papers_of_a_folder_are_summed_up_and_their_programs_run() {
     );
     let html = run(&["paper", both, "--exec", "--format", "html"]).out;
     needs_nothing_else(&html);
-    readable(&html);
     refused(
         &run(&["paper", one, two, "--exec", "--ledger"]),
         "one paper at a time",

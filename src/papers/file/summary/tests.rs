@@ -25,8 +25,8 @@ fn found(rest: &str, found: Option<Found>) -> Finding {
     let mut analysis = Analysis::default();
     found.into_iter().for_each(|found| analysis.add("f", found));
     let report = file.analysed(|| Ok(analysis), &|_, _, _| {}).unwrap();
-    let of = report.findings.into_iter();
-    of.filter(|f| f.id == "f").next().unwrap()
+    let mut of = report.findings.into_iter();
+    of.find(|f| f.id == "f").unwrap()
 }
 
 #[test]
