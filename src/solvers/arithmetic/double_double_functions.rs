@@ -5,7 +5,7 @@ use super::payne_hanek;
 use super::tables::{HALF_PI, INVERSE_FACTORIAL, LN_2};
 use crate::double_double::{Dd, two_prod, two_sum};
 use crate::numbers::Numbers;
-use crate::real::{Masked, ROUND, Real};
+use crate::real::{ROUND, Real};
 
 /// `1/n!`, and ln 2.
 #[cfg(feature = "proof")]

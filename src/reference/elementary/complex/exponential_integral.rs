@@ -137,8 +137,9 @@ pub fn e1(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
         return rounded(&value, prec);
     }
     let m = middle(z);
-    let value = first(&m, is_far(super::below(&m).to_f64(), p), p)?;
     let rho = z.radius();
+    let value = first(&m, is_far(super::below(&m).to_f64(), p), p)
+        .map_err(|why| super::of_box(why, rho))?;
     if rho.is_zero() {
         return rounded(&value, prec);
     }
@@ -198,8 +199,9 @@ pub fn ei(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
     if least.is_zero() {
         return Err(NoValue::Undecided("the operand may be zero"));
     }
-    let value = at(&m, is_far(super::below(&m).to_f64(), p), p + long)?;
     let rho = z.radius();
+    let value = at(&m, is_far(super::below(&m).to_f64(), p), p + long)
+        .map_err(|why| super::of_box(why, rho))?;
     if rho.is_zero() {
         return rounded(&value, prec);
     }

@@ -13,7 +13,7 @@ use super::quadrant::{
 use crate::double_double::Dd;
 use crate::hex::hex;
 use crate::lanes::{Lanes, Task};
-use crate::real::{Masked, ROUND, Real, is_zero, scaled};
+use crate::real::{Masked, ROUND, is_zero, scaled};
 
 /// xy below which, x being small, Re erf is linear in it.
 pub(super) const LINEAR: f64 = hex("0x1p-32");

@@ -113,7 +113,7 @@ mod vectors {
     use super::{Alone, Function};
     use crate::lanes::Lanes;
     use crate::pack::{Pack, Wide, WideTask};
-    use crate::real::{Masked, Real};
+    use crate::real::Real;
     use num_complex::Complex;
     use pulp::NullaryFnOnce;
 

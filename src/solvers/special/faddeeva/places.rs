@@ -6,7 +6,7 @@ use crate::double_double::Dd;
 use crate::lanes::Lanes;
 use crate::numbers::Numbers;
 pub(super) use crate::numbers::One;
-use crate::real::{Masked, Real};
+use crate::real::Real;
 
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 use super::taylor::{OnRows, axis_rows, real_rows};
