@@ -19,6 +19,7 @@ import math
 import random
 import subprocess
 import sys
+from fractions import Fraction
 
 from flint import acb, acb_series, arb, ctx
 
@@ -405,7 +406,9 @@ def f_pe_prime(a, b, c, d):
 
 
 def off_lattice(a, b, c, d):
-    return (b.m, d.m) != (0, 0) and not (b.m == 0 and a.is_integer())
+    """Returns true if a + ib is no m + n(c + id)."""
+    a, b, c, d = (Fraction(x.m) * Fraction(2) ** x.e for x in (a, b, c, d))
+    return d != 0 and ((b / d).denominator != 1 or (a - b / d * c).denominator != 1)
 
 
 def above_branch_point(x):

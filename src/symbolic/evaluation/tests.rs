@@ -70,7 +70,7 @@ fn special_functions_have_their_derivatives() {
         "D(expint(x), x) + exp(-x)/x",
         "D(lambertw(x), x)*x*(1 + lambertw(x)) - lambertw(x)",
         "D(lambertwm1(-x), x)*x*(1 + lambertwm1(-x)) - lambertwm1(-x)",
-        "D(zetaderivative(1, x), x) - zetaderivative(2, x)",
+        "D(riemannzetaderivative(1, x), x) - riemannzetaderivative(2, x)",
         "re(D(weierstrassp(x, i), x) - weierstrasspprime(x, i))",
     ] {
         let e = parse(text).unwrap();

@@ -21,9 +21,9 @@ fn sums_hold_the_function() {
             let found = series(&w, bits, factorials).unwrap();
             let value = super::super::exp(&w, 400).unwrap();
             assert!(found.overlaps(&value), "{x} {y} {bits}: {found:?}");
-            // Twice the first omitted term, of 16 units in each part, and errors of the places,
-            // which grow like the terms.
-            let due = 128.0 * x.hypot(y).exp() * 2f64.powi(-(bits as i32));
+            // Twice the first omitted term, of 16 units in each part, and a unit of the last place for
+            // each term, of which there are fewer than bits.
+            let due = (64.0 + f64::from(bits)) * x.hypot(y).exp() * 2f64.powi(-(bits as i32));
             assert!(
                 found.radius() <= Mag::from_f64(due),
                 "{x} {y} {bits}: {found:?}"
