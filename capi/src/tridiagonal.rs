@@ -192,7 +192,7 @@ pub unsafe extern "C" fn mechaudit_tridiagonal_solve_batch(
     error: *mut Error,
 ) -> Status {
     let run = || {
-        let all = m.checked_mul(n).unwrap_or(usize::MAX);
+        let all = m.saturating_mul(n);
         // SAFETY: the caller promises arrays of m n numbers.
         let [lower, diagonal, upper] = unsafe {
             [

@@ -135,8 +135,8 @@ functions! {
     LambertWm1/1 "lambertwm1";
     /// Riemann's zeta function.
     Zeta/1 "riemannzeta";
-    /// Its n-th derivative: `riemannzetaderivative(n, s)`.
-    ZetaDerivative/2 "riemannzetaderivative";
+    /// Its n-th derivative: `zetaderivative(n, s)`.
+    ZetaDerivative/2 "zetaderivative";
     /// Bessel function of the first kind: `besselj(ν, x)`.
     BesselJ/2 "besselj";
     /// Modified Bessel function of the first kind: `besseli(ν, x)`.

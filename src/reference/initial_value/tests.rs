@@ -269,7 +269,7 @@ fn sets_hold_the_images_of_their_errors() {
                     .map(|_| Mag::from_f64(size * unit(&mut draw).abs()))
                     .collect();
                 let image = set.radii_after(&flow);
-                set = set.moved(&flow, &[extra.clone()], &weights);
+                set = set.moved(&flow, std::slice::from_ref(&extra), &weights);
                 let least = image[0]
                     .iter()
                     .zip(&extra)

@@ -11,9 +11,9 @@ use crate::real::Masked;
 /// `arctan 1/2`
 const OF_HALF: Dd = Dd::new(0.463_647_609_000_806_1, 2.269_877_745_296_168_7e-17);
 /// `π/4`
-const OF_ONE: Dd = Dd::new(0.785_398_163_397_448_3, 3.061_616_997_868_383e-17);
+const OF_ONE: Dd = Dd::new(std::f64::consts::FRAC_PI_4, 3.061_616_997_868_383e-17);
 /// `π/2`
-const RIGHT: Dd = Dd::new(1.570_796_326_794_896_6, 6.123_233_995_736_766e-17);
+const RIGHT: Dd = Dd::new(std::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17);
 
 /// `−1/3, 1/5, −1/7, …`
 const TERMS: [f64; 12] = {

@@ -48,7 +48,7 @@ fn special_functions_at_a_point() {
         ("lambertw(x)", "0.5671432904097838729999687"),
         ("lambertwm1(-x/4)", "-2.153292364110349649169099"),
         ("riemannzeta(3*x)", "1.202056903159594285399738"),
-        ("D(riemannzeta(2*x), x)", "-1.875096508630687507405149"),
+        ("D(riemannzeta(2*x), x)", "-1.875096508631687507405148"),
         ("im(lgamma(1 + i*x))", "-0.3016403204675331978875317"),
     ] {
         assert_eq!(value(text, (1, 1), 25), due, "{text}");
@@ -70,7 +70,7 @@ fn special_functions_have_their_derivatives() {
         "D(expint(x), x) + exp(-x)/x",
         "D(lambertw(x), x)*x*(1 + lambertw(x)) - lambertw(x)",
         "D(lambertwm1(-x), x)*x*(1 + lambertwm1(-x)) - lambertwm1(-x)",
-        "D(riemannzetaderivative(1, x), x) - riemannzetaderivative(2, x)",
+        "D(zetaderivative(1, x), x) - zetaderivative(2, x)",
         "re(D(weierstrassp(x, i), x) - weierstrasspprime(x, i))",
     ] {
         let e = parse(text).unwrap();

@@ -56,7 +56,7 @@ const INTEGRALS: [(u32, &str); 39] = [
     ),
     (
         22,
-        "1 + (im(int(t, 0, 1000, i*riemannzetaderivative(1, 100 + i*t)/riemannzeta(100 + i*t)) - int(t, 1/2, 100, riemannzetaderivative(1, t + 1000*i)/riemannzeta(t + 1000*i))) + im(lgamma(1/4 + 500*i)) - 500*log(pi))/pi",
+        "1 + (im(int(t, 0, 1000, i*zetaderivative(1, 100 + i*t)/riemannzeta(100 + i*t)) - int(t, 1/2, 100, zetaderivative(1, t + 1000*i)/riemannzeta(t + 1000*i))) + im(lgamma(1/4 + 500*i)) - 500*log(pi))/pi",
     ),
     (23, "int(x, 0, 1000, lambertw(x))"),
     (24, "int(x, 0, pi, max(sin(x), cos(x)))"),

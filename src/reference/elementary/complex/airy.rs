@@ -77,7 +77,8 @@ fn near(which: Which, z: &ComplexBall, p: u32) -> ComplexEvaluated {
     // e^{−Re ζ} of terms of e^{|ζ|}; Bi is not small, nor is Ai left of the axis.
     let fall = (1.5 * y.abs().atan2(x)).cos();
     let fall = if which.second { fall.abs() } else { fall };
-    let lost = 1.4427 * zeta * (1.0 + if which.second { -fall } else { fall }).max(0.0);
+    let lost =
+        std::f64::consts::LOG2_E * zeta * (1.0 + if which.second { -fall } else { fall }).max(0.0);
     let places = f64::from(p) + lost + 3.0 * (size + 1.0).log2() + 16.0;
     if !(places < 40_000.0) {
         return Err(NoValue::Undecided("an Airy function far from zero"));

@@ -263,7 +263,11 @@ fn near(which: Which, order: Order, z: &ComplexBall, p: u32) -> ComplexEvaluated
     } else {
         0.0
     };
-    let places = f64::from(p) + 1.4427 * (size - grown) + factor + 2.0 * (size + 1.0).log2() + 16.0;
+    let places = f64::from(p)
+        + std::f64::consts::LOG2_E * (size - grown)
+        + factor
+        + 2.0 * (size + 1.0).log2()
+        + 16.0;
     if !(places < PLACES) {
         return Err(NoValue::Undecided("a Bessel function far from zero"));
     }

@@ -77,7 +77,8 @@ fn is_far(least: f64, p: u32) -> bool {
 /// Places of a series at a point whose terms are at most `e^{|z|}`.
 fn places(z: &ComplexBall, value: f64, p: u32) -> Result<u32, NoValue> {
     let size = z.magnitude().to_f64();
-    let places = f64::from(p) + 1.4427 * (size - value) + (size + 1.0).log2() + 16.0;
+    let places =
+        f64::from(p) + std::f64::consts::LOG2_E * (size - value) + (size + 1.0).log2() + 16.0;
     match places < 40_000.0 {
         true => Ok(places as u32),
         false => Err(NoValue::Undecided("an exponential integral far from zero")),
@@ -108,7 +109,7 @@ fn first(z: &ComplexBall, is_far: bool, p: u32) -> ComplexEvaluated {
         return Ok(&value * &super::exp(&-z, p)?);
     }
     // Where E₁ is small, the logarithm and the sum cancel.
-    let small = (1.4427 * z.re.mid().to_f64().max(0.0)) as u32 + 8;
+    let small = (std::f64::consts::LOG2_E * z.re.mid().to_f64().max(0.0)) as u32 + 8;
     let p = p + small;
     let log = super::log(z, p)?;
     let sum = entire(z, p)?;
@@ -180,7 +181,7 @@ pub fn ei(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
                 false => ComplexBall::new(value.re, value.im + pi),
             }
         } else {
-            let small = (1.4427 * (-z.re.mid().to_f64()).max(0.0)) as u32 + 8;
+            let small = (std::f64::consts::LOG2_E * (-z.re.mid().to_f64()).max(0.0)) as u32 + 8;
             let p = p + small;
             let log = super::log(z, p)?;
             let sum = &log - &entire(&other, p)?;

@@ -46,7 +46,7 @@ impl Sum {
         match m % 4 {
             0 | 2 => {
                 let (even, odd) = (a + c, b + d);
-                if m % 4 == 0 {
+                if m.is_multiple_of(4) {
                     &even + &odd
                 } else {
                     &even - &odd

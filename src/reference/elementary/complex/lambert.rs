@@ -198,7 +198,7 @@ fn of_branch_point(x: &Ball) -> Option<bool> {
 
 /// A real branch: from −1 upwards, or downwards if `lower`. Both are monotonic.
 pub(in super::super) fn real_branch(x: &Ball, lower: bool, prec: u32) -> Evaluated {
-    if lower && x.is_zero() || (lower && x.is_positive()) {
+    if lower && (x.is_zero() || x.is_positive()) {
         return Err(NoValue::Undefined(
             "the lower branch of Lambert's function at a number that is not negative",
         ));

@@ -19,7 +19,7 @@ fn values_solve_the_equation() {
             assert!(w.radius() <= w.magnitude().shift(-100), "{z:?} {w:?}");
             // The principal branch.
             assert!(
-                w.im.magnitude() < Mag::from_f64(3.1416)
+                w.im.magnitude() < Mag::from_f64(std::f64::consts::PI.next_up())
                     && (y == 0.0 || w.im.is_positive() == (y > 0.0))
             );
         }
