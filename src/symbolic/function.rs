@@ -143,10 +143,10 @@ functions! {
     BesselI/2 "besseli";
     /// `e^{−x} I_ν(x)`.
     BesselIe/2 "besselie";
-    /// Weierstrass's function ℘(z) with the periods 1 and τ: `weierstrassp(z, τ)`.
-    WeierstrassP/2 "weierstrassp";
+    /// Weierstrass's function ℘(z) with the periods 1 and τ: `weierp(z, τ)`.
+    WeierstrassP/2 "weierp";
     /// `℘′(z)`.
-    WeierstrassPPrime/2 "weierstrasspprime";
+    WeierstrassPPrime/2 "weierpprime";
     /// Largest integer not above x.
     Floor/1 "floor";
     /// Smallest integer not below x.

@@ -71,7 +71,7 @@ fn special_functions_have_their_derivatives() {
         "D(lambertw(x), x)*x*(1 + lambertw(x)) - lambertw(x)",
         "D(lambertwm1(-x), x)*x*(1 + lambertwm1(-x)) - lambertwm1(-x)",
         "D(zetaderivative(1, x), x) - zetaderivative(2, x)",
-        "re(D(weierstrassp(x, i), x) - weierstrasspprime(x, i))",
+        "re(D(weierp(x, i), x) - weierpprime(x, i))",
     ] {
         let e = parse(text).unwrap();
         let mut graph = Graph::new(["x".to_string()]);

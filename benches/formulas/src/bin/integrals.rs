@@ -52,7 +52,7 @@ const INTEGRALS: [(u32, &str); 39] = [
     (20, "int(x, 0, inf, x*exp(-x)/(1 + exp(-x)))"),
     (
         21,
-        "re((int(t, -1/2, 1/2, i*weierstrassp(1/2 + i*t, i)/(1/2 + i*t)^11) - int(t, -1/2, 1/2, weierstrassp(t + i/2, i)/(t + i/2)^11) - int(t, -1/2, 1/2, i*weierstrassp(-1/2 + i*t, i)/(-1/2 + i*t)^11) + int(t, -1/2, 1/2, weierstrassp(t - i/2, i)/(t - i/2)^11))/(2*pi*i))",
+        "re((int(t, -1/2, 1/2, i*weierp(1/2 + i*t, i)/(1/2 + i*t)^11) - int(t, -1/2, 1/2, weierp(t + i/2, i)/(t + i/2)^11) - int(t, -1/2, 1/2, i*weierp(-1/2 + i*t, i)/(-1/2 + i*t)^11) + int(t, -1/2, 1/2, weierp(t - i/2, i)/(t - i/2)^11))/(2*pi*i))",
     ),
     (
         22,
