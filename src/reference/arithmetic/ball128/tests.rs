@@ -187,3 +187,25 @@ fn dyadic_numbers_are_exact_and_others_refused() {
     }
     assert!(Ball128::dyadic(&Rational::from((1, 3))).is_none());
 }
+
+#[test]
+fn products_of_wide_factors_are_enclosed() {
+    let wide = Ball128::normal(false, 1 << 127, 0, 2_f64.powi(128)).unwrap();
+    let end = inside(&wide, 1.0);
+    assert!(contains(
+        &wide.mul(&wide).unwrap(),
+        &Rational::from(&end * &end)
+    ));
+}
+
+/// A ball that reaches over the middle of two numbers has no nearest one.
+#[test]
+fn balls_at_the_middle_of_two_numbers_are_undecided() {
+    for (below, r, decided) in [(1_u128, 2.0, false), (4, 2.0, true)] {
+        let middle = (1_u128 << 127) + (1 << 74);
+        for m in [middle - below, middle + below] {
+            let ball = Ball128::normal(false, m, 0, r).unwrap();
+            assert_eq!(ball.nearest_f64().is_some(), decided, "{m}");
+        }
+    }
+}

@@ -180,7 +180,7 @@ fn clipped(z: &ComplexBall) -> (ComplexBall, Mag) {
 /// other points.
 fn of_box(why: NoValue, rho: Mag) -> NoValue {
     match why {
-        NoValue::Overflow { .. } if !rho.is_zero() => WIDE,
+        NoValue::Overflow { .. } if rho > Mag::ZERO => WIDE,
         why => why,
     }
 }

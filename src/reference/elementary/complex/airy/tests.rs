@@ -74,3 +74,13 @@ fn boxes_hold_values() {
         }
     }
 }
+
+/// Bi overflows at the middle of a box that holds zero.
+#[test]
+fn an_overflow_is_one_of_the_whole_box() {
+    let middle = point(2e6, 0.0);
+    let overflow = NoValue::Overflow { negative: false };
+    assert_eq!(airybi(&middle, 53).unwrap_err(), overflow);
+    let whole = ComplexBall::new(middle.re.widened(Mag::from_f64(3e6)), middle.im.clone());
+    assert!(matches!(airybi(&whole, 53), Err(NoValue::Undecided(_))));
+}
