@@ -205,6 +205,7 @@ const COLUMNS: [Column; 4] = {
 };
 const ABOVE: &Column = &COLUMNS[0];
 const BELOW: &Column = &COLUMNS[1];
+#[cfg(feature = "proof")]
 const PAIRS: &Column = &COLUMNS[2];
 const STRIPS: &Column = &COLUMNS[3];
 
@@ -274,7 +275,7 @@ pub(super) fn formula_at(a: f64, y: f64) -> Branch {
 
 /// The formula for w as pairs of `f64` at `a + i b` in the first quadrant: beside either axis w is
 /// expanded about centres on it.
-#[inline(always)]
+#[cfg(feature = "proof")]
 pub(super) fn formula_of_pairs(a: f64, b: f64) -> Branch {
     let r2 = modulus_squared(a, b);
     if (b < STRIP) & has_strip(r2) {
@@ -316,7 +317,7 @@ pub(super) const ROWS_ON_REAL_AXIS: [f64; 2] = {
 };
 
 /// The series of it, whether or not `e^{−z²}` is added.
-#[inline(always)]
+#[cfg(feature = "proof")]
 pub(super) fn series_of_pairs(a: f64, b: f64) -> Branch {
     look_up(PAIRS, modulus_squared(a, b))
 }
