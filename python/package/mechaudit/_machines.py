@@ -80,7 +80,8 @@ def _rows(table: tuple[list[str], Any]) -> Rows:
     rows = values.view(kinds).reshape(len(values))
     if "branch" in names:
         rows["branch"] = values[:, names.index("branch")].astype(np.int64)
-    return rows.view(Rows)
+    seen: Rows = rows.view(Rows)
+    return seen
 
 
 def _source(description: str | os.PathLike[str] | Mapping[str, Any]) -> tuple[str, bool]:
