@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Both libraries have what the headers declare, and nothing else to be seen; the lean static one has at most 2.1 MB.
+# Both libraries have what the headers declare, and nothing else to be seen; the lean static one has at most 2.8 MB.
 #
 #     capi/tests/symbols.sh [--lean] PREFIX
 set -euo pipefail
 most=3900000
-[ "$1" != --lean ] || { most=2100000 && shift; }
+[ "$1" != --lean ] || { most=2800000 && shift; }
 prefix=$1
 lib=$prefix/lib/libmechaudit.so
 include=$prefix/include
