@@ -205,7 +205,7 @@ impl Named {
     /// Audits the paper.
     ///
     /// # Errors
-    /// [`Undecided`] when a certified value cannot be had.
+    /// [`Undecided`] if a certified value is undecided.
     pub fn report(&self, progress: Progress) -> Result<PaperReport, Undecided> {
         match self {
             Named::Key(key) => audit(key, progress).expect("a paper that is compiled in"),

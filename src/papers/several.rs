@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 /// Audits papers, and sums up what was found.
 ///
 /// # Errors
-/// [`Undecided`] when a certified value cannot be had.
+/// [`Undecided`] if a certified value is undecided.
 pub fn summary(papers: Vec<Named>, progress: Progress) -> Result<PaperReport, Undecided> {
     let count = papers.len() as u64;
     let mut findings = Vec::new();

@@ -38,7 +38,7 @@ pub const KEY: &str = "zinchenko";
 /// Audits the paper.
 ///
 /// # Errors
-/// [`Undecided`] when a certified value cannot be had at the working precision.
+/// [`Undecided`] if a certified value is undecided at the working precision.
 pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
     let (measured, entries, tallies) = measure(progress)?;
     progress("formulas", 6, STEPS);

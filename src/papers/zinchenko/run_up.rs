@@ -115,7 +115,7 @@ fn worst(own: &Motion, exact: &Motion, [from, to]: [f64; 2]) -> f64 {
     within.fold(0.0f64, |m, (a, b)| m.max((a.psi - b.psi).abs()))
 }
 
-/// Integrates; what cannot be had stays unknown.
+/// Integrates all motions. A quantity that is undecided stays unknown.
 pub(super) fn measure(measured: &mut Measured) {
     let all: Option<Vec<Motions>> = WAYS.par_iter().map(|way| motions(*way)).collect();
     let Some(all) = all else { return };

@@ -232,7 +232,7 @@ pub(super) fn solve(parts: [&[Rational]; 4], bits: u32) -> Option<Vec<Ball>> {
     found
 }
 
-/// `|A⁻¹| (|A| |x| + |d|)` to 60 bits; `None` where that cannot be had.
+/// `|A⁻¹| (|A| |x| + |d|)` to 60 bits; `None` if it is undecided.
 pub(super) fn conditions(parts: [&[Rational]; 4]) -> Option<Vec<Ball>> {
     let mut working = FIRST;
     while working <= LAST {
