@@ -16,8 +16,7 @@ SLIDER = {"crank": 0.05, "rod": 0.2, "offset": 0.01}
 
 
 def linkage(kind, lengths):
-    geometry = "\n".join(f'{name} = "{length} m"' for name, length in lengths.items())
-    return Linkage(f'type = "{kind}"\n[geometry]\n{geometry}\n')
+    return Linkage.from_dict({"type": kind, "geometry": {name: f"{length} m" for name, length in lengths.items()}})
 
 
 def four_bar(phi, crank, coupler, rocker, frame):
