@@ -73,9 +73,17 @@ fn drive(linkage: &planar::Machine, given: f64) -> f64 {
     }
 }
 
+/// The number of a branch in the bits of a whole number, as which Python sees that column.
+fn branch_bits(number: usize) -> f64 {
+    f64::from_bits(number as u64)
+}
+
 /// A row begins with the drive and the branch.
 fn row(given: f64, number: usize, values: impl IntoIterator<Item = f64>) -> Vec<f64> {
-    [given, number as f64].into_iter().chain(values).collect()
+    [given, branch_bits(number)]
+        .into_iter()
+        .chain(values)
+        .collect()
 }
 
 fn degrees(x: f64) -> PyResult<Rational> {
@@ -97,9 +105,13 @@ fn dyad_table<'py>(
     let all = PyArray2::zeros(py, [angles.len(), WIDTH], false);
     let mut borrowed = all.readwrite();
     let (rows, _) = borrowed.as_slice_mut()?.as_chunks_mut::<WIDTH>();
-    for (angles, rows) in angles.chunks(64 * ROWS).zip(rows.chunks_mut(64 * ROWS)) {
+    let branch = branch_bits(dyad::number(assembly));
+    for (angles, rows) in angles.chunks(ROWS).zip(rows.chunks_mut(ROWS)) {
         py.check_signals()?;
         dyad::table(linkage, angles, assembly, rows).map_err(value_error)?;
+        for row in rows {
+            row[1] = branch;
+        }
     }
     drop(borrowed);
     Ok(all)

@@ -77,10 +77,7 @@ def _rows(table: tuple[list[str], Any]) -> Rows:
     names, values = table
     kinds = [(n, np.int64 if n == "branch" else np.float64) for n in names]
     # In the memory of the table, which nobody else has.
-    rows = values.view(kinds).reshape(len(values))
-    if "branch" in names:
-        rows["branch"] = values[:, names.index("branch")].astype(np.int64)
-    seen: Rows = rows.view(Rows)
+    seen: Rows = values.view(kinds).reshape(len(values)).view(Rows)
     return seen
 
 

@@ -305,18 +305,13 @@ impl Shape {
         }
     }
 
-    /// Returns false where neither cosine nor sine of that angle is rational, from its neighbourhood
-    /// alone.
-    fn may_be_rational(&self, degrees: f64) -> bool {
-        let from = match self {
-            Shape::SliderCrank { direction: d, .. } if d.degrees => nearest_f64(&d.value),
-            Shape::SliderCrank { direction: d, .. } if d.value != 0 => return false,
-            _ => 0.0,
-        };
-        let twelfths = (degrees - from) / 30.0;
-        let off = (twelfths - twelfths.round()).abs();
-        // A large angle is rounded before its direction is seen.
-        off <= 1e-9 + 1e-15 * twelfths.abs()
+    /// The guide's direction in degrees, if multiples of 30° from it have a rational cosine or sine.
+    fn rational_from(&self) -> Option<f64> {
+        match self {
+            Shape::SliderCrank { direction: d, .. } if d.degrees => Some(nearest_f64(&d.value)),
+            Shape::SliderCrank { direction: d, .. } if d.value != 0 => None,
+            _ => Some(0.0),
+        }
     }
 
     /// The crank angle from the frame or from the guide, in radians, enclosed.

@@ -102,6 +102,7 @@ pub fn table(
 ) -> Result<(), RowError> {
     const CHUNK: usize = 256;
     let branch = number(assembly) as f64;
+    let from = dyad.shape.rational_from();
     let (mut phi, mut columns) = ([0.0; CHUNK], [[0.0; CHUNK]; 8]);
     for (degrees, rows) in degrees.chunks(CHUNK).zip(rows.chunks_mut(CHUNK)) {
         let n = degrees.len();
@@ -114,19 +115,47 @@ pub fn table(
             Shape::SliderCrank { solver, .. } => solver.rows(&phi[..n], assembly, room),
         };
         found.expect("a place for each angle");
+        // Column by column, so that it is done in vectors: zero times what is finite is zero.
+        for &column in dyad.shape.angles() {
+            for value in &mut columns[column][..n] {
+                *value = value.to_degrees();
+            }
+        }
+        let mut zeros = [0.0; CHUNK];
+        for column in &columns {
+            for (zero, value) in zeros.iter_mut().zip(column) {
+                *zero += 0.0 * value;
+            }
+        }
         for (i, (at, row)) in degrees.iter().zip(rows).enumerate() {
-            let mut values = at_given_speed(dyad, columns.each_ref().map(|column| column[i]));
-            in_degrees(dyad, &mut values);
-            if values.iter().any(|x| !x.is_finite()) || dyad.shape.may_be_rational(*at) {
+            let mut values = columns.each_ref().map(|column| column[i]);
+            let mut careful =
+                zeros[i] != 0.0 || from.is_some_and(|from| is_multiple_of_30(*at - from));
+            if dyad.crank.is_some() {
+                values = at_given_speed(dyad, values);
+                careful |= values.iter().any(|x| !x.is_finite());
+            }
+            if careful {
                 let exact = Rational::from_f64(*at);
-                let careful = exact.map(|at| floating(dyad, &at, assembly)).transpose()?;
-                values = careful.flatten().unwrap_or([f64::NAN; 8]);
+                let found = exact.map(|at| floating(dyad, &at, assembly)).transpose()?;
+                values = found.flatten().unwrap_or([f64::NAN; 8]);
             }
             (row[0], row[1]) = (*at, branch);
             row[2..].copy_from_slice(&values);
         }
     }
     Ok(())
+}
+
+/// A number below 2⁵¹ that is added to this is rounded to a whole one.
+const ROUND: f64 = 1.5 / f64::EPSILON;
+
+/// Returns false for an angle in degrees that is no multiple of 30, nor rounded from one.
+fn is_multiple_of_30(degrees: f64) -> bool {
+    let twelfths = degrees / 30.0;
+    let off = twelfths - ((twelfths + ROUND) - ROUND);
+    // A large angle is rounded before its direction is seen.
+    off.abs() <= 1e-9 + 1e-15 * twelfths.abs()
 }
 
 /// The values at the crank's speed, where the file gives it.
