@@ -67,8 +67,8 @@ def main():
 
         def ours(function, bands, with_estimate):
             wanted = ctypes.byref(estimate) if with_estimate else None
-            call = getattr(LIBRARY, function)
-            return lambda: call(size(n), *at(*bands, d, x), wanted, None) and exit(1)
+            call, arguments = getattr(LIBRARY, function), [size(n), *at(*bands, d, x), wanted, None]
+            return lambda: call(*arguments) and exit(1)
 
         def theirs(*bands):
             assert dgtsv(*bands, 1, 1, 1, 1)[-1] == 0
@@ -76,14 +76,14 @@ def main():
         def copies(d):
             return lambda: (lower[1:].copy(), diagonal.copy(), upper[:-1].copy(), d.copy(order="F"))
 
-        def small(*bands):
+        def small(lower, diagonal, upper, d):
             for k in range(0, n, 64):
-                theirs(*(band[k : k + 64] for band in bands))
+                theirs(lower[k + 1 : k + 64], diagonal[k : k + 64], upper[k : k + 63], d[k : k + 64])
+
+        systems = [size(n // 64), size(64), *at(lower, diagonal, upper, d, x), None]
 
         def batch():
-            assert LIBRARY.mechaudit_tridiagonal_solve_batch(
-                size(n // 64), size(64), *at(lower, diagonal, upper, d, x), None
-            ) == 0
+            assert LIBRARY.mechaudit_tridiagonal_solve_batch(*systems) == 0
 
         one = (lower[1:].copy(), diagonal, upper[:-1].copy())
         cyclic = (lower, diagonal, upper)

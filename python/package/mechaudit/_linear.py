@@ -78,11 +78,11 @@ def _array(name: str, a: Any) -> Any:
     array = np.asarray(a)
     if array.dtype.kind not in "fiub":
         raise TypeError(f"{name} must hold real numbers, got {array.dtype}")
-    return np.ascontiguousarray(array, dtype=np.float64)
+    return array.astype(np.float64, copy=False)
 
 
 def _solve(function: Any, evidence: Any, lower: Any, diagonal: Any, upper: Any, d: Any) -> Solution:
-    bands = [_array(n, a) for n, a in zip(("lower", "diagonal", "upper"), (lower, diagonal, upper))]
+    bands = [np.ascontiguousarray(_array(n, a)) for n, a in zip(("lower", "diagonal", "upper"), (lower, diagonal, upper))]
     for name, band in zip(("lower", "diagonal", "upper"), bands):
         if band.ndim != 1:
             raise ValueError(f"{name} must have one dimension, got {band.ndim}")
@@ -90,12 +90,9 @@ def _solve(function: Any, evidence: Any, lower: Any, diagonal: Any, upper: Any, 
     n = len(bands[1])
     if right.ndim == 0 or right.shape[0] != n:
         raise ValueError(f"d must have {n} rows as the diagonal has, got shape {right.shape}")
-    if right.ndim == 1:
-        x = function(*bands, right)
-    else:
-        columns = np.ascontiguousarray(right.reshape(n, -1).T)
-        x = function(*bands, columns.reshape(-1))
-        x = np.ascontiguousarray(x.reshape(columns.shape).T).reshape(right.shape)
+    # Each right-hand side in one piece, and so each solution.
+    columns = np.ascontiguousarray(right.reshape(n, -1).T)
+    x = function(*bands, columns.reshape(-1)).reshape(columns.shape).T.reshape(right.shape)
     return Solution(x, evidence, bands)
 
 
