@@ -2,15 +2,42 @@
 
 use crate::bound::Bound;
 use crate::cover::Rectangle;
+use crate::interval::larger;
 use crate::prove::{Certificate, Leaf};
 
-/// A bound and the rectangle where it is attained.
+/// A bound and the part where it is attained.
 #[derive(Clone, Copy, Debug)]
-pub struct Attained {
+pub struct Attained<P = Rectangle> {
     /// The bound.
     pub bound: f64,
     /// Where.
-    pub at: Rectangle,
+    pub at: P,
+}
+
+/// The largest bound of some leaves, each with its part; what is not a number is infinite.
+pub(crate) fn attained<L, P>(leaves: &[&L], of: impl Fn(&L) -> (f64, P)) -> Option<Attained<P>> {
+    let all = leaves.iter().map(|l| of(l));
+    let all = all.map(|(bound, at)| Attained {
+        bound: larger(bound, 0.0),
+        at,
+    });
+    all.max_by(|a, b| a.bound.total_cmp(&b.bound))
+}
+
+/// Leaves of one kind each, in the order in which the kinds come first.
+pub(crate) fn grouped<'a, L, K: PartialEq>(
+    leaves: impl IntoIterator<Item = &'a L>,
+    kind: impl Fn(&L) -> K,
+) -> Vec<(K, Vec<&'a L>)> {
+    let mut all: Vec<(K, Vec<&L>)> = Vec::new();
+    for leaf in leaves {
+        let kind = kind(leaf);
+        match all.iter_mut().find(|(k, _)| *k == kind) {
+            Some((_, some)) => some.push(leaf),
+            None => all.push((kind, vec![leaf])),
+        }
+    }
+    all
 }
 
 /// The worst of one formula, or of all.
@@ -46,12 +73,7 @@ pub struct Summary {
 }
 
 fn worst(leaves: &[&Leaf], of: impl Fn(&Bound) -> f64) -> Option<Attained> {
-    let attained = |l: &&Leaf| Attained {
-        bound: of(&l.bound),
-        at: l.at,
-    };
-    let all = leaves.iter().map(attained);
-    all.max_by(|a, b| a.bound.total_cmp(&b.bound))
+    attained(leaves, |l| (of(&l.bound), l.at))
 }
 
 fn of_formula(name: &'static str, leaves: &[&Leaf]) -> Option<OfFormula> {
@@ -70,21 +92,8 @@ impl Certificate {
     /// Returns what is proved; `None` for no rectangle at all.
     pub fn summary(&self) -> Option<Summary> {
         let all: Vec<&Leaf> = self.leaves.iter().collect();
-        let mut names: Vec<&'static str> = Vec::new();
-        for leaf in &all {
-            let name = leaf.formula.name();
-            if !names.contains(&name) {
-                names.push(name);
-            }
-        }
-        let formulas = names.into_iter().filter_map(|name| {
-            let some: Vec<&Leaf> = all
-                .iter()
-                .copied()
-                .filter(|l| l.formula.name() == name)
-                .collect();
-            of_formula(name, &some)
-        });
+        let each = grouped(&self.leaves, |l| l.formula.name()).into_iter();
+        let formulas = each.filter_map(|(name, leaves)| of_formula(name, &leaves));
         let formulas: Vec<OfFormula> = formulas.collect();
         let parts: Option<Vec<[Attained; 2]>> =
             formulas.iter().map(|f| Some([f.re?, f.im?])).collect();
@@ -146,6 +155,12 @@ mod tests {
         assert_eq!((component.bound, component.at.a), (1.75, [2.0; 2]));
         let re = found.formulas[0].re.expect("a bound");
         assert_eq!((re.bound, re.at.a), (1.5, [1.0; 2]));
+        // What is not a number is no bound, whatever its sign.
+        for norm in [f64::NAN, -f64::NAN] {
+            let mut without = leaves.clone();
+            without[0].bound.norm = norm;
+            assert_eq!(of(without).norm.bound, f64::INFINITY);
+        }
         let mut without = leaves;
         without[2].bound.im = f64::INFINITY;
         let found = of(without);

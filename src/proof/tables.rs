@@ -12,7 +12,7 @@ use std::sync::{Arc, Mutex};
 type Key = (u64, u64);
 
 fn key((x, y): (f64, f64)) -> Key {
-    (x.to_bits(), y.to_bits())
+    (x.to_bits(), (y + 0.0).to_bits())
 }
 
 /// A row and its errors.
@@ -33,6 +33,7 @@ fn with_errors<R: Copy + Send + Sync + 'static>(
 #[derive(Clone)]
 pub struct Tables {
     cells: HashMap<Key, WithErrors<Row>>,
+    discs: HashMap<Key, WithErrors<Row>>,
     real_axis: HashMap<Key, WithErrors<Row>>,
     imaginary_axis: HashMap<Key, WithErrors<AxisRow>>,
     pub(crate) real_line: [f64; 2],
@@ -49,6 +50,12 @@ pub(crate) type Scaled = ([u64; 4], bool, Option<u32>);
 pub(crate) fn cell_at(a: f64, b: f64) -> ((f64, f64), &'static Row) {
     let (row, dx, dy) = code::cell(a, b);
     ((a - dx, b - dy), row)
+}
+
+/// Centre and row of the cell of the lower half-disc around `a − i b`.
+pub(crate) fn disc_at(a: f64, b: f64) -> ((f64, f64), &'static Row) {
+    let (row, dx, dy) = code::lower::disc(a, b);
+    ((a - dx, -b - dy), row)
 }
 
 /// Centre and row on the real axis.
@@ -84,16 +91,19 @@ pub(crate) fn on_imaginary_axis() -> impl Iterator<Item = f64> {
 }
 
 impl Tables {
-    /// Those of the solver, at every centre that a point of the upper half-plane may have.
+    /// Those of the solver, at every centre that a point of either half-plane may have.
     ///
     /// # Errors
     /// If the reference is undecided about a coefficient.
     pub fn of_the_solver() -> Result<Tables, ProofError> {
-        let mut cells: HashMap<Key, ((f64, f64), &'static Row)> = HashMap::new();
-        for (a, b) in in_cells() {
-            let (centre, row) = cell_at(a, b);
-            cells.insert(key(centre), (centre, row));
-        }
+        type Rows = HashMap<Key, ((f64, f64), &'static Row)>;
+        let rows = |points: &mut dyn Iterator<Item = (f64, f64)>, at: fn(f64, f64) -> _| {
+            let all = points.map(|(a, b)| at(a, b));
+            all.map(|(centre, row)| (key(centre), (centre, row)))
+                .collect::<Rows>()
+        };
+        let cells = rows(&mut in_cells(), cell_at);
+        let discs = rows(&mut in_cells().filter(|(a, b)| a.max(*b) < 1.1), disc_at);
         let real = on_real_axis().map(|a| {
             let (centre, row) = real_axis_at(a);
             ((centre, 0.0), row)
@@ -106,6 +116,7 @@ impl Tables {
         let (coefficients, ln_2) = code::exponential();
         Ok(Tables {
             cells: with_errors(cells.into_values(), RowErrors::of)?,
+            discs: with_errors(discs.into_values(), RowErrors::of)?,
             real_axis: with_errors(real, RowErrors::of)?,
             imaginary_axis: with_errors(imaginary, |row, (_, s)| RowErrors::on_axis(row, s))?,
             real_line: [
@@ -121,6 +132,12 @@ impl Tables {
         self.cells.get(&key(centre)).ok_or("no such cell")
     }
 
+    pub(crate) fn disc(&self, centre: (f64, f64)) -> Result<&WithErrors<Row>, &'static str> {
+        self.discs
+            .get(&key(centre))
+            .ok_or("no such cell of the lower half-disc")
+    }
+
     pub(crate) fn real_axis(&self, centre: f64) -> Result<&WithErrors<Row>, &'static str> {
         let key = key((centre, 0.0));
         self.real_axis.get(&key).ok_or("no such centre")
@@ -131,12 +148,21 @@ impl Tables {
         self.imaginary_axis.get(&key).ok_or("no such centre")
     }
 
-    /// A cell's row changed: its errors are computed anew.
+    /// The rows of cells, of the lower half-disc and about a centre changed: their errors are
+    /// computed anew.
     #[cfg(test)]
-    pub(crate) fn change_cell(&mut self, centre: (f64, f64), change: impl FnOnce(&mut Row)) {
-        let (row, errors) = self.cells.get_mut(&key(centre)).expect("a cell");
-        change(row);
-        *errors = RowErrors::of(row, centre).expect("decided");
+    pub(crate) fn change(&mut self, centre: (f64, f64), change: impl Fn(&mut Row)) {
+        let all = [&mut self.cells, &mut self.discs, &mut self.real_axis];
+        let found = all
+            .into_iter()
+            .filter_map(|rows| rows.get_mut(&key(centre)));
+        let mut changed = 0;
+        for (row, errors) in found {
+            change(row);
+            *errors = RowErrors::of(row, centre).expect("decided");
+            changed += 1;
+        }
+        assert!(changed > 0, "no row about {centre:?}");
     }
 }
 

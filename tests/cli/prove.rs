@@ -241,3 +241,38 @@ fn a_solver_may_differ_from_the_definition() {
     let said = "the conditions of the study define k differently";
     refused(&prove(clash, "where = \"k < 4\"\n"), said);
 }
+
+/// Solver and definition over the reals: equal for inputs of either sign and as loops, different,
+/// and undecided.
+#[test]
+fn equal_functions_are_told_from_others() {
+    let folder = tempdir().unwrap();
+    let file = folder.path().join("pairs.fpcore");
+    let signs = ":pre (and (<= -2 x 2) (<= -1 y 1))";
+    let rounds = "(while (< k 3) ((k 0 (+ k 1)) (z x (- z (/ y 8)))) z)";
+    let one = "(- (* x x) (* y y))";
+    let due = [
+        (one, "(* (+ x y) (- x y))", "the same, by the algebra"),
+        (one, "(+ (* x x) (* y y))", "different, at ["),
+        (rounds, rounds, "the same formula"),
+        (
+            "(* (fabs x) (fabs x))",
+            "(* x x)",
+            "for positive inputs alone",
+        ),
+        (
+            "(fmax x y)",
+            "(+ x (fmax 0 (- y x)))",
+            "the algebra does not decide it",
+        ),
+    ];
+    let cores = due.map(|(f, is, _)| format!("(FPCore (x y) {signs} :spec {is} {f})\n"));
+    std::fs::write(&file, cores.concat()).unwrap();
+    for (k, (.., said)) in due.iter().enumerate() {
+        let of = format!("{}#{}", text(&file), k + 1);
+        let d = run(&["prove", &of, "--evals", "40", "--limit", "20"]);
+        assert_eq!(d.code, 0, "{k} {}", d.err);
+        let line = d.out.lines().find(|l| l.contains("over the reals"));
+        assert!(line.is_some_and(|l| l.contains(said)), "{k} {}", d.out);
+    }
+}

@@ -1,5 +1,4 @@
 use super::*;
-use crate::pinned::{bit_by_bit, largest, units};
 use mechaudit_reference::faddeeva;
 use rug::Rational;
 
@@ -58,36 +57,4 @@ fn exponentials_are_rounded_up() {
         let found = exp_up(t);
         assert!(found >= due && found < due * (1.0 + 1e-15), "{t}");
     }
-}
-
-#[test]
-fn bounds_of_functions_bit_by_bit() {
-    let mut unit = units(10);
-    let exponents: Vec<f64> = (0..20_000).map(|_| 1500.0 * (unit() - 0.5)).collect();
-    let exponentials = exponents.iter().map(|t| exp_up(*t));
-    let exponentials = exponentials.filter(|x| x.is_finite());
-    let radii: Vec<f64> = (0..40).map(|_| 2.0 + 30.0 * unit()).collect();
-    let series = |f: fn(u32, f64) -> f64| {
-        let radii = &radii;
-        move |n: u32| radii.iter().map(move |r| f(n, *r))
-    };
-    let found = [
-        largest("exponential", exponentials),
-        largest("power", (0..30).map(|n| power_up(1.1, n))),
-        largest(
-            "remainder",
-            [2, 7, 15, 27].into_iter().flat_map(series(remainder)),
-        ),
-        largest(
-            "slope",
-            [2, 7, 15, 27].into_iter().flat_map(series(remainder_slope)),
-        ),
-    ];
-    let due = [
-        ("exponential", 0x01467eba8f55c1fb, 1.516629761185672e308),
-        ("power", 0x23762c63dcc89b9f, 15.863092971715032),
-        ("remainder", 0x042d6edd42837610, 99344366.55617438),
-        ("slope", 0x60c0b40be56b9a83, 6325959003.096),
-    ];
-    bit_by_bit(&found, &due);
 }

@@ -133,7 +133,7 @@ fn rows_that_are_not_symmetric_are_refused() {
     let of = |tables: &Tables| bound(tables, Formula::Cell { centre }, &at, Rounding::default());
     assert!(of(&TABLES).is_ok());
     let mut tables = TABLES.clone();
-    tables.change_cell(centre, |row| {
+    tables.change(centre, |row| {
         let zero = row.iter_mut().find(|c| **c == 0.0).expect("a zero");
         *zero = 1e-40;
     });

@@ -1,5 +1,4 @@
 use super::*;
-use crate::pinned::{bit_by_bit, counted, of_binades, units};
 use rand::rngs::ChaCha8Rng;
 use rand::{Rng, SeedableRng};
 use rug::Rational;
@@ -171,79 +170,4 @@ fn zeros_are_kept_and_unknown_bounds_stay_unknown() {
     }
     assert!(none.is_zero() && !to(0.0, 1.0).is_zero() && !to(-1.0, 0.0).is_zero());
     assert!(Interval::point(0.5).is_point() && !some.is_point());
-}
-
-/// Bounds of roots and operations on intervals, with both zeros and the ends of the range.
-#[test]
-fn operations_bit_by_bit() {
-    let mut unit = units(9);
-    let mut numbers = vec![
-        0.0,
-        f64::from_bits(1),
-        f64::from_bits(7),
-        f64::MIN_POSITIVE,
-        1e-200,
-        0.75,
-        1.0,
-        1f64.next_up(),
-        1e200,
-        f64::MAX,
-        f64::INFINITY,
-    ];
-    numbers.extend((0..20).map(|_| of_binades(&mut unit, [-1070, 1020])));
-    numbers.extend((0..20).map(|_| of_binades(&mut unit, [-3, 3])));
-    let of = |x: f64, y: f64| {
-        [
-            sum_up(x, y),
-            product_up(x, y),
-            quotient_up(x, y),
-            quotient_up(x, -y),
-            hypot_up(x, y),
-            hypot_down(x, y),
-            larger(x, y),
-            sqrt_up(x),
-        ]
-    };
-    let pairs = || {
-        numbers
-            .iter()
-            .flat_map(|x| numbers.iter().map(move |y| (*x, *y)))
-    };
-    let ends = pairs()
-        .flat_map(|(x, y)| [(x, y), (-x, y), (-x, -y)])
-        .step_by(7);
-    let intervals: Vec<Interval> = ends.map(|(x, y)| Interval::new(x, y)).collect();
-    let of_one = |x: &Interval| {
-        (
-            -*x,
-            x.square(),
-            x.mignitude(),
-            x.magnitude(),
-            x.widened(1.0),
-        )
-    };
-    let of_two = |(x, y): (&Interval, &Interval)| (*x + *y, *x - *y, *x * *y, *x / *y);
-    let found = [
-        counted("numbers", pairs().map(|(x, y)| of(x, y))),
-        counted("one", intervals.iter().map(of_one)),
-        counted(
-            "two",
-            intervals.iter().zip(intervals.iter().skip(5)).map(of_two),
-        ),
-        counted(
-            "signs of zero",
-            [
-                Interval { lo: -0.0, hi: 1.0 },
-                Interval { lo: -1.0, hi: 0.0 },
-            ]
-            .map(Interval::mignitude),
-        ),
-    ];
-    let due = [
-        ("numbers", 0xe1c5716f07b87cee, 2601.0),
-        ("one", 0x35519a5d5a340de6, 1115.0),
-        ("two", 0x72b8723c1fb79281, 1110.0),
-        ("signs of zero", 0xc5ae2249883914c5, 2.0),
-    ];
-    bit_by_bit(&found, &due);
 }

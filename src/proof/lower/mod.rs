@@ -11,7 +11,6 @@ mod phase;
 mod prove;
 mod reflection;
 mod regions;
-mod rows;
 mod theorem;
 mod zeros;
 
@@ -21,7 +20,6 @@ pub use dominated::Dominated;
 pub use exponential::{Exponential, Factors};
 pub use prove::{Certificate, LOWER_HALF_PLANE, Leaf, Target, lower_half_plane, roots};
 pub use regions::{Code, Region};
-pub use rows::Rows;
 pub use theorem::{BY_HAND, NOT_PROVED, OfRegion, Theorem, theorem};
 pub use zeros::AroundZeros;
 

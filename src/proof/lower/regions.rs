@@ -2,14 +2,13 @@
 
 use super::exponential::{Exponential, Factors};
 use super::reflection::{Value, decay, overflows, reflected, reflected_off_zeros};
-use super::rows::{Kind, Rows, disc_at};
 use crate::ProofError;
 use crate::choice::{SEVERAL, by_centre, choices};
 use crate::constants::{ASYMPTOTIC, MACLAURIN};
 use crate::cover::Rectangle;
 use crate::formula::offsets;
 use crate::interval::{down, hypot_up, worst};
-use crate::tables::{Tables, cell_at, real_axis_at};
+use crate::tables::{Tables, cell_at, disc_at, real_axis_at};
 use crate::tracked::{Result as Tracks, Rounding, Setting, Tracked, Tracking, evaluate};
 use crate::truncation;
 use mechaudit_solvers::faddeeva::Branch;
@@ -18,10 +17,8 @@ use mechaudit_solvers::faddeeva::proof::{self as upper, lower as code};
 /// The code whose error is bounded.
 #[derive(Clone)]
 pub struct Code {
-    /// The rows of the upper half-plane, and what its series are wrong by.
+    /// Its rows, and what its series are wrong by.
     pub tables: Tables,
-    /// Rows.
-    pub rows: Rows,
     /// Which formula is used at `a − i b`.
     pub formula: fn(f64, f64) -> Branch,
     /// The exponential.
@@ -40,7 +37,6 @@ impl Code {
     pub fn of_the_solver() -> std::result::Result<Code, ProofError> {
         Ok(Code {
             tables: Tables::of_the_solver()?,
-            rows: Rows::of_the_solver()?,
             formula: code::formula,
             exponential: Exponential::of(&Factors::default())?,
             limits: code::LIMITS,
@@ -265,22 +261,22 @@ fn values(code: &Code, region: Region, at: &Rectangle) -> Result<Vec<Value>, &'s
             )
         }
         Region::Disc { centre } => {
-            let row = code.rows.get(Kind::Disc, centre)?;
+            let (row, errors) = code.tables.disc(centre)?;
             let (dx, dy) = (offsets(at.a, centre.0)?, offsets(at.b, -centre.1)?);
             let ways = evaluate(setting(&[]), || {
                 let (dx, dy) = (dx.tracked(0), -dy.tracked(1));
-                both(upper::complex_row(Tracking, &row.row, dx, dy))
+                both(upper::complex_row(Tracking, row, dx, dy))
             })?;
-            all(ways, row.within(hypot_up(dx.most(), dy.most())))
+            all(ways, errors.within(dx.most(), dy.most()).norm)
         }
         Region::RealAxis { centre } => {
-            let row = code.rows.get(Kind::RealAxis, (centre, 0.0))?;
+            let (row, errors) = code.tables.real_axis(centre)?;
             let t = offsets(at.a, centre)?;
             let ways = evaluate(setting(&[]), || {
                 let y = Tracked::input(1, y);
-                both(code::real_axis_value(Tracking, &row.row, t.tracked(0), y))
+                both(code::real_axis_value(Tracking, row, t.tracked(0), y))
             })?;
-            all(ways, row.within(hypot_up(t.most(), at.b[1])))
+            all(ways, errors.within(t.most(), at.b[1]).norm)
         }
         Region::Strip | Region::RealLine => {
             let (f, t) = match region {
@@ -301,17 +297,17 @@ fn values(code: &Code, region: Region, at: &Rectangle) -> Result<Vec<Value>, &'s
             all(ways, t.norm)
         }
         Region::Cell { centre } => {
-            let row = code.rows.get(Kind::Cell, centre)?;
+            let (row, errors) = code.tables.cell(centre)?;
             let (dx, dy) = (offsets(at.a, centre.0)?, offsets(at.b, centre.1)?);
             let ways = evaluate(setting(&[]), || {
                 pairs(code::complex_row(
                     Tracking,
-                    &row.row,
+                    row,
                     dx.tracked(0),
                     dy.tracked(1),
                 ))
             })?;
-            all(ways, row.within(hypot_up(dx.most(), dy.most())))
+            all(ways, errors.within(dx.most(), dy.most()).norm)
         }
         Region::Asymptotic { terms } => {
             let f = match terms {

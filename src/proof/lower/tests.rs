@@ -1,28 +1,18 @@
 use super::phase::U;
 use super::prove::leaves;
 use super::reflection::least_of_w;
-use super::rows::Kind;
 use super::*;
 use crate::Rectangle;
+use crate::at_points::{between, error, square};
 use crate::pinned::{bit_by_bit, largest};
-use mechaudit_reference::Ball;
-use mechaudit_reference::faddeeva::w_f64;
 use mechaudit_solvers::faddeeva::proof::lower as solver;
 use mechaudit_solvers::faddeeva::{Branch, faddeeva};
 use num_complex::Complex;
+use rand::SeedableRng;
 use rand::rngs::ChaCha8Rng;
-use rand::{Rng, SeedableRng};
-use rug::Float;
 use std::sync::LazyLock;
 
 static CODE: LazyLock<Code> = LazyLock::new(|| Code::of_the_solver().expect("decided"));
-
-fn square(a: f64, b: f64, side: f64) -> Rectangle {
-    Rectangle {
-        a: [a, a + side],
-        b: [b, b + side],
-    }
-}
 
 fn worst(code: &Code, at: &Rectangle) -> f64 {
     let all = leaves(code, at).map_err(|_| ());
@@ -101,15 +91,15 @@ fn a_moved_limit_shows() {
 
 #[test]
 fn a_coefficient_of_a_row_shows() {
-    for (kind, centre, at) in [
-        (Kind::Disc, (0.5, -0.5), square(0.5, 0.5, 1e-2)),
-        (Kind::Cell, (3.0, 3.0), square(3.0, 3.0, 1e-2)),
+    for (centre, at) in [
+        ((0.5, -0.5), square(0.5, 0.5, 1e-2)),
+        ((3.0, 3.0), square(3.0, 3.0, 1e-2)),
     ] {
         let mut faulty = CODE.clone();
         let off = |x: f64| f64::from_bits(x.to_bits() + 8);
-        faulty.rows.change(kind, centre, |row| row[0] = off(row[0]));
+        faulty.tables.change(centre, |row| row[0] = off(row[0]));
         let (sound, faulty) = (worst(&CODE, &at), worst(&faulty, &at));
-        assert!(faulty > 1.3 * sound, "{kind:?} {sound} {faulty}");
+        assert!(faulty > 1.3 * sound, "{centre:?} {sound} {faulty}");
     }
 }
 
@@ -182,16 +172,6 @@ fn the_whole_half_plane() {
     assert!(found.norm <= LOWER_HALF_PLANE.norm);
 }
 
-/// `|computed − w|/|w|` in units of 2⁻⁵².
-fn error(a: f64, b: f64) -> Option<f64> {
-    let got = faddeeva(Complex::new(a, -b));
-    let w = w_f64(a, -b, 100).ok()?;
-    let part = |g: f64, w: &Ball| (Float::with_val(200, g) - w.mid()).square();
-    let size = |w: &Ball| Float::with_val(200, w.mid().square_ref());
-    let off = part(got.re, &w.re) + part(got.im, &w.im);
-    Some((off / (size(&w.re) + size(&w.im))).sqrt().to_f64() * 2f64.powi(52))
-}
-
 /// Returns whether the formula is that of the point; elsewhere another leaf has it.
 fn is_used(region: Region, a: f64, b: f64) -> bool {
     let decay = a * a - b * b;
@@ -223,15 +203,14 @@ fn errors_at_points_are_below_their_bounds() {
         .iter()
         .filter(|l| l.region != Region::Dominated)
     {
-        let mut between = |[lo, hi]: [f64; 2]| {
-            let (p, q) = (lo.to_bits(), hi.to_bits());
-            f64::from_bits(p + random.next_u64() % (q - p + 1))
-        };
-        let (a, b) = (between(leaf.at.a), between(leaf.at.b));
+        let (a, b) = (
+            between(&mut random, leaf.at.a),
+            between(&mut random, leaf.at.b),
+        );
         if !is_used(leaf.region, a, b) || !faddeeva(Complex::new(a, -b)).is_finite() {
             continue;
         }
-        let off = error(a, b).expect("decided");
+        let off = error(a, -b);
         assert!(off <= leaf.norm, "{a} {b} {off} {leaf:?}");
         points += 1;
     }

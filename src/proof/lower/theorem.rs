@@ -1,12 +1,15 @@
 //! All bounds of the lower half-plane together.
 
 use super::apart::Apart;
-use super::{Again, AroundZeros, Certificate, Code, Dominated, Leaf, Target, lower_half_plane};
+use super::{
+    Again, AroundZeros, Certificate, Code, Dominated, Leaf, Region, Target, lower_half_plane,
+};
 use crate::ProofError;
 use crate::certificate::{Open, Watch};
 use crate::cover::Rectangle;
 use crate::interval::worst;
 use crate::prove::UPPER_HALF_PLANE;
+use crate::summary::{attained, grouped};
 use crate::tracked::Rounding;
 use mechaudit_solvers::faddeeva::proof::lower as code;
 
@@ -84,30 +87,22 @@ fn together(
     (zeros, again, apart): (AroundZeros, Again, Apart),
     found: Certificate,
 ) -> Theorem {
-    let mut regions: Vec<OfRegion> = Vec::new();
-    for Leaf { at, region, norm } in &found.leaves {
-        // Those have bounds without rectangles.
-        if *region == super::Region::Dominated {
-            continue;
-        }
-        let name = region.name();
-        let known = regions.iter_mut().find(|r| r.name == name);
-        let new = OfRegion {
+    // Those have bounds without rectangles.
+    let some = found
+        .leaves
+        .iter()
+        .filter(|l| l.region != Region::Dominated);
+    let of_region = |(name, leaves): (&'static str, Vec<&Leaf>)| {
+        let worst = attained(&leaves, |l| (l.norm, l.at))?;
+        Some(OfRegion {
             name,
-            boxes: 1,
-            norm: *norm,
-            at: Some(*at),
-        };
-        match known {
-            None => regions.push(new),
-            Some(r) => {
-                r.boxes += 1;
-                if !(*norm <= r.norm) {
-                    (r.norm, r.at) = (*norm, new.at);
-                }
-            }
-        }
-    }
+            boxes: leaves.len(),
+            norm: worst.bound,
+            at: Some(worst.at),
+        })
+    };
+    let each = grouped(some, |l| l.region.name()).into_iter();
+    let mut regions: Vec<OfRegion> = each.filter_map(of_region).collect();
     for (name, norm) in [
         ("cell, exponential small", dominated.image_in_cell),
         ("26 terms, exponential small", dominated.image_by_series),
@@ -143,7 +138,6 @@ fn together(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lower::Region;
 
     /// Rectangles by the names of their formulas with the worst of each, bounds without rectangles,
     /// and the worst of all.

@@ -1,6 +1,7 @@
 //! The bounds against certified values at points, and with planted faults.
 
 use super::*;
+use crate::at_points::{between, error};
 use crate::bound::Bound;
 use crate::cover::{Rectangle, hole, roots};
 use crate::formula::{Formula, bound};
@@ -10,8 +11,8 @@ use mechaudit_reference::faddeeva::w_f64;
 use mechaudit_solvers::faddeeva::proof as code;
 use mechaudit_solvers::faddeeva::{Branch, branch, faddeeva};
 use num_complex::Complex;
+use rand::SeedableRng;
 use rand::rngs::ChaCha8Rng;
-use rand::{Rng, SeedableRng};
 use rug::Float;
 use std::sync::LazyLock;
 
@@ -37,16 +38,6 @@ fn worst(code: &Code, formula: Formula, at: &Rectangle) -> f64 {
     bound(&code.tables, formula, at, code.rounding).map_or(f64::INFINITY, |b| b.norm)
 }
 
-/// `|computed − w|/|w|` in units of 2⁻⁵².
-fn error(z: Complex<f64>) -> f64 {
-    let (w, got) = (w_f64(z.re, z.im, 100).expect("decided"), faddeeva(z));
-    let part = |g: f64, w: &mechaudit_reference::Ball| Float::with_val(200, g) - w.mid();
-    let off = part(got.re, &w.re).square() + part(got.im, &w.im).square();
-    let size = Float::with_val(200, w.re.mid().square_ref())
-        + Float::with_val(200, w.im.mid().square_ref());
-    (off / size).sqrt().to_f64() * 2f64.powi(52)
-}
-
 #[test]
 fn errors_at_points_are_below_their_bounds() {
     let found = within(&CODE, 0.0, 4096.0);
@@ -55,16 +46,13 @@ fn errors_at_points_are_below_their_bounds() {
     let mut close = 0.0f64;
     for leaf in found.leaves.iter().step_by(7) {
         for _ in 0..3 {
-            let mut between = |[lo, hi]: [f64; 2]| {
-                let (p, q) = (lo.to_bits(), hi.to_bits());
-                f64::from_bits(p + random.next_u64() % (q - p + 1))
-            };
-            let z = Complex::new(between(leaf.at.a), between(leaf.at.b));
+            let mut within = |ends| between(&mut random, ends);
+            let z = Complex::new(within(leaf.at.a), within(leaf.at.b));
             // Where the leaf's is not the formula of the point, another leaf has it.
             if Formula::of(branch(z), z.re == 0.0).is_some_and(|f| f != leaf.formula) {
                 continue;
             }
-            let off = error(z);
+            let off = error(z.re, z.im);
             assert!(off <= leaf.bound.norm, "{z} {off} {:?}", leaf);
             close = close.max(off / leaf.bound.norm);
         }
@@ -98,8 +86,7 @@ fn cell() -> Rectangle {
 /// The code with entry `at` of a cell's row changed.
 fn with_entry(at: usize, change: impl Fn(f64) -> f64) -> Code {
     let mut code = CODE.clone();
-    code.tables
-        .change_cell(CENTRE, |row| row[at] = change(row[at]));
+    code.tables.change(CENTRE, |row| row[at] = change(row[at]));
     code
 }
 
@@ -172,7 +159,7 @@ fn products_rounded_before_the_sum_show() {
 fn a_wrong_centre_shows() {
     let mut code = CODE.clone();
     let other = CODE.tables.cell((1.5, 1.75)).expect("a cell").0;
-    code.tables.change_cell(CENTRE, |row| *row = other);
+    code.tables.change(CENTRE, |row| *row = other);
     assert!(worst(&code, CELL, &cell()) > 1e12);
 }
 
@@ -242,11 +229,8 @@ fn the_real_part_beside_the_real_axis_is_within_its_bound() {
         let most = worst_re(&CODE, &at);
         assert!(most < 4.25, "{at:?} {most}");
         for _ in 0..200 {
-            let mut between = |[lo, hi]: [f64; 2]| {
-                let (p, q) = (lo.to_bits(), hi.to_bits());
-                f64::from_bits(p + random.next_u64() % (q - p + 1))
-            };
-            let z = Complex::new(between(at.a), between(at.b));
+            let mut within = |ends| between(&mut random, ends);
+            let z = Complex::new(within(at.a), within(at.b));
             let w = w_f64(z.re, z.im, 100).expect("decided").re;
             let off = (Float::with_val(200, faddeeva(z).re) - w.mid()).abs();
             let value = w.mid().to_f64();

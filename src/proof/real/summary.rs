@@ -2,6 +2,7 @@
 
 use super::prove::{Certificate, Leaf};
 use super::{Function, Interval};
+use crate::summary::{attained, grouped};
 
 /// The worst of one formula.
 #[derive(Clone, Copy, Debug)]
@@ -31,48 +32,32 @@ pub struct Summary {
     pub formulas: Vec<OfFormula>,
 }
 
-impl OfFormula {
-    fn of(name: &'static str, leaf: &Leaf) -> OfFormula {
-        OfFormula {
-            name,
-            intervals: 0,
-            ends: leaf.at.signed(),
-            ulps: leaf.ulps,
-            at: leaf.at,
-        }
-    }
-
-    fn with(&mut self, leaf: &Leaf) {
-        let [lo, hi] = leaf.at.signed();
-        self.intervals += 1;
-        self.ends = [self.ends[0].min(lo), self.ends[1].max(hi)];
-        if leaf.ulps > self.ulps {
-            (self.ulps, self.at) = (leaf.ulps, leaf.at);
-        }
-    }
-}
-
 impl Certificate {
     /// Returns what is proved; `None` for no interval at all.
     pub fn summary(&self, function: Function) -> Option<Summary> {
-        let mut formulas: Vec<OfFormula> = Vec::new();
-        for leaf in &self.leaves {
-            let name = leaf.formula.name(function, leaf.at.negative);
-            // erfc −x begins with the same formula as erfc x.
-            let same = |f: &OfFormula| f.name == name && f.at.negative == leaf.at.negative;
-            match formulas.iter_mut().find(|f| same(f)) {
-                Some(f) => f.with(leaf),
-                None => {
-                    let mut f = OfFormula::of(name, leaf);
-                    f.with(leaf);
-                    formulas.push(f);
-                }
-            }
-        }
+        // erfc −x begins with the same formula as erfc x.
+        let kind = |l: &Leaf| {
+            let negative = l.at.negative;
+            (l.formula.name(function, negative), negative)
+        };
+        let of_formula = |((name, _), leaves): ((_, _), Vec<&Leaf>)| {
+            let worst = attained(&leaves, |l| (l.ulps, l.at))?;
+            let ends = leaves.iter().map(|l| l.at.signed());
+            Some(OfFormula {
+                name,
+                intervals: leaves.len(),
+                ends: ends.reduce(|p, q| [p[0].min(q[0]), p[1].max(q[1])])?,
+                ulps: worst.bound,
+                at: worst.at,
+            })
+        };
+        let each = grouped(&self.leaves, kind).into_iter();
+        let mut formulas: Vec<OfFormula> = each.filter_map(of_formula).collect();
         formulas.sort_by(|a, b| a.ends[0].total_cmp(&b.ends[0]));
-        let worst = formulas.iter().max_by(|a, b| a.ulps.total_cmp(&b.ulps))?;
+        let all: Vec<&OfFormula> = formulas.iter().collect();
+        let worst = attained(&all, |f| (f.ulps, f.at))?;
         Some(Summary {
-            ulps: worst.ulps,
+            ulps: worst.bound,
             at: worst.at,
             intervals: self.leaves.len(),
             formulas,

@@ -1,9 +1,38 @@
-//! Pieces of rectangles against what the code does at points of them.
+//! Rectangles against what the code does at points of them.
 
 use crate::cover::Rectangle;
+use mechaudit_reference::Ball;
+use mechaudit_reference::faddeeva::w_f64;
+use mechaudit_solvers::faddeeva::faddeeva;
+use num_complex::Complex;
 use rand::rngs::ChaCha8Rng;
 use rand::{Rng, SeedableRng};
+use rug::Float;
 use std::fmt::Debug;
+
+/// A square by its least corner.
+pub(crate) fn square(a: f64, b: f64, side: f64) -> Rectangle {
+    Rectangle {
+        a: [a, a + side],
+        b: [b, b + side],
+    }
+}
+
+/// Any `f64` between two positive ones, evenly by their bits.
+pub(crate) fn between(random: &mut ChaCha8Rng, [lo, hi]: [f64; 2]) -> f64 {
+    let (p, q) = (lo.to_bits(), hi.to_bits());
+    f64::from_bits(p + random.next_u64() % (q - p + 1))
+}
+
+/// `|computed − w|/|w|` in units of 2⁻⁵².
+pub(crate) fn error(re: f64, im: f64) -> f64 {
+    let got = faddeeva(Complex::new(re, im));
+    let w = w_f64(re, im, 120).expect("decided");
+    let part = |g: f64, w: &Ball| (Float::with_val(300, g) - w.mid()).square();
+    let size = |w: &Ball| Float::with_val(300, w.mid().square_ref());
+    let off = part(got.re, &w.re) + part(got.im, &w.im);
+    (off / (size(&w.re) + size(&w.im))).sqrt().to_f64() * 2f64.powi(52)
+}
 
 /// Returns whether the point is in the rectangle.
 pub(crate) fn holds(at: &Rectangle, a: f64, b: f64) -> bool {

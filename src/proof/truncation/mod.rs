@@ -3,7 +3,7 @@
 mod asymptotic;
 mod maclaurin;
 mod odd;
-pub(crate) mod rows;
+mod rows;
 
 pub(crate) use asymptotic::{
     asymptotic, exponential_error, huge, on_real_line, polynomial_error, strip,

@@ -8,7 +8,8 @@
 //!
 //! by Cauchy's estimate on the circle ρ = 3 about the centre: `|w(z)| ≤ erfcx(Im z)` (the integral
 //! `(2/√π)∫₀^∞ e^{−t²+2izt}dt` with the absolute value inside), which is at most `2e^{(Im z)²}`
-//! below the axis, so that with a centre on or above the axis `M = 2e⁹`.
+//! below the axis, so that with a centre on or above the axis `M = 2e⁹`, and with one down to
+//! `Im z = −1` below it `M = 2e¹⁶`.
 
 use super::Truncation;
 use crate::ProofError;
@@ -18,11 +19,11 @@ use mechaudit_reference::{Ball, ComplexBall, faddeeva};
 use mechaudit_solvers::faddeeva::proof::{AxisRow, Row};
 
 const BITS: u32 = 300;
-pub(crate) const STORED: usize = 18;
-pub(crate) const TERMS: usize = 41;
+const STORED: usize = 18;
+const TERMS: usize = 41;
 const RADIUS: f64 = 3.0;
-/// Above `2e⁹`.
-const MOST: f64 = 16207.0;
+/// Above `2e⁹`, and `2e¹⁶`.
+const MOST: [f64; 2] = [16207.0, 1.78e7];
 
 /// Bounds of the components of what each coefficient of the formula is wrong by.
 #[derive(Clone, Debug)]
@@ -39,7 +40,7 @@ fn difference(stored: [f64; 2], exact: &Ball) -> f64 {
 }
 
 /// Places of a coefficient's parts in a row: real, its low part, imaginary, its low part.
-pub(crate) fn places(n: usize) -> [Option<usize>; 4] {
+fn places(n: usize) -> [Option<usize>; 4] {
     match n {
         0 => [0, 1, 2, 3].map(Some),
         1 => [4, 5, 6, 7].map(Some),
@@ -57,11 +58,14 @@ fn stored(row: &Row, n: usize) -> [[f64; 2]; 2] {
 }
 
 impl RowErrors {
-    /// Of a row about a centre in the closed quadrant.
+    /// Of a row about a centre with `Im z ≥ −1`.
     ///
     /// # Errors
-    /// If the reference is undecided.
+    /// If the reference is undecided, or the centre lies below.
     pub fn of(row: &Row, centre: (f64, f64)) -> Result<RowErrors, ProofError> {
+        if !(centre.1 >= -1.0) {
+            return Err("a centre too far below the axis".into());
+        }
         let c = certified(centre)?;
         let parts = c.iter().enumerate().map(|(n, c)| match n < STORED {
             true => {
@@ -134,11 +138,6 @@ impl RowErrors {
         RowErrors { centre, parts }
     }
 
-    /// Of the absolute values.
-    pub fn sizes(&self) -> impl Iterator<Item = f64> {
-        self.parts.iter().map(|e| hypot_up(e[0], e[1]))
-    }
-
     /// For `|Re δ| ≤ dx`, `|Im δ| ≤ dy`.
     ///
     /// The real part about a real centre: `Re Σ e_n δⁿ` is at most
@@ -162,7 +161,7 @@ impl RowErrors {
             before = power;
             power = product_up(power, d);
         }
-        let tail = tail(d, MOST);
+        let tail = tail(d, MOST[usize::from(self.centre.1 < 0.0)]);
         norm = sum_up(norm, tail);
         re = sum_up(re, tail);
         im = sum_up(im, tail);
@@ -187,7 +186,7 @@ impl RowErrors {
 
 /// `Σ_{n>40} n q^{n−1} ≤ 41 q⁴⁰/(1 − q)² ≤ 100 q⁴⁰`, `q = D/ρ ≤ 1/3`, times M; the sum without n is
 /// less.
-pub(crate) fn tail(d: f64, most: f64) -> f64 {
+fn tail(d: f64, most: f64) -> f64 {
     let q = quotient_up(d, RADIUS);
     product_up(100.0 * most, power_up(q, TERMS as u32 - 1))
 }

@@ -1,5 +1,4 @@
 use super::*;
-use crate::pinned::{bit_by_bit, counted, largest, units};
 use rand::rngs::ChaCha8Rng;
 use rand::{Rng, SeedableRng};
 use rug::Float;
@@ -240,67 +239,4 @@ fn a_low_part_is_turned_nearly() {
     assert_eq!(low([-3.0, 1.0]), 2f64.powi(-52));
     assert_eq!(low([0.25, 0.5]), 2f64.powi(-54));
     assert_eq!(low([0.0, 1e-320]), f64::from_bits(1));
-}
-
-/// Where arguments and phases are cut, and the errors of each form over some of the parts.
-#[test]
-fn factors_bit_by_bit() {
-    use crate::evaluation::here;
-    let numbers = |e: &Errors| [e.pair, e.rounded, e.short, e.leading];
-    let (arguments, circle) = (arguments(), circle());
-    let without = Factors {
-        low_part: false,
-        ..Factors::default()
-    };
-    let some: Vec<[f64; 2]> = arguments.iter().copied().step_by(1201).collect();
-    let some = some
-        .iter()
-        .chain(&[[-0.25, 0.125], [0.125, 0.25], [1.0, 1.0]]);
-    let of_e = some.flat_map(|at| [of_exp(&Factors::default(), *at), of_exp(&without, *at)]);
-    let of_e: Vec<Errors> = of_e.map(|e| e.expect("a bound")).collect();
-    let phase = Phase {
-        error: 1e-31,
-        short: 2e-16,
-        boxes: 3,
-    };
-    let polynomials = phase::polynomials(&code::constants());
-    let of_t = circle.iter().step_by(19);
-    let of_t = of_t.map(|at| of_circle(&Factors::default(), &phase, polynomials, *at));
-    let of_t: Vec<Errors> = of_t.map(|t| t.expect("a bound")).collect();
-    let mut unit = units(4);
-    let mut errors = || {
-        let [pair, rounded, short, leading] =
-            [-100, -50, -49, -50].map(|k| unit() * power_of_two(k));
-        Errors {
-            pair,
-            rounded,
-            short,
-            leading,
-        }
-    };
-    let together = (0..8).map(|i| Exponential::together(errors(), errors(), i));
-    let around = [0.0, 1e-310, 0.5].map(|r| {
-        let x = around_zero(r);
-        here(|e| e.form(x).clone())
-    });
-    let parts = [[0.0, 1.0], [-0.5, 0.25], [2.0, 2.25], [0.0, 1e-300]];
-    let found = [
-        counted("arguments", &arguments),
-        counted("circle", &circle),
-        largest("exponential", of_e.iter().flat_map(numbers)),
-        largest("circle", of_t.iter().flat_map(numbers)),
-        counted("together", together),
-        counted("around zero", around),
-        largest("low parts", parts.map(low)),
-    ];
-    let due = [
-        ("arguments", 0xbffd59619105340a, 42777.0),
-        ("circle", 0xb088f57cb04a463d, 151.0),
-        ("exponential", 0x4806b4d1f2e4318c, 5.754005279400464e-14),
-        ("circle", 0x716c2877005dad38, 1.6254754859257657e-16),
-        ("together", 0x8d5e385a4d7c90f0, 8.0),
-        ("around zero", 0xe8b1841c6dfae89b, 3.0),
-        ("low parts", 0x86825751ff8267d5, 2.220446049250313e-16),
-    ];
-    bit_by_bit(&found, &due);
 }

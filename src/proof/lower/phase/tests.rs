@@ -1,6 +1,4 @@
 use super::*;
-use crate::evaluation::here;
-use crate::pinned::{bit_by_bit, counted, largest};
 use rand::rngs::ChaCha8Rng;
 use rand::{Rng, SeedableRng};
 use rug::Float;
@@ -175,59 +173,4 @@ fn polynomials_are_within_their_errors() {
     for (most, bound) in most.into_iter().zip(bounds) {
         assert!(most <= bound && bound < 4.0 * most, "{most:e} {bound:e}");
     }
-}
-
-/// Boxes of phases, what is proved over them, and what is said of stored numbers that are wrong.
-#[test]
-fn phases_bit_by_bit() {
-    let h0 = code::constants().half_pi[0];
-    let mut boxes = Vec::new();
-    for k in [[0.0; 2], [1.0; 2], [0.0, 3.0], [2.0, 3.0], [64.0, 127.0]] {
-        for r in [reduced(), [-0.25, 0.5], [0.125, 0.125]] {
-            boxes.push(format!("{:?}", quarters_and_rest(h0, k, r)));
-            let ((theta, low), whole) = reducible(h0, k, r);
-            let forms = [theta, low, whole].map(|x| here(|e| e.form(x).clone()));
-            boxes.push(format!("{forms:?}"));
-        }
-    }
-    let why = |first: f64| {
-        let mut c = code::constants();
-        c.half_pi[0] = first;
-        c.two_over_pi = &[1, 2];
-        Phase::of(&c, Rounding::default()).err()
-    };
-    let unit = power_of_two(-52);
-    let why = [
-        1.5,
-        1.5 + unit,
-        1.5 + 2.0 * unit,
-        1.5 + 0.5 * unit,
-        -1.5,
-        1.5625,
-        1.5708007,
-    ]
-    .map(why);
-    let lefts = [[0.0, 1.0], [3.0, 127.0]].map(|k| left_of_quarters(k, &[h0, 1e-17]));
-    let found = [
-        largest("errors", [PHASE.error, PHASE.short]),
-        ("boxes", crate::pinned::digest(boxes), PHASE.boxes as f64),
-        counted("binades", [2.0, 64.0, 100.0, 1e9].map(binades)),
-        counted("pieces", pieces()),
-        counted("refused", why),
-        largest(
-            "polynomials",
-            polynomials(&code::constants()).into_iter().flatten(),
-        ),
-        largest("left", lefts),
-    ];
-    let due = [
-        ("errors", 0x7b13d5b3c47e0cae, 2.27765505925543e-16),
-        ("boxes", 0x8789d2db00468530, 415.0),
-        ("binades", 0xa9b02129b2090ba7, 4.0),
-        ("pieces", 0xc62a8d29416cf6ae, 48.0),
-        ("refused", 0x00a49b8820a5ffe3, 7.0),
-        ("polynomials", 0x8ebd7d0bb5d124fd, 4.600421603104946e-18),
-        ("left", 0x4ff1b8b0b0a40829, 6.506507174585695e-15),
-    ];
-    bit_by_bit(&found, &due);
 }

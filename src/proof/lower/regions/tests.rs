@@ -1,19 +1,15 @@
 use super::*;
-use crate::at_points::pieces_hold_what_is_due;
+use crate::at_points::{pieces_hold_what_is_due, square};
 use crate::form::power_of_two;
 use crate::interval::sum_up;
 use crate::lower::phase::U;
 use crate::pinned::{bit_by_bit, counted, of_binades, units};
 use mechaudit_reference::faddeeva::w_f64;
-use mechaudit_solvers::faddeeva::faddeeva;
-use num_complex::Complex;
-use rug::Float;
 use std::sync::LazyLock;
 
 /// The solver's code, with bounds of the exponential that `the_exponential_has_bounds` proves.
 pub(crate) static CODE: LazyLock<Code> = LazyLock::new(|| Code {
     tables: Tables::of_the_solver().expect("decided"),
-    rows: Rows::of_the_solver().expect("decided"),
     formula: code::formula,
     exponential: Exponential {
         pair: 0.28 * U,
@@ -26,25 +22,7 @@ pub(crate) static CODE: LazyLock<Code> = LazyLock::new(|| Code {
     rounding: Rounding::default(),
 });
 
-fn square(a: f64, b: f64, side: f64) -> Rectangle {
-    Rectangle {
-        a: [a, a + side],
-        b: [b, b + side],
-    }
-}
-
-/// `|computed − w|/|w|` in units of 2⁻⁵².
-fn error(a: f64, b: f64) -> f64 {
-    let got = faddeeva(Complex::new(a, -b));
-    let w = w_f64(a, -b, 100).expect("decided");
-    let part = |g: f64, w: &mechaudit_reference::Ball| (Float::with_val(200, g) - w.mid()).square();
-    let size = |w: &mechaudit_reference::Ball| Float::with_val(200, w.mid().square_ref());
-    let off = part(got.re, &w.re) + part(got.im, &w.im);
-    (off / (size(&w.re) + size(&w.im))).sqrt().to_f64() * 2f64.powi(52)
-}
-
-/// A square in each formula: which one it is, the errors at points below its bound, and the bound
-/// no larger than it was found to be.
+/// A square in each formula: which one it is, and the bound no larger than it was found to be.
 #[test]
 fn every_formula_has_its_bound() {
     type Due = (f64, f64, f64, fn(Region) -> bool, f64);
@@ -109,16 +87,6 @@ fn every_formula_has_its_bound() {
         for (piece, region) in found {
             let norm = bound(&CODE, region, &piece).expect("a bound");
             assert!(norm <= most, "{region:?} {norm}");
-            if region == Region::Dominated {
-                continue;
-            }
-            for i in 0..6 {
-                let t = f64::from(i) / 6.0;
-                let x = piece.a[0] + (piece.a[1] - piece.a[0]) * t;
-                let y = piece.b[0] + (piece.b[1] - piece.b[0]) * (1.0 - t);
-                let off = error(x, y);
-                assert!(off <= norm, "{region:?} {x} {y} {off} {norm}");
-            }
         }
     }
 }
@@ -269,172 +237,71 @@ fn rows_are_wrong_by_most_at_the_farthest_point() {
         let Region::RealAxis { centre } = region else {
             continue;
         };
-        let row = CODE.rows.get(Kind::RealAxis, (centre, 0.0)).expect("a row");
+        let errors = |code: &Code| code.tables.real_axis(centre).expect("a row").1.clone();
         let far = piece.a.map(|a| (a - centre).abs());
-        let due = row.within(f64::hypot(far[0].max(far[1]), piece.b[1]));
-        let near = row.within(far[0].max(far[1]));
+        let [far, b] = [far[0].max(far[1]), piece.b[1]];
+        let due = errors(&CODE).within(far, b).norm;
+        let near = errors(&CODE).within(far, 0.0).norm;
         let error = |code: &Code| values(code, region, &piece).expect("a value")[0].error;
         assert!(error(&CODE) >= due && due > near, "{due:e} {near:e}");
         // A last coefficient that is off counts by the power of that distance.
         let mut faulty = CODE.clone();
         let of = |row: &mut upper::Row| row.iter_mut().for_each(|c| *c += 1e-3);
-        faulty.rows.change(Kind::RealAxis, (centre, 0.0), of);
-        let row = faulty
-            .rows
-            .get(Kind::RealAxis, (centre, 0.0))
-            .expect("a row");
-        let due = row.within(f64::hypot(far[0].max(far[1]), piece.b[1]));
+        faulty.tables.change((centre, 0.0), of);
+        let due = errors(&faulty).within(far, b).norm;
         assert!(error(&faulty) >= due, "{due:e}");
     }
 }
 
-/// Which formulas rectangles have, their bounds, and how they are halved.
+/// Which formulas rectangles have, their bounds, and how a shell is halved.
 #[test]
 fn leaves_bit_by_bit() {
     use crate::certificate::Watch;
-    use crate::lower::prove::{LOWER_HALF_PLANE, Target, lower_half_plane, roots};
-    use std::sync::atomic::Ordering;
+    use crate::lower::prove::{LOWER_HALF_PLANE, Target, lower_half_plane};
     let mut unit = units(7);
-    let squares: Vec<Rectangle> = (0..400)
-        .map(|i| {
-            let [a, b] = match i % 3 {
-                0 => [3.0 * unit(), 3.0 * unit()],
-                1 => [12.0 * unit(), 12.0 * unit()],
-                _ => [0; 2].map(|_| of_binades(&mut unit, [-40, 6])),
-            };
-            square(a, b, of_binades(&mut unit, [-12, -5]))
-        })
-        .collect();
-    // In each formula, and beside the first zeros.
-    let mut squares = squares;
-    for (a, b) in [
-        (0.002, 0.002),
-        (0.0, 0.002),
-        (0.1, 0.1),
-        (0.6, 0.6),
-        (3.0, 0.01),
-        (9.5, 1e-4),
-        (12.0, 1e-12),
-        (3.0, 2.5),
-        (6.0, 5.9),
-        (10.0, 9.9),
-        (40.0, 39.5),
-    ] {
-        squares.push(square(a, b, if b < 1e-3 { b } else { 0.0078125 * b }));
-    }
-    // The first is one where the bound by the size of w is the better one.
-    let mut beside = vec![Rectangle {
+    let squares = (0..300).map(|i| {
+        let [a, b] = match i % 3 {
+            0 => [3.0 * unit(), 3.0 * unit()],
+            1 => [12.0 * unit(), 12.0 * unit()],
+            _ => [0; 2].map(|_| of_binades(&mut unit, [-40, 6])),
+        };
+        square(a, b, of_binades(&mut unit, [-12, -5]))
+    });
+    let mut squares: Vec<Rectangle> = squares.collect();
+    // Next to the real axis and beside the first zero, where the bound by the size of w is better.
+    squares.extend([square(0.0, 0.002, 1e-5), square(9.5, 1e-4, 1e-5)]);
+    squares.extend([0.01, 0.04, 0.12].map(|off| square(1.991 + off, 1.355, 0.004)));
+    squares.push(Rectangle {
         a: [1.0, 1.0625f64.next_down()],
         b: [power_of_two(-28), 0.125],
-    }];
-    for (a, b) in [(1.99146684, 1.35481012), (2.69114902, 2.17704491)] {
-        for off in [0.01, 0.02, 0.04, 0.08, 0.12] {
-            beside.extend([square(a + off, b, 0.004), square(a - off, b - off, 0.002)]);
-        }
-    }
-    let beside: Vec<_> = beside
-        .iter()
-        .flat_map(|r| super::regions(&CODE, r))
-        .flatten()
-        .map(|(at, region)| bound(&CODE, region, &at))
-        .collect();
-    let last = squares[squares.len() - 11..]
-        .iter()
-        .flat_map(|r| super::regions(&CODE, r))
-        .flatten();
-    let each: Vec<_> = last.map(|(at, region)| bound(&CODE, region, &at)).collect();
-    // The limit of one term is met exactly.
-    let mut limited = CODE.clone();
-    let mut met = Vec::new();
-    let at = square(3.0, 2.0, 0.25);
-    let turned = Rectangle { a: at.b, b: at.a };
-    for at in [at, turned] {
-        for end in [decay(&at).lo.abs(), decay(&at).hi.abs()] {
-            for limit in [end - 1e-12, end + 1e-12] {
-                for bits in limit.to_bits() - 2..=limit.to_bits() + 2 {
-                    limited.limits.dominant = f64::from_bits(bits);
-                    for branch in [Branch::Cell { terms: 18 }, Branch::Asymptotic { terms: 26 }] {
-                        let mut out = Vec::new();
-                        with_rows(&limited, &at, branch, &mut out).expect("known");
-                        met.push(out);
-                    }
-                }
-            }
-        }
-    }
+    });
     let regions: Vec<_> = squares.iter().map(|r| super::regions(&CODE, r)).collect();
-    let some = regions.iter().flatten().step_by(6).flatten();
+    let some = regions.iter().flatten().rev().step_by(4).flatten();
     let bounds: Vec<_> = some.map(|(at, region)| bound(&CODE, *region, at)).collect();
-    let known: Vec<f64> = bounds
-        .iter()
-        .flatten()
-        .copied()
-        .filter(|x| x.is_finite())
-        .collect();
-    let watch = Watch::default();
     let shell = |r: &Rectangle| [r.a, r.b] == [[2.0, 4f64.next_down()]; 2];
-    let of = |norm: f64, single: f64, depth: u32| {
-        let target = Target {
-            norm,
-            single,
-            depth,
-        };
-        let found = lower_half_plane(&CODE, target, &watch, shell).expect("not stopped");
+    let of = |target: Target| {
+        let found = lower_half_plane(&CODE, target, &Watch::default(), shell);
+        let found = found.expect("not stopped");
         (found.leaves, found.open)
     };
-    let proved = of(LOWER_HALF_PLANE.norm, LOWER_HALF_PLANE.single, 9);
-    let leaves = proved.0.len() as f64;
-    let halved = [
-        of(0.0, 0.0, 0),
-        of(0.0, 0.0, 3),
-        of(1e9, 1e9, 4),
-        of(2.5, 0.0, 5),
-    ];
-    let point = |r: &Rectangle| r.a[0] == 1.0 && r.b[0] == 1.0;
-    let shallow = Target {
-        depth: 2,
+    let due = Target {
+        depth: 9,
         ..LOWER_HALF_PLANE
     };
-    let other = lower_half_plane(&CODE, shallow, &watch, point).expect("not stopped");
-    // Some have a bound in one formula and none in another.
-    let none = Target {
-        norm: 0.0,
+    let single = Target {
         single: 0.0,
-        depth: 2,
+        depth: 5,
+        ..due
     };
-    let wide = |r: &Rectangle| (1.0..16.0).contains(&r.a[1].max(r.b[1]));
-    let open = lower_half_plane(&CODE, none, &watch, wide)
-        .expect("not stopped")
-        .open;
-    watch.stop.store(true, Ordering::Relaxed);
-    assert!(lower_half_plane(&CODE, shallow, &watch, point).is_none());
     let found = [
-        counted("roots", roots()),
         counted("regions", &regions),
-        (
-            "bounds",
-            crate::pinned::digest(&bounds),
-            known.iter().copied().fold(0.0, f64::max),
-        ),
-        ("proved", crate::pinned::digest([proved]), leaves),
-        counted("halved", halved),
-        counted("each", each),
-        counted("beside zeros", beside),
-        counted("limits", met),
-        counted("open", open),
-        counted("shallow", [(other.leaves, other.open)]),
+        counted("bounds", &bounds),
+        counted("proved", [of(due), of(single)]),
     ];
     let due = [
-        ("roots", 0xe4ea81109e04cc54, 2395.0),
-        ("regions", 0x526b6a3181fa8adf, 411.0),
-        ("bounds", 0x8a88d10d9f0c9763, 1.7431284181047555),
-        ("proved", 0x732b485748bc0ef1, 123.0),
-        ("halved", 0x7b909329c920c4de, 4.0),
-        ("each", 0xfd0aadb342701759, 11.0),
-        ("beside zeros", 0xc18eabdb218a1a1e, 21.0),
-        ("limits", 0xbe46e649bd74ba13, 80.0),
-        ("open", 0x36596ded5ed3bb00, 88.0),
-        ("shallow", 0x7342c52a9dc6e96f, 1.0),
+        ("regions", 0x8494d76280fa3f58, 306.0),
+        ("bounds", 0xe9e6f74651093c17, 94.0),
+        ("proved", 0x861c376ee6542e1e, 2.0),
     ];
     bit_by_bit(&found, &due);
 }

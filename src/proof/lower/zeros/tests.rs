@@ -1,11 +1,10 @@
 use super::*;
-use crate::pinned::{self, bit_by_bit, counted};
-use mechaudit_reference::faddeeva::w_f64;
-use mechaudit_solvers::faddeeva::{Branch, branch, faddeeva};
+use crate::at_points::error;
+use crate::pinned::{bit_by_bit, counted, digest};
+use mechaudit_solvers::faddeeva::{Branch, branch};
 use num_complex::Complex;
 use rand::rngs::ChaCha8Rng;
 use rand::{Rng, SeedableRng};
-use rug::Float;
 use std::sync::LazyLock;
 
 static ZEROS: LazyLock<Vec<Zero>> = LazyLock::new(|| AroundZeros::rows().expect("decided"));
@@ -15,11 +14,21 @@ fn proved(zeros: &[Zero]) -> f64 {
     found.map_or(f64::INFINITY, |f| f.norm)
 }
 
+/// All zeros, and how far each is from what is stored.
 #[test]
-fn all_zeros_have_a_bound() {
+fn bounds_about_zeros_bit_by_bit() {
+    let all = ZEROS.iter().map(|z| (z.size, &z.errors, z.off));
     let found = AroundZeros::of(&ZEROS, Rounding::default(), 2.5).expect("proved");
-    eprintln!("{found:?}");
     assert!(found.norm > 1.0 && found.boxes > 1000);
+    let found = [
+        counted("zeros", all),
+        ("bound", digest([found]), found.norm),
+    ];
+    let due = [
+        ("zeros", 0x95681be5b92d2498, 12.0),
+        ("bound", 0x94e66b7b37d6c807, 2.499900926033933),
+    ];
+    bit_by_bit(&found, &due);
 }
 
 /// Faults of the first zero: a coefficient off by 2⁻⁴⁶ of it, the middle part left out, the row of
@@ -60,12 +69,7 @@ fn errors_at_points_are_below_the_bound() {
             if !matches!(branch(z), Branch::Zero { .. }) {
                 continue;
             }
-            let got = faddeeva(z);
-            let w = w_f64(z.re, z.im, 120).expect("decided");
-            let part = |g: f64, w: &Ball| (Float::with_val(300, g) - w.mid()).square();
-            let size = |w: &Ball| Float::with_val(300, w.mid().square_ref());
-            let off = part(got.re, &w.re) + part(got.im, &w.im);
-            let off = (off / (size(&w.re) + size(&w.im))).sqrt().to_f64() * TWO_52;
+            let off = error(z.re, z.im);
             assert!(off <= bound, "{z} {off} {bound}");
             points += 1;
             most = most.max(off);
@@ -190,46 +194,4 @@ fn numbers_are_off_by_a_low_part() {
         assert!((side * zero.row[0] / 1e-3 - 1.0).abs() < 1e-11 && side > 1e-3 / zero.row[0]);
     }
     assert_eq!(both, [true; 2]);
-}
-
-#[test]
-fn rectangles_about_zeros_bit_by_bit() {
-    let (_, reach) = code::zero_rows();
-    let zeros = || ZEROS.iter();
-    let all = zeros().map(|z| (z.size, &z.errors, z.off, z.shells(reach)));
-    let within = zeros().flat_map(|z| [0.0, 1e-9, 1e-3, 0.05].map(|d| z.within(d)));
-    let zero = &ZEROS[0];
-    let mut parts = Vec::new();
-    for at in [
-        [[1e-3, 3e-3], [-1e-3, 1e-3]],
-        [[1e-3, 5e-3], [-4e-3, 3e-3]],
-        [[-1e-9, 1e-9], [1e-9, 2e-9]],
-        [[1e-3, 2e-3], [1e-3, 2e-3]],
-    ] {
-        for target in [2.5, 1.0] {
-            let mut found = Vec::new();
-            let end = refine(zero, Rounding::default(), target, at, DEPTH - 8, &mut found);
-            parts.push((end, found));
-        }
-    }
-    // A bound that is the target serves.
-    let at = [[1e-3, 1.01e-3], [1e-3, 1.01e-3]];
-    let norm = bound(zero, Rounding::default(), &at).expect("a bound");
-    let mut found = Vec::new();
-    let end = refine(zero, Rounding::default(), norm, at, DEPTH, &mut found);
-    parts.push((end, found));
-    let two = AroundZeros::of(&ZEROS[..2], Rounding::default(), 2.5).expect("proved");
-    let found = [
-        counted("zeros", all),
-        pinned::largest("within", within),
-        counted("parts", parts),
-        ("two of them", pinned::digest([two]), two.norm),
-    ];
-    let due = [
-        ("zeros", 0x110c31ad11bc74dd, 12.0),
-        ("within", 0x137e0031c442435a, 2.824036630784192e-17),
-        ("parts", 0x361de2384495ba20, 9.0),
-        ("two of them", 0x4df7bd6baa2d9033, 2.4991909462190756),
-    ];
-    bit_by_bit(&found, &due);
 }

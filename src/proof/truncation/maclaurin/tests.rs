@@ -1,5 +1,4 @@
 use super::*;
-use crate::pinned::{bit_by_bit, counted, largest};
 use mechaudit_reference::{Ball, ComplexBall, faddeeva};
 use rug::Rational;
 
@@ -89,20 +88,4 @@ fn beyond_its_disc_nothing_is_known() {
             && near(found.im, 42.0 * 0.45f64.powi(20) / gamma)
     );
     assert_eq!((found.re, found.tiny), (found.norm, 0.0));
-}
-
-#[test]
-fn truncations_bit_by_bit() {
-    let radii = [0.0, 1e-9, 0.1, 0.3, 0.449, 0.45, 0.451, 0.49];
-    let all = radii
-        .iter()
-        .flat_map(|r| [8, 20, 9].map(|last| maclaurin(last, *r)));
-    let all: Vec<Truncation> = all.collect();
-    let norms = all.iter().map(|t| t.norm).filter(|x| x.is_finite());
-    let found = [largest("norms", norms), counted("truncations", &all)];
-    let due = [
-        ("norms", 0xf537424167e4893a, 2.893616224008132e-5),
-        ("truncations", 0x93e1543bae8dbb5a, 24.0),
-    ];
-    bit_by_bit(&found, &due);
 }

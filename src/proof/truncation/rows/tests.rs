@@ -1,6 +1,5 @@
 use super::*;
-use crate::pinned::{bit_by_bit, counted, largest};
-use crate::tables::{cell_at, imaginary_axis_at, real_axis_at};
+use crate::tables::{cell_at, disc_at, imaginary_axis_at, real_axis_at};
 
 fn errors(parts: Vec<[f64; 2]>, centre: (f64, f64)) -> RowErrors {
     RowErrors { centre, parts }
@@ -23,7 +22,7 @@ fn errors_of_coefficients_add_up() {
         let size = |e: &[f64; 2]| e[0].hypot(e[1]);
         let sum = |f: &dyn Fn(usize, &[f64; 2]) -> f64| {
             let all = parts.iter().enumerate().map(|(n, e)| f(n, e));
-            all.sum::<f64>() + 100.0 * MOST * (d / RADIUS).powi(40)
+            all.sum::<f64>() + 100.0 * MOST[0] * (d / RADIUS).powi(40)
         };
         let norm = sum(&|n, e| size(e) * power(n));
         let re = sum(&|n, e| e[0] * power(n) + dy * e[1] * slope(n));
@@ -44,7 +43,15 @@ fn errors_of_coefficients_add_up() {
     let far = errors(parts, (1.0, 1.0)).within(0.8, 0.7);
     assert!([far.norm, far.re, far.im].iter().all(|x| x.is_infinite()));
     // Above what |w| may be on the circle, and the sum of the tail.
-    assert!(MOST >= 2.0 * 9f64.exp() && MOST < 2.001 * 9f64.exp());
+    for (most, least) in MOST.into_iter().zip([9.0, 16.0]) {
+        assert!(most >= 2.0 * f64::exp(least) && most < 2.01 * f64::exp(least));
+    }
+    for (y, most) in [(0.5, MOST[0]), (0.0, MOST[0]), (-0.5, MOST[1])] {
+        let none = errors(vec![[0.0; 2]; TERMS], (0.5, y));
+        assert_eq!(none.within(1.0, 0.0).norm, tail(1.0, most));
+    }
+    let row = disc_at(0.5, 0.5).1;
+    assert!(RowErrors::of(row, (0.5, (-1f64).next_down())).is_err());
     for q in [0.1, 1.0 / 3.0] {
         let tail: f64 = (41..400).map(|n| f64::from(n) * f64::powi(q, n - 1)).sum();
         assert!(tail <= 100.0 * q.powi(40) && 41.0 / (1.0 - q).powi(2) <= 100.0);
@@ -156,44 +163,4 @@ fn components_that_are_zero_by_symmetry() {
     }
     let off = errors(vec![[1.0, 0.0]], (0.5, 1.0));
     assert!(!off.is_symmetric());
-}
-
-#[test]
-fn errors_of_rows_bit_by_bit() {
-    let ((centre, cell), (x, real), (y, axis)) =
-        (cell_at(2.0, 2.3), real_axis_at(3.0), imaginary_axis_at(1.5));
-    let all = [
-        RowErrors::of(cell, centre),
-        RowErrors::of(real, (x, 0.0)),
-        RowErrors::on_axis(axis, y),
-        RowErrors::of_dawson(axis, x),
-    ];
-    let all = all.map(|e| e.expect("decided"));
-    let offsets = [
-        [0.0, 0.0],
-        [0.1, 0.05],
-        [0.0, 1.0],
-        [1.0, 0.0],
-        [1.0, 0.1],
-        [0.6, 0.8],
-        [0.3, 0.9],
-    ];
-    let within = all
-        .iter()
-        .flat_map(|e| offsets.map(|[dx, dy]| e.within(dx, dy)));
-    let within: Vec<Truncation> = within.collect();
-    let norms = within.iter().map(|t| t.norm).filter(|x| x.is_finite());
-    let found = [
-        counted("errors", &all),
-        largest("norms", norms),
-        counted("within", &within),
-        counted("stored", (0..STORED).map(|n| stored(cell, n))),
-    ];
-    let due = [
-        ("errors", 0xe20c1197478b9331, 4.0),
-        ("norms", 0x40f812599713ae31, 0.27574495302496443),
-        ("within", 0x657040e5186e201b, 28.0),
-        ("stored", 0x04a3ae5643574357, 18.0),
-    ];
-    bit_by_bit(&found, &due);
 }
