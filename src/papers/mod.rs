@@ -7,7 +7,6 @@ pub mod gembara_senyk;
 pub mod ledger;
 pub mod n_four_bar;
 pub mod number;
-pub mod pmksweb;
 mod report;
 mod several;
 pub mod zinchenko;
@@ -23,25 +22,19 @@ pub use several::summary;
 use crate::motion::Motion;
 use crate::reference::Undecided;
 use crate::study::StudyError;
-use report::{Analysis, Draft, Found, decided, figure, figures, known, recorded, shown};
+use file::Measured;
+use report::{decided, figure, known, shown};
 use std::sync::LazyLock;
 
 /// Called now and then with the phase, how much of it is done, and its whole.
 pub type Progress<'a> = &'a (dyn Fn(&str, u64, u64) + Sync);
 
-/// The audit of a paper.
-enum Audit {
-    /// By the program alone.
-    Whole(fn(Progress) -> Result<PaperReport, Undecided>),
-    /// By its files, with an analysis for the findings that they state.
-    Analysis(fn() -> Result<Analysis, Undecided>),
-}
-
 /// A paper that is compiled in.
 struct Paper {
     key: &'static str,
     texts: file::Texts,
-    audit: Audit,
+    /// Measures what findings of its files are about.
+    analyse: Option<fn() -> Result<Measured, Undecided>>,
     motion: Option<fn() -> Motion>,
 }
 
@@ -56,31 +49,31 @@ const PAPERS: &[Paper] = &[
     Paper {
         key: zinchenko::KEY,
         texts: texts!("zinchenko": "paper.toml" "tables.toml" "claims.toml" "dynamics.toml" "spline.toml" "sweep.toml" "numbers.toml" "rates.toml"),
-        audit: Audit::Whole(zinchenko::report),
+        analyse: Some(zinchenko::analysis),
         motion: Some(zinchenko::motion),
     },
     Paper {
         key: gembara_senyk::KEY,
         texts: texts!("gembara-senyk": "paper.toml" "model.toml" "solution.toml" "amplitude.toml" "numbers.toml"),
-        audit: Audit::Analysis(gembara_senyk::analysis),
+        analyse: Some(gembara_senyk::analysis),
         motion: None,
     },
     Paper {
         key: andrews::KEY,
         texts: texts!("andrews": "paper.toml" "dynamics.toml" "constraints.toml"),
-        audit: Audit::Analysis(andrews::analysis),
+        analyse: Some(andrews::analysis),
         motion: None,
     },
     Paper {
         key: n_four_bar::KEY,
         texts: texts!("n-four-bar": "paper.toml"),
-        audit: Audit::Analysis(n_four_bar::analysis),
+        analyse: Some(n_four_bar::analysis),
         motion: None,
     },
     Paper {
-        key: pmksweb::KEY,
+        key: "pmksweb",
         texts: texts!("pmksweb": "paper.toml"),
-        audit: Audit::Analysis(pmksweb::analysis),
+        analyse: None,
         motion: None,
     },
 ];
@@ -106,10 +99,7 @@ fn file_of_known(key: &str) -> &'static PaperFile {
 
 /// Audits the paper of that key; undecided when there is no certified value.
 pub fn audit(key: &str, progress: Progress) -> Option<Result<PaperReport, Undecided>> {
-    Some(match paper(key)?.audit {
-        Audit::Whole(audit) => audit(progress),
-        Audit::Analysis(analyse) => file_of_known(key).analysed(analyse, progress),
-    })
+    file_of(key).map(|file| file.report(progress))
 }
 
 /// The ledger of the paper of that key, decided now.
@@ -122,112 +112,65 @@ pub fn motion_of(key: &str) -> Option<Motion> {
     paper(key).and_then(|p| p.motion).map(|motion| motion())
 }
 
-/// A paper that an argument names: one that is compiled in, or a folder or file of the user's.
-#[derive(Debug)]
-pub enum Named {
-    /// The key of a paper that is compiled in.
-    Key(&'static str),
-    /// A paper from files.
-    File(Box<PaperFile>),
+/// The paper of a key, or the paper in a folder or file; none if the text is neither.
+///
+/// # Errors
+/// A folder that cannot be read as a paper.
+pub fn open(text: &str) -> Result<Option<PaperFile>, StudyError> {
+    let path = std::path::Path::new(text);
+    let file = match file_of(text) {
+        Some(file) => file.clone(),
+        None if path.exists() => PaperFile::open(path)?,
+        None => return Ok(None),
+    };
+    match file
+        .analysis
+        .filter(|key| paper(key).and_then(|p| p.analyse).is_none())
+    {
+        Some(key) => Err(StudyError::new(format!(
+            "{text}: there is no analysis {key:?}"
+        ))),
+        None => Ok(Some(file)),
+    }
 }
 
-impl Named {
-    /// The paper of a key, or the paper in a folder or file; none if the text is neither.
-    ///
-    /// # Errors
-    /// A folder that cannot be read as a paper.
-    pub fn open(text: &str) -> Result<Option<Named>, StudyError> {
-        if let Some(paper) = paper(text) {
-            return Ok(Some(Named::Key(paper.key)));
-        }
-        let path = std::path::Path::new(text);
-        if !path.exists() {
-            return Ok(None);
-        }
-        let file = PaperFile::open(path)?;
-        match file.analysis.filter(|key| paper(key).is_none()) {
-            Some(key) => Err(StudyError::new(format!(
-                "{text}: there is no analysis {key:?}"
-            ))),
-            None => Ok(Some(Named::File(Box::new(file)))),
-        }
+/// The papers that an argument names, each with its own argument: one, as [`open`] has it, or those
+/// in the folders of a folder that is no paper, in the order of their names. None if it names
+/// nothing.
+///
+/// # Errors
+/// A folder that cannot be read as a paper, and one that holds none.
+pub fn open_all(text: &str) -> Result<Vec<(String, PaperFile)>, StudyError> {
+    let path = std::path::Path::new(text);
+    let mut below = Vec::new();
+    if paper(text).is_none() && path.is_dir() && !path.join("paper.toml").exists() {
+        let folders = std::fs::read_dir(path).into_iter().flatten().flatten();
+        let papers = folders.filter(|f| f.path().join("paper.toml").exists());
+        below.extend(papers.map(|f| f.path().display().to_string()));
+        below.sort();
     }
-
-    /// The papers that an argument names, each with its own argument: one, as [`Named::open`] has
-    /// it, or those in the folders of a folder that is no paper, in the order of their names. None if
-    /// it names nothing.
-    ///
-    /// # Errors
-    /// A folder that cannot be read as a paper, and one that holds none.
-    pub fn open_all(text: &str) -> Result<Vec<(String, Named)>, StudyError> {
-        let path = std::path::Path::new(text);
-        let mut below = Vec::new();
-        if paper(text).is_none() && path.is_dir() && !path.join("paper.toml").exists() {
-            let folders = std::fs::read_dir(path).into_iter().flatten().flatten();
-            let papers = folders.filter(|f| f.path().join("paper.toml").exists());
-            below.extend(papers.map(|f| f.path().display().to_string()));
-            below.sort();
-        }
-        if below.is_empty() {
-            below.push(text.into());
-        }
-        let mut all = Vec::new();
-        for text in below {
-            all.extend(Named::open(&text)?.map(|named| (text, named)));
-        }
-        Ok(all)
+    if below.is_empty() {
+        below.push(text.into());
     }
-
-    /// Runs the programs under test that the paper names by `by`.
-    ///
-    /// # Errors
-    /// The paper has programs, and there is nothing that may run them.
-    pub fn run_by(&self, by: Option<&'static dyn file::Programs>) -> Result<(), StudyError> {
-        match (self, by) {
-            (Named::File(file), Some(by)) => file.run_by(by),
-            (Named::File(file), None) if file.has_programs() => {
-                let reason = "solvers of the paper are programs: --exec lets them run";
-                return Err(StudyError::new(format!("{}: {reason}", file.citation.key)));
-            }
-            _ => {}
-        }
-        Ok(())
+    let mut all = Vec::new();
+    for text in below {
+        all.extend(open(&text)?.map(|paper| (text, paper)));
     }
-
-    /// The ledger, decided now.
-    pub fn ledger(&self) -> ledger::Ledger {
-        match self {
-            Named::Key(key) => file_of_known(key).ledger(),
-            Named::File(file) => file.ledger(),
-        }
-    }
-
-    /// Audits the paper.
-    ///
-    /// # Errors
-    /// [`Undecided`] if a certified value is undecided.
-    pub fn report(&self, progress: Progress) -> Result<PaperReport, Undecided> {
-        match self {
-            Named::Key(key) => audit(key, progress).expect("a paper that is compiled in"),
-            Named::File(file) => match file.analysis.and_then(paper).map(|p| &p.audit) {
-                Some(Audit::Analysis(analyse)) => file.analysed(analyse, progress),
-                _ => file.report(progress),
-            },
-        }
-    }
-
-    /// The motion of the mechanism of the paper, where it has one.
-    pub fn motion(&self) -> Option<Motion> {
-        match self {
-            Named::Key(key) => motion_of(key),
-            Named::File(_) => None,
-        }
-    }
+    Ok(all)
 }
 
 /// The keys of all papers.
 pub fn keys() -> Vec<&'static str> {
     PAPERS.iter().map(|p| p.key).collect()
+}
+
+/// The findings of that paper on what was measured alone.
+#[cfg(test)]
+fn on_figures(key: &str, measured: &Measured) -> Vec<Finding> {
+    let file = file_of(key).unwrap();
+    let ledger = ledger::Ledger::of(Citation::default(), &[]);
+    let own = file.stated.iter().filter(|s| !s.is_on_ledger());
+    own.map(|s| s.finding(&ledger, measured)).collect()
 }
 
 #[cfg(test)]

@@ -19,15 +19,20 @@ pub struct Number {
 }
 
 impl Number {
+    /// The number that a text is, if it is a decimal one.
+    pub(super) fn parse(text: &str) -> Option<Number> {
+        Some(Number {
+            text: text.into(),
+            value: Decimal::parse(text).ok()?,
+        })
+    }
+
     /// A number of a transcription.
     ///
     /// # Panics
     /// If the text is no decimal.
     pub(super) fn read(text: &str) -> Number {
-        Number {
-            text: text.into(),
-            value: Decimal::parse(text).expect("a printed decimal"),
-        }
+        Number::parse(text).expect("a printed decimal")
     }
 
     /// `printed − value` in units of the last digit.

@@ -57,90 +57,27 @@ pub struct PaperReport {
 }
 
 impl PaperReport {
-    /// The findings of this version of the program, without tables.
-    pub(super) fn new(paper: Citation, findings: Vec<Finding>) -> PaperReport {
+    /// The findings of this version of the program, with the printed entries and how many of them
+    /// agree.
+    pub(super) fn new(
+        paper: Citation,
+        findings: Vec<Finding>,
+        entries: Vec<Entry>,
+        tallies: Vec<Tally>,
+    ) -> PaperReport {
         PaperReport {
             schema_version: SCHEMA_VERSION,
             mechaudit_version: env!("CARGO_PKG_VERSION"),
             paper,
             findings,
-            tallies: Vec::new(),
-            entries: Vec::new(),
-        }
-    }
-
-    /// With the printed entries and how many of them agree.
-    pub(super) fn with_entries(self, entries: Vec<Entry>, tallies: Vec<Tally>) -> PaperReport {
-        PaperReport {
             tallies,
             entries,
-            ..self
         }
     }
 
     /// Returns true if every finding is as recorded.
     pub fn as_recorded(&self) -> bool {
         !self.findings.is_empty() && self.findings.iter().all(|f| f.as_recorded)
-    }
-}
-
-/// The results of the program's own analysis of a paper, for findings that its files state.
-#[derive(Default)]
-pub(super) struct Analysis {
-    /// By the names of the findings.
-    pub found: BTreeMap<&'static str, Found>,
-    /// Printed entries that it judges.
-    pub entries: Vec<Entry>,
-    /// Their counts.
-    pub tallies: Vec<Tally>,
-}
-
-impl Analysis {
-    /// Adds what was found for a finding.
-    pub(super) fn add(&mut self, id: &'static str, found: Found) {
-        self.found.insert(id, found);
-    }
-
-    /// Findings that no file states, which are not as recorded.
-    pub(super) fn not_stated(&mut self) -> impl Iterator<Item = Finding> {
-        let more = std::mem::take(&mut self.found).into_keys();
-        more.map(|id| {
-            let draft = Draft::new(id, Subject::Claim, "analysis");
-            draft
-                .titled("No file states this finding")
-                .recorded_if(false)
-        })
-    }
-}
-
-/// The results for one finding.
-pub(super) struct Found {
-    /// Words that stand in its title and text.
-    pub words: Vec<String>,
-    /// Its figures. Where the file lists them, their names and units are the file's.
-    pub figures: Vec<Figure>,
-    /// True if everything else that the finding rests on holds.
-    pub holds: bool,
-}
-
-impl Found {
-    pub(super) fn new(figures: impl IntoIterator<Item = Figure>, holds: bool) -> Found {
-        Found {
-            words: Vec::new(),
-            figures: figures.into_iter().collect(),
-            holds,
-        }
-    }
-
-    /// Figures whose names and units the file states.
-    pub(super) fn values(values: impl IntoIterator<Item = String>, holds: bool) -> Found {
-        let values = values.into_iter();
-        Found::new(values.map(|value| figure("", value, "1")), holds)
-    }
-
-    pub(super) fn worded(mut self, words: impl IntoIterator<Item = String>) -> Found {
-        self.words = words.into_iter().collect();
-        self
     }
 }
 
@@ -199,14 +136,6 @@ pub(super) fn figure(name: impl Into<String>, value: impl ToString, unit: &'stat
     }
 }
 
-/// Figures as a table: `name: value, arguments => unit;`, name and value as [`format!`] takes them.
-macro_rules! figures {
-    ($($name:literal: $value:literal $(, $argument:expr)* => $unit:expr;)*) => {
-        vec![$($crate::papers::figure(format!($name), format!($value $(, $argument)*), $unit)),*]
-    };
-}
-pub(super) use figures;
-
 /// Stands for a value that is not known to the digits asked for.
 const UNDECIDED: &str = "undecided";
 
@@ -223,14 +152,6 @@ pub(super) fn decided(digits: Option<String>) -> String {
 /// Returns true if all figures are known.
 pub(super) fn known(figures: &[Figure]) -> bool {
     figures.iter().all(|f| f.value != UNDECIDED)
-}
-
-/// Returns true if the figures have these values and there are no others.
-pub(super) fn recorded(figures: &[Figure], values: &[&str]) -> bool {
-    figures
-        .iter()
-        .map(|f| &f.value[..])
-        .eq(values.iter().copied())
 }
 
 /// One finding.
@@ -252,55 +173,6 @@ pub struct Finding {
     pub figures: Vec<Figure>,
     /// True if this run found what earlier runs recorded. False makes the program exit with 1.
     pub as_recorded: bool,
-}
-
-/// A finding in the making: without an end that says what was recorded there is none.
-pub(super) struct Draft(Finding);
-
-impl Draft {
-    pub(super) fn new(id: &'static str, subject: Subject, place: &'static str) -> Draft {
-        Draft(Finding {
-            id,
-            subject,
-            place,
-            title: String::new(),
-            verdict: FindingVerdict::Unexplained,
-            text: String::new(),
-            figures: Vec::new(),
-            as_recorded: true,
-        })
-    }
-
-    pub(super) fn verdict(mut self, verdict: FindingVerdict) -> Draft {
-        self.0.verdict = verdict;
-        self
-    }
-
-    pub(super) fn titled(mut self, title: impl Into<String>) -> Draft {
-        self.0.title = title.into();
-        self
-    }
-
-    pub(super) fn text(mut self, text: impl Into<String>) -> Draft {
-        self.0.text = text.into();
-        self
-    }
-
-    pub(super) fn figures(mut self, figures: impl IntoIterator<Item = Figure>) -> Draft {
-        self.0.figures = figures.into_iter().collect();
-        self
-    }
-
-    /// As recorded on that condition, among others.
-    pub(super) fn only_if(mut self, condition: bool) -> Draft {
-        self.0.as_recorded &= condition;
-        self
-    }
-
-    /// As recorded if the condition holds.
-    pub(super) fn recorded_if(self, condition: bool) -> Finding {
-        self.only_if(condition).0
-    }
 }
 
 /// The verdict on a printed entry.
@@ -372,20 +244,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_figure_has_to_be_the_recorded_one() {
-        let figures = ["1.5", "2"].map(|value| figure("a name", value, "1"));
-        assert!(recorded(&figures, &["1.5", "2"]));
-        for other in [
-            &["1.5", "3"][..],
-            &["1.6", "2"],
-            &["1.5"],
-            &["1.5", "2", "3"],
-        ] {
-            assert!(!recorded(&figures, other), "{other:?}");
-        }
-    }
-
-    #[test]
     fn what_is_not_known_to_so_many_digits_is_undecided() {
         let third = &Ball::integer(64, 1) / &Ball::integer(64, 3);
         let of = |digits| [figure("a third", shown(&third, digits), "1")];
@@ -410,7 +268,8 @@ mod tests {
         };
         let recorded = |of: &[bool]| {
             let paper = Citation::default();
-            PaperReport::new(paper, of.iter().map(|r| finding(*r)).collect()).as_recorded()
+            let findings = of.iter().map(|r| finding(*r)).collect();
+            PaperReport::new(paper, findings, Vec::new(), Vec::new()).as_recorded()
         };
         assert!(recorded(&[true]) && recorded(&[true, true]));
         assert!(!recorded(&[true, false]) && !recorded(&[false, true]) && !recorded(&[]));

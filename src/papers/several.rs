@@ -3,8 +3,7 @@
 
 use super::file::{FINDING_VERDICTS, Survey};
 use super::{
-    Citation, Draft, Figure, Finding, FindingVerdict, Named, PaperReport, Progress, Subject, audit,
-    figure, file_of_known,
+    Citation, Figure, Finding, FindingVerdict, PaperFile, PaperReport, Progress, Subject, figure,
 };
 use crate::reference::Undecided;
 use crate::study::intern;
@@ -14,27 +13,15 @@ use std::collections::BTreeMap;
 ///
 /// # Errors
 /// [`Undecided`] if a certified value is undecided.
-pub fn summary(papers: Vec<Named>, progress: Progress) -> Result<PaperReport, Undecided> {
+pub fn summary(papers: Vec<PaperFile>, progress: Progress) -> Result<PaperReport, Undecided> {
     let count = papers.len() as u64;
     let mut findings = Vec::new();
     let mut claims = Vec::new();
     let mut surveys: Vec<Survey> = Vec::new();
-    for (paper, done) in papers.into_iter().zip(0..) {
-        let (file, report, of_paper) = match paper {
-            Named::Key(key) => {
-                progress(key, done, count + 1);
-                let file = Box::new(file_of_known(key).clone());
-                let report = audit(key, &|_, _, _| {}).expect("a paper that is compiled in");
-                (file, report, Vec::new())
-            }
-            Named::File(mut file) => {
-                progress(file.citation.key, done, count + 1);
-                let of_paper = std::mem::take(&mut file.surveys);
-                let report = Named::File(file.clone()).report(&|_, _, _| {});
-                (file, report, of_paper)
-            }
-        };
-        let report = report?;
+    for (mut file, done) in papers.into_iter().zip(0..) {
+        progress(file.citation.key, done, count + 1);
+        let of_paper = std::mem::take(&mut file.surveys);
+        let report = file.report(&|_, _, _| {})?;
         let is_claim = |f: &&Finding| file.accuracies.iter().any(|a| a.id == f.id);
         let of_file = report.findings.iter().filter(is_claim);
         claims.extend(of_file.map(|f| (report.paper.key, f.clone())));
@@ -57,7 +44,7 @@ pub fn summary(papers: Vec<Named>, progress: Progress) -> Result<PaperReport, Un
         title: intern(&format!("Summary of {count} papers")),
         ..Citation::default()
     };
-    Ok(PaperReport::new(paper, findings))
+    Ok(PaperReport::new(paper, findings, Vec::new(), Vec::new()))
 }
 
 /// A paper as one finding: how many findings of each kind it has, and which have changed.
@@ -83,19 +70,19 @@ fn sum(report: &PaperReport, has_surveys: bool) -> Finding {
         true => format!("{} findings, all as recorded.", report.findings.len()),
         false => format!("Not as recorded: {}.", changed.join(", ")),
     };
-    Draft::new(
-        intern(&format!("paper-{}", paper.key)),
-        Subject::Data,
-        paper.key,
-    )
-    .verdict(match changed.is_empty() {
-        true => FindingVerdict::Confirmed,
-        false => FindingVerdict::Unexplained,
-    })
-    .titled(paper.title)
-    .text(text)
-    .figures(figures)
-    .recorded_if(changed.is_empty() && !is_empty)
+    Finding {
+        id: intern(&format!("paper-{}", paper.key)),
+        subject: Subject::Data,
+        place: paper.key,
+        title: paper.title.into(),
+        verdict: match changed.is_empty() {
+            true => FindingVerdict::Confirmed,
+            false => FindingVerdict::Unexplained,
+        },
+        text,
+        figures,
+        as_recorded: changed.is_empty() && !is_empty,
+    }
 }
 
 /// All claims about algorithms, each with its verdict, the error found and the bound.
@@ -130,33 +117,36 @@ fn claims_in_all(claims: &[(&'static str, Finding)]) -> Finding {
     let refuted = claims
         .iter()
         .any(|(_, f)| f.verdict == FindingVerdict::Refuted);
-    Draft::new("claims", Subject::Claim, "claims about algorithms")
-        .verdict(match refuted {
+    Finding {
+        id: "claims",
+        subject: Subject::Claim,
+        place: "claims about algorithms",
+        title: format!("{} claims about algorithms", claims.len()),
+        verdict: match refuted {
             true => FindingVerdict::Refuted,
             false => FindingVerdict::Confirmed,
-        })
-        .titled(format!("{} claims about algorithms", claims.len()))
-        .text(format!("By verdict: {}.", counts.join(", ")))
-        .figures(figures)
-        .recorded_if(claims.iter().all(|(_, f)| f.as_recorded))
+        },
+        text: format!("By verdict: {}.", counts.join(", ")),
+        figures: figures.collect(),
+        as_recorded: claims.iter().all(|(_, f)| f.as_recorded),
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::papers::PaperFile;
 
     const STUDY: &str = "[inputs]\nx = { from = '1e-6', to = 1, spacing = 'log' }\n[outputs]\n\
                          y = { is = '1 - cos(x)', budget = '8 ulp', why = 'a test' }\n";
 
-    fn paper(key: &'static str, solver: &str, bound: &str, recorded: &str) -> Named {
+    fn paper(key: &'static str, solver: &str, bound: &str, recorded: &str) -> PaperFile {
         let text = format!(
             "title = '{key}'\n[solver.{key}]\nstudy = 's.toml'\ny = '{solver}'\n\
              [[accuracy]]\nid = 'a'\nplace = 'p'\nclaims = 'c'\nsolver = '{key}'\n{bound}\n\
              [[survey]]\nid = 'heights'\nstudy = 's.toml'\nalong = 'x'\ntargets = '1e-12'\n{recorded}"
         );
         let texts = vec![("paper.toml", intern(&text)), ("s.toml", STUDY)];
-        Named::File(Box::new(PaperFile::parse(key, texts.leak()).unwrap()))
+        PaperFile::parse(key, texts.leak()).unwrap()
     }
 
     #[test]

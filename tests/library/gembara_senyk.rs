@@ -6,7 +6,7 @@ use mechaudit_cli::reference::{Ball, Mag, cam_law, fourier_series};
 use rug::{Float, Rational};
 use std::fmt::Write;
 
-const LAWS: [charts::Law; 2] = [charts::Law::K, charts::Law::Constant];
+const LAWS: [&str; 2] = ["К", "0050"];
 
 #[test]
 fn charts_of_both_laws() {
@@ -14,8 +14,7 @@ fn charts_of_both_laws() {
     for law in LAWS {
         writeln!(
             text,
-            "law {}: xi, sum of |A_k|, k = 1 ... {}",
-            law.name(),
+            "law {law}: xi, sum of |A_k|, k = 1 ... {}",
             charts::HARMONICS
         )
         .unwrap();
@@ -33,7 +32,7 @@ fn charts_of_both_laws() {
 #[test]
 fn solver_against_certified_charts() {
     for law in LAWS {
-        let chart = charts::chart(law, charts::Programme::RunUp).unwrap();
+        let chart = charts::chart(law, true).unwrap();
         for xi in [2u32, 5, 9, 14] {
             let due = certified(law, &Rational::from(xi), 140).mid().to_f64();
             let point = chart
@@ -41,22 +40,18 @@ fn solver_against_certified_charts() {
                 .iter()
                 .find(|p| (p.xi_rise - f64::from(xi)).abs() < 1e-9);
             let got = point.expect("on the grid").bound;
-            assert!(
-                (got / due - 1.0).abs() < 1e-12,
-                "{} {xi}: {got} {due}",
-                law.name()
-            );
+            assert!((got / due - 1.0).abs() < 1e-12, "{law} {xi}: {got} {due}");
         }
     }
 }
 
 /// `Σ|A_k|` of the run-up at `ξ` (19), corrected and enclosed.
-fn certified(law: charts::Law, xi: &Rational, prec: u32) -> Ball {
+fn certified(law: &str, xi: &Rational, prec: u32) -> Ball {
     let q = |n: i32, d: u32| Rational::from((n, d));
     // The share of a cosine; nothing of the law is without acceleration.
     let d = match law {
-        charts::Law::K => q(1, 1),
-        charts::Law::Constant => Rational::new(),
+        "К" => q(1, 1),
+        _ => Rational::new(),
     };
     let b = Rational::new();
     let form = cam_law::Law::stretched(&cam_law::Family::Scca { b, d }, &q(1, 2));

@@ -1,109 +1,97 @@
-//! The figures of the findings.
+//! The quantities of the findings.
 
 use super::BITS;
 use super::motion::{DIGITS, Motion, TIMES, motion};
-use super::printed::{Printed, QUANTITIES, certified, entries, kind, printed, unit};
-use crate::papers::{Analysis, Found, figure, shown};
+use super::printed::{KINDS, Printed, QUANTITIES, certified, entries, kind, printed, unit};
+use crate::papers::file::{Measured, Quantity};
+use crate::papers::{figure, shown};
 use crate::reference::{Ball, Mag, Undecided};
 
 /// Encloses the motion and compares every printed value.
 ///
 /// # Errors
 /// [`Undecided`] if a proof fails.
-pub(in crate::papers) fn analysis() -> Result<Analysis, Undecided> {
+pub(in crate::papers) fn analysis() -> Result<Measured, Undecided> {
     let (motion, printed) = (motion(BITS)?, printed());
-    let mut analysis = digits(&printed, &motion.values);
-    analysis.add("never-stops", never_stops(&motion));
-    (analysis.entries, analysis.tallies) = entries(&printed, &motion.values);
-    Ok(analysis)
+    let mut measured = digits(&printed, &motion.values);
+    never_stops(&motion, &mut measured);
+    (measured.entries, measured.tallies) = entries(&printed, &motion.values);
+    Ok(measured)
 }
 
-/// The findings on printed and certified values.
-fn digits(printed: &[Printed], values: &[Vec<Ball>]) -> Analysis {
+/// The quantities of printed and certified values.
+fn digits(printed: &[Printed], values: &[Vec<Ball>]) -> Measured {
     let (start, end): (Vec<&Printed>, Vec<&Printed>) = printed.iter().partition(|p| p.time == "0");
-    let mut analysis = Analysis::default();
-    analysis.add("start-values", start_values(&start, values));
-    analysis.add("reference-solution", reference_solution(&end, values));
-    analysis.add("later", later(&end, values));
-    analysis.add("mirrored", mirrored(&end, values));
-    analysis.add("certified-motion", certified_motion(values));
-    analysis
+    let mut measured = Measured::default();
+    start_values(&start, values, &mut measured);
+    reference_solution(&end, values, &mut measured);
+    later(&end, values, &mut measured);
+    measured.set("opposite", f64::from(opposite(values)));
+    certified_motion(values, &mut measured);
+    measured
 }
 
-/// The one whose last digit at t = 0 is wrong.
-const LAMBDA_1: usize = 21;
-
-fn start_values(start: &[&Printed], values: &[Vec<Ball>]) -> Found {
+/// How many values at the start are right to the last digit, and of the others by how much they
+/// are off.
+fn start_values(start: &[&Printed], values: &[Vec<Ball>], measured: &mut Measured) {
     let right = |p: &&&Printed| p.number.is_rounded(certified(values, p));
     let (agree, off): (Vec<&&Printed>, Vec<_>) = start.iter().partition(right);
-    let units = |p: &&&Printed| format!("{:.2}", p.number.units_off(certified(values, p)));
-    let only = off.iter().all(|p| p.quantity == LAMBDA_1);
-    Found::values(off.iter().map(units), only)
-        .worded([agree.len(), start.len()].map(|n| n.to_string()))
-}
-
-/// Least and largest number of digits that are right among some values.
-fn span(of: &[&Printed], values: &[Vec<Ball>], which: usize) -> String {
-    let own = of.iter().filter(|p| kind(p.quantity) == which);
-    let counts = own.map(|p| p.number.right_digits(certified(values, p)).0);
-    let [least, most] = [counts.clone().min(), counts.max()].map(Option::unwrap_or_default);
-    format!("{least} to {most}")
+    measured.set("right_start", agree.len() as f64);
+    measured.set("all_start", start.len() as f64);
+    let names: Vec<&str> = off.iter().map(|p| QUANTITIES[p.quantity]).collect();
+    measured.text("wrong_start", names.join(" "));
+    let units = off
+        .iter()
+        .map(|p| format!("{:.2}", p.number.units_off(certified(values, p))));
+    measured.text("off_start", units.collect::<Vec<_>>().join(" "));
 }
 
 /// The printed values with a bar after the digits that are right; how many digits are, by kind,
 /// and how many values.
-fn reference_solution(end: &[&Printed], values: &[Vec<Ball>]) -> Found {
-    let within = |p: &&&Printed| p.number.is_within_one(certified(values, p));
-    let agree = end.iter().filter(within).count();
+fn reference_solution(end: &[&Printed], values: &[Vec<Ball>], measured: &mut Measured) {
     let marked = end.iter().map(|p| {
         let shown = p.number.marked(certified(values, p));
         figure(QUANTITIES[p.quantity], shown, unit(p.quantity))
     });
-    let spans = (0..4).map(|which| span(end, values, which));
-    let counts = [agree, end.len()].map(|n| n.to_string());
-    Found::new(marked, true).worded(spans.chain(counts))
+    measured.add("reference", Quantity::Figures(marked.collect()));
+    for (which, kind_of) in KINDS.into_iter().enumerate() {
+        let own = end.iter().filter(|p| kind(p.quantity) == which);
+        let counts = own.map(|p| p.number.right_digits(certified(values, p)).0);
+        let [least, most] = [counts.clone().min(), counts.max()].map(Option::unwrap_or_default);
+        measured.text(kind_of, format!("{least} to {most}"));
+    }
+    let within = |p: &&&Printed| p.number.is_within_one(certified(values, p));
+    measured.set("right_end", end.iter().filter(within).count() as f64);
+    measured.set("all_end", end.len() as f64);
 }
 
-/// Returns true if all shifts are the first one, but for a thousandth and two units of the last
-/// digit.
-fn together(shifts: &[f64], slack: &[f64]) -> bool {
-    let [first, ..] = shifts else {
-        return false;
-    };
-    let mut pairs = shifts.iter().zip(slack);
-    pairs.all(|(s, unit)| (s - first).abs() <= 1e-3 + 2.0 * unit)
-}
-
-/// `(printed − certified)/rate` of the angles in ps, and the largest relative difference that is
-/// left in the rates after the first of these times.
-fn later(end: &[&Printed], values: &[Vec<Ball>]) -> Found {
+/// `(printed − certified)/rate` of the angles in ps, by how much these are farther apart than two
+/// units of the last digit, and the largest relative difference that is left in the rates after the
+/// first of these times; the second derivatives of Φ and Ω as printed, and that of Φ certified.
+fn later(end: &[&Printed], values: &[Vec<Ball>], measured: &mut Measured) {
     let last = &values[TIMES.len()];
     let difference = |p: &Printed| p.number.difference(certified(values, p));
-    let shift = |p: &&Printed| (difference(p) / &last[p.quantity + 7]).to_f64() * 1e12;
+    let shift = |p: &Printed| (difference(p) / &last[p.quantity + 7]).to_f64() * 1e12;
     let of = |which: usize| end.iter().filter(move |p| kind(p.quantity) == which);
-    let shifts: Vec<f64> = of(0).map(shift).collect();
-    let crank = shifts.first().copied().unwrap_or(f64::NAN);
-    // The effect of an angle that is off by one unit of its 16th digit.
-    let slack =
-        of(0).map(|p| p.number.value.unit().to_f64() / last[p.quantity + 7].to_f64().abs() * 1e12);
-    let fits = together(&shifts, &slack.collect::<Vec<_>>());
+    let crank = of(0).next().map_or(f64::NAN, |p| shift(p));
+    let mut apart = 0.0f64;
+    for p in of(0) {
+        // The effect of an angle that is off by one unit of its 16th digit.
+        let unit = p.number.value.unit().to_f64() / last[p.quantity + 7].to_f64().abs() * 1e12;
+        apart = apart.max((shift(p) - crank).abs() - 2.0 * unit);
+        measured.set(format!("late_{}", QUANTITIES[p.quantity]), shift(p));
+    }
+    measured.set("apart", apart);
     let rests = of(1).map(|p| {
         let moved = difference(p).to_f64() - crank * 1e-12 * last[p.quantity + 7].to_f64();
         (moved / last[p.quantity].to_f64()).abs()
     });
-    let worst = rests.fold(0.0, f64::max);
-    let shifts = shifts.iter().map(|s| format!("{s:.4}"));
-    Found::values(shifts.chain([format!("{worst:.1e}")]), fits).worded([format!("{crank:.3}")])
-}
-
-/// Φ'' and Ω'' as printed, which differ, and Φ'' certified.
-fn mirrored(end: &[&Printed], values: &[Vec<Ball>]) -> Found {
-    let printed = |quantity: usize| end.iter().find(|p| p.quantity == quantity);
-    let texts = [17, 19].map(|k| printed(k).map_or("", |p| p.number.text.as_str()));
-    let differ = texts[0].trim_start_matches('-') != texts[1].trim_start_matches('-');
-    let certified = shown(&values[TIMES.len()][17], DIGITS);
-    let all = texts.map(String::from).into_iter().chain([certified]);
-    Found::values(all, differ && opposite(values))
+    measured.set("rest", rests.fold(0.0, f64::max));
+    for p in end.iter().filter(|p| [17, 19].contains(&p.quantity)) {
+        let name = QUANTITIES[p.quantity];
+        measured.add(name, Quantity::Printed(p.number.clone()));
+    }
+    measured.add("certified", Quantity::Number(last[17].clone()));
 }
 
 /// Returns true if Φ and Ω, their rates and their accelerations are opposite at all times.
@@ -120,7 +108,7 @@ fn balanced(rests: &[Ball]) -> bool {
 
 /// Turns of the crank, the bound of its energy, the panels of the proof, and the moment that may be
 /// left over in the equations of motion.
-fn never_stops(motion: &Motion) -> Found {
+fn never_stops(motion: &Motion, measured: &mut Measured) {
     let course = &motion.course;
     let balance = |m: &crate::reference::planar::Moment| m.multipliers.last().cloned();
     let rests: Vec<Ball> = course.moments.iter().filter_map(balance).collect();
@@ -129,16 +117,19 @@ fn never_stops(motion: &Motion) -> Found {
     let turns = course.moments.last().map_or(f64::NAN, |m| {
         (&m.drive - &course.start.x[0]).to_f64() / std::f64::consts::TAU
     });
-    let values = [
-        format!("{turns:.6}"),
-        format!("{:.5}", course.least_force),
-        course.panels.to_string(),
-        format!("{largest:.1e}"),
-    ];
-    Found::values(values, balanced(&rests))
+    for (name, x) in [
+        ("turns", turns),
+        ("least_force", course.least_force),
+        ("panels", course.panels as f64),
+        ("left_over", largest),
+        ("balanced", f64::from(balanced(&rests))),
+    ] {
+        measured.set(name, x);
+    }
 }
 
-fn certified_motion(values: &[Vec<Ball>]) -> Found {
+/// The values at all times, unless one is missing.
+fn certified_motion(values: &[Vec<Ball>], measured: &mut Measured) {
     let mut figures = Vec::new();
     for (time, row) in TIMES.iter().zip(&values[1..]) {
         for (k, value) in row.iter().enumerate() {
@@ -146,7 +137,9 @@ fn certified_motion(values: &[Vec<Ball>]) -> Found {
             figures.push(figure(name, shown(value, DIGITS), unit(k)));
         }
     }
-    Found::new(figures, figures_are(values))
+    if figures_are(values) {
+        measured.add("motion", Quantity::Figures(figures));
+    }
 }
 
 fn figures_are(values: &[Vec<Ball>]) -> bool {

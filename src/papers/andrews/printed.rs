@@ -28,7 +28,10 @@ pub fn unit(quantity: usize) -> &'static str {
     ["rad", "rad/s", "rad/s^2", "N"][kind(quantity)]
 }
 
-/// Angle, rate, acceleration, multiplier: 0 to 3.
+/// The kinds of quantities.
+pub(super) const KINDS: [&str; 4] = ["angles", "rates", "accelerations", "multipliers"];
+
+/// The number of a quantity's kind.
 pub(super) fn kind(quantity: usize) -> usize {
     quantity / 7
 }
@@ -67,8 +70,7 @@ pub(super) fn certified<'a>(values: &'a [Vec<Ball>], p: &Printed) -> &'a Ball {
 pub(super) fn entries(printed: &[Printed], values: &[Vec<Ball>]) -> (Vec<Entry>, Vec<Tally>) {
     let mut columns: Vec<Column> = Vec::new();
     for (table, time) in [(1, "0"), (2, TIMES[2])] {
-        let kinds = ["angles", "rates", "accelerations", "multipliers"];
-        for (k, column) in kinds.into_iter().enumerate() {
+        for (k, column) in KINDS.into_iter().enumerate() {
             let of = printed
                 .iter()
                 .filter(|p| p.time == time && kind(p.quantity) == k);

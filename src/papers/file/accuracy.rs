@@ -6,7 +6,7 @@ mod search;
 use super::program::Asked;
 use super::read::{Reading, count, only, required, text, texts, word};
 use crate::audit::selected_outputs;
-use crate::papers::{Draft, Finding, FindingVerdict, Subject, figure};
+use crate::papers::{Finding, FindingVerdict, Subject, figure};
 use crate::reference::nearest_f64;
 use crate::study::document::Item as Node;
 use crate::study::{Study, StudyError, StudyInput, input, intern, rational};
@@ -268,12 +268,16 @@ impl Accuracy {
             figures.push(figure("points", found.points.to_string(), "1"));
         }
         let text = [word, self.note].join(" ");
-        Draft::new(self.id, Subject::Claim, self.place)
-            .verdict(verdict)
-            .titled(self.claim.trim_end_matches('.'))
-            .text(text.trim())
-            .figures(figures)
-            .recorded_if(held == self.expected)
+        Finding {
+            id: self.id,
+            subject: Subject::Claim,
+            place: self.place,
+            title: self.claim.trim_end_matches('.').into(),
+            verdict,
+            text: text.trim().into(),
+            figures,
+            as_recorded: held == self.expected,
+        }
     }
 }
 

@@ -1,13 +1,14 @@
 //! The report of a paper that its files state.
 
 use super::claim::Quantity;
+use super::finding::{Measured, on_proofs};
 use super::table::{Column, Rounding};
-use super::{Accuracy, Claim, Measured, PaperFile, Summary, Survey, Table};
-use crate::papers::ledger::{Ledger, LedgerEntry, Verdict, dimension, finding, proved};
+use super::{Accuracy, Claim, PaperFile, Stated, Survey, Table};
+use crate::papers::ledger::{Ledger, LedgerEntry, dimension, finding};
 use crate::papers::number::{AS_PRINTED, Number, explained, tally};
 use crate::papers::{
-    Analysis, Draft, Entry, EntryVerdict, Figure, Finding, FindingVerdict, PaperReport, Progress,
-    Subject, Tally, VariantJudgement, figure,
+    Entry, EntryVerdict, Figure, Finding, FindingVerdict, PaperReport, Progress, Subject, Tally,
+    VariantJudgement, figure,
 };
 use crate::reference::{Ball, Undecided};
 use crate::study::Study;
@@ -21,30 +22,34 @@ use std::collections::BTreeMap;
 pub(super) const MORE_DIGITS: usize = 10;
 
 impl PaperFile {
-    /// Audits the paper: the ledger, the tables entry by entry, the claims.
+    /// Audits the paper: the ledger, the tables entry by entry, the claims, and what its analysis in
+    /// the program measures.
     ///
     /// # Errors
-    /// None; the signature is that of every paper.
+    /// [`Undecided`] when the analysis has no certified value.
     pub fn report(&self, progress: Progress) -> Result<PaperReport, Undecided> {
-        self.analysed(|| Ok(Analysis::default()), progress)
+        let of = self.analysis.and_then(crate::papers::paper);
+        let analyse = of.and_then(|paper| paper.analyse);
+        let none = || Ok(Measured::default());
+        self.analysed(|| analyse.map_or_else(none, |analyse| analyse()), progress)
     }
 
-    /// Audits the paper with the results of its own analysis.
+    /// Audits the paper with what an analysis measures.
     ///
     /// # Errors
     /// [`Undecided`] when the analysis has no certified value.
     pub(in crate::papers) fn analysed(
         &self,
-        analyse: impl FnOnce() -> Result<Analysis, Undecided>,
+        analyse: impl FnOnce() -> Result<Measured, Undecided>,
         progress: Progress,
     ) -> Result<PaperReport, Undecided> {
         progress("ledger", 0, 4);
         let ledger = self.ledger();
         progress("analysis", 1, 4);
-        let mut analysis = analyse()?;
-        let mut findings = self.stated(&ledger, &mut analysis);
+        let measured = analyse()?;
+        let mut findings = self.findings(&ledger, &measured);
         progress("tables", 2, 4);
-        let (mut entries, mut tallies) = (analysis.entries, analysis.tallies);
+        let (mut entries, mut tallies) = (measured.entries, measured.tallies);
         for table in &self.tables {
             let (found, of_table, of_columns) = judge_table(table);
             findings.push(found);
@@ -52,45 +57,34 @@ impl PaperFile {
             tallies.extend(of_columns);
         }
         progress("claims", 3, 4);
-        findings.extend(self.measured(&Measured::default()));
         findings.par_extend(self.claims.par_iter().map(judge_claim));
         findings.extend(self.accuracies.iter().map(Accuracy::finding));
         findings.extend(self.surveys.iter().flat_map(Survey::findings));
         progress("done", 4, 4);
-        Ok(PaperReport::new(self.citation.clone(), findings).with_entries(entries, tallies))
+        let paper = self.citation.clone();
+        Ok(PaperReport::new(paper, findings, entries, tallies))
     }
 
     /// The findings that the files state, in their order; after those on single entries one for each
-    /// other entry that is wrong or open, and one for everything that is proved.
-    fn stated(&self, ledger: &Ledger, analysis: &mut Analysis) -> Vec<Finding> {
-        let on_entries = self.summaries.iter().take_while(|s| s.is_on_entries());
-        let (first, rest) = self.summaries.split_at(on_entries.count());
-        let covered = |e: &&LedgerEntry| !self.summaries.iter().any(|s| s.covers(e.id));
+    /// other entry that is wrong or open, and one for everything that is proved unless a finding
+    /// rests on the ledger.
+    pub(in crate::papers) fn findings(&self, ledger: &Ledger, measured: &Measured) -> Vec<Finding> {
+        let on_entries = self.stated.iter().take_while(|s| s.is_on_entries());
+        let (first, rest) = self.stated.split_at(on_entries.count());
+        let covered = |e: &&LedgerEntry| !self.stated.iter().any(|s| s.covers(e.id));
         let alone = ledger.entries.iter().filter(covered);
-        let mut all: Vec<Finding> = first.iter().filter_map(|s| s.on_ledger(ledger)).collect();
+        let stated = |all: &[Stated]| -> Vec<Finding> {
+            all.iter().map(|s| s.finding(ledger, measured)).collect()
+        };
+        let mut all = stated(first);
         all.extend(alone.flat_map(|e| [finding(e), dimension(e)]).flatten());
-        if !self.items.is_empty() && !self.summaries.iter().any(Summary::is_on_proofs) {
-            let title = match ledger.count(Verdict::Proved) {
-                1 => "One entry of the ledger is proved as printed".to_string(),
-                count => format!("{count} entries of the ledger are proved as printed"),
-            };
-            all.push(proved(
-                ledger,
-                ["ledger-proved", "all formulas"],
-                title,
-                PROOFS,
-            ));
+        if !self.items.is_empty() && !self.stated.iter().any(Stated::is_on_ledger) {
+            all.push(on_proofs(ledger));
         }
-        let found = |s: &Summary| s.on_ledger(ledger).or_else(|| s.on_figures(analysis));
-        all.extend(rest.iter().filter_map(found));
-        all.extend(analysis.not_stated());
+        all.extend(stated(rest));
         all
     }
 }
-
-/// The text of the finding on everything that is proved.
-const PROOFS: &str = "The difference of both sides has the normal form zero in the exact algebra, or lies within its \
-                      bound in balls. The ledger lists every entry with its requirements.";
 
 /// A value as far as it is known.
 pub(super) type Known = Result<Ball, String>;
@@ -203,12 +197,16 @@ fn judge_table(table: &Table) -> (Finding, Vec<Entry>, Vec<Tally>) {
         "" => sentence.to_string(),
         title => format!("{title}. {sentence}"),
     };
-    let found = Draft::new(name, Subject::Tables, place)
-        .verdict(verdict)
-        .titled(format!("{right} of {of} printed numbers are right"))
-        .text(text)
-        .figures(figures)
-        .recorded_if(as_recorded && of > 0);
+    let found = Finding {
+        id: name,
+        subject: Subject::Tables,
+        place,
+        title: format!("{right} of {of} printed numbers are right"),
+        verdict,
+        text,
+        figures,
+        as_recorded: as_recorded && of > 0,
+    };
     (found, entries, tallies)
 }
 
@@ -291,12 +289,16 @@ fn judge_claim(claim: &Claim) -> Finding {
         "" => claim.claim.to_string(),
         note => format!("{} {note}", claim.claim),
     };
-    Draft::new(claim.id, claim.subject, claim.place)
-        .verdict(verdict)
-        .titled(claim.claim.trim_end_matches('.'))
-        .text(text)
-        .figures(figures)
-        .recorded_if(outcome == claim.expected)
+    Finding {
+        id: claim.id,
+        subject: claim.subject,
+        place: claim.place,
+        title: claim.claim.trim_end_matches('.').into(),
+        verdict,
+        text,
+        figures,
+        as_recorded: outcome == claim.expected,
+    }
 }
 
 fn not_enclosed() -> String {

@@ -6,7 +6,6 @@ use super::table::{ROUNDINGS, Rounding, formula, shared};
 use crate::papers::Subject;
 use crate::papers::ledger::boxes::{Function, Region};
 use crate::papers::number::Number;
-use crate::reference::Decimal;
 use crate::study::document::Item as Node;
 use crate::study::{Study, StudyError, is_name, rational};
 use crate::symbolic::{Expr, Outcome};
@@ -75,12 +74,8 @@ pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Claim, StudyErr
     let number = |key: &str| {
         let read = |item: &Node| -> Result<Number, StudyError> {
             let text = item.text()?;
-            let value = Decimal::parse(text);
-            let value = value.map_err(|_| item.fault(format!("{text:?} is no decimal number")))?;
-            Ok(Number {
-                text: text.into(),
-                value,
-            })
+            let none = || item.fault(format!("{text:?} is no decimal number"));
+            Number::parse(text).ok_or_else(none)
         };
         node.get(key).map(read).transpose()
     };

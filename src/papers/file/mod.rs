@@ -6,14 +6,13 @@ mod accuracy;
 mod audit;
 mod claim;
 mod entry;
-mod measured;
+mod finding;
 #[cfg(test)]
 mod planted_tests;
 mod program;
 mod read;
 mod source;
 mod study;
-mod summary;
 mod survey;
 mod symbols;
 mod table;
@@ -22,19 +21,16 @@ mod tests;
 
 pub use accuracy::Accuracy;
 pub use claim::Claim;
-pub use measured::{Measured, Measurement, Quantity};
+pub(super) use finding::VERDICTS as FINDING_VERDICTS;
+pub use finding::{Measured, Quantity, Stated};
 pub use program::{Program, Programs};
 pub use source::Texts;
-pub use summary::Summary;
-pub(super) use summary::VERDICTS as FINDING_VERDICTS;
 pub use survey::Survey;
 pub use symbols::Symbol;
 pub use table::{Column, Rounding, Table};
 
-#[cfg(test)]
-use super::Analysis;
+use super::Citation;
 use super::ledger::{Item, Ledger};
-use super::{Citation, Finding};
 use crate::reference::Decimal;
 use crate::study::StudyError;
 use program::Asked;
@@ -61,14 +57,12 @@ pub struct PaperFile {
     pub accuracies: Vec<Accuracy>,
     /// The surveys of solvers.
     pub surveys: Vec<Survey>,
-    /// The findings on what an analysis measured.
-    pub measurements: Vec<Measurement>,
     /// Groups of definitions by their names.
     groups: BTreeMap<String, Vec<String>>,
     /// The solvers that are programs.
     programs: Vec<Arc<Asked>>,
     /// The findings that it states in words.
-    pub summaries: Vec<Summary>,
+    pub stated: Vec<Stated>,
     /// The paper whose analysis in the program finds the figures of findings.
     pub analysis: Option<&'static str>,
 }
@@ -122,28 +116,20 @@ impl PaperFile {
         read::paper(key, &Source::Texts(texts), "paper.toml")
     }
 
-    /// Returns true if solvers of the paper are programs, which somebody has to run.
-    pub fn has_programs(&self) -> bool {
-        !self.programs.is_empty()
-    }
-
-    /// Runs the programs of the paper by this from now on. Claims about programs that nothing runs
-    /// are open.
-    pub fn run_by(&self, by: &'static dyn Programs) {
-        self.programs.iter().for_each(|program| program.run_by(by));
-    }
-
-    /// The findings that rest on the ledger, in the order of the files.
-    pub(super) fn summaries(&self, ledger: &Ledger) -> Vec<Finding> {
-        let all = self.summaries.iter();
-        all.filter_map(|s| s.on_ledger(ledger)).collect()
-    }
-
-    /// The findings that rest on figures, in the order of the files.
-    #[cfg(test)]
-    pub(super) fn on_figures(&self, analysis: &mut Analysis) -> Vec<Finding> {
-        let all = self.summaries.iter();
-        all.filter_map(|s| s.on_figures(analysis)).collect()
+    /// Runs the solvers of the paper that are programs by `by` from now on.
+    ///
+    /// # Errors
+    /// There are programs, and nothing that may run them.
+    pub fn run_by(&self, by: Option<&'static dyn Programs>) -> Result<(), StudyError> {
+        match by {
+            Some(by) => self.programs.iter().for_each(|program| program.run_by(by)),
+            None if self.programs.is_empty() => {}
+            None => {
+                let reason = "solvers of the paper are programs: --exec lets them run";
+                return Err(StudyError::new(format!("{}: {reason}", self.citation.key)));
+            }
+        }
+        Ok(())
     }
 
     /// The number that a group defines, `name = decimal`.
@@ -161,12 +147,6 @@ impl PaperFile {
             .get(group)
             .and_then(|g| g.iter().find_map(number));
         found.expect("a number of the paper").value
-    }
-
-    /// The findings on what an analysis measured, in the order of the files.
-    pub(super) fn measured(&self, measured: &Measured) -> Vec<Finding> {
-        let all = self.measurements.iter();
-        all.map(|m| m.finding(measured)).collect()
     }
 
     /// Decides every entry.

@@ -3,7 +3,7 @@
 use super::program::Asked;
 use super::source::Source;
 use super::symbols::{self, Symbols};
-use super::{PaperFile, accuracy, claim, entry, measured, summary, survey, table};
+use super::{PaperFile, accuracy, claim, entry, finding, survey, table};
 use crate::audit::{Method, SolverAnswer};
 use crate::papers::Citation;
 use crate::study::document::{self, Item as Node, Value};
@@ -13,9 +13,9 @@ use std::sync::Arc;
 
 /// Keys of the first file.
 const KEYS: &str = "title authors year venue source analysis parts units symbols definitions \
-                    entry table claim solver accuracy survey measured finding";
+                    entry table claim solver accuracy survey finding";
 /// Keys of the files that it names.
-const KEYS_OF_PARTS: &str = "definitions entry table claim solver accuracy survey measured finding";
+const KEYS_OF_PARTS: &str = "definitions entry table claim solver accuracy survey finding";
 
 /// The largest number of entries, tables and claims of a paper.
 const MOST: usize = 10_000;
@@ -292,8 +292,8 @@ pub(super) fn paper(key: &str, source: &Source, first: &str) -> Result<PaperFile
     paper.groups = reading.groups;
     let programs = reading.solvers.into_iter().filter_map(|s| s.program);
     paper.programs = programs.collect();
-    for summary in &paper.summaries {
-        summary.check(&paper.items)?;
+    for stated in &paper.stated {
+        stated.check(&paper.items)?;
     }
     let is_empty = paper.items.is_empty() && paper.tables.is_empty() && paper.claims.is_empty();
     if is_empty && paper.accuracies.is_empty() && paper.surveys.is_empty() {
@@ -356,11 +356,8 @@ fn part(reading: &mut Reading, file: &Node, paper: &mut PaperFile) -> Result<(),
     for node in list("survey")? {
         paper.surveys.push(survey::read(reading, node)?);
     }
-    for node in list("measured")? {
-        paper.measurements.push(measured::read(reading, node)?);
-    }
     for node in list("finding")? {
-        paper.summaries.push(summary::read(reading, node)?);
+        paper.stated.push(finding::read(reading, node)?);
     }
     Ok(())
 }

@@ -6,7 +6,7 @@ use crate::machine::planar::Moving;
 use crate::machine::{Linkage, Source};
 use crate::study::document::Item as Node;
 use crate::study::{Problem, Study, StudyError, StudyOutput, fault_in};
-use crate::symbolic::parse_declared;
+use crate::symbolic::{Expr, parse_declared};
 
 /// Opens the study that a key names, or the motion of a machine.
 ///
@@ -52,14 +52,7 @@ pub(super) fn with_outputs(
         let text = node.text()?;
         let known = |name: &str| declared.iter().any(|d| d == name);
         let is = parse_declared(text, &known).map_err(|e| fault_in(e, node.place, &declared))?;
-        all.push(StudyOutput {
-            name: name.to_string(),
-            unit: "1".into(),
-            is,
-            text: text.into(),
-            proved: None,
-            budget: (Limit::Ulps(1.0), "the value alone is asked for".into()),
-        });
+        all.push(output(name, text, is));
     }
     let problem = Problem {
         outputs: all,
@@ -67,6 +60,18 @@ pub(super) fn with_outputs(
         ..problem.clone()
     };
     Study::new(problem).map_err(|e| e.at(file.place))
+}
+
+/// An output whose value alone is asked for.
+pub(super) fn output(name: &str, text: &str, is: Expr) -> StudyOutput {
+    StudyOutput {
+        name: name.into(),
+        unit: "1".into(),
+        is,
+        text: text.into(),
+        proved: None,
+        budget: (Limit::Ulps(1.0), "the value alone is asked for".into()),
+    }
 }
 
 #[cfg(test)]

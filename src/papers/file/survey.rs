@@ -3,7 +3,7 @@
 
 use super::read::{Reading, Solver, count, only, required, text, texts};
 use crate::audit::{Case, Cases, Judge, Limit, Method, Origin, Settings, SolverAnswer, Variant};
-use crate::papers::{Draft, Figure, Finding, FindingVerdict, Subject, figure};
+use crate::papers::{Figure, Finding, FindingVerdict, Subject, figure};
 use crate::study::document::Item as Node;
 use crate::study::{Study, StudyError, StudyInput, intern, rational};
 use rayon::prelude::*;
@@ -124,27 +124,13 @@ pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Survey, StudyEr
     Ok(survey)
 }
 
-/// A measure of an error: that of the norm of all outputs, or the largest of them.
-#[derive(Clone, Copy)]
-enum Of {
-    Norm,
-    Each,
-}
+/// The measures of an error.
+const MEASURES: [&str; 2] = ["of the norm", "of each output"];
 
-const MEASURES: [(Of, &str); 2] = [(Of::Norm, "of the norm"), (Of::Each, "of each output")];
-
-/// The largest errors of a solver in the bands, from below: of the norm and of each output.
+/// The largest errors of a solver in the bands, from below, by [`MEASURES`].
 struct Heights {
     name: &'static str,
     bands: Vec<[f64; 2]>,
-}
-
-/// The height from which a target is met at every point tried.
-#[derive(Clone, Copy, PartialEq)]
-enum Height {
-    Everywhere,
-    From(i32),
-    Nowhere,
 }
 
 impl Survey {
@@ -254,17 +240,14 @@ impl Survey {
         self.solvers.iter().map(error).collect()
     }
 
-    fn height(&self, row: &Heights, of: Of, target: f64) -> Height {
-        let good = row
-            .bands
-            .iter()
-            .rev()
-            .take_while(|b| b[of as usize] <= target)
-            .count();
-        match good {
-            0 => Height::Nowhere,
-            n if n == row.bands.len() => Height::Everywhere,
-            n => Height::From(self.powers().end - n as i32),
+    /// The power of ten from which on a target is met at every point tried by a measure: the
+    /// infinite ones if it is everywhere or nowhere.
+    fn height(&self, row: &Heights, of: usize, target: f64) -> f64 {
+        let good = row.bands.iter().rev();
+        match good.take_while(|b| b[of] <= target).count() {
+            0 => f64::INFINITY,
+            n if n == row.bands.len() => f64::NEG_INFINITY,
+            n => f64::from(self.powers().end - n as i32),
         }
     }
 
@@ -272,16 +255,18 @@ impl Survey {
     pub(in crate::papers) fn findings(&self) -> Vec<Finding> {
         let rows = self.heights();
         let name = &self.along.name;
-        let draft = |part: &str, title: String, of: &str| {
-            let id = match part {
+        let finding = |part: &str, title: String, text: &str, figures, as_recorded| Finding {
+            id: match part {
                 "" => self.id,
                 part => intern(&format!("{}-{part}", self.id)),
-            };
-            let draft = Draft::new(id, Subject::Claim, self.place);
-            draft
-                .verdict(FindingVerdict::Recovered)
-                .titled(title)
-                .text(of)
+            },
+            subject: Subject::Claim,
+            place: self.place,
+            title,
+            verdict: FindingVerdict::Recovered,
+            text: text.into(),
+            figures,
+            as_recorded,
         };
         let heights: Vec<Figure> = rows.iter().map(|row| self.words(row)).collect();
         let as_recorded = self.recorded.as_ref().is_none_or(|on_record| {
@@ -290,33 +275,28 @@ impl Survey {
         });
         let title = format!("The power of ten of {name} from which each solver keeps an accuracy");
         let text = "Relative errors at every point tried, of the norm of all outputs and then of each output.";
-        let heights = draft("", title, text)
-            .figures(heights)
-            .recorded_if(as_recorded);
+        let heights = finding("", title, text, heights, as_recorded);
         let title =
             "The largest jump of each solver between neighbouring inputs with different formulas";
         let text = "Conditions of the solver are followed to the neighbouring numbers between which they flip; the \
                     jump is that of the norm, relative.";
-        let jumps = self
-            .solvers
-            .par_iter()
-            .filter_map(|solver| self.jump(solver));
-        let jumps: Vec<Figure> = jumps.collect();
-        let seams = draft("seams", title.into(), text)
-            .figures(jumps)
-            .recorded_if(true);
-        let text = "Of the solvers of this survey, at every point tried.";
-        let advice = draft("advice", "The solvers that meet a need".into(), text);
-        let advice = advice.figures(self.advice(&rows)).recorded_if(true);
+        let jumps = self.solvers.par_iter();
+        let jumps = jumps.filter_map(|solver| self.jump(solver)).collect();
+        let seams = finding("seams", title.into(), text, jumps, true);
+        let (title, text) = (
+            "The solvers that meet a need",
+            "Of the solvers of this survey, at every point tried.",
+        );
+        let advice = finding("advice", title.into(), text, self.advice(&rows), true);
         vec![heights, seams, advice]
     }
 
     fn words(&self, row: &Heights) -> Figure {
         let targets = self.targets.iter().map(|(target, number)| {
-            let heights = MEASURES.map(|(of, _)| match self.height(row, of, *number) {
-                Height::Everywhere => "everywhere".to_string(),
-                Height::From(k) => format!("1e{k}"),
-                Height::Nowhere => "nowhere".into(),
+            let heights = [0, 1].map(|of| match self.height(row, of, *number) {
+                f64::NEG_INFINITY => "everywhere".to_string(),
+                f64::INFINITY => "nowhere".into(),
+                k => format!("1e{k}"),
             });
             format!("{target}: {}", heights.join(", "))
         });
@@ -331,12 +311,8 @@ impl Survey {
             for (words, floor) in std::iter::once((None, f64::NEG_INFINITY))
                 .chain(self.floors.iter().map(|f| (Some(f.0), f.1.log10())))
             {
-                for (of, measure) in MEASURES {
-                    let meets = |row: &&Heights| match self.height(row, of, *number) {
-                        Height::Everywhere => true,
-                        Height::From(k) => f64::from(k) <= floor + 1e-9,
-                        Height::Nowhere => false,
-                    };
+                for (of, measure) in MEASURES.into_iter().enumerate() {
+                    let meets = |row: &&Heights| self.height(row, of, *number) <= floor + 1e-9;
                     let (good, bad): (Vec<&Heights>, Vec<_>) = rows.iter().partition(meets);
                     let names =
                         |of: &[&Heights]| of.iter().map(|r| r.name).collect::<Vec<_>>().join(", ");

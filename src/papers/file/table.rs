@@ -3,11 +3,9 @@
 use super::entry::{circular, fault};
 use super::read::{Reading, count, defined, only, required, text, texts, word};
 use super::study;
-use crate::audit::Limit;
 use crate::papers::number::Number;
-use crate::reference::Decimal;
 use crate::study::document::{Item as Node, Value};
-use crate::study::{Problem, Spacing, Study, StudyError, StudyInput, StudyOutput, intern, is_name};
+use crate::study::{Problem, Spacing, Study, StudyError, StudyInput, intern, is_name};
 use crate::symbolic::Definitions;
 
 /// The rule by which a printed number was rounded.
@@ -129,16 +127,9 @@ impl Cells {
 
     fn number(&self, row: usize, column: usize) -> Result<Number, StudyError> {
         let text = &self.rows[row][column];
-        let value = Decimal::parse(text).map_err(|_| {
-            let name = &self.headers[column];
-            self.fault(
-                self.lines[row],
-                format!("column {name}: {text:?} is no number"),
-            )
-        })?;
-        Ok(Number {
-            text: text.clone(),
-            value,
+        Number::parse(text).ok_or_else(|| {
+            let reason = format!("column {}: {text:?} is no number", self.headers[column]);
+            self.fault(self.lines[row], reason)
         })
     }
 }
@@ -326,29 +317,18 @@ pub(super) fn formula(
     for name in inputs {
         definitions.names.remove(*name);
     }
-    let free = StudyInput {
-        name: String::new(),
+    let input = |name: &&str| StudyInput {
+        name: name.to_string(),
         unit: "1".into(),
         from: None,
         to: None,
         spacing: Spacing::Linear,
     };
-    let input = |name: &&str| StudyInput {
-        name: name.to_string(),
-        ..free.clone()
-    };
     let problem = Problem {
         name: "value".into(),
         title: text.into(),
         inputs: inputs.iter().map(input).collect(),
-        outputs: vec![StudyOutput {
-            name: "value".into(),
-            unit: "1".into(),
-            is,
-            text: text.into(),
-            budget: (Limit::Ulps(1.0), "the value alone is asked for".into()),
-            proved: None,
-        }],
+        outputs: vec![study::output("value", text, is)],
         definitions,
         ..Problem::default()
     };

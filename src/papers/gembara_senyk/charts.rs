@@ -1,86 +1,31 @@
 //! Charts in the manner of Fig. 5. The paper gives neither the phases of its cams nor the
-//! oscillator nor the speeds, so these stand for any.
+//! oscillator nor the speeds, so that those of the example stand for any.
 
-use crate::solvers::cam_law::{CamCycle, MotionLaw, Stroke};
-use crate::solvers::chirp_chart::{CamDrive, CamResponse, Chart, ChirpChartError, Period};
-use crate::solvers::chirp_oscillator::{Chirp, Oscillator};
+use crate::machine::{CamOscillator, Source};
+use crate::solvers::chirp_chart::{CamResponse, Chart, Period};
+use crate::solvers::chirp_oscillator::Chirp;
 
-/// Natural frequency, rad/s.
-pub const FREQUENCY: f64 = 100.0;
-/// Damping ratio.
-pub const DAMPING_RATIO: f64 = 0.02;
-/// Acceleration of the shaft, rad/s², in either direction.
-pub const ACCELERATION: f64 = 0.2;
-/// Speed at which the run-down begins, rad/s.
-pub const FASTEST: f64 = 18.0;
+const EXAMPLE: &str = include_str!("../../../examples/chirp-chart.toml");
+
 /// Harmonics.
 pub const HARMONICS: u32 = 60;
 
-/// The laws of Fig. 5.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Law {
-    /// "К", cosine acceleration.
-    K,
-    /// "0050", constant acceleration.
-    Constant,
-}
-
-impl Law {
-    /// Its name in the paper.
-    pub fn name(self) -> &'static str {
-        match self {
-            Law::K => "К",
-            Law::Constant => "0050",
-        }
+/// The chart of a law, "К" of cosine or "0050" of constant acceleration, over the paper's ξ: of the
+/// run-down as it was measured, or of a run-up from rest as the formulas have it. None for another
+/// law.
+pub fn chart(law: &str, runs_up: bool) -> Option<Chart> {
+    // A lift of one.
+    let example = EXAMPLE.replace("\"20 deg\"", "\"1 rad\"");
+    let example = CamOscillator::read(&Source::toml(example), Some(HARMONICS)).ok()?;
+    let mut drives = example.chart?.drives.into_iter();
+    let mut drive = drives.find(|drive| drive.0 == law)?.1;
+    if runs_up {
+        drive.chirp = Chirp {
+            omega0: 0.0,
+            eps: -drive.chirp.eps,
+        };
     }
-}
-
-/// Which way the shaft's speed changes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Programme {
-    /// From rest, as the formulas have it.
-    RunUp,
-    /// To rest, as was measured.
-    RunDown,
-}
-
-/// ξ = 2.0 … 14.0 in steps of 0.1.
-pub fn grid() -> Vec<f64> {
-    (20..=140).map(|i| f64::from(i) / 10.0).collect()
-}
-
-/// The chart of the motion over the paper's ξ (the rise as the period): rise, dwells and return of
-/// 120, 60, 120 and 60 degrees, a lift of one.
-///
-/// # Errors
-/// None for these data; those of the solvers.
-pub fn chart(law: Law, programme: Programme) -> Result<Chart, ChirpChartError> {
-    let motion = || match law {
-        Law::K => MotionLaw::simple_harmonic(),
-        Law::Constant => MotionLaw::constant_acceleration(),
-    };
-    let stroke = || Stroke {
-        law: motion(),
-        turns: 1.0 / 3.0,
-    };
-    let sixth = 1.0 / 6.0;
-    let drive = CamDrive {
-        oscillator: Oscillator::new(FREQUENCY, DAMPING_RATIO * FREQUENCY)?,
-        cycle: CamCycle::new(1.0, stroke(), sixth, stroke(), sixth)?,
-        chirp: match programme {
-            Programme::RunUp => Chirp {
-                omega0: 0.0,
-                eps: ACCELERATION,
-            },
-            Programme::RunDown => Chirp {
-                omega0: FASTEST,
-                eps: -ACCELERATION,
-            },
-        },
-    };
-    Chart::of_motion(
-        &CamResponse::new(drive, HARMONICS, None)?,
-        Period::Rise,
-        &grid(),
-    )
+    let response = CamResponse::new(drive, HARMONICS, None).ok()?;
+    let grid: Vec<f64> = (20..=140).map(|i| f64::from(i) / 10.0).collect();
+    Chart::of_motion(&response, Period::Rise, &grid).ok()
 }

@@ -2,10 +2,9 @@
 //! the driven link of a cam mechanism as one mass on a spring while the shaft speeds up or runs
 //! down, solved with the probability integral of complex argument.
 //!
-//! The ledger decides every formula; [`amplitude`] and [`charts`] show what follows from the
-//! wrong ones. The paper's graphs cannot be recomputed: it gives neither cams nor oscillator.
+//! The ledger decides every formula and the findings tell what follows from the wrong ones;
+//! [`charts`] has what follows from the model. The paper's graphs cannot be recomputed: it gives neither cams nor oscillator.
 
-pub mod amplitude;
 pub mod charts;
 mod findings;
 

@@ -3,7 +3,7 @@
 use super::repair::{bound, search};
 use super::{Formula, Item, LedgerEntry, Obligation, Requirement, Verdict};
 use crate::symbolic::{
-    Definitions, Equation, Expr, Identity, Outcome, SymbolicError, Undimensional, latex_equation,
+    Definitions, Equation, Expr, Identity, Outcome, SymbolicError, Undimensional,
 };
 
 fn obligation(r: &Requirement, found: Identity, recorded: Option<Outcome>) -> Obligation {
@@ -87,13 +87,6 @@ fn is_number(e: &Expr) -> bool {
     }
 }
 
-fn formula(e: &Equation) -> Formula {
-    Formula {
-        text: e.to_string(),
-        latex: latex_equation(e),
-    }
-}
-
 fn evaluate(item: &Item) -> Result<LedgerEntry, SymbolicError> {
     let (names, conditions) = (&item.names, &*item.conditions);
     let definitions = names.definitions(&item.definitions)?;
@@ -115,7 +108,7 @@ fn evaluate(item: &Item) -> Result<LedgerEntry, SymbolicError> {
     let (failed, open) = (outcome(Outcome::Refuted), outcome(Outcome::Undecided));
 
     let mut entry = blank(item);
-    entry.printed = printed.as_ref().map(formula);
+    entry.printed = printed.as_ref().map(Formula::of);
     entry.dimension = printed
         .as_ref()
         .and_then(|e| undimensional(item, &definitions, e));
@@ -149,7 +142,7 @@ fn evaluate(item: &Item) -> Result<LedgerEntry, SymbolicError> {
             for (o, r) in obligations.iter_mut().zip(&requirements) {
                 o.corrected = Some(conditions.decide(r, &with).outcome);
             }
-            entry.corrected = Some(formula(&corrected));
+            entry.corrected = Some(Formula::of(&corrected));
         }
         entry.repair = Some(repair);
     }

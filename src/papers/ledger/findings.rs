@@ -1,7 +1,7 @@
 //! An entry of a ledger as a finding of a paper's report.
 
-use super::{Ledger, LedgerEntry, Verdict};
-use crate::papers::{Draft, Figure, Finding, FindingVerdict, Subject, figures};
+use super::{LedgerEntry, Verdict};
+use crate::papers::{Figure, Finding, FindingVerdict, Subject, figure};
 use crate::symbolic::Outcome;
 
 /// The contribution of an entry that is wrong, or of a claim about the model that was tested, to
@@ -29,32 +29,27 @@ pub fn finding(e: &LedgerEntry) -> Option<Finding> {
         Verdict::Model => (Subject::Claim, e.claim.trim_end_matches('.').to_string()),
         _ => (Subject::Formula, format!("{} is wrong", e.place)),
     };
-    let mut figures = Vec::new();
-    let mut figure = |name: &str, value: String, latex: Option<String>| {
-        figures.push(Figure {
-            name: name.into(),
-            value,
-            unit: "1",
-            latex,
-        });
-    };
-    if let Some(f) = &e.printed {
-        figure("printed", f.text.clone(), Some(f.latex.clone()));
-    }
-    if let Some(f) = &e.corrected {
-        figure("corrected", f.text.clone(), Some(f.latex.clone()));
-    }
+    let forms = [("printed", &e.printed), ("corrected", &e.corrected)];
+    let forms = forms.into_iter().filter_map(|(name, form)| {
+        let form = form.as_ref()?;
+        Some(Figure {
+            latex: Some(form.latex.clone()),
+            ..figure(name, &form.text, "1")
+        })
+    });
+    let mut figures: Vec<Figure> = forms.collect();
     if let Some(r) = &e.repair {
-        figure("single edits tried", r.single_edits.to_string(), None);
-        figure(
-            "single edits that hold",
-            r.single_that_hold.to_string(),
-            None,
-        );
-        if r.pairs > 0 {
-            figure("pairs of edits tried", r.pairs.to_string(), None);
-            figure("pairs that hold", r.pairs_that_hold.to_string(), None);
-        }
+        let pairs = [
+            ("pairs of edits tried", r.pairs),
+            ("pairs that hold", r.pairs_that_hold),
+        ];
+        let singles = [
+            ("single edits tried", r.single_edits),
+            ("single edits that hold", r.single_that_hold),
+        ];
+        let pairs = pairs.into_iter().filter(|_| r.pairs > 0);
+        let counts = singles.into_iter().chain(pairs);
+        figures.extend(counts.map(|(name, count)| figure(name, count, "1")));
     }
     let text = match e.note {
         "" => e.claim.to_string(),
@@ -77,30 +72,14 @@ pub fn dimension(e: &LedgerEntry) -> Option<Finding> {
     let fault = e.dimension.as_ref()?;
     let id = crate::study::intern(&format!("{}-dimension", e.id));
     let printed = e.printed.as_ref()?;
-    Some(
-        Draft::new(id, Subject::Formula, e.place)
-            .verdict(FindingVerdict::ErrorOfPaper)
-            .titled(format!("{} has a wrong dimension", e.place))
-            .text(format!("By the units of the symbols, {fault}."))
-            .figures(figures! { "printed": "{}", printed.text => "1"; })
-            .recorded_if(e.as_recorded),
-    )
-}
-
-/// The finding that the formulas of a ledger are proved, but for those with findings of their own.
-pub(in crate::papers) fn proved(
-    ledger: &Ledger,
-    [id, place]: [&'static str; 2],
-    title: impl Into<String>,
-    text: &str,
-) -> Finding {
-    Draft::new(id, Subject::Formula, place)
-        .verdict(FindingVerdict::Confirmed)
-        .titled(title)
-        .text(text)
-        .figures(figures! {
-            "entries of the ledger": "{}", ledger.entries.len() => "1";
-            "proved": "{}", ledger.count(Verdict::Proved) => "1";
-        })
-        .recorded_if(ledger.as_recorded())
+    Some(Finding {
+        id,
+        subject: Subject::Formula,
+        place: e.place,
+        title: format!("{} has a wrong dimension", e.place),
+        verdict: FindingVerdict::ErrorOfPaper,
+        text: format!("By the units of the symbols, {fault}."),
+        figures: vec![figure("printed", &printed.text, "1")],
+        as_recorded: e.as_recorded,
+    })
 }

@@ -21,14 +21,13 @@ mod requirement;
 
 pub use conditions::{Conditions, Domain};
 pub use decide::decide;
-pub(super) use findings::proved;
 pub use findings::{dimension, finding};
 pub use item::Item;
 pub use names::Names;
 pub use requirement::Requirement;
 
 use super::Citation;
-use crate::symbolic::{Edit, Outcome, Witness};
+use crate::symbolic::{Edit, Equation, Outcome, Witness, latex_equation};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -96,6 +95,15 @@ pub struct Formula {
     pub text: String,
     /// LaTeX without delimiters.
     pub latex: String,
+}
+
+impl Formula {
+    fn of(e: &Equation) -> Formula {
+        Formula {
+            text: e.to_string(),
+            latex: latex_equation(e),
+        }
+    }
 }
 
 /// One requirement with its outcome.

@@ -4,7 +4,6 @@ use super::{Conditions, Formula, Repair, Requirement};
 use crate::reference::ComplexBall;
 use crate::symbolic::{
     Definitions, Edit, Enclosures, Equation, Exact, Expr, Family, Outcome, SymbolicError, edits,
-    latex_equation,
 };
 use std::cell::RefCell;
 use std::collections::BTreeSet;
@@ -143,6 +142,29 @@ const MOST: usize = 50_000;
 /// Undecided candidates after which a search is given up: each may have cost all the work allowed.
 const MOST_UNDECIDED: usize = 200;
 
+/// Returns the candidates that hold, of all until there are too many or too many stay undecided.
+fn judge_all(
+    judge: &Judge,
+    all: impl Iterator<Item = (Vec<Edit>, Equation)>,
+    out: &mut Repair,
+) -> Vec<(Vec<Edit>, Equation)> {
+    let mut holding = Vec::new();
+    for (edits, candidate) in all {
+        if out.single_edits + out.pairs > MOST || out.undecided > MOST_UNDECIDED {
+            out.undecided += 1;
+            break;
+        }
+        out.pairs += edits.len() - 1;
+        match judge.judge(&candidate) {
+            Judged::Holds => holding.push((edits, candidate)),
+            Judged::Undecided => out.undecided += 1,
+            Judged::WithoutValue => out.without_value += 1,
+            Judged::Fails => {}
+        }
+    }
+    holding
+}
+
 /// Looks for the smallest repair of a printed form that fails. Gives the first one that holds.
 pub(super) fn search(
     printed: &Equation,
@@ -158,43 +180,18 @@ pub(super) fn search(
         single_edits: singles.len(),
         ..Repair::default()
     };
-    let mut holding: Vec<(Vec<Edit>, Equation)> = Vec::new();
-    let mut tried: BTreeSet<String> = BTreeSet::from([printed.to_string()]);
-    let given_up =
-        |out: &Repair| out.single_edits + out.pairs > MOST || out.undecided > MOST_UNDECIDED;
-    for (edit, candidate) in &singles {
-        if given_up(&out) {
-            out.undecided += 1;
-            break;
-        }
-        tried.insert(candidate.to_string());
-        match judge.judge(candidate) {
-            Judged::Holds => holding.push((vec![edit.clone()], candidate.clone())),
-            Judged::Undecided => out.undecided += 1,
-            Judged::WithoutValue => out.without_value += 1,
-            Judged::Fails => {}
-        }
-    }
+    let one = singles.iter().map(|(e, c)| (vec![e.clone()], c.clone()));
+    let mut holding = judge_all(&judge, one, &mut out);
     out.single_that_hold = holding.len();
     if holding.is_empty() && most > 1 {
-        'search: for (first, between) in &singles {
-            for (second, candidate) in edits(between, family) {
-                if !tried.insert(candidate.to_string()) {
-                    continue;
-                }
-                if given_up(&out) {
-                    out.undecided += 1;
-                    break 'search;
-                }
-                out.pairs += 1;
-                match judge.judge(&candidate) {
-                    Judged::Holds => holding.push((vec![first.clone(), second], candidate)),
-                    Judged::Undecided => out.undecided += 1,
-                    Judged::WithoutValue => out.without_value += 1,
-                    Judged::Fails => {}
-                }
-            }
-        }
+        let mut tried: BTreeSet<String> = singles.iter().map(|s| s.1.to_string()).collect();
+        tried.insert(printed.to_string());
+        let pairs = singles.iter().flat_map(|(first, between)| {
+            let more = edits(between, family).into_iter();
+            more.map(move |(second, candidate)| (vec![first.clone(), second], candidate))
+        });
+        let new = pairs.filter(|pair| tried.insert(pair.1.to_string()));
+        holding = judge_all(&judge, new, &mut out);
         out.pairs_that_hold = holding.len();
     }
     let mut distinct: Vec<&Equation> = Vec::new();
@@ -203,13 +200,7 @@ pub(super) fn search(
             distinct.push(e);
         }
     }
-    out.distinct = distinct
-        .iter()
-        .map(|e| Formula {
-            text: e.to_string(),
-            latex: latex_equation(e),
-        })
-        .collect();
+    out.distinct = distinct.into_iter().map(Formula::of).collect();
     let first = holding.into_iter().next();
     let (edits, corrected) = first.map_or((Vec::new(), None), |(e, c)| (e, Some(c)));
     out.edits = edits;

@@ -63,7 +63,7 @@ impl Requirement {
     /// The text and LaTeX forms.
     pub fn formula(&self) -> super::Formula {
         let (text, latex) = match self {
-            Requirement::Equal(e) => (e.to_string(), crate::symbolic::latex_equation(e)),
+            Requirement::Equal(e) => return super::Formula::of(e),
             Requirement::Near(a, b, c) => (
                 format!("{a} ~ {b} within {c}"),
                 format!(r"\left|{} - {}\right| \le {}", latex(a), latex(b), latex(c)),

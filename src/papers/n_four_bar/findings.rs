@@ -1,54 +1,30 @@
-//! The figures of the findings.
+//! The quantities of the findings.
 
-use super::data::{SIZES, State, fall, gravity};
-use super::motion::{BITS, Course, DIGITS, Motion, QUANTITIES, TIMES, motion};
-use super::printed::{Copied, Row, entries};
+use super::data::{SIZES, State, fall};
+use super::motion::{BITS, DIGITS, Motion, QUANTITIES, TIMES, motion};
+use super::printed::{Row, entries};
 use super::singular::{
-    Meeting, accelerations_without_branch, jacobian_rank, meeting, on_circle, parallelogram, poles,
+    Meeting, accelerations_without_branch, jacobian_rank, meeting, on_circle, parallelogram,
 };
-use crate::papers::{Analysis, Found, decided, figure, shown};
-use crate::reference::{Ball, Decimal, Undecided};
+use crate::papers::file::{Measured, Quantity};
+use crate::papers::{figure, shown};
+use crate::reference::{Ball, Undecided};
 use rug::Rational;
 
 /// Encloses the motion, looks at the singular positions and compares every printed number.
 ///
 /// # Errors
 /// [`Undecided`] if a proof fails.
-pub(in crate::papers) fn analysis() -> Result<Analysis, Undecided> {
+pub(in crate::papers) fn analysis() -> Result<Measured, Undecided> {
     let motion = motion(BITS)?;
-    let mut analysis = prints(&motion);
-    (analysis.entries, analysis.tallies) = entries(&motion);
-    analysis.add("turns-over", turns_over(&motion));
-    analysis.add("passages", passages(&motion)?);
-    analysis.add("ranks", ranks());
-    analysis.add("curves", curves());
-    analysis.add("accelerations", accelerations());
-    analysis.add("joint-forces", forces());
-    analysis.add("certified-motion", certified_motion(&motion));
-    Ok(analysis)
-}
-
-/// The findings on printed numbers.
-fn prints(motion: &Motion) -> Analysis {
-    let mut analysis = Analysis::default();
-    let (worst, when) = library_error(motion);
-    analysis.add("library-reference", library(motion, worst, when));
-    let limits = [
-        format!("{:.4}", worst / 1e-3),
-        format!("{:.2}", worst / 1e-3 / 1e-3),
-    ];
-    analysis.add("tolerances", Found::values(limits, true));
-    let (gap, when) = largest(gaps(motion).into_iter());
-    let periods = &motion.of(40).period - &motion.of(2).period;
-    let apart = [
-        format!("{gap:.4}"),
-        format!("{when:.2}"),
-        format!("{:.6}", periods.to_f64()),
-    ];
-    analysis.add("opensim", Found::values(apart, true));
-    analysis.add("exudyn", exudyn(motion));
-    analysis.add("drift", drift(motion));
-    analysis
+    let mut measured = Measured::default();
+    library(&motion, &mut measured);
+    exudyn(&motion, &mut measured);
+    (measured.entries, measured.tallies) = entries(&motion);
+    passages(&motion, &mut measured)?;
+    on_one_line(&mut measured);
+    certified_motion(&motion, &mut measured);
+    Ok(measured)
 }
 
 /// The larger size of the two coordinates.
@@ -61,18 +37,14 @@ fn largest(of: impl Iterator<Item = (f64, f64)>) -> (f64, f64) {
     of.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default()
 }
 
-/// `printed − certified` of the library's rows: largest size, and when.
-fn library_error(motion: &Motion) -> (f64, f64) {
+/// `printed − certified` of the library's rows, by how much its run is ahead at the end, how many
+/// numbers are right, and the largest distance between N = 2 and N = 40 in the 10 s of the page.
+fn library(motion: &Motion, measured: &mut Measured) {
     let errors = motion.library.iter().map(|(row, due)| {
         let off = |k: usize| row.place[k].difference(&due.values[k]).to_f64();
         (farther(off), row.time.to_f64())
     });
-    largest(errors)
-}
-
-/// Largest error, its time, by how much the library's run is ahead at the end, and the fewest
-/// digits that are right.
-fn library(motion: &Motion, worst: f64, when: f64) -> Found {
+    let (worst, when) = largest(errors);
     let rows = motion.library.iter();
     let numbers: Vec<_> = rows
         .flat_map(|(row, due)| row.place.iter().zip(&due.values))
@@ -85,18 +57,21 @@ fn library(motion: &Motion, worst: f64, when: f64) -> Found {
         let [vx, vy] = [&due.values[2], &due.values[3]];
         ((x * vx + y * vy) / (vx.square() + vy.square())).to_f64()
     };
-    let last = motion.library.last().map_or(f64::NAN, late);
-    let values = [
-        format!("{worst:.3e}"),
-        format!("{when:.2}"),
-        format!("{:.2}", last * 1e6),
-        least.min().unwrap_or(0).to_string(),
-    ];
-    let counts = [half, numbers.len()].map(|n| n.to_string());
-    Found::values(values, true).worded([format!("{worst:.1e}")].into_iter().chain(counts))
+    let (gap, apart) = largest(gaps(motion).into_iter());
+    for (name, x) in [
+        ("worst", worst),
+        ("worst_at", when),
+        ("ahead", motion.library.last().map_or(f64::NAN, late)),
+        ("least_digits", least.min().unwrap_or(0) as f64),
+        ("half", half as f64),
+        ("numbers", numbers.len() as f64),
+        ("gap", gap),
+        ("gap_at", apart),
+    ] {
+        measured.set(name, x);
+    }
 }
 
-/// The largest distance between N = 2 and N = 40 in the 10 s of the page, and its time.
 fn gaps(motion: &Motion) -> Vec<(f64, f64)> {
     let rows = motion.library.iter().zip(&motion.two);
     let rows = rows.filter(|((row, _), _)| row.time <= 10);
@@ -107,120 +82,84 @@ fn gaps(motion: &Motion) -> Vec<(f64, f64)> {
     .collect()
 }
 
-/// Steps of EXUDYN's runs in s.
+/// Steps of EXUDYN's runs in s, by their numbers.
 const STEPS: [&str; 4] = ["0.001", "0.0005", "0.00025", "0.000125"];
 
-/// A number of one of them, with what is due.
-fn copied<'a>(
-    motion: &'a Motion,
-    step: &str,
-    quantity: &str,
-) -> Option<&'a (Copied, Option<Ball>)> {
-    let mut all = motion.exudyn.iter();
-    all.find(|(c, _)| c.step == step && c.quantity == quantity)
-}
-
-/// The numbers with a bar after the digits that are right, and by how much halving the step divides
-/// the error; the fewest and the most digits that are right.
-fn exudyn(motion: &Motion) -> Found {
-    let known = motion.exudyn.iter();
-    let known: Vec<(&Copied, &Ball)> = known
-        .filter_map(|(c, due)| Some((c, due.as_ref()?)))
-        .collect();
-    let error = |step: &&str| {
-        let (copied, due) = copied(motion, step, "B0_x")?;
-        Some(copied.number.difference(due.as_ref()?).to_f64())
-    };
-    let errors: Vec<f64> = STEPS.iter().filter_map(error).collect();
-    let ratios = errors.windows(2).map(|e| format!("{:.3}", e[0] / e[1]));
-    let marked = known.iter().map(|(c, due)| c.number.marked(due));
-    let right = || known.iter().map(|(c, due)| c.number.right_digits(due).0);
-    let [least, most] = [right().min(), right().max()].map(Option::unwrap_or_default);
-    Found::values(marked.chain(ratios), true).worded([least, most].map(|n| n.to_string()))
-}
-
-/// The energy of a printed state less that at the start, for N = 2, m = l = 1: a polynomial of
-/// decimals.
-fn energy([y, vx, vy]: [&Decimal; 3]) -> Rational {
-    let square = |d: &Decimal| Rational::from(d.value.square_ref());
-    let kinetic = (square(vx) + square(vy)) * 3 / 2;
-    let height = Rational::from(&y.value - 1u32) * 7 / 2 * gravity();
-    kinetic + height - Rational::from((3, 2))
-}
-
-/// By steps the largest drift as printed, and the drift of the printed state, which is smaller.
-fn drift(motion: &Motion) -> Found {
-    let find = |step, quantity| copied(motion, step, quantity).map(|(c, _)| &c.number);
-    let mut values = Vec::new();
-    let mut within = true;
-    for step in STEPS {
-        let state = ["B0_y", "B0_vx", "B0_vy"].map(|q| find(step, q));
-        let ([Some(y), Some(vx), Some(vy)], Some(drift)) = (state, find(step, "drift")) else {
-            continue;
-        };
-        let energy = energy([&y.value, &vx.value, &vy.value]);
-        within &= Rational::from(energy.abs_ref()) < drift.value.value;
-        values.extend([drift.text.clone(), format!("{:.4e}", energy.to_f64())]);
+/// Its numbers as printed, and in their order with a bar after the digits that are right; the
+/// fewest and the most of these.
+fn exudyn(motion: &Motion, measured: &mut Measured) {
+    for (copied, due) in &motion.exudyn {
+        if let (Some(k), Some(part)) = (
+            STEPS.iter().position(|step| *step == copied.step),
+            copied.quantity.rsplit('_').next(),
+        ) {
+            let printed = Quantity::Printed(copied.number.clone());
+            measured.add(format!("{part}_{k}"), printed);
+            if let (Some(due), "B0_x") = (due, copied.quantity.as_str()) {
+                measured.add("x", Quantity::Number(due.clone()));
+            }
+        }
     }
-    Found::values(values, within)
+    let known = motion.exudyn.iter();
+    let known = known.filter_map(|(c, due)| Some((&c.number, due.as_ref()?)));
+    for (k, (number, due)) in known.clone().enumerate() {
+        measured.text(format!("marked_{k}"), number.marked(due));
+    }
+    let right = known.map(|(number, due)| number.right_digits(due).0);
+    measured.set("fewest", right.clone().min().map_or(f64::NAN, |n| n as f64));
+    measured.set("most", right.max().map_or(f64::NAN, |n| n as f64));
 }
 
-/// By N the period and the turns in 20 s.
-fn turns_over(motion: &Motion) -> Found {
-    let tau = Ball::pi(BITS).shift(1);
-    let values = |c: &Course| {
-        let turns = &c.states[1].angle / &tau;
-        [shown(&c.period, DIGITS), shown(&turns, 12)]
-    };
-    Found::values(motion.courses.iter().flat_map(values), true)
-}
-
-/// By N the times of the first two passages, and how many there are in 20 s.
-fn passages(motion: &Motion) -> Result<Found, Undecided> {
-    let mut values = Vec::new();
+/// By N the period, the angle after 20 s, and the times of the first two passages.
+fn passages(motion: &Motion, measured: &mut Measured) -> Result<(), Undecided> {
     let quarter = Ball::pi(BITS).shift(-1);
     for c in &motion.courses {
-        for quarters in [1, 3] {
-            let angle = &quarter * &Ball::integer(BITS, quarters);
-            values.push(shown(&c.turning.time(&angle)?, DIGITS));
+        let at = |quarters| c.turning.time(&(&quarter * &Ball::integer(BITS, quarters)));
+        for (name, value) in [
+            ("period", c.period.clone()),
+            ("angle", c.states[1].angle.clone()),
+            ("first", at(1)?),
+            ("second", at(3)?),
+        ] {
+            measured.add(format!("{name}_{}", c.n), Quantity::Number(value));
         }
-        // At (k + 1/2) π for k = 0, 1, …: as many as ⌊φ/π + 1/2⌋.
-        let count = whole_part(&(&c.states[1].angle / &quarter.shift(1) + Ball::exact(BITS, 0.5)));
-        values.push(decided(count.map(|n| n.to_string())));
     }
-    Ok(Found::values(values, true))
+    Ok(())
 }
 
-/// The integer part, where all of the ball has the same.
-fn whole_part(x: &Ball) -> Option<f64> {
-    let [low, high] = [x.lower(), x.upper()].map(rug::Float::floor);
-    (low == high).then(|| low.to_f64())
-}
-
-/// By N the rank of the Jacobian on the parallelogram branch, and with all bars on one line.
-fn ranks() -> Found {
-    let of = |n: u32| {
-        let n = n as usize;
-        let ranks = [jacobian_rank(&parallelogram(n)), meeting(n, n + 1).rank];
-        ranks.map(|rank| rank.to_string())
-    };
-    Found::values(SIZES.into_iter().flat_map(of), true)
-}
-
-/// By N the assembly modes with a regular Jacobian, where all positions on one line are alike.
-fn curves() -> Found {
-    let alike = |n: u32| {
-        let n = n as usize;
+/// By N the ranks of the Jacobian on the parallelogram branch and with all bars on one line, the
+/// assembly modes with a regular one, and the accelerations of the outer crank there; true if all
+/// positions on one line are alike.
+fn on_one_line(measured: &mut Measured) {
+    let mut alike = true;
+    for size in SIZES {
+        let n = size as usize;
         let due = Meeting {
             rank: n,
             curves: n + 1,
             tangents: n + 1,
             admissible: true,
         };
-        positions(n).into_iter().all(|s| meeting(n, s) == due)
-    };
-    let regular = SIZES.map(|n| regular_modes(n as usize).to_string());
-    Found::values(regular, SIZES.into_iter().all(alike))
+        alike &= positions(n).into_iter().all(|s| meeting(n, s) == due);
+        for (name, count) in [
+            ("rank", jacobian_rank(&parallelogram(n))),
+            ("rank_line", meeting(n, n + 1).rank),
+            ("regular", regular_modes(n)),
+        ] {
+            measured.set(format!("{name}_{n}"), count as f64);
+        }
+        let branch = fall(size);
+        let Some(alone) = accelerations_without_branch(n) else {
+            continue;
+        };
+        let off = alone
+            .iter()
+            .map(|a| (Rational::from(a - &branch) / &branch).to_f64());
+        let off = off.max_by(|a, b| a.abs().total_cmp(&b.abs()));
+        measured.set(format!("off_{n}"), off.unwrap_or(f64::NAN));
+        measured.add(format!("outer_{n}"), Quantity::Exact(alone[0].clone()));
+    }
+    measured.set("alike", f64::from(alike));
 }
 
 /// The positions on one line that are looked at, by the number of cranks to the right: all of them,
@@ -238,41 +177,8 @@ fn regular_modes(n: usize) -> usize {
     (0..=n).filter(full).count()
 }
 
-/// By N the acceleration on the branch, that without it, and how far apart they are.
-fn accelerations() -> Found {
-    let mut values = Vec::new();
-    for n in SIZES {
-        let branch = fall(n);
-        let Some(alone) = accelerations_without_branch(n as usize) else {
-            continue;
-        };
-        let off = alone
-            .iter()
-            .map(|a| (Rational::from(a - &branch) / &branch).to_f64());
-        let off = off.max_by(|a, b| a.abs().total_cmp(&b.abs()));
-        let outer = match n {
-            1 | 2 => alone[0].to_string(),
-            _ => format!("{:.12}", alone[0].to_f64()),
-        };
-        let off = format!("{:.4}", off.unwrap_or_default());
-        values.extend([branch.to_string(), outer, off]);
-    }
-    Found::values(values, true)
-}
-
-/// By N the limit at the first rod, and how many rods have a finite force: the middle one where
-/// there is one.
-fn forces() -> Found {
-    let all = SIZES.map(|n| (n as usize, poles(n)));
-    let whole = all.iter().all(|(n, poles)| poles.len() == *n);
-    let values = all.iter().flat_map(|(_, poles)| {
-        let zero = poles.iter().filter(|p| **p == 0).count();
-        [poles[0].to_string(), zero.to_string()]
-    });
-    Found::values(values, whole)
-}
-
-fn certified_motion(motion: &Motion) -> Found {
+/// The states of all sizes, unless one is missing.
+fn certified_motion(motion: &Motion, measured: &mut Measured) {
     let mut figures = Vec::new();
     for c in &motion.courses {
         for (time, state) in TIMES.iter().zip(&c.states) {
@@ -282,15 +188,16 @@ fn certified_motion(motion: &Motion) -> Found {
             }
         }
     }
-    let whole = figures.len() == 32;
-    Found::new(figures, whole)
+    if figures.len() == 32 {
+        measured.add("motion", Quantity::Figures(figures));
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::papers::file_of_known;
     use crate::papers::number::Number;
+    use crate::papers::on_figures;
 
     #[test]
     fn the_larger_coordinate_counts() {
@@ -308,7 +215,6 @@ mod tests {
     #[test]
     fn a_number_that_is_off_is_no_longer_as_recorded() {
         let right = motion(BITS).unwrap();
-        let file = file_of_known(super::super::KEY);
         let on_prints = [
             "library-reference",
             "tolerances",
@@ -317,7 +223,11 @@ mod tests {
             "drift",
         ];
         let lost = |m: &Motion| -> Vec<&str> {
-            let all = file.on_figures(&mut prints(m)).into_iter();
+            let mut measured = Measured::default();
+            library(m, &mut measured);
+            exudyn(m, &mut measured);
+            passages(m, &mut measured).unwrap();
+            let all = on_figures(super::super::KEY, &measured).into_iter();
             let lost = all.filter(|f| !f.as_recorded && on_prints.contains(&f.id));
             lost.map(|f| f.id).collect()
         };
@@ -358,16 +268,6 @@ mod tests {
         assert_eq!(lost(&m), ["exudyn", "drift"]);
     }
 
-    /// ½ · 3 · (0.6² + 0.8²) + 7/2 · 9.81 · (y − 1) − 3/2.
-    #[test]
-    fn energy_is_that_at_the_start() {
-        let read = |text: &str| Decimal::parse(text).unwrap();
-        let of = |y: &str, vx: &str, vy: &str| energy([&read(y), &read(vx), &read(vy)]);
-        assert_eq!(of("1", "0.6", "0.8"), 0);
-        assert_eq!(of("0", "0.6", "0.8"), Rational::from((-6867, 200)));
-        assert_eq!(of("1", "2", "-1"), 6);
-    }
-
     #[test]
     fn the_largest_is_told_with_its_time() {
         let of = |all: &[(f64, f64)]| largest(all.iter().copied());
@@ -383,7 +283,9 @@ mod tests {
             two: Vec::new(),
             exudyn: Vec::new(),
         };
-        assert!(!certified_motion(&none).holds);
+        let mut measured = Measured::default();
+        certified_motion(&none, &mut measured);
+        assert!(measured.quantities.is_empty());
     }
 
     /// All of them, of the largest the ends and the middle.
@@ -393,15 +295,5 @@ mod tests {
         assert_eq!(positions(10), (0..12).collect::<Vec<_>>());
         assert_eq!(positions(40), [0, 20, 41]);
         assert_eq!([1, 2, 3, 5].map(regular_modes), [2; 4]);
-    }
-
-    #[test]
-    fn a_ball_across_an_integer_has_no_integer_part() {
-        let ball =
-            |x: f64, r: f64| Ball::exact(BITS, x).widened(crate::reference::Mag::from_f64(r));
-        assert_eq!(whole_part(&ball(20.5, 0.4)), Some(20.0));
-        assert_eq!(whole_part(&ball(20.5, 0.6)), None);
-        assert_eq!(whole_part(&ball(20.25, 0.3)), None);
-        assert_eq!(whole_part(&ball(20.75, 0.3)), None);
     }
 }

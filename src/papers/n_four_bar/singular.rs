@@ -21,7 +21,6 @@
 //! loses a rank: a circle with more than one crank before its block, or after it, is singular all
 //! along without another curve. The parallelograms', (0, N), is regular.
 
-use super::data;
 use crate::reference::dense::solve_exactly;
 use rug::Rational;
 
@@ -207,29 +206,6 @@ pub fn accelerations_without_branch(n: usize) -> Option<Vec<Rational>> {
         crate::reference::Matrix::from_fn(n + 1, 1, |k, _| Rational::from((1 + rods(k), 2)));
     let found = solve_exactly(&matrix, &force).ok()?;
     Some(found.entries().to_vec())
-}
-
-/// The limit of `sin θ F/(m g)` at the horizontal positions for the force F along every rod: a pole
-/// where it is not zero.
-///
-/// Rods move without turning, so half of what carries one, `m (y'' + g)/2`, comes from each end.
-/// The moments about a crank's pivot leave `X sin θ = −I_c θ'' − m g l cos θ/2 + Y l cos θ` for the
-/// force (X, Y) of its rods.
-pub fn poles(n: u32) -> Vec<Rational> {
-    let fall = data::fall(n);
-    let crank = |k: u32| {
-        let rods = u32::from(k > 0) + u32::from(k < n);
-        let carried = (Rational::from(1) - &fall) * rods / 2;
-        Rational::from(&fall / 3u32) - Rational::from((1, 2)) - carried
-    };
-    let mut sum = Rational::new();
-    let mut poles = Vec::new();
-    for k in 0..n {
-        sum += crank(k);
-        poles.push(sum.clone());
-    }
-    debug_assert!(sum + crank(n) == 0);
-    poles
 }
 
 #[cfg(test)]

@@ -12,7 +12,7 @@
 
 use super::design::{TURN, least_squares, observed, read, spline_rows};
 use super::tables::{COLUMNS, DERIVATIVE_SLOPE, INERTIA, INERTIA_SLOPE, is_slope};
-use crate::papers::file::{Measured, Quantity};
+use crate::papers::file::Measured;
 use crate::papers::number::Number;
 use crate::solvers::cubic_spline::{Boundary, Extrapolation, UniformCubicSpline};
 use num_complex::Complex64;
@@ -109,7 +109,7 @@ pub(super) fn measure(printed: &[Vec<Number>], measured: &mut Measured) {
     let worst = of(12, 0)
         .max_by(|a, b| a.1.total_cmp(&b.1))
         .expect("columns");
-    measured.add("worst_column", Quantity::Text(COLUMNS[worst.0].1.into()));
+    measured.text("worst_column", COLUMNS[worst.0].1);
     measured.set("twelve", worst.1);
     // Splines through 12 nodes are splines through 24.
     let others = [(6, 0), (8, 0), (16, 0), (12, 1), (12, 2), (12, 3)].into_iter();

@@ -10,7 +10,6 @@ pub mod data;
 mod derivative_claim;
 mod design;
 mod entries;
-mod extreme;
 mod fitted_nodes;
 mod hidden_recipe;
 mod motion;
@@ -22,9 +21,7 @@ mod tables;
 pub use motion::motion;
 
 use super::file::{Measured, Quantity};
-use super::{
-    Entry, EntryVerdict, PaperReport, Progress, Tally, VariantJudgement, figure, file_of_known,
-};
+use super::{Entry, EntryVerdict, Tally, VariantJudgement, figure};
 use crate::reference::{Ball, Undecided};
 use recipe::NODES;
 use rug::Rational;
@@ -35,39 +32,15 @@ const BITS: u32 = 192;
 /// The name used on the command line.
 pub const KEY: &str = "zinchenko";
 
-/// Audits the paper.
+/// Measures every quantity of the findings.
 ///
 /// # Errors
 /// [`Undecided`] if a certified value is undecided at the working precision.
-pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
-    let (measured, entries, tallies) = measure(progress)?;
-    progress("formulas", 6, STEPS);
-    let file = file_of_known(KEY);
-    let mut findings = file.measured(&measured);
-    let extreme = findings.pop();
-    for finding in file.summaries(&file.ledger()) {
-        // It stands before the velocities that follow from it.
-        if finding.id == "velocity-system" {
-            findings.extend(extreme.clone());
-        }
-        findings.push(finding);
-    }
-    progress("done", STEPS, STEPS);
-    Ok(PaperReport::new(file.citation.clone(), findings).with_entries(entries, tallies))
-}
-
-const STEPS: u64 = 7;
-
-type Analysis = (Measured, Vec<Entry>, Vec<Tally>);
-
-/// Measures every quantity of the findings.
-fn measure(progress: Progress) -> Result<Analysis, Undecided> {
+pub(super) fn analysis() -> Result<Measured, Undecided> {
     let mut measured = Measured::default();
     let printed = tables::printed();
-    progress("exact nodes", 0, STEPS);
     let exact = recipe::exact_nodes(&data::recovered(), NODES, BITS)?;
     let as_printed = recipe::exact_nodes(&data::printed(), NODES, BITS)?;
-    progress("fitted nodes", 1, STEPS);
     let mut with_fitted = exact.clone();
     let fitted = fitted_nodes::fit(&printed, &exact[2], &mut measured);
     with_fitted[2] = fitted.into_iter().map(exact_micro).collect();
@@ -77,18 +50,14 @@ fn measure(progress: Progress) -> Result<Analysis, Undecided> {
         (FITTED, with_fitted),
     ]
     .map(|(name, nodes)| (name, recipe::columns(&nodes)));
-    progress("entries", 2, STEPS);
     let (entries, tallies) = entries::entries(&printed, &variants);
     count(&entries, &tallies, &mut measured);
-    progress("recovery", 3, STEPS);
+    (measured.entries, measured.tallies) = (entries, tallies);
     hidden_recipe::measure(&printed, &mut measured);
     recovery::measure(&printed, &mut measured);
-    progress("the claim", 4, STEPS);
     derivative_claim::measure(&printed, &variants[1].1, BITS, &mut measured)?;
-    extreme::measure(&mut measured);
-    progress("run-up", 5, STEPS);
     run_up::measure(&mut measured);
-    Ok((measured, entries, tallies))
+    Ok(measured)
 }
 
 /// The variant with recovered masses and fitted nodes of M_o.
@@ -130,10 +99,7 @@ fn count(entries: &[Entry], tallies: &[Tally], measured: &mut Measured) {
     let places = off
         .iter()
         .map(|(e, _)| format!("{}/{}/{}", e.table, e.row, e.column));
-    measured.add(
-        "places",
-        Quantity::Text(places.collect::<Vec<_>>().join(" ")),
-    );
+    measured.text("places", places.collect::<Vec<_>>().join(" "));
 }
 
 #[cfg(test)]

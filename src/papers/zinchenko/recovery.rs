@@ -271,7 +271,7 @@ pub(super) fn measure(printed: &[Vec<Number>], measured: &mut Measured) {
         .iter()
         .filter(|&&k| found[k][1] * shown(k).2 < 1.0);
     let determined: Vec<String> = determined.map(|&k| shown(k).0).collect();
-    measured.add("determined", Quantity::Text(determined.join(" and ")));
+    measured.text("determined", determined.join(" and "));
     measured.set("metres", off_in_metres(&model.states, printed));
 }
 

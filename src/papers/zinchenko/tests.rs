@@ -1,13 +1,14 @@
 //! Every quantity that is measured matters: a finding notices when it is missing or another.
 
 use super::*;
+use crate::papers::on_figures;
 use std::sync::LazyLock;
 
-static MEASURED: LazyLock<Measured> = LazyLock::new(|| measure(&|_, _, _| ()).unwrap().0);
+static MEASURED: LazyLock<Measured> = LazyLock::new(|| analysis().unwrap());
 
 /// Names of the findings that are not as recorded.
 fn lost(measured: &Measured) -> Vec<&'static str> {
-    let all = file_of_known(KEY).measured(measured);
+    let all = on_figures(KEY, measured);
     all.iter()
         .filter(|f| !f.as_recorded)
         .map(|f| f.id)
@@ -16,17 +17,18 @@ fn lost(measured: &Measured) -> Vec<&'static str> {
 
 /// Numbers that no finding notices a fault of; motions are measured alike, though not all is told.
 fn unseen(fault: fn(&Ball) -> Option<Ball>) -> Vec<&'static str> {
-    let all = MEASURED.0.iter();
+    let all = MEASURED.quantities.iter();
     let all = all.filter(|(name, _)| !run_up::is_of_motion(name));
     all.filter(|(name, value)| {
         let mut planted = MEASURED.clone();
         let found = match value {
             Quantity::Number(x) => fault(x),
+            Quantity::Exact(x) => fault(&Ball::rational(BITS, x)),
             _ => None,
         };
         match found {
             Some(x) => planted.add(name.as_str(), Quantity::Number(x)),
-            None => drop(planted.0.remove(*name)),
+            None => drop(planted.quantities.remove(*name)),
         }
         lost(&planted).is_empty()
     })
@@ -35,12 +37,8 @@ fn unseen(fault: fn(&Ball) -> Option<Ball>) -> Vec<&'static str> {
 }
 
 /// The columns of some measurements are longer than what is told of them.
-const UNTOLD: [&str; 10] = [
+const UNTOLD: [&str; 6] = [
     "fitted_off",
-    "folded_2",
-    "folded_3",
-    "folded_4",
-    "folded_5",
     "inertia_24",
     "inertia_48",
     "inertia_96",
@@ -55,10 +53,9 @@ fn every_quantity_is_needed() {
 }
 
 /// Quantities on record, or with a limit, change their finding when they change; these are told.
-const TOLD: [&str; 19] = [
+const TOLD: [&str; 18] = [
     "all_s2",
     "all_s2_sd",
-    "folded_along",
     "grid",
     "metres",
     "misfit",

@@ -2,10 +2,10 @@
 
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
-use mechaudit::papers::{Finding, Named, Subject};
+use mechaudit::papers::{Finding, PaperFile, Subject};
 
 /// Prints a line for each entry, table and claim whose verdict is not the one on record.
-pub fn check(paper: &Named, text: &str) -> Result<Outcome, Failure> {
+pub fn check(paper: &PaperFile, text: &str) -> Result<Outcome, Failure> {
     let ledger = paper.ledger();
     let mut changed = 0;
     for entry in ledger.entries.iter().filter(|e| !e.as_recorded) {

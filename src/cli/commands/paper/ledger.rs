@@ -4,12 +4,12 @@ use crate::cli::args::{PaperArgs, PaperFormat};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::{errata, output::Output};
 use crate::cli::{complain, terminal};
-use mechaudit::papers::Named;
+use mechaudit::papers::PaperFile;
 use mechaudit::report::{html, latex, text};
 use std::time::Instant;
 
 /// Decides the ledger and writes it, or compares it with the file.
-pub fn ledger(args: &PaperArgs, paper: &Named) -> Result<Outcome, Failure> {
+pub fn ledger(args: &PaperArgs, paper: &PaperFile) -> Result<Outcome, Failure> {
     // With --check the file is read.
     let output = Output::open(args.output.as_deref().filter(|_| !args.check))?;
     let standard = output.is_standard() && !args.check;
@@ -90,7 +90,7 @@ mod tests {
         assert!(wide(99) != due && wide(101) != due);
         let file = path.display();
         let run = |more: &str| {
-            let paper = Named::open("n-four-bar").unwrap().unwrap();
+            let paper = papers::open("n-four-bar").unwrap().unwrap();
             ledger(&asked(&format!("n-four-bar --ledger {more}")), &paper)
         };
         let good = Outcome::of(found.as_recorded());

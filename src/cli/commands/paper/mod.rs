@@ -11,7 +11,7 @@ use crate::cli::files::output::Output;
 use crate::cli::progress::Progress;
 use crate::cli::{complain, terminal};
 use mechaudit::papers::file::Programs;
-use mechaudit::papers::{self, Named};
+use mechaudit::papers::{self, PaperFile};
 use mechaudit::report::{csv, html, text};
 use programs::Runner;
 use std::path::Path;
@@ -32,9 +32,9 @@ pub fn paper(args: &PaperArgs) -> Result<Outcome, Failure> {
         }
         _ => {}
     }
-    let mut papers: Vec<(String, Named)> = Vec::new();
+    let mut papers: Vec<(String, PaperFile)> = Vec::new();
     for text in &args.papers {
-        let found = Named::open_all(text).map_err(Failure::caused)?;
+        let found = papers::open_all(text).map_err(Failure::caused)?;
         if found.is_empty() {
             return Err(unknown(text));
         }
@@ -44,8 +44,8 @@ pub fn paper(args: &PaperArgs) -> Result<Outcome, Failure> {
         true => Some(&Runner),
         false => None,
     };
-    for (_, named) in &papers {
-        named.run_by(by).map_err(Failure::caused)?;
+    for (_, paper) in &papers {
+        paper.run_by(by).map_err(Failure::caused)?;
     }
     if args.check && !args.ledger {
         if args.output.is_some() {
@@ -53,13 +53,13 @@ pub fn paper(args: &PaperArgs) -> Result<Outcome, Failure> {
                 "--check compares a file with the ledger: add --ledger",
             ));
         }
-        let all = papers.iter().map(|(text, named)| check::check(named, text));
+        let all = papers.iter().map(|(text, paper)| check::check(paper, text));
         let all = all.collect::<Result<Vec<Outcome>, Failure>>()?;
         return Ok(Outcome::of(all.iter().all(|o| *o == Outcome::AsExpected)));
     }
     if args.ledger {
         return match papers.as_slice() {
-            [(_, named)] => ledger::ledger(args, named),
+            [(_, paper)] => ledger::ledger(args, paper),
             _ => Err(Failure::new("--ledger is for one paper at a time")),
         };
     }
@@ -70,9 +70,12 @@ pub fn paper(args: &PaperArgs) -> Result<Outcome, Failure> {
     let progress = Progress::new();
     let show = |phase: &str, done, total| progress.show(phase, done, total);
     let (report, motion) = match papers.as_slice() {
-        [(_, named)] => (named.report(&show), named.motion()),
+        [(_, paper)] => {
+            let motion = paper.analysis.and_then(papers::motion_of);
+            (paper.report(&show), motion)
+        }
         _ => {
-            let all = papers.into_iter().map(|(_, named)| named).collect();
+            let all = papers.into_iter().map(|(_, paper)| paper).collect();
             (papers::summary(all, &show), None)
         }
     };
