@@ -121,7 +121,7 @@ fn published_motions_are_as_recorded() {
     for (paper, entries) in [
         ("iftomm-pendulum", 24),
         ("ivp-test-set", 48),
-        ("modelica-multibody", 132),
+        ("modelica-multibody", 154),
     ] {
         let file = PaperFile::open(&folder.join(paper)).unwrap();
         let report = file.report(&|_, _, _| {}).unwrap();
