@@ -2,14 +2,17 @@
 //! 441 printed entries, and the findings.
 
 use crate::pin;
-use mechaudit_cli::papers::{EntryVerdict, PaperReport, zinchenko};
+use mechaudit_cli::papers::{self, EntryVerdict, PaperReport};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::sync::OnceLock;
 
 fn report() -> &'static PaperReport {
     static REPORT: OnceLock<PaperReport> = OnceLock::new();
-    REPORT.get_or_init(|| zinchenko::report(&|_, _, _| ()).expect("decided"))
+    REPORT.get_or_init(|| {
+        let report = papers::audit("zinchenko", &|_, _, _| ());
+        report.expect("a paper").expect("decided")
+    })
 }
 
 /// One table under one variant: printed, recomputed to 20 digits, deviation, verdict.

@@ -135,6 +135,10 @@ pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Stated, StudyEr
         given: (!reading.is_analysed).then_some(counts),
         definitions: &definitions,
     };
+    let lines = node.get("figures").map_or(Ok(&[][..]), Node::list)?;
+    let lines = lines.iter().map(|node| line(&scope, node));
+    let conditions = texts(node.get("holds"))?.into_iter();
+    let conditions = conditions.map(|node| scope.condition(node));
     let stated = Stated {
         id: reading.id(node)?,
         subject: word(node.get("subject"), &SUBJECTS, Subject::Formula)?,
@@ -146,13 +150,8 @@ pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Stated, StudyEr
         )?,
         title: scope.template(required(node, "title")?)?,
         text: scope.template(required(node, "text")?)?,
-        lines: (node.get("figures").map_or(Ok(&[][..]), Node::list)?)
-            .iter()
-            .map(|node| line(&scope, node))
-            .collect::<Result<_, _>>()?,
-        conditions: (texts(node.get("holds"))?.into_iter())
-            .map(|node| scope.condition(node))
-            .collect::<Result<_, _>>()?,
+        lines: lines.collect::<Result<_, _>>()?,
+        conditions: conditions.collect::<Result<_, _>>()?,
         basis,
         file: reading.file,
     };
@@ -182,12 +181,15 @@ fn basis(node: &Node) -> Result<Basis, StudyError> {
     }
 }
 
-/// `[name, value, unit, value on record]`, the last of which may be missing, or the name of a list.
+/// `[name, value, unit, value on record]`, the last of which may be missing, or the name of a list
+/// that an analysis hands over.
 fn line(scope: &Scope, node: &Node) -> Result<Line, StudyError> {
-    let Value::List(parts) = &node.value else {
-        return node.text().map(|name| Line::List(intern(name)));
+    let parts = match &node.value {
+        Value::List(parts) => &parts[..],
+        _ if scope.given.is_none() => return node.text().map(|name| Line::List(intern(name))),
+        _ => &[],
     };
-    let [name, value, unit, recorded @ ..] = &parts[..] else {
+    let [name, value, unit, recorded @ ..] = parts else {
         return Err(node.fault("a figure is [name, value, unit, value on record]"));
     };
     let recorded = recorded.first().map(|r| r.text().map(intern)).transpose()?;

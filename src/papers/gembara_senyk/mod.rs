@@ -3,7 +3,8 @@
 //! down, solved with the probability integral of complex argument.
 //!
 //! The ledger decides every formula and the findings tell what follows from the wrong ones;
-//! [`charts`] has what follows from the model. The paper's graphs cannot be recomputed: it gives neither cams nor oscillator.
+//! [`charts`] has what follows from the model. The paper's graphs cannot be recomputed: it gives
+//! neither cams nor oscillator.
 
 pub mod charts;
 mod findings;

@@ -201,6 +201,10 @@ fn faults_of_findings_have_their_place() {
             "at least one condition or value on record",
         ),
         (
+            "title = 'T'\ntext = 't'\nfigures = ['list']",
+            "a figure is [name, value, unit, value on record]",
+        ),
+        (
             "title = 'T'\ntext = 't'\nfigures = [['twice', '{2*x}']]",
             "a figure is [name, value, unit, value on record]",
         ),
