@@ -41,8 +41,8 @@ pub use exponential::{exp, exp2, exp10, expm1, log, log1p, log2, log10, pow};
 pub use gamma::{digamma, lgamma, tgamma};
 pub use hyperbolic::{acosh, asinh, atanh, cosh, sinh, tanh};
 pub use special::{
-    airyai, airyaiprime, airybi, airybiprime, besseli, besselie, besselj, ci, e1, ei, lambertw,
-    lambertwm1, si, zeta, zetaderivative,
+    airyai, airyaiprime, airybi, airybiprime, bessel, besseli, besselie, besselj, ci, e1, ei,
+    lambertw, lambertwm1, si, zeta, zetaderivative,
 };
 pub use steps::{ceil, copysign, floor, fmod, nearbyint, remainder, round, trunc};
 pub use trigonometric::{acos, asin, atan, atan2, cos, cospi, sin, sinpi, tan, tanpi};

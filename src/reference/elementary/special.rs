@@ -1,9 +1,10 @@
 //! Real functions that are those of complex balls on the real line.
 
-use super::complex;
+use super::complex::{self, Bessel};
 use super::support::{BITS, ends, exact};
 use super::{ComplexEvaluated, Evaluated, NoValue};
 use crate::{Ball, ComplexBall};
+use rug::Rational;
 
 fn point(x: &Ball) -> ComplexBall {
     ComplexBall::new(x.clone(), exact(64, 0))
@@ -82,9 +83,15 @@ pub fn lambertwm1(x: &Ball, prec: u32) -> Evaluated {
 
 /// Refuses a negative number where the order is broken.
 fn of_order(order: &Ball, x: &Ball) -> Result<(), NoValue> {
+    match order.rad().is_zero() && order.mid().is_integer() {
+        true => Ok(()),
+        false => not_negative(x),
+    }
+}
+
+fn not_negative(x: &Ball) -> Result<(), NoValue> {
     const WHY: &str = "a Bessel function of a broken order at a negative number";
-    let is_whole = order.rad().is_zero() && order.mid().is_integer();
-    match is_whole || x.is_zero() || ends(x, BITS)[0] >= 0 {
+    match x.is_zero() || ends(x, BITS)[0] >= 0 {
         true => Ok(()),
         false if x.is_negative() => Err(NoValue::Undefined(WHY)),
         false => Err(NoValue::Undecided(WHY)),
@@ -113,6 +120,12 @@ pub fn besselie(order: &Ball, x: &Ball, prec: u32) -> Evaluated {
     of_order(order, x)?;
     let negative = x.is_negative() && is_odd(order);
     real(complex::besselie(order, &point(x), prec), negative)
+}
+
+/// A Bessel function of a positive order that is no integer.
+pub fn bessel(which: Bessel, order: &Rational, x: &Ball, prec: u32) -> Evaluated {
+    not_negative(x)?;
+    real(complex::bessel(which, order, &point(x), prec), false)
 }
 
 /// The n-th derivative of the zeta function.

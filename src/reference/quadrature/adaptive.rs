@@ -463,6 +463,7 @@ pub(super) fn adaptive<P: Path>(
         queue.push(panel(path, ends, 0, None, tolerance, budget));
     }
     let greatest = u32::try_from(60 + tolerance.relative.max(0) / 2).unwrap_or(u32::MAX);
+    let lost = u32::try_from(LOST + 4 * tolerance.relative.max(0)).unwrap_or(DEPTH);
     let mut hint = Hint::FIRST;
     let size = [breaks.first(), breaks.last()].map(|x| x.map_or(0, exponent));
     let size = size[0].max(size[1]).max(0);
@@ -490,7 +491,11 @@ pub(super) fn adaptive<P: Path>(
         let bits = 64 + finer(&top.lower, &top.upper);
         let middle = (&top.lower + &top.upper).complete(bits) >> 1u32;
         let splits = top.lower < middle && middle < top.upper;
-        if budget.spent >= budget.limit || top.depth >= DEPTH || !splits {
+        let deepest = match &top.direct {
+            Some(_) => DEPTH,
+            None => lost,
+        };
+        if budget.spent >= budget.limit || top.depth >= deepest || !splits {
             // The first panel left over is the worst.
             hindered.get_or_insert((top.lower.clone(), top.upper.clone()));
             match &top.direct {
@@ -517,3 +522,7 @@ pub(super) fn adaptive<P: Path>(
 
 /// A panel is halved no more often than this: its width is then below any tolerance in use.
 const DEPTH: u32 = 100_000;
+
+/// A panel without any enclosure is halved no more often than this, and four times for each bit
+/// that is due: where an integrand has no bound on so short an interval, it has none further in.
+const LOST: i64 = 1024;

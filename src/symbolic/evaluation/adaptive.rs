@@ -1,6 +1,6 @@
 //! Certified values of graphs: the working precision is raised until they are accurate enough.
 
-use super::ball::{Balls, MAY_BE_EQUAL, Value, ball_of};
+use super::ball::{Balls, MAY_BE_EQUAL, Value, ball_of, bessel};
 use super::short::FirstPass;
 use super::tuning::{Passes, Size};
 use super::{Evaluator, Interpretation, Stop};
@@ -102,6 +102,11 @@ pub struct Certified {
     asked: Vec<Id>,
     /// The facts that it proved of them.
     proved: Vec<Proved>,
+    /// True if rational numbers are exact from the start: orders of Bessel functions that no binary
+    /// number holds.
+    exact: bool,
+    /// Inputs in a row at which it was asked and proved nothing.
+    in_vain: u32,
 }
 
 /// A fact that the symbolic algebra proves of a node at the inputs.
@@ -122,6 +127,10 @@ pub(super) const FIRST: u32 = 63;
 /// and of other graphs: it costs more than balls of fewer bits.
 const ASK_ALGEBRA: [u32; 2] = [8192, 2048];
 
+/// Inputs in a row without an answer after which the algebra is asked at the highest precision
+/// alone: few numbers are zero by chance, and it takes longer than thousands of bits.
+const PATIENCE: u32 = 4;
+
 /// Reason that exact rational numbers may settle.
 const MAY_BE_ZERO: &str = "the divisor may be zero";
 
@@ -134,7 +143,15 @@ pub const LIMIT: u32 = 16_384;
 impl Certified {
     /// Creates an evaluator with a limit on the working precision.
     pub fn new(graph: Arc<Graph>, limit: u32) -> Certified {
+        let of_order = |id| match graph.node(id) {
+            Node::Binary(f, order, _) if bessel(f).is_some() => match graph.node(order) {
+                Node::Number(place) => !graph.rational(place).denom().is_power_of_two(),
+                _ => true,
+            },
+            _ => false,
+        };
         Certified {
+            exact: (0..graph.len() as Id).any(of_order),
             first: FirstPass::new(&graph),
             evaluator: Evaluator::new(graph, Balls::new(FIRST)),
             limit: limit.max(64),
@@ -142,6 +159,7 @@ impl Certified {
             algebra: None,
             asked: Vec::new(),
             proved: Vec::new(),
+            in_vain: 0,
         }
     }
 
@@ -182,13 +200,17 @@ impl Certified {
         // Arithmetic that cancels is exact at once.
         let graph = self.evaluator.graph();
         let is_rational = open.iter().all(|id| graph.is_rational(*id));
-        let is_exact = is_rational && self.first.as_ref().is_some_and(FirstPass::has_cancelled);
+        let is_exact =
+            self.exact || is_rational && self.first.as_ref().is_some_and(FirstPass::has_cancelled);
         if let (Goal::Nearest, Some(first), false) = (goal, &self.first, is_exact) {
             self.evaluator.interpretation.precisions = first.precisions(&open, wanted, prec);
         }
         self.evaluator.interpretation.exact = is_exact;
         let is_arithmetic = self.first.as_ref().is_some_and(|first| !first.has_called());
-        let ask_algebra = ASK_ALGEBRA[usize::from(!is_arithmetic)].min(self.limit);
+        let ask_algebra = match self.in_vain < PATIENCE {
+            true => ASK_ALGEBRA[usize::from(!is_arithmetic)].min(self.limit),
+            false => self.limit,
+        };
         loop {
             prec = prec.min(self.limit);
             self.begin(inputs, prec, goal);
@@ -342,7 +364,14 @@ impl Certified {
                 self.evaluator.interpretation.precisions = found;
             }
         }
-        answers.into_iter().flatten().collect()
+        let answers: Vec<Answer> = answers.into_iter().flatten().collect();
+        let is_zero = |a: &Answer| matches!(a, Answer::Zero);
+        if !self.proved.is_empty() || answers.iter().any(is_zero) {
+            self.in_vain = 0;
+        } else if !self.asked.is_empty() || asked.contains(&true) {
+            self.in_vain += 1;
+        }
+        answers
     }
 
     /// Prepares an evaluation at a precision.

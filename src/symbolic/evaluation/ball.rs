@@ -6,6 +6,7 @@ use super::{Evaluator, Interpretation, Stop};
 use crate::graph::{Binding, Graph, Id, Node};
 use crate::{Constant, Func, Relation};
 use mechaudit_reference::elementary as real;
+use mechaudit_reference::elementary::complex::Bessel;
 use mechaudit_reference::elementary::{Evaluated, NoValue};
 use mechaudit_reference::{Ball, ComplexBall, Mag};
 use rug::{Float, Rational};
@@ -337,6 +338,20 @@ impl Interpretation for Balls {
             if let Some(q) = rationals.and_then(|x| f.at_rationals(&x)) {
                 return Ok(self.rational(q));
             }
+            if let (Some(which), [Value::Exact(order), z]) = (bessel(f), x)
+                && !order.number.denom().is_power_of_two()
+            {
+                return match inexact(z) {
+                    Value::Real(x) => wrap(real::bessel(which, &order.number, &x, p)),
+                    Value::Complex(z) => {
+                        real::complex::bessel(which, &order.number, &z, p).map(Value::Complex)
+                    }
+                    Value::Continued(z) => {
+                        real::complex::bessel(which, &order.number, &z, p).map(Value::Continued)
+                    }
+                    _ => Err(huge::UNDECIDED),
+                };
+            }
             let plain: Vec<Value> = x.iter().map(|x| inexact(x)).collect();
             let plain: Vec<&Value> = plain.iter().collect();
             return self.call(f, &plain);
@@ -364,6 +379,24 @@ impl Interpretation for Balls {
     }
 
     fn flat(&mut self, f: Func, x: &Value) -> Found {
+        // A sign, or a function of a complex number off its cut.
+        let is_step = matches!(
+            f,
+            Func::Floor | Func::Ceil | Func::Round | Func::Trunc | Func::Nearbyint
+        );
+        let is_off = match (f, x.real(), x) {
+            _ if is_step => None,
+            (Func::Arg, Some(x), _) => Some(!x.contains_zero()),
+            (Func::Arg, _, Value::Continued(z)) => Some(!z.re.contains_zero()),
+            (_, Some(x), _) => Some(x.is_positive()),
+            (_, _, Value::Complex(z)) => Some(complex::is_off_cut(f, z, self.prec)),
+            _ => Some(false),
+        };
+        match is_off {
+            Some(true) => return Ok(self.integer(0)),
+            Some(false) => return Err(NoValue::Undecided("the derivative at a jump")),
+            None => {}
+        }
         let steps = match x {
             Value::Real(x) => x,
             Value::Exact(x) => x.ball(),
@@ -408,6 +441,24 @@ impl Interpretation for Balls {
         Ok(relation.holds(order))
     }
 
+    fn has_both(&self) -> bool {
+        self.wide && !self.holomorphic
+    }
+
+    fn union(&self, a: &Value, b: &Value) -> Found {
+        match (a.real(), b.real()) {
+            (Some(a), Some(b)) => return Ok(Value::Real(a.union(b))),
+            _ => {}
+        }
+        match (a.to_complex(), b.to_complex()) {
+            (Some(a), Some(b)) => {
+                let z = ComplexBall::new(a.re.union(&b.re), a.im.union(&b.im));
+                Ok(Value::Complex(z))
+            }
+            _ => Err(huge::UNDECIDED),
+        }
+    }
+
     fn to_integer(&self, a: &Value) -> Option<i64> {
         let x = a.real()?;
         let n = x.mid().to_integer()?.to_i64()?;
@@ -428,7 +479,14 @@ impl Interpretation for Balls {
                 body,
                 slope,
                 which,
-            } => super::root::root(evaluator, binder, node, [from, to, body, slope], which),
+            } => {
+                // The hull of two parts is no function whose mean values a derivative bounds.
+                let wide = std::mem::take(&mut evaluator.interpretation.wide);
+                let nodes = [from, to, body, slope];
+                let found = super::root::root(evaluator, binder, node, nodes, which);
+                evaluator.interpretation.wide = wide;
+                found
+            }
             Binding::Sum { from, body, .. } => {
                 super::sum::infinite(evaluator, binder, node, [from, body])
             }
@@ -441,7 +499,10 @@ impl Interpretation for Balls {
         binder: u32,
         node: u32,
     ) -> Result<Vec<Value>, Stop> {
-        super::system::solution(evaluator, binder, node)
+        let wide = std::mem::take(&mut evaluator.interpretation.wide);
+        let found = super::system::solution(evaluator, binder, node);
+        evaluator.interpretation.wide = wide;
+        found
     }
 }
 
@@ -490,6 +551,16 @@ fn order(a: &Ball, b: &Ball) -> Option<Ordering> {
         () if difference.is_positive() => Some(Ordering::Greater),
         () if difference.is_negative() => Some(Ordering::Less),
         () => None,
+    }
+}
+
+/// The Bessel function that is meant, whose order has to be exact.
+pub(super) fn bessel(f: Func) -> Option<Bessel> {
+    match f {
+        Func::BesselJ => Some(Bessel::First),
+        Func::BesselI => Some(Bessel::Modified),
+        Func::BesselIe => Some(Bessel::Scaled),
+        _ => None,
     }
 }
 

@@ -143,6 +143,11 @@ fn holomorphic_in_two(f: Func, [a, b]: [&ComplexBall; 2], p: u32) -> Option<Comp
     })
 }
 
+/// Returns true if a function is holomorphic on a box.
+pub(super) fn is_off_cut(f: Func, z: &ComplexBall, p: u32) -> bool {
+    matches!(holomorphic(f, z, p), Some(Ok(_)))
+}
+
 /// The principal logarithm on a box that may meet its cut: |Im| ≤ π.
 fn log_across(z: &ComplexBall, p: u32) -> ComplexEvaluated {
     let size = real::hypot(&z.re, &z.im, p)?;

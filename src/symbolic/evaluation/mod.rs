@@ -78,6 +78,14 @@ pub trait Interpretation: Sized {
     fn flat(&mut self, f: Func, x: &Self::V) -> Result<Self::V, NoValue>;
     /// A comparison.
     fn compare(&mut self, relation: Relation, a: &Self::V, b: &Self::V) -> Result<bool, NoValue>;
+    /// True if a comparison that is not decided has both outcomes: within an interval.
+    fn has_both(&self) -> bool {
+        false
+    }
+    /// Holds both values of a choice.
+    fn union(&self, _: &Self::V, _: &Self::V) -> Result<Self::V, NoValue> {
+        Err(NoValue::Undecided(ball::MAY_BE_EQUAL))
+    }
     /// The integer that a value certainly is.
     fn to_integer(&self, a: &Self::V) -> Option<i64>;
     /// An integral, a root, or a sum to infinity, whose limits have values.
@@ -89,13 +97,17 @@ pub trait Interpretation: Sized {
     }
 }
 
+/// The truth of a condition; none where it holds at some of the points that are meant at once and
+/// may fail at others.
+type Truth = Option<bool>;
+
 /// Values of the nodes of a graph for one interpretation and one set of inputs.
 pub struct Evaluator<I: Interpretation> {
     graph: Arc<Graph>,
     /// The meaning of the operations.
     pub interpretation: I,
     known: Vec<Option<I::V>>,
-    truths: Vec<Option<bool>>,
+    truths: Vec<Option<Truth>>,
     /// For each root, the nodes that it needs in any case.
     orders: Vec<Option<Arc<[Id]>>>,
     /// The nodes of the inputs.
@@ -124,6 +136,15 @@ pub const ROUNDS: u64 = 20_000;
 /// Evaluations of all integrands of a value together: some ten seconds. Integrals within integrals
 /// multiply.
 const ALL_EVALUATIONS: u64 = 1 << 19;
+
+/// A part of a choice that may be needed at none of the points may be undefined there.
+fn undecided(stop: Stop) -> Stop {
+    let reason = match stop.reason {
+        NoValue::Undefined(_) => NoValue::Undecided(ball::MAY_BE_EQUAL),
+        reason => reason,
+    };
+    Stop { reason, ..stop }
+}
 
 /// Reason of an integral that takes more evaluations than are allowed.
 const EVALUATIONS_REASON: &str = "the limit on evaluations of an integrand";
@@ -218,7 +239,7 @@ impl<I: Interpretation> Evaluator<I> {
                 Relation::LessEqual | Relation::Equal | Relation::GreaterEqual
             );
             self.note(id);
-            self.truths[id as usize] = Some(holds);
+            self.truths[id as usize] = Some(Some(holds));
         }
     }
 
@@ -254,6 +275,11 @@ impl<I: Interpretation> Evaluator<I> {
     /// # Errors
     /// As [`Evaluator::value`].
     pub fn holds(&mut self, id: Id) -> Result<bool, Stop> {
+        let reason = NoValue::Undecided(ball::MAY_BE_EQUAL);
+        self.truth(id)?.ok_or(Stop { node: id, reason })
+    }
+
+    fn truth(&mut self, id: Id) -> Result<Truth, Stop> {
         if self.truths[id as usize].is_none() {
             self.run(id)?;
         }
@@ -316,10 +342,6 @@ impl<I: Interpretation> Evaluator<I> {
         Ok(())
     }
 
-    fn truth(&self, id: Id) -> Result<bool, NoValue> {
-        self.truths[id as usize].ok_or(NoValue::Undefined("a number where a condition is needed"))
-    }
-
     /// The value of a node whose operands are known.
     fn compute(&mut self, id: Id) -> Result<(), Stop> {
         let node = self.graph.node(id);
@@ -327,19 +349,35 @@ impl<I: Interpretation> Evaluator<I> {
         // These need values that are not known yet.
         match node {
             Node::If(condition, a, b) => {
-                let chosen = if self.holds(condition)? { a } else { b };
-                let value = self.value(chosen)?.clone();
+                let value = match self.truth(condition)? {
+                    Some(true) => self.value(a)?.clone(),
+                    Some(false) => self.value(b)?.clone(),
+                    None => {
+                        let both = [a, b].map(|part| self.value(part).cloned());
+                        let [a, b] = both.map(|part| part.map_err(undecided));
+                        self.interpretation.union(&a?, &b?).map_err(stop)?
+                    }
+                };
                 self.known[id as usize] = Some(value);
                 return Ok(());
             }
-            Node::And(a, b) => {
-                let both = self.holds(a)? && self.holds(b)?;
-                self.truths[id as usize] = Some(both);
+            // The second one is needed unless the first decides at all points.
+            Node::And(a, b) | Node::Or(a, b) => {
+                let decides = matches!(node, Node::Or(..));
+                let truth = match self.truth(a)? {
+                    Some(first) if first == decides => Some(decides),
+                    Some(_) => self.truth(b)?,
+                    None => {
+                        let second = self.truth(b).map_err(undecided)?;
+                        second.filter(|second| *second == decides)
+                    }
+                };
+                self.truths[id as usize] = Some(truth);
                 return Ok(());
             }
-            Node::Or(a, b) => {
-                let either = self.holds(a)? || self.holds(b)?;
-                self.truths[id as usize] = Some(either);
+            Node::Not(a) => {
+                let truth = self.truth(a)?;
+                self.truths[id as usize] = Some(truth.map(|t| !t));
                 return Ok(());
             }
             Node::Bound(binder) => {
@@ -351,13 +389,15 @@ impl<I: Interpretation> Evaluator<I> {
             _ => {}
         }
         let truth = match node {
-            Node::Truth(t) => Some(t),
-            Node::Not(a) => Some(!self.truth(a).map_err(stop)?),
+            Node::Truth(t) => Some(Some(t)),
             Node::Compare(relation, a, b) => {
                 let (known, i) = (&self.known, &mut self.interpretation);
                 let number = |id: Id| known[id as usize].as_ref().ok_or(NOT_A_NUMBER);
                 let found = number(a).and_then(|a| i.compare(relation, a, number(b)?));
-                Some(found.map_err(stop)?)
+                match found {
+                    Err(NoValue::Undecided(ball::MAY_BE_EQUAL)) if i.has_both() => Some(None),
+                    found => Some(Some(found.map_err(stop)?)),
+                }
             }
             _ => None,
         };

@@ -36,6 +36,9 @@ fn special_functions_at_a_point() {
     for (text, due) in [
         ("besselj(0, x)", "0.7651976865579665514497175"),
         ("besselj(2, 5*x/2)", "0.4460590584396172267359408"),
+        ("besselj(1/3, x)", "0.7308764021694480477492936"),
+        ("besseli(x + 2/3, 60)", "5758084656377955684363943"),
+        ("im(besselj(x*7/5, 2*i))", "0.9657414419089343575104651"),
         ("besseli(1, x)", "0.5651591039924850272076960"),
         ("besselie(1, x)*exp(x)", "0.5651591039924850272076960"),
         ("airyai(x)", "0.1352924163128814155241474"),
@@ -454,5 +457,50 @@ fn roots_are_proved_to_be_the_only_ones_and_inside() {
     ] {
         let found = value(text, (2, 1), 20);
         assert!(found.starts_with("undecided: a root"), "{text}: {found}");
+    }
+}
+
+/// Nothing is proved by a derivative across a jump, which moves with the parameter of an integral
+/// or lies between the ends of a search.
+#[test]
+fn derivatives_do_not_cross_jumps() {
+    for body in [
+        "if(u < x, 1, 0)",
+        "copysign(1, u - x)",
+        "atan2(u - x, -1)",
+        "arg(-1 + i*(u - x))",
+        "im(log(-1 + i*(u - x)))",
+        "im((-1 + i*(u - x))^(3/2))",
+    ] {
+        let slope = value(&format!("D(int(u, 0, 1, {body}), x)"), (2, 5), 5);
+        assert!(slope.starts_with("undecided"), "{body}: {slope}");
+    }
+    for body in ["copysign(1, y)", "atan2(y, -1)", "if(y < 0, -1, 1)"] {
+        let found = value(&format!("root(y, -1, 1, {body} + 2*y)"), (2, 5), 5);
+        assert!(found.starts_with("undecided"), "{body}: {found}");
+    }
+    for (text, due) in [
+        ("D(int(u, 0, 1, if(u < 1/3, x^2, 0)), x)", "0.26667"),
+        ("D(int(u, 0, 1, fmax(u, x)), x)", "0.40000"),
+        ("D(int(u, 0, 1, copysign(x, u - 1/3)), x)", "0.33333"),
+    ] {
+        assert_eq!(value(text, (2, 5), 5), due, "{text}");
+    }
+}
+
+/// An interval that holds a jump holds the values on both sides.
+#[test]
+fn integrals_are_cut_at_jumps() {
+    for (text, due) in [
+        ("int(t, 0, 1, if(t^2 < 1/2, 1, 2))", "1.29289321881"),
+        (
+            "int(t, 0, 1, if(t < x and t > 1/7, t, 0))",
+            "0.0697959183673",
+        ),
+        ("int(t, 0, 1, if(not (t == x), t, 5))", "0.500000000000"),
+        ("int(t, 0, 1, if(t < x, 1, log(t - 2/5)))", "undecided"),
+    ] {
+        let found = value(text, (2, 5), 12);
+        assert!(found.starts_with(due), "{text}: {found}");
     }
 }

@@ -228,7 +228,7 @@ impl Domain for Builder<'_> {
     fn root(&mut self, scope: &mut Scope<Id>, bound: &Bound, which: Roots) -> Built {
         let (binder, [from, to, body]) = self.bound(scope, bound)?;
         let variable = self.graph.push(Node::Variable(binder, 0));
-        let slope = self.graph.derivative(body, variable)?;
+        let slope = self.graph.slope_off_jumps(body, variable)?;
         let binding = Binding::Root {
             from,
             to,

@@ -59,7 +59,8 @@ pub enum Node {
     Binary(Func, Id, Id),
     /// A function of three arguments.
     Ternary(Func, Id, Id, Id),
-    /// Zero, the derivative of a step function, where that function is constant.
+    /// Zero: the derivative of a step function where that function is constant, and zero off the
+    /// cut of a function of complex numbers; by the argument of a real number where it has a sign.
     Flat(Func, Id),
     /// A comparison.
     Compare(Relation, Id, Id),
@@ -385,7 +386,9 @@ impl Graph {
         match node {
             Node::Input(_) => facts.varies = true,
             Node::ImaginaryUnit | Node::Unary(Func::W, _) => facts.is_complex = true,
-            Node::Unary(Func::Re | Func::Im | Func::Abs | Func::Arg, _) | Node::Compare(..) => {
+            Node::Unary(Func::Re | Func::Im | Func::Abs | Func::Arg, _)
+            | Node::Flat(..)
+            | Node::Compare(..) => {
                 facts.is_complex = false;
             }
             Node::Variable(binder, _) => facts.binders.push(binder),

@@ -78,7 +78,7 @@ impl Graph {
         }
         for body in &bodies {
             for variable in &variables {
-                jacobian.push(self.derivative(*body, *variable)?);
+                jacobian.push(self.slope_off_jumps(*body, *variable)?);
             }
         }
         self.binders[binder as usize].binding = Binding::System {

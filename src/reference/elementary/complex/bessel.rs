@@ -27,9 +27,10 @@ use super::super::{self as real, ComplexEvaluated, NoValue};
 use super::hypergeometric::{Kind, Sum, series, sum};
 use super::{GUARD, bounded, clipped, inner, rounded, widened};
 use crate::{Ball, ComplexBall, Mag};
+use rug::Rational;
 use std::f64::consts::{FRAC_PI_2, LN_2};
 
-/// An order p/q, not negative, q a power of two or 3.
+/// An order p/q, not negative.
 #[derive(Clone, Copy)]
 pub(super) struct Order {
     pub p: i64,
@@ -40,19 +41,15 @@ pub(super) struct Order {
 const LARGEST: i64 = 1 << 12;
 
 impl Order {
-    /// The modulus of an exact binary number, and its sign.
-    fn new(order: &Ball) -> Result<(Order, bool), NoValue> {
-        if !order.rad().is_zero() {
-            return Err(NoValue::Undecided("an order that is not an exact number"));
-        }
-        let value = order.mid().to_rational();
-        let small = value.and_then(|v| {
-            let (p, q) = (v.numer().to_i64()?, v.denom().to_i64()?);
-            (p.abs() <= LARGEST * q && q <= LARGEST).then_some((p, q))
-        });
-        let Some((p, q)) = small else {
+    /// The modulus of a number, and its sign.
+    fn new(order: &Rational) -> Result<(Order, bool), NoValue> {
+        let parts = (order.numer().to_i64(), order.denom().to_i64());
+        let (Some(p), Some(q @ ..=LARGEST)) = parts else {
             return Err(NoValue::Undecided("an order beyond 4096 or its inverse"));
         };
+        if p.unsigned_abs() > (LARGEST * q) as u64 {
+            return Err(NoValue::Undecided("an order beyond 4096 or its inverse"));
+        }
         if p < 0 && q > 1 {
             return Err(NoValue::Undecided("a broken order below zero"));
         }
@@ -139,9 +136,9 @@ fn amplitude(z: &ComplexBall, p: u32) -> ComplexEvaluated {
     super::recip(&super::sqrt(&z.scaled(&turn), p)?, p)
 }
 
-/// The function that is meant.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Which {
+/// A Bessel function.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bessel {
     /// J_ν.
     First,
     /// I_ν.
@@ -152,7 +149,7 @@ enum Which {
 
 /// `e^{iπp/q}`.
 fn turn(order: Order, numerator: i64, denominator: i64, p: u32) -> ComplexEvaluated {
-    let angle = rug::Rational::from((order.p * numerator, order.q * denominator));
+    let angle = Rational::from((order.p * numerator, order.q * denominator));
     let angle = Ball::rational(p, &angle);
     Ok(ComplexBall::new(
         real::cospi(&angle, p)?,
@@ -189,7 +186,7 @@ fn far_scaled(order: Order, z: &ComplexBall, p: u32) -> ComplexEvaluated {
 /// `J_ν(z)` far from zero with Re z ≥ 0.
 fn far_first(order: Order, z: &ComplexBall, p: u32) -> ComplexEvaluated {
     let tail = Tail::new(order, &super::recip(z, p)?, p)?;
-    let quarter = rug::Rational::from((2 * order.p + order.q, 4 * order.q));
+    let quarter = Rational::from((2 * order.p + order.q, 4 * order.q));
     let p = p + GUARD;
     let phase = real::mul(&Ball::pi(p), &Ball::rational(p, &quarter), p)?;
     let omega = ComplexBall::new(real::sub(&z.re, &phase, p)?, z.im.clone());
@@ -208,11 +205,11 @@ fn far_first(order: Order, z: &ComplexBall, p: u32) -> ComplexEvaluated {
 }
 
 /// The function far from zero.
-fn far(which: Which, order: Order, z: &ComplexBall, p: u32) -> ComplexEvaluated {
+fn far(which: Bessel, order: Order, z: &ComplexBall, p: u32) -> ComplexEvaluated {
     // f(−z) = (−1)^n f(z) of an integer order.
     if z.re.is_negative() && order.is_integer() {
         let value = match which {
-            Which::Scaled => {
+            Bessel::Scaled => {
                 let value = far_scaled(order, &-z, p)?;
                 &value * &super::exp(&z.scaled(&Ball::integer(p, -2)), p)?
             }
@@ -221,13 +218,13 @@ fn far(which: Which, order: Order, z: &ComplexBall, p: u32) -> ComplexEvaluated 
         return Ok(if order.is_odd() { -&value } else { value });
     }
     match which {
-        Which::Scaled => far_scaled(order, z, p),
-        Which::Modified => Ok(&super::exp(z, p)? * &far_scaled(order, z, p)?),
-        Which::First if !z.re.mid().is_sign_negative() && z.re.mignitude() > Mag::ZERO => {
+        Bessel::Scaled => far_scaled(order, z, p),
+        Bessel::Modified => Ok(&super::exp(z, p)? * &far_scaled(order, z, p)?),
+        Bessel::First if !z.re.mid().is_sign_negative() && z.re.mignitude() > Mag::ZERO => {
             far_first(order, z, p)
         }
         // J_ν(z) = e^{νπi/2} I_ν(−iz).
-        Which::First => {
+        Bessel::First => {
             let other = super::turned_back(z);
             let (sign, other) = match other.re.is_negative() && order.is_integer() {
                 true => (order.is_odd(), -&other),
@@ -252,10 +249,10 @@ fn lead(order: Order, z: &ComplexBall, p: u32) -> ComplexEvaluated {
 }
 
 /// The function at an exact point near zero.
-fn near(which: Which, order: Order, z: &ComplexBall, p: u32) -> ComplexEvaluated {
+fn near(which: Bessel, order: Order, z: &ComplexBall, p: u32) -> ComplexEvaluated {
     let (x, y) = (z.re.mid().to_f64().abs(), z.im.mid().to_f64().abs());
     let size = x.hypot(y);
-    let grown = if which == Which::First { y } else { x };
+    let grown = if which == Bessel::First { y } else { x };
     // (|z|/2)^ν/Γ(ν + 1) is less than the power of e|z|/(2ν).
     let nu = order.p as f64 / order.q as f64;
     let factor = if nu > 0.0 {
@@ -276,7 +273,7 @@ fn near(which: Which, order: Order, z: &ComplexBall, p: u32) -> ComplexEvaluated
     let exact_z = ComplexBall::new(z.re.with_prec(bits), z.im.with_prec(bits));
     let w = exact_z.square();
     let w = ComplexBall::new(w.re.shift(-2), w.im.shift(-2));
-    let w = if which == Which::First { -&w } else { w };
+    let w = if which == Bessel::First { -&w } else { w };
     let ratio = |k: u64| {
         let k = k as i64 + 1;
         (order.q, (k * (order.q * k + order.p)) as u64)
@@ -288,7 +285,7 @@ fn near(which: Which, order: Order, z: &ComplexBall, p: u32) -> ComplexEvaluated
         _ => &sum * &lead(order, &half, p)?,
     };
     match which {
-        Which::Scaled => Ok(&value * &super::exp(&-z, p)?),
+        Bessel::Scaled => Ok(&value * &super::exp(&-z, p)?),
         _ => Ok(value),
     }
 }
@@ -304,12 +301,12 @@ fn lead_above(size: &Ball, nu: &Ball) -> Mag {
 }
 
 /// Bounds on the function and on its derivative over a box.
-fn bounds(which: Which, order: Order, z: &ComplexBall) -> (Mag, Mag) {
+fn bounds(which: Bessel, order: Order, z: &ComplexBall) -> (Mag, Mag) {
     let above = |x: &Ball| exp_above(x.magnitude().to_f64() * (1.0 + 1e-15));
     let grown = match which {
-        Which::First => above(&z.im),
-        Which::Modified => above(&z.re),
-        Which::Scaled => {
+        Bessel::First => above(&z.im),
+        Bessel::Modified => above(&z.re),
+        Bessel::Scaled => {
             // e^{|x| − x}.
             let low = real::support::ends(&z.re, BITS)[0].to_f64();
             exp_above(if low < 0.0 {
@@ -342,12 +339,13 @@ fn bounds(which: Which, order: Order, z: &ComplexBall) -> (Mag, Mag) {
         false => (value, slope),
     };
     match which {
-        Which::Scaled => (value, slope.add(value)),
+        Bessel::Scaled => (value, slope.add(value)),
         _ => (value, slope),
     }
 }
 
-fn value(which: Which, order: &Ball, z: &ComplexBall, prec: u32) -> ComplexEvaluated {
+/// The function of an order ν ≥ 0, or an integer.
+pub fn bessel(which: Bessel, order: &Rational, z: &ComplexBall, prec: u32) -> ComplexEvaluated {
     let (order, is_negative) = Order::new(order)?;
     bounded(z)?;
     if !order.is_integer() && super::exponential::off_cut(z).is_err() {
@@ -357,9 +355,9 @@ fn value(which: Which, order: &Ball, z: &ComplexBall, prec: u32) -> ComplexEvalu
     }
     // The derivation of S shows that it is near 1 so far out.
     super::overflow(match which {
-        Which::First => z.im.mignitude().to_f64(),
-        Which::Modified => z.re.mignitude().to_f64(),
-        Which::Scaled => -2.0 * real::support::ends(&z.re, BITS)[1].to_f64(),
+        Bessel::First => z.im.mignitude().to_f64(),
+        Bessel::Modified => z.re.mignitude().to_f64(),
+        Bessel::Scaled => -2.0 * real::support::ends(&z.re, BITS)[1].to_f64(),
     })?;
     let p = useful(z, prec) + 2 * GUARD;
     let is_sided = order.is_integer() || z.re.is_positive();
@@ -401,26 +399,32 @@ fn value(which: Which, order: &Ball, z: &ComplexBall, prec: u32) -> ComplexEvalu
     };
     // J_{−n} = (−1)^n J_n, I_{−n} = I_n.
     Ok(
-        match is_negative && which == Which::First && order.is_odd() {
+        match is_negative && which == Bessel::First && order.is_odd() {
             true => -&found,
             false => found,
         },
     )
 }
 
+fn value(which: Bessel, order: &Ball, z: &ComplexBall, prec: u32) -> ComplexEvaluated {
+    let exact = order.mid().to_rational().filter(|_| order.rad().is_zero());
+    let why = NoValue::Undecided("an order that is not an exact number");
+    bessel(which, &exact.ok_or(why)?, z, prec)
+}
+
 /// `J_ν(z)` for ν ≥ 0, or an integer; ν an exact binary number.
 pub fn besselj(order: &Ball, z: &ComplexBall, prec: u32) -> ComplexEvaluated {
-    value(Which::First, order, z, prec)
+    value(Bessel::First, order, z, prec)
 }
 
 /// `I_ν(z)`, as [`besselj`].
 pub fn besseli(order: &Ball, z: &ComplexBall, prec: u32) -> ComplexEvaluated {
-    value(Which::Modified, order, z, prec)
+    value(Bessel::Modified, order, z, prec)
 }
 
 /// `e^{−z} I_ν(z)`, as [`besselj`].
 pub fn besselie(order: &Ball, z: &ComplexBall, prec: u32) -> ComplexEvaluated {
-    value(Which::Scaled, order, z, prec)
+    value(Bessel::Scaled, order, z, prec)
 }
 
 #[cfg(test)]

@@ -32,7 +32,7 @@ use rug::float::Round;
 use std::sync::{Arc, Mutex};
 
 pub use airy::{airyai, airyaiprime, airybi, airybiprime};
-pub use bessel::{besseli, besselie, besselj};
+pub use bessel::{Bessel, bessel, besseli, besselie, besselj};
 pub use error::{dawson, erf, erfc, erfcx, erfi, w};
 pub use exponential::{cbrt, div, exp, expm1, log, log1p, pow, recip, sqrt};
 pub use exponential_integral::{ci, e1, ei, si};

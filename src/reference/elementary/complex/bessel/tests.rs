@@ -5,8 +5,8 @@ use super::*;
 
 #[test]
 fn remainders_of_the_sums_are_needed_and_enough() {
-    for which in [Which::First, Which::Modified, Which::Scaled] {
-        for (p, q) in [(0, 1), (1, 1), (2, 1), (3, 2), (1, 4)] {
+    for which in [Bessel::First, Bessel::Modified, Bessel::Scaled] {
+        for (p, q) in [(0, 1), (1, 1), (2, 1), (3, 2), (1, 4), (5, 3)] {
             for (x, y) in PLACES {
                 for size in [5.0, 8.0, 12.0] {
                     let z = point(size * x, size * y);
