@@ -5,6 +5,9 @@
 extern crate mechaudit_cli as mechaudit;
 
 mod cli;
+#[cfg(test)]
+#[path = "report/gallery.rs"]
+mod gallery;
 
 #[cfg(all(target_os = "linux", target_env = "gnu"))]
 #[global_allocator]

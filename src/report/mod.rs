@@ -30,4 +30,6 @@ pub mod words;
 pub const SCHEMA_VERSION: u32 = 2;
 
 #[cfg(test)]
+mod gallery;
+#[cfg(test)]
 mod hostile;

@@ -168,108 +168,6 @@ const CALM: &str = r#"
 "#;
 
 #[test]
-fn what_is_no_shard_is_named_and_done_again() {
-    let folder = tempfile::tempdir().unwrap();
-    let own = planned(&folder, "own", CALM, 4);
-    finished(&own);
-    let due = campaign(&["merge", text(&own)]);
-    assert_eq!(due.code, 0, "{}", due.err);
-    let other = planned(&folder, "other", &CALM.replace("400", "300"), 4);
-    finished(&other);
-    let whole = fs::read(shard(&own, 1)).unwrap();
-    let half = whole[..whole.len() / 2].to_vec();
-    let mut changed = whole.clone();
-    let at = changed.len() - 20;
-    changed[at] ^= 1;
-    let foreign = fs::read(shard(&other, 1)).unwrap();
-    let neighbour = fs::read(shard(&own, 2)).unwrap();
-    for (bytes, why) in [
-        (half, "damaged"),
-        (changed, "damaged, its content is not what its digest says"),
-        (Vec::new(), "damaged, its first line has no end"),
-        (b"{}\n".to_vec(), "damaged, its first line is no header"),
-        (foreign, "foreign, it belongs to another plan"),
-        (neighbour, "foreign, it is shard 2 of 4"),
-    ] {
-        fs::write(shard(&own, 1), &bytes).unwrap();
-        let d = campaign(&["status", text(&own)]);
-        assert_eq!(d.code, 1, "{}", d.err);
-        assert!(d.out.contains(&format!("000001.json: {why}")), "{}", d.out);
-        let share = "calm: 3 of 4 shards done, 75.";
-        assert!(d.out.starts_with(share), "{}", d.out);
-        refused(
-            &campaign(&["merge", text(&own)]),
-            "1 shard of 4 not done, the first: 1",
-        );
-        let d = campaign(&["run", text(&own)]);
-        assert_eq!(
-            (d.code, d.out.as_str()),
-            (0, "1 shard done, 3 done before.\n")
-        );
-        said(&d, why);
-        // It may be somebody's.
-        assert_eq!(
-            fs::read(shard(&own, 1).with_extension("json.aside")).unwrap(),
-            bytes
-        );
-        assert_eq!(campaign(&["merge", text(&own)]).out, due.out, "{why}");
-    }
-}
-
-#[test]
-fn other_versions_are_refused_and_left_alone() {
-    let folder = tempfile::tempdir().unwrap();
-    let own = planned(&folder, "own", CALM, 2);
-    finished(&own);
-    let whole = fs::read_to_string(shard(&own, 1)).unwrap();
-    let version = format!("\"program\":\"{}\"", env!("CARGO_PKG_VERSION"));
-    let digest = whole.split("\"references\":\"").nth(1).unwrap();
-    let digest = &digest[..64];
-    for (from, to, why) in [
-        (
-            version.as_str(),
-            "\"program\":\"9.9.9\"",
-            "it is of version \"9.9.9\"",
-        ),
-        (digest, &"0".repeat(64), "its references answered otherwise"),
-        (
-            "\"campaign_shard\":1",
-            "\"campaign_shard\":2",
-            "its form has version 2, not 1",
-        ),
-    ] {
-        let other = common::changed(&whole, from, to);
-        fs::write(shard(&own, 1), &other).unwrap();
-        for step in ["run", "merge", "report"] {
-            refused(&campaign(&[step, text(&own)]), why);
-        }
-        let d = campaign(&["status", text(&own)]);
-        assert_eq!(d.code, 2);
-        said(&d, why);
-        assert_eq!(fs::read_to_string(shard(&own, 1)).unwrap(), other);
-    }
-    // The plan as well.
-    let file = own.join("plan.json");
-    let plan = fs::read_to_string(&file).unwrap();
-    for (from, to, why) in [
-        (digest, "0".repeat(64), "the plan is of another program"),
-        (
-            "\"campaign\": 1",
-            "\"campaign\": 7".into(),
-            "its form has version 7, not 1",
-        ),
-        (
-            "\"cases\": 400",
-            "\"cases\": 401".into(),
-            "not what its digest says",
-        ),
-    ] {
-        fs::write(&file, common::changed(&plan, from, &to)).unwrap();
-        refused(&campaign(&["run", text(&own)]), why);
-    }
-}
-
-#[test]
 fn what_cannot_be_a_campaign_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("plan.toml");
@@ -285,49 +183,10 @@ fn what_cannot_be_a_campaign_is_refused() {
             text(&output),
         ])
     };
-    for (from, to, why) in [
-        (
-            "\"erf\"",
-            "\"erff\"",
-            "part 1: there is no method \"erff\" (did you mean \"erf\"?)",
-        ),
-        ("\"small\"", "\"smal\"", "erf has no region \"smal\""),
-        ("[\"erf\"]", "[]", "names none"),
-        ("cases = 400", "cases = 0", "1 or more"),
-        ("cases = 400", "", "cases belong to"),
-        (
-            "cases = 400",
-            "cases = 4\n    cats = 1",
-            "unknown field `cats`",
-        ),
-        (
-            "cases = 400",
-            "cases = 4\n    ulps = 1.0\n    relative = 1e-9",
-            "exclude each other",
-        ),
-        (
-            "cases = 400",
-            "cases = 4\n    ulps = -1.0",
-            "finite and positive",
-        ),
-        (
-            "cases = 400",
-            "cases = 4\n    hunts = 2",
-            "hunts and evaluations belong to",
-        ),
-        (
-            "cases = 400",
-            "cases = 4\n    exec = \"true\"",
-            "exec belongs to",
-        ),
-        (
-            "cases = 400",
-            "cases = 4\n    box = \"Re y=1\"",
-            "has no input",
-        ),
-    ] {
-        refused(&asked(&common::changed(CALM, from, to), "2"), why);
-    }
+    refused(
+        &asked(&CALM.replace("\"erf\"", "\"erff\""), "2"),
+        "part 1: there is no method \"erff\" (did you mean \"erf\"?)",
+    );
     refused(
         &asked(CALM, "401"),
         "401 are more than the 400 cases and hunts",

@@ -116,40 +116,6 @@ fn a_comparison_without_failures_passes() {
     }
 }
 
-#[test]
-fn what_has_changed_since() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("old.json");
-    let path = path.to_str().unwrap();
-    let audit = |program: &str, more: &[&str]| {
-        let args = [
-            "audit", "erf", "--region", "mid", "--cases", "20", "--exec", program,
-        ];
-        run(&[&args[..], more].concat())
-    };
-    let wrong = filtered("sed s/^-.*/nan,nan/");
-    assert_eq!(
-        audit(&wrong, &["--format", "json", "--output", path]).code,
-        1
-    );
-    let d = audit(&right(), &["--baseline", path]);
-    assert_eq!(d.code, 0, "{}{}", d.out, d.err);
-    assert!(d.out.contains("0 figures worse"), "{}", d.out);
-    assert!(d.out.contains("wrong in kind"), "{}", d.out);
-    let d = audit(&right(), &["--baseline", path, "--format", "json"]);
-    let v: Value = serde_json::from_str(&d.out).unwrap();
-    let changes = v["baseline"]["changes"].as_array().unwrap();
-    assert!(
-        changes
-            .iter()
-            .any(|c| c["figure"] == "failed" && c["better"] == true)
-    );
-    let other = audit(&right(), &["--baseline", path, "--seed", "2"]);
-    assert!(other.out.contains("other cases"), "{}", other.out);
-    std::fs::write(path, "{}").unwrap();
-    assert_eq!(audit(&right(), &["--baseline", path]).code, 2);
-}
-
 /// Each candidate beside itself, whichever comes first.
 #[test]
 fn nothing_has_changed_in_a_comparison_of_the_same() {
@@ -283,43 +249,6 @@ fn budgets_of_ones_own() {
             "{said} is missing in {}",
             d.out
         );
-    }
-}
-
-#[test]
-fn every_form_takes_a_programs_audit() {
-    let wrong = filtered("sed s/^-.*/nan,nan/");
-    let args = [
-        "audit", "erf", "--region", "mid", "--cases", "20", "--exec", &wrong,
-    ];
-    let form = |f: &str| {
-        let d = run(&[&args[..], &["--format", f]].concat());
-        assert_eq!((d.code, d.err.as_str()), (1, ""), "{f}");
-        d.out
-    };
-    let page = form("html");
-    assert!(
-        page.contains("</html>") && page.contains("--exec"),
-        "{page}"
-    );
-    let junit = form("junit");
-    let read = quick_junit::Report::deserialize_from_str(&junit).unwrap();
-    assert_eq!(read.test_suites[0].failures, 1);
-    assert!(
-        junit.contains("candidate") && junit.contains("NaN"),
-        "{junit}"
-    );
-    let csv = form("csv");
-    let mut read = csv::Reader::from_reader(csv.as_bytes());
-    let names = read.headers().unwrap().clone();
-    let at = names.iter().position(|n| n == "nan").unwrap();
-    let rows: Vec<csv::StringRecord> = read.records().map(Result::unwrap).collect();
-    assert_eq!(rows.len(), 2 * 3);
-    assert!(rows[0][at].parse::<u64>().unwrap() > 2, "{csv}");
-    // One case in every form, too.
-    for f in ["html", "junit", "csv", "json", "text"] {
-        let d = run(&["audit", "erf", "--at", "1,2", "--format", f]);
-        assert_eq!((d.code, d.err.as_str()), (0, ""), "{f}");
     }
 }
 

@@ -325,21 +325,6 @@ mod relatives {
         ("faddeeva-derivative", solver::w_derivative),
     ];
 
-    #[test]
-    fn hexadecimal_floats_of_the_solvers() {
-        let hex = mechaudit::audit::hex_float;
-        for (name, f) in COMPLEX {
-            let value = f(Complex::new(1.5, -0.25));
-            let due = format!("{},{}\n", hex(value.re), hex(value.im));
-            let out = good(&[name], "# a comment\n0x1.8p+0,-0x1p-2\n\n 1.5 , -.25\n");
-            assert_eq!(out, due.repeat(2), "{name}");
-            assert_eq!(good(&[name], "nan,1\n"), "nan,nan\n", "{name}");
-        }
-        let out = good(&["voigt"], "1,1,1\n0,0,0\n0,-1,1\n");
-        let value = hex(solver::voigt(1.0, 1.0, 1.0));
-        assert_eq!(out, format!("{value}\ninf\nnan\n"));
-    }
-
     /// 30 digits by mpmath 1.3 at 60 digits.
     #[test]
     fn certified_digits_at_one_and_a_half() {
@@ -404,26 +389,4 @@ mod relatives {
     const W_DERIVATIVE: &str =
         "-0.274808995763108479722115592740,-0.549846608568289185888578088379";
     const VOIGT: &str = "0.222873634811780506387463876075";
-}
-
-/// Methods with inputs and answers of any length, in the layout that `list` shows.
-#[test]
-fn every_method_by_its_name() {
-    let third = "0.33333333333333333333";
-    let out = good(&["tridiagonal", "--digits", "20"], "1,3,3,0,1,2\n");
-    assert_eq!(out, format!("{third},0.55555555555555555556\n"));
-    let out = good(&["four-bar"], "1,3,4,6,0,1\n");
-    assert_eq!(out.split(',').count(), 9, "{out}");
-    let d = eval(&["four-bar"], b"1,2,3.5,6,3.14159,1\n");
-    refused(&d, &["line 1", "refused: unreachable"], "");
-    let d = eval(&["four-bar", "--digits", "5"], b"1,2,3.5,6,3.14159,1\n");
-    refused(&d, &["line 1", "refused: unreachable"], "");
-    let d = eval(&["tridiagonal"], b"1,2,3\n");
-    refused(
-        &d,
-        &["3 numbers are right for no n: lower[n-1], diagonal[n]"],
-        "",
-    );
-    let d = eval(&["cam-law"], b"0.5,0,0.5,1.5,0,1\n");
-    refused(&d, &["p = 1.5 is no number of parameters"], "");
 }

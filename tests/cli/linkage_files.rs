@@ -108,38 +108,6 @@ fn files_appear_whole_or_not_at_all() {
 }
 
 #[test]
-fn drawings() {
-    let folder = tempdir().unwrap();
-    let dir = folder.path().join("drawings");
-    for (file, due) in [
-        ("examples/sand-screen.json", vec!["mechanism.svg"]),
-        (
-            "examples/sand-screen.toml",
-            vec!["mechanism.svg", "reduced.svg"],
-        ),
-        (
-            "examples/no-full-turn.toml",
-            vec!["mechanism.svg", "reduced.svg"],
-        ),
-    ] {
-        let d = run(&["linkage", file, "--step-deg", "60", "--svg", text(&dir)]);
-        assert_eq!(d.code, 0, "{}", d.err);
-        assert_eq!(names(&dir), due);
-        for name in due {
-            let svg = std::fs::read_to_string(dir.join(name)).unwrap();
-            let curves = drawing(&svg);
-            assert!(curves.len() >= 3, "{name}");
-            // On whole pixels a curve stands still between steps.
-            if name == "reduced.svg" {
-                for p in curves.iter().flat_map(|c| c.windows(2)) {
-                    assert!(p[0].0 < p[1].0, "{name}: {p:?}");
-                }
-            }
-        }
-    }
-}
-
-#[test]
 fn the_pictures_beside_the_examples_are_whole() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/pictures");
     let files = std::fs::read_dir(folder)

@@ -1,9 +1,6 @@
 //! `mechaudit linkage` for mechanisms of bodies and joints, as its user meets it.
 
-use crate::common::{
-    cells, changed, column, command, csv, drawing, refused, run, run_on, said, texts, words,
-};
-use tempfile::tempdir;
+use crate::common::{cells, changed, column, command, csv, refused, run_on, said, texts, words};
 
 const JANSEN: &str = include_str!("../../examples/jansen-leg.toml");
 const QUICK: &str = include_str!("../../examples/quick-return.toml");
@@ -111,46 +108,6 @@ fn andrews_ends_as_certified() {
     close(omega, 1_139.920_302_151_208, 1e-9);
 }
 
-/// The purpose of the cell: D on a straight line, its path without curvature.
-#[test]
-fn peaucellier_draws_a_straight_line() {
-    let d = command("linkage examples/peaucellier-cell.toml --step-deg 2.5 --paths");
-    assert_eq!(d.code, 0, "{}", d.err);
-    let points = point(&d.out, "D");
-    assert!(points.len() > 60);
-    points.iter().for_each(|p| close(p[0], 0.105, 1e-14));
-    for k in column(&d.out, "curvature_D_per_m") {
-        assert!(k.abs() < 1e-8, "{k}");
-    }
-}
-
-#[test]
-fn the_leg_closes_and_its_foot_walks() {
-    let d = command("linkage examples/jansen-leg.toml --step-deg 5 --paths");
-    let distance = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
-    let [m, x, y, z, w, f] = ["M", "X", "Y", "Z", "W", "F"].map(|n| point(&d.out, n));
-    let p = [-0.38, -0.078];
-    for k in 0..72 {
-        for (a, b, l) in [
-            (m[k], x[k], 0.5),
-            (p, x[k], 0.415),
-            (m[k], z[k], 0.619),
-            (p, z[k], 0.393),
-            (x[k], y[k], 0.558),
-            (p, y[k], 0.401),
-            (y[k], w[k], 0.394),
-            (z[k], w[k], 0.367),
-            (w[k], f[k], 0.657),
-            (z[k], f[k], 0.49),
-        ] {
-            close(distance(a, b), l, 1e-14);
-        }
-    }
-    // On the ground for half the turn, within 2 % of its step.
-    let low = f.iter().map(|q| q[1]).fold(f64::INFINITY, f64::min);
-    assert!(f.iter().filter(|q| q[1] < low + 0.012).count() > 30);
-}
-
 #[test]
 fn a_drawing_is_a_position() {
     for (name, points) in [
@@ -190,58 +147,6 @@ fn a_drawing_is_a_position() {
     let omega = std::f64::consts::PI / 3.0;
     close(x, -omega * arm[1], 1e-13);
     close(y, omega * arm[0], 1e-13);
-}
-
-#[test]
-fn all_branches_with_their_folds() {
-    let d =
-        command("linkage examples/stephenson-3.toml --step-deg 15 --all-branches --format json");
-    assert_eq!(d.code, 0, "{}", d.err);
-    let json: serde_json::Value = serde_json::from_str(&d.out).unwrap();
-    assert_eq!(json["modes_complete"], true);
-    assert_eq!(json["unmatched"], 0);
-    let ends = json["ends"].as_array().unwrap();
-    assert!(!ends.is_empty() && ends.iter().all(|e| e["kind"] == "fold"));
-    for e in ends {
-        assert_eq!(e["branches"].as_array().unwrap().len(), 2, "{e}");
-    }
-    said(
-        &d,
-        "one degree of freedom; groups in the order of solving: ",
-    );
-    said(&d, "branches, from ");
-    said(
-        &d,
-        "assembly modes at a value of the drive, all that there are",
-    );
-}
-
-/// The drive torque by the bodies' equations and by the reduced quantities are one column each
-/// time; power is balanced between force, motion and drive.
-#[test]
-fn forces_of_the_quick_return() {
-    let d = command("linkage examples/quick-return.toml --step-deg 15 --reactions");
-    assert_eq!(d.code, 0, "{}", d.err);
-    let [guide, pin, torque, drive] = [
-        "Fy_guide_ram_N",
-        "Fx_C_ram_N",
-        "M_guide_ram_N_m",
-        "drive_N_m",
-    ]
-    .map(|n| column(&d.out, n));
-    assert_eq!(guide.len(), 24);
-    assert!(torque.iter().all(|m| m.abs() < 1e-9), "{torque:?}");
-    // The link bears no mass, so its pin's force is along it.
-    let link = column(&d.out, "link_deg");
-    let along = column(&d.out, "Fy_C_ram_N");
-    for k in 0..24 {
-        let (s, c) = link[k].to_radians().sin_cos();
-        assert!(
-            (pin[k] * s - along[k] * c).abs() < 1e-9 * (1.0 + pin[k].abs()),
-            "row {k}"
-        );
-    }
-    assert!(drive.iter().any(|t| t.abs() > 1.0));
 }
 
 #[test]
@@ -296,28 +201,6 @@ fn gears_and_racks_turn_as_their_teeth_say() {
     }
     let e = command("linkage examples/rack-and-wheel.toml --reactions");
     refused(&e, "--reactions needs masses or loads");
-}
-
-#[test]
-fn drawings_are_whole() {
-    let folder = tempdir().unwrap();
-    for name in [
-        "jansen-leg",
-        "quick-return",
-        "double-butterfly",
-        "cylinder-boom",
-    ] {
-        let to = folder.path().join(name);
-        let d = run(&[
-            "linkage",
-            &format!("examples/{name}.toml"),
-            "--svg",
-            to.to_str().unwrap(),
-        ]);
-        assert_eq!(d.code, 0, "{}", d.err);
-        let svg = std::fs::read_to_string(to.join("mechanism.svg")).unwrap();
-        assert!(drawing(&svg).iter().any(|l| l.len() > 700), "{name}");
-    }
 }
 
 #[test]
@@ -444,44 +327,6 @@ fn columns_in_other_units() {
     assert_eq!(texts(&d.out, "s_guide_mm").len(), 4);
 }
 
-/// Digits of the same row at two precisions agree, and with floating point.
-#[test]
-fn rows_have_certified_digits() {
-    let file =
-        "linkage examples/stephenson-3.toml --from-deg 60 --to-deg 70 --step-deg 10 --branch 4";
-    let rows = |more: &str| command(&format!("{file} --paths {more}"));
-    let (floats, short, long) = (rows(""), rows("--digits 12"), rows("--digits 40"));
-    assert_eq!(
-        (floats.code, short.code, long.code),
-        (0, 0, 0),
-        "{}",
-        long.err
-    );
-    for name in [
-        "plate_deg",
-        "dplate_dphi",
-        "d2plate_dphi_2_per_rad",
-        "x_E_m",
-        "d2y_D_dphi_2_m_per_rad2",
-    ] {
-        let due = column(&floats.out, name);
-        for (x, y) in column(&short.out, name).iter().zip(&due) {
-            close(*x, *y, 1e-9);
-        }
-        let [short, long] = [&short, &long].map(|d| texts(&d.out, name));
-        assert_eq!(short.len(), 2);
-        for (short, long) in short.iter().zip(&long) {
-            let digits = |t: &str| t.chars().filter(char::is_ascii_digit).count();
-            assert!(digits(long) >= 40, "{name}: {long}");
-            // The last digit may be rounded.
-            assert!(
-                long.starts_with(&short[..short.len() - 3]),
-                "{name}: {short} {long}"
-            );
-        }
-    }
-}
-
 /// A four-bar with a crank of 1 m that turns fully, or a parallelogram.
 fn four_bar(coupler: &str, rocker: &str, frame: &str, drive: &str) -> String {
     let body = |name: &str, ends: &str, length: &str| {
@@ -555,29 +400,6 @@ fn gravity_has_a_direction() {
         close(*moment, 10.0 * (30.0 - phi).to_radians().sin(), 1e-13);
     }
     assert_eq!(moments.len(), 8);
-}
-
-/// Angles of drawn bodies are those of their lines, in digits as in floats.
-#[test]
-fn drawn_bodies_have_certified_digits() {
-    let all = [
-        ("watt-1", "--step-deg 360 --all-branches"),
-        ("pmksweb-92", "--step-deg 360 --all-branches"),
-        ("jansen-leg", "--from-deg 10 --step-deg 90"),
-    ];
-    for (name, over) in all {
-        let line = format!("linkage examples/{name}.toml {over}");
-        let (floats, certified) = (command(&line), command(&format!("{line} --digits 12")));
-        assert_eq!((floats.code, certified.code), (0, 0), "{}", certified.err);
-        let (names, lines) = csv(&certified.out);
-        assert!(lines.len() >= 4 && names.len() > 10, "{}", certified.out);
-        for name in names {
-            let due = column(&floats.out, &name);
-            for (x, y) in column(&certified.out, &name).iter().zip(due) {
-                close(*x, y, 1e-8);
-            }
-        }
-    }
 }
 
 /// A singular position has no row in floating point on any branch, and a line says so.

@@ -4,32 +4,6 @@ use crate::common::{command, refused, run, text};
 use serde_json::Value;
 use tempfile::tempdir;
 
-#[test]
-fn options_that_do_not_belong_to_a_proof_are_refused() {
-    for (line, said) in [
-        ("prove erf --norm 2", "--norm is for faddeeva alone"),
-        ("prove erf --part lower", "--part is for faddeeva alone"),
-        ("prove erf --within 3", "--within is for faddeeva alone"),
-        (
-            "prove faddeeva --part real --norm 3",
-            "--norm is for faddeeva alone",
-        ),
-        ("prove erf --component nan", "must be a positive number"),
-        ("prove gamma", "possible values: faddeeva, erf"),
-        ("prove faddeeva --within -1", "must be a positive number"),
-        (
-            "prove faddeeva --part lower --norm 3",
-            "--norm is for the upper half-plane",
-        ),
-        (
-            "prove faddeeva --part lower --component 3",
-            "--component is for the upper half-plane",
-        ),
-    ] {
-        refused(&command(line), said);
-    }
-}
-
 /// The bound is that of the method's audit, and the intervals of the file are those that are
 /// counted.
 #[test]

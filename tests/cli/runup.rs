@@ -3,7 +3,6 @@
 use crate::common::{Done, cells, changed, column, drawing, refused, run_on, said, words};
 
 const SCREEN: &str = include_str!("../../examples/sand-screen-run-up.toml");
-const ROTOR: &str = include_str!("../../examples/sand-screen-rotor.toml");
 const FOUR_BAR: &str = include_str!("../../examples/four-bar-run-up.toml");
 
 fn runup(text: &str, args: &[&str]) -> Done {
@@ -65,24 +64,6 @@ fn coefficients_and_methods_can_be_chosen() {
 }
 
 #[test]
-fn json_says_what_happened() {
-    let text = changed(FOUR_BAR, "step = \"2 ms\"", "target_speed = \"20 rad/s\"");
-    let d = runup(&text, &["--format", "json"]);
-    assert_eq!(d.code, 0, "{}", d.err);
-    let json: serde_json::Value = serde_json::from_str(&d.out).unwrap();
-    assert_eq!(json["type"], "four-bar");
-    assert_eq!(json["outcome"]["kind"], "target");
-    let rows = json["rows"].as_array().unwrap();
-    assert_eq!(rows.last().unwrap()["omega_rad_per_s"], 20.0);
-    let events = json["events"].as_array().unwrap();
-    assert_eq!(events.last().unwrap()["kind"], "target_speed");
-    assert!(json["steady_cycle"]["mean_rad_per_s"].as_f64().unwrap() > 30.0);
-    assert!(json.get("flywheel").is_some());
-    let first = json["events"].as_array().unwrap().iter();
-    assert!(first.filter(|e| e["kind"] == "dead_position").count() >= 2);
-}
-
-#[test]
 fn stalls_and_captures_are_reported_at_once() {
     let weak = changed(SCREEN, "\"200 N m\"", "\"5 N m\"");
     let weak = changed(&weak, "[run]", "[load]\nconstant = \"10 N m\"\n[run]");
@@ -130,79 +111,6 @@ fn drawings_and_files_are_written_whole() {
     let d = runup(FOUR_BAR, &["--svg", taken.to_str().unwrap()]);
     refused(&d, "cannot make the folder");
     refused(&runup(FOUR_BAR, &["--output", p]), "is a folder");
-}
-
-#[test]
-fn a_start_that_the_whole_run_hides_is_drawn_enlarged() {
-    let folder = tempfile::tempdir().unwrap();
-    let rising = |text: &str| {
-        let text = changed(text, "\"3 s\"", "\"0.6 s\"");
-        let text = changed(&text, "1e-12", "1e-8");
-        let d = runup(&text, &["--svg", folder.path().to_str().unwrap()]);
-        assert_eq!(d.code, 0, "{}", d.err);
-        let svg = std::fs::read_to_string(folder.path().join("run-up.svg")).unwrap();
-        // The width over which the first curve of the speed comes to nine tenths of its height.
-        let speed = drawing(&svg).swap_remove(0);
-        let top = speed.iter().map(|p| p.1).fold(f64::INFINITY, f64::min);
-        let due = speed[0].1 - 0.9 * (speed[0].1 - top);
-        let there = speed.iter().find(|p| p.1 <= due).unwrap();
-        (svg.contains("times as wide"), there.0 - speed[0].0)
-    };
-    // Without a rotor it takes a millisecond, with one half a second.
-    let (enlarged, width) = rising(SCREEN);
-    assert!(enlarged && width > 50.0, "{width}");
-    let (enlarged, width) = rising(ROTOR);
-    assert!(!enlarged && width > 300.0, "{width}");
-}
-
-#[test]
-fn rows_in_the_units_asked_for() {
-    let plain = runup(FOUR_BAR, &[]);
-    let d = runup(FOUR_BAR, &["--units", "ms,1/min,g,cm,rev"]);
-    assert_eq!(d.code, 0, "{}", d.err);
-    for (name, new, factor) in [
-        ("t_s", "t_ms", 1e3),
-        ("phi1_deg", "phi1_rev", 1.0 / 360.0),
-        (
-            "omega_rad_per_s",
-            "omega_1_per_min",
-            30.0 / std::f64::consts::PI,
-        ),
-        ("I_kg_m2", "I_g_cm2", 1e7),
-        ("M_o_N_m", "M_o_N_cm", 1e2),
-        ("work_motor_J", "work_motor_J", 1.0),
-    ] {
-        let (old, new) = (column(&plain.out, name), column(&d.out, new));
-        assert!(old.len() == 1001 && old.len() == new.len());
-        for (a, b) in old.iter().zip(new) {
-            assert!((a * factor - b).abs() <= 1e-15 * b.abs(), "{name}: {a} {b}");
-        }
-    }
-    // Before the run, and before the drawing.
-    let folder = tempfile::tempdir().unwrap();
-    let pictures = folder.path().join("pictures");
-    let args = ["--units", "lb,furlong", "--svg", pictures.to_str().unwrap()];
-    refused(&runup(FOUR_BAR, &args), "\"furlong\" is not a unit");
-    assert!(!pictures.exists());
-    refused(
-        &runup(FOUR_BAR, &["--work-precision", "--units", "mm"]),
-        "no column can be in mm; the columns are method, tolerance",
-    );
-}
-
-#[test]
-fn frequencies_in_hz_and_1_per_min() {
-    let of = |speed: &str| {
-        let text = changed(
-            FOUR_BAR,
-            "speed = \"0 rad/s\"",
-            &format!("speed = \"{speed}\""),
-        );
-        runup(&changed(&text, "\"2 s\"", "\"0.01 s\""), &[]).out
-    };
-    let due = of("60 rpm");
-    assert_eq!(due.lines().count(), 7);
-    assert!(of("1 Hz") == due && of("60 1/min") == due && of("60 min^-1") == due);
 }
 
 #[test]

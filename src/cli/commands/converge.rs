@@ -114,144 +114,52 @@ fn row(level: &LevelReport, o: usize, twin: bool, regular: bool) -> Vec<(String,
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::gallery::Gallery;
     use mechaudit::audit::LevelError;
-    use mechaudit::report::text::style::plain;
 
-    /// A fact that is known of no level has no column.
+    /// A fact that is known of no level has no column; one level has all that can be known, one
+    /// little, one nothing.
     #[test]
-    fn columns_are_those_that_have_values() {
-        let table = |method: Option<f64>, order: Option<f64>| {
-            let error = LevelError {
-                total: 0.5,
-                method,
-                rounding: method,
-                order,
-                richardson: None,
-            };
-            let level = LevelReport {
-                level: "n = 8".into(),
-                work: 8,
-                failed: None,
-                errors: vec![error],
-            };
-            let text = text(&ConvergenceReport {
-                name: "some",
-                summary: "Made up.",
-                work_unit: "steps",
-                places: "One place.".into(),
-                outputs: vec!["y"],
-                orders: vec![None],
-                fitted: vec![None],
-                levels: vec![level],
-            });
-            let text = plain(&text);
-            let lines: Vec<String> = text.lines().skip(3).map(str::to_owned).collect();
-            lines.join("\n")
-        };
-        let words = |text: &str| {
-            let lines = text.lines();
-            let words = lines.map(|l| l.split_whitespace().collect::<Vec<_>>().join(" "));
-            words.collect::<Vec<_>>()
-        };
-        let some = Some(0.25);
-        for (method, order, due) in [
-            (None, None, ["y steps total", "n = 8 8 5.00e-1"]),
-            (
-                None,
-                some,
-                ["y steps total order Richardson", "n = 8 8 5.00e-1 0.250 –"],
-            ),
-            (
-                some,
-                None,
-                [
-                    "y steps total method rounding",
-                    "n = 8 8 5.00e-1 2.50e-1 2.50e-1",
-                ],
-            ),
-        ] {
-            assert_eq!(words(&table(method, order)), due);
-        }
-    }
-
-    fn level(name: &str, errors: Vec<LevelError>, failed: Option<&str>) -> LevelReport {
-        LevelReport {
+    fn reports() {
+        let mut all = Gallery::default();
+        let level = |name: &str, errors, failed: Option<&str>| LevelReport {
             level: name.into(),
             work: 8,
             failed: failed.map(Into::into),
             errors,
-        }
-    }
-
-    /// One level has all that can be known, one little, one nothing.
-    #[test]
-    fn a_report_has_a_table_for_each_output() {
-        let full = LevelError {
+        };
+        let error = |method, order| LevelError {
             total: 0.5,
-            method: Some(0.25),
-            rounding: Some(0.125),
-            order: Some(2.0),
-            richardson: Some(1.5),
+            method,
+            rounding: method,
+            order,
+            richardson: order,
         };
-        let little = LevelError {
-            total: 0.75,
-            method: None,
-            rounding: None,
-            order: None,
-            richardson: None,
-        };
-        let text = plain(&text(&ConvergenceReport {
+        let report = |outputs: &[&'static str], levels| ConvergenceReport {
             name: "some",
             summary: "Made up.",
             work_unit: "steps",
             places: "One place.".into(),
-            outputs: vec!["y", "z"],
+            outputs: outputs.to_vec(),
             orders: vec![Some(4.0), None],
             fitted: vec![Some(3.875), Some(2.0)],
-            levels: vec![
-                level("n = 8", vec![full, little], None),
-                level("n = 4000", vec![little, full], None),
-                level("n = 1", Vec::new(), Some("it stopped")),
-            ],
-        }));
-        let lines: Vec<&str> = text.lines().collect();
-        let words: Vec<String> = lines
-            .iter()
-            .map(|l| l.split_whitespace().collect::<Vec<_>>().join(" "))
-            .collect();
-        let all = "n = 8 8 5.00e-1 2.50e-1 1.25e-1 2.00 1.50";
-        assert_eq!(
-            words,
-            [
-                "some",
-                "Made up.",
-                "One place.",
-                "y steps total method rounding order Richardson",
-                all,
-                "n = 4000 8 7.50e-1 – – – –",
-                "n = 1 8 failed – – – –",
-                "order over all levels: 3.88, due 4",
-                "z steps total method rounding order Richardson",
-                "n = 8 8 7.50e-1 – – – –",
-                &all.replace("n = 8", "n = 4000"),
-                "n = 1 8 failed – – – –",
-                "order over all levels: 2.00",
-                "n = 1 failed: it stopped",
-            ]
-        );
-        // Names of levels to the left, numbers to the right, all by two.
-        for (k, begin) in [
-            (1, "  Made"),
-            (2, "  One"),
-            (3, "  y "),
-            (4, "  n = 8 "),
-            (5, "  n = 4000 "),
-            (7, "    order"),
-            (13, "  n = 1 failed"),
-        ] {
-            assert!(lines[k].starts_with(begin), "{text}");
+            levels,
+        };
+        let (some, none) = (Some(0.25), None);
+        for (method, order) in [(none, none), (none, some), (some, none)] {
+            let levels = vec![level("n = 8", vec![error(method, order)], None)];
+            all.add(
+                format!("{method:?}, {order:?}"),
+                text(&report(&["y"], levels)),
+            );
         }
-        let width = |k: usize| lines[k].chars().count();
-        assert!((4..7).all(|k| width(k) == width(3)), "{text}");
+        let (full, little) = (error(some, some), error(none, none));
+        let levels = vec![
+            level("n = 8", vec![full, little], None),
+            level("n = 4000", vec![little, full], None),
+            level("n = 1", Vec::new(), Some("it stopped")),
+        ];
+        all.add("two outputs", text(&report(&["y", "z"], levels)));
+        all.pin("convergence-texts");
     }
 }

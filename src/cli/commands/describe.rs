@@ -248,128 +248,7 @@ fn text(method: &dyn Method, width: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mechaudit::report::text::style::plain;
-
-    /// Begins of the columns of a table: where its head has words after two blanks.
-    fn begins(head: &str) -> Vec<usize> {
-        let all: Vec<char> = head.chars().collect();
-        let begin =
-            |k: &usize| all[*k] != ' ' && (*k < 2 || (all[*k - 1] == ' ' && all[*k - 2] == ' '));
-        (0..all.len()).filter(begin).collect()
-    }
-
-    /// All columns of both tables are words, and begin where their heads do.
-    #[test]
-    fn inputs_and_outputs_are_tables() {
-        for name in ["slider-crank", "cubic-spline-clamped", "four-bar"] {
-            let method = lookup::method(name).unwrap();
-            let text = plain(&text(&*method, 200));
-            let lines: Vec<&str> = text.lines().collect();
-            assert_eq!(lines[0], name);
-            assert!(
-                lines[1].starts_with("  ") && !lines[1].starts_with("   "),
-                "{text}"
-            );
-            for (head, words, count) in [
-                (
-                    "  input ",
-                    vec!["input", "length", "unit", "note"],
-                    Layout::new(&*method).parts(),
-                ),
-                (
-                    "  output ",
-                    vec!["output", "unit", "budget"],
-                    method.outputs().len(),
-                ),
-            ] {
-                let at = lines.iter().position(|l| l.starts_with(head)).unwrap();
-                let found: Vec<&str> = lines[at].split_whitespace().collect();
-                assert_eq!(found, words, "{text}");
-                let begins = begins(lines[at]);
-                assert_eq!((begins[0], begins.len()), (2, words.len()), "{text}");
-                for line in &lines[at + 1..at + 1 + count] {
-                    let cells: Vec<char> = line.chars().collect();
-                    for &begin in begins.iter().filter(|b| **b < cells.len()) {
-                        // Full from its begin on, or empty.
-                        let rest = &cells[begin..(begin + 2).min(cells.len())];
-                        assert!(rest[0] != ' ' || rest.iter().all(|c| *c == ' '), "{line}");
-                        assert_eq!(cells[begin - 1], ' ', "{line}");
-                    }
-                }
-            }
-            let kinds: Vec<usize> = lines
-                .iter()
-                .filter_map(|l| l.find("  data").or(l.find("  count or choice")))
-                .collect();
-            assert_eq!(kinds.len(), Layout::new(&*method).parts(), "{text}");
-            let units = |l: &&&str| l.is_ascii();
-            assert!(lines.iter().filter(units).count() > 3);
-        }
-    }
-
-    /// Whatever there is of it stands once, its first line with the label.
-    #[test]
-    fn every_part_is_described() {
-        for name in [
-            "slider-crank",
-            "cubic-spline-clamped",
-            "faddeeva",
-            "tridiagonal",
-            "voigt",
-        ] {
-            let Ok(method) = lookup::method(name) else {
-                continue;
-            };
-            let text = plain(&text(&*method, 200));
-            let count = |label: &str| {
-                let begin = format!("  {label:<13}");
-                text.lines().filter(|l| l.starts_with(&begin)).count()
-            };
-            let regions = method.domain().regions;
-            let of_kind = |ordinary| {
-                let same = regions.iter().filter(|r| r.is_ordinary(name) == ordinary);
-                usize::from(same.count() > 0)
-            };
-            for (label, due) in [
-                ("source", 1),
-                ("in Rust", usize::from(methods::signature(name).is_some())),
-                ("rows", usize::from(Layout::new(&*method).rows().is_some())),
-                ("reasons", 1),
-                ("all together", usize::from(method.norm_budget().is_some())),
-                ("proved", method.proved().len()),
-                ("laws", usize::from(!method.laws().is_empty())),
-                ("a line in", 1),
-                ("a line out", 1),
-                ("regions", of_kind(true)),
-                ("end of range", of_kind(false)),
-                ("check points", 1),
-            ] {
-                assert_eq!(count(label), due, "{name}, {label}: {text}");
-            }
-            for r in &regions {
-                assert!(
-                    text.contains(&format!("{}: ", r.name)),
-                    "{name}: {}",
-                    r.name
-                );
-            }
-            for law in method.laws() {
-                assert!(text.contains(&format!("{}: {}", law.name, law.statement)));
-            }
-            for point in method.domain().check_points {
-                assert!(text.contains(point.name), "{name}: {}", point.name);
-            }
-            assert!(text.contains(method.summary().split_whitespace().next().unwrap()));
-            // In hexadecimal floats, as programs read them.
-            let line = text.lines().find(|l| l.starts_with("  a line in")).unwrap();
-            assert!(line.contains("0x"), "{line}");
-            let line = text
-                .lines()
-                .find(|l| l.starts_with("  a line out"))
-                .unwrap();
-            assert!(line.contains("0x") || line.contains("inf"), "{line}");
-        }
-    }
+    use crate::gallery::Gallery;
 
     /// Each output stands once, with those that share its budget.
     #[test]
@@ -418,5 +297,19 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn methods_are_described() {
+        let mut all = Gallery::default();
+        for name in [
+            "slider-crank",
+            "cubic-spline-clamped",
+            "tridiagonal",
+            "voigt",
+        ] {
+            all.add(name, text(&*lookup::method(name).unwrap(), 100));
+        }
+        all.pin("descriptions");
     }
 }

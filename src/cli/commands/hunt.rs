@@ -256,8 +256,8 @@ fn report(method: &dyn Method, found: &Hunt, new: &[HardCase], args: &HuntArgs) 
 mod tests {
     use super::*;
     use crate::cli::args::{Args, Command};
+    use crate::gallery::Gallery;
     use clap::Parser;
-    use mechaudit::report::text::style::plain;
 
     fn worst(share: f64) -> Worst {
         Worst {
@@ -296,34 +296,6 @@ mod tests {
         assert_eq!(new.reason, "drawn; 5 evaluations from seed 2");
     }
 
-    #[test]
-    fn the_first_failure_is_named() {
-        let method = lookup::method("erf").unwrap();
-        let failure = |x: f64| Case {
-            method: "erf",
-            region: "hunt",
-            input: vec![x, 0.0],
-            origin: Origin::Given,
-        };
-        let found = Hunt {
-            worst: vec![worst(0.5)],
-            failures: vec![failure(1.0), failure(3.0)],
-            evaluations: 7,
-            interrupted: false,
-        };
-        let text = plain(&report(
-            &*method,
-            &found,
-            &[],
-            &arguments(&["--evals", "9"]),
-        ));
-        let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
-        let first = failure(1.0).reproduce();
-        let due = format!("2 drawn inputs fail without a share of the budget, the first: {first}");
-        assert!(line.ends_with(&due), "{text}");
-        assert!(line.starts_with("erf 7 evaluations output"), "{text}");
-    }
-
     fn arguments(more: &[&str]) -> HuntArgs {
         let words = ["mechaudit", "hunt", "erf"].into_iter();
         let Some(Command::Hunt(args)) = Args::parse_from(words.chain(more.iter().copied())).command
@@ -331,10 +303,6 @@ mod tests {
             unreachable!("hunt")
         };
         args
-    }
-
-    fn words(line: &str) -> String {
-        line.split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
     fn of(output: &'static str, share: f64, x: f64) -> Worst {
@@ -394,96 +362,36 @@ mod tests {
         }
     }
 
-    /// Numbers to the right, words to the left, what is new beside its share.
+    /// What is new beside its share, the first failure, and every input once with all its outputs.
     #[test]
-    fn a_report_is_a_table() {
+    fn reports() {
+        let mut all = Gallery::default();
         let method = lookup::method("erf").unwrap();
         let (re, im) = (of("Re erf", 12.5, 1.0), of("Im erf", 0.5, 2.0));
-        let found = whole(vec![re.clone(), im.clone()]);
-        let text = plain(&report(
-            &*method,
-            &found,
-            &[recorded(&re)],
-            &arguments(&["--evals", "9"]),
-        ));
-        let lines: Vec<&str> = text.lines().collect();
-        assert_eq!(lines[..2], ["erf", "  7 evaluations"]);
-        let [head, first, second] = [2, 3, 4].map(|k| lines[k]);
-        assert_eq!(lines.len(), 5, "{text}");
-        assert_eq!(words(head), "output of budget found");
-        assert_eq!(words(first), "Re erf 1250 % new drawn");
-        assert_eq!(words(second), "Im erf 50.00 % drawn");
-        for (line, begin) in [
-            (head, "  output"),
-            (first, "  Re erf"),
-            (second, "  Im erf"),
-        ] {
-            assert!(line.starts_with(begin), "{text}");
-        }
-        let at = |line: &str, word: &str| line.find(word).unwrap();
-        assert_eq!(at(first, "drawn"), at(second, "drawn"), "{text}");
-        assert_eq!(at(head, "found"), at(first, "drawn"), "{text}");
-        assert_eq!(at(first, "%"), at(second, "%"), "{text}");
-        let stopped = Hunt {
-            interrupted: true,
-            ..found
+        let args = arguments(&["--evals", "9"]);
+        let mut found = whole(vec![re.clone(), im]);
+        all.add("new", report(&*method, &found, &[recorded(&re)], &args));
+        found.interrupted = true;
+        all.add("interrupted", report(&*method, &found, &[], &args));
+        let failure = |x: f64| Case {
+            method: "erf",
+            region: "hunt",
+            input: vec![x, 0.0],
+            origin: Origin::Given,
         };
-        let text = plain(&report(
-            &*method,
-            &stopped,
-            &[],
-            &arguments(&["--evals", "9"]),
-        ));
-        assert!(
-            text.contains("\n  interrupted after 7 of 9 evaluations\n"),
-            "{text}"
-        );
-        assert!(!text.contains("new"), "{text}");
-    }
-
-    /// More than the budget is marked, the whole of it is not.
-    #[test]
-    fn shares_above_the_budget_are_marked() {
-        let method = lookup::method("erf").unwrap();
-        for (share, due) in [(0.6, false), (1.0, false), (1.5, true), (3.0, true)] {
-            let found = whole(vec![of("Re erf", share, 1.0)]);
-            let marked = paint(BAD, &percent(share));
-            let text = report(&*method, &found, &[], &arguments(&["--evals", "9"]));
-            let cell = text.lines().nth(3).unwrap();
-            let style = marked.split(&percent(share)).next().unwrap();
-            assert_eq!(cell.contains(style), due, "{share}: {text:?}");
-        }
-    }
-
-    /// Every input once, with all its outputs, and by its number where it is recorded.
-    #[test]
-    fn inputs_are_named_with_their_commands() {
-        let method = lookup::method("erf").unwrap();
-        let all = [
+        (found.interrupted, found.failures) = (false, vec![failure(1.0), failure(3.0)]);
+        found.worst = [0.6, 1.0, 1.5]
+            .map(|share| of("Re erf", share, 1.0))
+            .to_vec();
+        all.add("failures", report(&*method, &found, &[], &args));
+        found.worst = vec![
             of("Re erf", 0.5, 1.0),
             of("Im erf", 0.4, 1.0),
             of("Re erf", 0.3, -0.0),
         ];
-        let found = whole(all.to_vec());
-        let case = recorded(&all[2]);
-        let text = plain(&inputs(
-            &*method,
-            &found,
-            &[(4, &case)],
-            &arguments(&["--hard", "some/folder"]),
-        ));
-        let lines: Vec<String> = text.lines().map(words).collect();
-        assert_eq!(lines.len(), 6, "{text}");
-        assert_eq!(lines[..2], ["worst for Re erf, Im erf", "input 1.0, 0.0"]);
-        assert_eq!(lines[3..5], ["worst for Re erf", "input -0.0, 0.0"]);
-        assert!(
-            lines[2].starts_with("again mechaudit audit erf --at "),
-            "{text}"
-        );
-        assert!(lines[5].starts_with("again mechaudit audit erf "), "{text}");
-        assert!(
-            lines[5].contains("some/folder") && lines[5].contains("--hard-case 4"),
-            "{text}"
-        );
+        let case = recorded(&found.worst[2]);
+        let args = arguments(&["--hard", "some/folder"]);
+        all.add("inputs", inputs(&*method, &found, &[(4, &case)], &args));
+        all.pin("hunts");
     }
 }

@@ -73,9 +73,9 @@ fn lines(reports: &[&ConvergenceReport], output: usize) -> Vec<Line> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::page::tests::between;
     use super::*;
     use crate::audit::LevelReport;
+    use crate::report::gallery::Gallery;
 
     fn report(name: &'static str, summary: &'static str, parts: bool) -> ConvergenceReport {
         let error = |total: f64| LevelError {
@@ -103,26 +103,17 @@ mod tests {
         }
     }
 
+    /// Approximations of a problem share a diagram with a line for each part, where any level has
+    /// it; runs that failed are counted.
     #[test]
-    fn approximations_of_a_problem_share_a_diagram_with_a_line_for_each_part() {
+    fn diagrams() {
+        let mut shown = Gallery::default();
         let reports = [
             report("a", "first", true),
             report("b", "second", true),
             report("c", "first", false),
         ];
-        let page = all(&reports.map(Ok)).into_string();
-        assert_eq!(between(&page, "<h3>", "</h3>"), ["a, c", "b"]);
-        let lines = ["a total", "a method", "a rounding", "c total"];
-        let alone = ["total", "method", "rounding"];
-        assert_eq!(
-            between(&page, "<title>", "</title>"),
-            [&lines[..], &alone].concat()
-        );
-        assert!(page.contains("order over all levels 4.00, 4.00"), "{page}");
-    }
-
-    #[test]
-    fn runs_that_failed_are_counted_and_parts_are_drawn_where_any_level_has_them() {
+        shown.add("of three", all(&reports.map(Ok)).into_string());
         let mut first = report("a", "first", true);
         first.levels[1].errors[0].method = None;
         first.levels.push(LevelReport {
@@ -131,26 +122,8 @@ mod tests {
             failed: Some("too long".into()),
             errors: Vec::new(),
         });
-        let page = all(&[Ok(first)]).into_string();
-        assert!(page.contains("; 1 runs failed</figcaption>"), "{page}");
-        let due = ["total", "method", "rounding"];
-        assert_eq!(between(&page, "<title>", "</title>"), due);
-        let points = between(&page, "points=\"", "\"");
-        assert_eq!(
-            points
-                .iter()
-                .map(|p| p.split(' ').count())
-                .collect::<Vec<_>>(),
-            [2, 1, 2]
-        );
-        let whole = all(&[Ok(report("a", "first", false))]).into_string();
-        assert!(!whole.contains("failed"), "{whole}");
         let why = crate::audit::Uncertified::Undecided("y".into());
-        let text = why.to_string();
-        let page = all(&[Err(why)]).into_string();
-        assert!(
-            page.contains(&format!("<p class=\"alarm\">{text}</p>")),
-            "{page}"
-        );
+        shown.add("failed", all(&[Ok(first), Err(why)]).into_string());
+        shown.pin("convergence");
     }
 }

@@ -95,87 +95,34 @@ pub fn lines(label: &str, lines: &[(String, Vec<(f64, f64)>)]) -> Markup {
 
 #[cfg(test)]
 mod tests {
-    use super::super::page::tests::between;
     use super::*;
+    use crate::report::gallery::Gallery;
 
-    /// The points of the only line, and the drawing.
-    fn placed(line: &[(f64, f64)]) -> (String, String) {
-        let svg = lines("", &[("a".into(), line.to_vec())]).into_string();
-        let points = between(&svg, "points=\"", "\"")[0].to_string();
-        (points, svg)
-    }
-
+    /// From edge to edge below the next power of ten: values without a logarithm, single points,
+    /// many decades, and a fourth line, which looks like the first.
     #[test]
-    fn a_line_runs_from_edge_to_edge_below_the_next_power_of_ten() {
-        for (line, due, marks) in [
-            (
-                &[(1.0, 1e-1), (10.0, 1e-3), (100.0, 3e-3)][..],
-                "46.0,8.0 211.0,238.0 376.0,183.1",
-                &["1e-3", "1e-2", "1e-1"][..],
-            ),
-            (
-                &[(1.0, 3e-2), (10.0, 1e-3)],
-                "46.0,68.1 376.0,238.0",
-                &["1e-3", "1e-2", "1e-1"],
-            ),
-            // A value without a logarithm has no place.
-            (
-                &[
-                    (0.0, 1e-1),
-                    (0.5, 1.0),
-                    (10.0, -1e-5),
-                    (10.0, 0.0),
-                    (50.0, 0.1),
-                ],
-                "46.0,8.0 376.0,238.0",
-                &["1e-1", "1e0"],
-            ),
-        ] {
-            let (points, svg) = placed(line);
-            assert_eq!(points, due);
-            assert_eq!(between(&svg, "text-anchor=\"end\">", "</text>"), marks);
+    fn diagrams() {
+        let mut all = Gallery::default();
+        let mut draw = |lines_of: &[&[(f64, f64)]]| {
+            let named = ["a", "b", "c", "d"].into_iter().zip(lines_of);
+            let lines_of: Vec<_> = named.map(|(n, l)| (n.to_string(), l.to_vec())).collect();
+            all.add(format!("{lines_of:?}"), lines("", &lines_of).into_string());
+        };
+        draw(&[]);
+        draw(&[&[(1.0, 1e-1), (10.0, 1e-3), (100.0, 3e-3)]]);
+        draw(&[&[(1.6, 3e-2), (10.0, 1e-3)]]);
+        draw(&[&[
+            (0.0, 1e-1),
+            (0.5, 1.0),
+            (10.0, -1e-5),
+            (10.0, 0.0),
+            (50.0, 0.1),
+        ]]);
+        draw(&[&[(10.0, 1e-3)]]);
+        for decades in [8, 9, 18] {
+            draw(&[&[(1.0, 1.0), (10.0, 10f64.powi(-decades))]]);
         }
-        // A single point: a tenth of a decade beside it.
-        let (points, svg) = placed(&[(10.0, 1e-3)]);
-        assert_eq!(points, "46.0,238.0");
-        let work = between(&svg, "text-anchor=\"middle\">", "</text>");
-        assert_eq!(work, ["10", "13"]);
-        assert!(lines("", &[]).into_string().contains("no data"));
-    }
-
-    #[test]
-    fn nine_decades_are_all_named_and_of_more_every_second() {
-        for (decades, every) in [(2, 1), (8, 1), (9, 2), (16, 2), (18, 3)] {
-            let (_, svg) = placed(&[(1.0, 1.0), (10.0, 10f64.powi(-decades))]);
-            let marks = between(&svg, "text-anchor=\"end\">", "</text>");
-            let due = (-decades..=0).filter(|e| e % every == 0);
-            assert_eq!(marks, due.map(|e| format!("1e{e}")).collect::<Vec<_>>());
-        }
-    }
-
-    #[test]
-    fn axes_have_their_marks_where_they_belong() {
-        let (_, svg) = placed(&[(1.6, 1.0), (100.0, 1e-2)]);
-        assert!(svg.contains("viewBox=\"0 0 404 264\""), "{svg}");
-        assert!(svg.contains("class=\"axis\" d=\"M46 8v230h330\""), "{svg}");
-        let grid = between(&svg, "class=\"grid\" d=\"", "\"");
-        assert_eq!(grid, ["M46 238.0h330", "M46 123.0h330", "M46 8.0h330"]);
-        let marks = between(&svg, "<text x=\"40\" y=\"", "\"");
-        assert_eq!(marks, ["242.0", "127.0", "12.0"]);
-        let work = between(&svg, "text-anchor=\"middle\">", "</text>");
-        assert_eq!(work, ["2", "100"]);
-        assert!(svg.contains("x=\"46.0\" y=\"256\"") && svg.contains("x=\"376.0\" y=\"256\""));
-    }
-
-    #[test]
-    fn the_fourth_line_looks_like_the_first() {
-        let line = |name: &str| (name.to_string(), vec![(1.0, 1.0), (10.0, 0.1)]);
-        let svg = lines("", &["a", "b", "c", "d"].map(line)).into_string();
-        let classes = between(&svg, "<polyline class=\"", "\"");
-        assert_eq!(classes, ["s0", "s1", "s2", "s0"]);
-        let keys = between(&svg, "<span class=\"", "\"");
-        assert_eq!(keys, ["k0", "k1", "k2", "k0"]);
-        assert_eq!(between(&svg, "<title>", "</title>"), ["a", "b", "c", "d"]);
-        assert_eq!(between(&svg, "▬</span> ", "</span>"), ["a", "b", "c", "d"]);
+        draw(&[&[(1.0, 1.0), (10.0, 0.1)][..]; 4]);
+        all.pin("plots");
     }
 }

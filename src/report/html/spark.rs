@@ -34,35 +34,15 @@ pub fn deviations(name: &str, units: &[f64]) -> Markup {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::gallery::Gallery;
 
+    /// Through the rows; what is beyond the edge or no number is marked.
     #[test]
-    fn what_is_beyond_the_edge_is_marked() {
-        let svg = deviations("I_n", &[0.0, 1.0, -12.0, f64::NAN]).into_string();
-        assert_eq!(svg.matches("<circle").count(), 2, "{svg}");
-        assert!(
-            svg.contains("row 2: -12.00 units") && svg.contains("points=\"1.2,12.0 "),
-            "{svg}"
-        );
-    }
-
-    /// Two and a half pixels a row; the axis in the middle, two units at two pixels from the edge.
-    #[test]
-    fn a_line_runs_through_its_rows() {
-        let svg = deviations("I_n", &[0.0, 1.0, -2.0, -12.0, 2.5]).into_string();
-        for part in [
-            "viewBox=\"0 0 12.5 24\" width=\"12.5\" height=\"24\"",
-            "aria-label=\"deviations of I_n by row\"",
-            "d=\"M0 12H12.5\"",
-            "points=\"1.2,12.0 3.8,7.0 6.2,22.0 8.8,22.0 11.2,2.0\"",
-            "<circle cx=\"8.8\" cy=\"22.0\" r=\"2\"><title>row 3: -12.00 units</title>",
-            "<circle cx=\"11.2\" cy=\"2.0\" r=\"2\"><title>row 4: 2.50 units</title>",
-        ] {
-            assert!(svg.contains(part), "{part} is missing in {svg}");
+    fn lines() {
+        let mut all = Gallery::default();
+        for units in [&[][..], &[0.0], &[0.0, 1.0, -2.0, -12.0, 2.5, f64::NAN]] {
+            all.add(format!("{units:?}"), deviations("I_n", units).into_string());
         }
-        assert_eq!(svg.matches("<circle").count(), 2, "{svg}");
-        for units in [&[][..], &[0.0], &[0.0, 0.0]] {
-            let svg = deviations("a", units).into_string();
-            assert!(svg.contains("viewBox=\"0 0 5 24\""), "{svg}");
-        }
+        all.pin("sparks");
     }
 }

@@ -122,178 +122,83 @@ fn values(report: &CaseReport, got: &[f64]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::audit::{Case, Origin, Settings, audit_case};
+    use crate::audit::{BranchAt, Case, Origin, Settings, audit_case};
     use crate::methods::find;
+    use crate::report::gallery::Gallery;
     use crate::report::text::method::tests::fabricated;
-    use crate::report::text::style::plain;
-
-    fn of(name: &str) -> String {
-        let method = find(name).unwrap();
-        let point = &method.domain().check_points[0];
-        let case = Case {
-            method: method.name(),
-            region: "check-points",
-            input: point.input.clone(),
-            origin: Origin::CheckPoint { name: point.name },
-        };
-        plain(&text(
-            &audit_case(&*method, case, &Settings::default()),
-            &Layout::new(&*method),
-            "",
-            200,
-        ))
-    }
 
     /// Outputs in rows are counted by row, those of one row are not counted.
     #[test]
-    fn outputs_are_named() {
-        let spline = of("cubic-spline-uniform");
-        for name in [
-            "S[0]",
-            "S'[0]",
-            "integral[0]",
-            "S[1]",
-            "S'[1]",
-            "integral[1]",
-        ] {
-            assert!(spline.contains(name), "{name} is missing in {spline}");
+    fn cases_of_methods() {
+        let mut all = Gallery::default();
+        for name in ["cubic-spline-uniform", "tridiagonal", "faddeeva"] {
+            let method = find(name).unwrap();
+            let point = &method.domain().check_points[0];
+            let case = Case {
+                method: method.name(),
+                region: "check-points",
+                input: point.input.clone(),
+                origin: Origin::CheckPoint { name: point.name },
+            };
+            let report = audit_case(&*method, case, &Settings::default());
+            all.add(name, text(&report, &Layout::new(&*method), "", 200));
         }
-        assert!(!spline.contains("S[2]"), "{spline}");
-        let system = of("tridiagonal");
-        assert!(
-            system.contains("x[0]") && system.contains("x[1]"),
-            "{system}"
-        );
-        let w = of("faddeeva");
-        assert!(w.contains("Re W") && !w.contains("W["), "{w}");
+        all.pin("cases-of-methods");
     }
 
+    /// Answers of each kind, values of each verdict in its colour, values that are missing or too
+    /// many, and long texts.
     #[test]
-    fn values_stand_in_columns_and_what_is_no_number_is_a_dash() {
-        let mut report = crate::report::text::method::tests::fabricated()
-            .failures
-            .remove(0);
-        let mut second = report.judgement.components[0].clone();
-        (second.output, second.verdict) = ("p", Verdict::WrongKind);
-        (second.ulps, second.of_budget, second.condition) = (f64::NAN, f64::INFINITY, 2.0);
-        report.judgement.components.push(second);
-        report.reference.push(None);
-        let due = "    \
-    output  got       reference                       ulps  of budget  condition
-    phi2    0.75      0.75000000000000080491 ± 1e-30  7.25    175.0 %      31.00
-    p       -0.00123  not certified                      –        inf       2.00
-";
-        assert_eq!(plain(&values(&report, &[0.75, -0.001_23])), due);
-    }
-
-    #[test]
-    fn whatever_the_answer_is_the_case_says_so() {
-        let text = |change: &dyn Fn(&mut CaseReport)| {
-            let mut report = crate::report::text::method::tests::fabricated()
-                .failures
-                .remove(0);
-            change(&mut report);
-            plain(&super::text(&report, &fabricated().layout, "again", 100))
-        };
-        for (answer, due) in [
-            (None, "no answer"),
-            (Some(SolverAnswer::Fails("it broke".into())), "no answer"),
-            (Some(SolverAnswer::Unanswered("late".into())), "no answer"),
-            (Some(SolverAnswer::Refuses("singular")), "refusal: singular"),
-            (
-                Some(SolverAnswer::Declines(None)),
-                "refusal: without a reason",
-            ),
+    fn cases() {
+        let mut all = Gallery::default();
+        let layout = fabricated().layout;
+        let failure = || fabricated().failures.remove(0);
+        for answer in [
+            None,
+            Some(SolverAnswer::Fails("it broke".into())),
+            Some(SolverAnswer::Unanswered("late".into())),
+            Some(SolverAnswer::Refuses("singular")),
+            Some(SolverAnswer::Declines(None)),
         ] {
-            let text = text(&|r| r.answer = answer.clone());
-            assert!(
-                text.contains(&format!("\n    got        {due}\n")),
-                "{text}"
-            );
-            assert!(!text.contains("reference"), "{text}");
+            let mut report = failure();
+            report.answer = answer;
+            (report.proof, report.judgement.reason) = (None, None);
+            let name = format!("{:?}", report.answer);
+            all.add(name, text(&report, &layout, "again", 100));
         }
-        let plain = text(&|r| (r.proof, r.judgement.reason) = (None, None));
-        assert!(
-            !plain.contains("proof") && !plain.contains("branch"),
-            "{plain}"
-        );
-        assert!(plain.ends_with("    reproduce  again\n"), "{plain}");
-        let bounded = text(&|r| {
-            r.proof = Some(Proof::Bounded("a bound"));
-            r.branch = Some(crate::audit::BranchAt {
-                branch: Some("Taylor".into()),
-                seam: "|z| = 7".into(),
-                distance: 0.25,
-            });
+        let mut report = failure();
+        report.proof = Some(Proof::Bounded("four five six"));
+        report.judgement.reason = Some("one two three".to_string().into());
+        report.branch = Some(BranchAt {
+            branch: Some("Taylor".into()),
+            seam: "|z| = 7".into(),
+            distance: 0.25,
         });
-        let due = "    proof      a bound\n    branch     Taylor; 0.250 from the seam |z| = 7\n    reproduce  again\n";
-        assert!(bounded.ends_with(due), "{bounded}");
-    }
-
-    /// Values that were given and not judged are listed without a judgement.
-    #[test]
-    fn values_too_many_have_numbers_for_names() {
-        let mut report = crate::report::text::method::tests::fabricated()
-            .failures
-            .remove(0);
+        for width in [100, 20, 12] {
+            all.add(
+                format!("on {width}"),
+                text(&report, &layout, "again", width),
+            );
+        }
+        for verdict in [
+            Verdict::Pass,
+            Verdict::Undecided,
+            Verdict::Over,
+            Verdict::WrongKind,
+        ] {
+            report.judgement.components[0].verdict = verdict;
+            all.add(format!("{verdict:?}"), values(&report, &[0.75]));
+        }
         report.radii = vec![0.0];
-        let text = plain(&values(&report, &[0.75, 2.0]));
-        let words = |l: &str| l.split_whitespace().collect::<Vec<_>>().join(" ");
-        let lines: Vec<String> = text.lines().map(words).collect();
-        assert_eq!(
-            lines[1],
-            "phi2 0.75 0.75000000000000080491 7.25 175.0 % 31.00"
-        );
-        assert_eq!(lines[2], "[1] 2.0 none – – –");
-        // Two rows of two outputs.
+        all.add("one too many", values(&report, &[0.75, 2.0]));
         let one = report.judgement.components[0].clone();
         let mut other = one.clone();
-        other.output = "p";
+        (other.output, other.ulps, other.of_budget) = ("p", f64::NAN, f64::INFINITY);
+        report.judgement.components = vec![one.clone(), other.clone()];
+        report.reference.push(None);
+        all.add("not certified", values(&report, &[0.75, -0.001_23]));
         report.judgement.components = vec![one.clone(), other.clone(), one, other];
-        let text = plain(&values(&report, &[1.0, 2.0, 3.0, 4.0]));
-        let names: Vec<&str> = text
-            .lines()
-            .skip(1)
-            .map(|l| l.split_whitespace().next().unwrap())
-            .collect();
-        assert_eq!(names, ["phi2[0]", "p[0]", "phi2[1]", "p[1]"]);
-    }
-
-    #[test]
-    fn a_value_has_the_colour_of_its_verdict() {
-        for (verdict, style) in [
-            (Verdict::Pass, PLAIN),
-            (Verdict::Undecided, DOUBT),
-            (Verdict::Over, BAD),
-            (Verdict::WrongKind, BAD),
-        ] {
-            let mut report = crate::report::text::method::tests::fabricated()
-                .failures
-                .remove(0);
-            report.judgement.components[0].verdict = verdict;
-            let text = values(&report, &[0.75]);
-            for part in ["phi2", "7.25", "175.0 %"] {
-                assert!(text.contains(&paint(style, part)), "{verdict:?}: {text:?}");
-            }
-            let painted = text.contains(&DOUBT.render().to_string());
-            assert_eq!(painted, style == DOUBT);
-            assert_eq!(text.contains(&BAD.render().to_string()), style == BAD);
-        }
-    }
-
-    /// Behind the width of labels, and four characters from the edge.
-    #[test]
-    fn long_reasons_and_proofs_are_wrapped_below_their_beginning() {
-        let mut report = crate::report::text::method::tests::fabricated()
-            .failures
-            .remove(0);
-        report.judgement.reason = Some("one two three".to_string().into());
-        report.proof = Some(Proof::Bounded("four five six"));
-        let text = plain(&super::text(&report, &fabricated().layout, "again", 20));
-        assert!(text.contains("\n    one two three\n"), "{text}");
-        let due = "    proof      four\n               five\n               six\n";
-        assert!(text.contains(due), "{text}");
-        let text = plain(&super::text(&report, &fabricated().layout, "again", 12));
-        assert!(text.contains("\n    one two\n    three\n"), "{text}");
+        all.add("two rows", values(&report, &[1.0, 2.0, 3.0, 4.0]));
+        all.pin("cases");
     }
 }

@@ -142,7 +142,9 @@ pub fn changes(found: &Changes, width: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::audit::{CandidateReport, Kind};
     use crate::report::baseline::Change;
+    use crate::report::gallery::Gallery;
     use crate::report::text::method::tests::{fabricated, passing};
     use crate::report::text::style::plain;
 
@@ -161,99 +163,18 @@ mod tests {
     }
 
     #[test]
-    fn changes_beyond_those_shown_are_counted() {
-        let change = Change {
-            of: "a-method".into(),
-            region: "wide".into(),
-            output: None,
-            figure: "failed",
-            before: 0.0,
-            now: 1.0,
-            better: false,
-        };
-        let text = |n: usize| {
-            let found = Changes {
-                changes: vec![change.clone(); n],
-                not_compared: Vec::new(),
-            };
-            plain(&changes(&found, 100))
-        };
-        assert_eq!(text(0), "Since the baseline: 0 figures worse, 0 better\n");
-        let line = "  worse  a-method  wide            failed       0  1.00\n";
-        for n in [SHOWN, SHOWN + 1] {
-            let text = text(n);
-            assert_eq!(text.matches(line).count(), SHOWN, "{text}");
-            let rest = text.rsplit(line).next();
-            let left = "  1 more; --format json lists all of them.\n";
-            assert_eq!(rest, Some(if n > SHOWN { left } else { "" }), "{text}");
-        }
-    }
-
-    #[test]
     fn codes_have_letters_as_far_as_these_go() {
         let seen = [0, 1, 25, 26, 300].map(letter);
         assert_eq!(seen, ["A", "B", "Z", "26", "300"]);
     }
 
+    /// Every code has its verdict, and every region a line for each; changes beyond those shown are
+    /// counted.
     #[test]
-    fn a_line_says_what_fails_and_marks_the_best() {
-        let standing = Standing {
-            cases: 400,
-            failed: 0,
-            wrong: 0,
-            of_budget: 0.5,
-            worst_ulps: 2.0,
-            rms_ulps: 0.25,
-            ratio: Some(1.0),
-            best: true,
-        };
-        let cells = line(0, "wide", &standing, String::new());
-        let due = [
-            ("wide", PLAIN),
-            ("A*", GOOD),
-            ("400", DIM),
-            ("–", DIM),
-            ("50.00 %", PLAIN),
-            ("1.00", GOOD),
-            ("2.00", PLAIN),
-            ("0.250", PLAIN),
-            ("", BAD),
-        ];
-        assert_eq!(cells, due.map(|(text, style)| (text.to_string(), style)));
-        let worse = Standing {
-            failed: 3,
-            of_budget: 1.5,
-            ratio: None,
-            best: false,
-            ..standing
-        };
-        let cells = line(1, "wide", &worse, "3 NaN".into());
-        let texts: Vec<&str> = cells.iter().map(|c| c.0.as_str()).collect();
-        let due = [
-            "", "B ", "400", "3", "150.0 %", "–", "2.00", "0.250", "3 NaN",
-        ];
-        assert_eq!(texts, due);
-        assert_eq!((cells[1].1, cells[3].1, cells[4].1), (PLAIN, BAD, BAD));
-    }
-
-    #[test]
-    fn a_program_says_what_its_start_takes() {
-        let of = |start_up_ms| {
-            speed(&Speed {
-                ns_per_answer: 12.5,
-                start_up_ms,
-                answers: 9,
-            })
-        };
-        assert_eq!(of(None), "12.50 ns an answer, called");
-        let due = "12.50 ns an answer through the protocol, start-up 3.00 ms";
-        assert_eq!(of(Some(3.0)), due);
-    }
-
-    #[test]
-    fn every_code_has_its_verdict_and_every_region_its_lines() {
+    fn comparisons() {
+        let mut all = Gallery::default();
         let mut other = passing();
-        other.candidate = Some(crate::audit::CandidateReport {
+        other.candidate = Some(CandidateReport {
             name: "other".into(),
             answered: 800,
             trouble: Some("it stopped".into()),
@@ -261,77 +182,47 @@ mod tests {
         });
         // The budget shown is that of the first.
         other.budgets[0].name = "p";
+        other.regions[0].max_of_budget = 0.5;
         let mut first = fabricated();
-        first.regions[0].kinds[crate::audit::Kind::Nan] = 2;
-        let speed = Speed {
+        first.regions[0].kinds[Kind::Nan] = 2;
+        let speed = |start_up_ms| Speed {
             ns_per_answer: 12.5,
-            start_up_ms: None,
+            start_up_ms,
             answers: 9,
         };
-        let found = Comparison::new("a-method", vec![(first, Some(speed)), (other, None)]);
-        let text = plain(&comparison(&found, 200));
-        let [a, b] = [0, 1].map(|k| found.candidates[k].name.as_str());
-        let due = format!(
-            "a-method\n  budget     phi2: 4 ulp\n  A FAIL {a}: the method's own solver; 12.50 ns an answer, \
-             called\n  B FAIL {b}: other, 800 answers\n     it stopped\n"
-        );
-        assert!(text.starts_with(&due), "{text}\n{due}");
-        let words = |l: &str| l.split_whitespace().collect::<Vec<_>>().join(" ");
-        let lines: Vec<String> = text.lines().skip(due.lines().count()).map(words).collect();
-        assert_eq!(lines.len(), 1 + 3 * 2, "{text}");
-        assert!(
-            lines[1].starts_with("wide A") && lines[1].ends_with("2 NaN"),
-            "{text}"
-        );
-        assert!(
-            lines[2].starts_with('B') && lines[5].starts_with("all A"),
-            "{text}"
-        );
-        assert_eq!(text.matches("NaN").count(), 1, "{text}");
-        // Words are flush left, numbers right.
-        let line =
-            "\n  wide    A     400       1    175.0 %            1.00        7.25  0.400  2 NaN\n";
-        assert!(text.contains(line), "{text}");
-        let narrow = plain(&comparison(&found, 40));
-        let mut own = narrow.lines().skip_while(|l| !l.starts_with("  A "));
-        let second = own.nth(1).unwrap();
-        let indent = second.len() - second.trim_start().len();
-        assert_eq!(indent, 5, "{narrow}");
-    }
-
-    #[test]
-    fn worse_and_better_are_counted_and_coloured() {
-        let change = |figure, before: f64, now: f64| Change {
+        let both = vec![(first, Some(speed(None))), (other, Some(speed(Some(3.0))))];
+        let found = Comparison::new("a-method", both);
+        for width in [200, 40] {
+            all.add(format!("on {width}"), comparison(&found, width));
+        }
+        let change = |figure, output: Option<&str>, before: f64, now: f64| Change {
             of: "a-method".into(),
             region: "wide".into(),
-            output: Some("phi2".into()),
+            output: output.map(Into::into),
             figure,
             before,
             now,
             better: now < before,
         };
-        let found = Changes {
+        let mut found = Changes {
             changes: vec![
-                change("of budget", 0.5, 0.75),
-                change("worst ulps", 7.0, 5.0),
-                change("RMS ulps", 2.0, 1.0),
+                change("of budget", Some("phi2"), 0.5, 0.75),
+                change("worst ulps", Some("phi2"), 7.0, 5.0),
             ],
             not_compared: vec!["other: not in the baseline".into()],
         };
-        let text = changes(&found, 100);
-        let head = "Since the baseline: 1 figures worse, 2 better\n";
-        let due = [
-            "          of        region  output  figure      before    now",
-            "  worse   a-method  wide    phi2    of budget    0.500  0.750",
-            "  better  a-method  wide    phi2    worst ulps    7.00   5.00",
-            "  better  a-method  wide    phi2    RMS ulps      2.00   1.00",
-            "  other: not in the baseline\n",
-        ];
-        let due = due.join("\n");
-        assert_eq!(plain(&text), format!("{head}{due}"));
-        for (style, now) in [(BAD, "0.750"), (GOOD, "5.00"), (GOOD, "1.00")] {
-            assert!(text.contains(&paint(style, now)), "{text:?}");
+        all.add("changes", changes(&found, 100));
+        found.not_compared.clear();
+        for n in [0, SHOWN, SHOWN + 1] {
+            found.changes = vec![change("failed", None, 0.0, 1.0); n];
+            let text = changes(&found, 100);
+            let lines: Vec<&str> = text.lines().collect();
+            let ends = [&lines[..1], &lines[lines.len() - 1..]].concat().join("\n");
+            all.add(
+                format!("{n} changes"),
+                format!("{} lines\n{ends}", lines.len()),
+            );
         }
-        assert!(text.contains(&paint(BAD, "worse")) && text.contains(&paint(GOOD, "better")));
+        all.pin("comparisons");
     }
 }

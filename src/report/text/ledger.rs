@@ -98,6 +98,7 @@ pub(crate) mod tests {
     use super::*;
     use crate::papers::Citation;
     use crate::papers::ledger::{Item, Kind};
+    use crate::report::gallery::Gallery;
 
     /// A small ledger with one entry of most kinds.
     pub fn fabricated() -> Ledger {
@@ -129,99 +130,40 @@ pub(crate) mod tests {
         )
     }
 
+    /// Entries of each kind with obligations, residuals and witnesses; long residuals are clipped.
     #[test]
-    fn a_ledger_says_what_was_found() {
-        let text = style::plain(&ledger(&fabricated(), 90));
-        for part in [
-            "3 entries: 1 proved, 1 misprint, 1 model claim tested; all as recorded.",
-            "~ (2) [misprint; slip]",
-            "printed    y = a^2 - 2*a*b + b^2",
-            "corrected  y = a^2 + 2*a*b + b^2",
-            "edit       sign: -2*a*b becomes 2*a*b",
-            "[refuted as printed, proved as corrected]",
-            "residual   -4*a*b",
-            "fact       1/2 < 1/3 [refuted]",
-        ] {
-            assert!(text.contains(part), "{part} is missing in\n{text}");
-        }
-        assert!(text.lines().all(|l| l.chars().count() <= 90), "{text}");
-    }
-
-    #[test]
-    fn a_ledger_is_its_paper_its_counts_and_its_entries() {
+    fn ledgers() {
+        let mut shown = Gallery::default();
         let mut all = fabricated();
-        all.entries.truncate(1);
-        let text = style::plain(&ledger(&all, 90));
-        let due = "\
-A & B. On <tests>.
-
-1 entries: 1 proved; all as recorded.
-
-  ✓ (1) [proved; good]
-    A square.
-    printed    y = (a + b)^2
-    requires   y = a^2 + 2*a*b + b^2 [proved]
-";
-        let words = |t: &str| t.lines().map(str::trim_end).collect::<Vec<_>>().join("\n");
-        assert_eq!(words(&text), words(due));
-        let e = &mut all.entries[0];
-        (e.as_recorded, e.composed, e.note) = (false, true, "A note.");
-        let text = style::plain(&entry(e, 90));
-        let start = "\n  ✓ (1) [proved; good]\n    NOT AS RECORDED\n    A square.\n    composed   ";
-        assert!(
-            text.starts_with(start) && text.ends_with("\n    A note.\n"),
-            "{text}"
-        );
-    }
-
-    #[test]
-    fn what_is_refuted_has_residual_and_witness() {
-        let all = fabricated();
+        for width in [90, 40] {
+            shown.add(format!("on {width}"), ledger(&all, width));
+        }
         let mut o = all.entries[1].obligations[0].clone();
-        let text = |o: &Obligation| style::plain(&obligation(o, 400));
-        let witness = |point: &[(&str, &str)]| crate::symbolic::Witness {
-            point: point
-                .iter()
-                .map(|(n, v)| (n.to_string(), v.to_string()))
-                .collect(),
-            residual: "-4".into(),
+        let witness = |point: &[(&str, &str)]| {
+            let pair = |(n, v): &(&str, &str)| (n.to_string(), v.to_string());
+            crate::symbolic::Witness {
+                point: point.iter().map(pair).collect(),
+                residual: "-4".into(),
+            }
         };
-        o.witness = Some(witness(&[("a", "1"), ("b", "2")]));
-        let seen = text(&o);
-        assert!(
-            seen.ends_with("\n    witness    -4 at a = 1, b = 2\n"),
-            "{seen}"
-        );
-        o.witness = Some(witness(&[]));
-        assert!(text(&o).ends_with("\n    witness    -4\n"));
-        let clipped = |n: usize| {
-            let residual = "x".repeat(n);
-            let o = Obligation {
-                residual: Some(residual),
-                witness: None,
-                ..o.clone()
-            };
-            let seen = text(&o);
-            (seen.matches('x').count(), seen.ends_with(" …\n"))
-        };
-        assert_eq!((clipped(300), clipped(301)), ((300, false), (300, true)));
-        let colours = obligation(&o, 400);
-        assert!(colours.contains(&DIM.render().to_string()), "{colours:?}");
+        for point in [&[("a", "1"), ("b", "2")][..], &[]] {
+            o.witness = Some(witness(point));
+            shown.add(format!("witness {point:?}"), obligation(&o, 400));
+        }
+        for n in [300, 301] {
+            o.residual = Some("x".repeat(n));
+            let text = style::plain(&obligation(&o, 400));
+            assert_eq!(text.matches('x').count(), 300);
+            assert_eq!(text.contains(" …\n"), n > 300, "{text}");
+        }
         // Elsewhere neither is of interest.
         o.printed = Outcome::Proved;
-        assert_eq!(text(&o).lines().count(), 1);
-        assert!(text(&o).starts_with("    requires   "));
+        shown.add("proved", obligation(&o, 400));
         o.recorded = Some(Outcome::Proved);
-        assert!(text(&o).starts_with("    fact       ") && text(&o).lines().count() == 1);
-    }
-
-    #[test]
-    fn claims_and_notes_are_wrapped_four_characters_from_the_edge() {
-        let mut e = fabricated().entries.remove(0);
-        (e.claim, e.note) = ("aaa bbb ccc", "ddd eee fff");
-        e.obligations.clear();
-        let text = style::plain(&entry(&e, 12));
-        assert!(text.contains("\n    aaa bbb\n    ccc\n"), "{text}");
-        assert!(text.ends_with("\n    ddd eee\n    fff\n"), "{text}");
+        shown.add("a fact", obligation(&o, 400));
+        let e = &mut all.entries[0];
+        (e.as_recorded, e.composed, e.note) = (false, true, "A note.");
+        shown.add("not as recorded", entry(e, 12));
+        shown.pin("ledgers");
     }
 }

@@ -116,6 +116,7 @@ pub fn changes(found: &Changes) -> Markup {
 mod tests {
     use super::*;
     use crate::report::baseline::Change;
+    use crate::report::gallery::Gallery;
 
     fn contest(cases: [u64; 2]) -> Contest {
         let standing = |cases| Standing {
@@ -134,39 +135,18 @@ mod tests {
         }
     }
 
-    /// A program that stopped has fewer cases than there are.
+    /// A program that stopped has fewer cases than there are; the best has a star, and what is
+    /// wrong its number.
     #[test]
-    fn a_region_has_the_cases_of_the_code_that_had_most() {
-        for cases in [[400, 7], [7, 400]] {
-            let html = line(&contest(cases)).into_string();
-            let start = "<tr><td class=\"left\">wide</td><td>400</td>";
-            assert!(html.starts_with(start), "{html}");
-        }
-        let html = line(&Contest {
-            standings: Vec::new(),
-            ..contest([0, 0])
-        });
-        assert!(html.into_string().contains("<td>0</td>"));
-    }
-
-    #[test]
-    fn the_best_has_a_star_and_what_is_wrong_its_number() {
-        let mut s = contest([400, 400]).standings.remove(0);
-        let html = standing(&s).into_string();
-        for part in ["class=\"h5\"", ">50 %, 3 fail ✗ 2</td><td>–</td>"] {
-            assert!(html.contains(part), "{part} is missing in {html}");
-        }
-        (s.best, s.wrong, s.failed, s.ratio) = (true, 0, 0, Some(1.0));
-        let html = standing(&s).into_string();
-        assert!(
-            html.contains("class=\"h1\"") && html.contains(">★ 50 %</td>"),
-            "{html}"
-        );
-        assert!(html.contains("<td data-v=\"1.000e0\">1.00</td>"), "{html}");
-    }
-
-    #[test]
-    fn figures_worse_and_better_are_counted() {
+    fn lines_and_changes() {
+        let mut all = Gallery::default();
+        let mut found = contest([7, 400]);
+        all.add("the second has most", line(&found).into_string());
+        let best = &mut found.standings[0];
+        (best.best, best.wrong, best.failed, best.ratio) = (true, 0, 0, Some(1.0));
+        all.add("best", line(&found).into_string());
+        found.standings.clear();
+        all.add("none", line(&found).into_string());
         let change = |better| Change {
             of: "a-method".into(),
             region: "wide".into(),
@@ -180,9 +160,7 @@ mod tests {
             changes: vec![change(false), change(true), change(true)],
             not_compared: Vec::new(),
         };
-        let html = changes(&found).into_string();
-        assert!(html.contains("<p>1 figures worse, 2 better.</p>"), "{html}");
-        assert_eq!(html.matches("t-bad\">worse").count(), 1);
-        assert_eq!(html.matches("t-good\">better").count(), 2);
+        all.add("changes", changes(&found).into_string());
+        all.pin("contests");
     }
 }

@@ -218,6 +218,7 @@ fn first(k: usize, r: &MethodReport, data: &Data) -> Markup {
 mod tests {
     use super::*;
     use crate::audit::Kind;
+    use crate::report::gallery::Gallery;
     use crate::report::text::method::tests::fabricated;
 
     fn cell_of(change: impl Fn(&mut RegionReport)) -> String {
@@ -228,61 +229,37 @@ mod tests {
         of_output(Some(3), &region, &o).into_string()
     }
 
-    /// By its share, unless it is over budget where cases fail, or has values of the wrong kind.
+    /// In the colour of its share, unless it is over budget where cases fail or has values of the
+    /// wrong kind; figures where there are errors.
     #[test]
-    fn an_output_has_the_colour_of_its_share_or_of_a_failure() {
-        let class = |html: &str| html[..html.find('>').unwrap()].contains("\"h5\"");
-        assert!(cell_of(|_| ()).starts_with("<td class=\"h3\" data-v=\"7.250e0\">"));
-        assert!(class(&cell_of(|r| r.outputs[0].max_of_budget = 1.25)));
-        let recorded = cell_of(|r| {
-            r.outputs[0].max_of_budget = 1.25;
-            (r.passed, r.over) = (r.cases, 0);
-        });
-        assert!(recorded.contains("class=\"h4\""), "{recorded}");
-        let wrong = |n| cell_of(move |r| r.outputs[0].kinds[Kind::Nan] = n);
-        assert!(class(&wrong(1)) && !class(&wrong(0)));
-        assert!(
-            wrong(1).contains("data-c=\"3\">7.25</button>"),
-            "{}",
-            wrong(1)
-        );
-    }
-
-    #[test]
-    fn an_output_without_errors_has_a_dash_or_its_wrong_values() {
-        let none = |n| {
-            cell_of(move |r| {
+    fn outputs() {
+        let mut all = Gallery::default();
+        type Change = fn(&mut RegionReport);
+        let changes: [(&str, Change); 7] = [
+            ("within", |_| ()),
+            ("over", |r| r.outputs[0].max_of_budget = 1.25),
+            ("recorded", |r| {
+                r.outputs[0].max_of_budget = 1.25;
+                (r.passed, r.over) = (r.cases, 0);
+            }),
+            ("wrong", |r| r.outputs[0].kinds[Kind::Nan] = 1),
+            ("one", |r| r.outputs[0].ulps.count = 1),
+            ("none", |r| r.outputs[0].ulps.count = 0),
+            ("none but wrong", |r| {
                 r.outputs[0].ulps.count = 0;
-                r.outputs[0].kinds[Kind::Nan] = n;
-            })
-        };
-        assert!(none(0).contains(">–</button>"), "{}", none(0));
-        assert!(none(4).contains(">✗ 4</button>"), "{}", none(4));
-        let one = cell_of(|r| r.outputs[0].ulps.count = 1);
-        assert!(one.contains(">7.25</button>"), "{one}");
-    }
-
-    #[test]
-    fn figures_stand_where_there_are_errors() {
+                r.outputs[0].kinds[Kind::Nan] = 4;
+            }),
+        ];
+        for (name, change) in changes {
+            all.add(name, cell_of(change));
+        }
         let mut o = fabricated().total.outputs.remove(0);
         o.conditioned.max = 0.5;
-        let cells = |o: &OutputStatistics| -> Vec<String> {
-            let html = output(o).into_string();
-            let texts = html.split("</td>").filter_map(|td| td.rsplit('>').next());
-            let texts: Vec<String> = texts.map(|t| t.trim().to_string()).collect();
-            texts[..texts.len() - 1].to_vec()
-        };
-        let due = [
-            "phi2", "400", "0", "7.25", "1.50", "0.300", "0.400", "–", "175.0 %", "–",
-        ];
-        assert_eq!(cells(&o)[..10], due);
-        (o.ulps.count, o.conditioned.count) = (0, 1);
-        let due = [
-            "phi2", "400", "0", "–", "–", "–", "–", "0.500", "175.0 %", "31.00",
-        ];
-        assert_eq!(cells(&o)[..10], due);
-        (o.ulps.count, o.conditioned.count) = (1, 0);
-        assert_eq!((&*cells(&o)[3], &*cells(&o)[7]), ("7.25", "–"));
+        for counts in [[400, 0], [0, 1], [1, 0]] {
+            [o.ulps.count, o.conditioned.count] = counts;
+            all.add(format!("{counts:?} values"), output(&o).into_string());
+        }
+        all.pin("outputs");
     }
 
     #[test]

@@ -123,6 +123,7 @@ pub fn number(there: bool, x: f64) -> Markup {
 mod tests {
     use super::*;
     use crate::audit::Kind;
+    use crate::report::gallery::Gallery;
     use crate::report::text::method::tests::fabricated;
 
     #[test]
@@ -182,19 +183,8 @@ mod tests {
         report.regions[1].kinds[Kind::Nan] = 3;
         let data = Data::of(&[("a-method", &report), ("a-method", &report)]);
         let html = table(&[&report, &report], &data).into_string();
-        let rows: Vec<&str> = html.split("<tr data-m=").skip(1).collect();
-        assert_eq!(rows.len(), 2);
-        for part in [
-            "\"0\"><td class=\"left\"><a href=\"#method-0\">a-method</a>",
-            "<td>400</td><td>1</td>",
-            "<td data-v=\"9.500e0\">9.50</td>",
-            "<td data-v=\"1.750e0\">175.0 %</td>",
-            "<button class=\"heat h4\" aria-label=\"wide: 400 of 400 cases pass, worst 175.0 % of its budget\" \
-             data-c=\"0\">175 %</button>",
-            "<button class=\"heat h5\" aria-label=\"near: 399 of 400 cases pass, worst 175.0 % of its budget\" \
-             data-c=\"0\">✗ 3</button>",
-        ] {
-            assert!(rows[0].contains(part), "{part} is missing in {}", rows[0]);
-        }
+        let mut all = Gallery::default();
+        all.add("overview", html);
+        all.pin("overview");
     }
 }

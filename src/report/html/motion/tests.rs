@@ -1,9 +1,9 @@
 //! Tests of `motion`.
 
-use super::super::page::tests::between;
 use super::*;
 use crate::motion::{Drive, Wheel};
-use serde_json::{Value, json};
+use crate::report::gallery::Gallery;
+use serde_json::Value;
 
 #[test]
 fn a_few_values_at_the_ends_do_not_dwarf_the_others() {
@@ -147,46 +147,6 @@ fn read(motion: &Motion) -> Value {
     serde_json::from_str(&data(motion)).unwrap()
 }
 
-#[test]
-fn points_stand_in_the_drawing() {
-    let mut motion = moving();
-    motion.drive.values[1] = 90.123_456_789_4;
-    let data = read(&motion);
-    assert_eq!(data["drive"], json!([0.0, 90.123_456_8, 180.0, 270.0]));
-    assert_eq!(
-        (&data["symbol"], &data["unit"]),
-        (&json!("φ1"), &json!("°"))
-    );
-    assert_eq!(data["closed"], true);
-    assert_eq!(
-        data["points"],
-        json!([
-            [160.0, 160.0],
-            [260.0, 160.0, 160.0, 60.0, 60.0, 160.0, 160.0, 260.0],
-            [580.0, 110.0],
-            [260.0, 160.0, 160.0, 110.0, 60.0, 160.0, 160.0, 210.0],
-            [360.0, 160.0],
-        ])
-    );
-    // A high mechanism stands in the middle, to hundredths of a pixel; one without size has a
-    // place.
-    for (points, due) in [
-        (
-            vec![[0.0, 0.0], [1.0, 5.2], [1.0 / 3.0, 0.0]],
-            json!([[270.0, 580.0], [370.0, 60.0], [303.33, 580.0]]),
-        ),
-        (
-            vec![[0.0, 0.0], [0.52, 0.0]],
-            json!([[60.0, 60.0], [580.0, 60.0]]),
-        ),
-        (vec![[3.0, -7.0]], json!([[320.0, 60.0]])),
-    ] {
-        let mut motion = moving();
-        motion.points = points.into_iter().map(|p| Point::fixed("", p)).collect();
-        assert_eq!(read(&motion)["points"], due);
-    }
-}
-
 /// Three courses are all drawn; of more the reduced quantities, or the first three that are not the
 /// drive's.
 #[test]
@@ -236,85 +196,37 @@ fn some_courses_are_drawn_from_the_start() {
     }
 }
 
+/// Parts at the position shown first; a high mechanism in the middle, to hundredths of a pixel; the
+/// sixth joint in the colour of the first.
 #[test]
-fn the_section_starts_where_the_motion_does() {
+fn drawings_and_sections() {
+    let mut all = Gallery::default();
     let mut motion = moving();
-    motion.guides = vec![[0, 4]];
-    let page = section(&motion, &html! { "all about it" }).into_string();
-    for part in [
-        "<h2 id=\"motion\">a &lt;crank&gt; in motion</h2>",
-        "<p class=\"soft\">all about it</p>",
-        "min=\"0\" max=\"3\" step=\"1\" value=\"1\"",
-        "<span id=\"drawn-at\">90.000°</span>",
-        "viewBox=\"0 0 640 320\"",
-        "hatched: fixed pivots; dash-dotted: guides.",
-    ] {
-        assert!(page.contains(part), "{part} is missing in {page}");
-    }
-    assert!(!page.contains("pitch circles") && !page.contains("Choose what is drawn"));
-    motion.guides.clear();
-    motion.wheels = vec![Wheel {
-        centre: 0,
-        radius: 0.25,
-    }];
-    motion.courses = vec![course("y", "m", &[0.0; 4]); 4];
-    let page = section(&motion, &html! {}).into_string();
-    assert!(page.contains("hatched: fixed pivots; circles: pitch circles."));
-    assert!(page.contains("Choose what is drawn"));
-    assert!(page.contains("id=\"now-3\"") && page.contains("data-course=\"3\""));
-}
-
-#[test]
-fn every_part_is_drawn_at_the_position_shown_first() {
-    let mut motion = moving();
+    motion.drive.values[1] = 90.123_456_789_4;
     motion.guides = vec![[0, 4]];
     motion.wheels = vec![Wheel {
         centre: 0,
         radius: 0.125,
     }];
-    let svg = drawing(&motion).into_string();
-    let lines = svg.lines().filter(|l| l.contains("points=\""));
-    let lines: Vec<(&str, &str)> = lines
-        .map(|l| {
-            let class = between(l, "class=\"", "\"")[0];
-            (class, between(l, " points=\"", "\"")[0])
-        })
-        .collect();
-    assert_eq!(
-        lines,
-        [
-            ("guide", "160,160 360,160"),
-            ("trace c0", "260,160 160,60 60,160 160,260"),
-            ("plate", "160,60 160,110 360,160"),
-            ("link", "160,160 160,60"),
-        ]
+    all.add("data", data(&motion));
+    all.add("drawing", drawing(&motion).into_string());
+    all.add(
+        "section",
+        section(&motion, &html! { "all about it" }).into_string(),
     );
-    assert!(svg.contains("<polygon class=\"trace c0\""));
-    let indices = between(&svg, "data-points=\"", "\"");
-    assert_eq!(indices, ["0 4", "1 3 4", "0 1"]);
-    let places = between(&svg, "translate(", ")");
-    assert_eq!(places, ["160 160", "580 110", "160 160", "160 60"]);
-    assert_eq!(between(&svg, "data-at=\"", "\""), ["0", "1"]);
-    assert!(svg.contains("r=\"12.50\""), "{svg}");
-    let ground = between(&svg, "class=\"ground\"", "</g>");
-    assert!(
-        ground.len() == 1 && ground[0].contains(">O</text>"),
-        "{svg}"
-    );
-    let spot = between(&svg, "class=\"spot\"", "</g>");
-    assert!(spot.len() == 1 && spot[0].contains(">S</text>"), "{svg}");
-    motion.closed = false;
-    let open = drawing(&motion).into_string();
-    assert!(open.contains("<polyline class=\"trace c0\""), "{open}");
-}
-
-#[test]
-fn the_sixth_joint_has_the_colour_of_the_first() {
-    let mut motion = moving();
     let joint = motion.points[1].clone();
     motion.points.extend(vec![joint; 5]);
-    let svg = drawing(&motion).into_string();
-    let due = ["c0", "c1", "c2", "c3", "c4", "c0"];
-    assert_eq!(between(&svg, "class=\"trace ", "\""), due);
-    assert_eq!(between(&svg, "class=\"joint ", "\""), due);
+    (motion.closed, motion.guides) = (false, Vec::new());
+    motion.courses = vec![course("y", "m", &[0.0; 4]); 4];
+    all.add("six joints", section(&motion, &html! {}).into_string());
+    for points in [
+        &[[0.0, 0.0], [1.0, 5.2], [1.0 / 3.0, 0.0]][..],
+        &[[0.0, 0.0], [0.52, 0.0]],
+        &[[3.0, -7.0]],
+    ] {
+        let fixed = points.iter().map(|p| Point::fixed("", *p));
+        motion.points = fixed.collect();
+        all.add(format!("{points:?}"), read(&motion)["points"].to_string());
+    }
+    all.pin("motions");
 }

@@ -85,49 +85,22 @@ fn bar(units: f64) -> Markup {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::gallery::Gallery;
     use crate::report::text::paper::tests::fabricated;
 
     /// Eight tenths of a rem for a unit, to the left below zero; half a tenth at least, and five
-    /// units at most.
+    /// units at most. A line has the verdict of the last variant and three more digits.
     #[test]
-    fn a_bar_is_as_long_as_its_deviation() {
-        for (units, over, x, width) in [
-            (0.0, false, "40.0", "0.5"),
-            (0.01, false, "40.0", "0.5"),
-            (-0.01, false, "39.5", "0.5"),
-            (0.1, false, "40.0", "0.8"),
-            (0.5, false, "40.0", "4.0"),
-            (1.0, false, "40.0", "8.0"),
-            (-2.5, false, "20.0", "20.0"),
-            (5.0, false, "40.0", "40.0"),
-            (-12.0, true, "0.0", "40.0"),
-        ] {
-            let svg = bar(units).into_string();
-            let class = if over { "over" } else { "" };
-            let due = format!(
-                "<rect class=\"{class}\" x=\"{x}\" y=\"2\" width=\"{width}\" height=\"6\"></rect>"
-            );
-            assert!(svg.contains(&due), "{units}: {svg}");
-            assert!(svg.contains("viewBox=\"0 0 80 10\"") && svg.contains("d=\"M40 0V10\""));
+    fn bars_and_tables() {
+        let mut all = Gallery::default();
+        for units in [0.0, 0.01, -0.01, 0.1, 1.0, -2.5, 5.0, -12.0, f64::NAN] {
+            all.add(units, bar(units).into_string());
         }
-        assert!(bar(f64::NAN).into_string().contains("class=\"over\""));
-    }
-
-    #[test]
-    fn a_line_has_the_verdict_of_the_last_variant_and_three_more_digits() {
         let mut report = fabricated();
         report.entries[1].printed = "-1.243".into();
-        let html = table(&report).into_string();
-        let rows: Vec<&str> = html.split("<tr data-verdict=\"").skip(1).collect();
-        let verdicts: Vec<&str> = rows.iter().map(|r| r.split('"').next().unwrap()).collect();
-        assert_eq!(verdicts, ["agrees", "rounding", "unexplained"]);
-        // Of 1.2345678901234567890 as many characters as are printed without the sign, and three.
-        for (row, due) in rows.iter().zip(["1.234567 …", "1.234567 …", "1.2345 …"]) {
-            assert!(row.contains(&format!("<td>{due}</td>")), "{due}: {row}");
-        }
-        assert!(rows[1].contains("<td data-v=\"12\">12.00</td><td data-v=\"0.7\">0.700</td>"));
-        assert!(html.contains("verdict for the data recovered."), "{html}");
+        all.add("table", table(&report).into_string());
         report.entries.clear();
-        assert_eq!(table(&report).into_string(), "");
+        all.add("no entries", table(&report).into_string());
+        all.pin("printed");
     }
 }

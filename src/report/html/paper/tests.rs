@@ -1,7 +1,7 @@
 //! Tests of `paper`.
 
-use super::super::page::tests::between;
 use super::*;
+use crate::report::gallery::Gallery;
 use crate::report::text::paper::tests::fabricated;
 
 #[test]
@@ -65,70 +65,11 @@ fn cards_of_long_formulas_are_wide_and_so_is_what_is_alone_between_them() {
     }
 }
 
+/// Tallies by table with the deviations of their column, a grid with notes on what is wrong, and
+/// courses named by the first of them.
 #[test]
-fn tallies_come_by_table_with_the_deviations_of_their_column() {
-    let mut report = fabricated();
-    report.entries[2].table = 2;
-    let mut second = report.tallies[0].clone();
-    (second.table, second.column, second.entries) = (2, "phi3", 1);
-    (second.within_half, second.within_one) = (0, 1);
-    let mut other = second.clone();
-    (other.variant, other.within_half) = ("recovered", 1);
-    report.tallies = vec![second.clone(), other, report.tallies[0].clone()];
-    let html = tallies(&report).into_string();
-    let rows = between(&html, "<tr class=\"", "</tr>");
-    let heads: Vec<(&str, &str)> = rows
-        .iter()
-        .map(|r| {
-            let class = r.split('"').next().unwrap();
-            (class, between(r, "<td>", "</td>")[0])
-        })
-        .collect();
-    assert_eq!(heads, [("", "1"), ("rounding", "2"), ("agrees", "2")]);
-    let t = &report.tallies[2];
-    assert_eq!(along(&report, t), [0.2, 12.0]);
-    assert_eq!(along(&report, &second), [86.0]);
-    let recovered = Tally {
-        variant: "recovered",
-        ..t.clone()
-    };
-    assert_eq!(along(&report, &recovered), [0.1, 0.7]);
-    let none = Tally {
-        column: "phi3",
-        ..t.clone()
-    };
-    assert!(along(&report, &none).is_empty());
-    report.tallies.clear();
-    assert_eq!(tallies(&report).into_string(), "");
-}
-
-#[test]
-fn a_grid_has_a_row_for_each_row_and_a_note_on_what_is_wrong() {
-    let report = fabricated();
-    let all: Vec<&Entry> = report.entries.iter().collect();
-    let html = grid(&all, "as_printed").into_string();
-    assert_eq!(
-        between(&html.replace(" class=\"given\"", ""), "<th>", "</th>"),
-        ["row", "phi2", "phi3", "0", "1"]
-    );
-    let rows = between(&html, "<tr><th>0", "</tr>");
-    assert!(rows[0].ends_with("1.235</td><td></td>"), "{html}");
-    let tips = between(&html, "data-tip=\"", "\"");
-    assert_eq!(
-        tips[1],
-        "recomputed 1.2345678901234567890\n12.00 units of the last digit: misprint\n3 for 5"
-    );
-    assert!(
-        tips[0].ends_with("\n0.200 units of the last digit: agrees"),
-        "{tips:?}"
-    );
-    assert_eq!(html.matches("tabindex").count(), 2);
-    let none = grid(&all, "unknown").into_string();
-    assert!(none.contains("<td>1.243</td>") && !none.contains("data-tip"));
-}
-
-#[test]
-fn courses_are_named_by_the_first_of_them() {
+fn parts_of_pages() {
+    let mut all = Gallery::default();
     let course = |names: &[&str]| crate::motion::Course {
         name: "y".into(),
         unit: String::new(),
@@ -154,12 +95,24 @@ fn courses_are_named_by_the_first_of_them() {
         wheels: Vec::new(),
         courses: vec![course(&["as printed", "recovered"]), course(&["other"])],
     };
-    let due = "3 positions of one turn by the f64 solver, one every 120.0°. Solid: centres of mass as printed; \
-                   dashed: recovered. Rings: values printed in the paper's tables.";
-    assert_eq!(positions(&motion).into_string(), due);
+    all.add("positions", positions(&motion).into_string());
     motion.drive.values.truncate(1);
     motion.courses.clear();
-    let due =
-        "1 positions of one turn by the f64 solver. . Rings: values printed in the paper's tables.";
-    assert_eq!(positions(&motion).into_string(), due);
+    all.add("one position", positions(&motion).into_string());
+    let mut report = fabricated();
+    let entries: Vec<&Entry> = report.entries.iter().collect();
+    for variant in ["as_printed", "unknown"] {
+        all.add(variant, grid(&entries, variant).into_string());
+    }
+    report.entries[2].table = 2;
+    let mut second = report.tallies[0].clone();
+    (second.table, second.column, second.entries) = (2, "phi3", 1);
+    (second.within_half, second.within_one) = (0, 1);
+    let mut other = second.clone();
+    (other.variant, other.within_half) = ("recovered", 1);
+    report.tallies = vec![second, other, report.tallies[0].clone()];
+    all.add("tallies", tallies(&report).into_string());
+    report.tallies.clear();
+    all.add("no tallies", tallies(&report).into_string());
+    all.pin("paper-pages");
 }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::gallery::Gallery;
 use mechaudit::machine::Source;
 use mechaudit::machine::run_up::Overrides;
 use mechaudit::solvers::run_up::{CycleError, Flywheel, FlywheelError, Sample, Turn};
@@ -60,25 +61,6 @@ fn cycle() -> Cycle {
     }
 }
 
-fn cycle_value() -> Value {
-    json!({
-        "omega_at_start_angle_rad_per_s": 30.5,
-        "period_s": 0.2,
-        "mean_rad_per_s": 31.25,
-        "least_rad_per_s": 30.0,
-        "least_at_phi1_deg": -90.0,
-        "most_rad_per_s": 32.5,
-        "most_at_phi1_deg": 405.0,
-        "coefficient_of_fluctuation": 0.08,
-        "multiplier": 0.001_25,
-        "work_motor_J": 6.0,
-        "work_weights_J": -0.5,
-        "work_load_J": -5.5,
-        "mismatch_rad_per_s": 1e-12,
-        "iterations": 4,
-    })
-}
-
 fn wheel(inertia: f64) -> Flywheel {
     Flywheel {
         inertia,
@@ -102,49 +84,6 @@ fn stalled() -> CycleError {
         psi: 2.0,
         phi: 1.0,
         t: 0.5,
-    }
-}
-
-#[test]
-fn cycles_and_flywheels_have_a_line_each() {
-    assert!(steady_lines(&NONE).is_empty());
-    let lines = |cycle, flywheel| {
-        steady_lines(&Steady {
-            cycle,
-            flywheel,
-            wanted: 0.05,
-        })
-    };
-    let found = "steady cycle: 31.250000 rad/s in the mean, from 30.000000 (at 270.00 deg) to \
-                 32.500000 rad/s (at 45.00 deg), coefficient of fluctuation 0.080000, 1.250e-3 of a \
-                 disturbance left after a turn";
-    assert_eq!(lines(Some(Ok(cycle())), None), [found]);
-    assert_eq!(
-        lines(Some(Err(stalled())), Some(Err(refused()))),
-        [stalled().to_string(), format!("no flywheel: {}", refused()),]
-    );
-    // The words of an error are not told before it.
-    let lost = CycleError::NotFound {
-        iterations: 50,
-        change: 1e-300,
-    };
-    assert_eq!(
-        lines(Some(Err(lost)), None),
-        [
-            "no steady cycle found in 50 iterations: the speed at the section still changes by 1e-300 rad/s in a turn"
-        ]
-    );
-    for (inertia, due) in [
-        (
-            0.0,
-            "flywheel: none is needed for a coefficient of fluctuation of 0.05",
-        ),
-        (
-            1.0,
-            "flywheel: 1.0000 kg·m² more at the crank give a coefficient of fluctuation of 0.05",
-        ),
-    ] {
-        assert_eq!(lines(None, Some(Ok(wheel(inertia)))), [due]);
     }
 }
 
@@ -182,95 +121,68 @@ fn little_inertia_is_warned_of() {
     );
 }
 
+/// The words of an error are not told before it.
 #[test]
-fn how_a_run_ends_is_a_line() {
-    let loaded = machine(&[]);
-    let free = machine(&[("constant = \"2 N m\"\n", "")]);
-    let captured = "captured after 2.500000 s and 5.000 turns: the motion repeats at 11.500000 \
-                    rad/s in the mean, below the motor's pull-out torque or the target speed, and \
-                    does not get past";
-    for (outcome, due) in [
-        (
-            Outcome::TimeUp,
-            "the time is over after 2.500000 s and 5.000 turns at 12.250000 rad/s",
-        ),
-        (
-            Outcome::Target,
-            "the target speed 12.250000 rad/s is reached after 2.500000 s and 5.000 turns",
-        ),
-        (
-            Outcome::Settled { mean: 11.5 },
-            "the motion repeats after 2.500000 s and 5.000 turns: 11.500000 rad/s in the mean",
-        ),
-        (Outcome::Captured { mean: 11.5 }, captured),
-    ] {
-        assert_eq!(ending(&loaded, &motion(outcome)), due);
-    }
-    let rest = motion(Outcome::Stalled { torque: 1.5 });
-    let due = "stalled: the crank comes to rest after 2.500000 s and 5.000 turns at phi1 = 90.000 \
-               deg, where motor and weights give 1.500000 N m together";
-    assert_eq!(ending(&free, &rest), due);
-    let load = " against a constant load of 2.000000 N m";
-    assert_eq!(ending(&loaded, &rest), format!("{due}{load}"));
-    let held = Motion {
-        end: rest.start,
-        ..rest.clone()
+fn cycles_and_flywheels_have_a_line_each() {
+    assert!(steady_lines(&NONE).is_empty());
+    let mut all = Gallery::default();
+    let lost = CycleError::NotFound {
+        iterations: 50,
+        change: 1e-300,
     };
-    let due = "stalled: the crank does not start at phi1 = 90.000 deg, motor and weights give \
-               1.500000 N m together";
-    assert_eq!(ending(&free, &held), due);
-    assert_eq!(ending(&loaded, &held), format!("{due}{load}"));
+    for (cycle, flywheel) in [
+        (Some(Ok(cycle())), None),
+        (Some(Err(stalled())), Some(Err(refused()))),
+        (Some(Err(lost)), None),
+        (None, Some(Ok(wheel(0.0)))),
+        (None, Some(Ok(wheel(1.0)))),
+    ] {
+        let steady = Steady {
+            cycle,
+            flywheel,
+            wanted: 0.05,
+        };
+        all.add("lines", steady_lines(&steady).join("\n"));
+    }
+    all.pin("steady-cycles");
 }
 
 /// A method that the user has chosen stays.
 #[test]
-fn stiffness_and_cost_are_said() {
+fn ends_and_costs() {
+    let mut all = Gallery::default();
     let open = machine(&[]);
+    let free = machine(&[("constant = \"2 N m\"\n", "")]);
     let chosen = machine(&[("step = \"2 ms\"", "method = \"dop853\"\ntolerance = 1e-8")]);
     let hybrid = machine(&[("step = \"2 ms\"", "coefficients = \"hybrid\"")]);
-    let smooth = motion(Outcome::TimeUp);
-    let stiff_motion = Motion {
-        stiff_from: Some(0.125),
-        ..smooth.clone()
-    };
-    assert_eq!(
-        (stiff(&open, &smooth), stiff(&chosen, &smooth)),
-        (None, None)
-    );
-    assert_eq!(
-        stiff(&open, &stiff_motion).unwrap(),
-        "stiff from 1.250e-1 s on: radau5 took over from verner98"
-    );
-    assert_eq!(
-        stiff(&chosen, &stiff_motion).unwrap(),
-        "stiff from 1.250e-1 s on: stability alone keeps the steps of dop853 short; --method radau5 needs far fewer"
-    );
-    let counts = "101 steps, 7 rejected, 3 taken again at events, 1616 evaluations; energy balance -3.000e-9 J";
-    let tolerance = open.plan.settings.tolerance;
-    let due = [
-        format!("verner98 at tolerance {tolerance:e}: {counts}"),
-        format!("verner98, then radau5, at tolerance {tolerance:e}: {counts}"),
-        format!("dop853 at tolerance 1e-8: {counts}"),
-        format!("dop853 at tolerance 1e-8: {counts}"),
-    ];
-    let all = [
-        (&open, &smooth),
-        (&open, &stiff_motion),
-        (&chosen, &smooth),
-        (&chosen, &stiff_motion),
-    ];
-    assert_eq!(all.map(|(machine, motion)| cost(machine, motion)), due);
-    assert_eq!(
-        cost(&hybrid, &smooth),
-        format!(
-            "{}; the hybrid's dI_n/dphi is not the derivative of its I_n, so energy is not kept",
-            due[0]
-        )
-    );
+    for outcome in [
+        Outcome::TimeUp,
+        Outcome::Target,
+        Outcome::Settled { mean: 11.5 },
+        Outcome::Captured { mean: 11.5 },
+        Outcome::Stalled { torque: 1.5 },
+    ] {
+        let mut run = motion(outcome);
+        all.add("run", ending(&open, &run));
+        run.end = run.start;
+        all.add("from its start", ending(&free, &run));
+    }
+    let mut run = motion(Outcome::TimeUp);
+    for from in [None, Some(0.125)] {
+        run.stiff_from = from;
+        for machine in [&open, &chosen, &hybrid] {
+            let stiff = stiff(machine, &run).unwrap_or_default();
+            all.add(
+                format!("stiff from {from:?}"),
+                format!("{}\n{stiff}", cost(machine, &run)),
+            );
+        }
+    }
+    all.pin("run-ends");
 }
 
 #[test]
-fn a_json_file_begins_with_all_that_is_known() {
+fn json_files_hold_all_that_is_known() {
     let event = |kind, t| Event {
         t,
         phi: PI,
@@ -295,72 +207,33 @@ fn a_json_file_begins_with_all_that_is_known() {
         flywheel: Some(Ok(wheel(3.5))),
         wanted: 0.05,
     };
+    let mut all = Gallery::default();
     let geared = machine(&[("step = \"2 ms\"", "tolerance = 1e-9")]);
-    let event = |kind: &str, turn: Option<i64>, t: f64| json!({ "kind": kind, "turn": turn, "t_s": t, "phi1_deg": 180.0, "omega_rad_per_s": 2.0 });
-    let inertia = geared.drive.inertia();
-    let due = json!({
-        "schema_version": 1,
-        "mechaudit_version": env!("CARGO_PKG_VERSION"),
-        "type": "four-bar",
-        "name": "crank-rocker, run-up",
-        "motor": "table",
-        "inertia_at_crank_kg_m2": inertia,
-        "coefficients": "exact",
-        "nodes": null,
-        "method": "verner98",
-        "tolerance": 1e-9,
-        "stiff_from_s": null,
-        "outcome": { "kind": "settled", "mean_rad_per_s": 11.5, "torque_N_m": null },
-        "warning": "light",
-        "counts": { "steps": 101, "rejected": 7, "retaken": 3, "evaluations": 1616 },
-        "events": [
-            event("dead_position", None, 0.25),
-            event("turn", Some(2), 0.5),
-            event("target_speed", None, 0.75),
-            event("rest", None, 1.0),
-        ],
-        "turns": [{
-            "t_s": 0.5,
-            "omega_rad_per_s": 12.0,
-            "mean_rad_per_s": 12.5,
-            "energy_imbalance_J": 1e-9,
-        }],
-        "steady_cycle": cycle_value(),
-        "flywheel": { "fluctuation": 0.05, "inertia_kg_m2": 3.5, "cycle": cycle_value() },
-    });
-    assert_eq!(
-        Value::Object(json(&geared, &run, &steady, Some("light"))),
-        due
+    all.add_json(
+        "settled",
+        json(&geared, &run, &steady, Some("light")).into(),
     );
-}
-
-#[test]
-fn json_names_outcomes_and_what_was_not_found() {
     let splined = machine(&[("step = \"2 ms\"", "coefficients = \"splines\"\nnodes = 12")]);
-    for (outcome, due) in [
-        (Outcome::TimeUp, json!(["time_up", null, null])),
-        (Outcome::Target, json!(["target", null, null])),
-        (
-            Outcome::Captured { mean: 3.0 },
-            json!(["captured", 3.0, null]),
-        ),
-        (
-            Outcome::Stalled { torque: 4.0 },
-            json!(["stalled", null, 4.0]),
-        ),
+    for outcome in [
+        Outcome::TimeUp,
+        Outcome::Target,
+        Outcome::Captured { mean: 3.0 },
+        Outcome::Stalled { torque: 4.0 },
     ] {
         let run = Motion {
             stiff_from: Some(0.5),
             ..motion(outcome)
         };
         let found = json(&splined, &run, &NONE, None);
-        let [o, steady, wheel] = ["outcome", "steady_cycle", "flywheel"].map(|k| &found[k]);
-        let o = json!([o["kind"], o["mean_rad_per_s"], o["torque_N_m"]]);
-        assert_eq!(o, due);
-        assert!(steady.is_null() && wheel.is_null() && found["warning"].is_null());
-        assert_eq!(found["nodes"], 12);
-        assert_eq!(found["coefficients"], "splines");
-        assert_eq!(found["stiff_from_s"], 0.5);
+        let of = [
+            "outcome",
+            "steady_cycle",
+            "flywheel",
+            "warning",
+            "nodes",
+            "coefficients",
+        ];
+        all.add("not found", json!(of.map(|key| &found[key])).to_string());
     }
     let lost = Steady {
         cycle: Some(Err(stalled())),
@@ -368,6 +241,9 @@ fn json_names_outcomes_and_what_was_not_found() {
         wanted: 7.0,
     };
     let found = json(&splined, &motion(Outcome::TimeUp), &lost, None);
-    assert_eq!(found["steady_cycle"]["error"], stalled().to_string());
-    assert_eq!(found["flywheel"]["error"], refused().to_string());
+    all.add(
+        "errors",
+        json!([found["steady_cycle"], found["flywheel"]]).to_string(),
+    );
+    all.pin("run-facts");
 }

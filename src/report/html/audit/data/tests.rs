@@ -1,6 +1,7 @@
 //! Tests of `data`.
 
 use super::*;
+use crate::report::gallery::Gallery;
 use crate::report::text::method::tests::fabricated;
 
 fn of_reports(report: &MethodReport, n: usize) -> Value {
@@ -75,54 +76,17 @@ fn cases_are_numbered_and_share_the_beginnings_of_their_places() {
     assert_eq!((of_output(1, 0), of_output(2, 0)), (None, None));
     assert_eq!(data.place_of(0, &near), Some(1));
     assert_eq!(data.place_of(0, &case("near", 4, vec![])), None);
-    let written = serde_json::to_value(&data).unwrap();
-    let method = &written["methods"][0];
-    let [wide, near, elsewhere] =
-        ["wide", "near", "elsewhere"].map(|r| format!("--region {r} --seed 1 --case"));
-    for (part, due) in [
-        ("name", serde_json::json!("a-method")),
-        (
-            "command",
-            serde_json::json!(["mechaudit audit a-method ", ""]),
-        ),
-        ("marks", serde_json::json!([])),
-        ("inputs", serde_json::json!([["a", 0], ["b", 1]])),
-        ("heads", serde_json::json!([wide, near, elsewhere])),
-        ("regions", serde_json::json!(["wide", "near", "elsewhere"])),
-        (
-            "cases",
-            serde_json::json!([
-                [0, 0, "17", [0.1, -2.0], 0],
-                [1, 1, "3", ["inf", 0.5], null],
-                [1, 1, "9", [], null],
-                [2, 2, "3", [1.0], null],
-            ]),
-        ),
-        (
-            "outputs",
-            serde_json::json!([{
-                "name": "phi2", "limit": 4.0, "octaves": [[-2, 399, 0], [2, 1, 0]], "wrong": 2,
-            }]),
-        ),
-        (
-            "points",
-            serde_json::json!([
-                [2, "t-good", [0.0, 1.0], [1.23, null]],
-                [3, "t-bad", [], [null]],
-            ]),
-        ),
-        ("map", Value::Null),
-    ] {
-        assert_eq!(method[part], due, "{part}");
-    }
+    let mut all = Gallery::default();
+    let shown = |data: &Value| serde_json::to_string_pretty(&data["methods"][0]).unwrap();
+    all.add("of a method", shown(&serde_json::to_value(&data).unwrap()));
     report.budgets[0].budget.limit = Limit::Relative(1e-3);
     (report.regions[0].name, report.regions[1].name) = ("zeros", "beside a seam");
     let method = &of_reports(&report, 1)["methods"][0];
-    assert_eq!(method["outputs"][0]["limit"], Value::Null);
-    assert_eq!(
-        method["marks"],
-        serde_json::json!([["zero", [0]], ["seam", [1]]])
+    all.add(
+        "marks",
+        format!("{} {}", method["outputs"][0]["limit"], method["marks"]),
     );
+    all.pin("data");
 }
 
 /// 1200 points over all regions, but three of each; 300 cases in full over all methods, and the
