@@ -19,7 +19,7 @@ pub(crate) type Input = Numbers<*const f64>;
 /// An array that is written to.
 pub(crate) type Output = Numbers<*mut f64>;
 
-/// The addresses of n numbers, one byte after another; an error if there cannot be so many.
+/// The addresses of n numbers, one byte after another; an error if n is too large.
 fn addresses(name: &str, first: usize, stride: isize, n: usize) -> Result<Range<usize>, Failure> {
     if first == 0 {
         return Err(Failure::null(name));
@@ -164,11 +164,11 @@ impl Complexes {
         let dense = [x.stride, y.stride, u.stride, v.stride] == [2; 4];
         let pairs = y.first == x.first.wrapping_add(1) && v.first == u.first.wrapping_add(1);
         (self.apart && dense && pairs).then(|| {
-            // SAFETY: n pairs of doubles one after another, readable and apart from the output, aligned
-            // for doubles and so for `Complex64`, which is `repr(C)`.
+            // SAFETY: n pairs of doubles one after another, readable and apart from the output,
+            // aligned for doubles and so for `Complex64`, which is `repr(C)`.
             let z = unsafe { std::slice::from_raw_parts(x.first.cast(), self.n) };
-            // SAFETY: n pairs one after another, writable. A double has no invalid bits; whether the caller
-            // ever wrote there is not known, but the solver only writes.
+            // SAFETY: n pairs one after another, writable. A double has no invalid bits; whether
+            // the caller ever wrote there is not known, but the solver only writes.
             let w = unsafe { std::slice::from_raw_parts_mut(u.first.cast(), self.n) };
             (z, w)
         })
@@ -206,7 +206,8 @@ impl Complexes {
     }
 }
 
-/// Puts `f` of n real numbers into their places, a piece at a time; `f` is told where the piece begins.
+/// Puts `f` of n real numbers into their places, a piece at a time; `f` is told where the piece
+/// begins.
 ///
 /// # Safety
 /// All input can be read and all output written; nothing else does either meanwhile.

@@ -60,7 +60,7 @@ fn written_component(value: &Scaled, decimal: Option<String>) -> Component {
     )
 }
 
-/// Bits for so many digits, with some to spare.
+/// The bits that hold `digits` decimal digits, with some to spare.
 pub fn bits_of(digits: u32) -> u32 {
     ((f64::from(digits) + 2.0) * std::f64::consts::LOG2_10).ceil() as u32 + 4
 }

@@ -58,7 +58,7 @@ pub fn statistics<'py>(py: Python<'py>, r: &RegionReport) -> PyResult<Bound<'py,
     Ok(d)
 }
 
-/// A report; `tail` is what the place of a case needs besides.
+/// A report; `tail` is what else the place of a case needs.
 pub fn report_facts<'py>(
     py: Python<'py>,
     report: &MethodReport,

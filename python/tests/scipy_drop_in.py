@@ -10,7 +10,7 @@ from mechaudit import special
 
 NAMES = ("dawsn", "erf", "erfc", "erfcx", "erfi", "voigt_profile", "wofz")
 
-# What scipy's tests are told of array libraries is looked up by the function.
+# The facts on array libraries for scipy's tests are looked up by the function.
 capabilities = scipy._lib._array_api.xp_capabilities_table
 for name in NAMES:
     known = capabilities.get(getattr(scipy.special, name))

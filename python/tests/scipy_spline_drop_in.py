@@ -5,7 +5,7 @@ import scipy._lib._array_api
 import scipy.interpolate
 import scipy.interpolate._cubic
 
-# What scipy's tests are told of array libraries is looked up by the class.
+# The facts on array libraries for scipy's tests are looked up by the class.
 capabilities = scipy._lib._array_api.xp_capabilities_table
 capabilities[mechaudit.CubicSpline] = capabilities[scipy.interpolate.CubicSpline]
 

@@ -172,7 +172,7 @@ def test_the_scheduler_killed_and_the_campaign_taken_up(folder, begun, due, tmp_
     program("status", str(folder), code=1)
     _, file = scheduler(begun, tmp_path, "second")
     worker(begun, file)
-    # What does no whole shard is done again.
+    # A shard that is not whole is done again.
     half = folder / "shards" / "000000.json"
     half.write_bytes(half.read_bytes()[:-100])
     ended(client(begun, str(folder), "--scheduler", file))

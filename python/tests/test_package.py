@@ -103,7 +103,7 @@ def test_licences_are_installed():
 
 
 def test_import_loads_little():
-    """What importing brings in besides NumPy; the README has the time measured."""
+    """The modules that importing brings in beside NumPy; the README has the time measured."""
     code = """
         import sys, numpy
         before = set(sys.modules)
@@ -157,7 +157,7 @@ def test_the_gil_is_released():
 
     thread = threading.Thread(target=count)
     thread.start()
-    # What the counter does while one loop holds the interpreter cannot be much more than a switch.
+    # The count while one loop holds the interpreter cannot be much more than a switch.
     before = ticks[0]
     special.erf(z)
     during = ticks[0] - before

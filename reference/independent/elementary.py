@@ -486,7 +486,7 @@ def number(rng, places, exact):
     else:
         reach = 900 if exact else rng.choice([60, 200, 1000, 5000, 1 << 18, 1 << 29])
         x = Dyadic(rng.randrange(-(1 << bits), 1 << bits), -bits + rng.randrange(-reach, reach + 1))
-    # To so many bits; what is at a place needs all of them.
+    # Rounded to that number of bits; what is at a place needs all of them.
     if kind >= 3 and x.m.bit_length() > bits:
         cut = x.m.bit_length() - bits
         x = Dyadic(x.m >> cut, x.e + cut)

@@ -223,7 +223,7 @@ CELLS, REAL_AXIS, REAL_LINE = tables()
 
 
 def w(x, y):
-    """Arb's, or the asymptotic series where its arguments are out of reach; each component to 80 bits if it can be had."""
+    """Arb's, or the asymptotic series where its arguments are out of reach; each component to 80 bits where possible."""
     for ctx.prec in (300, 3000):
         z = acb(arb(x), arb(y))
         value = (-z * z).exp() * (acb(0, -1) * z).erfc() if max(x, y) < 1e6 else far(z)

@@ -21,7 +21,7 @@ import sys
 SAME = "Exp Sqrt Sin Cos Sinh Cosh Tanh Log Asin Acos Asinh Acosh Atanh Atan2 Abs Re Im Arg".split()
 NAMES = {name: name.lower() for name in SAME} | {"Atan": "arctan", "Conjugate": "conj", "Gamma": "tgamma"}
 PARTS = {"Abs", "Re", "Im", "Arg", "Conjugate"}
-# What an integer parameter may be, by its set, and the values that are tried.
+# The values that an integer parameter may take, by its set, and the values that are tried.
 SETS = {"ZZ": range(-2, 4)}
 
 

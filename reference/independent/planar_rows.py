@@ -128,7 +128,7 @@ def table():
                     value = value * 180 / mp.pi
                     value -= 360 * mp.nint(value / 360)
                 values = [value, mp.diff(one, at, 1), mp.diff(one, at, 2)]
-                # What is zero shows the rounding of the forms.
+                # A value of zero shows the rounding of the forms.
                 values = [mp.mpf(0) if abs(v) < mp.mpf(10) ** -30 else v for v in values]
                 lines.append(f"{name},{drive},{quantity}," + ",".join(mp.nstr(v, DIGITS) for v in values))
     return "\n".join(lines) + "\n"

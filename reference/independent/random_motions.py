@@ -30,7 +30,7 @@ TERMS = [
     ("log(2 + t)", "1/(2 + t)"),
     ("sqrt(1 + t)", "1/(2*sqrt(1 + t))"),
 ]
-# What vanishes with the difference d of a state from what was drawn, beside a state y.
+# Terms that vanish with the difference d of a state from what was drawn, beside a state y.
 VANISHING = [
     "{d}", "sin({d})", "({d})^3", "({d})*exp(-({d}))", "tanh({d})", "({d})/(1 + ({d})^2)", "atan({d})", "({d})*{y}",
     "({d})*cos(t*{y})", "({d})*abs({y})", "({d})*if({y} > 0, 1, 2)", "({d})*fmax({y}, 0.2)", "erf({d})", "asinh({d})",

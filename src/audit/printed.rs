@@ -131,7 +131,7 @@ impl Printed {
         }
     }
 
-    /// The number in the method's unit, enclosed with so many bits; none where it is no finite
+    /// The number in the method's unit, enclosed with `bits` bits; none where it is no finite
     /// number.
     pub fn value(&self, bits: u32) -> Option<Ball> {
         let PrintedNumber::Decimal(decimal) = &self.number else {

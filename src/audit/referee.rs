@@ -152,7 +152,7 @@ impl Referee<'_> {
         }
     }
 
-    /// By the reference with so many bits, the `level`-th, or as the refusal that is allowed.
+    /// By the reference with the `level`-th number of bits, or as the refusal that is allowed.
     fn judged(
         &mut self,
         rules: &Rules,

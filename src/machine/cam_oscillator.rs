@@ -173,7 +173,7 @@ pub struct Run {
     pub duration: f64,
     /// In seconds.
     pub step: f64,
-    /// How many there are.
+    /// Their number.
     pub rows: u64,
 }
 
@@ -224,7 +224,7 @@ const MOST_HARMONICS: u32 = 100_000;
 const TOLERANCE: f64 = 1e-4;
 /// Nobody waits for more than these without having asked for them.
 const MOST_UNASKED: u32 = 2000;
-/// How far the harmonics are to reach beyond the resonance.
+/// The factor by which the harmonics reach beyond the resonance.
 const REACH: f64 = 2.0;
 
 impl CamOscillator {

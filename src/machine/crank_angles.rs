@@ -19,7 +19,7 @@ pub struct Grid {
     /// The first angle.
     pub from: Rational,
     step: Rational,
-    /// How many there are.
+    /// Their number.
     pub count: u64,
     /// True if the window was asked for, or is one turn from the start.
     asked: bool,
@@ -58,13 +58,13 @@ pub enum GridError {
     TooMany {
         /// The step in degrees.
         step: f64,
-        /// How many are possible.
+        /// The largest number possible.
         most: u64,
     },
 }
 
 impl Grid {
-    /// The angles of the window, at most so many; they begin at `start` if the window does not say
+    /// The angles of the window, at most `most`; they begin at `start` if the window does not say
     /// where.
     ///
     /// # Errors
@@ -104,7 +104,7 @@ impl Grid {
     pub(super) fn first_at(&self, degrees: &Rational) -> Option<Rational> {
         let whole = |q: Rational| q.numer().to_u64().unwrap_or(u64::MAX);
         let round = Rational::from(360);
-        // The places of these angles between two of the grid recur after so many turns.
+        // The places of these angles between two of the grid recur after that number of turns.
         let recur = Rational::from(&round / &self.step).denom().to_u64();
         let last = Rational::from(self.count.saturating_sub(1)) * &self.step;
         let turns = whole(Rational::from(&last / &round).floor()) + 1;
@@ -182,7 +182,7 @@ impl Plan {
         })
     }
 
-    /// How many there are.
+    /// Their number.
     pub fn count(&self) -> u64 {
         match self.limits {
             None => (self.last - self.first + 1).max(0) as u64,

@@ -25,9 +25,8 @@
 //! let branch = class_iii::choose(&linkage.solver, &start, None, &linkage.start)?;
 //! let mut certifier = class_iii::Certifier::new(&linkage, 25);
 //! let position = certifier.advance(&start, &branch.start).expect("proved");
-//! for (name, digits) in class_iii::names(&linkage, true)[2..].iter().zip(certifier.values(&start, &position)) {
-//!     println!("{name} = {}", digits.as_deref().unwrap_or("undecided"));
-//! }
+//! for (name, digits) in class_iii::names(&linkage, true)[2..].iter().zip(certifier.values(&start,
+//! &position)) {     println!("{name} = {}", digits.as_deref().unwrap_or("undecided")); }
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -47,7 +46,7 @@ pub use linkage::Linkage;
 pub use sections::CrankMotion;
 pub use source::{Form, Refusal, Source, SourceError};
 
-/// Bits at which so many significant decimal digits are tried to be proved first.
+/// The bits at which the proof of `digits` significant decimal digits is first tried.
 fn first_bits(digits: u32) -> u32 {
     (f64::from(digits) * std::f64::consts::LOG2_10).ceil() as u32 + 64
 }

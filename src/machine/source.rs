@@ -40,7 +40,7 @@ pub enum SourceError {
     /// It is not text.
     #[error("the file is not UTF-8 text (at byte {at})")]
     NotUtf8 {
-        /// How many bytes are text.
+        /// The number of bytes that are text.
         at: usize,
         /// The fault of the next one.
         source: std::string::FromUtf8Error,

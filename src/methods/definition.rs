@@ -305,7 +305,7 @@ impl<D: Definition> Evaluable for Entry<D> {
     }
 }
 
-/// [`Definition::conditions`] by [`Definition::conditions_at`] at values of so many bits, or of up
+/// [`Definition::conditions`] by [`Definition::conditions_at`] at values of `bits` bits, or of up
 /// to eight times as many where the reference is undecided with fewer.
 pub(super) fn conditions_at_reference<D: Definition>(
     numbers: &[f64],

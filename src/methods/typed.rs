@@ -1,4 +1,4 @@
-//! Each method's signature as a type, for code of one's own: see [`audit`](crate::audit()).
+//! Each method's signature as a type, for code of users: see [`audit`](crate::audit()).
 
 use crate::audit::SolverAnswer;
 use num_complex::Complex;

@@ -94,7 +94,7 @@ impl Number {
         }
     }
 
-    /// How many of the printed digits are right, and how many there are: those that the value has
+    /// The number of printed digits that are right, and of all: those that the value has
     /// in the same places, or all where the print is the correct rounding.
     pub(super) fn right_digits(&self, value: &Ball) -> (usize, usize) {
         let digits = significant(&self.text);

@@ -50,7 +50,7 @@ pub struct PaperReport {
     pub paper: Citation,
     /// The findings, in plain words with figures.
     pub findings: Vec<Finding>,
-    /// How many entries agree, by variant of the data and column.
+    /// The number of entries that agree, by variant of the data and column.
     pub tallies: Vec<Tally>,
     /// Every printed entry.
     pub entries: Vec<Entry>,
@@ -139,7 +139,7 @@ pub(super) fn figure(name: impl Into<String>, value: impl ToString, unit: &'stat
 /// Stands for a value that is not known to the digits asked for.
 const UNDECIDED: &str = "undecided";
 
-/// A value to so many digits.
+/// A value to `digits` digits.
 pub(super) fn shown(value: &Ball, digits: usize) -> String {
     decided(value.to_decimal(digits))
 }
@@ -218,7 +218,7 @@ pub struct Entry {
     pub variants: BTreeMap<&'static str, VariantJudgement>,
 }
 
-/// How many entries of a column agree.
+/// The number of entries of a column that agree.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Tally {
     /// Variant of the data.

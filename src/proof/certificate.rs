@@ -32,7 +32,7 @@ impl<L, P> Default for Certificate<L, P> {
     }
 }
 
-/// How far a proof is, and whether it is to end.
+/// The progress of a proof, and whether it is to end.
 #[derive(Debug, Default)]
 pub struct Watch {
     /// Parts of the first partition done.

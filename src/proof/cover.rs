@@ -76,7 +76,7 @@ impl Rectangle {
         })
     }
 
-    /// How many numbers, less one, lie on each side.
+    /// The number of numbers, less one, on each side.
     fn sides(&self) -> [u64; 2] {
         [self.a, self.b].map(|[lo, hi]| hi.to_bits() - lo.to_bits())
     }
@@ -171,8 +171,8 @@ fn binade(k: i32) -> [f64; 2] {
 }
 
 /// A square about zero, and shells `2^k ≤ max(Re z, |Im z|) < 2^{k+1}` around it, each cut into
-/// rectangles, with so many binades of the smaller coordinate cut apart at once; from the least
-/// coordinates on.
+/// rectangles, with that number of binades of the smaller coordinate cut apart at once; from the
+/// least coordinates on.
 pub(crate) fn shells(
     binades: RangeInclusive<i32>,
     beside: i32,

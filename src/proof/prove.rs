@@ -152,7 +152,7 @@ impl Target {
         norm / self.norm >= self.excess(leaves)
     }
 
-    /// How many times the worst of the bounds is above what it should be.
+    /// The factor by which the worst of the bounds is above what it should be.
     fn excess(&self, leaves: &[Leaf]) -> f64 {
         worst(leaves.iter().map(|l| {
             let parts = larger(l.bound.re, l.bound.im) / self.component;

@@ -53,7 +53,7 @@ pub struct OfFormula {
     pub re: Option<Attained>,
     /// Of the imaginary part.
     pub im: Option<Attained>,
-    /// Of either part, besides, in units of 2⁻¹⁰⁷⁵, where it may be below 2⁻⁹⁶⁰.
+    /// Added for either part, in units of 2⁻¹⁰⁷⁵, where it may be below 2⁻⁹⁶⁰.
     pub tiny: f64,
 }
 

@@ -13,13 +13,13 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 pub(crate) struct Result {
     /// Its value in exact arithmetic, divided by σ if it is small.
     pub exact: Interval,
-    /// How far the number computed may be from it, divided by σ if it is small.
+    /// The largest distance of the number computed from it, divided by σ if it is small.
     pub error: f64,
-    /// And besides, in units of 2⁻¹⁰⁷⁵.
+    /// Added to it, in units of 2⁻¹⁰⁷⁵.
     pub tiny: f64,
     /// Tells whether σ is a factor.
     pub small: bool,
-    /// The error as a part of the value, besides.
+    /// The further error as a part of the value.
     pub relative: f64,
 }
 

@@ -164,7 +164,7 @@ impl Draw {
         self.fraction() << k
     }
 
-    /// A ball about a fraction, of so many bits and a radius from nothing to a few units, and now
+    /// A ball about a fraction, of `bits` bits and a radius from nothing to a few units, and now
     /// and then a wide one.
     pub fn ball(&mut self, bits: u32, from: i32, to: i32) -> Ball {
         let x = Ball::rational(bits, &self.sized(from, to));

@@ -88,7 +88,7 @@ impl Axis {
         }
     }
 
-    /// How far a value is along the axis, from 0 to 1.
+    /// The place of a value along the axis, from 0 to 1.
     pub fn part(&self, x: f64) -> f64 {
         (x - self.range.0) / (self.range.1 - self.range.0)
     }

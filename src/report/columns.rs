@@ -9,7 +9,7 @@ use std::borrow::Cow;
 #[derive(Clone, Debug, PartialEq)]
 struct Scale {
     by: Rational,
-    /// Powers of 180/π besides.
+    /// With powers of 180/π.
     degrees: i32,
 }
 
@@ -314,7 +314,7 @@ fn power_of_ten(scale: &Scale) -> Option<i32> {
     })
 }
 
-/// A decimal with its point so many places farther to the right, with the same digits.
+/// A decimal with its point `places` places farther to the right, with the same digits.
 fn shifted(text: &str, places: i32) -> String {
     let (sign, size) = match text.strip_prefix('-') {
         Some(size) => ("-", size),

@@ -133,7 +133,7 @@ pub struct Bound {
 pub enum Roots {
     /// The only root: `root(x, a, b, f)`.
     Only,
-    /// The root at a place, counted from 1, of exactly so many: `root(x, a, b, f, place, count)`.
+    /// The root at a place, counted from 1, of exactly `count`: `root(x, a, b, f, place, count)`.
     One {
         /// The place in ascending order.
         place: u32,

@@ -39,7 +39,7 @@ hunts = 2
 evaluations = 100
 """
 
-# What the program is asked for each page, and the exit codes that are no accident.
+# The arguments of the program for each page, and the exit codes that are no accident.
 PAGES = {
     "audit": (["audit", "--cases", "4"], [0]),
     "method": (["audit", "faddeeva", "--cases", "20"], [0]),

@@ -432,7 +432,7 @@ fn a_count_of_modes_that_is_open_is_no_proof() {
         "undecided at 0 deg whether these are all assembly modes",
     );
     said(&d, "proved for 1 of 2 values of the drive");
-    // Cells that stay open count besides.
+    // Cells that stay open are counted, too.
     let cells = d.out.matches("undecided").count();
     let open = format!("undecided: {} values could not be certified", cells + 1);
     assert!(cells > 1 && d.err.contains(&open), "{}{}", d.out, d.err);

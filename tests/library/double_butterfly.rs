@@ -233,7 +233,7 @@ impl Elimination {
     }
 }
 
-/// How many real roots a square-free polynomial has, by Sturm's sequence.
+/// The number of real roots of a square-free polynomial, by Sturm's sequence.
 fn real_roots(p: &Poly) -> usize {
     let derivative = (1..p.len()).map(|k| Rational::from(&p[k] * k as u32));
     let mut sequence = vec![p.clone(), derivative.collect()];

@@ -1,4 +1,4 @@
-//! How far off a solver may be at the values of `reference/values/`:
+//! The largest errors of solvers at the values of `reference/values/`:
 //! `tests/solver_values/allowed.csv`.
 //!
 //! `src/solvers/tests` reads both without GMP or MPFR. `cargo test --release --test library
@@ -16,8 +16,8 @@ const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 const ALLOWED: &str = "tests/solver_values/allowed.csv";
 const SPECIAL: &str = "tests/solver_values/special.csv";
 
-/// How many times the worst error of its region, at the time of writing, a value may be off. It is
-/// never more than the budget allows.
+/// The factor of the worst error of its region, at the time of writing, by which a value may be
+/// off. It is never more than the budget allows.
 const SLACK: f64 = 2.0;
 
 /// A line of `reference/values/`.

@@ -30,7 +30,7 @@ impl Random {
     }
 }
 
-/// The worst of so many ratios of the widths from `10^low` to `10^high`, and where.
+/// The worst of `points` ratios of the widths from `10^low` to `10^high`, and where.
 fn worst(points: usize, low: f64, high: f64) -> (f64, [f64; 2]) {
     let mut r = Random((high - low) as u64);
     let mut worst = (0.0, [0.0; 2]);

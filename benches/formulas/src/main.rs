@@ -20,7 +20,7 @@ static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
 /// Points of a core.
 const POINTS: usize = 256;
-/// Draws after which a core without so many valid points takes those that there are.
+/// Draws after which a core with fewer valid points takes those that were found.
 const DRAWS: u64 = 4096;
 /// Rounds of rival3, as Herbie allows them.
 const ROUNDS: usize = 5;

@@ -17,7 +17,7 @@ const BLOCK: u64 = 512;
 /// Blocks shared out to the threads at once; their results are added up in order.
 const BLOCKS: u64 = 128;
 
-/// How many points.
+/// The number of points.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Settings {
     /// Key of the random points.

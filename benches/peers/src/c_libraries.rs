@@ -175,7 +175,8 @@ impl Code for CBatch {
     fn evaluate(&self, z: &[Complex64], out: &mut [Complex64]) {
         assert_eq!(z.len(), out.len());
         let (from, to) = (z.as_ptr().cast(), out.as_mut_ptr().cast());
-        // SAFETY: both hold so many complex numbers, one after another; NULL asks for no message.
+        // SAFETY: both hold that number of complex numbers, one after another; NULL asks for no
+        // message.
         let status = unsafe { (self.batch)(0, z.len(), from, 1, to, 1, std::ptr::null_mut()) };
         assert_eq!(status, 0, "status of mechaudit_batch");
     }

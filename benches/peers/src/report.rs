@@ -20,7 +20,7 @@ pub struct Compared {
 /// Accuracy of all codes.
 #[derive(Serialize)]
 pub struct AccuracyReport {
-    /// How many points.
+    /// The number of points.
     pub settings: accuracy::Settings,
     /// Certified bits of each part of the reference.
     pub reference_bits: u32,

@@ -113,11 +113,11 @@ def audit(
     outputs : str or sequence of str, optional
         Only these are judged.
     ulps, conditioned, relative, absolute : float, optional
-        A budget of one's own for each output: units in the last place, units of
+        A user-supplied budget for each output: units in the last place, units of
         ``2**-53 * (1 + condition)``, a relative or an absolute error. Of the last two given together
         the larger one counts.
     normwise : float, optional
-        A budget of one's own for the norm of all errors by the norm of all values.
+        A user-supplied budget for the norm of all errors by the norm of all values.
     single : bool
         Whether `f` computes in single precision: it is given float32 and complex64, inputs are numbers
         of that format, ulps are its ulps.

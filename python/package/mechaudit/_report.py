@@ -29,7 +29,7 @@ def called(method: str, place: str) -> str:
 
 
 class Finding:
-    """Something that came out besides errors in digits: an exception, a wrong shape, a wrong type.
+    """A finding other than an error in digits: an exception, a wrong shape, a wrong type.
 
     Attributes
     ----------

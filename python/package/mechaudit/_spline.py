@@ -52,7 +52,7 @@ class CubicSpline:
         Outside of the knots: the polynomial of the end, NaN, or periodically. None is 'periodic' for
         a periodic spline and True otherwise.
     certified : bool
-        Keep the data exactly besides and answer `certified`: everything rational arithmetic gives.
+        Also keep the data exactly and answer `certified`: everything rational arithmetic gives.
 
     Attributes
     ----------
@@ -576,7 +576,7 @@ def _has_complex_end(bc_type: Any) -> bool:
     try:
         return any(np.iscomplexobj(value) for _, value in pairs)
     except (TypeError, ValueError):
-        # What is wrong with it is told where it is read.
+        # The place where it is read reports what is wrong with it.
         return False
 
 

@@ -105,7 +105,7 @@ def task(binary: str, plan: bytes | None, folder: str | None, numbers: range) ->
 
 
 def _batches(numbers: Sequence[int], size: int) -> Iterator[range]:
-    """Neighbours together, at most so many."""
+    """Groups neighbours, at most `size` together."""
     start = None
     for at, k in enumerate(numbers):
         if start is None:

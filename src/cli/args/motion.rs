@@ -18,8 +18,8 @@ The file is a study with [ode], see `mechaudit::book`. Times are separated by co
 FIRST:LAST:STEP stands for all times from the first to the last, itself included where the steps meet \
 it. Times and inputs are exact as written: decimals, hexadecimal floats or quotients.
 
-Every digit is certified: correctly rounded, or the last one off by one at most. A value without so \
-many certified digits is undecided, and one that does not exist, as after a blow-up, is nan; the reason is \
+Every digit is certified: correctly rounded, or the last one off by one at most. A value with \
+fewer certified digits is undecided, and one that does not exist, as after a blow-up, is nan; the reason is \
 on standard error.
 
 Exit codes: 0, all digits are certified; 1, some are undecided or nan; 2, bad usage or input.";

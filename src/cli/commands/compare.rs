@@ -175,7 +175,7 @@ fn timed(candidate: &Candidate, inputs: &Arc<Inputs>, n: usize) -> Option<Durati
     process.end(end).is_none().then(|| start.elapsed())
 }
 
-/// The time for an answer through the protocol, start-up apart; `run` takes so many inputs.
+/// The time for an answer through the protocol, start-up apart; `run` takes that number of inputs.
 fn speed(run: impl Fn(usize) -> Option<Duration>) -> Option<Speed> {
     let starts: Option<Vec<Duration>> = (0..STARTS).map(|_| run(1)).collect();
     let start = starts?.into_iter().min()?;
@@ -198,7 +198,7 @@ fn more(n: usize, taken: Duration) -> usize {
     (wanted as usize).clamp(2 * n, 16 * n).min(MANY)
 }
 
-/// The time for each of so many answers.
+/// The time for each of `answers` answers.
 fn nanoseconds(taken: Duration, answers: usize) -> f64 {
     taken.as_secs_f64() * 1e9 / answers as f64
 }

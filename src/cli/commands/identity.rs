@@ -51,7 +51,7 @@ enum IdentityError {
 }
 
 impl IdentityError {
-    /// That of a text which begins behind so many characters of its line.
+    /// That of a text which begins `characters` characters into its line.
     fn behind(characters: usize, e: SymbolicError) -> IdentityError {
         match e {
             SymbolicError::Parse { at, reason } => {

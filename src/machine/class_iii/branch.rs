@@ -31,12 +31,13 @@ pub struct End {
     pub phi4: f64,
 }
 
-/// How far the crank turns.
+/// The range of the crank's turn.
 #[derive(Clone, Copy, Debug)]
 pub enum Reach {
     /// All round.
     Whole {
-        /// After so many the linkage is back where it was; `None` if not within 12.
+        /// The number of turns after which the linkage is back where it was; `None` if not within
+        /// 12.
         turns: Option<u32>,
     },
     /// Between two folds.
@@ -55,7 +56,7 @@ pub struct Branch {
     pub mode: usize,
     /// The position at the start.
     pub start: State,
-    /// How far the crank turns.
+    /// The range of the crank's turn.
     pub reach: Reach,
     /// Where crank and link 2 are in line.
     pub dead: Vec<DeadPosition>,

@@ -86,7 +86,7 @@ pub fn certified(dyad: &Dyad, degrees: &Rational, assembly: Assembly, digits: u3
     Proved::Values(proved)
 }
 
-/// Returns whether the dyad can be joined, or `None` if that cannot be told with so many bits.
+/// Returns whether the dyad can be joined, or `None` if that cannot be decided with `bits` bits.
 fn within_reach(shape: &Shape, degrees: &Rational, bits: u32) -> Option<bool> {
     let ball = |q: &Rational| Ball::rational(bits, q);
     let (sin, cos) = shape.relative(degrees, bits).sin_cos();

@@ -11,7 +11,7 @@ use crate::reference::{Ball, ComplexBall, nearest_f64};
 use rug::Rational;
 use std::cmp::Ordering;
 
-/// How far the dyad reaches at a crank angle, where that can be told exactly.
+/// The reach of the dyad at a crank angle, where it can be stated exactly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reached {
     /// It cannot be joined.
@@ -124,8 +124,8 @@ pub(super) fn floating(shape: &Shape, degrees: &Rational) -> Option<Values<f64>>
     }
 }
 
-/// The position with so many digits, where it is singular exactly: `None` for what has no value, or
-/// no proved digits.
+/// The position with `digits` digits, where it is singular exactly: `None` for what has no value,
+/// or no proved digits.
 pub(super) fn certified(
     shape: &Shape,
     degrees: &Rational,

@@ -22,10 +22,11 @@ pub struct End {
     pub kind: Option<SingularKind>,
 }
 
-/// How far the drive goes.
+/// The range of the drive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reach {
-    /// All round; after so many turns the mechanism is back where it was, `None` if not within 12.
+    /// All round, and the number of turns after which the mechanism is back where it was; `None` if
+    /// not within 12.
     Whole {
         /// The turns.
         turns: Option<u32>,
@@ -44,13 +45,13 @@ pub enum Reach {
 pub struct Branch {
     /// Number of the mode at the start.
     pub mode: usize,
-    /// How many there are.
+    /// Their number.
     pub modes: usize,
     /// True if these are all; not where one may be singular.
     pub complete: bool,
     /// The position at the start.
     pub start: State,
-    /// How far the drive goes.
+    /// The range of the drive.
     pub reach: Reach,
     /// Masses and loads, if the file has them.
     pub loads: Option<Loads>,
@@ -99,7 +100,7 @@ pub enum PlanarError {
         number: usize,
         /// The drive with its unit.
         at: String,
-        /// How many there are.
+        /// Their number.
         count: usize,
     },
     /// No mode is near the angles given.

@@ -77,7 +77,7 @@ pub struct Certifier<'a> {
 }
 
 impl<'a> Certifier<'a> {
-    /// For so many significant digits of every value.
+    /// For `digits` significant digits of every value.
     ///
     /// # Errors
     /// [`NotExact`].
@@ -136,7 +136,7 @@ impl<'a> Certifier<'a> {
         }
     }
 
-    /// The reference's drive for the user's in degrees or metres, so many whole turns on.
+    /// The reference's drive for the user's in degrees or metres, that number of whole turns on.
     fn drive(&self, value: &Rational, turns: i64, bits: u32) -> Ball {
         let Some([body, from]) = self.driven else {
             return Ball::rational(bits, value);

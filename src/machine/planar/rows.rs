@@ -4,7 +4,7 @@ use super::Machine;
 use super::branch::wrapped;
 use crate::solvers::planar::{Description, GroupKind, Joint, Loads, State, curvature};
 
-/// Which columns there are besides the bodies' angles.
+/// The columns beside the bodies' angles.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Columns {
     /// Positions, derivatives and curvature of the paths of all named points.

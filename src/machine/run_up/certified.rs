@@ -42,7 +42,7 @@ const ROWS: u32 = 1000;
 const MOST: u32 = 1_000_000;
 
 impl CertifiedRun {
-    /// Reads the description of a machine of any type, for so many significant digits.
+    /// Reads the description of a machine of any type, for `digits` significant digits.
     ///
     /// ```
     /// use mechaudit_cli::machine::{run_up::CertifiedRun, Source};

@@ -28,7 +28,7 @@ pub(super) struct LawInput<'a, T: Number> {
 }
 
 impl<'a, T: Number> LawInput<'a, T> {
-    /// Nothing if the kind does not have so many parameters.
+    /// Nothing if the kind has another number of parameters.
     pub(super) fn new(kind: f64, share: T::Of<'a>, parameters: &'a [T]) -> Option<Self> {
         let fits = match kind {
             SCCA => parameters.len() == 2,

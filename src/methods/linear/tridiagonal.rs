@@ -39,7 +39,7 @@ method! {
 /// exchanges elimination ends there, whether the matrix is singular or not.
 pub(super) const ZERO_PIVOT: &str = "zero pivot";
 
-/// The word for an error of elimination without row exchanges in so many rows, the same for open
+/// The word for an error of elimination without row exchanges in `rows` rows, the same for open
 /// and cyclic systems.
 pub(super) fn word(e: &TridiagonalError, rows: usize) -> &'static str {
     match e {

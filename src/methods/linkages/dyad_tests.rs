@@ -19,7 +19,7 @@ fn passes_with_another_seed(name: &str) {
     assert!(report.laws.iter().all(|l| l.cases > 100));
 }
 
-/// The check points with the word of their refusal; besides, a hundred cases out of reach.
+/// The check points with the word of their refusal, and a hundred cases out of reach.
 fn refuses(name: &str, check_points: &[(&str, &'static str)]) {
     let method = find(name).unwrap();
     let domain = method.domain();

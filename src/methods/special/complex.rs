@@ -24,8 +24,8 @@ impl From<ComplexInput<'_>> for Complex<f64> {
     }
 }
 
-/// The reference is asked for so many bits less than the working precision: each component comes
-/// out with the accuracy asked for, and 80 bits settle every budget here.
+/// The reference is asked for this number of bits less than the working precision: each component
+/// comes out with the accuracy asked for, and 80 bits settle every budget here.
 const SPARED: u32 = 48;
 
 /// The bits the reference is asked for at a working precision.

@@ -79,7 +79,7 @@ fn fit(i: CubicSplineUniformInput) -> Result<UniformCubicSpline, &'static str> {
     })
 }
 
-/// Of so many segments.
+/// Data of a number of segments between two limits.
 fn sample(draw: &mut Draw, segments: [usize; 2], shape: Shape) -> Vec<f64> {
     let n = draw.integer(segments[0], segments[1]);
     let (sx, sy) = match shape {

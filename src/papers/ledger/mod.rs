@@ -131,13 +131,13 @@ pub struct Obligation {
 /// A search for the smallest repair.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Repair {
-    /// How many single edits the family has for this formula.
+    /// The number of single edits that the family has for this formula.
     pub single_edits: usize,
-    /// How many of them make everything true.
+    /// The number of them that make everything true.
     pub single_that_hold: usize,
     /// Pairs of edits tried; zero if a single edit does or pairs were not asked for.
     pub pairs: usize,
-    /// How many of those hold.
+    /// The number of those that hold.
     pub pairs_that_hold: usize,
     /// Edits that make the formula divide by zero.
     pub without_value: usize,
@@ -220,7 +220,7 @@ impl Ledger {
         !self.entries.is_empty() && self.entries.iter().all(|e| e.as_recorded)
     }
 
-    /// How many entries have that verdict.
+    /// The number of entries with that verdict.
     pub fn count(&self, verdict: Verdict) -> usize {
         self.entries.iter().filter(|e| e.verdict == verdict).count()
     }

@@ -6,8 +6,9 @@
 //!
 //! ```text
 //! parallelogram  c = 1,  b = a
-//! left folded    a = 1,  c = b      the left crank lies on the ground, rod and right crank turn together
-//! right folded   b = −1, c = −a     the right crank lies on the ground, rod and left crank turn together
+//! left folded    a = 1,  c = b      the left crank lies on the ground, rod and right crank turn
+//! together right folded   b = −1, c = −a     the right crank lies on the ground, rod and left
+//! crank turn together
 //! ```
 //!
 //! For N windows in a row this leaves circles: cranks l to r turn as one, all before them point
@@ -175,7 +176,7 @@ pub struct Meeting {
     pub admissible: bool,
 }
 
-/// The position on one line with so many cranks to the right.
+/// The position on one line with `right` cranks to the right.
 pub fn meeting(n: usize, right: usize) -> Meeting {
     let at = on_one_line(n, right);
     let tangents = tangents(n, right);

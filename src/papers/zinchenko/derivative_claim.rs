@@ -31,7 +31,7 @@ fn fine() -> Fine {
     all
 }
 
-/// The spline through every so many of the fine grid's values, and its derivative, on the grid.
+/// The spline through `nodes` of the fine grid's values, and its derivative, on the grid.
 fn splined(values: &[f64], nodes: usize) -> [Vec<f64>; 2] {
     let stride = FINE / nodes;
     let y = (0..=nodes).map(|j| values[j * stride % FINE]).collect();
@@ -46,7 +46,7 @@ fn splined(values: &[f64], nodes: usize) -> [Vec<f64>; 2] {
     [value, slope]
 }
 
-/// The largest difference at every so many points.
+/// The largest difference at every `stride`-th point.
 fn worst(a: &[f64], b: &[f64], stride: usize) -> f64 {
     let pairs = a.iter().zip(b).step_by(stride);
     pairs.fold(0.0, |m, (a, b)| m.max((a - b).abs()))

@@ -3,8 +3,8 @@
 //!
 //! The findings, their figures and the conditions on record stand in `reference/papers/zinchenko`;
 //! here is the analysis that measures them: the recipe behind the columns, the centres of mass that
-//! belong to them, every entry's deviation, and what the paper's claim about the spline's derivative
-//! is worth.
+//! belong to them, every entry's deviation, and what the paper's claim about the spline's
+//! derivative is worth.
 
 pub mod data;
 mod derivative_claim;
@@ -68,7 +68,7 @@ fn exact_micro(x: f64) -> Ball {
     Ball::rational(BITS, &Rational::from(((x * 1e6).round() as i64, 1_000_000)))
 }
 
-/// How many entries agree under each variant, the worst I_n, and the misprints.
+/// The number of entries that agree under each variant, the worst I_n, and the misprints.
 fn count(entries: &[Entry], tallies: &[Tally], measured: &mut Measured) {
     measured.set("total", entries.len() as f64);
     for (k, name) in ["printed", "exact", "fitted"].into_iter().enumerate() {

@@ -114,7 +114,7 @@ fn programs_at_points_are_within_their_errors() {
     }
 }
 
-/// Beside a small factor down to zero: in units of it, and what underflows besides.
+/// Beside a small factor down to zero: in units of it, and what underflows.
 #[test]
 fn programs_beside_a_small_factor() {
     let mut random = ChaCha8Rng::seed_from_u64(2);
@@ -511,7 +511,7 @@ fn what_a_product_loses() {
         sum.error > 1e-17 && lost.exact.magnitude() < 0.1,
         "{lost:?}"
     );
-    // Beside the small factor what is lost has it too, and what underflows besides.
+    // Beside the small factor what is lost has it too, and what underflows.
     let with = Setting {
         sigma: Exact::coordinate(Interval::new(0.0, 1.0), 0),
         ..setting(Rounding::default())

@@ -117,7 +117,7 @@ fn what_quotients_leave_out_is_attained() {
             x.main.range.lo / y.main.range.lo
         ));
     }
-    // Of one error each: `(|d| + |Q||e|)|e|/(|Y|(|Y| − |e|))`, and `(r + |Q|q)/|Y|` besides.
+    // Of one error each: `(|d| + |Q||e|)|e|/(|Y|(|Y| − |e|))`, plus `(r + |Q|q)/|Y|`.
     let (x, y) = (form(3.0, &[(1, 0.25)], 0.0), form(2.0, &[(2, 0.125)], 0.0));
     let second = (0.25 + 1.5 * 0.125) * 0.125 / (2.0 * 1.875);
     assert!(is_near(quotient(&x, &y).expect("no zero").rest, second));

@@ -29,7 +29,7 @@ pub(super) const REDUCED: f64 = 0.785_400_5;
 /// Phases of the short form are below this many quarters.
 const SHORT: f64 = 128.0;
 
-/// How far a reduced phase is from `θ − k π/2`.
+/// The distance of a reduced phase from `θ − k π/2`.
 pub(super) struct Phase {
     /// As a pair.
     pub error: f64,

@@ -24,7 +24,7 @@ pub(super) struct Value {
     pub least: f64,
     /// An upper bound of it.
     pub most: f64,
-    /// How far the number computed may be from it.
+    /// The largest distance of the number computed from it.
     pub error: f64,
 }
 

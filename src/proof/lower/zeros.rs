@@ -48,7 +48,7 @@ pub(crate) struct Zero {
     size: f64,
     /// `|g̃_n − g_n|`, then `|d_n|` of what is left out.
     errors: Vec<f64>,
-    /// How far the three parts are from the zero.
+    /// The distance of the three parts from the zero.
     off: f64,
 }
 

@@ -125,8 +125,8 @@ fn halves(
     Some(parts)
 }
 
-/// Parts of the domain that are proved apart, so many where there are enough numbers: each the half
-/// of one that was the first to be cut.
+/// Parts of the domain that are proved apart, that number where there are enough numbers: each the
+/// half of one that was the first to be cut.
 pub fn parts(program: &Program, many: usize) -> Vec<Vec<Interval>> {
     let mut whole = Vec::new();
     let mut left = VecDeque::from([program.domain.clone()]);

@@ -1,4 +1,4 @@
-//! How far a formula, evaluated without rounding, is from w.
+//! The distance of a formula, evaluated without rounding, from w.
 
 mod asymptotic;
 mod maclaurin;
@@ -52,6 +52,6 @@ pub(crate) struct OfSum {
     pub exponential: f64,
     /// The largest `|E|`.
     pub most: f64,
-    /// Below the formula's U where E is added: `1/(√π x²)`, and positive terms besides.
+    /// Below the formula's U where E is added: `1/(√π x²)`, plus positive terms.
     pub least: f64,
 }

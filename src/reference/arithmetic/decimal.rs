@@ -265,7 +265,7 @@ pub(crate) fn exact(n: &Integer) -> Float {
     Float::with_val(n.significant_bits().max(prec_min()), n)
 }
 
-/// Half a unit of the last of so many digits of x from above: `10^(1−digits) |x| / 2`.
+/// Half a unit of the last of `digits` digits of x from above: `10^(1−digits) |x| / 2`.
 fn half_a_unit(x: &Float, digits: usize) -> Mag {
     let power = exact(&Integer::from(10).pow(digits as u32 - 1));
     Mag::above(x).shift(-1).div(Mag::below(&power))

@@ -142,7 +142,7 @@ fn nearest(n: u64, e: i64) -> f64 {
 /// Of two, of the smallest subnormal number.
 const LEAST: i64 = -1074;
 
-/// Less than half is left of 64 bits without so many of them.
+/// Less than half is left of 64 bits without that number of them.
 const ALL: i64 = 65;
 
 /// From here on numbers of at most 64 bits are zero or infinite.

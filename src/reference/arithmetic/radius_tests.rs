@@ -556,8 +556,8 @@ fn mantissas() -> impl FnMut() -> f64 {
 }
 
 /// Radii of 53 bits are computed with a few roundings upwards: one downwards among them would show
-/// in some of so many radii, though it costs a unit in the last place only. Precisions are so high
-/// that midpoints are as good as exact.
+/// in some of that number of radii, though it costs a unit in the last place only. Precisions are
+/// so high that midpoints are as good as exact.
 #[test]
 fn no_unit_of_a_radius_is_rounded_down() {
     let mut next = mantissas();

@@ -1,7 +1,7 @@
 //! Answers functions of balls line by line, for checks by another program.
 //!
 //! A line is a name, the precision of the result and the operands, each `bits m e r s` for the ball
-//! `m 2^e ± r 2^s` with a midpoint of so many bits. A complex function has the prefix `complex_`,
+//! `m 2^e ± r 2^s` with a midpoint of `bits` bits. A complex function has the prefix `complex_`,
 //! and its operands and its answer consist of two balls. The answer is `m e r s`, or `undefined`,
 //! `undecided` or `overflow` with a sign.
 

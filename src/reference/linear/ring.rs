@@ -33,7 +33,7 @@ fn are_known(values: &[Ball], bits: u32) -> bool {
 }
 
 /// Returns the result of `found` from the factors, at the first working precision at which it is
-/// known to so many bits, or what is known at the last; nothing where the ring is too long or the
+/// known to `bits` bits, or what is known at the last; nothing where the ring is too long or the
 /// matrix may be singular.
 fn known(
     matrix: [&[Rational]; 3],
@@ -59,7 +59,7 @@ fn known(
     best
 }
 
-/// The solution to so many bits, or what is known of it.
+/// The solution to `bits` bits, or what is known of it.
 pub(super) fn solve(matrix: [&[Rational]; 3], d: &[Rational], bits: u32) -> Option<Vec<Ball>> {
     known(matrix, bits, |working, factors| {
         let d: Vec<Ball> = d.iter().map(|q| Ball::rational(working, q)).collect();

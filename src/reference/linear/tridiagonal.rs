@@ -307,7 +307,7 @@ fn minors(lower: &[Rational], diagonal: &[Rational], upper: &[Rational]) -> Mino
 
 /// `|A⁻¹| (|A| |x| + |d|)` of a tridiagonal system, entry by entry: the sum over all data of
 /// `|datum · ∂x_i/∂datum|`. Computed exactly and rounded once, or in balls to 60 bits where the
-/// system is long; `None` where the matrix is singular or that cannot be had.
+/// system is long; `None` where the matrix is singular or no enclosure was found.
 ///
 /// # Panics
 /// When the lengths do not fit.

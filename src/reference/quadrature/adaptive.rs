@@ -146,8 +146,8 @@ fn resolution(size: i32, lower: &Float, upper: &Float) -> u32 {
     u32::try_from(size.saturating_sub(exponent(&width))).unwrap_or(0)
 }
 
-/// Bits by which the parameters are larger than the width: a node has to be known to so many bits
-/// more.
+/// Bits by which the parameters are larger than the width: a node has to be known to that number of
+/// bits more.
 fn finer(lower: &Float, upper: &Float) -> u32 {
     resolution(exponent(lower).max(exponent(upper)), lower, upper)
 }

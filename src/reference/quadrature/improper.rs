@@ -33,7 +33,7 @@ impl<F: Integrand> Path for Line<'_, F> {
 }
 
 impl<F> Line<'_, F> {
-    /// x, and the bits to work with: so many that t is known as well as by itself.
+    /// x, and the bits to work with: enough that t is known as well as by itself.
     fn place(&self, t: &Ball, bits: u32) -> (Ball, u32) {
         let Some(a) = &self.origin else {
             return (if self.negative { -t } else { t.clone() }, bits);

@@ -51,7 +51,7 @@ impl Series {
         self.rest.prec()
     }
 
-    /// At most so many terms; the others go into the rest.
+    /// The largest number of terms; the others go into the rest.
     pub(super) fn cut(mut self, k: u32, terms: usize) -> Series {
         while self.c.len() > terms {
             let last = self.c.pop().expect("a term");

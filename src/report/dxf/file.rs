@@ -19,7 +19,7 @@ pub(super) struct Writer {
 }
 
 impl Writer {
-    /// For entities, whose handles follow those of so many layers.
+    /// For entities, whose handles follow those of the layers.
     pub(super) fn beyond(layers: usize) -> Writer {
         Writer {
             text: String::new(),

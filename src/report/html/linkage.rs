@@ -10,7 +10,7 @@ use maud::{Markup, html};
 
 /// Positions in the tables at most.
 const ROWS: usize = 25;
-/// Columns of a table at most, besides the drive.
+/// The largest number of columns of a table beside the drive.
 const COLUMNS: usize = 6;
 
 /// The columns' values at each position as courses over the drive; the drive and the branch, which

@@ -27,7 +27,7 @@ pub struct Page<'a> {
     pub title: &'a str,
     /// The words of the bar beside the program's name.
     pub kind: &'a str,
-    /// Style sheets besides the frame's.
+    /// Style sheets in addition to the frame's.
     pub styles: &'a [&'a str],
     /// Lines of the contents.
     pub contents: Markup,
@@ -38,7 +38,7 @@ pub struct Page<'a> {
     pub columns: (&'a [&'a str], &'a [String]),
     /// Data for scripts: name of the element and JSON.
     pub data: &'a [(&'a str, String)],
-    /// Scripts besides the frame's, in their order.
+    /// Scripts in addition to the frame's, in their order.
     pub scripts: &'a [&'a str],
 }
 
@@ -155,7 +155,7 @@ pub struct AboutPaper<'a> {
     pub columns: &'a [&'a str],
     /// Data for scripts.
     pub data: &'a [(&'a str, String)],
-    /// Scripts besides the frame's.
+    /// Scripts in addition to the frame's.
     pub scripts: &'a [&'a str],
 }
 

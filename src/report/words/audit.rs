@@ -16,7 +16,7 @@ pub fn verdict(report: &MethodReport) -> (&'static str, Tone) {
     }
 }
 
-/// How many cases failed, or how many passed where none did.
+/// The number of cases that failed, or of those that passed where none did.
 pub fn cases(report: &MethodReport) -> String {
     let recorded = match report.recorded {
         0 => String::new(),
@@ -67,7 +67,7 @@ impl Worst {
     }
 }
 
-/// How many there are of each wrong kind.
+/// The number of each wrong kind.
 pub fn kinds(of: &Kinds) -> String {
     let each = of.nonzero().map(|(kind, n)| format!("{n} {}", kind.name()));
     each.collect::<Vec<_>>().join(", ")
@@ -150,7 +150,7 @@ pub fn mark(law: &LawReport) -> (&'static str, Tone) {
     }
 }
 
-/// How many methods and cases pass.
+/// The number of methods and cases that pass.
 pub fn totals(reports: &[MethodReport]) -> String {
     let sum = |of: fn(&MethodReport) -> u64| reports.iter().map(of).sum::<u64>() as usize;
     let recorded = match sum(|r| r.recorded) {

@@ -28,7 +28,7 @@ pub fn word(outcome: Outcome) -> &'static str {
     }
 }
 
-/// How many entries of each kind, in words.
+/// The number of entries of each kind, in words.
 pub fn entries(ledger: &Ledger) -> String {
     use Verdict as V;
     let kinds = [
@@ -50,7 +50,7 @@ pub fn entries(ledger: &Ledger) -> String {
     format!("{} entries: {}", ledger.entries.len(), parts.join(", "))
 }
 
-/// How many entries there are, and whether they are as recorded.
+/// The number of entries, and whether they are as recorded.
 pub fn counts(ledger: &Ledger) -> String {
     let changed = ledger.entries.iter().filter(|e| !e.as_recorded).count();
     format!("{}; {}.", entries(ledger), recorded(changed))

@@ -49,7 +49,7 @@ pub fn unit(unit: &str) -> String {
         .replace("^2", "²")
 }
 
-/// At most so many characters, with an ellipsis after them where some are left out.
+/// At most `most` characters, with an ellipsis after them where some are left out.
 pub fn clipped(text: &str, most: usize) -> String {
     if text.chars().count() <= most {
         return text.into();

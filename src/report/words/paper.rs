@@ -40,7 +40,7 @@ pub fn entry(verdict: EntryVerdict) -> &'static str {
     }
 }
 
-/// How many findings of each kind.
+/// The number of findings of each kind.
 pub fn kinds(report: &PaperReport) -> String {
     use FindingVerdict as V;
     let kinds = [
@@ -60,7 +60,7 @@ pub fn kinds(report: &PaperReport) -> String {
     parts.join(", ")
 }
 
-/// How many findings are not as recorded.
+/// The number of findings that are not as recorded.
 pub fn recorded(changed: usize) -> String {
     match changed {
         0 => "all as recorded".into(),
@@ -68,13 +68,13 @@ pub fn recorded(changed: usize) -> String {
     }
 }
 
-/// How many findings there are of what kind.
+/// The number of findings by kind.
 pub fn findings(report: &PaperReport) -> String {
     let all = count(report.findings.len(), "finding");
     format!("{all}: {}", kinds(report))
 }
 
-/// How many findings there are, and whether they are as recorded.
+/// The number of findings, and whether they are as recorded.
 pub fn counts(report: &PaperReport) -> String {
     let changed = report.findings.iter().filter(|f| !f.as_recorded).count();
     format!(

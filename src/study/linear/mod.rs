@@ -182,7 +182,7 @@ impl Linear {
         counts.fold(0, usize::saturating_add)
     }
 
-    /// The open length of an input of so many numbers; any number where none is open.
+    /// The open length of an input of `found` numbers; any number where none is open.
     fn open(&self, found: usize) -> Option<usize> {
         if self.letter.is_none() {
             return (self.count(0) == found).then_some(0);
@@ -199,7 +199,7 @@ impl Linear {
         (low > 0 && self.count(low) == found).then_some(low)
     }
 
-    /// The reason why an input of so many numbers is none, if it is none.
+    /// The reason why `found` numbers are no input, if they are none.
     pub(super) fn refusal(&self, found: usize) -> Option<String> {
         if self.open(found).is_some() {
             return None;

@@ -1,4 +1,4 @@
-//! Every slip of a small equation, by kind, and none besides.
+//! Every slip of a small equation, by kind, and no other.
 
 use super::*;
 use crate::{parse, parse_equation};

@@ -9,7 +9,7 @@ use mechaudit_reference::{Ball, ComplexBall, Mag};
 use rug::Rational;
 use std::sync::Arc;
 
-/// The value of a formula of x, to so many digits, or the reason why there is none.
+/// The value of a formula of x, to `digits` digits, or the reason why there is none.
 fn value(text: &str, x: (i64, i64), digits: usize) -> String {
     let definitions = Definitions::default();
     let e = parse(text).unwrap();

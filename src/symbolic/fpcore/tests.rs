@@ -54,7 +54,7 @@ fn operators_and_loops() {
     }
 }
 
-/// What a body asks for is not replaced by binary64 unseen.
+/// The precision that a body asks for is not replaced by binary64 unseen.
 #[test]
 fn other_roundings_are_seen() {
     for (text, due) in [

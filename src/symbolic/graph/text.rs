@@ -20,7 +20,7 @@ impl Graph {
     }
 
     /// The expression of a node that depends on no bound variable and holds no binder, if it has at
-    /// most so many parts when it is written out; those are counted down.
+    /// most that number of parts when it is written out; those are counted down.
     pub fn expression(&self, id: Id, parts: &mut u32) -> Option<Expr> {
         *parts = parts.checked_sub(1)?;
         let mut of = |id: Id| self.expression(id, parts);

@@ -59,7 +59,8 @@ struct Args {
     /// Leave out tests that take longer than this many seconds
     #[arg(long, value_name = "S", default_value_t = 20.0)]
     longest: f64,
-    /// Spend so many seconds on one mutant; one that no test has noticed until then is missed
+    /// Spend this number of seconds on one mutant; one that no test has noticed until then is
+    /// missed
     #[arg(long, value_name = "S")]
     most: Option<f64>,
     /// So many mutants, drawn by chance and judged in that order: those judged first are a sample

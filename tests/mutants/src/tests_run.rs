@@ -21,7 +21,7 @@ pub struct Test {
     tries: Mutex<HashMap<usize, Tries>>,
 }
 
-/// How many mutants a test was shown and how many it caught.
+/// The number of mutants that a test was shown and of those it caught.
 #[derive(Clone, Copy, Default)]
 struct Tries {
     shown: f64,

@@ -212,7 +212,7 @@ pub struct Evaluation<'a> {
 }
 
 impl<'a> Evaluation<'a> {
-    /// All outputs of a method, in floating point or with so many certified digits.
+    /// All outputs of a method, in floating point or with `digits` certified digits.
     pub fn new(method: &'a dyn Evaluable, digits: Option<u32>) -> Evaluation<'a> {
         Evaluation {
             layout: Layout::new(method),
@@ -427,8 +427,8 @@ mod tests {
         }
     }
 
-    /// Lines that have arrived are answered together, so many for each thread; the end is looked
-    /// for once more.
+    /// Lines that have arrived are answered together, a fixed number for each thread; the end is
+    /// looked for once more.
     #[test]
     fn lines_are_answered_together() {
         let method = lookup::method("erf").unwrap();

@@ -138,7 +138,7 @@ struct Judged {
     interrupted: bool,
 }
 
-/// Judges answers as long as there are some: of all inputs or that on a line, of so many if that is
+/// Judges answers as long as there are some: of all inputs or that on a line, of `total` if that is
 /// known.
 fn judged(
     inputs: &mut Inputs,

@@ -12,7 +12,7 @@ fn read(text: &str) -> Machine {
     Machine::read(&Source::toml(text)).unwrap()
 }
 
-/// The branch that the file means over a turn or a range, in so many steps.
+/// The branch that the file means over a turn or a range, in `n` steps.
 fn drawn(machine: &Machine, n: u32) -> Motion {
     let at = machine.start.at.unwrap_or(0.0);
     let at = if machine.rotary() {

@@ -63,7 +63,7 @@ fn fault(e: impl std::fmt::Display) -> MovingError {
 }
 
 impl Certified {
-    /// For so many significant digits of every quantity of a row.
+    /// For `digits` significant digits of every quantity of a row.
     ///
     /// # Errors
     /// [`MovingError`].
@@ -115,7 +115,7 @@ impl Certified {
         found
     }
 
-    /// Adds what is decided by a run of so many bits.
+    /// Adds what a run of `bits` bits decides.
     fn try_at(
         &mut self,
         time: &Rational,

@@ -15,7 +15,7 @@ fn refused(text: &str) -> String {
     }
 }
 
-/// Angle in degrees, speed and acceleration in floating point after so many seconds.
+/// Angle in degrees, speed and acceleration in floating point after `seconds` seconds.
 fn floating(text: &str, seconds: f64) -> [f64; 3] {
     let mut machine = Machine::read(&Source::toml(text), Overrides::default()).unwrap();
     machine.plan.duration = seconds;

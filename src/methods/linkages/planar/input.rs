@@ -42,7 +42,7 @@ inputs! {
     }
 }
 
-/// How far from `near` the angles may be.
+/// The largest distance of the angles from `near`.
 pub(super) const REACH: f64 = 0.1;
 /// Bits that prove most positions.
 pub(super) const BITS: u32 = 64;

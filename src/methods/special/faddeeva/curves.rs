@@ -173,7 +173,7 @@ pub(in crate::methods::special) fn w_roughly(z: C) -> C {
 /// is among them, or relative to itself.
 #[derive(Clone, Copy)]
 pub(in crate::methods::special) enum Beside {
-    /// Three places down and so many up.
+    /// Three places down and as many up.
     Places(usize),
     Shift(f64),
 }

@@ -79,7 +79,7 @@ pub(in crate::methods::special) fn along_axis(d: &mut Draw) -> f64 {
     d.uniform_or_log(0.7, [0.0, 30.0], [1e-3, 1e5])
 }
 
-/// Named arguments, and the first zeros of so many.
+/// Named arguments, and the first `zeros` zeros.
 pub(in crate::methods::special) fn named_points(
     named: &[(&'static str, f64, f64)],
     zero: fn(usize) -> [f64; 2],

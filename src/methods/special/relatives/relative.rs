@@ -26,7 +26,7 @@ pub struct Zeros {
     pub at: fn(usize) -> [f64; 2],
     /// Tells whether −x, −y belong to a zero as well.
     pub mirrored: [bool; 2],
-    /// The solver stores so many of them; beyond it sums in longer numbers.
+    /// The number of them that the solver stores; beyond it sums in longer numbers.
     pub stored: usize,
 }
 

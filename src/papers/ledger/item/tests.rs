@@ -47,7 +47,7 @@ impl Item {
         self
     }
 
-    /// Expected to be a misprint that so many edits of the family undo.
+    /// Expected to be a misprint that `edits` edits of the family undo.
     pub fn misprint(mut self, edits: usize, confused: &[&str], missing: &str) -> Item {
         self.family = Some(Family::new(confused, missing));
         self.most_edits = edits;

@@ -62,7 +62,7 @@ fn count(at: Rectangle, depth: u32, zeros: &[(f64, f64)]) -> Result<usize, Proof
     Ok(count(parts[0], depth + 1, zeros)? + count(parts[1], depth + 1, zeros)?)
 }
 
-/// How many squares prove it.
+/// The number of squares that prove it.
 ///
 /// # Errors
 /// Where it is open.

@@ -60,8 +60,8 @@ fn g(zeta: &ComplexBall, bits: u32) -> (ComplexBall, Ball) {
     (ComplexBall::new(re, im), norm)
 }
 
-/// How far a solution is at most from a point that a map moves by `off`, if that is small enough:
-/// `factor` is `1/(1 − L)` of the map, or more.
+/// The largest distance of a solution from a point that a map moves by `off`, if that is small
+/// enough: `factor` is `1/(1 − L)` of the map, or more.
 fn within(off: &ComplexBall, enough: Mag, factor: f64) -> Option<Mag> {
     let off = off.magnitude();
     let radius = off.mul(Mag::from_f64(factor));

@@ -117,7 +117,8 @@ fn binades(within: Option<f64>) -> Vec<(i32, [u64; 2])> {
         .collect()
 }
 
-/// How many lines these binades have, none of them with a whole S; `None` if it was stopped.
+/// The number of lines that these binades have, none of them with a whole S; `None` if it was
+/// stopped.
 fn count_lines(binades: &[(i32, [u64; 2])], watch: &Watch) -> Result<Option<u64>, ProofError> {
     let mut lines = 0;
     for &(k, [first, last]) in binades {

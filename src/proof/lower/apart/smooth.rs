@@ -54,7 +54,7 @@ struct Block {
 }
 
 impl Smooth<'_> {
-    /// How many numbers there are from `first` to `last`, none with a value next to a whole number;
+    /// The number of numbers from `first` to `last`, none with a value next to a whole number;
     /// `None` if it was stopped.
     ///
     /// # Errors

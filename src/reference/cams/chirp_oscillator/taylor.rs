@@ -153,7 +153,7 @@ fn growth_rate(p: &Problem, q: &Rational) -> Mag {
     size(&p.w).add(size(&p.n).shift(1)).add(size(q))
 }
 
-/// The number of terms that should do for so many bits, and `R/h`.
+/// The number of terms that should do for `bits` bits, and `R/h`.
 ///
 /// The tail is about `e^{(rate + κR) R} (h/R)^M`, smallest where `rate R + 2κR² = M`.
 fn plan(rate: f64, kappa: f64, h: f64, bits: f64) -> (f64, f64) {

@@ -213,7 +213,7 @@ fn per_radian(c: &[Ball; 4], h: &Ball) -> TaylorModel {
     TaylorModel::from_balls(&d)
 }
 
-/// The k-th of so many equal parts of a segment, on −1 … 1 again; its place is rounded to so many
+/// The k-th of `parts` equal parts of a segment, on −1 … 1 again; its place is rounded to `bits`
 /// bits.
 fn part(whole: &TaylorModel, k: u32, parts: u32, bits: u32) -> TaylorModel {
     let part = Ball::rational(bits, &Rational::from((1, parts)));

@@ -133,7 +133,7 @@ mod tests {
         assert!(found.rad() < Mag::from_f64(0.0527), "{found:?}");
     }
 
-    /// S = 1 and I = 2 in a panel of so many turns: π for one of them.
+    /// S = 1 and I = 2 in a panel of that number of turns: π for one of them.
     #[test]
     fn the_integral_is_that_of_one_turn() {
         for turns in [1, 2, 7] {

@@ -93,7 +93,7 @@ pub fn integrate_with(
     integrate_within(model, run, times, order, MOST_STEPS)
 }
 
-/// [`integrate_with`] in so many steps at most.
+/// [`integrate_with`] in `most_steps` steps at most.
 pub(super) fn integrate_within(
     model: &Coefficients,
     run: &Run,

@@ -95,7 +95,7 @@ fn steps_and_radii_are_told() {
     assert_eq!((motion.steps, motion.largest_radius), (steps, largest));
 }
 
-/// A run is given up after so many steps.
+/// A run is given up after its limit of steps.
 #[test]
 fn steps_have_a_limit() {
     let model = Coefficients::exact(&LOW);

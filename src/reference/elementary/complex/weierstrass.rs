@@ -7,8 +7,8 @@
 //! ℘'(z) = −8π³ i (u (1 + u)/(1 − u)³ + Σ_{m≥1} m c_m (u^m − u^{−m}))
 //! ```
 //!
-//! after a reduction to |Im z| ≤ Im τ/2. With s the greatest of |q u| and |q/u| what follows M terms
-//! of `m^j c_m (…)`, j = 1 or 2, is at most `4 (M + 1)^j s^{M+1}/((1 − |q|)(1 − t))`, where
+//! after a reduction to |Im z| ≤ Im τ/2. With s the greatest of |q u| and |q/u| what follows M
+//! terms of `m^j c_m (…)`, j = 1 or 2, is at most `4 (M + 1)^j s^{M+1}/((1 − |q|)(1 − t))`, where
 //! `t = s ((M + 2)/(M + 1))^j < 1`.
 
 use super::super::support::{BITS, exact};
@@ -45,7 +45,7 @@ struct Lattice {
     coefficients: Vec<ComplexBall>,
 }
 
-/// The lattice of τ, with so many coefficients; the last one is kept.
+/// The lattice of τ, with that number of coefficients; the last one is kept.
 fn lattice(tau: &ComplexBall, terms: usize, p: u32) -> Result<Arc<Lattice>, NoValue> {
     static LAST: Mutex<Option<Arc<Lattice>>> = Mutex::new(None);
     let mut last = LAST.lock().unwrap_or_else(|broken| broken.into_inner());

@@ -19,7 +19,7 @@ pub(super) struct Trigonometric {
     curvature: Mag,
 }
 
-/// How many zeros an interval can hold.
+/// The largest number of zeros that an interval can hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Zeros {
     None,

@@ -1,4 +1,4 @@
-//! Motion from rest against closed forms, and what is said of it besides.
+//! Motion from rest against closed forms, and the other statements about it.
 
 use super::energy::Forces;
 use super::tests::{cranked, four_bar, oscillator};

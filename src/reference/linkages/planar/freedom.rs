@@ -64,19 +64,19 @@ pub struct Drawing {
 pub enum Mobility {
     /// No body can move.
     Locked,
-    /// No equation is redundant: exactly so many degrees of freedom.
+    /// No equation is redundant: the exact number of degrees of freedom.
     Regular {
         /// How many.
         freedoms: usize,
     },
     /// Some equations are redundant, and it moves all the same: at least one degree of freedom.
     Turning {
-        /// At most so many.
+        /// The largest possible number.
         most: usize,
     },
     /// Some equations are redundant; whether it moves is not decided.
     Undecided {
-        /// At most so many degrees of freedom.
+        /// The largest possible number of degrees of freedom.
         most: usize,
     },
 }
@@ -99,12 +99,12 @@ pub struct Freedom {
 }
 
 impl Freedom {
-    /// How many equations follow from the others.
+    /// The number of equations that follow from the others.
     pub fn redundant(&self) -> usize {
         self.equations - self.rank
     }
 
-    /// How many infinitesimal degrees of freedom there are.
+    /// The number of infinitesimal degrees of freedom.
     pub fn infinitesimal(&self) -> usize {
         self.velocities - self.rank
     }
@@ -265,7 +265,7 @@ fn rows_of(pin: &DrawnPin, bodies: usize) -> [Vec<Rational>; 2] {
     rows
 }
 
-/// A basis of the vectors with so many entries that the matrix takes to zero.
+/// A basis of the vectors of that length that the matrix takes to zero.
 fn kernel(matrix: &[Vec<Rational>], columns: usize) -> Vec<Vec<Rational>> {
     let mut rows: Vec<Vec<Rational>> = matrix.to_vec();
     let mut pivots = Vec::new();

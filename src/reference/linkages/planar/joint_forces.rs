@@ -19,8 +19,8 @@ pub struct JointForces {
     /// For every pin in the order of the joints the force on its second end, in the axes of the
     /// ground.
     pub pins: Vec<[Ball; 2]>,
-    /// The force on the drive's form that the motion needs besides what acts: a torque where it is
-    /// an angle.
+    /// The force on the drive's form that the motion needs in addition to what acts: a torque where
+    /// it is an angle.
     pub drive: Ball,
 }
 

@@ -172,7 +172,7 @@ impl Loops {
         })
     }
 
-    /// How many real equations there are.
+    /// The number of real equations.
     pub fn equations(&self) -> usize {
         2 * self.closures.len() + self.relations.len()
     }

@@ -54,7 +54,7 @@ impl Mechanism {
         })
     }
 
-    /// How many coordinates there are.
+    /// The number of coordinates.
     pub fn coordinates(&self) -> usize {
         self.loops.coordinates
     }

@@ -50,7 +50,7 @@ impl Linkage {
         self.modes_within(drive, MOST_BOXES)
     }
 
-    /// [`Linkage::modes`] by a look at so many boxes at most.
+    /// [`Linkage::modes`] by a look at `most` boxes at most.
     fn modes_within(&self, drive: &Ball, most: usize) -> Result<Vec<Position>, Undecided> {
         let n = self.coarse.coordinates;
         if n != self.coarse.bodies {

@@ -64,7 +64,7 @@ impl Series {
         self.x.first().map_or(0, |x| x.len() - 1)
     }
 
-    /// How many coordinates there are.
+    /// The number of coordinates.
     pub fn coordinates(&self) -> usize {
         self.x.len()
     }

@@ -362,7 +362,7 @@ impl<'a> Trial<'a> {
         (0..all.len()).filter(|i| all[*i] && exact(i)).collect()
     }
 
-    /// How many equations hold.
+    /// The number of equations that hold.
     fn equations(&self) -> usize {
         let count = |flags: &[bool]| flags.iter().filter(|f| **f).count();
         2 * count(&self.closures) + count(&self.relations) + usize::from(self.drive)

@@ -139,7 +139,7 @@ fn numbered(
         .map_err(|(at, why)| Undecided::new(at, format!("zero {k} of {name}: {why}")))
 }
 
-/// Returns whether either component of what is within r of z has so many bits.
+/// Returns whether either component of what is within r of z has `bits` bits.
 fn accurate(z: &ComplexBall, r: Mag, bits: u32) -> bool {
     let least = z.re.mignitude().min(z.im.mignitude());
     r <= least.shift(-i64::from(bits))

@@ -16,7 +16,7 @@ fn missing(part: &Scaled, bits: u32) -> Option<u32> {
     u32::try_from(i64::from(bits) - have.min(i64::from(bits))).ok()
 }
 
-/// The cap on the working precision for inputs of so many bits.
+/// The cap on the working precision for inputs of `bits` bits.
 pub(super) fn cap(bits: u32, length: u32) -> u32 {
     bits.saturating_add(length)
         .saturating_mul(4)
@@ -96,7 +96,7 @@ mod tests {
     use rug::Float;
     use std::cell::RefCell;
 
-    /// About 1.5, with so many bits; none for what is exact.
+    /// About 1.5, with `accuracy` bits; none for what is exact.
     fn part(accuracy: i64) -> Scaled {
         let rad = Mag::power_of_two(-accuracy - 1);
         let part = Ball::new(Float::with_val(64, 1.5), rad);

@@ -10,7 +10,7 @@ use std::collections::HashMap;
 
 /// Sampled points of a page over all methods.
 const POINTS: usize = 1200;
-/// Cases of a page, over all methods, with all that is known of them besides the worst.
+/// Cases of a page, over all methods, with all that is known of them, in addition to the worst.
 const WHOLE: usize = 300;
 /// Numbers of an input that are kept for every case, and those of an input or an answer for a whole
 /// case: on pages of few methods, and of many.
@@ -245,7 +245,7 @@ fn of_method<'a>(
     }
 }
 
-/// At most so many of each region, in their order.
+/// At most `most` of each region, in their order.
 fn thinned(points: &[Point], most: usize) -> impl Iterator<Item = &Point> {
     let mut seen: HashMap<&str, usize> = HashMap::new();
     points.iter().filter(move |p| {

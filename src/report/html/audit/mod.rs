@@ -50,7 +50,7 @@ pub fn page(
 }
 
 #[cfg(feature = "report")]
-/// A campaign as far as it is done, so many of its shards.
+/// A campaign as far as it is done, with the number of its finished shards.
 pub fn campaign(plan: &Plan, (done, shards): (u64, u64), found: &[PartSum]) -> String {
     let labels: Vec<String> = plan.parts.iter().map(|p| p.label()).collect();
     let parts = labels.iter().zip(found);

@@ -25,7 +25,7 @@ pub struct Whole {
 }
 
 impl Whole {
-    /// Of a judged case, with at most so many numbers of its input and of its answer.
+    /// Of a judged case, with at most `most` numbers of its input and of its answer.
     pub fn of(report: &CaseReport, layout: &Layout, most: usize) -> Whole {
         let (verdict, tone) = of_case(report.judgement.verdict);
         let got = match &report.answer {

@@ -179,7 +179,7 @@ pub struct CamResponse {
 }
 
 impl CamResponse {
-    /// The response with so many harmonics of the cam's displacement, from an initial state or, if
+    /// The response with `harmonics` terms of the cam's displacement, from an initial state or, if
     /// none is given, from following the cam.
     ///
     /// # Errors

@@ -32,7 +32,7 @@ pub enum ChirpError {
     NoHarmonic {
         /// The position asked for, from 0.
         index: usize,
-        /// How many there are.
+        /// Their number.
         count: usize,
     },
     /// An output slice of another length than the times.

@@ -292,8 +292,8 @@ impl FourierSeries {
         self.lift.abs() / PI * sum * (1.0 + 1e-14) + first * (1.0 + 1e-12)
     }
 
-    /// How many harmonics leave at most `tolerance` (in the unit of the lift) of the `k`-th
-    /// derivative in the shaft's angle.
+    /// The number of harmonics that leave at most `tolerance` (in the unit of the lift) of the
+    /// `k`-th derivative in the shaft's angle.
     ///
     /// # Errors
     /// A tolerance that is not positive; a derivative whose harmonics have no finite sum; more

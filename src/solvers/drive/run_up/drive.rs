@@ -1,4 +1,4 @@
-//! Describes what acts on the crank besides the linkage: motor, reducer, rotor, flywheel and
+//! Describes what acts on the crank in addition to the linkage: motor, reducer, rotor, flywheel and
 //! resistance.
 
 use super::motor::{Motor, OutsideTable};

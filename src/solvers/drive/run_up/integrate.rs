@@ -142,9 +142,9 @@ impl ODE<f64, State> for Rhs<'_> {
 
 /// Counts the steps in which a disturbance of the speed decays by more than e⁻².
 ///
-/// An explicit method at these tolerances resolves a decay by shorter steps, and after so many of
-/// them in a row nothing of it is left: what keeps the steps short then is the method's stability
-/// (Hairer & Wanner, *Solving Ordinary Differential Equations II*, IV.2).
+/// An explicit method at these tolerances resolves a decay by shorter steps, and after that number
+/// of them in a row nothing of it is left: what keeps the steps short then is the method's
+/// stability (Hairer & Wanner, *Solving Ordinary Differential Equations II*, IV.2).
 #[derive(Clone, Copy, Debug, Default)]
 struct Stiffness {
     /// Such steps less the others, not below zero.
@@ -199,8 +199,8 @@ pub(super) struct Integrator<'a> {
     pub stretches: Option<Vec<Stretch>>,
 }
 
-/// Steps in a row without a right-hand side, each a quarter of the one before: after so many what
-/// stops the motion is closer than rounding.
+/// Steps in a row without a right-hand side, each a quarter of the one before: after that number
+/// what stops the motion is closer than rounding.
 const UNSOUND: u32 = 25;
 
 /// Rejections in a row after which an implicit method starts afresh.

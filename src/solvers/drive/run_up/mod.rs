@@ -18,7 +18,7 @@
 //!
 //! # Time integration
 //! The steps are taken by the crate `differential-equations`: Verner's 9(8) by default, DOP853 and
-//! Radau IIA of order 5 besides (`Method`). It was chosen because it is pure Rust
+//! and Radau IIA of order 5 (`Method`). It was chosen because it is pure Rust
 //! with two small dependencies, has explicit methods of high order (a tolerance of 1e-12 is asked
 //! for) beside implicit ones, and lets its user take the steps, so that each can end where the
 //! right-hand side has a kink. Against: `diffsol` (order 5 at most, brings faer and serde),

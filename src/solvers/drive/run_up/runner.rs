@@ -9,7 +9,7 @@ use super::stepper::{PHI, PSI, WORK};
 use super::timed::TimedTorque;
 use std::f64::consts::TAU;
 
-/// Events kept at most; a run of so many turns has said what it had to say.
+/// The largest number of events that are kept.
 const MOST_EVENTS: usize = 1_000_000;
 
 impl<'a> Integrator<'a> {

@@ -1,4 +1,4 @@
-//! How far an elimination without pivoting can be trusted.
+//! Bounds of the errors of an elimination without pivoting.
 
 /// Evidence about a factored matrix.
 #[derive(Clone, Copy, Debug, PartialEq)]

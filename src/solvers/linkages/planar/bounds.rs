@@ -1,4 +1,4 @@
-//! How far the continuation may step: bounds on the second derivatives of the closures.
+//! The longest step of the continuation: bounds on the second derivatives of the closures.
 //!
 //! For changes δ of the unknowns and s of the drive, each row's second derivative is at most
 //! `k ‖δ‖² + 2 m ‖δ‖ |s| + w s²` in the maximum norm. An arm that turns by θ contributes its length
@@ -9,8 +9,8 @@ use super::pose::Pose;
 use num_complex::Complex64;
 use std::cell::Cell;
 
-/// How far unknowns and drive may move within one step, so that the bounds hold: radians or units
-/// of length.
+/// The distance that unknowns and drive may move within one step, so that the bounds hold: radians
+/// or units of length.
 pub(super) const SLACK: f64 = 0.25;
 
 /// Bounds of the first derivatives, beside those of the second.

@@ -35,7 +35,7 @@ pub enum MechanismError {
     LonelyPin {
         /// The joint.
         joint: String,
-        /// How many bodies it holds.
+        /// The number of bodies it holds.
         count: usize,
     },
     /// A rack or a drive by displacement refers to a joint that is not a slide.
@@ -57,9 +57,9 @@ pub enum MechanismError {
     TooMany {
         /// Bodies or joints.
         what: &'static str,
-        /// How many there are.
+        /// Their number.
         count: usize,
-        /// How many there may be.
+        /// The largest number allowed.
         most: usize,
     },
     /// All dimensions are zero, or they differ too much.
@@ -139,9 +139,9 @@ pub enum NearestError {
     /// Not one angle for each moving body.
     #[error("{given} angles are given for {bodies} moving bodies")]
     Count {
-        /// How many are given.
+        /// The number given.
         given: usize,
-        /// How many bodies move.
+        /// The number of bodies that move.
         bodies: usize,
     },
     /// The drive, an angle or the reach is NaN or infinite.

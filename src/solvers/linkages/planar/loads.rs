@@ -39,7 +39,7 @@ pub enum Course {
     Table(Vec<[f64; 2]>),
 }
 
-/// Describes what acts on a mechanism besides weight and drive. In SI units.
+/// Describes what acts on a mechanism in addition to weight and drive. In SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Load {
     /// A force in newtons at a point.
@@ -251,8 +251,8 @@ impl Loads {
         Loads::checked(bodies, linear, masses, loads, gravity)
     }
 
-    /// [`Loads::new`] for so many bodies, the ground included, and tables over a displacement where
-    /// `linear`.
+    /// [`Loads::new`] for `bodies` bodies, the ground included, and tables over a displacement
+    /// where `linear`.
     pub(super) fn checked(
         bodies: usize,
         linear: bool,

@@ -171,7 +171,7 @@ pub(super) fn components(edges: &[Vec<usize>]) -> Vec<Vec<usize>> {
 mod tests {
     use super::*;
 
-    /// A cycle of so many bodies, two constraints between neighbours.
+    /// A cycle of `n` bodies, two constraints between neighbours.
     fn ring(n: usize) -> Result<Pebbles, Vec<usize>> {
         let mut game = Pebbles::new(vec![3; n]);
         for k in 0..n {

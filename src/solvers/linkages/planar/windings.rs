@@ -122,7 +122,7 @@ struct Racked {
     closure: usize,
     /// Unknown angles with the radians that one step adds.
     steps: Vec<(usize, f64)>,
-    /// How far the rack moves by a step, and how far from its guide's origin it comes at most.
+    /// The travel of the rack by a step, and its largest distance from its guide's origin.
     step: f64,
     reach: f64,
 }
@@ -380,8 +380,8 @@ fn effects(chain: &Chain, group: usize, unknown: usize) -> Option<Effects> {
     Some(all)
 }
 
-/// How far a rack's slider is from its guide's origin at most, where pins join it to the guide's
-/// body.
+/// The largest distance of a rack's slider from its guide's origin, where pins join it to the
+/// guide's body.
 fn reach(description: &Description, chain: &Chain, closure: usize) -> Option<f64> {
     let Closure::Rack { rail, point, .. } = chain.closures[closure] else {
         return None;

@@ -4,7 +4,7 @@ use num_complex::Complex;
 
 /// Where points come from and values go to.
 pub(super) trait Points {
-    /// How many there are.
+    /// Their number.
     fn len(&self) -> usize;
     /// The points from `start` on.
     fn load(&self, start: usize, z: &mut [Complex<f64>]);

@@ -39,7 +39,7 @@ pub(super) fn candidate<R: Real>(a: R, b: R) -> R::Mask {
     off.fma(off, e * e).below(p.fma(like(0.04), like(0.36)))
 }
 
-/// `w(a − i b)` next to the zero of row `c`; `None` if a component cannot be had to a few units in
+/// `w(a − i b)` next to the zero of row `c`; `None` if a component is not known to a few units in
 /// the last place this way.
 #[inline(always)]
 pub(super) fn near_zero<L: Lanes>(lanes: L, c: &[f64; 46], a: f64, b: f64) -> Option<(f64, f64)> {

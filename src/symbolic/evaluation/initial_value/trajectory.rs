@@ -196,7 +196,7 @@ impl Trajectory {
         })
     }
 
-    /// The states at an exact time by a run of at least so many working bits, as narrow as they
+    /// The states at an exact time by a run of at least `bits` working bits, as narrow as they
     /// come out.
     ///
     /// # Errors
@@ -239,7 +239,7 @@ impl Trajectory {
         }
     }
 
-    /// The states at a time by a run of at least so many bits.
+    /// The states at a time by a run of at least `bits` bits.
     fn at_bits(&mut self, time: &Rational, bits: u32) -> Result<Vec<Ball>, Halt> {
         let side = usize::from(*time < self.start);
         if self.problem.variation.is_some() && *time == self.start {

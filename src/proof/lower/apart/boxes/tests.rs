@@ -98,7 +98,8 @@ fn the_whole_and_its_zeros() {
     assert!(places(&[z, next]).is_err());
 }
 
-/// How many squares show that there is no zero, and from what depth on they are too few.
+/// The number of squares that show that there is no zero, and the depth from which on they are too
+/// few.
 #[test]
 fn squares_bit_by_bit() {
     let all: Vec<ComplexBall> = (1..=3).map(zero).collect();

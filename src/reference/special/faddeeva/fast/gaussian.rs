@@ -46,8 +46,8 @@ pub fn bound(x: &Coordinate, y: &Coordinate) -> Mag {
     above_power(-1.442 * ((x - y) * (x + y)).max(0.0))
 }
 
-/// Returns whether so little is less than 2^-8 of what may be missing from a number of so many
-/// bits.
+/// Returns whether so little is less than 2^-8 of what may be missing from a number of that number
+/// of bits.
 #[inline]
 pub fn negligible(bound: Mag, beside: &Ball, bits: u32) -> bool {
     bound <= beside.mignitude().shift(-i64::from(bits) - 8)

@@ -54,7 +54,8 @@ pub struct Assembly {
     pub angles: Vec<f64>,
 }
 
-/// Newton's method is tried from so many positions for each unknown that the loops determine.
+/// The number of positions from which Newton's method is tried for each unknown that the loops
+/// determine.
 const STARTS: u32 = 40;
 const MOST_STARTS: u32 = 400;
 /// Corrections from one of them, and the longest one.

@@ -90,7 +90,7 @@ fn work() -> Work {
     }
 }
 
-/// How far a path came, and whether its end is regular.
+/// The progress of a path, and whether its end is regular.
 fn came(h: &Homotopy, v: &mut Vec<Complex64>, careful: bool) -> (f64, bool) {
     let end = h.follow(v, careful);
     (end.t, end.regular)

@@ -93,7 +93,7 @@ fn solutions_are_taken_if_near_and_new() {
     };
     for (k, length) in m.chain.lengths.clone().into_iter().enumerate() {
         let u = state.pose.u[k].abs();
-        // How far a solution may be off, as much of the displacement off as it is moved.
+        // The error that a solution may have, as much of the displacement off as it is moved.
         let reach = if length {
             FARTHEST * (1.0 + u)
         } else {

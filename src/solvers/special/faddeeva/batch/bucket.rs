@@ -18,7 +18,7 @@ pub(in super::super) const SERIES_ALONE: usize = REAL_AXIS.number() + 1 - SERIES
 pub(in super::super) const IMAGE_IN_CELL: usize = SERIES_6.number() + LOWER + SERIES_ALONE + 1;
 pub(in super::super) const IMAGE_BY_SERIES: usize = IMAGE_IN_CELL + 1;
 pub(in super::super) const EXPONENTIAL_IN_CELL: usize = IMAGE_IN_CELL + 2;
-/// How many buckets there are.
+/// The number of buckets.
 pub(in super::super) const BUCKETS: usize = IMAGE_IN_CELL + 3;
 
 /// Flags beside the eight bits of |z|².

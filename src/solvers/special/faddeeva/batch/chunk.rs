@@ -74,7 +74,7 @@ impl Order {
         }
     }
 
-    /// How many points a bucket has.
+    /// The number of points of a bucket.
     #[inline(always)]
     pub(in super::super) fn len(&self, bucket: usize) -> usize {
         self.len[bucket].min(CHUNK)
