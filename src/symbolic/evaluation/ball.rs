@@ -446,9 +446,8 @@ impl Interpretation for Balls {
     }
 
     fn union(&self, a: &Value, b: &Value) -> Found {
-        match (a.real(), b.real()) {
-            (Some(a), Some(b)) => return Ok(Value::Real(a.union(b))),
-            _ => {}
+        if let (Some(a), Some(b)) = (a.real(), b.real()) {
+            return Ok(Value::Real(a.union(b)));
         }
         match (a.to_complex(), b.to_complex()) {
             (Some(a), Some(b)) => {
