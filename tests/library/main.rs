@@ -14,10 +14,6 @@ mod documented_accuracy;
 #[cfg(feature = "oracle")]
 mod double_butterfly;
 #[cfg(feature = "oracle")]
-mod faddeeva;
-#[cfg(feature = "oracle")]
-mod faddeeva_related;
-#[cfg(feature = "oracle")]
 mod fuzz_parsers;
 mod fuzz_solvers;
 #[cfg(feature = "oracle")]
@@ -56,8 +52,6 @@ mod solver_bits;
 mod solver_values;
 #[cfg(feature = "oracle")]
 mod swept_peak;
-#[cfg(feature = "oracle")]
-mod voigt_hwhm;
 #[cfg(feature = "oracle")]
 mod zinchenko;
 

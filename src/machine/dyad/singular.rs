@@ -162,17 +162,8 @@ pub(super) fn certified(
                 (false, false) => [&back, &back],
             };
             let transmission = Ball::integer(bits, if stretched { 180 } else { 0 });
-            let rates = || None;
-            Some([
-                text(coupler),
-                text(rocker),
-                rates(),
-                rates(),
-                rates(),
-                rates(),
-                text(&transmission),
-                zero(),
-            ])
+            let (phi2, phi3, mu) = (text(coupler), text(rocker), text(&transmission));
+            Some([phi2, phi3, None, None, None, None, mu, zero()])
         }
         Shape::SliderCrank {
             exact, direction, ..
@@ -188,17 +179,8 @@ pub(super) fn certified(
                 Some(cos) => Ball::rational(bits, &(cos * a)),
                 None => angle.sin_cos().1 * Ball::rational(bits, a),
             };
-            let rates = || None;
-            Some([
-                text(&slider),
-                text(&rod),
-                rates(),
-                rates(),
-                rates(),
-                rates(),
-                zero(),
-                zero(),
-            ])
+            let (slider, rod) = (text(&slider), text(&rod));
+            Some([slider, rod, None, None, None, None, zero(), zero()])
         }
     }
 }

@@ -147,30 +147,63 @@ pub fn four_bar(
     left: bool,
     bits: u32,
 ) -> Result<FourBarBalls, DyadRefusal> {
+    four_bar_closes(lengths)?;
+    if phi.cmp0() == Ordering::Equal {
+        let [a, b, c, d] = lengths;
+        let q = Rational::from(d - a).square();
+        let ends = [Rational::from(b - c), Rational::from(b + c)].map(Rational::square);
+        match (q.cmp(&ends[0]), q.cmp(&ends[1])) {
+            (Ordering::Less, _) | (_, Ordering::Greater) => return Err(DyadRefusal::Unreachable),
+            (Ordering::Equal, _) | (_, Ordering::Equal) => return Err(DyadRefusal::Singular),
+            _ => {}
+        }
+    }
+    let angle = Ball::rational(bits, phi);
+    let (mut out, sin) = enclosed_four_bar(lengths, &angle, left)?;
+    zeros::of_four_bar(&mut out, lengths, (phi, &sin), left);
+    Ok(out)
+}
+
+/// The values of [`four_bar`] at every crank angle of a ball; those that are zero need not be found
+/// to be.
+///
+/// # Errors
+/// See [`DyadRefusal`]; each holds for all angles of the ball.
+pub fn four_bar_within(
+    lengths: &[Rational; 4],
+    phi: &Ball,
+    left: bool,
+) -> Result<FourBarBalls, DyadRefusal> {
+    four_bar_closes(lengths)?;
+    Ok(enclosed_four_bar(lengths, phi, left)?.0)
+}
+
+fn four_bar_closes(lengths: &[Rational; 4]) -> Result<(), DyadRefusal> {
     if lengths.iter().any(|l| l.cmp0() != Ordering::Greater) {
         return Err(DyadRefusal::NotPositive);
     }
     let perimeter: Rational = lengths.iter().sum();
-    if lengths.iter().any(|l| Rational::from(l * 2) >= perimeter) {
-        return Err(DyadRefusal::CannotClose);
+    match lengths.iter().any(|l| Rational::from(l * 2) >= perimeter) {
+        true => Err(DyadRefusal::CannotClose),
+        false => Ok(()),
     }
+}
+
+/// The values, and the sine of the crank angle.
+fn enclosed_four_bar(
+    lengths: &[Rational; 4],
+    phi: &Ball,
+    left: bool,
+) -> Result<(FourBarBalls, Ball), DyadRefusal> {
+    let bits = phi.prec();
     let [ra, rb, rc, rd] = lengths;
     // Constants of the discriminant, exact.
     let most = Rational::from(rb + rc).square();
     let least = Rational::from(rb - rc).square();
     let ball = |x: &Rational| Ball::rational(bits, x);
     let (b2, c2) = (ball(&rb.clone().square()), ball(&rc.clone().square()));
-    let (sin, cos) = ball(phi).sin_cos();
+    let (sin, cos) = phi.sin_cos();
     let (a, d) = (ball(ra), ball(rd));
-    if phi.cmp0() == Ordering::Equal {
-        let q = Rational::from(rd - ra).square();
-        if q > most || q < least {
-            return Err(DyadRefusal::Unreachable);
-        }
-        if q == most || q == least {
-            return Err(DyadRefusal::Singular);
-        }
-    }
     let zero = Ball::integer(bits, 0);
     let end = ComplexBall::new(&a * &cos, &a * &sin);
     let (end1, end2) = (end.turned(), -&end);
@@ -210,7 +243,7 @@ pub fn four_bar(
         let theta = span.arg();
         (&theta + v.atan2(&u), &theta + v.atan2(&(&u - &one)))
     } else {
-        let eta = lifted(&(-&span).arg(), &ball(phi), bits)?;
+        let eta = lifted(&(-&span).arg(), phi, bits)?;
         let minus = -&v;
         (&eta + minus.atan2(&-&u), &eta + minus.atan2(&(&one - &u)))
     };
@@ -219,7 +252,7 @@ pub fn four_bar(
     let phi3 = lifted(&rocker.arg(), &near3, bits)?;
     let [coupler1, coupler2] = [relative1, relative2].map(|v| coupler.cross(&v) / &b2);
     let [rocker1, rocker2] = [joint1, joint2].map(|v| rocker.cross(&v) / &c2);
-    let mut out = FourBarBalls {
+    let out = FourBarBalls {
         coupler: [phi2, coupler1, coupler2],
         rocker: [phi3, rocker1, rocker2],
         transmission: determinant.abs().atan2(&inner(&coupler, &rocker)),
@@ -228,8 +261,7 @@ pub fn four_bar(
     };
     let all = out.joint.iter().chain(&out.coupler).chain(&out.rocker);
     all_finite(all.chain([&out.transmission, &out.determinant]), bits)?;
-    zeros::of_four_bar(&mut out, lengths, (phi, &sin), left);
-    Ok(out)
+    Ok((out, sin))
 }
 
 /// The slider-crank with `[crank, rod, offset]`, guide direction `delta` and crank angle `phi`
@@ -259,23 +291,55 @@ pub fn slider_crank(
     ahead: bool,
     bits: u32,
 ) -> Result<SliderCrankBalls, DyadRefusal> {
-    let [ra, rb, re] = lengths;
-    if ra.cmp0() != Ordering::Greater || rb.cmp0() != Ordering::Greater {
-        return Err(DyadRefusal::NotPositive);
-    }
-    if re.clone().abs() >= Rational::from(ra + rb) {
-        return Err(DyadRefusal::CannotClose);
-    }
+    slider_crank_closes(lengths)?;
     if phi == delta {
-        match re.clone().abs().cmp(rb) {
+        match lengths[2].clone().abs().cmp(&lengths[1]) {
             Ordering::Greater => return Err(DyadRefusal::Unreachable),
             Ordering::Equal => return Err(DyadRefusal::Singular),
             Ordering::Less => {}
         }
     }
+    let angle = Ball::rational(bits, phi);
+    let (mut out, along) = enclosed_slider_crank(lengths, delta, &angle, ahead)?;
+    zeros::of_slider_crank(&mut out, lengths, (delta, phi), &along, ahead);
+    Ok(out)
+}
+
+/// The values of [`slider_crank`] at every crank angle of a ball, from a guide of direction zero;
+/// those that are zero need not be found to be.
+///
+/// # Errors
+/// See [`DyadRefusal`]; each holds for all angles of the ball.
+pub fn slider_crank_within(
+    lengths: &[Rational; 3],
+    phi: &Ball,
+    ahead: bool,
+) -> Result<SliderCrankBalls, DyadRefusal> {
+    slider_crank_closes(lengths)?;
+    Ok(enclosed_slider_crank(lengths, &Rational::new(), phi, ahead)?.0)
+}
+
+fn slider_crank_closes([a, b, e]: &[Rational; 3]) -> Result<(), DyadRefusal> {
+    if a.cmp0() != Ordering::Greater || b.cmp0() != Ordering::Greater {
+        return Err(DyadRefusal::NotPositive);
+    }
+    match e.clone().abs() >= Rational::from(a + b) {
+        true => Err(DyadRefusal::CannotClose),
+        false => Ok(()),
+    }
+}
+
+/// The values, and the crank's end along the guide.
+fn enclosed_slider_crank(
+    lengths: &[Rational; 3],
+    delta: &Rational,
+    phi: &Ball,
+    ahead: bool,
+) -> Result<(SliderCrankBalls, Ball), DyadRefusal> {
+    let bits = phi.prec();
     let ball = |x: &Rational| Ball::rational(bits, x);
-    let (a, b, e) = (ball(ra), ball(rb), ball(re));
-    let (sin, cos) = ball(phi).sin_cos();
+    let [a, b, e] = lengths.each_ref().map(ball);
+    let (sin, cos) = phi.sin_cos();
     let (sd, cd) = ball(delta).sin_cos();
     let t = ComplexBall::new(cd, sd);
     let n = t.turned();
@@ -308,15 +372,14 @@ pub fn slider_crank(
     all_finite([&near, &rod.re, &rod.im], bits)?;
     let angle = lifted(&rod.arg(), &near, bits)?;
     let [rod1, rod2] = [relative1, relative2].map(|v| rod.cross(&v) / &b2);
-    let mut out = SliderCrankBalls {
+    let out = SliderCrankBalls {
         rod: [angle, rod1, rod2],
         transmission: reach.abs().atan2(&height.abs()),
         slider: [x, x1, x2],
     };
     let all = out.slider.iter().chain(&out.rod);
     all_finite(all.chain([&out.transmission]), bits)?;
-    zeros::of_slider_crank(&mut out, lengths, (delta, phi), &p, ahead);
-    Ok(out)
+    Ok((out, p))
 }
 
 #[cfg(test)]

@@ -221,35 +221,6 @@ fn the_return_that_is_nearest() {
     assert!(p.dwell_amplitude.is_nan() && p.dwell_phase.is_nan());
 }
 
-/// Peaks of a rigid follower: `C_a` and `max |s′s″|`, those of the steeper stroke.
-#[test]
-fn rigid_followers() {
-    let stroke = |law, turns| Stroke { law, turns };
-    // `(1 − cos 2πx) 2π sin 2πx` is largest where the cosine is −1/2.
-    let power = TAU * 0.75 * 3f64.sqrt();
-    for (rise, fall) in [(0.3, 0.2), (0.2, 0.3)] {
-        let mut d = drive();
-        let cycle = CamCycle::new(
-            LIFT,
-            stroke(MotionLaw::cycloidal(), rise),
-            0.2,
-            stroke(MotionLaw::cycloidal(), fall),
-            0.3,
-        );
-        d.cycle = cycle.expect("a cycle");
-        let r = CamResponse::new(d, 3, None).expect("a response");
-        let chart = Chart::new(&r, Period::Rise, &[1.0]).expect("a chart");
-        let ratio = (rise / fall).max(1.0);
-        assert!(
-            close(chart.rigid[0], TAU * ratio.powi(2)),
-            "{:?}",
-            chart.rigid
-        );
-        assert!((chart.rigid[1] / (power * ratio.powi(3)) - 1.0).abs() < 1e-9);
-        assert_eq!(chart.rigid[1], chart.rigid[2]);
-    }
-}
-
 /// Parabolas have the vertices that they have, whatever the steps.
 #[test]
 fn beats_of_parabolas() {
@@ -273,71 +244,4 @@ fn beats_of_parabolas() {
     assert!(tops.len() == 1 && (tops[0].xi - 1.5).abs() < 1e-15);
     assert!(beat_zones(&[(0.0, 1.0), (1.0, 1.0), (2.0, 1.0)]).is_empty());
     assert!(beat_zones(&[(0.0, 1.0), (1.0, 1.0), (2.0, 0.0)]).is_empty());
-}
-
-#[test]
-fn beats_of_a_chart() {
-    let r = started(3.0, 0.7);
-    let grid: Vec<f64> = (0..5).map(|i| 1.5 + 0.1 * f64::from(i)).collect();
-    for period in [Period::Turn, Period::Rise] {
-        let chart = Chart::new(&r, period, &grid).expect("a chart");
-        for (p, xi) in chart.points.iter().zip(&grid) {
-            assert!(close(chart.xi(p), *xi));
-        }
-        let curve: Vec<(f64, f64)> = chart
-            .points
-            .iter()
-            .map(|p| (chart.xi(p), p.bound))
-            .collect();
-        let (got, due) = (chart.beats(|p| p.bound), beat_zones(&curve));
-        assert_eq!(format!("{got:?}"), format!("{due:?}"));
-    }
-    // A curve with a hill.
-    let chart = Chart::new(&r, Period::Turn, &grid).expect("a chart");
-    let zones = chart.beats(|p| 1.0 - (p.xi_turn - 1.72).powi(2));
-    assert_eq!(zones.len(), 1, "{zones:?}");
-    let xi = zones[0].xi;
-    assert!((xi - 1.72).abs() < 1e-9, "{xi}");
-}
-
-/// Peaks of a vibration much faster than the shaft and than its harmonics, and of one that is
-/// slower, against many more samples.
-#[test]
-fn peaks_between_samples() {
-    for (w, n, omega0, eps, harmonics, t) in [
-        (300.0, 0.05, 3.0, 0.5, 3, 4.0),
-        (30.0, 0.5, 2.0, -0.3, 20, 3.0),
-        (5.0, 0.2, 9.0, 1.0, 12, 3.0),
-    ] {
-        let mut d = drive();
-        d.oscillator = Oscillator::new(w, n).expect("an oscillator");
-        d.chirp = Chirp { omega0, eps };
-        let start = InitialState {
-            displacement: 0.5 * LIFT,
-            velocity: 0.3 * w * LIFT,
-        };
-        let r = CamResponse::new(d, harmonics, Some(start)).expect("a response");
-        let p = r.peaks(t);
-        let [a, b] = p.times;
-        let mut found = [0.0f64; 4];
-        for k in 0..=6000 {
-            let s = r
-                .state(a + (b - a) * f64::from(k) / 6000.0)
-                .expect("a state");
-            let here = [
-                s.displacement - r.mean(),
-                s.acceleration,
-                s.acceleration * s.cam_rate,
-                s.velocity * s.acceleration,
-            ];
-            for (found, here) in found.iter_mut().zip(here) {
-                *found = found.max(here.abs());
-            }
-        }
-        let got = [p.displacement, p.acceleration, p.moment, p.power];
-        for (got, due) in got.into_iter().zip(found) {
-            let ratio = got / due;
-            assert!((1.0 - 1e-9..1.01).contains(&ratio), "{w}: {got} {due}");
-        }
-    }
 }

@@ -3,8 +3,8 @@
 use crate::dyad::{Assembly, SliderCrank};
 use crate::reduction::{Body, MomentOfInertia};
 use crate::run_up::{
-    Coefficients, ConstantInertia, Drive, Equation, Hybrid, Kloss, ModelError, Motor, ReducedModel,
-    Resistance, SliderCrankModel, Splined, TableReading, TorqueTable, inertia_range,
+    Coefficients, ConstantInertia, Drive, Equation, Hybrid, ModelError, Motor, ReducedModel,
+    Resistance, SliderCrankModel, Splined, inertia_range,
 };
 use crate::units::{Acceleration, Angle, AngularVelocity, Inertia, Length, Mass, Torque};
 use std::f64::consts::TAU;
@@ -51,89 +51,6 @@ fn resistance() -> Resistance {
 fn drive(motor: Motor) -> Drive {
     let inertia = Inertia::from_kg_m2;
     Drive::new(motor, -4.0, inertia(0.01), inertia(0.5), resistance()).expect("a drive")
-}
-
-#[test]
-fn resistances_oppose() {
-    let d = drive(Motor::Off);
-    for psi in [-7.0, -0.5, 0.5, 4.0] {
-        let sign = f64::signum(psi);
-        let (torque, slope) = d.resisting_torque(psi, sign);
-        let due = -sign * (2.0 + 0.3 * psi.abs() + 0.05 * psi * psi);
-        assert!((torque - due).abs() < 1e-14, "{psi}: {torque}");
-        let h = 1e-6;
-        let rate =
-            (d.resisting_torque(psi + h, sign).0 - d.resisting_torque(psi - h, sign).0) / (2.0 * h);
-        assert!(
-            (slope - rate).abs() < 1e-8 && slope < 0.0,
-            "{psi}: {slope} {rate}"
-        );
-    }
-    let none = Drive::direct(Motor::Off).resisting_torque(3.0, 1.0).0;
-    assert!(none == 0.0 && none.is_sign_positive());
-}
-
-#[test]
-fn drives_reduce_to_the_crank() {
-    let d = drive(Motor::Kloss(
-        Kloss::critical(w(100.0), n_m(50.0), 0.25).expect("a motor"),
-    ));
-    assert_eq!((d.ratio(), d.inertia()), (-4.0, 0.5 + 0.16));
-    assert_eq!(*d.resistance(), resistance());
-    assert!(matches!(d.motor(), Motor::Kloss(_)));
-    assert_eq!(d.pull_out_speed(), Some(75.0 / -4.0));
-    let heavier = d
-        .with_flywheel(Inertia::from_kg_m2(1.0))
-        .expect("a flywheel");
-    assert!((heavier.inertia() - 1.66).abs() < 1e-15 && heavier.ratio() == -4.0);
-    // Power is the same on either side of the reducer.
-    for psi in [-24.0, -18.0, -3.0, 2.0] {
-        let (torque, slope) = d.motor_torque(psi).expect("a torque");
-        let (m, _) = d.motor().torque_and_slope(-4.0 * psi).expect("a torque");
-        assert!((torque * psi - m * -4.0 * psi).abs() < 1e-12 * (m * psi).abs());
-        let h = 1e-5;
-        let at = |x: f64| d.motor_torque(x).expect("a torque").0;
-        assert!(
-            (slope - (at(psi + h) - at(psi - h)) / (2.0 * h)).abs() < 1e-4 * (1.0 + slope.abs())
-        );
-    }
-    let table = TorqueTable::new(
-        &[(-10.0, 5.0), (0.0, 4.0), (20.0, 1.0)],
-        TableReading::Linear,
-    );
-    let d = drive(Motor::Table(table.expect("a table")));
-    assert_eq!(d.kinks(), [2.5, -0.0, -5.0]);
-    assert!(Drive::direct(Motor::Off).kinks().is_empty());
-}
-
-#[test]
-fn characteristics() {
-    let k = Kloss::critical(w(100.0), n_m(50.0), 0.25).expect("a motor");
-    assert_eq!(
-        (k.synchronous(), k.pull_out(), k.critical_slip()),
-        (100.0, 50.0, 0.25)
-    );
-    assert!((k.torque(75.0) - 50.0).abs() < 1e-14 && k.slope(75.0).abs() < 1e-14);
-    let of = |slip: f64| Motor::Kloss(Kloss::critical(w(100.0), n_m(50.0), slip).expect("a motor"));
-    assert_eq!(of(0.5).pull_out_speed(), Some(50.0));
-    // At standstill or backwards it is no limit.
-    assert_eq!(of(1.0).pull_out_speed(), None);
-    assert_eq!(of(1.5).pull_out_speed(), None);
-    assert_eq!(Motor::Off.pull_out_speed(), None);
-    for slip in [0.0, -0.1, 1.0, 1.5, f64::NAN] {
-        assert!(
-            Kloss::rated(w(100.0), n_m(20.0), 2.0, slip).is_err(),
-            "{slip}"
-        );
-    }
-    let m = Motor::linear(n_m(30.0), w(60.0)).expect("a motor");
-    for (speed, torque) in [(0.0, 30.0), (60.0, 0.0), (20.0, 20.0), (-60.0, 60.0)] {
-        let (got, slope) = m.torque_and_slope(speed).expect("a torque");
-        assert!(
-            (got - torque).abs() < 1e-14 && slope == -0.5,
-            "{speed}: {got} {slope}"
-        );
-    }
 }
 
 /// `I φ″ + ½ I′ φ′² = M`, and what the damping is the derivative of.

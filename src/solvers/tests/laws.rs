@@ -56,26 +56,6 @@ fn peaks_of_tables() {
     assert_eq!(one_end.motion(1.0).expect("a place").velocity, 0.0);
 }
 
-/// Displacement and what remains add up to one, whichever of them is read off the table.
-#[test]
-fn what_remains_of_a_table() {
-    use End::{FirstDerivative as First, SecondDerivative as Second};
-    for ends in [[First(0.3), First(-0.4)], [Second(5.0), Second(-7.0)]] {
-        let law = table(ends);
-        for k in 0..=200 {
-            let x = f64::from(k) / 200.0;
-            let (m, rest) = (law.motion(x), law.remaining(x));
-            let sum = m.expect("a place").displacement + rest.expect("a place");
-            assert!((sum - 1.0).abs() < 1e-15, "{ends:?} {x}: {sum}");
-        }
-        // Continuous where it is read the other way.
-        for k in 0..2000 {
-            let at = |k: i32| law.remaining(f64::from(k) / 2000.0).expect("a place");
-            assert!((at(k + 1) - at(k)).abs() < 4.0 / 2000.0, "{ends:?} {k}");
-        }
-    }
-}
-
 /// Derivatives of a cycle in radians of the shaft, by differences.
 #[test]
 fn motions_of_a_cycle() {
@@ -135,32 +115,5 @@ fn shares_of_the_stroke() {
         close(p.acceleration, a.acceleration / up);
         close(p.deceleration, a.deceleration / down);
         close(p.jerk, a.jerk / up.min(down).powi(2));
-    }
-}
-
-/// A polynomial's peaks are those of its derivatives, whatever their signs.
-#[test]
-fn peaks_of_polynomials() {
-    for c in [
-        &[0.0, 0.0, 0.0, 10.0, -15.0, 6.0][..],
-        &[0.0, 0.0, 0.0, 35.0, -84.0, 70.0, -20.0],
-        &[0.0, 0.0, 0.0, 0.0, 35.0, -84.0, 70.0, -20.0],
-        &[0.0, 0.0, 0.0, 0.0, 0.0, 126.0, -420.0, 540.0, -315.0, 70.0],
-    ] {
-        let law = MotionLaw::polynomial(c).expect("a law");
-        let n = 20_000;
-        let at = |i: u32| law.motion(f64::from(i) / f64::from(n)).expect("a place");
-        let all: Vec<Motion> = (0..=n).map(at).collect();
-        let most = |f: fn(&Motion) -> f64| all.iter().map(f).fold(0.0, f64::max);
-        let p = law.peaks();
-        let near = |got: f64, due: f64| assert!((got / due - 1.0).abs() < 1e-6, "{c:?} {p:?}");
-        near(p.velocity, most(|m| m.velocity.abs()));
-        near(p.deceleration, most(|m| -m.acceleration));
-        if p.acceleration.is_finite() {
-            near(p.acceleration, most(|m| m.acceleration));
-        }
-        if p.jerk.is_finite() {
-            near(p.jerk, most(|m| m.jerk.abs()));
-        }
     }
 }

@@ -141,59 +141,6 @@ fn branches_are_followed() {
     assert!(met > 15, "{met} linkages");
 }
 
-/// Joints keep their distances, and the motions of the centres of mass are what the reduced values
-/// are made of.
-#[test]
-fn points_of_links() {
-    for (line, linkage, state, masses) in regular() {
-        let l: [f64; 11] = linkage.geometry().named_values().map(|(_, v)| v);
-        let [a, b, c, d] = state.joints();
-        let distance = |p: [f64; 2], q: [f64; 2]| (p[0] - q[0]).hypot(p[1] - q[1]);
-        let pairs = [
-            (distance([0.0; 2], a), l[0]),
-            (distance(a, b), l[1]),
-            (distance([l[7], l[8]], c), l[2]),
-            (distance(c, d), l[3]),
-            (distance([l[9], l[10]], d), l[4]),
-            (distance(c, b), l[5]),
-        ];
-        let size = l[..6].iter().fold(0.0f64, |m, x| m.max(x.abs()));
-        for (k, (got, due)) in pairs.iter().enumerate() {
-            assert!(
-                (got - due).abs() < 1e-13 * size,
-                "{}: bar {k}, {got} for {due}",
-                line.place
-            );
-        }
-        let (mut inertia, mut derivative, mut moment) = (0.0, 0.0, 0.0);
-        for (body, m) in masses.bodies().iter().zip(masses.motions(&state)) {
-            let (v, w) = (m.centre.first, m.centre.second);
-            let (mass, own) = (body.mass.kg(), body.inertia.inertia().kg_m2());
-            if let MomentOfInertia::AboutCentreOfMass(_) = body.inertia {
-                inertia += mass * (v[0] * v[0] + v[1] * v[1]);
-                derivative += 2.0 * mass * (v[0] * w[0] + v[1] * w[1]);
-            }
-            inertia += own * m.first * m.first;
-            derivative += 2.0 * own * m.first * m.second;
-            moment -= mass * line.input[13] * v[1];
-        }
-        let r = masses.reduce(&state);
-        let close = |a: f64, b: f64, size: f64| (a - b).abs() <= 1e-12 * size;
-        let scale = inertia * (1.0 + state.condition);
-        assert!(close(inertia, r.inertia_kg_m2, inertia), "{}", line.place);
-        assert!(
-            close(derivative, r.inertia_derivative_kg_m2, scale),
-            "{}",
-            line.place
-        );
-        assert!(
-            close(moment, r.moment_n_m, moment.abs() + scale),
-            "{}",
-            line.place
-        );
-    }
-}
-
 fn side(x: f64) -> Assembly {
     match x > 0.0 {
         true => Assembly::Positive,

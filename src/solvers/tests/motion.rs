@@ -85,37 +85,6 @@ fn fourier_series() {
     hold("cam-fourier-series", &[("harmonics", &coefficients)]);
 }
 
-/// Lift, return and dwells of a cycle are where its laws put them.
-#[test]
-fn cycles() {
-    for line in lines("cam-fourier-series").iter().step_by(4) {
-        let x = &line.input;
-        let Ok(cycle) = cycle(x) else { continue };
-        let (rise, lift) = (law(&x[7..]).expect("a law").0, x[0]);
-        for k in 1..8 {
-            let part = f64::from(k) / 8.0;
-            let got = cycle.at(x[1] + part * x[2]).expect("a motion");
-            let due = rise.motion(part).expect("a motion");
-            let size = lift.abs() * (1.0 + due.velocity.abs()) * (1.0 + x[1].abs()) / x[2];
-            let off = (got.displacement - lift * due.displacement).abs();
-            assert!(off <= 1e-14 * size, "{}, {part}: off by {off}", line.place);
-            if x[4] > 0.0 && x[3] > 0.0 {
-                let high = cycle.at(x[1] + x[2] + part * x[3]).expect("a motion");
-                assert!(
-                    (high.displacement - lift).abs() <= 1e-13 * lift.abs(),
-                    "{}",
-                    line.place
-                );
-                assert!(
-                    high.velocity.abs() <= 1e-9 * lift.abs() / x[2],
-                    "{}",
-                    line.place
-                );
-            }
-        }
-    }
-}
-
 fn response(x: &[f64]) -> Result<ChirpResponse, ChirpError> {
     let harmonic = Harmonic {
         k: x[4],

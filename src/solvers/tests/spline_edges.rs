@@ -1,7 +1,7 @@
 //! Splines outside their knots, at their ends and in batches of every kind.
 
 use crate::cubic_spline::{
-    Boundary, CubicSpline, End, EvaluationError, Extrapolation, Grid, Spline, UniformCubicSpline,
+    Boundary, CubicSpline, EvaluationError, Extrapolation, Grid, Spline, UniformCubicSpline,
     UniformKnots,
 };
 use crate::double_double::{two_prod, two_sum};
@@ -86,23 +86,6 @@ fn integrals_that_cancel() {
     }
 }
 
-/// Straight on outside, with the slope of the end; nothing else bends there.
-#[test]
-fn jets_outside() {
-    let s = uneven().with_extrapolation(Extrapolation::Linear);
-    let (first, last) = s.grid().span();
-    for (end, x) in [(first, -2.0), (last, 7.0)] {
-        let (at, out) = (s.jet(end).expect("a point"), s.jet(x).expect("a point"));
-        assert!((out.value - (at.value + at.first * (x - end))).abs() < 1e-12);
-        assert_eq!((out.first, out.second, out.third), (at.first, 0.0, 0.0));
-    }
-    let s = s.with_extrapolation(Extrapolation::Clamp);
-    for (end, x) in [(first, -2.0), (last, 7.0)] {
-        let (at, out) = (s.value(end).expect("a point"), s.jet(x).expect("a point"));
-        assert_eq!((out.value, out.first, out.second), (at, 0.0, 0.0));
-    }
-}
-
 /// The index of a refused point counts from the start of the whole batch.
 #[test]
 fn indices_of_refused_points() {
@@ -144,72 +127,6 @@ fn indices_of_refused_points() {
     }
 }
 
-/// Sorted batches of all sizes and steps have the bits of single points, on all cores too.
-#[test]
-fn batches_have_the_bits_of_single_points() {
-    fn check<G: Grid>(s: &Spline<G>, x: &[f64]) {
-        let one: Vec<f64> = x.iter().map(|x| s.value(*x).expect("a point")).collect();
-        let same = |out: &[f64]| {
-            out.iter()
-                .zip(&one)
-                .all(|(a, b)| a.to_bits() == b.to_bits())
-        };
-        let mut out = vec![f64::NAN; x.len()];
-        s.values(x, &mut out).expect("points");
-        assert!(same(&out));
-        out.fill(f64::NAN);
-        s.values_sorted(x, &mut out).expect("points");
-        assert!(same(&out));
-        let jets = s.jets(x).expect("points");
-        assert_eq!(jets.len(), x.len());
-        assert!(
-            jets.iter()
-                .zip(&one)
-                .all(|(j, y)| (j.value - y).abs() < 1e-12 * (1.0 + y.abs()))
-        );
-        #[cfg(feature = "parallel")]
-        {
-            out.fill(f64::NAN);
-            s.par_values(x, &mut out).expect("points");
-            assert!(same(&out));
-            out.fill(f64::NAN);
-            s.par_values_sorted(x, &mut out).expect("points");
-            assert!(same(&out));
-        }
-    }
-    let many: Vec<f64> = (0..300).map(|k| f64::from(k) * 0.01 + 0.001).collect();
-    let y: Vec<f64> = many.iter().map(|x| (3.0 * x).cos()).collect();
-    let fine = CubicSpline::fit(many, y.clone(), Boundary::NOT_A_KNOT).expect("a spline");
-    let even = UniformCubicSpline::fit(0.001, 0.01, y, Boundary::NOT_A_KNOT).expect("a spline");
-    for n in [1usize, 2, 7, 8, 9, 40, 1025, 2100, 66_000] {
-        for (from, to) in [(0.001, 2.991), (0.5, 0.9), (1.0, 1.0)] {
-            let at = |k: usize| from + (to - from) * k as f64 / (n.max(2) - 1) as f64;
-            let x: Vec<f64> = (0..n).map(at).map(|x| x.min(2.99)).collect();
-            check(&fine, &x);
-            check(&even, &x);
-        }
-    }
-    for kind in [
-        Extrapolation::Linear,
-        Extrapolation::Wrap,
-        Extrapolation::EndPolynomial,
-    ] {
-        let x: Vec<f64> = (0..50).map(|k| f64::from(k) * 0.2 - 3.0).collect();
-        check(&uneven().with_extrapolation(kind), &x);
-        check(&uniform(Boundary::Periodic).with_extrapolation(kind), &x);
-    }
-    // One below another at the seam of two chunks of all cores.
-    #[cfg(feature = "parallel")]
-    {
-        let mut x = vec![1.0; 70_000];
-        x[..65_536].fill(1.5);
-        let e = fine
-            .par_values_sorted(&x, &mut vec![0.0; 70_000])
-            .unwrap_err();
-        assert_eq!(e, EvaluationError::NotSorted { index: 65_536 });
-    }
-}
-
 /// `origin + i · step` as if the sum were rounded once, also where it nearly cancels.
 #[test]
 fn equally_spaced_knots() {
@@ -236,54 +153,5 @@ fn equally_spaced_knots() {
             let (a, b) = grid.span();
             assert_eq!((a, b), (origin, grid.knot(segments)));
         }
-    }
-}
-
-/// A cubic comes back from its own values with all derivatives, however different the end steps.
-#[test]
-fn cubics_come_back() {
-    let cubic = |x: f64| ((2.0 * x - 3.0) * x + 0.5) * x + 1.0;
-    let small = 2f64.powi(-8);
-    for x in [
-        vec![0.0, small, 1.0, 2.0, 3.0],
-        vec![0.0, 1.0, 2.0, 3.0 - small, 3.0],
-        vec![0.0, 1.0, 1.0 + small, 2.0, 3.0],
-        vec![0.0, 1.0, 2.0, 2.0 + small, 3.0],
-        vec![0.0, 1.0, 3.0, 3.25],
-        vec![0.0, 0.25, 1.0, 3.0],
-    ] {
-        let y = x.iter().map(|x| cubic(*x)).collect();
-        let s = CubicSpline::fit(x.clone(), y, Boundary::NOT_A_KNOT).expect("a spline");
-        for k in 0..=60 {
-            let at = f64::from(k) * 0.05;
-            let j = s.jet(at).expect("a point");
-            let close = |got: f64, due: f64, u: f64| {
-                assert!((got - due).abs() < u, "{x:?} at {at}: {got} {due}");
-            };
-            close(j.value, cubic(at), 1e-13);
-            close(j.first, (6.0 * at - 6.0) * at + 0.5, 1e-11);
-            close(j.second, 12.0 * at - 6.0, 1e-10);
-            close(j.third, 12.0, 1e-9);
-        }
-        assert_eq!(s.second_derivatives().len(), x.len());
-        for (m, x) in s.second_derivatives().iter().zip(&x) {
-            assert!((m - (12.0 * x - 6.0)).abs() < 1e-10, "{m}");
-        }
-    }
-    // Third derivatives next to not-a-knot ends are those of the longer of the two steps.
-    for ends in [
-        [End::NotAKnot, End::FirstDerivative(0.0)],
-        [End::FirstDerivative(0.0), End::NotAKnot],
-    ] {
-        let x = vec![0.0, 0.01, 1.0, 2.0, 2.99, 3.0];
-        let y = vec![0.0, 0.2, 1.0, -1.0, 0.4, 0.3];
-        let s = CubicSpline::fit(x.clone(), y, Boundary::Ends(ends[0], ends[1])).expect("a spline");
-        let third = |x: f64| s.jet(x).expect("a point").third;
-        match ends[0] {
-            End::NotAKnot => assert_eq!(third(0.005), third(0.5)),
-            _ => assert_eq!(third(2.995), third(2.5)),
-        }
-        let m = s.second_derivatives();
-        assert!((third(1.5) - (m[3] - m[2])).abs() < 1e-10);
     }
 }

@@ -363,3 +363,45 @@ fn stretched_dyads_keep_their_turns() {
         }
     }
 }
+
+/// With a ball that is wide, at every angle in it.
+#[test]
+fn values_within_a_ball_are_those_at_every_angle() {
+    let step = q(1, 200);
+    let mut seen = 0;
+    let shapes = four_bars()
+        .into_iter()
+        .flat_map(|l| [(l.clone(), true), (l, false)]);
+    for (l, left) in shapes {
+        for k in -30..30 {
+            let slide = [0, 1, 3].map(|i| l[i].clone());
+            let angle = |j: i64| q(k, 10) + q(j, 4) * &step;
+            let wide = Ball::rational(128, &angle(0)).widened(Mag::from_f64(0.005_01));
+            if let Ok(m) = four_bar_within(&l, &wide, left) {
+                for at in (-4..=4).map(angle) {
+                    let n = four_bar(&l, &at, left, 128).unwrap();
+                    let pairs = m.coupler.iter().zip(&n.coupler);
+                    let mut pairs = pairs.chain(m.rocker.iter().zip(&n.rocker));
+                    assert!(pairs.all(|(m, n)| m.contains_ball(n)), "{l:?} {at}");
+                    assert!(m.determinant.contains_ball(&n.determinant), "{l:?} {at}");
+                    assert!(m.transmission.contains_ball(&n.transmission), "{l:?} {at}");
+                    seen += 1;
+                }
+            }
+            if let Ok(m) = slider_crank_within(&slide, &wide, left) {
+                for at in (-4..=4).map(angle) {
+                    let n = slider_crank(&slide, &q(0, 1), &at, left, 128).unwrap();
+                    let pairs = m.slider.iter().zip(&n.slider);
+                    let mut pairs = pairs.chain(m.rod.iter().zip(&n.rod));
+                    assert!(pairs.all(|(m, n)| m.contains_ball(n)), "{slide:?} {at}");
+                    assert!(
+                        m.transmission.contains_ball(&n.transmission),
+                        "{slide:?} {at}"
+                    );
+                    seen += 1;
+                }
+            }
+        }
+    }
+    assert!(seen > 4000, "{seen}");
+}

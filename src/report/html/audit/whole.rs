@@ -101,96 +101,43 @@ fn values(report: &CaseReport, got: &[f64], most: usize) -> Vec<[String; 8]> {
 mod tests {
     use super::*;
     use crate::audit::BranchAt;
+    use crate::report::gallery::Gallery;
     use crate::report::text::method::tests::fabricated;
-    use serde_json::{Value, json};
 
-    fn written(change: impl Fn(&mut CaseReport), most: usize) -> Value {
-        let mut report = fabricated().failures.remove(0);
-        change(&mut report);
-        serde_json::to_value(Whole::of(&report, &fabricated().layout, most)).unwrap()
-    }
-
+    /// Answers of each kind, and numbers beyond the most counted.
     #[test]
-    fn a_case_is_written_out() {
-        let whole = written(|_| (), 9);
-        let due = json!({
-            "verdict": "over budget",
-            "tone": "t-bad",
-            "reason": "phi2 (value 0) is 7.5e-1, expected 7.500000000000008e-1: 1.750 times its budget off",
-            "input": [
-                ["a", "", "0.1", "0x1.999999999999ap-4"],
-                ["b", "m", "-2.0", "-0x1p+1"],
-            ],
-            "values": [[
-                "phi2", "0.75000000000000080491", "0.75", "0x1.8p-1", "7.25", "0.400", "175.0 %", "31.00",
-            ]],
-            "answer": null,
-            "proof": "exact arithmetic",
-            "bits": 128,
-            "branch": null,
-            "left_out": 0,
-        });
-        assert_eq!(whole, due);
-    }
-
-    #[test]
-    fn numbers_beyond_the_most_are_counted() {
-        let answer = Some(SolverAnswer::Values(vec![0.5; 4]));
-        let whole = written(|r| r.answer = answer.clone(), 1);
-        assert_eq!(whole["input"].as_array().unwrap().len(), 1);
-        assert_eq!(whole["left_out"], 1 + 3);
-    }
-
-    #[test]
-    fn an_answer_without_values_says_what_it_is() {
-        for (answer, due) in [
-            (Some(SolverAnswer::Fails("it broke".into())), "it broke"),
-            (Some(SolverAnswer::Unanswered("late".into())), "no answer"),
-            (None, "no answer"),
-            (Some(SolverAnswer::Refuses("singular")), "refusal: singular"),
-            (Some(SolverAnswer::Declines(None)), "refusal: "),
-        ] {
-            let whole = written(|r| r.answer = answer.clone(), 9);
-            assert_eq!(whole["answer"], due);
-            let values = &whole["values"][0];
-            assert_eq!((&values[2], &values[3]), (&json!("–"), &json!("")));
-        }
-    }
-
-    #[test]
-    fn what_is_no_number_is_a_dash_and_a_seam_has_its_distance() {
-        let at = |branch: Option<&'static str>| {
-            move |r: &mut CaseReport| {
-                r.judgement.components[0].ulps = f64::NAN;
-                r.reference[0] = None;
-                r.proof = Some(Proof::Bounded("a bound"));
-                r.branch = Some(BranchAt {
-                    branch: branch.map(String::from),
-                    seam: "|z| = 7".into(),
-                    distance: 0.25,
-                });
-            }
+    fn cases_are_written_out() {
+        let mut all = Gallery::default();
+        let mut write = |name: &str, report: &CaseReport, most| {
+            let whole = Whole::of(report, &fabricated().layout, most);
+            all.add_json(name, serde_json::to_value(&whole).unwrap());
         };
-        let whole = written(at(Some("Taylor")), 9);
-        assert_eq!(whole["branch"], "Taylor; 0.250 from the seam |z| = 7");
-        assert_eq!(whole["proof"], "a bound");
-        let values = &whole["values"][0];
-        assert_eq!((&values[1], &values[4]), (&json!("–"), &json!("–")));
-        assert_eq!(
-            written(at(None), 9)["branch"],
-            "0.250 from the seam |z| = 7"
-        );
-    }
-
-    #[test]
-    fn inputs_have_the_names_and_units_of_their_method() {
-        let whole = written(|r| r.case.method = "a/study.toml", 9);
-        let named: Vec<(&Value, &Value)> = (0..2)
-            .map(|k| (&whole["input"][k][0], &whole["input"][k][1]))
-            .collect();
-        assert_eq!(
-            named,
-            [(&json!("a"), &json!("")), (&json!("b"), &json!("m"))]
-        );
+        let mut report = fabricated().failures.remove(0);
+        write("values", &report, 9);
+        for (name, answer) in [
+            ("too many", Some(SolverAnswer::Values(vec![0.5; 4]))),
+            ("fails", Some(SolverAnswer::Fails("it broke".into()))),
+            ("unanswered", Some(SolverAnswer::Unanswered("late".into()))),
+            ("none", None),
+            ("refuses", Some(SolverAnswer::Refuses("singular"))),
+            ("declines", Some(SolverAnswer::Declines(None))),
+        ] {
+            report.answer = answer;
+            write(name, &report, 1);
+        }
+        report = fabricated().failures.remove(0);
+        report.case.method = "a/study.toml";
+        report.judgement.components[0].ulps = f64::NAN;
+        report.reference[0] = None;
+        report.proof = Some(Proof::Bounded("a bound"));
+        for branch in [Some("Taylor"), None] {
+            report.branch = Some(BranchAt {
+                branch: branch.map(String::from),
+                seam: "|z| = 7".into(),
+                distance: 0.25,
+            });
+            write("not certified", &report, 9);
+        }
+        all.pin("whole-cases");
     }
 }

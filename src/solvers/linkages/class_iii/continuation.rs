@@ -284,36 +284,6 @@ mod tests {
         }
     }
 
-    proptest::proptest! {
-        /// Whatever the bits, an answer or a typed error.
-        #[test]
-        fn any_bits(
-            geometry in proptest::array::uniform11(proptest::num::f64::ANY),
-            scale in proptest::array::uniform11(0.1f64..3.0),
-            phi1 in proptest::num::f64::ANY,
-            to in proptest::num::f64::ANY,
-            small in -3.0f64..3.0,
-        ) {
-            use super::super::Geometry;
-            // An angle that is not too far is followed turn by turn.
-            let to = if (50.0..=1e6).contains(&to.abs()) { to % 50.0 } else { to };
-            for values in [geometry, scale] {
-                let Ok(linkage) = ClassIii::new(Geometry::from_values(&values)) else {
-                    continue;
-                };
-                for at in [phi1, small] {
-                    for mode in linkage.assembly_modes(Angle::from_rad(at)).modes {
-                        if let Ok(state) = linkage.state_near(Angle::from_rad(at), mode) {
-                            let _ = linkage.follow(&state, Angle::from_rad(to));
-                            let _ = linkage.follow(&state, Angle::from_rad(small));
-                            let _ = linkage.dead_positions(&state, Angle::from_rad(at + 0.1));
-                        }
-                    }
-                }
-            }
-        }
-    }
-
     #[test]
     fn far_angles_are_refused() {
         let linkage = zinchenko();

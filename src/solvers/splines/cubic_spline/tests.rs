@@ -1,5 +1,4 @@
 use super::*;
-use proptest::prelude::*;
 
 const ENDS: [End; 4] = [
     End::SecondDerivative(0.7),
@@ -275,61 +274,6 @@ fn typed_errors() {
             ..
         }
     ));
-}
-
-proptest! {
-    #[test]
-    fn no_bits_panic(v in prop::collection::vec(any::<u64>(), 0..40), kind in 0usize..6, mild: bool) {
-        let take = |b: u64| if mild {
-            // Exponents near that of 1, so that fits succeed.
-            f64::from_bits((b & !(0x7ff << 52)) | ((1019 + (b >> 52) % 8) << 52))
-        } else {
-            f64::from_bits(b)
-        };
-        let v: Vec<f64> = v.into_iter().map(take).collect();
-        let at = |i: usize| v.get(i).copied().unwrap_or(0.5);
-        let boundary = match kind {
-            0 => Boundary::Periodic,
-            1 => Boundary::NOT_A_KNOT,
-            2 => Boundary::clamped(at(0), at(1)),
-            3 => Boundary::second_derivatives(at(0), at(1)),
-            4 => Boundary::Ends(End::NotAKnot, End::FirstDerivative(at(2))),
-            _ => Boundary::NATURAL,
-        };
-        let (x, y) = v.split_at(v.len() / 2);
-        let mut x = x.to_vec();
-        x.sort_by(f64::total_cmp);
-        let modes = [Extrapolation::Error, Extrapolation::EndPolynomial, Extrapolation::Linear,
-            Extrapolation::Clamp, Extrapolation::Wrap];
-        let a = CubicSpline::fit(x.clone(), y.to_vec(), boundary);
-        let u = UniformCubicSpline::fit(at(3), at(4).abs(), y.to_vec(), boundary);
-        for mode in modes {
-            if let Ok(s) = &a {
-                exercise(&s.clone().with_extrapolation(mode), &v);
-            }
-            if let Ok(s) = &u {
-                exercise(&s.clone().with_extrapolation(mode), &v);
-            }
-        }
-    }
-}
-
-fn exercise<G: Grid>(s: &Spline<G>, points: &[f64]) {
-    let (first, last) = s.grid.span();
-    let mut sorted = points.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let mut out = vec![0.0; points.len()];
-    let _ = s.values_sorted(&sorted, &mut out);
-    for (i, &x) in points.iter().enumerate() {
-        let _ = s.jet(x);
-        let _ = s.integral(x, points[i / 2]);
-        if let Ok(v) = s.value(x) {
-            assert!(
-                !(first..=last).contains(&x) || v.is_finite(),
-                "S({x}) = {v}"
-            );
-        }
-    }
 }
 
 /// Values with each lookup that this processor has, beside those of single points. Returns how many
