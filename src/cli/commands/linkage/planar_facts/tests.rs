@@ -87,7 +87,7 @@ fn branches() {
     let mut all = Gallery::default();
     let flat = machine(&four_bar([[0, 0], [1, 0], [6, 0], [3, 0]]));
     all.add("flat", lines(&flat).join("\n"));
-    all.add_json("drawing of the flat", drawing(&flat).into());
+    all.add_json("drawing of the flat", drawing(&flat));
     let (turning, boom) = (machine(&rocking()), machine(BOOM));
     all.add("four-bar", lines(&turning).join("\n"));
     all.add_json(
