@@ -34,7 +34,7 @@
 //! # Accuracy
 //! The sand screen of Zinchenko (2008) from rest under ω_c = 10 rad/s, M_n = 200 N·m, k = 2.2,
 //! s_n = 0.05 at a tolerance of 1e-12, worst found at 300 moments of 3 s against a certified
-//! enclosure: Verner's 9(8) 1.5e-12 rad/s, DOP853 1.9e-11 rad/s. `tests/run_up_accuracy.rs` repeats
+//! enclosure: Verner's 9(8) 1.5e-12 rad/s, DOP853 1.9e-11 rad/s. `tests/library/run_up_accuracy.rs` repeats
 //! it; `mechaudit runup FILE --work-precision` compares the methods on any machine. On this one,
 //! stiff near its dead positions, Radau5 is the cheapest down to an error of about 1e-10 rad/s.
 //!
