@@ -1,7 +1,7 @@
 //! The ledger of a paper: every formula, step, table definition and inline number with what it
 //! claims, what was proved or refuted, and the smallest repair.
 //!
-//! The printed form is data ([`Equation`](crate::symbolic::Equation)). It is rendered, and it is
+//! The printed form is data ([`Equation`]). It is rendered, and it is
 //! evaluated: an entry's requirements are equations in which the printed form is put in by name.
 //! The verdict follows from their outcomes; what the ledger's author expected is only compared.
 //!
