@@ -1,7 +1,7 @@
 //! The motion of a mechanism: certified, or in floating point.
 
 use super::{Column, Table, shown};
-use crate::cli::args::{MotionArgs, MotionFormat};
+use crate::cli::args::MotionArgs;
 use crate::cli::complain;
 use crate::cli::failure::Failure;
 use crate::cli::files::source;
@@ -18,8 +18,6 @@ pub struct Problem {
     source: String,
     digits: Option<u32>,
     reactions: bool,
-    /// True if nothing but lines of CSV is asked for.
-    is_csv: bool,
 }
 
 /// The source of a machine's file; `None` for other files.
@@ -44,7 +42,6 @@ impl Problem {
             source: args.file.display().to_string(),
             digits: args.digits,
             reactions: args.reactions,
-            is_csv: args.format == MotionFormat::Csv,
             moving,
         })
     }
@@ -84,12 +81,7 @@ impl Problem {
                     complain_of_end(&shown(&t));
                 }
             }
-            None => {
-                if self.is_csv {
-                    table = table.of_lines();
-                }
-                self.float(&mut table, times).map_err(|e| about(&e))?;
-            }
+            None => self.float(&mut table, times).map_err(|e| about(&e))?,
         }
         Ok(table)
     }

@@ -58,8 +58,6 @@ pub struct Table {
     times: Vec<f64>,
     /// The times with the values there.
     rows: Vec<Vec<Cell>>,
-    /// The rows as lines of CSV in place of both, where nothing else is asked for.
-    lines: Option<String>,
     /// Reasons why values have no digits, each with a line that says it with the first time.
     open: Vec<(String, String)>,
 }
@@ -104,28 +102,12 @@ impl Table {
             digits,
             times: Vec::new(),
             rows: Vec::new(),
-            lines: None,
             open: Vec::new(),
         }
     }
 
-    /// Keeps the rows as lines of CSV.
-    pub fn of_lines(mut self) -> Table {
-        self.lines = Some(String::new());
-        self
-    }
-
     /// Adds a row.
     pub fn push(&mut self, time: &Rational, values: impl IntoIterator<Item = Entry>) {
-        if let Some(lines) = &mut self.lines {
-            lines.push_str(&shown(time));
-            for (cell, _) in values {
-                lines.push(',');
-                cell.append(lines);
-            }
-            lines.push('\n');
-            return;
-        }
         let mut row = Vec::with_capacity(self.columns.len());
         row.push(Cell::Word(shown(time)));
         for (k, (cell, why)) in values.into_iter().enumerate() {
@@ -210,8 +192,7 @@ impl Table {
         for row in &self.rows {
             rows.row(row)?;
         }
-        rows.end()?;
-        out.write_all(self.lines.as_deref().unwrap_or_default().as_bytes())
+        rows.end()
     }
 
     /// The rows aligned.

@@ -16,7 +16,7 @@ use std::sync::Arc;
 /// Working precision of formulas, and the accuracy of integrals and roots in them: both far above
 /// the digits of any figure.
 const BITS: u32 = 256;
-const GOAL: u32 = 192;
+const GOAL: u32 = 128;
 /// The most digits of a number.
 const MOST_DIGITS: u32 = 50;
 
