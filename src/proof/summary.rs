@@ -155,7 +155,7 @@ mod tests {
         assert_eq!((component.bound, component.at.a), (1.75, [2.0; 2]));
         let re = found.formulas[0].re.expect("a bound");
         assert_eq!((re.bound, re.at.a), (1.5, [1.0; 2]));
-        // What is not a number is no bound, whatever its sign.
+        // NaN is no bound, whatever its sign.
         for norm in [f64::NAN, -f64::NAN] {
             let mut without = leaves.clone();
             without[0].bound.norm = norm;

@@ -1,4 +1,4 @@
-//! What reports look like: texts by name in one file of `snapshots/`.
+//! Reports as they are printed: texts by name in one file of `snapshots/`.
 
 /// Texts by name.
 #[derive(Default)]

@@ -362,7 +362,7 @@ mod tests {
         }
     }
 
-    /// What is new beside its share, the first failure, and every input once with all its outputs.
+    /// The new input beside its share, the first failure, and every input once with all its outputs.
     #[test]
     fn reports() {
         let mut all = Gallery::default();

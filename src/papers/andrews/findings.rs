@@ -31,7 +31,7 @@ fn digits(printed: &[Printed], values: &[Vec<Ball>]) -> Measured {
     measured
 }
 
-/// How many values at the start are right to the last digit, and of the others by how much they
+/// The number of values at the start that are right to the last digit, and by how much the others
 /// are off.
 fn start_values(start: &[&Printed], values: &[Vec<Ball>], measured: &mut Measured) {
     let right = |p: &&&Printed| p.number.is_rounded(certified(values, p));

@@ -32,7 +32,7 @@ pub enum Quantity {
     Figures(Vec<Figure>),
 }
 
-/// What an analysis in the program measures.
+/// The quantities, entries and counts that an analysis in the program measures.
 #[derive(Clone, Debug, Default)]
 pub struct Measured {
     /// The quantities by their names.
