@@ -213,6 +213,8 @@ def test_systems():
     for bad in (([1], [0, 1], [1], [1, 1]), ([1, 2], [1, 1], [1], [1, 1]), ([1], [1, 1], [1], [1, np.nan])):
         with pytest.raises(ValueError):
             solve_tridiagonal(*bad)
+    with pytest.raises(ValueError, match="0 unknowns"):
+        solve_tridiagonal([], [], [], [])
     with pytest.raises(TypeError):
         solve_tridiagonal([1j], [1, 1], [1], [1, 1])
     with pytest.raises(ValueError):

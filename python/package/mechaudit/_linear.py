@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
@@ -13,7 +14,7 @@ __all__ = ["Solution", "Stability", "solve_cyclic", "solve_tridiagonal"]
 
 
 class Stability(NamedTuple):
-    """How far a solution can be trusted.
+    """Bounds of the errors of a solution.
 
     Attributes
     ----------
@@ -91,7 +92,7 @@ def _solve(function: Any, evidence: Any, lower: Any, diagonal: Any, upper: Any, 
     if right.ndim == 0 or right.shape[0] != n:
         raise ValueError(f"d must have {n} rows as the diagonal has, got shape {right.shape}")
     # Each right-hand side in one piece, and so each solution.
-    columns = np.ascontiguousarray(right.reshape(n, -1).T)
+    columns = np.ascontiguousarray(right.reshape(n, math.prod(right.shape[1:])).T)
     x = function(*bands, columns.reshape(-1)).reshape(columns.shape).T.reshape(right.shape)
     return Solution(x, evidence, bands)
 
