@@ -1,11 +1,9 @@
 //! Which formula the code uses where.
 
 use super::Function;
-use crate::tables::imaginary_axis_at;
-use mechaudit_solvers::faddeeva::Branch;
-use mechaudit_solvers::faddeeva::proof::real_line as code;
+use mechaudit_solvers::faddeeva::proof::real_line::{self as code, OfRows};
 
-/// A formula for erfcx x, for erf x, or for `(2/√π) F(x)`, F Dawson's function.
+/// A formula for erf x, erfc x, erfcx x, or `(2/√π) F(x)`, F Dawson's function.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Inner {
     /// Taylor series.
@@ -23,13 +21,13 @@ pub enum Inner {
 /// A formula of a function.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Formula {
-    /// Maclaurin series of erf or of Dawson's function; for erfc 1 less that of erf.
+    /// Maclaurin series of Dawson's function.
     Near,
-    /// erfcx, erf, or Dawson's function.
+    /// The function.
     Value(Inner),
     /// `e^{−x²}` erfcx x.
     Product(Inner),
-    /// 2 less that; `2e^{x²}` less erfcx.
+    /// 2 less erfc; `2e^{x²}` less erfcx.
     Difference(Inner),
     /// `2e^{x²}`.
     Exponential,
@@ -47,7 +45,6 @@ impl Formula {
         use Function::{Dawson, Erf, Erfc};
         use Inner::{Row, Series};
         match self {
-            Formula::Near if function == Erfc => "1 - Maclaurin series",
             Formula::Near => "Maclaurin series",
             Formula::Value(Row { .. }) => "Taylor series",
             Formula::Value(Series { terms: 26 }) => "asymptotic, 26 terms",
@@ -81,30 +78,32 @@ impl Formula {
     }
 }
 
-fn inner(branch: Branch, centre: impl Fn() -> f64) -> Inner {
-    match branch {
-        Branch::Asymptotic { terms } => Inner::Series { terms },
-        _ => Inner::Row { centre: centre() },
+/// The series where it has terms, else the row.
+fn inner(of: OfRows, x: f64, terms: Option<u32>) -> Inner {
+    match terms {
+        Some(terms) => Inner::Series { terms },
+        None => Inner::Row {
+            centre: x - code::row(of, x).1,
+        },
     }
 }
 
 fn of_erfcx(x: f64) -> Inner {
-    inner(code::erfcx_branch(x), || imaginary_axis_at(x).0)
+    inner(OfRows::Erfcx, x, code::erfcx_terms(x))
 }
 
 /// The formula of the solver at x or −x, `x ≥ 0`. Its choices are comparisons of x with constants,
 /// and of numbers that never fall when x grows.
 pub fn choice(function: Function, negative: bool, x: f64) -> Formula {
-    let [near, series, complement, one, far] = code::LIMITS;
+    let [series, one, beyond, far] = code::LIMITS;
     match function {
-        Function::Erf if x < near => Formula::Near,
-        Function::Erf if x < one => Formula::Value(Inner::Row {
-            centre: x - code::erf_row(x).1,
-        }),
+        Function::Erf if x < one => Formula::Value(inner(OfRows::Erf, x, None)),
         Function::Erf => Formula::Constant,
-        Function::Erfc if x < complement => Formula::Near,
-        Function::Erfc if x >= if negative { one } else { far } => Formula::Constant,
-        Function::Erfc if negative => Formula::Difference(of_erfcx(x)),
+        Function::Erfc if x < beyond => match negative {
+            true => Formula::Difference(inner(OfRows::Erfc, x, None)),
+            false => Formula::Value(inner(OfRows::Erfc, x, None)),
+        },
+        Function::Erfc if negative || x >= far => Formula::Constant,
         Function::Erfc => Formula::Product(of_erfcx(x)),
         Function::Erfcx if code::is_huge(x) && !negative => Formula::Far,
         Function::Erfcx if !negative => Formula::Value(of_erfcx(x)),
@@ -115,9 +114,6 @@ pub fn choice(function: Function, negative: bool, x: f64) -> Formula {
         },
         Function::Dawson if x < series => Formula::Near,
         Function::Dawson if code::is_huge(x) => Formula::Far,
-        Function::Dawson => {
-            let branch = code::dawson_branch(x);
-            Formula::Value(inner(branch, || x - code::dawson_row(x).1))
-        }
+        Function::Dawson => Formula::Value(inner(OfRows::Dawson, x, code::dawson_terms(x))),
     }
 }

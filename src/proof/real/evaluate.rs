@@ -12,7 +12,7 @@ use crate::interval::{Interval as Enclosure, larger, product_up, quotient_up, su
 use crate::tracked::{Constant, Result as Tracks, Rounding, Setting, Tracked, Tracking, evaluate};
 use mechaudit_reference::faddeeva;
 use mechaudit_solvers::faddeeva::proof::real_line as code;
-use mechaudit_solvers::faddeeva::proof::{AxisRow, ROUND};
+use mechaudit_solvers::faddeeva::proof::ROUND;
 use rug::Rational;
 use rug::float::Round;
 
@@ -34,10 +34,10 @@ impl Way {
     }
 }
 
-/// erfcx, erf, or `(2/√π) F`, over an interval.
+/// erf, erfc, erfcx, or `(2/√π) F`, over an interval.
 struct Operand<'a> {
     function: Function,
-    row: Option<(&'a AxisRow, f64, i32)>,
+    row: Option<(&'a [f64], f64, i32)>,
     terms: u32,
     /// Holds what the formula without rounding is wrong by at most.
     off: f64,
@@ -79,12 +79,12 @@ impl<'a> Operand<'a> {
     fn at(&self, x: Tracked) -> [Tracked; 2] {
         let dawson = self.function == Function::Dawson;
         if let Some((row, centre, grain)) = self.row {
-            let t = x.offset(centre, grain);
-            return match self.function {
-                Function::Dawson => code::dawson_row_value(Tracking, row, t),
-                Function::Erf => code::erf_row_value(Tracking, row, t),
-                _ => code::erfcx_row(Tracking, row, t),
+            let t = match centre == 0.0 {
+                true => x,
+                false => x.offset(centre, grain),
             };
+            let value = code::row_value(Tracking, row, t);
+            return if dawson { code::dawson_beyond(value) } else { value };
         }
         let series = match (self.terms, dawson) {
             (2, true) => code::dawson_series::<Tracked, 2>,
@@ -138,6 +138,10 @@ pub(super) fn bound(
     let x = || Tracked::input(0, ends);
     let [two_over_root, half_root, inverse_root] = tables.constants;
     let exponential = tables.exponential;
+    let next_to_zero = || Setting {
+        sigma: Exact::coordinate(Enclosure::new(ends[0], ends[1]), 0),
+        ..setting(&[])
+    };
     let one = |ways: Result<Vec<Way>, &'static str>, part: &dyn Fn(&Way) -> f64| {
         let mut worst = 0.0;
         for way in ways? {
@@ -152,27 +156,26 @@ pub(super) fn bound(
         exponent: None,
     };
     match formula {
-        Formula::Near if function != Function::Erfc && ends[1] < SMALL => {
-            Ok((formula, underflowing(function, ends, two_over_root)))
-        }
+        Formula::Near if ends[1] < SMALL => Ok((formula, ROUNDINGS)),
         Formula::Near => {
-            let setting = Setting {
-                sigma: Exact::coordinate(Enclosure::new(ends[0], ends[1]), 0),
-                ..setting(&[])
-            };
-            let f = match function {
-                Function::Dawson => code::dawson_near::<Tracked>,
-                Function::Erfc => code::erfc_near::<Tracked>,
-                _ => code::erf_near::<Tracked>,
-            };
-            let ways = evaluate(setting, || {
-                let x = Tracked::sigma();
-                alone(sum_of(f(if at.negative { -x } else { x })))
+            let ways = evaluate(next_to_zero(), || {
+                alone(sum_of(code::dawson_near(Tracked::sigma())))
             });
-            // |erf x| is less than erfc x there. Dawson's series has no factor.
-            let factors = [0.0, two_over_root];
-            one(ways, &|_| {
-                joined(tables.near, of_function(function, factors))
+            one(ways, &|_| tables.near)
+        }
+        // Next to zero erf is x times a number that is known as well as a part of itself.
+        Formula::Value(Inner::Row { centre: 0.0 }) if function == Function::Erf => {
+            if ends[1] < SMALL {
+                return Ok((formula, underflowing(ends, two_over_root)));
+            }
+            let operand = Operand::new(tables, function, Inner::Row { centre: 0.0 }, ends)?;
+            let ways = evaluate(next_to_zero(), || {
+                alone(sum_of(operand.at(Tracked::sigma())))
+            });
+            // Divided by x, what the row is wrong by grows with x, and erf x falls.
+            one(ways, &|way| {
+                let least = (way.sum.exact.mignitude() * ends[1]).next_down();
+                left_out(operand.off, least)
             })
         }
         Formula::Value(inner) => {
@@ -180,22 +183,24 @@ pub(super) fn bound(
             let ways = evaluate(setting(operand.constants()), || {
                 alone(sum_of(operand.at(x())))
             });
-            let factor = of_function(function, [half_root, 0.0]);
+            let factor = match function {
+                Function::Dawson => half_root,
+                _ => 0.0,
+            };
             one(ways, &|way| joined(operand.part(&way.sum), factor))
         }
         Formula::Product(inner) | Formula::Difference(inner) => {
             let operand = Operand::new(tables, function, inner, ends)?;
-            let product = matches!(formula, Formula::Product(_));
             let ways = evaluate(setting(operand.constants()), || {
                 let x = x();
                 let w = operand.at(x);
                 let inner = Some(sum_of(w));
-                let (sum, n) = match function {
-                    Function::Erfc if product => {
+                let (sum, n) = match formula {
+                    Formula::Product(_) => {
                         let (t, n) = code::erfc_right(x, w);
                         (t, n.constant().map(|n| n - ROUND))
                     }
-                    Function::Erfc => (code::erfc_left(x, w), None),
+                    _ if function == Function::Erfc => (code::erfc_left(w), None),
                     _ => (code::erfcx_left(code::exponential(x), w), None),
                 };
                 let sum = sum_of(sum);
@@ -207,8 +212,11 @@ pub(super) fn bound(
             });
             // erfc x is less than what it is taken from leaves; erfcx x is less than that, and
             // 2e^{x²} less than twice.
-            let both = function == Function::Erfcx;
-            let exponential = if both { 2.0 * exponential } else { exponential };
+            let exponential = match (function, formula) {
+                (Function::Erfcx, _) => 2.0 * exponential,
+                (_, Formula::Product(_)) => exponential,
+                _ => 0.0,
+            };
             one(ways, &|way| {
                 let inner = way
                     .inner
@@ -267,14 +275,6 @@ pub(super) fn bound(
         // 2e^{x²} − 1 is above 2¹⁰²⁴ = e^{709.8}.
         Formula::Overflow if ends[0] * ends[0] > 710.0 => Ok((formula, 0.0)),
         Formula::Overflow => Err("no overflow there"),
-    }
-}
-
-/// Returns what is Dawson's function's, or that of the others.
-fn of_function(function: Function, [dawson, others]: [f64; 2]) -> f64 {
-    match function {
-        Function::Dawson => dawson,
-        _ => others,
     }
 }
 
@@ -392,9 +392,11 @@ pub(super) fn beyond_subnormal(x: f64) -> bool {
     (x * power_of_two(1000)).mul_add(c, -power_of_two(-21)) >= 0.0
 }
 
-/// The bound of `Maclaurin series` where `x < 2⁻⁹⁵⁰`. There `x²` and with it all that follows the
-/// first term is zero in the code, so that Dawson's function is x, within a part x² of its value,
-/// and erf x is `x (C + c)`, (C, c) the two parts of 2/√π:
+/// What roundings and terms that are left out below `2⁻⁹⁵⁰` come to at most, in units.
+const ROUNDINGS: f64 = 1e-15;
+
+/// The bound of erf where `x < 2⁻⁹⁵⁰`. There `x²` and with it all that follows the first term is
+/// zero in the code, so that erf x is `x (C + c)`, (C, c) the two parts of 2/√π:
 ///
 /// ```text
 /// p = RN(x C),  q = RN(x C − p),  t = RN(x c),  erf = RN(p + RN(q + t))
@@ -404,12 +406,8 @@ pub(super) fn beyond_subnormal(x: f64) -> bool {
 /// off by 1, so that q = 0, and t = 0. From there on a unit in the last place of erf x is at least
 /// 4; q is off by 1, t by 1 or by all of it, if that is less, and what is rounded of `q + t`, below
 /// 2⁻⁵¹ of p, does not count.
-fn underflowing(function: Function, ends: [f64; 2], constant: f64) -> f64 {
+fn underflowing(ends: [f64; 2], constant: f64) -> f64 {
     const C_LOW: f64 = 1.54e-17;
-    const ROUNDINGS: f64 = 1e-15;
-    if function == Function::Dawson {
-        return ROUNDINGS;
-    }
     let part = product_up(constant, 2.0 * TWO_52);
     if !beyond_subnormal(ends[1]) {
         // c x is at most 1.4 · 10⁻¹⁷ of the value.

@@ -2,22 +2,21 @@
 
 use super::Function;
 use crate::ProofError;
-use crate::tables::{imaginary_axis_at, on_imaginary_axis};
 use crate::truncation::{RowErrors, exponential_error, odd_series_error, pair_error};
 use mechaudit_reference::Ball;
-use mechaudit_solvers::faddeeva::proof::AxisRow;
-use mechaudit_solvers::faddeeva::proof::real_line as code;
+use mechaudit_solvers::faddeeva::proof::real_line::{self as code, OfRows};
 use rayon::prelude::*;
 use rug::Rational;
 use std::collections::HashMap;
+use std::ops::RangeInclusive;
 
 /// Describes what the formulas of one function are made of.
 #[derive(Clone)]
 pub struct Tables {
     /// By the bits of the centre.
-    pub(super) rows: HashMap<u64, (AxisRow, RowErrors)>,
+    pub(super) rows: HashMap<u64, (Vec<f64>, RowErrors)>,
     /// Holds what is wrong without rounding, as a part of the value: the exponential, the Maclaurin
-    /// series, and 2/√π, √π/2 and 1/√π.
+    /// series of Dawson's function, and 2/√π, √π/2 and 1/√π.
     pub(super) exponential: f64,
     pub(super) near: f64,
     pub(super) constants: [f64; 3],
@@ -33,43 +32,34 @@ pub(super) fn exponential_coefficients() -> (Vec<f64>, [f64; 2]) {
 /// Above the binary exponents of `e^{±x²}`, `x² ≤ 900`.
 pub(super) const MOST: f64 = 1300.0;
 
-/// The error of the Maclaurin series of Dawson's function, or of erf, with these coefficients.
-pub(super) fn near_error(function: Function, (c, low): (&[f64], f64)) -> f64 {
+/// The error of the Maclaurin series of Dawson's function with these coefficients, `(−2)ⁿ/(2n + 1)!!`.
+pub(super) fn near_error((c, low): (&[f64], f64)) -> f64 {
+    odd_series_error(c, low, |n, before| before * Rational::from((-2, 2 * n + 1)))
+}
+
+/// Points with a row each, and whose rows they are.
+fn points(function: Function) -> Vec<(OfRows, f64)> {
+    let sixteenths = |of, range: RangeInclusive<u32>| range.map(move |k| (of, f64::from(k) / 16.0));
     match function {
-        // (−2)ⁿ/(2n + 1)!!
-        Function::Dawson => {
-            odd_series_error(c, low, |n, before| before * Rational::from((-2, 2 * n + 1)))
+        Function::Dawson => sixteenths(OfRows::Dawson, 8..=144).collect(),
+        Function::Erf => sixteenths(OfRows::Erf, 0..=95).collect(),
+        Function::Erfcx => sixteenths(OfRows::Erfcx, 0..=169).collect(),
+        Function::Erfc => {
+            let fine = (127..=255).map(|k| (OfRows::Erfc, f64::from(k) / 32.0));
+            let coarse = sixteenths(OfRows::Erfc, 0..=63);
+            let beyond = sixteenths(OfRows::Erfcx, 128..=169);
+            coarse.chain(fine).chain(beyond).collect()
         }
-        // (−1)ⁿ/(n! (2n + 1))
-        _ => odd_series_error(c, low, |n, before| {
-            before * Rational::from((-(2 * i64::from(n) - 1), n * (2 * n + 1)))
-        }),
     }
 }
 
-/// The centres of the rows.
-fn centres(function: Function) -> Vec<f64> {
-    match function {
-        Function::Dawson => (8..=144).map(|k| f64::from(k) / 16.0).collect(),
-        Function::Erf => (1..=24).map(|k| f64::from(k) / 4.0).collect(),
-        _ => on_imaginary_axis().collect(),
-    }
-}
-
-fn row_of(function: Function, x: f64) -> (f64, AxisRow) {
-    match function {
-        Function::Dawson => {
-            let (row, t) = code::dawson_row(x);
-            (x - t, row)
-        }
-        Function::Erf => {
-            let (row, t) = code::erf_row(x);
-            (x - t, *row)
-        }
-        _ => {
-            let (centre, row) = imaginary_axis_at(x);
-            (centre, *row)
-        }
+/// The errors of a row.
+pub(super) fn errors(of: OfRows, row: &[f64], centre: f64) -> Result<RowErrors, ProofError> {
+    match of {
+        OfRows::Dawson => RowErrors::of_dawson(row, centre),
+        OfRows::Erf => RowErrors::of_erf(row, centre),
+        OfRows::Erfc => RowErrors::of_erfc(row, centre),
+        OfRows::Erfcx => RowErrors::on_axis(row, centre),
     }
 }
 
@@ -80,28 +70,21 @@ impl Tables {
     /// If the reference is undecided about a coefficient.
     pub fn of_the_solver(function: Function) -> Result<Tables, ProofError> {
         const BITS: u32 = 300;
-        let rows = centres(function).into_par_iter().map(|x| {
-            let (centre, row) = row_of(function, x);
-            let errors = match function {
-                Function::Dawson => RowErrors::of_dawson(&row, centre)?,
-                Function::Erf => RowErrors::of_erf(&row, centre)?,
-                _ => RowErrors::on_axis(&row, centre)?,
-            };
-            Ok((centre.to_bits(), (row, errors)))
+        let rows = points(function).into_par_iter().map(|(of, x)| {
+            let (row, t) = code::row(of, x);
+            let centre = x - t;
+            let errors = errors(of, row, centre)?;
+            Ok((centre.to_bits(), (row.to_vec(), errors)))
         });
         let rows = rows.collect::<Result<HashMap<_, _>, ProofError>>()?;
         let (coefficients, ln_2) = exponential_coefficients();
-        let [erf, dawson] = code::odd_series();
         let root = Ball::pi(BITS).sqrt();
         let two = Ball::integer(BITS, 2);
         let [p, q, r] = code::constants();
         Ok(Tables {
             rows,
             exponential: exponential_error(&coefficients, ln_2, MOST),
-            near: match function {
-                Function::Dawson => near_error(function, dawson),
-                _ => near_error(function, erf),
-            },
+            near: near_error(code::odd_series()),
             constants: [
                 pair_error(p, &(&two / &root)),
                 pair_error(q, &(&root / &two)),
@@ -110,7 +93,7 @@ impl Tables {
         })
     }
 
-    pub(super) fn row(&self, centre: f64) -> Result<&(AxisRow, RowErrors), &'static str> {
+    pub(super) fn row(&self, centre: f64) -> Result<&(Vec<f64>, RowErrors), &'static str> {
         self.rows.get(&centre.to_bits()).ok_or("no such centre")
     }
 }

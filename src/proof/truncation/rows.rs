@@ -1,6 +1,7 @@
 //! Taylor rows: the stored coefficients against certified ones, and what follows the last of them.
 //!
-//! With `c_n` the coefficients of w at the centre, `c̃_n` the stored ones (n < 18), `|δ| ≤ D`:
+//! With `c_n` the coefficients of w at the centre, `c̃_n` the stored ones (n < 18, or fewer of a
+//! function on an axis), `|δ| ≤ D`:
 //!
 //! ```text
 //! |p(δ) − w| ≤ Σ_{n<18} |c̃_n − c_n| Dⁿ + Σ_{n=18}^{40} |c_n| Dⁿ + Σ_{n>40} M (D/ρ)ⁿ
@@ -16,7 +17,8 @@ use crate::ProofError;
 use crate::bounds::{above, power_up, rational};
 use crate::interval::{hypot_up, product_up, quotient_up, sum_up};
 use mechaudit_reference::{Ball, ComplexBall, faddeeva};
-use mechaudit_solvers::faddeeva::proof::{AxisRow, Row};
+use mechaudit_solvers::faddeeva::proof::Row;
+use rug::Rational;
 
 const BITS: u32 = 300;
 const STORED: usize = 18;
@@ -82,7 +84,7 @@ impl RowErrors {
     ///
     /// # Errors
     /// If the reference is undecided.
-    pub fn on_axis(row: &AxisRow, s: f64) -> Result<RowErrors, ProofError> {
+    pub fn on_axis(row: &[f64], s: f64) -> Result<RowErrors, ProofError> {
         RowErrors::of_real(row, (0.0, s), |n, c| match n % 4 {
             0 => c.re.clone(),
             1 => -c.im.clone(),
@@ -95,7 +97,7 @@ impl RowErrors {
     ///
     /// # Errors
     /// If the reference is undecided.
-    pub fn of_dawson(row: &AxisRow, t: f64) -> Result<RowErrors, ProofError> {
+    pub fn of_dawson(row: &[f64], t: f64) -> Result<RowErrors, ProofError> {
         RowErrors::of_real(row, (t, 0.0), |_, c| c.im.clone())
     }
 
@@ -105,20 +107,38 @@ impl RowErrors {
     ///
     /// # Errors
     /// If the reference is undecided.
-    pub fn of_erf(row: &AxisRow, t: f64) -> Result<RowErrors, ProofError> {
-        let zero = rug::Rational::new();
-        let value = faddeeva::erf(&rational(t), &zero, BITS).map_err(ProofError::from)?;
-        let factor = &Ball::integer(BITS, 2) / &Ball::pi(BITS).sqrt();
+    pub fn of_erf(row: &[f64], t: f64) -> Result<RowErrors, ProofError> {
+        let value = faddeeva::erf(&rational(t), &Rational::new(), BITS)?.re;
+        RowErrors::of_integral(row, t, value, 2)
+    }
+
+    /// Of a row of erfc about `t` likewise.
+    ///
+    /// # Errors
+    /// If the reference is undecided.
+    pub fn of_erfc(row: &[f64], t: f64) -> Result<RowErrors, ProofError> {
+        let value = faddeeva::erfc(&rational(t), &Rational::new(), BITS)?.re;
+        RowErrors::of_integral(row, t, value, -2)
+    }
+
+    /// Of a row of a function about `t` whose derivative is `2/√π Re w`, or `−2/√π Re w`.
+    fn of_integral(
+        row: &[f64],
+        t: f64,
+        value: Ball,
+        two: i64,
+    ) -> Result<RowErrors, ProofError> {
+        let factor = &Ball::integer(BITS, two) / &Ball::pi(BITS).sqrt();
         let c = certified((t, 0.0))?;
         let all = (0..c.len()).map(|n| match n {
-            0 => value.re.clone(),
+            0 => value.clone(),
             _ => &(&factor * &c[n - 1].re) / &Ball::integer(BITS, n as i64),
         });
         Ok(RowErrors::of_balls(row, (t, 0.0), all))
     }
 
     fn of_real(
-        row: &AxisRow,
+        row: &[f64],
         centre: (f64, f64),
         real: impl Fn(usize, &ComplexBall) -> Ball,
     ) -> Result<RowErrors, ProofError> {
@@ -128,10 +148,10 @@ impl RowErrors {
     }
 
     /// From the exact coefficients.
-    fn of_balls(row: &AxisRow, centre: (f64, f64), exact: impl Iterator<Item = Ball>) -> RowErrors {
+    fn of_balls(row: &[f64], centre: (f64, f64), exact: impl Iterator<Item = Ball>) -> RowErrors {
         let parts = exact.enumerate().map(|(n, real)| match n {
             0 | 1 => [difference([row[2 * n], row[2 * n + 1]], &real), 0.0],
-            _ if n < STORED => [difference([row[n + 2], 0.0], &real), 0.0],
+            _ if n + 2 < row.len() => [difference([row[n + 2], 0.0], &real), 0.0],
             _ => [above(&real), 0.0],
         });
         let parts = parts.collect();

@@ -367,6 +367,7 @@ pub fn tables() -> Outcome<Made> {
     zero_table(&mut tables)?;
     trapezoidal(&mut tables)?;
     real_line::polynomials(&mut tables)?;
+    real_line::values(&mut tables)?;
     let body = format!(
         "\nuse super::taylor::{{ComplexRow, RealRow}};\n\
          use super::zeros::ZeroRow;\n\

@@ -337,12 +337,7 @@ fn formulas_bit_by_bit() {
     let binades = [-1074, -1030, -1022, -1000, -960];
     let under = binades.map(|k| {
         let ends = [power_of_two(k), 1.5 * power_of_two(k)];
-        let of = |f| underflowing(f, ends, 1e-33);
-        (
-            of(Function::Erf),
-            of(Function::Dawson),
-            beyond_subnormal(ends[0]),
-        )
+        (underflowing(ends, 1e-33), beyond_subnormal(ends[0]))
     });
     let scaled = [[1e99, 1.1e99], [1.0, 1.5], [1.5, 2.0], [1e-300, 1.1e-300]].map(scaled);
     let beside = [
@@ -364,13 +359,13 @@ fn formulas_bit_by_bit() {
         counted("overflow", over),
     ]);
     let due = [
-        ("erf", 0x8d0b9b5aed3b187d, 0.5042079575219875),
-        ("erfc", 0x726badcfc7211407, 1.0161458706390418),
-        ("erfcx", 0xd4f9cc92bf7415d5, 0.8386382116760135),
-        ("dawson", 0xf74c5468f8ff0801, 0.7298588782757869),
+        ("erf", 0xe467c84b0ba270ec, 0.5020259192592645),
+        ("erfc", 0x6bd2ac2e394953df, 1.0161458706390418),
+        ("erfcx", 0xfce7f1cf009c79ee, 0.8386382116760135),
+        ("dawson", 0x1d44d7200ff76964, 0.7298588782757869),
         ("above one", 0x6bf1dfe6c438348e, 75.0),
         ("roundings", 0xf1a8f848acb1b367, 201.0),
-        ("underflow", 0x346f4d7cb1b0eb70, 5.0),
+        ("underflow", 0x3138881588042297, 5.0),
         ("beside", 0x40b7f185ea96ec2d, 7.0),
         ("scaled", 0xc3f596ed59a3c664, 4.0),
         ("limits", 0x381d3f7926f41751, 66.0),

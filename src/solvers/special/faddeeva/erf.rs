@@ -23,13 +23,15 @@ use super::places::{Choose, Mask, Number, Places};
 use super::quadrant::{
     IN_PAIRS, VANISHING, dawson_in_strip, gaussian, gaussian_in_pairs, lifted, product, times_power,
 };
-use super::real_line::COMPLEMENT;
 use super::trapezoidal::upper;
 use crate::double_double::Dd;
 use crate::exponential::exponent;
 use crate::lanes::Lanes;
 use crate::real::{Masked, ROUND, Real, is_zero, scaled};
 use num_complex::Complex;
+
+/// Re z from which erfc is not computed as 1 − erf.
+pub(super) const COMPLEMENT: f64 = 0.25;
 
 /// `(offset, sign)` for erf and for erfc, as [`Which`] has them, at several points, which may differ.
 #[derive(Clone, Copy)]

@@ -61,6 +61,7 @@
 //! AVX-512. All give the same bits.
 
 mod asymptotic;
+mod axis;
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 mod batch;
 mod branch;

@@ -1,15 +1,13 @@
 //! W in the closed first quadrant as pairs of numbers, at one point or at several side by side.
 
 use super::asymptotic::series;
+use super::axis::{dawson_row, erfcx_row};
 use super::branch::{
     ENDS_OF_PAIRS, FINE, HUGE, ROWS_ON_REAL_AXIS, STRIP, STRIP_ENDS, modulus_squared,
 };
 use super::places::{Choose, Mask, Number, Places, by_ends};
 use super::plane::from_erfcx;
-use super::rows::{
-    cell, cell_row, dawson_row, imaginary_axis_row, on_axis, on_axis_of_dawson, on_real_axis,
-    real_axis_row,
-};
+use super::rows::{cell, cell_row, imaginary_axis_row, on_axis, on_real_axis, real_axis_row};
 use crate::double_double::Dd;
 use crate::exponential::{exp_minus_square, pair_times_power};
 use crate::real::{Masked, ROUND, Real};
@@ -17,16 +15,18 @@ use crate::real::{Masked, ROUND, Real};
 /// Real and imaginary part.
 pub(super) type Parts<R> = (Dd<R>, Dd<R>);
 
+/// |x|² below which erfcx x has rows.
+pub(super) const END_OF_ERFCX_ROWS: f64 = ENDS_OF_PAIRS[1];
+
 /// `e^{x²} erfc x` for `0 ≤ x < 10¹⁰⁰`, in the places `among`.
 #[inline(always)]
 pub(super) fn erfcx_right<P: Places>(places: P, x: Number<P>, among: Mask<P>) -> Dd<Number<P>> {
     let zero = x.like(0.0);
     by_ends!(modulus_squared(zero, x), among;
-        ENDS_OF_PAIRS[0] => {
-            let (n, t) = on_axis(x);
-            places.axis_rows(imaginary_axis_row, n, t)
+        END_OF_ERFCX_ROWS => {
+            let (n, t) = on_real_axis(x);
+            places.axis_rows(erfcx_row, n, t)
         },
-        ENDS_OF_PAIRS[1] => series::<_, 26>(zero, x).0,
         ENDS_OF_PAIRS[2] => series::<_, 14>(zero, x).0,
         ENDS_OF_PAIRS[3] => series::<_, 6>(zero, x).0,
         ENDS_OF_PAIRS[4] => series::<_, 2>(zero, x).0
@@ -39,7 +39,7 @@ pub(super) fn dawson_right<P: Places>(places: P, x: Number<P>, among: Mask<P>) -
     let zero = x.like(0.0);
     by_ends!(modulus_squared(x, zero), among;
         ROWS_ON_REAL_AXIS[1] => {
-            let (n, t) = on_axis_of_dawson(x);
+            let (n, t) = on_real_axis(x);
             places.axis_rows(dawson_row, n, t)
         },
         ENDS_OF_PAIRS[1] => series::<_, 26>(x, zero).1,

@@ -1,7 +1,7 @@
 //! One point, or several side by side: how formulas that are written for both find rows of tables.
 
 use super::slope::{derived, derived_real};
-use super::taylor::{ComplexRow, RealRow, axis_row, complex_row, real_row};
+use super::taylor::{ComplexRow, axis_row, complex_row, real_row};
 use crate::double_double::Dd;
 use crate::lanes::Lanes;
 use crate::numbers::Numbers;
@@ -18,16 +18,16 @@ use crate::pack::{Pack, Wide};
 /// One point or several.
 pub(super) trait Places: Numbers {
     /// [`axis_row`] at each, `t` from the centre of the row that belongs to the number in `n`.
-    fn axis_rows(
+    fn axis_rows<const N: usize>(
         self,
-        row: impl Fn(f64) -> &'static RealRow,
+        row: impl Fn(f64) -> &'static [f64; N],
         n: Self::Number,
         t: Self::Number,
     ) -> Dd<Self::Number>;
     /// [`real_row`] likewise.
     fn real_rows(
         self,
-        row: impl Fn(f64) -> &'static RealRow,
+        row: impl Fn(f64) -> &'static [f64; 20],
         n: Self::Number,
         delta: (Self::Number, Self::Number),
     ) -> (Dd<Self::Number>, Dd<Self::Number>);
@@ -50,7 +50,7 @@ pub(super) trait Places: Numbers {
     /// The derivatives of [`real_rows`](Places::real_rows).
     fn real_slopes(
         self,
-        row: impl Fn(f64) -> &'static RealRow,
+        row: impl Fn(f64) -> &'static [f64; 20],
         n: Self::Number,
         centre: Self::Number,
         delta: (Self::Number, Self::Number),
@@ -120,13 +120,18 @@ pub(super) use by_ends;
 
 impl<L: Lanes> Places for One<L> {
     #[inline(always)]
-    fn axis_rows(self, row: impl Fn(f64) -> &'static RealRow, n: f64, t: f64) -> Dd {
+    fn axis_rows<const N: usize>(
+        self,
+        row: impl Fn(f64) -> &'static [f64; N],
+        n: f64,
+        t: f64,
+    ) -> Dd {
         axis_row(self.0, row(n), t)
     }
     #[inline(always)]
     fn real_rows(
         self,
-        row: impl Fn(f64) -> &'static RealRow,
+        row: impl Fn(f64) -> &'static [f64; 20],
         n: f64,
         (t, b): (f64, f64),
     ) -> (Dd, Dd) {
@@ -155,7 +160,7 @@ impl<L: Lanes> Places for One<L> {
     #[inline(always)]
     fn real_slopes(
         self,
-        row: impl Fn(f64) -> &'static RealRow,
+        row: impl Fn(f64) -> &'static [f64; 20],
         n: f64,
         centre: f64,
         (t, b): (f64, f64),
@@ -179,22 +184,22 @@ fn rows_of<S: Wide, T: 'static>(n: Pack<S>, row: impl Fn(f64) -> &'static T) -> 
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 impl<S: Wide> Places for Several<S> {
     #[inline(always)]
-    fn axis_rows(
+    fn axis_rows<const N: usize>(
         self,
-        row: impl Fn(f64) -> &'static RealRow,
+        row: impl Fn(f64) -> &'static [f64; N],
         n: Pack<S>,
         t: Pack<S>,
     ) -> Dd<Pack<S>> {
-        axis_rows(self.0, &rows_of(n, row).map(|r| &r.0), t)
+        axis_rows(self.0, &rows_of(n, row), t)
     }
     #[inline(always)]
     fn real_rows(
         self,
-        row: impl Fn(f64) -> &'static RealRow,
+        row: impl Fn(f64) -> &'static [f64; 20],
         n: Pack<S>,
         (t, b): (Pack<S>, Pack<S>),
     ) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
-        real_rows(self.0, &rows_of(n, row).map(|r| &r.0), t, b)
+        real_rows(self.0, &rows_of(n, row), t, b)
     }
     #[inline(always)]
     fn complex_rows(
@@ -232,16 +237,16 @@ impl<S: Wide> Places for Several<S> {
     #[inline(always)]
     fn real_slopes(
         self,
-        row: impl Fn(f64) -> &'static RealRow,
+        row: impl Fn(f64) -> &'static [f64; 20],
         n: Pack<S>,
         centre: Pack<S>,
         (t, b): (Pack<S>, Pack<S>),
     ) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
         let (rows, centre) = (rows_of(n, row), centre.array());
-        let mut slopes = [const { RealRow([0.0; 20]) }; 8];
+        let mut slopes = [[0.0; 20]; 8];
         for m in 0..S::WIDTH {
             slopes[m] = derived_real(rows[m], centre[m]);
         }
-        real_rows(self.0, &slopes.each_ref().map(|r| &r.0), t, b)
+        real_rows(self.0, &slopes.each_ref(), t, b)
     }
 }

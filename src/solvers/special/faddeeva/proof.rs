@@ -6,7 +6,7 @@
 use super::asymptotic::{one_term as first_term, series, series_rounded, two_terms as two};
 use super::maclaurin::{self, nine_terms as nine, twenty_one_terms as twenty_one};
 use super::rows::{above_real_axis, imaginary_axis_row, in_cell, on_axis, real_axis_row};
-use super::taylor::{ComplexRow, RealRow, axis_row, complex_row_rounded};
+use super::taylor::{ComplexRow, axis_row, complex_row_rounded};
 use super::{plane, rows, special};
 
 pub mod lower;
@@ -36,7 +36,7 @@ pub fn real_axis(a: f64) -> (&'static Row, f64) {
 /// The row about the centre on the imaginary axis next to `i b`, and the distance from it.
 pub fn imaginary_axis(b: f64) -> (&'static AxisRow, f64) {
     let (n, t) = on_axis(b);
-    (&imaginary_axis_row(n).0, t)
+    (imaginary_axis_row(n), t)
 }
 
 /// w at distance `dx + i dy` from the centre of a row.
@@ -61,7 +61,7 @@ pub fn real_axis_value<L: Vectors>(
 
 /// w at distance `i t` from a centre on the imaginary axis, where it is real.
 pub fn imaginary_axis_value<L: Vectors>(lanes: L, row: &AxisRow, t: L::Scalar) -> L::Scalar {
-    axis_row(lanes, &RealRow(*row), t).hi
+    axis_row(lanes, row, t).hi
 }
 
 /// The asymptotic series with N terms.

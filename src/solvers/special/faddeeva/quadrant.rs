@@ -1,10 +1,11 @@
 //! The factors of the functions that are built on W(z) in the first quadrant, as unevaluated sums.
 
 use super::asymptotic::four_terms;
+use super::axis::beside_axis;
 use super::branch::{ROWS_ON_REAL_AXIS, modulus_squared};
 use super::pairs::{self, Parts};
 use super::places::{Choose, Mask, Number, One, Places};
-use super::rows::{dawson_row, on_axis_of_dawson};
+use super::rows::on_real_axis;
 use super::trapezoidal;
 use crate::double_double::Dd;
 use crate::double_double_functions as exact;
@@ -96,8 +97,8 @@ pub(super) fn dawson_in_strip<P: Places>(
     let on_rows = t.both(among, near);
     let mut value = Choose::none(t);
     if t.any(on_rows) {
-        let (n, dx) = on_axis_of_dawson(t);
-        let (re, im) = places.real_rows(dawson_row, n, (dx, b));
+        let (n, dx) = on_real_axis(t);
+        let (re, im) = places.real_rows(beside_axis, n, (dx, b));
         value = (re, im.mul_f(b)).or_else(on_rows, value);
     }
     let beyond = t.except(among, near);

@@ -3,15 +3,16 @@
 //! Each function is written once, for one number or several side by side ([`Places`]): places that
 //! need different formulas take all of these, and each keeps the value of its own.
 
+use super::axis::{erf_row, erfc_row, on_axis_of_erfc};
 use super::branch::{HUGE, modulus_squared};
 use super::lengths::{LengthMismatch, same_length};
 use super::pairs::{dawson_right, erfcx_right};
 use super::places::{Number, One, Places};
 use super::real_line::{
-    COMPLEMENT, FAR, ONE, SERIES, SERIES_OF_ERF, alone, dawson_beyond, dawson_near, erf_near,
-    erfc_near, erfc_right, erfcx_left, erfi_near, growth, less,
+    BEYOND, FAR, ONE, SERIES, alone, dawson_beyond, dawson_near, erfc_left, erfc_right, erfcx_left,
+    erfi_near, growth,
 };
-use super::rows::{erf_row, on_axis};
+use super::rows::on_real_axis;
 use super::special;
 use crate::lanes::{Lanes, Task, with_best};
 use crate::real::{Masked, Real, scaled};
@@ -34,17 +35,12 @@ impl Function for Erf {
     #[inline(always)]
     fn at<P: Places>(self, places: P, x: Number<P>) -> Number<P> {
         let a = x.magnitude();
-        let near = a.below(x.like(SERIES_OF_ERF));
-        let middle = x.except(a.below(x.like(ONE)), near);
+        let among = a.below(x.like(ONE));
         // NaN stays NaN.
         let mut value = a.at_most(x.like(1.0));
-        if x.any(middle) {
-            let (n, t) = on_axis(a);
-            let sum = places.axis_rows(erf_row, n, t);
-            value = x.pick(middle, sum.value(), value);
-        }
-        if x.any(near) {
-            value = x.pick(near, erf_near(a).value(), value);
+        if x.any(among) {
+            let (n, t) = on_real_axis(a);
+            value = x.pick(among, places.axis_rows(erf_row, n, t).hi, value);
         }
         value.with_sign_of(x)
     }
@@ -59,25 +55,20 @@ impl Function for Erfc {
     fn at<P: Places>(self, places: P, x: Number<P>) -> Number<P> {
         let like = |c: f64| x.like(c);
         let b = x.magnitude();
-        let near = b.below(like(COMPLEMENT));
         let positive = like(0.0).below(x);
-        let right = x.both(x.except(b.below(like(FAR)), near), positive);
-        // From −6 on the value rounds to 2.
-        let left = x.except(x.except(b.below(like(ONE)), near), positive);
+        let among = b.below(like(BEYOND));
+        let right = x.both(x.except(b.below(like(FAR)), among), positive);
         // 0 or 2, or NaN.
         let mut value = (-x).at_least(like(-1.0)).at_most(like(1.0)) + like(1.0);
-        let middle = x.or(left, right);
-        if x.any(middle) {
-            let (t, n) = erfc_right(b, erfcx_right(places, b, middle));
-            if x.any(right) {
-                value = x.pick(right, scaled(t.value(), n), value);
-            }
-            if x.any(left) {
-                value = x.pick(left, less(2.0, (t, n)).value(), value);
-            }
+        if x.any(among) {
+            let (n, t) = on_axis_of_erfc(b);
+            let sum = places.axis_rows(erfc_row, n, t);
+            let left = erfc_left(sum).value();
+            value = x.pick(among, x.pick(positive, sum.hi, left), value);
         }
-        if x.any(near) {
-            value = x.pick(near, erfc_near(x).value(), value);
+        if x.any(right) {
+            let (t, n) = erfc_right(b, erfcx_right(places, b, right));
+            value = x.pick(right, scaled(t.value(), n), value);
         }
         value
     }

@@ -1,42 +1,29 @@
 //! Formulas of erf, erfc, erfcx and Dawson's function of a real argument, for any type of number,
 //! as sums of two that are not rounded to one yet.
 
-use super::branch::STRIP;
 use super::constants::{HALF_SQRT_PI, INV_SQRT_PI, TWO_OVER_SQRT_PI};
-use super::odd_series::{DAWSON, ERF, ERFI, odd_real};
-use crate::double_double::{Dd, two_prod};
+use super::axis::ENDS_OF_ERFC;
+use super::odd_series::{DAWSON, ERFI, odd_real};
+use super::rows::REAL_AXIS_PITCH;
+use crate::double_double::{Dd, fast_two_sum, two_prod};
 use crate::exponential::{exp, pair_times_power};
 use crate::real::{ROUND, Real};
 
-/// Re z from which erfc is not computed as 1 − erf.
-pub(super) const COMPLEMENT: f64 = 0.25;
 /// |x| below which erfi x and Dawson's function are Maclaurin series.
 pub(super) const SERIES: f64 = 0.5;
-/// |x| below which erf x is one: half the distance of the centres of its rows.
-pub(super) const SERIES_OF_ERF: f64 = STRIP;
 /// |x| from which |erf x| rounds to 1.
-pub(super) const ONE: f64 = 6.0;
+pub(super) const ONE: f64 = 6.0 - 0.5 * REAL_AXIS_PITCH;
+/// |x| from which erfc x is computed from erfcx x, and erfc −|x| rounds to 2.
+pub(super) const BEYOND: f64 = ENDS_OF_ERFC[1];
 /// |x| from which erfc x rounds to 0 or 2; beyond it `e^{x²}` overflows.
 pub(super) const FAR: f64 = 30.0;
 /// The binary exponent of `e^{x²}` above which erfcx |x| is nothing beside it.
 const ALONE: f64 = 200.0;
 
-/// erf x next to zero.
-#[inline(always)]
-pub(super) fn erf_near<R: Real>(x: R) -> Dd<R> {
-    odd_real(ERF, x) * TWO_OVER_SQRT_PI.like(x)
-}
-
 /// erfi x for `|x| <` [`SERIES`].
 #[inline(always)]
 pub(super) fn erfi_near<R: Real>(x: R) -> Dd<R> {
     odd_real(ERFI, x) * TWO_OVER_SQRT_PI.like(x)
-}
-
-/// A constant less a number that is a mantissa and `ROUND` plus an exponent.
-#[inline(always)]
-pub(super) fn less<R: Real>(constant: f64, (t, n): (Dd<R>, R)) -> Dd<R> {
-    (-pair_times_power(t, n)).add_f(n.like(constant))
 }
 
 /// `e^{x²}` as a mantissa and `ROUND` plus the exponent.
@@ -45,13 +32,14 @@ pub(super) fn growth<R: Real>(x: R) -> (Dd<R>, R) {
     exp(two_prod(x, x))
 }
 
-/// erfc x for `|x| <` [`COMPLEMENT`].
+/// erfc −x from erfc x.
 #[inline(always)]
-pub(super) fn erfc_near<R: Real>(x: R) -> Dd<R> {
-    (-erf_near(x)).add_f(x.like(1.0))
+pub(super) fn erfc_left<R: Real>(right: Dd<R>) -> Dd<R> {
+    let s = fast_two_sum(right.hi.like(2.0), -right.hi);
+    Dd::new(s.hi, s.lo - right.lo)
 }
 
-/// erfc x for [`COMPLEMENT`] `≤ x <` [`FAR`], from erfcx x, as a mantissa and `ROUND` plus the
+/// erfc x for [`BEYOND`] `≤ x <` [`FAR`], from erfcx x, as a mantissa and `ROUND` plus the
 /// exponent.
 #[inline(always)]
 pub(super) fn erfc_right<R: Real>(x: R, w: Dd<R>) -> (Dd<R>, R) {

@@ -3,8 +3,8 @@
 use super::branch::{FINE, NEAR, RINGS, STRIP, TINY};
 use super::dawson::{BESIDE_MAXIMUM, ROUNDING_SHOWS};
 use super::derivative::UNDERFLOW;
+use super::erf::COMPLEMENT;
 use super::odd_series;
-use super::real_line::COMPLEMENT;
 use super::reflection::{DOMINANT, NEGLIGIBLE};
 use super::relatives_tables::MAXIMUM_OF_DAWSON;
 use super::rows::{COARSE_PITCH, FINE_PITCH, REAL_AXIS_PITCH};

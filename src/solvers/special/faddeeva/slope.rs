@@ -8,7 +8,7 @@ use super::places::{Choose, Mask, Number, Places, by_ends};
 use super::plane::from_erfcx;
 use super::quadrant::{CANCELLED, product};
 use super::rows::{cell, cell_row, imaginary_axis_row, on_axis, on_real_axis, real_axis_row};
-use super::taylor::{ComplexRow, RealRow};
+use super::taylor::ComplexRow;
 use crate::double_double::{Dd, fast_two_sum, two_prod};
 use crate::exponential::{exp_minus_square, exponent, pair_times_power};
 use crate::real::{Masked, Real};
@@ -53,8 +53,7 @@ pub(super) fn derived(row: &ComplexRow, centre: (f64, f64)) -> (ComplexRow, [(f6
 
 /// The row of the derivative of erfcx about `centre`.
 #[inline(always)]
-pub(super) fn derived_real(row: &RealRow, centre: f64) -> RealRow {
-    let c = &row.0;
+pub(super) fn derived_real(c: &[f64; 20], centre: f64) -> [f64; 20] {
     let mut d = [0.0; 20];
     (d[0], d[1], d[2]) = (c[2], c[3], 2.0 * c[4]);
     let mut k = 0;
@@ -64,7 +63,7 @@ pub(super) fn derived_real(row: &RealRow, centre: f64) -> RealRow {
     }
     // n c_n = 2 (s₀ c_{n−1} + c_{n−2}), n = 18.
     d[19] = 2.0 * centre.mul_add(c[19], c[18]);
-    RealRow(d)
+    d
 }
 
 /// The derivative of rows at distance δ from their centres.

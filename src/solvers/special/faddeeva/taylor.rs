@@ -174,7 +174,7 @@ fn real_sum<R: Real>(
 #[inline(always)]
 pub(super) fn real_row<L: Vectors>(
     lanes: L,
-    row: &RealRow,
+    row: &[f64; 20],
     t: L::Scalar,
     b: L::Scalar,
 ) -> (Dd<L::Scalar>, Dd<L::Scalar>) {
@@ -189,11 +189,10 @@ type RealPolynomial<R> = ([R; 4], R, (R, R), (R, R));
 #[inline(always)]
 fn real_polynomial<L: Vectors>(
     lanes: L,
-    row: &RealRow,
+    c: &[f64; 20],
     t: L::Scalar,
     b: L::Scalar,
 ) -> RealPolynomial<L::Scalar> {
-    let c = &row.0;
     let (zero, one) = (t.like(0.0), t.like(1.0));
     let bb = b * b;
     let (p, s) = real_powers(t, bb);
@@ -217,13 +216,19 @@ fn real_polynomial<L: Vectors>(
     (block(c, 0).map(|c| t.like(c)), bb, (p[2], s[2]), (qr, qs))
 }
 
-/// [`real_row`] on the axis, `b = 0`: `f(c + t)`, with the same bits.
+/// `f(c + t)` from a row of real coefficients, of which a [`RealRow`] has twenty; [`real_row`] has
+/// the same bits for `b = 0`.
 #[inline(always)]
-pub(super) fn axis_row<L: Vectors>(lanes: L, row: &RealRow, t: L::Scalar) -> Dd<L::Scalar> {
-    let c = &row.0;
+pub(super) fn axis_row<L: Vectors, const N: usize>(
+    lanes: L,
+    c: &[f64; N],
+    t: L::Scalar,
+) -> Dd<L::Scalar> {
     let t4 = lanes.splat(fourth_power(t));
-    let mut sums = lanes.entries(block(c, 16));
-    for at in [12, 8, 4] {
+    let mut sums = lanes.entries(block(c, N - 4));
+    let mut at = N - 4;
+    while at > 4 {
+        at -= 4;
         sums = lanes.mul_add(t4, sums, lanes.entries(block(c, at)));
     }
     axis_sum(block(c, 0).map(|c| t.like(c)), t, lanes.parts(sums))
@@ -235,7 +240,7 @@ fn fourth_power<R: Real>(t: R) -> R {
     t2 * t2
 }
 
-/// `c₀ + c₁t + t²(p₀ + p₁t + p₂t² + p₃t³)`; `c` as at the beginning of a [`RealRow`].
+/// `c₀ + c₁t + t²(p₀ + p₁t + p₂t² + p₃t³)`; `c` as at the beginning of a row.
 #[inline(always)]
 fn axis_sum<R: Real>(c: [R; 4], t: R, p: [R; 4]) -> Dd<R> {
     let t2 = t * t;
@@ -248,10 +253,16 @@ fn axis_sum<R: Real>(c: [R; 4], t: R, p: [R; 4]) -> Dd<R> {
 /// [`axis_row`] for several points with a row each.
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 #[inline(always)]
-pub(super) fn axis_rows<S: Wide>(simd: S, rows: &[&[f64; 20]; 8], t: Pack<S>) -> Dd<Pack<S>> {
+pub(super) fn axis_rows<S: Wide, const N: usize>(
+    simd: S,
+    rows: &[&[f64; N]; 8],
+    t: Pack<S>,
+) -> Dd<Pack<S>> {
     let t4 = fourth_power(t);
-    let mut sums = columns(simd, rows, 16);
-    for at in [12, 8, 4] {
+    let mut sums = columns(simd, rows, N - 4);
+    let mut at = N - 4;
+    while at > 4 {
+        at -= 4;
         let c = columns(simd, rows, at);
         for m in 0..4 {
             sums[m] = t4.fma(sums[m], c[m]);

@@ -1,15 +1,17 @@
-//! Polynomials for the asymptotic series next to the real axis.
+//! Numbers of functions on the real axis: their values at centres of rows, and polynomials for the
+//! asymptotic series.
 //!
 //! The sums `a₁ + a₂v + …` and `3a₁ + 5a₂v + …`, `a_n = (2n − 1)!!/2ⁿ`, for `0 ≤ v ≤ 1/79`, with
 //! `v = 1/x²`: Taylor sums of more terms than are needed, from which Chebyshev polynomials of that
 //! interval are subtracted one after the other (Lanczos, *Applied Analysis*, 1956, VII.8), all with
 //! exact rational numbers. What is left out is at most the sum of the factors subtracted.
 
-use super::{Tables, decided, nearest};
+use super::{Tables, decided, nearest, parts};
 use crate::cli::files::artefact::{MakeError, Outcome};
-use mechaudit::reference::Ball;
+use mechaudit::reference::{Ball, faddeeva};
 use rug::Rational;
 use std::fmt::Write as _;
+use std::ops::RangeInclusive;
 
 /// Terms of the sums, and of the polynomials.
 const SUM: usize = 24;
@@ -92,6 +94,44 @@ pub fn polynomials(tables: &mut Tables) -> Outcome<()> {
         })?;
         negligible(&off)?;
         let _ = writeln!(tables.text, "    {row:?},");
+    }
+    tables.close();
+    Ok(())
+}
+
+/// The values that the rows of erf, erfc, erfcx and Dawson's function begin with, at the centres of
+/// all, and at closer ones of erfc.
+pub fn values(tables: &mut Tables) -> Outcome<()> {
+    values_at(tables, "ON_THE_AXIS", 0..=169, 16)?;
+    values_at(tables, "ON_THE_AXIS_FINE", 127..=255, 32)
+}
+
+fn values_at(
+    tables: &mut Tables,
+    name: &str,
+    centres: RangeInclusive<i64>,
+    per: i64,
+) -> Outcome<()> {
+    let (first, last) = (centres.start(), centres.end());
+    tables.open(
+        &format!(
+            "`e^{{−c²}}`, `erfcx c` and `(2/√π) F(c)`, F Dawson's function, each in two parts, at\n\
+             `c = {first}/{per}, {}/{per}, … {last}/{per}`.",
+            first + 1
+        ),
+        name,
+        &format!("[[f64; 6]; {}]", last - first + 1),
+    );
+    let zero = Rational::new();
+    for k in centres {
+        let c = Rational::from((k, per));
+        let row = decided(&format!("the values at {c}"), |bits| {
+            let w = faddeeva::w(&c, &zero, bits)?;
+            let erfcx = faddeeva::w(&zero, &c, bits)?.re;
+            let pairs = [&w.re, &erfcx, &w.im].map(parts::<2>);
+            Ok(pairs.into_iter().collect::<Option<Vec<_>>>())
+        })?;
+        let _ = writeln!(tables.text, "    {:?},", row.concat());
     }
     tables.close();
     Ok(())

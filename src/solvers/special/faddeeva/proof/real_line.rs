@@ -2,27 +2,63 @@
 //!
 //! They give two numbers whose sum the code rounds to one.
 
-use super::{AxisRow, Real, Vectors};
+use super::{Real, Vectors};
 use crate::double_double::Dd;
 use crate::exponential::of_pairs;
 use crate::faddeeva::asymptotic::series;
-use crate::faddeeva::branch::{Branch, formula_of_pairs, series_of_pairs};
+use crate::faddeeva::branch::{Branch, ROWS_ON_REAL_AXIS, modulus_squared, series_of_pairs};
 use crate::faddeeva::constants::{HALF_SQRT_PI, INV_SQRT_PI, TWO_OVER_SQRT_PI};
 use crate::faddeeva::odd_series;
-use crate::faddeeva::rows::{self, on_axis_of_dawson};
-use crate::faddeeva::taylor::{RealRow, axis_row};
-use crate::faddeeva::{branch, real_line as formulas};
+use crate::faddeeva::pairs::END_OF_ERFCX_ROWS;
+use crate::faddeeva::rows::on_real_axis;
+use crate::faddeeva::taylor::axis_row;
+use crate::faddeeva::{axis, branch, real_line as formulas};
 
-/// |x| below which erf x is a Maclaurin series, and Dawson's function; below which erfc x is 1 − erf
-/// x; from which |erf x| is 1 and erfc −|x| is 2; from which erfc x is 0, and beyond which erfcx −x
+/// |x| below which Dawson's function is a Maclaurin series; from which |erf x| is 1; from which erfc
+/// x is computed from erfcx x, and erfc −|x| is 2; from which erfc x is 0, and beyond which erfcx −x
 /// is infinite.
-pub const LIMITS: [f64; 5] = [
-    formulas::SERIES_OF_ERF,
+pub const LIMITS: [f64; 4] = [
     formulas::SERIES,
-    formulas::COMPLEMENT,
     formulas::ONE,
+    formulas::BEYOND,
     formulas::FAR,
 ];
+
+/// A function that has rows about `k/16`, of as many numbers: `c₀` (hi, lo), `c₁` (hi, lo), `c₂ …`
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OfRows {
+    /// erf.
+    Erf,
+    /// erfc.
+    Erfc,
+    /// erfcx.
+    Erfcx,
+    /// `(2/√π) F`, F Dawson's function.
+    Dawson,
+}
+
+/// The row of a function for `x ≥ 0`, and the distance from its centre.
+pub fn row(function: OfRows, x: f64) -> (&'static [f64], f64) {
+    let (n, t) = match function {
+        OfRows::Erfc => axis::on_axis_of_erfc(x),
+        _ => on_real_axis(x),
+    };
+    let row: &[f64] = match function {
+        OfRows::Erf => axis::erf_row(n),
+        OfRows::Erfc => axis::erfc_row(n),
+        OfRows::Erfcx => axis::erfcx_row(n),
+        OfRows::Dawson => axis::dawson_row(n),
+    };
+    (row, t)
+}
+
+/// The function at distance t from the centre of a row of twelve or sixteen numbers.
+pub fn row_value<L: Vectors>(lanes: L, row: &[f64], t: L::Scalar) -> Pair<L::Scalar> {
+    of(match row.first_chunk::<16>() {
+        Some(row) => axis_row(lanes, row, t),
+        None => axis_row(lanes, row.first_chunk::<12>().expect("twelve numbers"), t),
+    })
+}
 
 /// Two numbers that stand for their sum.
 pub type Pair<R> = [R; 2];
@@ -40,14 +76,9 @@ pub fn is_huge(x: f64) -> bool {
     branch::is_huge(0.0, x)
 }
 
-/// The formula for erfcx x, `0 ≤ x`, not huge.
-pub fn erfcx_branch(x: f64) -> Branch {
-    formula_of_pairs(0.0, x)
-}
-
-/// erfcx at distance t from a centre.
-pub fn erfcx_row<L: Vectors>(lanes: L, row: &AxisRow, t: L::Scalar) -> Pair<L::Scalar> {
-    of(axis_row(lanes, &RealRow(*row), t))
+/// The terms of the asymptotic series for erfcx x, `0 ≤ x`, not huge; `None` where it has rows.
+pub fn erfcx_terms(x: f64) -> Option<u32> {
+    terms(0.0, x, END_OF_ERFCX_ROWS)
 }
 
 /// erfcx x by the asymptotic series.
@@ -76,55 +107,33 @@ pub fn erfcx_left<R: Real>((e, n): (Pair<R>, R), w: Pair<R>) -> Pair<R> {
     of(formulas::erfcx_left((dd(e), n), dd(w)))
 }
 
-/// erf x by its series.
-pub fn erf_near<R: Real>(x: R) -> Pair<R> {
-    of(formulas::erf_near(x))
-}
-
-/// The row of erf, and the distance from its centre.
-pub fn erf_row(x: f64) -> (&'static AxisRow, f64) {
-    let (n, t) = rows::on_axis(x);
-    (&rows::erf_row(n).0, t)
-}
-
-/// erf x at distance t from a centre.
-pub fn erf_row_value<L: Vectors>(lanes: L, row: &AxisRow, t: L::Scalar) -> Pair<L::Scalar> {
-    of(axis_row(lanes, &RealRow(*row), t))
-}
-
-/// erfc x by the series of erf x.
-pub fn erfc_near<R: Real>(x: R) -> Pair<R> {
-    of(formulas::erfc_near(x))
-}
-
 /// erfc x from erfcx x, as a mantissa and `ROUND` plus the exponent.
 pub fn erfc_right<R: Real>(x: R, w: Pair<R>) -> (Pair<R>, R) {
     let (t, n) = formulas::erfc_right(x, dd(w));
     (of(t), n)
 }
 
-/// erfc −x from erfcx x.
-pub fn erfc_left<R: Real>(x: R, w: Pair<R>) -> Pair<R> {
-    of(formulas::less(2.0, formulas::erfc_right(x, dd(w))))
+/// erfc −x from erfc x.
+pub fn erfc_left<R: Real>(right: Pair<R>) -> Pair<R> {
+    of(formulas::erfc_left(dd(right)))
 }
 
-/// The formula for Dawson's function, `½ ≤ x`, not huge.
-pub fn dawson_branch(x: f64) -> Branch {
-    match formula_of_pairs(x, 0.0) {
-        rows @ (Branch::Cell { .. } | Branch::RealAxis { .. }) => rows,
-        _ => series_of_pairs(x, 0.0),
+/// The terms of the asymptotic series for Dawson's function, `½ ≤ x`, not huge; `None` where it has
+/// rows.
+pub fn dawson_terms(x: f64) -> Option<u32> {
+    terms(x, 0.0, ROWS_ON_REAL_AXIS[1])
+}
+
+fn terms(a: f64, b: f64, end: f64) -> Option<u32> {
+    match series_of_pairs(a, b) {
+        Branch::Asymptotic { terms } if modulus_squared(a, b) >= end => Some(terms),
+        _ => None,
     }
 }
 
-/// The row of `(2/√π) F` for that formula, F Dawson's function, and the distance from its centre.
-pub fn dawson_row(x: f64) -> (AxisRow, f64) {
-    let (n, t) = on_axis_of_dawson(x);
-    (rows::dawson_row(n).0, t)
-}
-
-/// Dawson's function at distance t from a centre.
-pub fn dawson_row_value<L: Vectors>(lanes: L, row: &AxisRow, t: L::Scalar) -> Pair<L::Scalar> {
-    of(formulas::dawson_beyond(axis_row(lanes, &RealRow(*row), t)))
+/// Dawson's function from `(2/√π) F`.
+pub fn dawson_beyond<R: Real>(v: Pair<R>) -> Pair<R> {
+    of(formulas::dawson_beyond(dd(v)))
 }
 
 /// Dawson's function by the asymptotic series.
@@ -137,11 +146,10 @@ pub fn dawson_near<R: Real>(x: R) -> Pair<R> {
     of(formulas::dawson_near(x))
 }
 
-/// The coefficients of the series of `(√π/2) erf x` and of Dawson's function, and what the second
-/// of them lacks.
-pub fn odd_series() -> [(&'static [f64], f64); 2] {
-    let ((erf, p), (dawson, q)) = (odd_series::ERF, odd_series::DAWSON);
-    [(erf, p[0]), (dawson, q[0])]
+/// The coefficients of the series of Dawson's function, and what the second of them lacks.
+pub fn odd_series() -> (&'static [f64], f64) {
+    let (dawson, low) = odd_series::DAWSON;
+    (dawson, low[0])
 }
 
 /// 2/√π, √π/2 and 1/√π.
