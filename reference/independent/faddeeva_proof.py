@@ -207,7 +207,8 @@ def rows_of(name):
     text = (SOURCE / "tables.rs").read_text()
     body = text[text.index(f"static {name}:"):]
     body = body[: body.index("\n];")]
-    return [[float(x) for x in r.split(",") if x.strip()] for r in re.findall(r"Row\(\[([^]]*)\]", body)]
+    body = body[body.index("= [") + 3 :]
+    return [[float(x) for x in r.split(",") if x.strip()] for r in re.findall(r"\[([^][]*)\]", body)]
 
 
 def tables():

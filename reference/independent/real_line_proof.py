@@ -21,7 +21,7 @@ from fractions import Fraction
 
 from flint import arb, ctx
 
-from faddeeva_proof import CELLS, LN_2, LOG2_E, MAX, REAL_AXIS, ROUND, A, bits, centre_row, fma, number, rows_of, two_prod, w
+from faddeeva_proof import LN_2, LOG2_E, MAX, ROUND, A, bits, fma, number, rows_of, two_prod, w
 
 ODD = ("erf", "dawson")
 TWO_OVER_ROOT = (1.1283791670955126, 1.533545961316588e-17)
@@ -39,17 +39,12 @@ def coefficients(count, step):
     return c
 
 
-def erf_step(n, f, _):
-    f *= -float(n)
-    return 1.0 / (f * (2 * n + 1)), (f, 1.0)
-
-
 def dawson_step(n, f, two):
     f, two = f * (2 * n + 1), two * -2.0
     return two / f, (f, two)
 
 
-ERF, DAWSON = coefficients(16, erf_step), coefficients(18, dawson_step)
+DAWSON = coefficients(18, dawson_step)
 
 # Sums of two numbers, as the code has them.
 
@@ -77,11 +72,6 @@ def times(x, y):
 def times_number(x, b):
     p, q = two_prod(x[0], b)
     return fast_two_sum(p, fma(x[1], b, q))
-
-
-def plus_number(x, b):
-    s, t = two_sum(x[0], b)
-    return fast_two_sum(s, t + x[1])
 
 
 def minus(x, y):
@@ -132,17 +122,16 @@ def odd_real(c, low, x):
     return times_number((h[0], h[1] + g[1]), x)
 
 
-def real_row(c, t):
+def axis_row(c, t):
     p2 = t * t
-    p3, p4 = t * p2, p2 * p2
-    re = list(c[16:20])
-    for at in (12, 8, 4):
-        re = [fma(p4, re[m], c[at + m]) for m in range(4)]
-    x = [re[0], t * re[1], p2 * re[2], p3 * re[3]]
-    tr = p2 * ((x[0] + x[2]) + (x[1] + x[3]))
+    p4 = p2 * p2
+    p = c[-4:]
+    for at in range(len(c) - 8, 3, -4):
+        p = [fma(p4, p[m], c[at + m]) for m in range(4)]
+    q = (p[0] + p2 * p[2]) + (t * p[1] + (t * p2) * p[3])
     a = two_prod(c[2], t)
     h = two_sum(c[0], a[0])
-    return fast_two_sum(h[0], h[1] + (a[1] + fma(c[3], t, c[1]) + tr))
+    return fast_two_sum(h[0], h[1] + (a[1] + fma(c[3], t, c[1]) + p2 * q))
 
 
 def polynomial(s, t, terms):
@@ -193,17 +182,7 @@ def nearest(x, parts):
     return float(round(Fraction(x) * parts)) / parts
 
 
-ERFCX_ROWS = rows_of("IMAGINARY_AXIS")
-
-
-def erfcx_right(x):
-    """Centre or terms, and the sum."""
-    r2 = square_of(x)
-    if r2 < 48.0:
-        centre = nearest(x, 4)
-        return centre, None, real_row(ERFCX_ROWS[int(4 * centre)], x - centre)
-    n = terms_at(r2)
-    return None, n, series(0.0, x, n, True)
+VALUES, FINE_VALUES = rows_of("ON_THE_AXIS"), rows_of("ON_THE_AXIS_FINE")
 
 
 def split_product(a, b):
@@ -218,24 +197,49 @@ def split_product(a, b):
     return fast_two_sum(p, lost + (a[0] * b[1] + a[1] * b[0]))
 
 
-@functools.cache
-def erf_row(centre):
-    """Value, slope and higher coefficients of erf at a centre, from the rows of w and of erfcx."""
-    c = centre_row(CELLS if centre <= 1.0 else REAL_AXIS, (centre, 0.0))
-    e, w = c[:2], ERFCX_ROWS[int(4 * centre)][:2]
-    p = split_product(e, w)
-    s = 1.0 - p[0]
-    value = fast_two_sum(s, (1.0 - s) - p[0] - p[1])
-    slope = split_product(e, TWO_OVER_ROOT)
-    scale = TWO_OVER_ROOT[0]
-    rest = [scale * c[8 + 8 * ((n - 3) // 4) + (n - 3) % 4] / n for n in range(3, 18)]
-    return [*value, *slope, scale * c[4] / 2.0, *rest]
+def plus(a, b):
+    s, t = two_sum(a[0], b[0])
+    return fast_two_sum(s, t + (a[1] + b[1]))
 
 
 @functools.cache
-def dawson_row(centre, near):
-    c = centre_row(CELLS if near else REAL_AXIS, (centre, 0.0))
-    return [c[2], c[3], c[6], c[7]] + [c[12 + 8 * k + m] for k in range(4) for m in range(4)]
+def row(function, centre, count):
+    """Value, slope and higher coefficients at a centre, by the equation of the function."""
+    fine = function == "erfc" and centre > 3.96
+    v = FINE_VALUES[int(32 * centre) - 127] if fine else VALUES[int(16 * centre)]
+    e, erfcx, dawson = v[:2], v[2:4], v[4:]
+    slope, twice = split_product(e, TWO_OVER_ROOT), (2.0 * centre, 0.0)
+    if function == "erf":
+        value = plus((1.0, 0.0), negative(split_product(e, erfcx)))
+    elif function == "erfc":
+        value, slope = split_product(e, erfcx), negative(slope)
+    elif function == "erfcx":
+        value, slope = erfcx, plus(split_product(erfcx, twice), negative(TWO_OVER_ROOT))
+    else:
+        value, slope = dawson, plus(TWO_OVER_ROOT, negative(split_product(dawson, twice)))
+    sign = 2.0 if function == "erfcx" else -2.0
+    c = [value[0], slope[0]]
+    for n in range(count - 4):
+        part = n * c[n] / (n + 1) if function.startswith("erf") and function != "erfcx" else c[n]
+        c.append(sign * (centre * c[n + 1] + part) / (n + 2))
+    return [*value, *slope, *c[2:]]
+
+
+def about(function, x):
+    """Centre and value of the row that serves x."""
+    fine = function == "erfc" and x >= 3.96875
+    centre = nearest(x, 32 if fine else 16)
+    return centre, axis_row(row(function, centre, 16 if function == "erfc" else 12), x - centre)
+
+
+def erfcx_right(x):
+    """Centre or terms, and the sum."""
+    r2 = square_of(x)
+    if r2 < 112.0:
+        centre, value = about("erfcx", x)
+        return centre, None, value
+    n = terms_at(r2)
+    return None, n, series(0.0, x, n, True)
 
 
 def scaled(x, k):
@@ -259,21 +263,22 @@ def computed(function, x):
     if function in ODD:
         x = b
     if function == "erf":
-        if b <= 0.125:
-            return "Maclaurin series", None, sum(times(odd_real(ERF, THIRD_LOW, x), TWO_OVER_ROOT))
-        if b < 6.0:
-            centre = nearest(x, 4)
-            return "Taylor series", centre, sum(real_row(erf_row(centre), x - centre))
-        return "1", None, 1.0
+        if b >= 5.96875:
+            return "1", None, 1.0
+        centre, value = about("erf", b)
+        return "Taylor series", centre, sum(value)
     if function == "erfc":
-        if b < 0.25:
-            t = times(odd_real(ERF, THIRD_LOW, x), TWO_OVER_ROOT)
-            return "1 - Maclaurin series", None, sum(plus_number(negative(t), 1.0))
-        if b >= (30.0 if x > 0.0 else 6.0):
-            return ("0", None, 0.0) if x > 0.0 else ("2", None, 2.0)
-        t, k, centre, n = product(b)
+        if b < 7.984375:
+            centre, t = about("erfc", b)
+            if math.copysign(1.0, x) > 0.0:
+                return "Taylor series", centre, sum(t)
+            s = fast_two_sum(2.0, -t[0])
+            return "2 - erfc |x|", centre, s[0] + (s[1] - t[1])
         if x < 0.0:
-            return "2 - erfc |x|", centre, sum(plus_number(negative(pair_scaled(t, k)), 2.0))
+            return "2", None, 2.0
+        if b >= 30.0:
+            return "0", None, 0.0
+        t, k, centre, n = product(b)
         kind = "asymptotic" if n else "Taylor"
         return f"exp(-x^2) erfcx x {kind}", centre, scaled(sum(t), k)
     huge = b > 2e100 or not square_of(b) < 1e200
@@ -284,8 +289,7 @@ def computed(function, x):
             return "1/(2x)", None, 0.5 / x
         r2 = x * x
         if r2 < 80.0:
-            centre = nearest(x, 4 if r2 < 1.25 else 16)
-            v = real_row(dawson_row(centre, r2 < 1.25), x - centre)
+            centre, v = about("dawson", x)
             return "Taylor series", centre, sum(times(v, HALF_ROOT))
         n = terms_at(r2)
         return f"asymptotic {n} terms", None, sum(times(series(x, 0.0, n, False), HALF_ROOT))

@@ -11,8 +11,8 @@ use crate::formula::{FAR_ABOVE, TWO_52, lost_units, offsets};
 use crate::interval::{Interval as Enclosure, larger, product_up, quotient_up, sum_up};
 use crate::tracked::{Constant, Result as Tracks, Rounding, Setting, Tracked, Tracking, evaluate};
 use mechaudit_reference::faddeeva;
-use mechaudit_solvers::faddeeva::proof::real_line as code;
 use mechaudit_solvers::faddeeva::proof::ROUND;
+use mechaudit_solvers::faddeeva::proof::real_line as code;
 use rug::Rational;
 use rug::float::Round;
 
@@ -84,7 +84,11 @@ impl<'a> Operand<'a> {
                 false => x.offset(centre, grain),
             };
             let value = code::row_value(Tracking, row, t);
-            return if dawson { code::dawson_beyond(value) } else { value };
+            return if dawson {
+                code::dawson_beyond(value)
+            } else {
+                value
+            };
         }
         let series = match (self.terms, dawson) {
             (2, true) => code::dawson_series::<Tracked, 2>,

@@ -122,12 +122,7 @@ impl RowErrors {
     }
 
     /// Of a row of a function about `t` whose derivative is `2/√π Re w`, or `−2/√π Re w`.
-    fn of_integral(
-        row: &[f64],
-        t: f64,
-        value: Ball,
-        two: i64,
-    ) -> Result<RowErrors, ProofError> {
+    fn of_integral(row: &[f64], t: f64, value: Ball, two: i64) -> Result<RowErrors, ProofError> {
         let factor = &Ball::integer(BITS, two) / &Ball::pi(BITS).sqrt();
         let c = certified((t, 0.0))?;
         let all = (0..c.len()).map(|n| match n {

@@ -129,7 +129,11 @@ const fn row<const N: usize>(f: Function, k: usize) -> [f64; N] {
         Function::Erfcx => (erfcx, sum(product(erfcx, twice), minus(TWO_OVER_SQRT_PI))),
         Function::Dawson => (dawson, sum(TWO_OVER_SQRT_PI, minus(product(dawson, twice)))),
     };
-    let sign = if matches!(f, Function::Erfcx) { 2.0 } else { -2.0 };
+    let sign = if matches!(f, Function::Erfcx) {
+        2.0
+    } else {
+        -2.0
+    };
     let mut d = [0.0; N];
     [d[0], d[1], d[2], d[3]] = [value.hi, value.lo, slope.hi, slope.lo];
     let (mut before, mut last) = (value.hi, slope.hi);
@@ -148,7 +152,11 @@ const fn row<const N: usize>(f: Function, k: usize) -> [f64; N] {
 }
 
 const fn pairs(c: &[f64; 6]) -> [Dd; 3] {
-    [Dd::new(c[0], c[1]), Dd::new(c[2], c[3]), Dd::new(c[4], c[5])]
+    [
+        Dd::new(c[0], c[1]),
+        Dd::new(c[2], c[3]),
+        Dd::new(c[4], c[5]),
+    ]
 }
 
 /// `ab` by parts of 26 bits (Dekker): constants have no fused operations.

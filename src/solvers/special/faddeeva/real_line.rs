@@ -1,8 +1,8 @@
 //! Formulas of erf, erfc, erfcx and Dawson's function of a real argument, for any type of number,
 //! as sums of two that are not rounded to one yet.
 
-use super::constants::{HALF_SQRT_PI, INV_SQRT_PI, TWO_OVER_SQRT_PI};
 use super::axis::ENDS_OF_ERFC;
+use super::constants::{HALF_SQRT_PI, INV_SQRT_PI, TWO_OVER_SQRT_PI};
 use super::odd_series::{DAWSON, ERFI, odd_real};
 use super::rows::REAL_AXIS_PITCH;
 use crate::double_double::{Dd, fast_two_sum, two_prod};
