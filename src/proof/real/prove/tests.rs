@@ -222,6 +222,16 @@ fn a_dropped_term_shows() {
     }
 }
 
+/// Next to zero nothing is known of erf as a part of itself if the row does not begin with zero.
+#[test]
+fn a_value_of_erf_at_zero_shows() {
+    let at = at(false, 1e-10, 2e-10);
+    let sound = solvers(Function::Erf);
+    assert!(worst(&sound, Function::Erf, &at) < 0.6);
+    let faulty = with_rows(Function::Erf, |row| row[1] += 1e-40);
+    assert_eq!(worst(&faulty, Function::Erf, &at), f64::INFINITY);
+}
+
 #[test]
 fn a_moved_limit_shows() {
     fn moved(function: Function, negative: bool, x: f64) -> Formula {

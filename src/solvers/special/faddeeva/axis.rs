@@ -2,7 +2,7 @@
 //! axis.
 //!
 //! Each function is a solution of a linear equation, so that all coefficients follow from two
-//! (DLMF 7.10.1, 7.10.3 and 3.6 on recurrences):
+//! (DLMF 7.10.1, 7.10.3):
 //!
 //! ```text
 //! erf, erfc   y″ = −2x y′            (n + 2) c_{n+2} = −2 (x c_{n+1} + c_n n/(n + 1))
@@ -39,7 +39,7 @@ const ERFC_COARSE: usize = 64;
 const FIRST_FINE: usize = 127;
 /// The distance between them.
 const FINE_PITCH: f64 = 0.5 * REAL_AXIS_PITCH;
-/// |x| from which they serve, and up to which.
+/// |x| from which the closer ones serve, and up to which.
 pub(super) const ENDS_OF_ERFC: [f64; 2] = [
     (ERFC_COARSE as f64 - 0.5) * REAL_AXIS_PITCH,
     ((FIRST_FINE + ON_THE_AXIS_FINE.len()) as f64 - 0.5) * FINE_PITCH,
