@@ -182,7 +182,7 @@ def nearest(x, parts):
     return float(round(Fraction(x) * parts)) / parts
 
 
-VALUES, FINE_VALUES = rows_of("ON_THE_AXIS"), rows_of("ON_THE_AXIS_FINE")
+VALUES = rows_of("ON_THE_AXIS")
 
 
 def split_product(a, b):
@@ -203,33 +203,79 @@ def plus(a, b):
 
 
 @functools.cache
-def row(function, centre, count):
+def row(function, centre):
     """Value, slope and higher coefficients at a centre, by the equation of the function."""
-    fine = function == "erfc" and centre > 3.96
-    v = FINE_VALUES[int(32 * centre) - 127] if fine else VALUES[int(16 * centre)]
+    v = VALUES[int(16 * centre)]
     e, erfcx, dawson = v[:2], v[2:4], v[4:]
-    slope, twice = split_product(e, TWO_OVER_ROOT), (2.0 * centre, 0.0)
+    twice = (2.0 * centre, 0.0)
     if function == "erf":
-        value = plus((1.0, 0.0), negative(split_product(e, erfcx)))
-    elif function == "erfc":
-        value, slope = split_product(e, erfcx), negative(slope)
+        value, slope = plus((1.0, 0.0), negative(split_product(e, erfcx))), split_product(e, TWO_OVER_ROOT)
     elif function == "erfcx":
         value, slope = erfcx, plus(split_product(erfcx, twice), negative(TWO_OVER_ROOT))
     else:
         value, slope = dawson, plus(TWO_OVER_ROOT, negative(split_product(dawson, twice)))
     sign = 2.0 if function == "erfcx" else -2.0
     c = [value[0], slope[0]]
-    for n in range(count - 4):
-        part = n * c[n] / (n + 1) if function.startswith("erf") and function != "erfcx" else c[n]
+    for n in range(8):
+        part = n * c[n] / (n + 1) if function == "erf" else c[n]
         c.append(sign * (centre * c[n + 1] + part) / (n + 2))
     return [*value, *slope, *c[2:]]
 
 
 def about(function, x):
     """Centre and value of the row that serves x."""
-    fine = function == "erfc" and x >= 3.96875
-    centre = nearest(x, 32 if fine else 16)
-    return centre, axis_row(row(function, centre, 16 if function == "erfc" else 12), x - centre)
+    centre = nearest(x, 16)
+    return centre, axis_row(row(function, centre), x - centre)
+
+
+def part(x, n):
+    q = x[0] / n
+    rest = plus(x, negative(split_product((q, 0.0), (n, 0.0))))
+    return fast_two_sum(q, rest[0] / n)
+
+
+@functools.cache
+def erfc_row(c):
+    """Value and slope of erfc at a centre, from those at a multiple of 1/16."""
+    k = math.floor(16.0 * c + 0.5)
+    x, h = k / 16.0, c - k / 16.0
+    e, erfcx = VALUES[k][:2], VALUES[k][2:4]
+    value, slope = split_product(e, erfcx), negative(split_product(e, TWO_OVER_ROOT))
+    before, last = (0.0, 0.0), slope
+    for n in range(24 if h != 0.0 else 0):
+        value = plus(value, part(split_product(last, (h, 0.0)), n + 1.0))
+        following = plus(split_product(last, (x, 0.0)), split_product(before, (h, 0.0)))
+        following = part(split_product(following, (-2.0 * h, 0.0)), n + 1.0)
+        slope = plus(slope, following)
+        before, last = last, following
+    return *value, *slope
+
+
+def erfc_terms(k, first, count):
+    return [1.0 / (math.factorial(k) * math.factorial(m) * (m + 2 * k + 1)) for m in range(first, first + count)]
+
+
+ERFC_TERMS = [erfc_terms(0, 1, 8), erfc_terms(1, 0, 7), erfc_terms(2, 0, 5), erfc_terms(3, 0, 2)]
+
+
+def horner(u, c):
+    value = c[-1]
+    for x in reversed(c[:-1]):
+        value = fma(u, value, x)
+    return value
+
+
+def erfc_right(x):
+    """Centre and value of erfc from value and slope at the centre."""
+    c = nearest(x, 64 if x < 4.0 else 128)
+    t = x - c
+    value, low, slope, slope_low = erfc_row(c)
+    u, v = (c + c) * -t, t * t
+    k0, k1, k2, k3 = (horner(u, terms) for terms in ERFC_TERMS)
+    p = fma(u, k0, -(v * fma(-v, fma(-v, k3, k2), k1)))
+    a = two_prod(slope, t)
+    s = two_sum(value, a[0])
+    return c, fast_two_sum(s[0], s[1] + fma(a[0], p, a[1] + fma(slope_low, t, low)))
 
 
 def erfcx_right(x):
@@ -268,8 +314,8 @@ def computed(function, x):
         centre, value = about("erf", b)
         return "Taylor series", centre, sum(value)
     if function == "erfc":
-        if b < 7.984375:
-            centre, t = about("erfc", b)
+        if b < 8.0 - 1.0 / 256.0:
+            centre, t = erfc_right(b)
             if math.copysign(1.0, x) > 0.0:
                 return "Taylor series", centre, sum(t)
             s = fast_two_sum(2.0, -t[0])

@@ -99,10 +99,13 @@ pub fn choice(function: Function, negative: bool, x: f64) -> Formula {
     match function {
         Function::Erf if x < one => Formula::Value(inner(OfRows::Erf, x, None)),
         Function::Erf => Formula::Constant,
-        Function::Erfc if x < beyond => match negative {
-            true => Formula::Difference(inner(OfRows::Erfc, x, None)),
-            false => Formula::Value(inner(OfRows::Erfc, x, None)),
-        },
+        Function::Erfc if x < beyond => {
+            let centre = code::erfc_row(x).1;
+            match negative {
+                true => Formula::Difference(Inner::Row { centre }),
+                false => Formula::Value(Inner::Row { centre }),
+            }
+        }
         Function::Erfc if negative || x >= far => Formula::Constant,
         Function::Erfc => Formula::Product(of_erfcx(x)),
         Function::Erfcx if code::is_huge(x) && !negative => Formula::Far,

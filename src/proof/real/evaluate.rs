@@ -10,6 +10,7 @@ use crate::form::{TINIEST, exponent, power_of_two};
 use crate::formula::{FAR_ABOVE, TWO_52, lost_units, offsets};
 use crate::interval::{Interval as Enclosure, larger, product_up, quotient_up, sum_up};
 use crate::tracked::{Constant, Result as Tracks, Rounding, Setting, Tracked, Tracking, evaluate};
+use crate::truncation::ErfcRow;
 use mechaudit_reference::faddeeva;
 use mechaudit_solvers::faddeeva::proof::ROUND;
 use mechaudit_solvers::faddeeva::proof::real_line as code;
@@ -37,10 +38,17 @@ impl Way {
 /// erf, erfc, erfcx, or `(2/√π) F`, over an interval.
 struct Operand<'a> {
     function: Function,
-    row: Option<(&'a [f64], f64, i32)>,
-    terms: u32,
+    way: By<'a>,
     /// Holds what the formula without rounding is wrong by at most.
     off: f64,
+}
+
+/// How it is computed: from a row about a centre, the distance a multiple of `2^grain`, or by an
+/// asymptotic series.
+enum By<'a> {
+    Row(&'a [f64], f64, i32),
+    ErfcRow(&'a ErfcRow, i32),
+    Series(u32),
 }
 
 impl<'a> Operand<'a> {
@@ -52,19 +60,25 @@ impl<'a> Operand<'a> {
     ) -> Result<Operand<'a>, &'static str> {
         Ok(match inner {
             Inner::Row { centre } => {
-                let (row, errors) = tables.row(centre)?;
                 let t = offsets(ends, centre)?;
+                if function == Function::Erfc && centre < 8.0 {
+                    let row = tables.complement(centre)?;
+                    return Ok(Operand {
+                        function,
+                        way: By::ErfcRow(row, t.grain),
+                        off: row.within(t.most(), code::erfc_terms()),
+                    });
+                }
+                let (row, errors) = tables.row(centre)?;
                 Operand {
                     function,
-                    row: Some((row, centre, t.grain)),
-                    terms: 0,
+                    way: By::Row(row, centre, t.grain),
                     off: errors.within(t.most(), 0.0).norm,
                 }
             }
             Inner::Series { terms } if matches!(terms, 2 | 6 | 14 | 26) => Operand {
                 function,
-                row: None,
-                terms,
+                way: By::Series(terms),
                 off: remainder(terms + 1, ends[0]),
             },
             Inner::Series { .. } => return Err("no such number of terms"),
@@ -73,24 +87,33 @@ impl<'a> Operand<'a> {
 
     /// Those of the series: the others stand for themselves.
     fn constants(&self) -> &'static [Constant] {
-        if self.row.is_some() { &[] } else { &ASYMPTOTIC }
+        match self.way {
+            By::Series(_) => &ASYMPTOTIC,
+            _ => &[],
+        }
     }
 
     fn at(&self, x: Tracked) -> [Tracked; 2] {
         let dawson = self.function == Function::Dawson;
-        if let Some((row, centre, grain)) = self.row {
-            let t = match centre == 0.0 {
-                true => x,
-                false => x.offset(centre, grain),
-            };
-            let value = code::row_value(Tracking, row, t);
-            return if dawson {
-                code::dawson_beyond(value)
-            } else {
-                value
-            };
-        }
-        let series = match (self.terms, dawson) {
+        let distance = |centre: f64, grain| match centre == 0.0 {
+            true => x,
+            false => x.offset(centre, grain),
+        };
+        let terms = match self.way {
+            By::Row(row, centre, grain) => {
+                let value = code::row_value(Tracking, row, distance(centre, grain));
+                return match dawson {
+                    true => code::dawson_beyond(value),
+                    false => value,
+                };
+            }
+            By::ErfcRow(at, grain) => {
+                let [row, [c, ..]] = [at.row, [at.centre; 4]].map(|r| r.map(Tracked::entry));
+                return code::erfc_value(row, c, distance(at.centre, grain));
+            }
+            By::Series(terms) => terms,
+        };
+        let series = match (terms, dawson) {
             (2, true) => code::dawson_series::<Tracked, 2>,
             (6, true) => code::dawson_series::<Tracked, 6>,
             (14, true) => code::dawson_series::<Tracked, 14>,

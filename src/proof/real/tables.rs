@@ -2,7 +2,7 @@
 
 use super::Function;
 use crate::ProofError;
-use crate::truncation::{RowErrors, exponential_error, odd_series_error, pair_error};
+use crate::truncation::{ErfcRow, RowErrors, exponential_error, odd_series_error, pair_error};
 use mechaudit_reference::Ball;
 use mechaudit_solvers::faddeeva::proof::real_line::{self as code, OfRows};
 use rayon::prelude::*;
@@ -15,6 +15,8 @@ use std::ops::RangeInclusive;
 pub struct Tables {
     /// By the bits of the centre.
     pub(super) rows: HashMap<u64, (Vec<f64>, RowErrors)>,
+    /// The rows of erfc, likewise.
+    pub(super) complement: HashMap<u64, ErfcRow>,
     /// Holds what is wrong without rounding, as a part of the value: the exponential, the Maclaurin
     /// series of Dawson's function, and 2/√π, √π/2 and 1/√π.
     pub(super) exponential: f64,
@@ -44,12 +46,8 @@ fn points(function: Function) -> Vec<(OfRows, f64)> {
         Function::Dawson => sixteenths(OfRows::Dawson, 8..=144).collect(),
         Function::Erf => sixteenths(OfRows::Erf, 0..=95).collect(),
         Function::Erfcx => sixteenths(OfRows::Erfcx, 0..=169).collect(),
-        Function::Erfc => {
-            let fine = (127..=255).map(|k| (OfRows::Erfc, f64::from(k) / 32.0));
-            let coarse = sixteenths(OfRows::Erfc, 0..=63);
-            let beyond = sixteenths(OfRows::Erfcx, 128..=169);
-            coarse.chain(fine).chain(beyond).collect()
-        }
+        // Beyond its own rows.
+        Function::Erfc => sixteenths(OfRows::Erfcx, 128..=169).collect(),
     }
 }
 
@@ -58,7 +56,6 @@ pub(super) fn errors(of: OfRows, row: &[f64], centre: f64) -> Result<RowErrors, 
     match of {
         OfRows::Dawson => RowErrors::of_dawson(row, centre),
         OfRows::Erf => RowErrors::of_erf(row, centre),
-        OfRows::Erfc => RowErrors::of_erfc(row, centre),
         OfRows::Erfcx => RowErrors::on_axis(row, centre),
     }
 }
@@ -77,12 +74,23 @@ impl Tables {
             Ok((centre.to_bits(), (row.to_vec(), errors)))
         });
         let rows = rows.collect::<Result<HashMap<_, _>, ProofError>>()?;
+        let centres = match function {
+            Function::Erfc => (0..2048).map(|k| f64::from(k) / 256.0).collect(),
+            _ => Vec::new(),
+        };
+        let complement = centres.into_par_iter().filter_map(|x| {
+            let (row, centre) = code::erfc_row(x);
+            let made = || Ok((centre.to_bits(), ErfcRow::new(*row, centre)?));
+            (centre == x).then(made)
+        });
+        let complement = complement.collect::<Result<HashMap<_, _>, ProofError>>()?;
         let (coefficients, ln_2) = exponential_coefficients();
         let root = Ball::pi(BITS).sqrt();
         let two = Ball::integer(BITS, 2);
         let [p, q, r] = code::constants();
         Ok(Tables {
             rows,
+            complement,
             exponential: exponential_error(&coefficients, ln_2, MOST),
             near: near_error(code::odd_series()),
             constants: [
@@ -95,6 +103,11 @@ impl Tables {
 
     pub(super) fn row(&self, centre: f64) -> Result<&(Vec<f64>, RowErrors), &'static str> {
         self.rows.get(&centre.to_bits()).ok_or("no such centre")
+    }
+
+    pub(super) fn complement(&self, centre: f64) -> Result<&ErfcRow, &'static str> {
+        let row = self.complement.get(&centre.to_bits());
+        row.ok_or("no such centre of erfc")
     }
 }
 

@@ -1,6 +1,7 @@
 //! The distance of a formula, evaluated without rounding, from w.
 
 mod asymptotic;
+mod complement;
 mod maclaurin;
 mod odd;
 mod rows;
@@ -8,6 +9,7 @@ mod rows;
 pub(crate) use asymptotic::{
     asymptotic, exponential_error, huge, on_real_line, polynomial_error, strip,
 };
+pub(crate) use complement::ErfcRow;
 pub(crate) use maclaurin::maclaurin;
 pub(crate) use odd::{odd_series_error, pair_error};
 pub(crate) use rows::RowErrors;

@@ -109,21 +109,7 @@ impl RowErrors {
     /// If the reference is undecided.
     pub fn of_erf(row: &[f64], t: f64) -> Result<RowErrors, ProofError> {
         let value = faddeeva::erf(&rational(t), &Rational::new(), BITS)?.re;
-        RowErrors::of_integral(row, t, value, 2)
-    }
-
-    /// Of a row of erfc about `t` likewise.
-    ///
-    /// # Errors
-    /// If the reference is undecided.
-    pub fn of_erfc(row: &[f64], t: f64) -> Result<RowErrors, ProofError> {
-        let value = faddeeva::erfc(&rational(t), &Rational::new(), BITS)?.re;
-        RowErrors::of_integral(row, t, value, -2)
-    }
-
-    /// Of a row of a function about `t` whose derivative is `2/√π Re w`, or `−2/√π Re w`.
-    fn of_integral(row: &[f64], t: f64, value: Ball, two: i64) -> Result<RowErrors, ProofError> {
-        let factor = &Ball::integer(BITS, two) / &Ball::pi(BITS).sqrt();
+        let factor = &Ball::integer(BITS, 2) / &Ball::pi(BITS).sqrt();
         let c = certified((t, 0.0))?;
         let all = (0..c.len()).map(|n| match n {
             0 => value.clone(),

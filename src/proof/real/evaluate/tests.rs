@@ -360,7 +360,7 @@ fn formulas_bit_by_bit() {
     ]);
     let due = [
         ("erf", 0xe467c84b0ba270ec, 0.5020259192592645),
-        ("erfc", 0x6bd2ac2e394953df, 1.0161458706390418),
+        ("erfc", 0x3c179fd59212f86e, 1.2679137049366045),
         ("erfcx", 0xfce7f1cf009c79ee, 0.8386382116760135),
         ("dawson", 0x1d44d7200ff76964, 0.7298588782757869),
         ("above one", 0x6bf1dfe6c438348e, 75.0),

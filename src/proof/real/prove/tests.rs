@@ -3,7 +3,7 @@
 use super::*;
 use crate::real::tables::{MOST, errors, exponential_coefficients, near_error};
 use crate::real::{Inner, choice};
-use crate::truncation::exponential_error;
+use crate::truncation::{ErfcRow, exponential_error};
 use mechaudit_reference::faddeeva as certified;
 use mechaudit_reference::faddeeva::Scaled;
 use mechaudit_solvers::faddeeva::proof::real_line::{self as code, OfRows};
@@ -131,8 +131,8 @@ fn infinity_begins_where_the_value_is_above_the_range() {
 /// An interval of each formula of Taylor series and exponentials, far from a centre.
 const NEAR: [(Function, Interval); 6] = [
     (Function::Erf, at(false, 0.345, 0.346)),
-    (Function::Erfc, at(false, 2.03, 2.031)),
-    (Function::Erfc, at(true, 0.53, 0.531)),
+    (Function::Erfc, at(false, 2.0225, 2.0226)),
+    (Function::Erfc, at(true, 0.5225, 0.5226)),
     (Function::Erfc, at(false, 9.03, 9.031)),
     (Function::Erfcx, at(true, 0.53, 0.531)),
     (Function::Dawson, at(false, 0.845, 0.846)),
@@ -153,10 +153,13 @@ fn with_rows(function: Function, change: impl Fn(&mut [f64])) -> Code {
         let of = match function {
             Function::Dawson => OfRows::Dawson,
             Function::Erf => OfRows::Erf,
-            Function::Erfc if row.len() == 16 => OfRows::Erfc,
             _ => OfRows::Erfcx,
         };
         *found = errors(of, row, f64::from_bits(*centre)).expect("decided");
+    }
+    for found in code.tables.complement.values_mut() {
+        change(&mut found.row);
+        *found = ErfcRow::new(found.row, found.centre).expect("decided");
     }
     code
 }
@@ -193,7 +196,8 @@ fn a_coefficient_off_by_eight_units_shows() {
 #[test]
 fn a_dropped_term_shows() {
     for (function, at) in NEAR {
-        let faulty = with_rows(function, |row| row[8] = 0.0);
+        // The slope, where a row has no more than that.
+        let faulty = with_rows(function, |row| row[if row.len() > 8 { 8 } else { 2 }] = 0.0);
         let (sound, faulty) = (
             worst(&solvers(function), function, &at),
             worst(&faulty, function, &at),
@@ -275,7 +279,7 @@ fn products_rounded_before_the_sum_show() {
         let sound = worst(&code, function, &at);
         code.rounding.fma_rounds_twice = true;
         let faulty = worst(&code, function, &at);
-        assert!(faulty > sound + 0.01, "{function:?} {sound} {faulty}");
+        assert!(faulty > sound + 0.002, "{function:?} {sound} {faulty}");
     }
 }
 
@@ -290,7 +294,7 @@ fn one_operation_that_truncates_shows() {
         };
         assert!(with(Rounding::LAST) >= sound + 0.5);
         let most = (1..200).map(with).fold(0.0, f64::max);
-        assert!(most > sound + 0.0001, "{function:?} {sound} {most}");
+        assert!(most > sound + 5e-6, "{function:?} {sound} {most}");
     }
 }
 
@@ -520,8 +524,8 @@ fn leaves_bit_by_bit() {
     let due = [
         ("erf", 0x41629ab6772ff74c, 416.0),
         ("leaves", 0x6ea7d8b6302b4c35, 419.0),
-        ("erfc", 0x742642a04ecd8929, 1069.0),
-        ("leaves", 0xeb2e20881b07af6d, 719.0),
+        ("erfc", 0xe5aa223a44fbb462, 2219.0),
+        ("leaves", 0x5a5f940755e4b11c, 419.0),
         ("erfcx", 0xa47ec3f116e47a92, 985.0),
         ("leaves", 0x948a5bc6e3a58499, 1019.0),
         ("dawson", 0x194ca11ff4c22286, 461.0),

@@ -273,20 +273,6 @@ pub(super) fn formula_at(a: f64, y: f64) -> Branch {
     formula(r2, y < 0.0, b < STRIP, b < NEAR)
 }
 
-/// The formula for w as pairs of `f64` at `a + i b` in the first quadrant: beside either axis w is
-/// expanded about centres on it.
-#[cfg(feature = "proof")]
-pub(super) fn formula_of_pairs(a: f64, b: f64) -> Branch {
-    let r2 = modulus_squared(a, b);
-    if (b < STRIP) & has_strip(r2) {
-        return look_up(STRIPS, r2);
-    }
-    match look_up(PAIRS, r2) {
-        CELL if a < (if a.max(b) < FINE { STRIP } else { 2.0 * STRIP }) => IMAGINARY_AXIS,
-        formula => formula,
-    }
-}
-
 /// |z|² where the rows for pairs and the series with 26, 14, 6 and 2 terms end. The last one does
 /// not: callers see to huge points, by |z|² rounded in another order perhaps.
 pub(super) const ENDS_OF_PAIRS: [f64; 5] = {

@@ -65,12 +65,14 @@ mod axis;
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 mod batch;
 mod branch;
+mod constant_pairs;
 mod constants;
 mod dawson;
 mod derivative;
 mod erf;
 mod erf_exact;
 mod erf_zeros;
+mod erfc_rows;
 mod erfcx;
 mod extended;
 mod groups;

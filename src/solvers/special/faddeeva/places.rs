@@ -13,10 +13,12 @@ use super::taylor::{OnRows, axis_rows, real_rows};
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 pub(super) use crate::numbers::Several;
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
-use crate::pack::{Pack, Wide};
+use crate::pack::{Pack, Wide, columns};
 
 /// One point or several.
 pub(super) trait Places: Numbers {
+    /// The rows that belong to the numbers in `n`, number by number.
+    fn rows(self, row: impl Fn(f64) -> &'static [f64; 4], n: Self::Number) -> [Self::Number; 4];
     /// [`axis_row`] at each, `t` from the centre of the row that belongs to the number in `n`.
     fn axis_rows<const N: usize>(
         self,
@@ -120,6 +122,10 @@ pub(super) use by_ends;
 
 impl<L: Lanes> Places for One<L> {
     #[inline(always)]
+    fn rows(self, row: impl Fn(f64) -> &'static [f64; 4], n: f64) -> [f64; 4] {
+        *row(n)
+    }
+    #[inline(always)]
     fn axis_rows<const N: usize>(
         self,
         row: impl Fn(f64) -> &'static [f64; N],
@@ -183,6 +189,10 @@ fn rows_of<S: Wide, T: 'static>(n: Pack<S>, row: impl Fn(f64) -> &'static T) -> 
 
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 impl<S: Wide> Places for Several<S> {
+    #[inline(always)]
+    fn rows(self, row: impl Fn(f64) -> &'static [f64; 4], n: Pack<S>) -> [Pack<S>; 4] {
+        columns(self.0, &rows_of(n, row), 0)
+    }
     #[inline(always)]
     fn axis_rows<const N: usize>(
         self,

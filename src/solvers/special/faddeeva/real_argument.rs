@@ -3,8 +3,9 @@
 //! Each function is written once, for one number or several side by side ([`Places`]): places that
 //! need different formulas take all of these, and each keeps the value of its own.
 
-use super::axis::{erf_row, erfc_row, on_axis_of_erfc};
+use super::axis::erf_row;
 use super::branch::{HUGE, modulus_squared};
+use super::erfc_rows::{self, erfc_row};
 use super::lengths::{LengthMismatch, same_length};
 use super::pairs::{dawson_right, erfcx_right};
 use super::places::{Number, One, Places};
@@ -61,8 +62,8 @@ impl Function for Erfc {
         // 0 or 2, or NaN.
         let mut value = (-x).at_least(like(-1.0)).at_most(like(1.0)) + like(1.0);
         if x.any(among) {
-            let (n, t) = on_axis_of_erfc(b);
-            let sum = places.axis_rows(erfc_row, n, t);
+            let (n, c, t) = erfc_rows::centre(b);
+            let sum = erfc_rows::value(places.rows(erfc_row, n), c, t);
             let left = erfc_left(sum).value();
             value = x.pick(among, x.pick(positive, sum.hi, left), value);
         }

@@ -1,8 +1,8 @@
 //! Formulas of erf, erfc, erfcx and Dawson's function of a real argument, for any type of number,
 //! as sums of two that are not rounded to one yet.
 
-use super::axis::ENDS_OF_ERFC;
 use super::constants::{HALF_SQRT_PI, INV_SQRT_PI, TWO_OVER_SQRT_PI};
+use super::erfc_rows;
 use super::odd_series::{DAWSON, ERFI, odd_real};
 use super::rows::REAL_AXIS_PITCH;
 use crate::double_double::{Dd, fast_two_sum, two_prod};
@@ -14,7 +14,7 @@ pub(super) const SERIES: f64 = 0.5;
 /// |x| from which |erf x| rounds to 1.
 pub(super) const ONE: f64 = 6.0 - 0.5 * REAL_AXIS_PITCH;
 /// |x| from which erfc x is computed from erfcx x, and erfc −|x| rounds to 2.
-pub(super) const BEYOND: f64 = ENDS_OF_ERFC[1];
+pub(super) const BEYOND: f64 = erfc_rows::END;
 /// |x| from which erfc x rounds to 0 or 2; beyond it `e^{x²}` overflows.
 pub(super) const FAR: f64 = 30.0;
 /// The binary exponent of `e^{x²}` above which erfcx |x| is nothing beside it.

@@ -11,7 +11,6 @@ use crate::cli::files::artefact::{MakeError, Outcome};
 use mechaudit::reference::{Ball, faddeeva};
 use rug::Rational;
 use std::fmt::Write as _;
-use std::ops::RangeInclusive;
 
 /// Terms of the sums, and of the polynomials.
 const SUM: usize = 24;
@@ -99,31 +98,23 @@ pub fn polynomials(tables: &mut Tables) -> Outcome<()> {
     Ok(())
 }
 
-/// The values that the rows of erf, erfc, erfcx and Dawson's function begin with, at the centres of
-/// all, and at closer ones of erfc.
-pub fn values(tables: &mut Tables) -> Outcome<()> {
-    values_at(tables, "ON_THE_AXIS", 0..=169, 16)?;
-    values_at(tables, "ON_THE_AXIS_FINE", 127..=255, 32)
-}
+/// The last of the centres, where the asymptotic series of erfcx has few terms, in units of one part
+/// of this many.
+const VALUES: (i64, i64) = (169, 16);
 
-fn values_at(
-    tables: &mut Tables,
-    name: &str,
-    centres: RangeInclusive<i64>,
-    per: i64,
-) -> Outcome<()> {
-    let (first, last) = (centres.start(), centres.end());
+/// The values that the rows of erf, erfc, erfcx and Dawson's function begin with.
+pub fn values(tables: &mut Tables) -> Outcome<()> {
+    let (last, per) = VALUES;
     tables.open(
         &format!(
             "`e^{{−c²}}`, `erfcx c` and `(2/√π) F(c)`, F Dawson's function, each in two parts, at\n\
-             `c = {first}/{per}, {}/{per}, … {last}/{per}`.",
-            first + 1
+             `c = 0, 1/{per}, … {last}/{per}`."
         ),
-        name,
-        &format!("[[f64; 6]; {}]", last - first + 1),
+        "ON_THE_AXIS",
+        &format!("[[f64; 6]; {}]", last + 1),
     );
     let zero = Rational::new();
-    for k in centres {
+    for k in 0..=last {
         let c = Rational::from((k, per));
         let row = decided(&format!("the values at {c}"), |bits| {
             let w = faddeeva::w(&c, &zero, bits)?;

@@ -12,7 +12,7 @@ use crate::faddeeva::odd_series;
 use crate::faddeeva::pairs::END_OF_ERFCX_ROWS;
 use crate::faddeeva::rows::on_real_axis;
 use crate::faddeeva::taylor::axis_row;
-use crate::faddeeva::{axis, branch, real_line as formulas};
+use crate::faddeeva::{axis, branch, erfc_rows, real_line as formulas};
 
 /// |x| below which Dawson's function is a Maclaurin series; from which |erf x| is 1; from which erfc
 /// x is computed from erfcx x, and erfc −|x| is 2; from which erfc x is 0, and beyond which erfcx −x
@@ -29,8 +29,6 @@ pub const LIMITS: [f64; 4] = [
 pub enum OfRows {
     /// erf.
     Erf,
-    /// erfc.
-    Erfc,
     /// erfcx.
     Erfcx,
     /// `(2/√π) F`, F Dawson's function.
@@ -39,25 +37,43 @@ pub enum OfRows {
 
 /// The row of a function for `x ≥ 0`, and the distance from its centre.
 pub fn row(function: OfRows, x: f64) -> (&'static [f64], f64) {
-    let (n, t) = match function {
-        OfRows::Erfc => axis::on_axis_of_erfc(x),
-        _ => on_real_axis(x),
-    };
+    let (n, t) = on_real_axis(x);
     let row: &[f64] = match function {
         OfRows::Erf => axis::erf_row(n),
-        OfRows::Erfc => axis::erfc_row(n),
         OfRows::Erfcx => axis::erfcx_row(n),
         OfRows::Dawson => axis::dawson_row(n),
     };
     (row, t)
 }
 
-/// The function at distance t from the centre of a row of twelve or sixteen numbers.
+/// The function at distance t from the centre of a row.
+///
+/// # Panics
+/// If the row has fewer than twelve numbers.
 pub fn row_value<L: Vectors>(lanes: L, row: &[f64], t: L::Scalar) -> Pair<L::Scalar> {
-    of(match row.first_chunk::<16>() {
-        Some(row) => axis_row(lanes, row, t),
-        None => axis_row(lanes, row.first_chunk::<12>().expect("twelve numbers"), t),
-    })
+    of(axis_row(
+        lanes,
+        row.first_chunk::<12>().expect("twelve numbers"),
+        t,
+    ))
+}
+
+/// erfc c and `−(2/√π) e^{−c²}`, each in two parts, for `x ≥ 0`, and the centre c.
+pub fn erfc_row(x: f64) -> (&'static [f64; 4], f64) {
+    let (n, c, _) = erfc_rows::centre(x);
+    (erfc_rows::erfc_row(n), c)
+}
+
+/// erfc at distance t from a centre c.
+pub fn erfc_value<R: Real>(row: [R; 4], c: R, t: R) -> Pair<R> {
+    of(erfc_rows::value(row, c, t))
+}
+
+/// The coefficients `1/(m! (m + 2k + 1) k!)` of [`erfc_value`], by k; those of k = 0 begin with
+/// m = 1.
+pub fn erfc_terms() -> [&'static [f64]; 4] {
+    let (a, b, c, d) = erfc_rows::TERMS;
+    [a, b, c, d]
 }
 
 /// Two numbers that stand for their sum.
