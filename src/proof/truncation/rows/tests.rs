@@ -1,5 +1,6 @@
 use super::*;
 use crate::tables::{cell_at, disc_at, imaginary_axis_at, real_axis_at};
+use mechaudit_solvers::faddeeva::proof::real_line;
 
 fn errors(parts: Vec<[f64; 2]>, centre: (f64, f64)) -> RowErrors {
     RowErrors { centre, parts }
@@ -98,20 +99,21 @@ fn each_entry_stands_for_its_coefficient() {
     }
 }
 
-/// Rows of one component: that of erfcx is iⁿ c_n, that of Dawson's function the imaginary part.
+/// Rows of one component: that of erfcx is iⁿ c_n, that of Dawson's function the imaginary part,
+/// and that of erf has the derivative's.
 #[test]
 fn rows_of_one_component() {
-    let (s, row) = imaginary_axis_at(1.3);
-    let sound = RowErrors::on_axis(row, s).expect("decided");
-    let real = (1..30)
-        .map(|k| {
-            mechaudit_solvers::faddeeva::proof::real_line::dawson_row(0.5 + 0.25 * f64::from(k))
-        })
-        .next()
-        .expect("one");
-    let t = 0.75 - real.1;
-    let dawson = RowErrors::of_dawson(&real.0, t).expect("decided");
-    for (found, row, centre) in [(&sound, *row, (0.0, s)), (&dawson, real.0, (t, 0.0))] {
+    type Of = fn(&AxisRow, f64) -> Result<RowErrors, ProofError>;
+    let (s, erfcx) = imaginary_axis_at(1.3);
+    let (dawson, from_t) = real_line::dawson_row(0.75);
+    let (erf, from_u) = real_line::erf_row(0.75);
+    let [t, u] = [from_t, from_u].map(|by| 0.75 - by);
+    for (of, row, at, centre) in [
+        (RowErrors::on_axis as Of, *erfcx, s, (0.0, s)),
+        (RowErrors::of_dawson, dawson, t, (t, 0.0)),
+        (RowErrors::of_erf, *erf, u, (u, 0.0)),
+    ] {
+        let found = of(&row, at).expect("decided");
         assert_eq!(found.centre, centre);
         for (n, e) in found.parts.iter().enumerate().take(STORED) {
             assert!(
@@ -125,16 +127,16 @@ fn rows_of_one_component() {
                 .all(|e| e[0] > 0.0 && e[1] == 0.0)
         );
         for n in 0..STORED {
-            let at = if n < 2 { 2 * n } else { n + 2 };
-            for at in if n < 2 { vec![at, at + 1] } else { vec![at] } {
+            let place = if n < 2 { 2 * n } else { n + 2 };
+            for k in if n < 2 {
+                vec![place, place + 1]
+            } else {
+                vec![place]
+            } {
                 let mut row = row;
-                row[at] += 1e-3;
-                let faulty = match centre.0 == 0.0 {
-                    true => RowErrors::on_axis(&row, s),
-                    false => RowErrors::of_dawson(&row, t),
-                };
-                let faulty = faulty.expect("decided");
-                assert!((faulty.parts[n][0] - 1e-3).abs() < 1e-9, "{n} {at}");
+                row[k] += 1e-3;
+                let faulty = of(&row, at).expect("decided");
+                assert!((faulty.parts[n][0] - 1e-3).abs() < 1e-9, "{n} {k}");
             }
         }
     }
