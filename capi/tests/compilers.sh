@@ -2,8 +2,16 @@
 # The headers under every standard and compiler, without a warning; the tests in C and C++, against the shared
 # and the static library.
 #
-#     capi/tests/compilers.sh PREFIX
+#     capi/tests/compilers.sh [--one] PREFIX
+#
+# --one takes one compiler and one standard of each language, for what depends on the library alone.
 set -euo pipefail
+ccs=(gcc clang "${CLANG:-}") c_standards=(c99 c11 c17 c2x c23)
+cxxs=(g++ clang++ "${CLANG:+${CLANG/clang/clang++}}") cpp_standards=(c++17 c++20 c++2b)
+if [ "$1" = --one ]; then
+    ccs=(gcc) c_standards=(c17) cxxs=(g++) cpp_standards=(c++17)
+    shift
+fi
 prefix=$(cd "$1" && pwd)
 cd "$(dirname "$0")"
 out=$(mktemp -d)
@@ -17,8 +25,8 @@ count=0
 knows() { "$1" "-std=$2" -x "$3" -fsyntax-only /dev/null 2>/dev/null; }
 compilers() { for c in "$@"; do command -v "$c" || true; done; }
 
-for cc in $(compilers gcc clang "${CLANG:-}"); do
-    for std in c99 c11 c17 c2x c23; do
+for cc in $(compilers "${ccs[@]}"); do
+    for std in "${c_standards[@]}"; do
         knows "$cc" $std c || continue
         for header in mechaudit.h mechaudit/cerf.h; do
             # Twice, and with the standard headers it might clash with.
@@ -35,8 +43,8 @@ for cc in $(compilers gcc clang "${CLANG:-}"); do
         echo "$(basename "$cc") $std: $digest"
     done
 done
-for cxx in $(compilers g++ clang++ "${CLANG:+${CLANG/clang/clang++}}"); do
-    for std in c++17 c++20 c++2b; do
+for cxx in $(compilers "${cxxs[@]}"); do
+    for std in "${cpp_standards[@]}"; do
         knows "$cxx" $std c++ || continue
         "$cxx" -std=$std "${flags[@]}" -O1 names.cpp "${shared[@]}" -o "$out/names"
         "$out/names" >"$out/names.txt" || { cat "$out/names.txt" && exit 1; }

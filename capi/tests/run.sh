@@ -16,5 +16,5 @@ done
 step capi/install --lean "$prefix-lean"
 step $tests/symbols.sh --lean "$prefix-lean"
 if grep -q avx2 /proc/cpuinfo; then
-    step $tests/compilers.sh "$prefix-lean"
+    step $tests/compilers.sh --one "$prefix-lean"
 fi

@@ -68,7 +68,8 @@ pub use kind::{Kind, Kinds};
 pub use layout::{Column, Layout, LayoutError, Shape};
 pub use maps::{ErrorMap, MapOutput, error_map, map_points};
 pub use method::{
-    BranchAt, Input, Law, Method, Output, ProvedBound, ProvedError, Rows, conditions_by_differences,
+    BranchAt, Input, Law, Method, Output, ProvedBound, ProvedError, Rows,
+    conditions_by_differences, largest,
 };
 pub use nearest::{did_you_mean, nearest};
 pub use no_such::NoSuch;

@@ -107,6 +107,15 @@ pub struct Law {
     pub residual: fn(&[f64]) -> Option<f64>,
 }
 
+/// The largest residual, zero of none; not a number, which breaks the law, where one is none.
+pub fn largest(residuals: impl IntoIterator<Item = f64>) -> f64 {
+    let larger = |worst: f64, x: f64| match worst.is_nan() || x <= worst {
+        true => worst,
+        false => x,
+    };
+    residuals.into_iter().fold(0.0, larger)
+}
+
 /// A solver, its reference, domain, budget and source: everything an audit needs.
 ///
 /// One file in `src/methods/` implements this for each audited method.

@@ -159,7 +159,7 @@ impl ProofTally {
                 let found = found.expect("nobody stops it");
                 boxes += found.boxes.len() as u64;
                 let place = found.at.as_ref().map_or(at, |b| &b.at);
-                if measure == Measure::Absolute && !found.bound.is_finite() {
+                if measure == Measure::Absolute && found.proved().is_none() {
                     let why = found.at.as_ref().and_then(|b| b.why);
                     tally.open += 1;
                     tally

@@ -37,12 +37,14 @@ pub mod dyad;
 mod linkage;
 pub mod planar;
 pub mod quantity;
+mod reach;
 pub mod run_up;
 mod sections;
 mod source;
 
 pub use cam_oscillator::CamOscillator;
 pub use linkage::Linkage;
+pub use reach::Reach;
 pub use sections::CrankMotion;
 pub use source::{Form, Refusal, Source, SourceError};
 

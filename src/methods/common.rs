@@ -50,15 +50,6 @@ pub(super) fn held(held: bool) -> Option<f64> {
     Some(if held { 0.0 } else { f64::INFINITY })
 }
 
-/// The largest residual, zero of none; not a number, which breaks the law, where one is none.
-pub(super) fn largest(residuals: impl IntoIterator<Item = f64>) -> f64 {
-    let larger = |worst: f64, x: f64| match worst.is_nan() || x <= worst {
-        true => worst,
-        false => x,
-    };
-    residuals.into_iter().fold(0.0, larger)
-}
-
 /// `(f(x + h) − f(x − h))/2h`, 2h being the distance of the rounded places.
 pub(super) fn central_difference(f: impl Fn(f64) -> Option<f64>, x: f64, h: f64) -> Option<f64> {
     let (below, above) = (x - h, x + h);
@@ -94,18 +85,5 @@ mod tests {
             shown,
             [("first", &[1.0, -2.5][..]), ("second", &[f64::INFINITY])]
         );
-    }
-
-    #[test]
-    fn a_residual_that_is_no_number_is_the_largest() {
-        assert_eq!(largest([]), 0.0);
-        assert_eq!(largest([0.5, 2.0, 1.0]), 2.0);
-        for all in [
-            [f64::NAN, 1.0, 2.0],
-            [1.0, f64::NAN, 2.0],
-            [1.0, 2.0, f64::NAN],
-        ] {
-            assert!(largest(all).is_nan(), "{all:?}");
-        }
     }
 }

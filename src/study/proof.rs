@@ -77,9 +77,9 @@ impl Problem {
                 };
                 let found = prove(&program, measure, &limits, &Watch::default());
                 let Some(found) = found else { continue };
-                if found.bound.is_finite() {
+                if let Some(bound) = found.proved() {
                     // Readable, and of a formula that is exact a bound all the same.
-                    let bound = rounded_up(found.bound * (1.0 + 1e-9)).max(f64::MIN_POSITIVE);
+                    let bound = rounded_up(bound * (1.0 + 1e-9)).max(f64::MIN_POSITIVE);
                     return Ok(Some(limit(measure, bound)));
                 }
                 why = found.at.and_then(|at| at.why);

@@ -174,3 +174,16 @@ fn differences_have_64_bits() {
     };
     assert_eq!((at(64), at(63)), (1.0, 1f64.next_up()));
 }
+
+#[test]
+fn a_residual_that_is_no_number_is_the_largest() {
+    assert_eq!(largest([]), 0.0);
+    assert_eq!(largest([0.5, 2.0, 1.0]), 2.0);
+    for all in [
+        [f64::NAN, 1.0, 2.0],
+        [1.0, f64::NAN, 2.0],
+        [1.0, 2.0, f64::NAN],
+    ] {
+        assert!(largest(all).is_nan(), "{all:?}");
+    }
+}

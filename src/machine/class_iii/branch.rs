@@ -1,6 +1,8 @@
 //! The choice of a branch, and the crank's range on it.
 
 use super::Start;
+use crate::machine::reach;
+pub use crate::machine::reach::TURNS;
 use crate::reference::nearest_f64;
 use crate::solvers::class_iii::{ClassIii, ContinuationError, DeadPosition, Positions, State};
 use crate::solvers::units::Angle;
@@ -9,8 +11,6 @@ use std::f64::consts::TAU;
 
 /// Crank angles tried before a linkage is said not to be assembled anywhere.
 const TRIED: u32 = 3600;
-/// Turns after which a branch is given up to close.
-pub const TURNS: u32 = 12;
 /// How near φ4 has to be to choose a mode: 15 degrees, as a chord.
 const NEAR: f64 = 0.261;
 /// How close to a fold rows are computed, in radians.
@@ -31,23 +31,8 @@ pub struct End {
     pub phi4: f64,
 }
 
-/// The range of the crank's turn.
-#[derive(Clone, Copy, Debug)]
-pub enum Reach {
-    /// All round.
-    Whole {
-        /// The number of turns after which the linkage is back where it was; `None` if not within
-        /// 12.
-        turns: Option<u32>,
-    },
-    /// Between two folds.
-    Part {
-        /// The end in the negative sense of rotation.
-        low: End,
-        /// The end in the positive one.
-        high: End,
-    },
-}
+/// The range of the crank's turn, all round or between two folds.
+pub type Reach = reach::Reach<End>;
 
 /// A branch with its range and dead positions.
 #[derive(Clone, Debug)]

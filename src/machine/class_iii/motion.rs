@@ -1,6 +1,7 @@
 //! A branch in motion.
 
 use super::{Branch, Linkage, Reach, path};
+use crate::machine::reach::insert_shown;
 use crate::motion::{self, Motion};
 use crate::solvers::class_iii::{ContinuationError, State};
 use crate::solvers::units::Angle;
@@ -19,10 +20,7 @@ pub fn positions(
 ) -> Result<(Vec<State>, usize), ContinuationError> {
     let Reach::Whole { turns } = branch.reach else {
         let mut all = path(linkage, branch, n)?;
-        let k = all.partition_point(|s| s.phi1 < shown.phi1);
-        if all.get(k).is_none_or(|s| s.phi1 != shown.phi1) {
-            all.insert(k, *shown);
-        }
+        let k = insert_shown(&mut all, *shown, |s| s.phi1);
         return Ok((all, k));
     };
     let whole = TAU * f64::from(turns.unwrap_or(1));

@@ -1,6 +1,7 @@
 //! An assembly in motion.
 
 use super::{Dyad, Position, Shape, range};
+use crate::machine::reach::insert_shown;
 use crate::motion::{Drive, Motion, Point};
 
 /// The crank angles in degrees over a turn from `shown` on, or over the range that holds the start
@@ -18,10 +19,7 @@ pub fn drives(dyad: &Dyad, n: u32, shown: f64) -> (Vec<f64>, usize, bool) {
     if shown > to {
         return (all, 0, false);
     }
-    let k = all.partition_point(|d| *d < shown);
-    if all.get(k).is_none_or(|d| *d != shown) {
-        all.insert(k, shown);
-    }
+    let k = insert_shown(&mut all, shown, |d| *d);
     (all, k, false)
 }
 

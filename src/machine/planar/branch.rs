@@ -1,11 +1,10 @@
 //! The choice of a branch, and how far the drive goes on it.
 
 use super::Machine;
+use crate::machine::reach::{self, TURNS};
 use crate::solvers::planar::{Loads, Modes, SingularKind, State};
 use std::f64::consts::TAU;
 
-/// Turns after which a branch is given up to close.
-const TURNS: u32 = 12;
 /// Angles that differ by less, in radians, are one but for rounding.
 const SAME: f64 = 1e-9;
 /// How near the bodies' angles have to be to choose a mode: 15 degrees.
@@ -22,23 +21,8 @@ pub struct End {
     pub kind: Option<SingularKind>,
 }
 
-/// The range of the drive.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Reach {
-    /// All round, and the number of turns after which the mechanism is back where it was; `None` if
-    /// not within 12.
-    Whole {
-        /// The turns.
-        turns: Option<u32>,
-    },
-    /// Between ends; `None` where a displacement goes as far as its range.
-    Part {
-        /// The end in the negative sense.
-        low: Option<End>,
-        /// The end in the positive one.
-        high: Option<End>,
-    },
-}
+/// The range of the drive; an end is `None` where a displacement goes as far as its range.
+pub type Reach = reach::Reach<Option<End>>;
 
 /// A branch.
 #[derive(Clone, Debug)]

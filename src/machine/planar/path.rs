@@ -1,6 +1,7 @@
 //! Positions along a branch.
 
 use super::{Branch, MARGIN, Machine, Reach};
+use crate::machine::reach::insert_shown;
 use crate::solvers::planar::State;
 use std::f64::consts::TAU;
 
@@ -25,10 +26,7 @@ pub fn positions(
     }
     let mut all = along(machine, branch, n, &branch.start, 1);
     let drive = machine.outer(machine.solver.drive_of(shown));
-    let k = all.partition_point(|p| p.0 < drive);
-    if all.get(k).is_none_or(|p| p.0 != drive) {
-        all.insert(k, (drive, shown.clone()));
-    }
+    let k = insert_shown(&mut all, (drive, shown.clone()), |p| p.0);
     (all, k)
 }
 

@@ -1,8 +1,10 @@
 //! Fourier series of cam cycles.
 
 use super::law_input::{self as input, LawInput};
-use crate::audit::{Budget, Domain, Draw, Law, Limit, Output, ReferenceAnswer, Rows, Uncertified};
-use crate::methods::common::{largest, output, point, region};
+use crate::audit::{
+    Budget, Domain, Draw, Law, Limit, Output, ReferenceAnswer, Rows, Uncertified, largest,
+};
+use crate::methods::common::{output, point, region};
 use crate::methods::definition::{Definition, conditions_at_reference, exact, method};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::cam_law::Law as ExactLaw;

@@ -1,7 +1,9 @@
 //! The class-III linkage on a chosen assembly mode: positions, rates and reduced quantities.
 
-use crate::audit::{Budget, Domain, Draw, Law, Limit, Output, ReferenceAnswer, Uncertified};
-use crate::methods::common::{held, largest, output, point, region};
+use crate::audit::{
+    Budget, Domain, Draw, Law, Limit, Output, ReferenceAnswer, Uncertified, largest,
+};
+use crate::methods::common::{held, output, point, region};
 use crate::methods::definition::{Definition, conditions_at_reference, exact, method};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::class_iii::{self as reference, Configuration, ExactAngle, Linkage};

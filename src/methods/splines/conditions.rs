@@ -7,7 +7,7 @@
 //! vanish the slope stays the mean of two chords, which it is by definition at the input alone.
 
 use super::common::{EndKind, Kind, SplineProblem};
-use crate::methods::common::largest;
+use crate::audit::largest;
 use crate::solvers::hermite_spline::Slopes as LocalSlopes;
 use rug::{Assign, Float};
 

@@ -64,6 +64,13 @@ pub struct Proof {
     pub limited: bool,
 }
 
+impl Proof {
+    /// Returns the bound, if one is proved.
+    pub fn proved(&self) -> Option<f64> {
+        Some(self.bound).filter(|bound| bound.is_finite())
+    }
+}
+
 /// How near the bound comes to its floor before cutting ends.
 const NEAR: f64 = 1.0 + 1.0 / 1024.0;
 

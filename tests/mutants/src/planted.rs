@@ -35,6 +35,7 @@ pub fn check(project: &Path, work: &Path, table: &Path) -> Result<bool> {
     let rows = rows.with_context(|| table.display().to_string())?;
     let (sources, mutants) = planted(project, &rows)?;
     let tree = Tree::new(project, work, &UNOPTIMISED)?;
+    tree.without_vectors()?;
     let packages: BTreeSet<&str> = rows.iter().map(|row| row.package.as_str()).collect();
     let packages: Vec<&str> = packages.into_iter().collect();
     let mut left_out = HashSet::new();

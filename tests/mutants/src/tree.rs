@@ -92,6 +92,26 @@ impl Tree {
         write_if_other(&self.root.join(name), text.as_bytes())
     }
 
+    /// Leaves out the batches by vector instructions, which no condition concerns: half of what the solvers take to
+    /// compile.
+    pub fn without_vectors(&self) -> Result<()> {
+        for (file, from, to) in [
+            (
+                "Cargo.toml",
+                "vectors = [\"mechaudit-solvers/vectors\"]",
+                "vectors = []",
+            ),
+            ("src/solvers/Cargo.toml", ", \"vectors\"]", "]"),
+        ] {
+            let text = fs::read_to_string(self.root.join(file))?;
+            if !text.contains(from) {
+                bail!("{file} does not contain {from}");
+            }
+            self.write(file, &text.replace(from, to))?;
+        }
+        Ok(())
+    }
+
     /// The root files of a package's library and programs, relative to the tree.
     pub fn roots(&self, package: &str) -> Result<Vec<String>> {
         let out = Command::new("cargo")

@@ -3,7 +3,7 @@
 use crate::cli::complain;
 use crate::cli::failure::Failure;
 use crate::cli::files::output::Output;
-use mechaudit::machine::class_iii::{Branch, Linkage, Reach, path};
+use mechaudit::machine::class_iii::{Branch, Linkage, path};
 use mechaudit::report::svg::linkage::{self as drawn, SAMPLES};
 use mechaudit::report::svg::reduced;
 use std::path::Path;
@@ -35,7 +35,7 @@ impl Drawings {
             return Ok(());
         };
         let name = linkage.name.as_deref().unwrap_or("class-III linkage");
-        let whole = matches!(branch.reach, Reach::Whole { .. });
+        let whole = branch.reach.is_whole();
         let rows: Vec<_> = path
             .iter()
             .map(|s| (s.phi1.to_degrees(), masses.solver.reduce(s)))

@@ -1,7 +1,7 @@
 //! Range, dead positions and folds of a class-III linkage, in words and as JSON.
 
-use mechaudit::machine::CrankMotion;
 use mechaudit::machine::class_iii::{Branch, End, Linkage, Reach, TURNS};
+use mechaudit::machine::{self, CrankMotion};
 use mechaudit::solvers::class_iii::Fold;
 use serde_json::{Map, Value, json};
 
@@ -74,21 +74,28 @@ pub fn of_linkage(linkage: &Linkage) -> Map<String, Value> {
     head("class-iii", linkage.name.as_deref(), linkage.crank.as_ref())
 }
 
+/// Adds how far the drive goes, the ends under the key.
+pub fn put_range<E>(
+    map: &mut Map<String, Value>,
+    key: &str,
+    reach: &machine::Reach<E>,
+    end: impl Fn(&E) -> Value,
+) {
+    map.insert("full_rotation".into(), json!(reach.is_whole()));
+    map.insert("turns_to_close".into(), json!(reach.turns()));
+    let ends = match reach {
+        machine::Reach::Whole { .. } => Value::Null,
+        machine::Reach::Part { low, high } => json!({ "from": end(low), "to": end(high) }),
+    };
+    map.insert(key.into(), ends);
+}
+
 /// The facts about the branch.
 pub fn of_branch(linkage: &Linkage, branch: &Branch) -> Map<String, Value> {
     let mut map = of_linkage(linkage);
     map.insert("branch".into(), json!(branch.mode));
-    let (full, turns, low, high) = match branch.reach {
-        Reach::Whole { turns } => (true, turns, None, None),
-        Reach::Part { low, high } => (false, None, Some(low), Some(high)),
-    };
-    map.insert("full_rotation".into(), json!(full));
-    map.insert("turns_to_close".into(), json!(turns));
-    let end = |e: End| json!({ "phi1_deg": e.phi1.to_degrees(), "phi4_deg": e.phi4.to_degrees() });
-    let range = low
-        .zip(high)
-        .map(|(a, b)| json!({ "from": end(a), "to": end(b) }));
-    map.insert("crank_range".into(), json!(range));
+    let end = |e: &End| json!({ "phi1_deg": e.phi1.to_degrees(), "phi4_deg": e.phi4.to_degrees() });
+    put_range(&mut map, "crank_range", &branch.reach, end);
     let dead: Vec<Value> = branch
         .dead
         .iter()

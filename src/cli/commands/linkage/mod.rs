@@ -22,7 +22,7 @@ use mechaudit::reference::nearest_f64;
 use mechaudit::report::cell::Cell;
 use mechaudit::report::columns::{self, Columns};
 use mechaudit::report::rows::Rows;
-use mechaudit::solvers::class_iii::{BranchMap, State};
+use mechaudit::solvers::class_iii::BranchMap;
 use mechaudit::solvers::units::Angle;
 use rug::Rational;
 use serde_json::{Value, json};
@@ -205,7 +205,10 @@ fn one_branch(
         let to = Angle::from_deg(nearest_f64(&at));
         here = linkage.solver.follow(&here, to).map_err(Failure::caused)?;
         let cells = match &mut certifier {
-            None => floating_row(linkage, &shown, branch.mode, &here),
+            None => {
+                let values = class_iii::values(linkage, &here);
+                floating_row(nearest_f64(&shown), branch.mode, values)
+            }
             Some(certifier) => {
                 let Some(q) = certifier.advance(&at, &here) else {
                     complain(&format!(
@@ -289,7 +292,10 @@ fn branch_rows(
     for (done, (at, samples)) in degrees.iter().zip(&map.rows).enumerate() {
         for s in samples {
             let cells = match &mut certifier {
-                None => floating_row(linkage, at, s.branch, &s.state),
+                None => {
+                    let values = class_iii::values(linkage, &s.state);
+                    floating_row(nearest_f64(at), s.branch, values)
+                }
                 Some(certifier) => {
                     // The branch's number is that of the continuation in floating point; the
                     // position itself is proved afresh.
@@ -309,16 +315,16 @@ fn branch_rows(
     Ok(Outcome::decided(undecided, args.digits.unwrap_or(0)))
 }
 
-fn floating_row(linkage: &Linkage, degrees: &Rational, branch: usize, state: &State) -> Vec<Cell> {
-    let head = [Cell::Float(nearest_f64(degrees)), Cell::Count(branch)];
-    let values = class_iii::values(linkage, state);
+/// A row in floating point: the drive in degrees or metres, the branch, the values.
+fn floating_row(drive: f64, branch: usize, values: Vec<f64>) -> Vec<Cell> {
+    let head = [Cell::Float(drive), Cell::Count(branch)];
     head.into_iter()
         .chain(values.into_iter().map(Cell::Float))
         .collect()
 }
 
-fn certified_row(degrees: &Rational, branch: usize, digits: Vec<Option<String>>) -> Vec<Cell> {
-    let head = [Cell::Decimal(decimal(degrees)), Cell::Count(branch)];
+fn certified_row(drive: &Rational, branch: usize, digits: Vec<Option<String>>) -> Vec<Cell> {
+    let head = [Cell::Decimal(decimal(drive)), Cell::Count(branch)];
     head.into_iter()
         .chain(digits.into_iter().map(Cell::certified))
         .collect()

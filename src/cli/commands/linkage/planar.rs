@@ -1,6 +1,6 @@
 //! A mechanism of bodies and joints given in a file, computed over its drive.
 
-use super::{planar_facts as facts, shown, undecided_in};
+use super::{certified_row, floating_row, planar_facts as facts, shown, undecided_in};
 use crate::cli::args::LinkageArgs;
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
@@ -212,9 +212,7 @@ impl Asked<'_> {
         let value = &values.1[number];
         let row = certifier.singular_row(value, &at.angles, &last, self.columns.paths);
         self.reasons.of_row(machine, value, row.reason);
-        let mut cells = vec![Cell::Decimal(decimal(value)), Cell::Count(branch)];
-        cells.extend(row.digits.into_iter().map(Cell::certified));
-        Some(cells)
+        Some(certified_row(value, branch, row.digits))
     }
 
     /// The row of a position at the value of that number.
@@ -228,18 +226,14 @@ impl Asked<'_> {
     ) -> Vec<Cell> {
         match self.certifier {
             None => {
-                let mut cells = vec![Cell::Float(values.0[number].0), Cell::Count(branch)];
                 let row = planar::values(machine, loads, state, self.columns);
-                cells.extend(row.into_iter().map(Cell::Float));
-                cells
+                floating_row(values.0[number].0, branch, row)
             }
             Some(certifier) => {
                 let value = &values.1[number];
-                let mut cells = vec![Cell::Decimal(decimal(value)), Cell::Count(branch)];
                 let row = certifier.row(value, state, self.columns.paths);
                 self.reasons.of_row(machine, value, row.reason);
-                cells.extend(row.digits.into_iter().map(Cell::certified));
-                cells
+                certified_row(value, branch, row.digits)
             }
         }
     }

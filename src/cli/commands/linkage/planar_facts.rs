@@ -176,15 +176,10 @@ pub fn of_branch(
     map.insert("branch".into(), json!(branch.mode));
     map.insert("modes_at_start".into(), json!(branch.modes));
     map.insert("modes_complete".into(), json!(branch.complete));
-    let (turns, ends) = match branch.reach {
-        Reach::Whole { turns } => (turns, None),
-        Reach::Part { low, high } => (None, Some([low, high])),
-    };
-    map.insert("full_rotation".into(), json!(ends.is_none()));
-    map.insert("turns_to_close".into(), json!(turns));
     let end = |e: End| json!({ format!("drive_{unit}"): shown(machine, e.drive), "kind": singular_word(e.kind) });
-    let ends = ends.map(|[low, high]| json!({ "from": low.map(end), "to": high.map(end) }));
-    map.insert("drive_range".into(), json!(ends));
+    facts::put_range(&mut map, "drive_range", &branch.reach, |e| {
+        json!(e.map(end))
+    });
     map.insert("rows_left_out".into(), rows_left_out(unit, left_out));
     map
 }

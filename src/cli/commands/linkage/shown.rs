@@ -90,10 +90,7 @@ pub fn class_iii(
     page: Option<(&Plan, &Columns)>,
 ) -> Result<Motion, Failure> {
     let solver = &linkage.solver;
-    let turns = match branch.reach {
-        class_iii::Reach::Whole { turns } => turns,
-        class_iii::Reach::Part { .. } => None,
-    };
+    let turns = branch.reach.turns();
     let (states, start, closed) = match page {
         Some((plan, _)) if args.asks_for_window() => {
             let mut angles: Vec<Rational> = plan.angles().map(|a| a.1).collect();
@@ -218,10 +215,7 @@ pub fn planar(
     page: Option<Window>,
 ) -> Result<Motion, Failure> {
     let solver = &machine.solver;
-    let turns = match branch.reach {
-        planar::Reach::Whole { turns } => turns,
-        planar::Reach::Part { .. } => None,
-    };
+    let turns = branch.reach.turns();
     let (positions, start, closed) = match &page {
         Some(window) if args.asks_for_window() && machine.rotary() => {
             let drives = window.drives.iter();

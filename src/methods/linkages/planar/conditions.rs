@@ -26,8 +26,7 @@ pub(super) fn of_reactions(numbers: &[f64]) -> Option<Vec<f64>> {
 
 /// Returns the linkage at the angles of the reference.
 fn flow(linkage: &PlanarLinkageInput) -> Option<Flow> {
-    let angles = linkage.exactly(|i| i.angles())??;
-    Flow::new(linkage, &angles)
+    Flow::new(linkage, &linkage.angles()?)
 }
 
 impl Flow {

@@ -10,6 +10,7 @@ use crate::reference::planar::{
 use crate::solvers::planar::{self as solver, BodyMass, GROUND, Loads, NearestError, State};
 use crate::solvers::units::{Angle, Inertia, Length, Mass};
 use rug::Rational;
+use std::cell::RefCell;
 
 inputs! {
     /// Bodies joined by pins, the first of them turned from the ground; where they are, about.
@@ -48,6 +49,11 @@ pub(super) const REACH: f64 = 0.1;
 pub(super) const BITS: u32 = 64;
 /// More bodies than this are not taken: what the solver's homotopy is for.
 const MOST_BODIES: usize = 9;
+
+thread_local! {
+    /// The linkage whose angles were asked for last, and these: conditions and laws of a case ask one after another.
+    static LAST: RefCell<(Vec<f64>, Option<Vec<f64>>)> = const { RefCell::new((Vec::new(), None)) };
+}
 
 /// The word where no position is within reach.
 pub(super) const NONE: &str = "no position near";
@@ -128,7 +134,24 @@ impl PlanarLinkageInput<'_> {
 
     /// Checks that the reference finds a position.
     pub(super) fn is_placed(&self) -> bool {
-        self.exactly(|i| i.placed(BITS).is_ok()) == Some(true)
+        self.angles_by_few_bits().is_some()
+    }
+
+    /// The angles that conditions are taken at: with few bits if they are enough to prove the
+    /// position.
+    pub(super) fn angles(&self) -> Option<Vec<f64>> {
+        let more = || self.exactly(|i| i.angles(2 * BITS)).flatten();
+        self.angles_by_few_bits().or_else(more)
+    }
+
+    fn angles_by_few_bits(&self) -> Option<Vec<f64>> {
+        let numbers = self.to_vec();
+        let last = LAST.with_borrow(|(of, angles)| (*of == numbers).then(|| angles.clone()));
+        last.unwrap_or_else(|| {
+            let angles = self.exactly(|i| i.angles(BITS)).flatten();
+            LAST.set((numbers, angles.clone()));
+            angles
+        })
     }
 
     /// The centre of mass of moving body k.
@@ -183,11 +206,9 @@ impl PlanarLinkageInput<'_, Rational> {
         self.exact(&nothing, bits)
     }
 
-    /// The angles that conditions are taken at: with few bits if they are enough to prove the
-    /// position.
-    pub(super) fn angles(&self) -> Option<Vec<f64>> {
-        let at = |bits| Some(self.placed(bits).ok()?.1);
-        let position = at(BITS).or_else(|| at(2 * BITS))?;
+    /// The angles of the position.
+    fn angles(&self, bits: u32) -> Option<Vec<f64>> {
+        let (_, position) = self.placed(bits).ok()?;
         Some(position.x.iter().map(Ball::to_f64).collect())
     }
 

@@ -3,8 +3,8 @@
 use super::conditions;
 use super::drawn::Linkage;
 use super::input::{PlanarForcesInput, PlanarLinkageInput};
-use crate::audit::Law;
-use crate::methods::common::{held, largest};
+use crate::audit::{Law, largest};
+use crate::methods::common::held;
 use crate::methods::inputs::Fields;
 use crate::solvers::planar::{Drive, GROUND, Mechanism};
 

@@ -99,16 +99,22 @@ fn each_entry_stands_for_its_coefficient() {
     }
 }
 
-/// Rows of one component: that of erfcx is iⁿ c_n, that of Dawson's function the imaginary part.
+/// Rows of one component: that of erfcx is iⁿ c_n, that of Dawson's function the imaginary part,
+/// and that of erf has the derivative's.
 #[test]
 fn rows_of_one_component() {
-    let (s, row) = imaginary_axis_at(1.3);
-    let sound = RowErrors::on_axis(row, s).expect("decided");
-    let real = row_of(OfRows::Dawson, 0.74);
-    let t = 0.74 - real.1;
-    let dawson = RowErrors::of_dawson(real.0, t).expect("decided");
-    for (found, row, centre) in [(&sound, &row[..], (0.0, s)), (&dawson, real.0, (t, 0.0))] {
+    type Of = fn(&[f64], f64) -> Result<RowErrors, ProofError>;
+    let (s, erfcx) = imaginary_axis_at(1.3);
+    let (dawson, from_t) = row_of(OfRows::Dawson, 0.74);
+    let (erf, from_u) = row_of(OfRows::Erf, 0.74);
+    let [t, u] = [from_t, from_u].map(|by| 0.74 - by);
+    for (of, row, at, centre) in [
+        (RowErrors::on_axis as Of, &erfcx[..], s, (0.0, s)),
+        (RowErrors::of_dawson, dawson, t, (t, 0.0)),
+        (RowErrors::of_erf, erf, u, (u, 0.0)),
+    ] {
         let stored = row.len() - 2;
+        let found = of(row, at).expect("decided");
         assert_eq!(found.centre, centre);
         for (n, e) in found.parts.iter().enumerate().take(stored) {
             assert!(
@@ -122,16 +128,16 @@ fn rows_of_one_component() {
                 .all(|e| e[0] > 0.0 && e[1] == 0.0)
         );
         for n in 0..stored {
-            let at = if n < 2 { 2 * n } else { n + 2 };
-            for at in if n < 2 { vec![at, at + 1] } else { vec![at] } {
+            let place = if n < 2 { 2 * n } else { n + 2 };
+            for k in if n < 2 {
+                vec![place, place + 1]
+            } else {
+                vec![place]
+            } {
                 let mut row = row.to_vec();
-                row[at] += 1e-3;
-                let faulty = match centre.0 == 0.0 {
-                    true => RowErrors::on_axis(&row, s),
-                    false => RowErrors::of_dawson(&row, t),
-                };
-                let faulty = faulty.expect("decided");
-                assert!((faulty.parts[n][0] - 1e-3).abs() < 1e-9, "{n} {at}");
+                row[k] += 1e-3;
+                let faulty = of(&row, at).expect("decided");
+                assert!((faulty.parts[n][0] - 1e-3).abs() < 1e-9, "{n} {k}");
             }
         }
     }

@@ -1,7 +1,7 @@
 //! A linkage of class III at several positions, with the paths of its joints.
 
 use super::scene::{Bar, Joint, Pivot, Pose, Scene};
-use crate::machine::class_iii::{Branch, Linkage, Reach};
+use crate::machine::class_iii::{Branch, Linkage};
 use crate::solvers::class_iii::State;
 
 /// The drawing as text; `path` is that of the branch.
@@ -42,7 +42,7 @@ pub fn class_iii(linkage: &Linkage, branch: &Branch, path: &[State]) -> String {
         joints: &joints,
         guide: None,
         path: &path.iter().map(pose).collect::<Vec<_>>(),
-        whole: matches!(branch.reach, Reach::Whole { .. }),
+        whole: branch.reach.is_whole(),
     };
     scene.draw()
 }

@@ -2,7 +2,7 @@
 
 use super::SAMPLES;
 use super::scene::{Bar, Joint, Pivot, Pose, Scene};
-use crate::machine::planar::{Branch, Machine, Reach, path};
+use crate::machine::planar::{Branch, Machine, path};
 use crate::solvers::planar::State;
 
 /// The drawing as text.
@@ -27,7 +27,7 @@ pub fn planar(machine: &Machine, branch: &Branch) -> String {
             .collect::<Vec<_>>(),
         guide: None,
         path: &poses.collect::<Vec<_>>(),
-        whole: matches!(branch.reach, Reach::Whole { .. }),
+        whole: branch.reach.is_whole(),
     };
     scene.draw()
 }
