@@ -39,8 +39,8 @@ pub struct Worst {
 pub struct Hunt {
     /// For each output that was judged anywhere, the worst first.
     pub worst: Vec<Worst>,
-    /// Inputs of the domain itself, drawn and not climbed to, with no pass and no share: NaN, a
-    /// refusal where values exist, undecided.
+    /// Inputs with no pass and no share: NaN, a refusal where values exist; of those that were drawn
+    /// and not climbed to also what is undecided.
     pub failures: Vec<Case>,
     /// Evaluations made.
     pub evaluations: u64,
@@ -71,7 +71,7 @@ struct Found {
     input: Vec<f64>,
     /// Largest share for each output; nothing where no values were judged.
     shares: Option<Vec<f64>>,
-    passed: bool,
+    verdict: Verdict,
 }
 
 impl Found {
@@ -101,6 +101,7 @@ struct Hunter<'a> {
     left: u64,
     made: u64,
     worst: Vec<Option<Worst>>,
+    failures: Vec<Case>,
     progress: &'a (dyn Fn(u64) + Sync),
     stop: &'a AtomicBool,
 }
@@ -157,6 +158,7 @@ fn search(
         method,
         answers,
         worst: vec![None; outputs.len()],
+        failures: Vec::new(),
         outputs,
         settings: Settings {
             seed: settings.seed,
@@ -167,7 +169,7 @@ fn search(
         progress,
         stop,
     };
-    let (seeds, failures) = hunter.seeds(settings.evaluations / 3, given);
+    let seeds = hunter.seeds(settings.evaluations / 3, given);
     let starts = choose(&seeds, hunter.outputs.len());
     let share = hunter.left / STARTS.max(hunter.outputs.len()) as u64;
     for (k, (start, output)) in starts.iter().enumerate() {
@@ -178,7 +180,7 @@ fn search(
     worst.sort_by(|a, b| b.share.total_cmp(&a.share));
     Hunt {
         worst,
-        failures,
+        failures: hunter.failures,
         evaluations: hunter.made,
         interrupted: stop.load(Ordering::Relaxed),
     }
@@ -249,6 +251,16 @@ impl Hunter<'_> {
         all
     }
 
+    /// A case that was not drawn.
+    fn given(&self, region: &'static str, input: Vec<f64>) -> Case {
+        Case {
+            method: self.method.name(),
+            region,
+            input,
+            origin: Origin::Given,
+        }
+    }
+
     /// Remembers what is worse than anything before.
     fn record(&mut self, found: &Found, reason: &dyn Fn() -> String) {
         for (o, share) in found.shares.iter().flatten().enumerate() {
@@ -263,8 +275,8 @@ impl Hunter<'_> {
         }
     }
 
-    /// Seeds of every kind, and the drawn inputs that fail without a share.
-    fn seeds(&mut self, budget: u64, given: &[Vec<f64>]) -> (Vec<Seed>, Vec<Case>) {
+    /// Seeds of every kind.
+    fn seeds(&mut self, budget: u64, given: &[Vec<f64>]) -> Vec<Seed> {
         let regions = self.method.domain().regions.len().max(1) as u64;
         self.settings.cases_per_region = (budget / (3 * regions)).max(2);
         let cases = Cases::new(self.method, &self.settings);
@@ -275,12 +287,7 @@ impl Hunter<'_> {
         let regions = &self.method.domain().regions;
         let region = regions.first().map_or("the domain", |r| r.name);
         let given = given.iter().take(budget.min(usize::MAX as u64) as usize);
-        let given = given.map(|input| Case {
-            method: self.method.name(),
-            region,
-            input: input.clone(),
-            origin: Origin::Given,
-        });
+        let given = given.map(|input| self.given(region, input.clone()));
         let mut all: Vec<(Case, &'static str)> = given.map(|case| (case, "given")).collect();
         for (k, case) in drawn.iter().enumerate() {
             let kind = match case.origin {
@@ -291,7 +298,10 @@ impl Hunter<'_> {
             };
             all.push((case.clone(), kind));
             let mut draw = Draw::new(self.settings.seed, case.method, "edge", k as u64);
-            all.push((with(case, edge(&case.input, &mut draw)), "edge"));
+            all.push((
+                self.given(case.region, edge(&case.input, &mut draw)),
+                "edge",
+            ));
             // Between this input and the next of the same region and layout.
             if let Some(next) = drawn.get(k + 1)
                 && next.region == case.region
@@ -300,7 +310,7 @@ impl Hunter<'_> {
                 let share = (k % 7 + 1) as f64 / 8.0;
                 let pairs = case.input.iter().zip(&next.input);
                 let between = pairs.map(|(a, b)| a + share * (b - a)).collect();
-                all.push((with(case, between), "spaced"));
+                all.push((self.given(case.region, between), "spaced"));
             }
         }
         let format = self.method.format();
@@ -309,7 +319,6 @@ impl Hunter<'_> {
         all.retain(|(case, _)| self.method.admits(&case.input));
         let found = self.judge(all.iter().map(|(case, _)| case.input.clone()).collect());
         let mut seeds = Vec::new();
-        let mut failures = Vec::new();
         for ((case, kind), found) in all.into_iter().zip(found) {
             let drawn = !matches!(kind, "edge" | "spaced" | "given");
             if found.shares.is_some() {
@@ -320,11 +329,12 @@ impl Hunter<'_> {
                     kind,
                     region,
                 });
-            } else if drawn && !found.passed {
-                failures.push(case);
+            } else if found.verdict == Verdict::WrongKind || drawn && found.verdict != Verdict::Pass
+            {
+                self.failures.push(case);
             }
         }
-        (seeds, failures)
+        seeds
     }
 
     /// Climbs from a seed for one output with that many evaluations.
@@ -357,6 +367,9 @@ impl Hunter<'_> {
             for f in found {
                 let reason = || format!("climbed from {} in {}", seed.kind, seed.region);
                 self.record(&f, &reason);
+                if f.verdict == Verdict::WrongKind {
+                    self.failures.push(self.given(seed.region, f.input.clone()));
+                }
                 if f.share(output) >= top.share(output) {
                     top = f;
                 }
@@ -367,13 +380,6 @@ impl Hunter<'_> {
                 without + 1
             };
         }
-    }
-}
-
-fn with(case: &Case, input: Vec<f64>) -> Case {
-    Case {
-        input,
-        ..case.clone()
     }
 }
 
@@ -403,7 +409,7 @@ fn judged(
     Found {
         input: report.case.input,
         shares,
-        passed: report.judgement.verdict == Verdict::Pass,
+        verdict: report.judgement.verdict,
     }
 }
 

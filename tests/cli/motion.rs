@@ -270,6 +270,11 @@ fn a_simulation_is_judged_row_by_row() {
         d.err
     );
     // A NaN is no number, wherever it stands.
+    // An empty field is how many programs write it.
+    let empty = file(&folder, "empty.csv", "t,x\n0,1\n1,\n");
+    let d = judge(&empty, "csv");
+    assert_eq!(d.code, 1);
+    assert_eq!(csv(&d.out).1[1][7], "wrong_kind", "{}", d.out);
     let nan = file(&folder, "nan.csv", "t,x\n1,nan\n");
     let d = judge(&nan, "csv");
     assert_eq!(d.code, 1);

@@ -45,6 +45,7 @@ fn hunter<'a>(
         method,
         answers: None,
         worst: vec![None; method.outputs.len()],
+        failures: Vec::new(),
         outputs: method.outputs.iter().map(|o| o.name).collect(),
         settings: Settings::default(),
         left,
@@ -58,7 +59,7 @@ fn found(input: &[f64], shares: Option<&[f64]>) -> Found {
     Found {
         input: input.to_vec(),
         shares: shares.map(Into::into),
-        passed: true,
+        verdict: Verdict::Pass,
     }
 }
 
@@ -282,27 +283,27 @@ fn shares_are_those_of_outputs() {
     let f = one(&method, 4);
     assert!(is(f.share(0), 0.75) && is(f.share(1), 1.25) && !f.passed);
     let f = one(&method, 1);
-    assert!(is(f.share(0), 0.25) && f.share(1) == 0.0 && f.passed);
+    assert!(is(f.share(0), 0.25) && f.share(1) == 0.0 && f.verdict == Verdict::Pass);
     method.solve = Box::new(|x| SolverAnswer::Values(vec![f64::NAN; x.len()]));
     let f = one(&method, 4);
-    assert_eq!((f.shares, f.passed), (None, false));
+    assert_eq!((f.shares, f.verdict), (None, Verdict::WrongKind));
     method.solve = Box::new(|_| SolverAnswer::Refuses("planted"));
     let f = one(&method, 4);
-    assert_eq!((f.shares, f.passed), (None, false));
+    assert_eq!((f.shares, f.verdict), (None, Verdict::WrongKind));
     method.reference = Box::new(|_, _| ReferenceAnswer::Refuses("planted"));
     let f = one(&method, 4);
-    assert_eq!((f.shares, f.passed), (None, true));
+    assert_eq!((f.shares, f.verdict), (None, Verdict::Pass));
 }
 
 /// Returns kind, region and first number of each seed of a hunt.
 fn seeds_of(h: &mut Hunter, budget: u64) -> (Vec<(&'static str, &'static str, f64)>, Vec<f64>) {
-    let (seeds, failures) = h.seeds(budget, &[]);
+    let seeds = h.seeds(budget, &[]);
     let seeds = seeds.iter().map(|s| (s.kind, s.region, s.found.input[0]));
-    let failures = failures.iter().map(|c| c.input[0]);
+    let failures = h.failures.iter().map(|c| c.input[0]);
     (seeds.collect(), failures.collect())
 }
 
-/// Given inputs come first and up to a third of the evaluations, and none of them is a failure.
+/// Given inputs come first and up to a third of the evaluations.
 #[test]
 fn hunts_begin_at_given_inputs() {
     let method = Planted {
@@ -321,7 +322,7 @@ fn hunts_begin_at_given_inputs() {
         hunt_from(&method, &settings, &given, &|_| {}, &never())
     };
     let found = hunt(&[1e9, 2.0, 1e8, 3.0]);
-    assert_eq!((found.worst[0].input[0], found.failures.len()), (1e8, 0));
+    assert_eq!((found.worst[0].input[0], found.failures.len()), (1e8, 1));
     assert!(is(found.worst[0].share, 0.75));
     let found = hunt(&[1e9, 2.0, 3.0, 1e8]);
     assert!(found.worst[0].share < 0.75);
@@ -375,10 +376,10 @@ fn nothing_lies_between_inputs_of_two_lengths() {
     assert!(spaced.iter().all(|s| s.1 == "check-points"));
 }
 
-/// Inputs outside of the domain are not judged; of what fails without a share only what was drawn
-/// is kept.
+/// Inputs outside of the domain are not judged; of what is undecided only what was drawn is a
+/// failure.
 #[test]
-fn seeds_are_admitted_and_failures_are_drawn() {
+fn seeds_are_admitted() {
     let (mut method, never) = (points(), never());
     method.admits = Box::new(|x| x[0] < 60.0);
     method.solve = Box::new(|x| match x[0] {
@@ -392,7 +393,15 @@ fn seeds_are_admitted_and_failures_are_drawn() {
     });
     let mut h = hunter(&method, 1000, &|_| {}, &never);
     let (seeds, failures) = seeds_of(&mut h, 100);
-    assert_eq!(failures, [32.0, 40.0, 48.0, 56.0]);
+    let wrong = |h: &Hunter, x: f64| h.failures.iter().any(|c| c.input[0] == x);
+    let drawn = [32.0, 40.0, 48.0, 56.0];
+    // Between them, and an edge beside each.
+    assert_eq!((failures.len(), h.failures.len()), (11, 11));
+    let between = [36.0, 45.0, 54.0];
+    assert!(
+        drawn.iter().chain(&between).all(|x| wrong(&h, *x)),
+        "{failures:?}"
+    );
     assert!(seeds.iter().all(|s| (0.0..=30.0).contains(&s.2)));
     assert_eq!(seeds.iter().filter(|s| s.0 == "check point").count(), 3);
     // The first judged is the worst, as all are alike.
@@ -400,6 +409,32 @@ fn seeds_are_admitted_and_failures_are_drawn() {
     assert!(is(worst.share, 0.25));
     assert_eq!(worst.input, [8.0]);
     assert_eq!(worst.reason, "check point in check-points");
+}
+
+/// A climb that comes where an answer is no number has found a failure.
+#[test]
+fn climbs_find_failures() {
+    let method = Planted {
+        admits: Box::new(|x| (1.0..2.0).contains(&x[0])),
+        ..Planted::default()
+    };
+    let solve = |x: &[Vec<f64>]| {
+        let answer = |x: &Vec<f64>| match x[0] {
+            x if x > 1.51 => SolverAnswer::Values(vec![f64::NAN]),
+            x => SolverAnswer::Values(vec![off(x, 3)]),
+        };
+        x.iter().map(answer).collect::<Vec<_>>()
+    };
+    let never = never();
+    let mut h = hunter(&method, 200, &|_| {}, &never);
+    h.answers = Some(&solve);
+    let start = Seed {
+        found: found(&[1.505], Some(&[0.75])),
+        kind: "random",
+        region: "all",
+    };
+    h.climb(&start, 0, 200, &mut Draw::new(1, "planted", "climb", 0));
+    assert!(h.failures.iter().all(|c| c.input[0] > 1.51) && !h.failures.is_empty());
 }
 
 /// A third of the seeds is drawn, in equal parts from all regions and two from each at least.

@@ -243,7 +243,7 @@ fn report(method: &dyn Method, found: &Hunt, new: &[HardCase], args: &HuntArgs) 
     if let Some(first) = found.failures.first() {
         let n = found.failures.len();
         let text = format!(
-            "{n} drawn inputs fail without a share of the budget, the first: {}{}",
+            "{n} inputs fail without a share of the budget, the first: {}{}",
             first.reproduce(),
             tail(args)
         );

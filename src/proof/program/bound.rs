@@ -351,10 +351,13 @@ impl<'a> Bounds<'a> {
             (face[j], is_face) = (Interval::point(end), true);
         }
         if is_face && bound > lower * 1.0001 {
-            self.wide.given = self.wide.noise.clone();
+            let noise = self.wide.noise.clone();
+            self.wide.given.clone_from(&noise);
             // The face may lie where the condition fails.
             self.wide.narrowing = None;
             let found = self.within(&face);
+            // The pass over the face may have ended before the result.
+            self.wide.noise = noise;
             error = error.min(found.error);
             lower = lower.max(found.lower);
             bound = match self.measure {

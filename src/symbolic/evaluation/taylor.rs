@@ -10,6 +10,7 @@ use crate::{Func, Relation};
 use mechaudit_reference::elementary::NoValue;
 use mechaudit_reference::initial_value::{Operation, Primitive, Program, Slot};
 use rug::Rational;
+use std::cmp::Ordering;
 use std::collections::HashMap;
 
 /// A constant of a program.
@@ -85,6 +86,26 @@ impl Switch {
         found
     }
 
+    /// Returns true if what depends on the sign is something else where the value is zero than on
+    /// either side: `a == b`, or `a <= b` beside `a >= b`.
+    pub fn is_pointed(self, graph: &Graph) -> bool {
+        let at_zero = |id| match graph.node(id) {
+            Node::Compare(relation, a, b) => {
+                let (switch, is_turned) = Switch::between(graph, a, b);
+                (switch == self).then(|| match relation {
+                    Relation::Less | Relation::GreaterEqual => Some(!is_turned),
+                    Relation::LessEqual | Relation::Greater => Some(is_turned),
+                    Relation::Equal | Relation::NotEqual => None,
+                })
+            }
+            Node::Binary(Func::Copysign, _, b) => (Switch::SignOf(b) == self).then_some(Some(true)),
+            _ => None,
+        };
+        let mut sides = (0..graph.len() as Id).filter_map(at_zero);
+        let first = sides.next().unwrap_or(Some(true));
+        first.is_none() || sides.any(|side| side != first)
+    }
+
     /// The nodes whose difference changes its sign.
     pub fn parts(self) -> (Id, Option<Id>) {
         match self {
@@ -101,6 +122,8 @@ pub(super) enum Side {
     Positive,
     /// The value is less than zero.
     Negative,
+    /// The value is zero: the motion is at the switch.
+    Zero,
     /// The value of the step function.
     Integer(Rational),
 }
@@ -583,7 +606,7 @@ impl Compiler<'_> {
                 false => self.number(0),
             },
             Func::Copysign => {
-                let sign = self.is_positive(Switch::SignOf(right))?;
+                let sign = self.side(Switch::SignOf(right))? != Side::Negative;
                 let is_positive = match self.graph.node(left) {
                     Node::Number(place) => *self.graph.rational(place) >= 0,
                     _ => self.is_positive(Switch::SignOf(left))?,
@@ -597,11 +620,11 @@ impl Compiler<'_> {
         })
     }
 
-    /// The side of a switch, with its guards.
+    /// The side of a switch, with its guards; at the switch itself there are none.
     fn side(&mut self, switch: Switch) -> Result<Side, NoValue> {
         let side = (self.choose)(switch)?;
         let known = self.out.guards.iter().any(|guard| guard.switch == switch);
-        if known {
+        if known || side == Side::Zero {
             return Ok(side);
         }
         let outside = self.node;
@@ -642,10 +665,19 @@ impl Compiler<'_> {
         Ok(self.side(switch)? == Side::Positive)
     }
 
+    /// The order of a and b on the chosen side.
+    fn order(&mut self, a: Id, b: Id) -> Result<Ordering, NoValue> {
+        let (switch, is_turned) = Switch::between(self.graph, a, b);
+        Ok(match (self.side(switch)?, is_turned) {
+            (Side::Zero, _) => Ordering::Equal,
+            (Side::Positive, false) | (Side::Negative, true) => Ordering::Greater,
+            _ => Ordering::Less,
+        })
+    }
+
     /// Returns true if `a > b` on the chosen side.
     fn is_greater(&mut self, a: Id, b: Id) -> Result<bool, NoValue> {
-        let (switch, is_turned) = Switch::between(self.graph, a, b);
-        Ok(self.is_positive(switch)? != is_turned)
+        Ok(self.order(a, b)? == Ordering::Greater)
     }
 
     /// Returns true if a condition holds on the chosen sides of its switches.
@@ -656,12 +688,14 @@ impl Compiler<'_> {
             Node::And(a, b) => Ok(self.holds(a)? && self.holds(b)?),
             Node::Or(a, b) => Ok(self.holds(a)? || self.holds(b)?),
             Node::Compare(relation, a, b) => {
-                let positive = self.is_greater(a, b)?;
+                let order = self.order(a, b)?;
                 Ok(match relation {
-                    Relation::Less | Relation::LessEqual => !positive,
-                    Relation::Greater | Relation::GreaterEqual => positive,
-                    Relation::Equal => false,
-                    Relation::NotEqual => true,
+                    Relation::Less => order.is_lt(),
+                    Relation::LessEqual => order.is_le(),
+                    Relation::Greater => order.is_gt(),
+                    Relation::GreaterEqual => order.is_ge(),
+                    Relation::Equal => order.is_eq(),
+                    Relation::NotEqual => order.is_ne(),
                 })
             }
             _ => Err(NO_SERIES),

@@ -101,6 +101,8 @@ pub struct Row {
     pub input: Vec<Rational>,
     /// The values.
     pub entries: Vec<Entry>,
+    /// Columns of values without an entry, as NaN.
+    pub blanks: Vec<Entry>,
 }
 
 /// A printed value.
@@ -494,27 +496,29 @@ fn row(
         });
     }
     let mut parts: Vec<BTreeMap<usize, Rational>> = vec![BTreeMap::new(); layout.parts()];
-    let mut entries = Vec::new();
+    let (mut entries, mut blanks) = (Vec::new(), Vec::new());
     for (k, (text, heading)) in record.iter().zip(headings).enumerate() {
-        // Nothing was printed here, or a vector is shorter than in other lines.
-        if text.is_empty() {
-            continue;
-        }
         if text.len() > FIELD {
             return Err(RowError::LongField);
         }
+        let entry = |value, number: &str| {
+            Ok::<Entry, DecimalError>(Entry {
+                value,
+                column: k,
+                text: text.into(),
+                printed: Printed::parse(number)?.in_unit(heading.unit.clone()),
+            })
+        };
         match heading.column {
+            // Nothing was printed here, or a vector is shorter than in other lines.
+            Column::Value(value) if text.is_empty() => blanks.push(entry(value, "nan")?),
+            Column::Input { .. } if text.is_empty() => {}
             Column::Input { part, index } => {
                 let number = exact(text)?;
                 let scaled = heading.unit.iter().fold(number, |x, unit| x / &unit.by);
                 parts[part].insert(index, scaled);
             }
-            Column::Value(value) => entries.push(Entry {
-                value,
-                column: k,
-                text: text.into(),
-                printed: Printed::parse(text)?.in_unit(heading.unit.clone()),
-            }),
+            Column::Value(value) => entries.push(entry(value, text)?),
         }
     }
     let has = |column: Column| headings.iter().any(|h| h.column == column);
@@ -541,6 +545,7 @@ fn row(
             line,
             input,
             entries,
+            blanks,
         }),
         false => Err(RowError::Lengths(layout.input())),
     }

@@ -64,6 +64,10 @@ pub fn judge(study: &Study, path: &Path, args: &JudgeArgs) -> Result<Outcome, Fa
         false => Box::new(std::fs::File::open(path).map_err(|e| Failure::in_file(path, e))?),
     };
     let (_, mut rows) = published::read(study, file).map_err(|e| Failure::in_file(path, e))?;
+    // A simulation has a number in every field: many programs write NaN as an empty one.
+    for row in &mut rows {
+        row.entries.append(&mut row.blanks);
+    }
     if let Some(line) = args.line {
         rows.retain(|r| r.line == line);
         if rows.is_empty() {

@@ -10,7 +10,8 @@
 //! this set in its interior. So it is for several switches at once, with the rates on all their
 //! sides: their order does not matter. So does any mean of them, as of a motion that slides along
 //! the switch (Filippov, *Differential Equations with Discontinuous Righthand Sides*, 1988, §4); for such a
-//! motion the guard is not proved to have the other sign at b.
+//! motion the guard is not proved to have the other sign at b. Where a rate has a value of its own at
+//! the switch, as in `if(y == 1, 0, 1)`, it is one of those in F: the motion may stay there.
 
 use super::field::{Guarded, Smooth};
 use crate::evaluation::taylor::Switch;
@@ -55,8 +56,7 @@ pub(super) enum Uncrossed {
 }
 
 /// Crosses some switches at once, from a time on; `width` is the first length that is tried.
-/// `pieces` are those of all sides of the switches, the first one before all of them and the last
-/// one past them.
+/// `pieces` are those of all sides of the switches and those at them, the last one past them.
 ///
 /// # Errors
 /// Why the motion is not proved to cross.

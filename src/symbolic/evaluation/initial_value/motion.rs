@@ -127,11 +127,13 @@ impl Motion {
             let known: Sides = at.iter().copied().zip(chosen).collect();
             fields.push(Smooth::new(problem, evaluator, &known).ok()?);
         }
+        let between: Vec<(Switch, [Side; 2])> = at.iter().copied().zip(sides).collect();
+        let on = fields_on(problem, evaluator, &Sides::new(), &between).ok()?;
         let width = Rational::from(1) >> bits;
         for _ in 0..fields.len() {
             // The last piece is another one each time.
             fields.rotate_left(1);
-            let pieces: Vec<&Smooth> = fields.iter().collect();
+            let pieces: Vec<&Smooth> = on.iter().chain(&fields).collect();
             let way = (width.clone(), is_backward);
             let Ok(crossing) = cross((start, starts), &pieces, at, way, bits) else {
                 continue;
@@ -140,7 +142,7 @@ impl Motion {
             if problem.variation.is_some() {
                 let gradients = gradients(problem, evaluator, at, &crossing);
                 let switches = (at, gradients.as_slice());
-                s = jumped(s, &crossing, &pieces, switches, true);
+                s = jumped(s, &crossing, &pieces[on.len()..], switches, true);
             }
             return Some(Piece::after(fields.pop()?, crossing, &s, bits));
         }
@@ -188,7 +190,12 @@ impl Motion {
             if !is_guarded || self.is_past(verified, time) {
                 break;
             }
-            self.extend(problem, steps)?;
+            if let Err(halt) = self.extend(problem, steps) {
+                match self.is_past(&self.pieces[last].verified, time) {
+                    true => break,
+                    false => return Err(halt),
+                }
+            }
         }
         let (mut k, mut states) = (self.pieces.len() - 1, None);
         loop {
@@ -241,10 +248,16 @@ impl Motion {
             &Ball::rational(bits + 16, &before),
             &states,
         );
+        piece.verified.clone_from(&before);
         let sides = piece.field.active();
         let other = |guarded: &Guarded| {
             let side = other_side(&sides, guarded).ok_or(halt(TOUCHES))?;
             Ok((guarded.switch, side))
+        };
+        let fault = |(node, reason): (Id, NoValue)| Halt::Rate {
+            node,
+            reason,
+            time: before.clone(),
         };
         let mut others = vec![other(&guarded)?];
         let mut fields: Vec<Smooth> = Vec::new();
@@ -256,13 +269,19 @@ impl Motion {
                 let mut sides = sides.clone();
                 sides.extend(chosen);
                 let field = Smooth::new(problem, &mut self.evaluator, &sides);
-                fields.push(field.map_err(|(node, reason)| Halt::Rate {
-                    node,
-                    reason,
-                    time: before.clone(),
-                })?);
+                fields.push(field.map_err(fault)?);
             }
-            let pieces: Vec<&Smooth> = [&piece.field].into_iter().chain(&fields).collect();
+            let between = others.iter().filter_map(|(switch, past)| {
+                let before = sides.get(switch)?.clone();
+                Some((*switch, [before, past.clone()]))
+            });
+            let between: Vec<(Switch, [Side; 2])> = between.collect();
+            let on = fields_on(problem, &mut self.evaluator, &sides, &between).map_err(fault)?;
+            let pieces: Vec<&Smooth> = [&piece.field]
+                .into_iter()
+                .chain(&on)
+                .chain(&fields)
+                .collect();
             let at: Vec<Switch> = others.iter().map(|other| other.0).collect();
             let from = (&before, states.as_slice());
             match cross(from, &pieces, &at, (width.clone(), is_backward), bits) {
@@ -280,7 +299,6 @@ impl Motion {
             let gradients = gradients(problem, &mut self.evaluator, &at, &crossing);
             s = jumped(s, &crossing, &pieces, (&at, &gradients), false);
         }
-        piece.verified = before;
         let next = fields.pop().expect("a piece past the switches");
         self.pieces.push(Piece::after(next, crossing, &s, bits));
         Ok(())
@@ -342,6 +360,32 @@ fn about(evaluator: &mut Evaluator<Balls>, switch: Switch) -> Option<[Side; 2]> 
     Some([near(-small)?, near(small)?])
 }
 
+/// The fields of a motion that stays at some of the switches between two sides each, where those are
+/// others than the fields on both sides.
+fn fields_on(
+    problem: &InitialValueProblem,
+    evaluator: &mut Evaluator<Balls>,
+    known: &Sides,
+    between: &[(Switch, [Side; 2])],
+) -> Result<Vec<Smooth>, (Id, NoValue)> {
+    let mut choices = vec![(known.clone(), false)];
+    for (switch, sides) in between {
+        let on = switch.is_pointed(&problem.graph).then_some(Side::Zero);
+        let mut more = Vec::new();
+        for (choice, stays) in choices {
+            for side in sides.iter().chain(&on) {
+                let mut choice = choice.clone();
+                choice.insert(*switch, side.clone());
+                more.push((choice, stays || *side == Side::Zero));
+            }
+        }
+        choices = more;
+    }
+    let staying = choices.into_iter().filter(|choice| choice.1);
+    let fields = staying.map(|choice| Smooth::new(problem, evaluator, &choice.0));
+    fields.collect()
+}
+
 /// Forgets what depends on the last states.
 fn set_again(
     evaluator: &mut Evaluator<Balls>,
@@ -371,6 +415,7 @@ fn other_side(sides: &Sides, guarded: &Guarded) -> Option<Side> {
     Some(match sides.get(&guarded.switch)? {
         Side::Positive => Side::Negative,
         Side::Negative => Side::Positive,
+        Side::Zero => return None,
         // A guard that has to be positive is at the lower end.
         Side::Integer(n) => {
             let by = if guarded.positive { -1 } else { 1 };
@@ -446,6 +491,7 @@ impl Piece {
                 }
             }
             if depth == DEPTH {
+                self.verified.clone_from(&from);
                 let (reached, reason) = (from, TOUCHES);
                 return Err(Halt::Switch { reached, reason });
             }

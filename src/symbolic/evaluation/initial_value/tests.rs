@@ -459,6 +459,34 @@ fn switches() {
         matches!(sliding.0, Err(MotionError::Undecided { ref reached, ref reason }) if (reached.to_f64() - 1.0).abs() < 1e-6 && reason.contains("touch")),
         "{sliding:?}"
     );
+    let before = at("y = 1 -> if(y > 0, -1, 1)", (1, 2)).0;
+    assert_eq!(before, Ok("0.50000000000000000000".into()));
+    // Where the rate is zero at the switch alone the motion may stay there.
+    for text in [
+        "y = 0 -> if(y == 1, 0, 1)",
+        "y = 1 -> if(y == 1, 0, 1)",
+        "y = 2 -> if(y == 1, 0, -1)",
+        "y = 0 -> if(y >= 1 and y <= 1, 0, 1)",
+        "y = 0 -> if(not (y < 1 or y > 1), 0, 1)",
+    ] {
+        let found = at(text, (2, 1)).0;
+        assert!(
+            matches!(
+                found,
+                Err(MotionError::Undecided { .. } | MotionError::Rate { .. })
+            ),
+            "{text}: {found:?}"
+        );
+    }
+    // y′ = y + 1 but at one value, where y′ = 1.
+    assert_eq!(
+        at("y = 0 -> 1 + if(y != 1/3, y, 0)", (1, 1)).0,
+        Ok("1.7182818284590452354".into())
+    );
+    assert_eq!(
+        at("y = 0 -> if(t == 1, 100, 1)", (2, 1)).0,
+        Ok("2.0000000000000000000".into())
+    );
     // Motion that touches a switch.
     let touching = at("y = 1 -> v; v = -2 -> if(y > 0, 2, 0)", (3, 1));
     assert!(
