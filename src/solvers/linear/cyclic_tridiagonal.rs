@@ -400,7 +400,32 @@ mod tests {
         assert!(a.solve(&[1.0, f64::NAN, 0.0]).is_err());
         assert!(a.solve(&[1.0]).is_err());
     }
-}
 
-#[cfg(test)]
-mod factor_tests;
+    /// A multiplier that overflows is named by its row, whichever of the three it is.
+    #[test]
+    fn multipliers_that_overflow() {
+        let row = |lower: [f64; 4], diagonal: [f64; 4], upper: [f64; 4]| match CyclicSweep::factor(
+            &lower, &diagonal, &upper,
+        ) {
+            Err(Error::Pivot { row, .. }) => Some(row),
+            Ok(_) => None,
+            Err(other) => panic!("{other}"),
+        };
+        let d = [1e-10, 1.0, 1.0, 1.0];
+        // The last column of row 0; its entry on the right; the first of the last row, times that.
+        assert_eq!(row([1e300, 0.0, 0.0, 0.0], d, [0.0; 4]), Some(0));
+        assert_eq!(row([0.0; 4], d, [1e300, 0.0, 0.0, 0.0]), Some(0));
+        let left = [1e200, 0.0, 0.0, 1e200];
+        assert_eq!(row([0.0; 4], [1.0; 4], left), Some(1));
+        assert_eq!(row([0.0; 4], [1.0; 4], [1e100, 0.0, 0.0, 1e100]), None);
+    }
+
+    /// In the last row but one the entry on the right is part of the last column: where the two
+    /// cancel nothing overflows.
+    #[test]
+    fn an_entry_that_cancels() {
+        let s = CyclicSweep::factor(&[-1.0, -1e300, 1.0], &[1.0, 1e-10, 1.0], &[0.0, 1e300, 1.0]);
+        let s = s.unwrap();
+        assert_eq!((s.shape.phi, s.lambda.len()), (vec![1.0, -0.0], 1));
+    }
+}

@@ -197,9 +197,6 @@ pub fn solve(
 }
 
 #[cfg(test)]
-mod sweep_tests;
-
-#[cfg(test)]
 mod tests {
     use super::*;
 
