@@ -401,6 +401,32 @@ mod tests {
         assert!(a.solve(&[1.0]).is_err());
     }
 
+    #[test]
+    fn sums_of_rows_and_columns() {
+        let (lower, diagonal) = ([1.0, -2.0, 4.0, 8.0], [16.0, -32.0, 64.0, 128.0]);
+        let upper = [0.5, 0.25, -0.125, 0.0625];
+        let s = CyclicSweep::factor(&lower, &diagonal, &upper).unwrap();
+        assert_eq!(s.row_sums, [17.5, 34.25, 68.125, 136.0625]);
+        // Column i: upper of the row before, diagonal, lower of the row after. The last: −⅛, 128, 1.
+        assert_eq!(s.norm_1, 129.125);
+        assert_eq!(
+            (s.lambda.len(), s.shape.phi.len(), s.pivot.len()),
+            (2, 3, 4)
+        );
+        for (at, due) in [(0, 18.0625), (1, 36.5), (2, 72.25), (3, 129.125)] {
+            let mut d = [0.0; 4];
+            d[at] = 512.0;
+            for (i, d) in d.iter_mut().enumerate() {
+                *d += diagonal[i];
+            }
+            let s = CyclicSweep::factor(&lower, &d, &upper).unwrap();
+            assert_eq!(
+                s.norm_1,
+                due - diagonal[at].abs() + (512.0 + diagonal[at]).abs()
+            );
+        }
+    }
+
     /// A multiplier that overflows is named by its row, whichever of the three it is.
     #[test]
     fn multipliers_that_overflow() {

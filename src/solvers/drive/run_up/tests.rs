@@ -71,6 +71,47 @@ fn every_method_meets_the_known_speeds() {
     }
 }
 
+/// Samples, dense or at ends of steps, against a finer run.
+#[test]
+fn methods_agree_at_every_sample() {
+    let model = sand_screen();
+    let drive = Drive::direct(kloss(10.0, 200.0));
+    let equation = Equation::new(&model, &drive);
+    let motion = |s| {
+        let plan = Plan {
+            settings: s,
+            sampling: Some(1e-3),
+            ..Plan::new(START, 3.0)
+        };
+        run(&equation, &plan).unwrap()
+    };
+    let finest = motion(settings(Method::Verner98, 1e-13));
+    for (method, tolerance, allowed) in [
+        (Method::Verner98, 1e-12, 1e-11),
+        (Method::Dop853, 1e-12, 1e-11),
+        (Method::Radau5, 1e-12, 1e-8),
+    ] {
+        let a = motion(settings(method, tolerance));
+        assert_eq!((a.samples.len(), finest.samples.len()), (3001, 3001));
+        let apart = a.samples.iter().zip(&finest.samples).map(|(a, b)| {
+            assert_eq!(a.t, b.t);
+            (a.psi - b.psi).abs()
+        });
+        let apart = apart.fold(0.0, f64::max);
+        println!(
+            "{method:?}: {apart:.1e} rad/s from the finest, {:?}",
+            a.counts
+        );
+        assert!(apart < allowed, "{method:?}: {apart:e}");
+    }
+    let a = &finest;
+    assert!(a.samples.iter().all(|s| s.balance.abs() < 1e-9));
+    // Nearly five turns, two dead positions each.
+    let of = |kind| a.events.iter().filter(|e| e.kind == kind).count();
+    assert_eq!(a.turns.len(), 4);
+    assert_eq!(of(EventKind::DeadPosition), 10);
+}
+
 /// No load, constant inertia: `t = (I ω_c / 2 M_k) (S_k ln(S_0/S) + (S_0² − S²)/(2 S_k))`.
 #[test]
 fn closed_form_of_a_bare_rotor() {

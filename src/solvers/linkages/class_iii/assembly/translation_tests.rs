@@ -149,6 +149,28 @@ fn vanishing_equations() {
     }
 }
 
+/// The points of a line on a circle: two, or twice the nearest.
+#[test]
+fn lines_and_circles() {
+    let line = |c: f64| Line {
+        normal: Complex64::new(3.0, 4.0),
+        c,
+        terms: 1.0,
+    };
+    // 2 Re(u n̄) = 2 · 15: at 3 from 0 along (3, 4)/5, and 4 to either side.
+    let due = [Complex64::new(-1.4, 4.8), Complex64::new(5.0, 0.0)];
+    for (got, due) in line(30.0).on_circle(5.0).iter().zip(due) {
+        assert!((got - due).norm() < 1e-15, "{got}");
+    }
+    let nearest = Complex64::new(3.6, 4.8);
+    assert!(
+        line(60.0)
+            .on_circle(5.0)
+            .iter()
+            .all(|u| (u - nearest).norm() < 1e-15)
+    );
+}
+
 /// The distance of a line is the better known, the smaller its terms and the longer its normal.
 #[test]
 fn doubts_about_lines() {

@@ -2,6 +2,7 @@
 
 use super::super::tests::zinchenko;
 use super::super::{ClassIii, Geometry, Positions, State};
+use super::*;
 use crate::units::{Angle, Length};
 
 fn ulps(a: f64, b: f64) -> f64 {
@@ -113,4 +114,14 @@ fn open_loops_stay_open() {
     let [_, _, joint_c, joint_d] = s.joints();
     assert!((joint_d[0] - joint_c[0] - c.re).abs() < 1e-15);
     assert!((joint_d[1] - joint_c[1] - c.im).abs() < 1e-15);
+}
+
+#[test]
+fn units_are_as_long_as_they_are_short_of_one() {
+    for phi in [0.1, 0.7, 2.0, -3.0, 1e-8] {
+        let v = super::super::loops::unit(phi);
+        let long = v * (1.0 + 1e-12);
+        assert!((shortness(long) + 1e-12).abs() < 1e-15, "{phi}");
+        assert!(shortness(v).abs() < 2.3e-16, "{phi}");
+    }
 }

@@ -148,6 +148,13 @@ fn limits_of_a_step() {
     assert_eq!(with(0.999_999 * SMALLEST_STEP), 0.0);
 }
 
+#[test]
+fn largest_differences() {
+    assert_eq!(apart(&[1.0, 2.0], &[1.25, 1.5]), 0.5);
+    assert_eq!(apart(&[-1.0, 2.0], &[1.0, 2.5]), 2.0);
+    assert_eq!(apart(&[0.5, 0.25], &[0.5, 0.25]), 0.0);
+}
+
 /// As far as the step goes, to the last digit where that is all the way.
 #[test]
 fn steps_towards_a_drive() {

@@ -121,6 +121,22 @@ fn the_constants_are_those_of_split_mix() {
 }
 
 #[test]
+fn complex_systems_are_solved() {
+    // The first pivot is zero, the second needs rows to change places.
+    let rows = [
+        [ZERO, c(2.0, 1.0), c(0.0, -1.0), ONE],
+        [c(0.0, 1.0), c(1.0, 0.0), c(3.0, 0.0), ZERO],
+        [c(0.0, -2.0), c(-2.0, 0.0), c(1.0, 5.0), c(0.5, 0.5)],
+        [c(1.0, 1.0), ZERO, c(2.0, -2.0), c(0.0, 4.0)],
+    ];
+    let due = [c(1.0, -1.0), c(0.0, 2.0), c(-3.0, 0.5), c(0.25, 0.0)];
+    let mut a = rows.concat();
+    let mut b: Vec<Complex64> = rows.iter().map(|r| product(r, &due)).collect();
+    assert!(solve(&mut a, &mut b));
+    assert_near(&b, &due, 1e-14);
+}
+
+#[test]
 fn singular_systems_are_refused() {
     let mut a = [c(1.0, 1.0), c(2.0, 0.0), c(2.0, 2.0), c(4.0, 0.0)];
     assert!(!solve(&mut a, &mut [ONE, ONE]));
