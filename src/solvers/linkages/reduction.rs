@@ -294,7 +294,7 @@ impl ClassIii {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::class_iii::tests::zinchenko;
+    use crate::class_iii::tests::{paper, zinchenko};
 
     fn body(mass: f64, inertia: MomentOfInertia, radius_cm: f64, angle_deg: f64) -> Body {
         Body {
@@ -326,12 +326,7 @@ pub(crate) mod tests {
     fn node_values_of_the_tables() {
         let linkage = zinchenko();
         let phi1 = 14.426f64.to_radians();
-        let start = linkage
-            .state_near(
-                Angle::from_rad(phi1),
-                linkage.assembly_modes(Angle::from_rad(phi1)).modes[2],
-            )
-            .unwrap();
+        let start = paper(phi1);
         let angles = (0..48).map(|k| Angle::from_rad(phi1 + (7.5 * f64::from(k)).to_radians()));
         let rows = linkage.rows(&recovered(), &start, angles).unwrap();
         // Rows 0, 4, 8, … of Table 2 are exact nodes.
@@ -347,12 +342,7 @@ pub(crate) mod tests {
     fn derivatives_agree_with_differences() {
         let linkage = zinchenko();
         let masses = recovered();
-        let start = linkage
-            .state_near(
-                Angle::from_rad(1.0),
-                linkage.assembly_modes(Angle::from_rad(1.0)).modes[2],
-            )
-            .unwrap();
+        let start = paper(1.0);
         let h = 1e-5;
         let r = linkage
             .rows(
@@ -373,22 +363,6 @@ pub(crate) mod tests {
             mid.moment_derivative_n_m,
             max_relative = 1e-8
         );
-    }
-
-    #[test]
-    fn velocities_alone_give_inertia_and_moment() {
-        let (linkage, masses) = (zinchenko(), recovered());
-        for mode in linkage.assembly_modes(Angle::from_rad(1.0)).modes {
-            let state = linkage.state_near(Angle::from_rad(1.0), mode).unwrap();
-            let full = masses.reduce(&state);
-            let v = linkage
-                .velocities(Angle::from_rad(1.0), state.positions)
-                .unwrap();
-            let (inertia, moment) = masses.inertia_and_moment(&v);
-            approx::assert_relative_eq!(inertia, full.inertia_kg_m2, max_relative = 1e-14);
-            approx::assert_relative_eq!(moment, full.moment_n_m, max_relative = 1e-13);
-            assert_eq!(v.accelerations().unwrap(), state.rates.second);
-        }
     }
 
     #[test]

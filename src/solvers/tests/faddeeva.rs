@@ -65,17 +65,6 @@ fn real(method: &str, f: fn(f64) -> f64, part: usize, axis: usize) {
 #[test]
 fn w() {
     function("faddeeva", faddeeva);
-    batch("faddeeva", faddeeva, |z| {
-        let mut w = vec![C::default(); z.len()];
-        faddeeva_batch(z, &mut w).expect("the same length");
-        w
-    });
-    batch("faddeeva", faddeeva, |z| {
-        let (x, y): (Vec<f64>, Vec<f64>) = z.iter().map(|z| (z.re, z.im)).unzip();
-        let (mut re, mut im) = (vec![0.0; x.len()], vec![0.0; x.len()]);
-        faddeeva_soa(&x, &y, &mut re, &mut im).expect("the same length");
-        re.into_iter().zip(im).map(|(x, y)| C::new(x, y)).collect()
-    });
 }
 
 #[test]
@@ -132,11 +121,6 @@ fn error_functions() {
 fn dawson_and_the_derivative() {
     function("dawson", dawson);
     function("faddeeva-derivative", w_derivative);
-    batch("dawson", dawson, |z| {
-        let mut w = vec![C::default(); z.len()];
-        dawson_batch(z, &mut w).expect("the same length");
-        w
-    });
     real("dawson", dawson_real, 0, 0);
 }
 
@@ -168,17 +152,6 @@ fn profiles() {
 
 #[test]
 fn lengths_have_to_agree() {
-    let z = [C::default(); 3];
-    let short = &mut [C::default(); 2];
-    let e = faddeeva_batch(&z, short).unwrap_err();
-    assert!(
-        e.to_string().contains('3') && e.to_string().contains('2'),
-        "{e}"
-    );
-    assert!(erfcx_batch(&z, short).is_err() && dawson_batch(&z, short).is_err());
+    assert!(erfcx_batch(&[C::default(); 3], &mut [C::default(); 2]).is_err());
     assert!(voigt_batch(&[0.0; 3], 1.0, 1.0, &mut [0.0; 4]).is_err());
-    let (mut two, mut three) = ([0.0; 2], [0.0; 3]);
-    assert!(faddeeva_soa(&[0.0; 3], &[0.0; 2], &mut three, &mut [0.0; 3]).is_err());
-    assert!(faddeeva_soa(&[0.0; 3], &[0.0; 3], &mut two, &mut three).is_err());
-    assert!(faddeeva_soa(&[0.0; 3], &[0.0; 3], &mut three, &mut two).is_err());
 }

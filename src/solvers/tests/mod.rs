@@ -8,12 +8,8 @@
 //! These are unit tests of the lean build, not a target in `tests/`, so that a mutant is compiled
 //! once (`tests/mutants.md`).
 
-mod chart;
-mod chirps;
 mod drives;
-mod dyads;
 mod faddeeva;
-mod laws;
 mod linkages;
 mod motion;
 mod planar;
@@ -38,18 +34,10 @@ struct Line {
 
 /// A decimal, or a hexadecimal float such as `-0x1.8p-3`.
 fn number(text: &str) -> f64 {
-    let plain = text.trim_start_matches('-');
-    let Some((digits, exponent)) = plain.strip_prefix("0x").and_then(|t| t.split_once('p')) else {
-        return text.parse().unwrap_or_else(|e| panic!("{text:?}: {e}"));
-    };
-    let (whole, part) = digits.split_once('.').unwrap_or((digits, ""));
-    let bits = u64::from_str_radix(&format!("{whole}{part}"), 16).expect("hexadecimal digits");
-    let exponent: i32 = exponent.parse().expect("an exponent");
-    let exponent = exponent - 4 * part.len() as i32;
-    // In two steps: the power of a subnormal number is no double.
-    let half = exponent / 2;
-    let size = bits as f64 * 2f64.powi(half) * 2f64.powi(exponent - half);
-    if text.starts_with('-') { -size } else { size }
+    match text.contains("0x") {
+        true => crate::hex::hex(text),
+        false => text.parse().unwrap_or_else(|e| panic!("{text:?}: {e}")),
+    }
 }
 
 fn numbers(text: &str) -> Vec<f64> {
@@ -193,19 +181,4 @@ fn a_planted_fault_is_found() {
     assert!(!fits(due, &[third, -inf, nan]));
     assert!(!fits(due, &[third, inf, 0.0]));
     assert!(close(f64::MAX, (inf, 0.0)) && !close(1e308, (inf, 0.0)));
-}
-
-#[test]
-fn hexadecimal_floats_are_read_exactly() {
-    let cases = [
-        ("0x1p+0", 1.0),
-        ("-0x1.8p-3", -0.1875),
-        ("0x0.0000000000001p-1022", 5e-324),
-        ("-0x1.fffffffffffffp+1023", f64::MIN),
-        ("0x1.999999999999ap-4", 0.1),
-    ];
-    for (text, due) in cases {
-        assert!(same(number(text), due), "{text}");
-    }
-    assert!(same(number("-0x0p+0"), -0.0) && number("-inf") == f64::NEG_INFINITY);
 }

@@ -47,4 +47,4 @@ pub use motion::{Motion, NAMES, Peaks};
 pub(crate) use scca::Scca;
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

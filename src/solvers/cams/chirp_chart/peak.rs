@@ -114,20 +114,6 @@ mod tests {
     use super::{STEPS, largest, peak};
     use std::cell::RefCell;
 
-    #[test]
-    fn a_peak_between_the_samples_is_found() {
-        // The larger of two peaks lies between samples, the smaller one on a sample.
-        let f = |x: f64| (8.0 * x).cos() + 0.3 * x.sin();
-        let places: Vec<f64> = (0..=20).map(|i| f64::from(i) * 0.11).collect();
-        let values: Vec<f64> = places.iter().map(|&x| f(x)).collect();
-        let fine = (0..200_000)
-            .map(|i| f(f64::from(i) * 1.1e-5).abs())
-            .fold(0.0, f64::max);
-        let (x, value) = largest(&places, &values, f);
-        assert!((value - fine).abs() < 1e-8, "{x} {value} {fine}");
-        assert!(values.iter().all(|v| v.abs() < value));
-    }
-
     fn found(step: f64, last: usize, f: impl Fn(f64) -> f64) -> (f64, f64) {
         let places: Vec<f64> = (0..=last).map(|i| step * i as f64).collect();
         let values: Vec<f64> = places.iter().map(|&x| f(x)).collect();

@@ -5,16 +5,12 @@ use super::complex_double_double::Cd;
 use super::roots::Roots;
 use super::sweep::Sweep;
 use crate::double_double::Dd;
-use crate::faddeeva::w_extended;
-use crate::hex::hex;
+use crate::faddeeva::{HALF_SQRT_PI, w_extended};
 use num_complex::Complex;
 
 /// A gap below this part of the scale of `F` is replaced by the derivative: what that neglects is
 /// (gap/scale)² of it.
 const DERIVATIVE: f64 = 1e-9;
-
-/// √π/2.
-const HALF_SQRT_PI: Dd = Dd::new(hex("0x1.c5bf891b4ef6bp-1"), hex("-0x1.618f13eb7ca89p-55"));
 
 /// `F`, `R` at `p = −η + iX`.
 fn single(sweep: &Sweep, eta: Dd, x: Dd, beyond: bool) -> (Cd, Cd) {
@@ -63,23 +59,4 @@ pub(super) fn unrounded(sweep: &Sweep, roots: &Roots, omega: Dd) -> [Cd; 3] {
         if roots.over { x } else { x.turned() }
     };
     [f - g, r - s, lambda[0] * r - lambda[1] * s].map(over_gap)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::phase::sqrt;
-    use crate::double_double::Dd;
-
-    #[test]
-    fn the_constant() {
-        let square = super::HALF_SQRT_PI.square();
-        let quarter = std::f64::consts::FRAC_PI_4;
-        assert_eq!(square.hi, quarter);
-        // The low part of π/4.
-        assert!((square.lo - 3.061_616_997_868_383e-17).abs() < 1e-31);
-        let two = sqrt(Dd::from(2.0)).square();
-        assert!((two.hi - 2.0 + two.lo).abs() < 1e-31);
-        let more = sqrt(Dd::new(2.0, 1e-16)).square();
-        assert!((more.hi - 2.0 + (more.lo - 1e-16)).abs() < 1e-31);
-    }
 }

@@ -212,4 +212,4 @@ impl Prepared {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

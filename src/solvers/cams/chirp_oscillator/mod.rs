@@ -61,7 +61,6 @@ mod phase;
 mod response;
 mod return_to_rest;
 mod roots;
-mod rules;
 mod series;
 mod sweep;
 mod types;

@@ -103,6 +103,14 @@ mod tests {
         }
     }
 
+    #[test]
+    fn roots_of_two_parts() {
+        for x in [Dd::from(2.0), Dd::new(2.0, 1e-16)] {
+            let square = sqrt(x).square();
+            assert!((square.hi - 2.0 + (square.lo - x.lo)).abs() < 1e-31);
+        }
+    }
+
     /// The lower part counts to first order: here it is larger than a rounding, to be seen.
     #[test]
     fn a_decay_of_two_parts() {

@@ -36,7 +36,7 @@ use super::series::{self, FAR, Z, terms};
 use super::types::Chirp;
 use crate::double_double::{Dd, two_prod};
 use crate::exponential::LARGE_PHASE;
-use crate::faddeeva::{faddeeva, w_derivative};
+use crate::faddeeva::{HALF_SQRT_PI, faddeeva, w_derivative};
 use crate::real::Real;
 use num_complex::Complex;
 
@@ -194,7 +194,7 @@ impl Sweep {
         let beyond = self.beyond(roots, i, omega);
         let z = if beyond { -z } else { z };
         if distance >= 1.0 {
-            let r = -I * HALF_SQRT_PI * w_derivative(z);
+            let r = -I * HALF_SQRT_PI.hi * w_derivative(z);
             ((r - 1.0) / p, r)
         } else {
             let f = self.factor() * faddeeva(z);
@@ -213,13 +213,10 @@ impl Sweep {
     /// `C`
     #[inline(always)]
     pub fn factor(&self) -> C {
-        let c = HALF_SQRT_PI / self.root_kappa.hi;
+        let c = HALF_SQRT_PI.hi / self.root_kappa.hi;
         C::new(c, -c)
     }
 }
-
-/// √π/2
-const HALF_SQRT_PI: f64 = 0.886_226_925_452_758;
 
 #[cfg(test)]
 mod tests;

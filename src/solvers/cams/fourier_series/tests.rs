@@ -1,5 +1,5 @@
 use super::*;
-use crate::cam_law::{CamCycle, MotionLaw, NAMES, Stroke};
+use crate::cam_law::{CamCycle, MotionLaw, Stroke};
 use crate::cubic_spline::End;
 
 fn cycle(law: &MotionLaw, rise: f64, high: f64, fall: f64) -> CamCycle {
@@ -14,31 +14,15 @@ fn cycle(law: &MotionLaw, rise: f64, high: f64, fall: f64) -> CamCycle {
 }
 
 fn laws() -> Vec<MotionLaw> {
-    let mut laws: Vec<MotionLaw> = NAMES
-        .iter()
-        .map(|n| MotionLaw::by_name(n).unwrap())
-        .collect();
-    for fraction in [0.15, 0.6] {
-        for name in ["0050", "К", "modified-sine", "3-4-5", "4-5-6-7"] {
-            let law = MotionLaw::by_name(name).unwrap();
-            laws.push(law.with_acceleration_fraction(fraction).unwrap());
-        }
-    }
-    laws.push(MotionLaw::scca(0.01, 0.5, 0.49).unwrap());
-    laws.push(MotionLaw::scca(0.4, 0.6, 0.0).unwrap());
-    laws.push(MotionLaw::polynomial(&[0.0, 0.0, 0.0, 10.0, -15.0, 6.0]).unwrap());
+    let mut laws = crate::cam_law::tests::all();
     // s = x³ (x⁵ − ..) of degree 9 with zero velocity and acceleration at both ends.
-    laws.push(
-        MotionLaw::polynomial(&[
-            0.0, 0.0, 0.0, 84.0, -378.0, 756.0, -840.0, 540.0, -189.0, 28.0,
-        ])
-        .unwrap(),
-    );
+    let nine = [
+        0.0, 0.0, 0.0, 84.0, -378.0, 756.0, -840.0, 540.0, -189.0, 28.0,
+    ];
+    laws.push(MotionLaw::polynomial(&nine).unwrap());
     let x = vec![0.0, 0.2, 0.35, 0.6, 0.85, 1.0];
     let y = vec![0.0, 0.1, 0.3, 0.7, 0.95, 1.0];
-    for ends in [[End::FirstDerivative(0.0); 2], [End::NotAKnot; 2]] {
-        laws.push(MotionLaw::tabulated(x.clone(), y.clone(), ends).unwrap());
-    }
+    laws.push(MotionLaw::tabulated(x, y, [End::NotAKnot; 2]).unwrap());
     laws
 }
 

@@ -200,20 +200,4 @@ mod tests {
         let e = Splined::new(&model, START, nodes).unwrap_err();
         assert_eq!(e, SplinedError::TooManyNodes { nodes });
     }
-
-    #[test]
-    fn the_hybrid_mixes() {
-        let exact = sand_screen();
-        let hybrid = Hybrid::new(sand_screen(), START, 12).unwrap();
-        let splined = Splined::new(&exact, START, 12).unwrap();
-        let phi = START + 0.2;
-        let (h, e, s) = (
-            hybrid.coefficients(phi).unwrap(),
-            exact.coefficients(phi).unwrap(),
-            splined.coefficients(phi).unwrap(),
-        );
-        assert!((h.inertia - e.inertia).abs() < 1e-14 && (h.moment - e.moment).abs() < 1e-13);
-        assert!((h.inertia_derivative - s.inertia_derivative).abs() < 1e-13);
-        assert!((h.inertia_derivative - e.inertia_derivative).abs() > 1e-3);
-    }
 }

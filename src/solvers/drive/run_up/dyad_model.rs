@@ -357,23 +357,6 @@ pub(crate) mod tests {
         }
     }
 
-    /// At a dead centre the slider rests and the rod turns about its end.
-    #[test]
-    fn inertia_at_a_dead_centre() {
-        let model = slider_crank();
-        let phi = model.dead_positions()[0];
-        let c = model.coefficients(phi).unwrap();
-        let with = |slider: f64| {
-            SliderCrankModel {
-                slider: Mass::from_kg(slider),
-                ..model.clone()
-            }
-            .coefficients(phi)
-            .unwrap()
-        };
-        assert!((with(100.0).inertia - c.inertia).abs() < 1e-15);
-    }
-
     #[test]
     fn bad_bodies_are_refused() {
         let [a, b, c, d] = [10.0, 40.0, 30.0, 35.0].map(Length::from_cm);

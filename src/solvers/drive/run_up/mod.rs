@@ -65,8 +65,6 @@ mod flywheel;
 mod integrate;
 #[cfg(feature = "run-up")]
 mod motion;
-#[cfg(all(test, feature = "run-up"))]
-mod parts_tests;
 #[cfg(feature = "run-up")]
 mod record;
 #[cfg(feature = "run-up")]

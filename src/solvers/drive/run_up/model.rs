@@ -207,26 +207,16 @@ pub fn inertia_range(model: &dyn ReducedModel, from: f64) -> Result<InertiaRange
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::class_iii::tests::zinchenko;
+    use crate::class_iii::tests::{paper, zinchenko};
     use crate::reduction::tests::recovered;
 
     /// The sand screen with the recovered masses, from the paper's first row.
     pub(crate) fn sand_screen() -> ClassIiiModel {
-        let linkage = zinchenko();
-        let phi1 = START;
-        let mode = linkage.assembly_modes(Angle::from_rad(phi1)).modes[2];
-        let start = linkage.state_near(Angle::from_rad(phi1), mode).unwrap();
-        ClassIiiModel::new(linkage, recovered(), start)
+        ClassIiiModel::new(zinchenko(), recovered(), paper(START))
     }
 
     /// 14.426°.
     pub(crate) const START: f64 = 0.251_781_197_892_702;
-
-    #[test]
-    fn a_rotor_has_neither_knots_nor_dead_positions() {
-        let rotor = ConstantInertia(2.0);
-        assert!(rotor.knots().is_empty() && rotor.dead_positions().is_empty());
-    }
 
     #[test]
     fn the_screen_is_light_at_its_dead_positions() {

@@ -383,97 +383,30 @@ fn bad_requests_and_used_up_budgets_are_typed() {
     let drive = Drive::direct(kloss(10.0, 200.0));
     let equation = Equation::new(&model, &drive);
     let good = Plan::new(START, 1.0);
-    let refused = |plan: Plan, part: &str| {
-        let e = run(&equation, &plan).unwrap_err();
+    let with = |change: &dyn Fn(&mut Plan)| {
+        let mut plan = good.clone();
+        change(&mut plan);
+        run(&equation, &plan).unwrap_err()
+    };
+    let refused = |part: &str, change: &dyn Fn(&mut Plan)| {
+        let e = with(change);
         assert!(matches!(e, RunError::Settings(_)), "{e}");
         assert!(e.to_string().contains(part), "{part}: {e}");
     };
     for bad in [f64::NAN, f64::INFINITY] {
-        refused(
-            Plan {
-                phi: bad,
-                ..good.clone()
-            },
-            "angle at the start",
-        );
-        refused(
-            Plan {
-                psi: bad,
-                ..good.clone()
-            },
-            "speed at the start",
-        );
-        refused(
-            Plan {
-                duration: bad,
-                ..good.clone()
-            },
-            "duration",
-        );
-        refused(
-            Plan {
-                target: Some(bad),
-                ..good.clone()
-            },
-            "target",
-        );
-        refused(
-            Plan {
-                sampling: Some(bad),
-                ..good.clone()
-            },
-            "sampling",
-        );
-        refused(
-            Plan {
-                settings: settings(Method::default(), bad),
-                ..good.clone()
-            },
-            "tolerance",
-        );
+        refused("angle at the start", &|p| p.phi = bad);
+        refused("speed at the start", &|p| p.psi = bad);
+        refused("duration", &|p| p.duration = bad);
+        refused("target", &|p| p.target = Some(bad));
+        refused("sampling", &|p| p.sampling = Some(bad));
+        refused("tolerance", &|p| p.settings.tolerance = bad);
     }
-    refused(
-        Plan {
-            duration: 0.0,
-            ..good.clone()
-        },
-        "duration",
-    );
-    refused(
-        Plan {
-            sampling: Some(1e-9),
-            ..good.clone()
-        },
-        "ten million",
-    );
-    refused(
-        Plan {
-            settings: settings(Method::default(), 1e-16),
-            ..good.clone()
-        },
-        "1e-14",
-    );
-    let few = Settings {
-        max_steps: 100,
-        ..Settings::default()
-    };
-    let e = run(
-        &equation,
-        &Plan {
-            settings: few,
-            ..good.clone()
-        },
-    )
-    .unwrap_err();
+    refused("duration", &|p| p.duration = 0.0);
+    refused("ten million", &|p| p.sampling = Some(1e-9));
+    refused("1e-14", &|p| p.settings.tolerance = 1e-16);
+    let e = with(&|p| p.settings.max_steps = 100);
     assert!(matches!(e, RunError::Budget { steps: 100, .. }), "{e}");
-    let e = run(
-        &equation,
-        &Plan {
-            phi: 2e6,
-            ..good.clone()
-        },
-    )
-    .unwrap_err();
+    let e = with(&|p| p.phi = 2e6);
     assert!(matches!(e, RunError::Equation { .. }), "{e}");
     // Nothing to accelerate.
     let e = run(&Equation::new(&ConstantInertia(0.0), &drive), &good).unwrap_err();

@@ -197,11 +197,33 @@ pub fn solve(
 }
 
 #[cfg(test)]
-mod sweep_tests;
-
-#[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn sums_and_factors() {
+        let s = Sweep::factor(
+            &[1.0, -2.0, 4.0],
+            &[8.0, -16.0, 32.0, 64.0],
+            &[0.5, 0.25, -0.125],
+        )
+        .unwrap();
+        assert_eq!(s.row_sums, [8.5, 17.25, 34.125, 68.0]);
+        assert_eq!(s.norm_1, 64.125);
+        assert_eq!((s.pivot.len(), s.lambda.len()), (4, 3));
+        // With the largest column first, in the middle, and made by the entry below or above.
+        for (lower, diagonal, upper, due) in [
+            ([7.0, 1.0], [2.0, 3.0, 4.0], [1.0, 2.0], 9.0),
+            ([1.0, 7.0], [2.0, 3.0, 4.0], [1.0, 2.0], 11.0),
+            ([1.0, 2.0], [2.0, 3.0, 4.0], [7.0, 2.0], 12.0),
+            ([1.0, 1.0], [2.0, 3.0, 4.0], [1.0, 7.0], 11.0),
+        ] {
+            assert_eq!(
+                Sweep::factor(&lower, &diagonal, &upper).unwrap().norm_1,
+                due
+            );
+        }
+    }
 
     #[test]
     fn typed_errors() {

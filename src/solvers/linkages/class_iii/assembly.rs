@@ -460,27 +460,7 @@ impl ClassIii {
 #[cfg(test)]
 mod tests {
     use super::super::tests::zinchenko;
-    use super::super::{Geometry, GeometryError};
     use super::*;
-
-    #[test]
-    fn a_parallelogram_has_the_modes_of_translation() -> Result<(), GeometryError> {
-        // l3 = l5 and l4 = |O3 O5|: link 4 may move without turning, at phi4 = 0.
-        let phi_b = (-40f64).to_radians();
-        let linkage = ClassIii::new(Geometry::from_values(&[
-            1.0, 5.6, 2.0, 2.0, 2.0, 1.0, phi_b, 5.0, 3.0, 7.0, 3.0,
-        ]))?;
-        let phi1 = 10f64.to_radians();
-        let modes = linkage.assembly_modes(Angle::from_rad(phi1)).modes;
-        let parallel: Vec<_> = modes.iter().filter(|m| m.phi4.abs() < 1e-12).collect();
-        assert_eq!(parallel.len(), 2, "{modes:?}");
-        for m in &modes {
-            let f = super::super::loops::Frame::new(&linkage.l, m);
-            let (a, b) = linkage.residual(unit(phi1), &f);
-            assert!(a.norm() < 1e-14 && b.norm() < 1e-14);
-        }
-        Ok(())
-    }
 
     #[test]
     fn the_modes_of_the_paper() {
@@ -503,35 +483,6 @@ mod tests {
                 assert!((x - y).abs() < 6e-4, "{degrees:?}");
             }
         }
-    }
-
-    #[test]
-    fn the_number_of_modes_over_the_turn() {
-        for row in 0..48 {
-            let phi1 = (14.426 + 7.5 * f64::from(row)).to_radians();
-            let due = if (28..=35).contains(&row) { 2 } else { 4 };
-            let modes = zinchenko().assembly_modes(Angle::from_rad(phi1)).modes;
-            assert_eq!(modes.len(), due, "row {row}");
-        }
-    }
-
-    #[test]
-    fn roots_of_a_known_polynomial() {
-        let known = [0.5, 1.0, 2.0, -1.5].map(|x| Complex64::new(x, 0.25));
-        let mut poly = vec![Complex64::new(1.0, 0.0)];
-        for r in known {
-            let mut next = vec![Complex64::new(0.0, 0.0); poly.len() + 1];
-            for (k, c) in poly.iter().enumerate() {
-                next[k + 1] += c;
-                next[k] -= c * r;
-            }
-            poly = next;
-        }
-        let found = polynomial_roots(&poly);
-        for r in known {
-            assert!(found.iter().any(|z| (z - r).norm() < 1e-12));
-        }
-        assert!(polynomial_roots(&[Complex64::new(0.0, 0.0); 3]).is_empty());
     }
 }
 

@@ -227,15 +227,14 @@ impl ClassIii {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::zinchenko;
+    use super::super::tests::{paper, zinchenko};
     use super::*;
 
     #[test]
     fn a_whole_turn_closes() {
         let linkage = zinchenko();
         let phi1 = 14.426f64.to_radians();
-        let paper = linkage.assembly_modes(Angle::from_rad(phi1)).modes[2];
-        let start = linkage.state_near(Angle::from_rad(phi1), paper).unwrap();
+        let start = paper(phi1);
         let end = linkage
             .follow(&start, Angle::from_rad(phi1 + std::f64::consts::TAU))
             .unwrap();
@@ -251,7 +250,9 @@ mod tests {
         #[cfg(feature = "parallel")]
         {
             let parallel = linkage.sweep_parallel(&start, &angles).unwrap();
+            assert_eq!(fine.len(), parallel.len());
             for (a, b) in fine.iter().zip(&parallel) {
+                assert_eq!(a.phi1, b.phi1);
                 assert!(a.positions.distance(b.positions) < 1e-13);
             }
         }
@@ -285,21 +286,10 @@ mod tests {
     }
 
     #[test]
-    fn far_angles_are_refused() {
+    fn bad_starts_and_far_angles_are_refused() {
         let linkage = zinchenko();
-        let start = linkage
-            .state_near(
-                Angle::from_rad(0.3),
-                linkage.assembly_modes(Angle::from_rad(0.3)).modes[2],
-            )
-            .unwrap();
-        let e = linkage.follow(&start, Angle::from_rad(1e7)).unwrap_err();
-        assert!(matches!(e, ContinuationError::TooFar { .. }), "{e}");
-    }
-
-    #[test]
-    fn bad_starts_are_refused() {
-        let linkage = zinchenko();
+        let e = linkage.follow(&paper(0.3), Angle::from_rad(1e7));
+        assert!(matches!(e, Err(ContinuationError::TooFar { .. })), "{e:?}");
         let p = Positions::from_array([0.0; 4]);
         assert!(matches!(
             linkage.state_near(Angle::from_rad(0.3), p),

@@ -86,16 +86,14 @@ impl ClassIii {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::zinchenko;
+    use super::super::tests::{paper, zinchenko};
     use crate::units::Angle;
 
     #[test]
     fn the_two_extreme_positions_of_the_paper() {
         let linkage = zinchenko();
-        let paper = linkage.assembly_modes(Angle::from_rad(0.0)).modes[2];
-        let start = linkage.state_near(Angle::from_rad(0.0), paper).unwrap();
         let dead = linkage
-            .dead_positions(&start, Angle::from_rad(std::f64::consts::TAU))
+            .dead_positions(&paper(0.0), Angle::from_rad(std::f64::consts::TAU))
             .unwrap();
         let degrees: Vec<f64> = dead.iter().map(|d| d.state.phi1.to_degrees()).collect();
         assert_eq!(degrees.len(), 2);

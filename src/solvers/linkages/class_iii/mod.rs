@@ -63,6 +63,13 @@ pub(crate) mod tests {
         .unwrap()
     }
 
+    /// The paper's position of it.
+    pub(crate) fn paper(phi1: f64) -> State {
+        let (linkage, phi1) = (zinchenko(), Angle::from_rad(phi1));
+        let mode = linkage.assembly_modes(phi1).modes[2];
+        linkage.state_near(phi1, mode).unwrap()
+    }
+
     #[test]
     fn geometry_rules() {
         let good = *zinchenko().geometry();

@@ -2,7 +2,7 @@
 
 use super::loops::unit;
 use super::positions::{Positions, wrap};
-use super::tests::zinchenko;
+use super::tests::{paper, zinchenko};
 use super::*;
 use crate::class_iii::geometry::Lengths;
 use crate::units::{Angle, AngularVelocity};
@@ -249,39 +249,11 @@ fn corrections_that_are_too_large() {
     }
 }
 
-/// All at once on all cores gives what one after the other gives.
-#[test]
-#[cfg(feature = "parallel")]
-fn sweeps_in_parallel() {
-    let linkage = zinchenko();
-    let start = linkage
-        .state_near(
-            Angle::from_rad(0.0),
-            linkage.assembly_modes(Angle::from_rad(0.0)).modes[2],
-        )
-        .expect("a state");
-    let angles: Vec<Angle> = (0..700)
-        .map(|k| Angle::from_rad(0.004 * f64::from(k)))
-        .collect();
-    let one = linkage
-        .sweep(&start, angles.iter().copied())
-        .expect("a turn");
-    let all = linkage.sweep_parallel(&start, &angles).expect("a turn");
-    assert_eq!((one.len(), all.len()), (700, 700));
-    for (a, b) in one.iter().zip(&all) {
-        assert_eq!(a.phi1, b.phi1);
-        assert!(a.positions.distance(b.positions) < 1e-13);
-    }
-}
-
 /// Dead positions backwards, and one that the search starts at or ends on.
 #[test]
 fn dead_positions_either_way() {
     let linkage = zinchenko();
-    let mode = linkage.assembly_modes(Angle::from_rad(0.0)).modes[2];
-    let start = linkage
-        .state_near(Angle::from_rad(0.0), mode)
-        .expect("a state");
+    let start = paper(0.0);
     let there = linkage
         .dead_positions(&start, Angle::from_rad(TAU))
         .expect("a turn");

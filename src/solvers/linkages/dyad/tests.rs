@@ -1,15 +1,14 @@
 use super::*;
-use crate::units::Angle;
-use crate::units::Length;
+use crate::units::{Angle, Length};
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI};
 
-fn bar(l: [f64; 4]) -> Result<FourBar, DyadError> {
+pub(super) fn bar(l: [f64; 4]) -> Result<FourBar, DyadError> {
     let [a, b, c, d] = l.map(Length::from_m);
     FourBar::new(a, b, c, d)
 }
 
-fn slide(l: [f64; 3], delta: f64) -> Result<SliderCrank, DyadError> {
+pub(super) fn slide(l: [f64; 3], delta: f64) -> Result<SliderCrank, DyadError> {
     let [a, b, e] = l.map(Length::from_m);
     SliderCrank::new(a, b, e, Angle::from_rad(delta))
 }
@@ -18,7 +17,7 @@ fn rad(x: f64) -> Angle {
     Angle::from_rad(x)
 }
 
-fn sides() -> [Assembly; 2] {
+pub(super) fn sides() -> [Assembly; 2] {
     [Assembly::Positive, Assembly::Negative]
 }
 
@@ -123,15 +122,8 @@ fn the_3_4_5_triangle() {
         .unwrap()
         .position(rad(0.0), Assembly::Positive)
         .unwrap();
-    close(m.joint.position_m[0], 2.8, 5e-16);
-    close(m.joint.position_m[1], 2.4, 5e-16);
-    close(m.transmission.rad(), FRAC_PI_2, 2e-16);
     close(m.pressure_angle().rad(), 0.0, 2e-16);
     close(m.determinant_m2, 12.0, 2e-15);
-    // See the reference's test for the hand calculation.
-    close(m.coupler.first, -0.2, 1e-16);
-    close(m.rocker.first, -0.2, 1e-16);
-    close(m.coupler.angle.rad(), (0.8f64).asin(), 2e-16);
 }
 
 #[test]
@@ -246,33 +238,10 @@ fn the_rocker_stands_still_at_its_dead_positions() {
 }
 
 #[test]
-fn slider_crank_by_hand() {
-    // Crank upright: 3-4-5.
-    let m = slide([3.0, 5.0, 0.0], 0.0)
-        .unwrap()
-        .position(rad(FRAC_PI_2), Assembly::Positive)
-        .unwrap();
-    close(m.slider_m, 4.0, 1e-15);
-    close(m.slider_first_m, -3.0, 1e-15);
-    // x'' = −(h'² + h h'' + h² θ'²)/R with h = −3, h' = 0, h'' = 3: 9/4.
-    close(m.slider_second_m, 2.25, 1e-15);
-    // Central dead centres: x'' = −a (1 ± λ), λ = a/b.
+fn a_central_slider_crank() {
     let l = slide([1.0, 4.0, 0.0], 0.0).unwrap();
-    let m = l.position(rad(0.0), Assembly::Positive).unwrap();
-    assert_eq!(
-        (m.slider_m, m.slider_first_m, m.slider_second_m),
-        (5.0, 0.0, -1.25)
-    );
-    assert_eq!((m.rod.angle.rad(), m.rod.first), (0.0, -0.25));
-    let m = l.position(rad(PI), Assembly::Positive).unwrap();
-    close(m.slider_second_m, 0.75, 1e-15);
     assert_eq!(l.stroke().unwrap().m(), 2.0);
     assert!(l.turns_fully() && l.crank_limits() == (None, None));
-    // The direction of the guide turns everything.
-    let turned = slide([1.0, 4.0, 0.0], 0.75).unwrap();
-    let m = turned.position(rad(0.75), Assembly::Negative).unwrap();
-    close(m.rod.angle.rad(), 0.75 + PI, 1e-15);
-    assert_eq!(m.slider_m, -3.0);
 }
 
 #[test]

@@ -215,7 +215,7 @@ pub(super) fn unit(angle: Angle) -> num_complex::Complex64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::{four_bar, guide};
+    use super::super::tests::{four_bar, gears, slot};
     use super::*;
 
     #[test]
@@ -243,10 +243,7 @@ mod tests {
             check(&d)
         };
         let slot = |body: usize, direction: f64| {
-            with(Joint::Slot {
-                pin: Point::from_m(1, [0.1, 0.0]),
-                slot: guide((body, [0.0, 0.0]), direction),
-            })
+            with(slot((1, [0.1, 0.0]), (body, [0.0, 0.0]), direction))
         };
         assert_eq!(slot(3, 0.5), Ok(()));
         assert!(matches!(
@@ -257,14 +254,7 @@ mod tests {
             slot(3, f64::NAN),
             Err(MechanismError::NotFinite { .. })
         ));
-        let gears = |ratio: f64| {
-            with(Joint::Gears {
-                wheels: [1, 3],
-                carrier: 0,
-                ratio,
-                phase: Angle::from_rad(0.0),
-            })
-        };
+        let gears = |ratio: f64| with(gears([1, 3], 0, ratio, 0.0));
         for ratio in [1.0, -0.5, 1e-300] {
             assert_eq!(gears(ratio), Ok(()));
         }

@@ -4,7 +4,7 @@
 use super::pose::Pose;
 use super::tests::*;
 use super::*;
-use crate::units::{Angle, Inertia, Length, Mass};
+use crate::units::{Inertia, Length, Mass};
 
 const SPEED: f64 = 2.5;
 const ACCELERATION: f64 = -1.75;
@@ -125,13 +125,6 @@ fn cranked(names: &[&str]) -> (Description, Vec<usize>) {
     (m, bodies)
 }
 
-fn slot(pin: (usize, [f64; 2]), on: (usize, [f64; 2]), direction: f64) -> Joint {
-    Joint::Slot {
-        pin: Point::from_m(pin.0, pin.1),
-        slot: guide(on, direction),
-    }
-}
-
 /// A sliding block on a lever that swings about the ground, its pin on the crank.
 pub(super) fn quick_return() -> Mechanism {
     let (mut m, b) = cranked(&["crank", "block", "lever"]);
@@ -237,25 +230,9 @@ pub(super) fn gears_and_rack() -> Mechanism {
     m.pin("B", &[(b[1], [0.9, 0.0]), (b[2], [0.6, 0.0])]);
     m.pin("C", &[(GROUND, [0.8, 0.1]), (b[2], [0.0, 0.0])]);
     m.pin("N", &[(b[1], [0.6, 0.1]), (b[3], [0.0, 0.0])]);
-    m.joint(
-        "gears",
-        Joint::Gears {
-            wheels: [b[2], b[3]],
-            carrier: b[1],
-            ratio: -1.5,
-            phase: Angle::from_rad(0.2),
-        },
-    );
+    m.joint("gears", gears([b[2], b[3]], b[1], -1.5, 0.2));
     let slide = m.joint("guide", slide((b[4], [0.0, 0.1]), (b[1], [0.5, 0.3]), 0.4));
-    m.joint(
-        "rack",
-        Joint::Rack {
-            wheel: b[3],
-            slide,
-            radius: Length::from_m(-0.12),
-            phase: Length::from_m(0.05),
-        },
-    );
+    m.joint("rack", rack(b[3], slide, [-0.12, 0.05]));
     Mechanism::new(m).unwrap()
 }
 
@@ -362,29 +339,31 @@ pub(super) fn two_levers() -> Mechanism {
     Mechanism::new(m).unwrap()
 }
 
-/// Every kind of joint, on turning bodies and others, driven and not.
-pub(super) fn every() -> Vec<(&'static str, Mechanism)> {
+/// Every kind of joint, on turning bodies and others, driven and not, at drives with positions;
+/// without drives those whose positions or reactions are not told.
+pub(super) fn every() -> Vec<(&'static str, Mechanism, &'static [f64])> {
+    const ANGLES: &[f64] = &[0.4, 2.2, -1.0];
     vec![
-        ("four-bar", four_bar([0.1, 0.4, 0.3, 0.35])),
-        ("class III", class_iii(&SAND_SCREEN)),
-        ("slider-crank", slider_crank([0.1, 0.3, 0.02])),
-        ("quick return", quick_return()),
-        ("slotted lever", slotted_lever()),
-        ("slotted crank", slotted_crank()),
-        ("scotch yoke", scotch_yoke()),
-        ("trammel", trammel()),
-        ("cylinder", cylinder()),
-        ("cross slides", cross_slides()),
-        ("common pin", common_pin()),
-        ("gears and rack", gears_and_rack()),
-        ("elbow", elbow()),
-        ("slotted block", slotted_block(false)),
-        ("driven block", slotted_block(true)),
-        ("stacked", stacked()),
-        ("two blocks", two_blocks()),
-        ("turned block", turned_block()),
-        ("turned from block", turned_from_block()),
-        ("two levers", two_levers()),
+        ("four-bar", four_bar([0.1, 0.4, 0.3, 0.35]), &[0.3, 2.0]),
+        ("class III", class_iii(&SAND_SCREEN), &[]),
+        ("slider-crank", slider_crank([0.1, 0.3, 0.02]), &[0.7, 2.5]),
+        ("quick return", quick_return(), ANGLES),
+        ("slotted lever", slotted_lever(), ANGLES),
+        ("slotted crank", slotted_crank(), ANGLES),
+        ("scotch yoke", scotch_yoke(), ANGLES),
+        ("trammel", trammel(), ANGLES),
+        ("cylinder", cylinder(), &[0.3, 0.5]),
+        ("cross slides", cross_slides(), ANGLES),
+        ("common pin", common_pin(), ANGLES),
+        ("gears and rack", gears_and_rack(), &[]),
+        ("elbow", elbow(), ANGLES),
+        ("slotted block", slotted_block(false), ANGLES),
+        ("driven block", slotted_block(true), &[0.4, 0.6]),
+        ("stacked", stacked(), &[]),
+        ("two blocks", two_blocks(), ANGLES),
+        ("turned block", turned_block(), &[0.4]),
+        ("turned from block", turned_from_block(), ANGLES),
+        ("two levers", two_levers(), ANGLES),
     ]
 }
 
@@ -401,32 +380,13 @@ fn teeth_are_refused() {
 
 #[test]
 fn every_body_is_in_equilibrium() {
-    let all: [(&str, Mechanism, &[f64]); 17] = [
-        ("four-bar", four_bar([0.1, 0.4, 0.3, 0.35]), &[0.3, 2.0]),
-        ("slider-crank", slider_crank([0.1, 0.3, 0.02]), &[0.7, 2.5]),
-        ("quick return", quick_return(), &[0.4, 2.2, -1.0]),
-        ("slotted lever", slotted_lever(), &[0.4, 2.2, -1.0]),
-        ("slotted crank", slotted_crank(), &[0.4, 2.2, -1.0]),
-        ("scotch yoke", scotch_yoke(), &[0.4, 2.2, -1.0]),
-        ("trammel", trammel(), &[0.4, 2.2, -1.0]),
-        ("cylinder", cylinder(), &[0.3, 0.5]),
-        ("cross slides", cross_slides(), &[0.4, 2.2, -1.0]),
-        ("common pin", common_pin(), &[0.4, 2.2, -1.0]),
-        ("elbow", elbow(), &[0.4, 2.2, -1.0]),
-        ("slotted block", slotted_block(false), &[0.4, 2.2, -1.0]),
-        ("driven block", slotted_block(true), &[0.4, 0.6]),
-        ("two blocks", two_blocks(), &[0.4, 2.2, -1.0]),
-        ("turned block", turned_block(), &[0.4]),
-        ("turned from block", turned_from_block(), &[0.4, 2.2, -1.0]),
-        ("two levers", two_levers(), &[0.4, 2.2, -1.0]),
-    ];
-    for (what, mechanism, drives) in all {
+    for (what, mechanism, drives) in every() {
         let mut seen = 0;
         for &drive in drives {
             let modes = mechanism.assembly_modes(drive);
             seen += modes.states.len();
             modes.states.iter().for_each(|s| hold(what, &mechanism, s));
         }
-        assert!(seen > 0, "{what}: no position");
+        assert!(seen > 0 || drives.is_empty(), "{what}: no position");
     }
 }

@@ -2,7 +2,6 @@
 
 use super::tests::*;
 use super::*;
-use crate::units::{Angle, Length};
 
 /// A driven body, bodies on pins of the ground, and what joins them.
 fn train(names: &[&str], joints: impl FnOnce(&mut Description)) -> Mechanism {
@@ -13,15 +12,6 @@ fn train(names: &[&str], joints: impl FnOnce(&mut Description)) -> Mechanism {
     }
     joints(&mut d);
     Mechanism::new(d).unwrap()
-}
-
-fn gears(wheels: [usize; 2], carrier: usize, ratio: f64, phase: f64) -> Joint {
-    Joint::Gears {
-        wheels,
-        carrier,
-        ratio,
-        phase: Angle::from_rad(phase),
-    }
 }
 
 fn only(m: &Mechanism, drive: f64) -> State {
@@ -91,12 +81,7 @@ fn wheels_on_a_moving_carrier() {
 #[test]
 fn racks_and_pinions() {
     let (radius, phase) = (0.4, 0.15);
-    let rack = |wheel: usize, slide: usize| Joint::Rack {
-        wheel,
-        slide,
-        radius: Length::from_m(radius),
-        phase: Length::from_m(phase),
-    };
+    let rack = |wheel: usize, slide: usize| rack(wheel, slide, [radius, phase]);
     let mut d = Description::new();
     let [wheel, bar] = ["wheel", "bar"].map(|n| d.body(n));
     d.pin("W", &[(GROUND, [0.0, 0.0]), (wheel, [0.0, 0.0])]);
@@ -127,10 +112,7 @@ fn racks_and_pinions() {
     let guide = d.joint("guide", slide((bar, [0.1, 0.0]), (arm, [0.0, 0.5]), 0.3));
     d.joint("rack", rack(sun, guide));
     d.pin("Q", &[(bar, [0.7, 0.1]), (pin, [0.0, 0.0])]);
-    let slot = Joint::Slot {
-        pin: Point::from_m(pin, [2.0, 0.0]),
-        slot: super::tests::guide((GROUND, [0.0, 1.5]), 0.1),
-    };
+    let slot = slot((pin, [2.0, 0.0]), (GROUND, [0.0, 1.5]), 0.1);
     d.joint("slot", slot);
     let m = Mechanism::new(d).unwrap();
     for drive in [-0.4, 0.3] {
@@ -156,10 +138,7 @@ fn gears_among_unknowns_are_not_solved() {
     d.pin("A", &[(crank, [0.2, 0.0]), (coupler, [0.0, 0.0])]);
     d.pin("C", &[(GROUND, [1.0, 0.0]), (rocker, [0.0, 0.0])]);
     d.joint("mesh", gears([coupler, rocker], GROUND, -0.5, 0.2));
-    let slot = Joint::Slot {
-        pin: Point::from_m(coupler, [0.6, 0.0]),
-        slot: guide((rocker, [0.0, 0.0]), 0.3),
-    };
+    let slot = slot((coupler, [0.6, 0.0]), (rocker, [0.0, 0.0]), 0.3);
     d.joint("slot", slot);
     let modes = Mechanism::new(d).unwrap().assembly_modes(0.4);
     assert!(modes.states.is_empty() && !modes.complete);
@@ -174,12 +153,7 @@ fn racks_among_unknowns_are_not_solved() {
     d.pin("O", &[(GROUND, [0.0, 0.0]), (crank, [0.0, 0.0])]);
     d.pin("A", &[(crank, [0.2, 0.0]), (wheel, [0.0, 0.0])]);
     let guide = d.joint("guide", slide((bar, [0.1, 0.0]), (GROUND, [0.0, 0.5]), 0.3));
-    let rack = Joint::Rack {
-        wheel,
-        slide: guide,
-        radius: Length::from_m(0.4),
-        phase: Length::from_m(0.15),
-    };
+    let rack = rack(wheel, guide, [0.4, 0.15]);
     d.joint("rack", rack);
     d.pin("W", &[(wheel, [0.3, 0.0]), (coupler, [0.0, 0.0])]);
     d.pin("B", &[(bar, [0.7, 0.1]), (coupler, [0.9, 0.0])]);

@@ -82,48 +82,13 @@ fn bad_parts_are_refused() {
     assert!(matches!(itself, E::SameBody { .. }), "{itself}");
 }
 
-/// A mechanism mirrored in the x-axis, or made larger, has the same modes mirrored, or larger.
-#[test]
-fn mirror_and_scale() {
-    let mut random = Random(11);
-    for _ in 0..50 {
-        let v: [f64; 11] = std::array::from_fn(|_| random.within(0.3, 1.5));
-        let phi = random.within(-3.0, 3.0);
-        let plain = class_iii(&v);
-        let mut m = v;
-        m[6] = -v[6];
-        m[8] = -v[8];
-        m[10] = -v[10];
-        let mirrored = class_iii(&m);
-        let mut large = v.map(|x| x * 300.0);
-        large[6] = v[6];
-        let large = class_iii(&large);
-        let modes = plain.assembly_modes(phi).states;
-        let other = mirrored.assembly_modes(-phi).states;
-        let scaled = large.assembly_modes(phi).states;
-        assert_eq!((modes.len(), modes.len()), (other.len(), scaled.len()));
-        for s in &modes {
-            let angles =
-                |m: &Mechanism, s: &State| [2, 3, 4, 5].map(|b| m.body_angle(s, b).angle.rad());
-            let a = angles(&plain, s);
-            let found = |m: &Mechanism, states: &[State], sign: f64| {
-                states.iter().any(|o| {
-                    let b = angles(m, o);
-                    (0..4).all(|k| turn(a[k], sign * b[k]) < 1e-7)
-                })
-            };
-            assert!(found(&mirrored, &other, -1.0) && found(&large, &scaled, 1.0));
-        }
-    }
-}
-
 /// Driven at its follower by the angle found, a linkage has the crank's angle among its modes, and
 /// the rates are inverse.
 #[test]
 fn drive_and_follower_exchanged() {
     let mut random = Random(12);
     for _ in 0..100 {
-        let v: [f64; 11] = std::array::from_fn(|_| random.within(0.3, 1.5));
+        let v: [f64; 11] = std::array::from_fn(|_| random.between(0.3, 1.5));
         let general = class_iii(&v);
         let mut d = general.description().clone();
         d.drive = Drive::Angle {
@@ -133,7 +98,7 @@ fn drive_and_follower_exchanged() {
         let exchanged = Mechanism::new(d).unwrap();
         // Seen from rocker 5 these are the driver and two dyads.
         assert_eq!(exchanged.structure().groups.len(), 3);
-        let phi = random.within(-3.0, 3.0);
+        let phi = random.between(-3.0, 3.0);
         for s in general.assembly_modes(phi).states {
             let rocker = general.body_angle(&s, 5);
             let modes = exchanged.assembly_modes(rocker.angle.rad());
@@ -159,18 +124,6 @@ fn drive_and_follower_exchanged() {
             }
         }
     }
-}
-
-/// A planted fault: a closure moved by 10⁻⁶ is no longer closed.
-#[test]
-fn gaps_are_seen() {
-    let m = double_butterfly();
-    let mut state = m.assembly_modes(0.0).states[0].clone();
-    assert!(m.gap(&state) < 1e-14);
-    state.pose.u[3] += 1e-6;
-    let moved = super::pose::Pose::new(&m.chain, 0.0, state.pose.u.clone());
-    state.pose = moved;
-    assert!(m.gap(&state) > 1e-7);
 }
 
 /// A lever with a slot, against the angle of the line to the crank's pin.

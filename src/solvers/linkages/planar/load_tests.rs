@@ -1,7 +1,6 @@
 use super::tests::*;
 use super::*;
-use crate::reduction;
-use crate::units::{Acceleration, Angle, Inertia, Length, Mass};
+use crate::units::{Inertia, Length, Mass};
 
 fn mass(body: usize, kg: f64, j: f64, centre: [f64; 2]) -> BodyMass {
     BodyMass {
@@ -76,42 +75,6 @@ fn power_is_balanced() {
 }
 
 #[test]
-fn forces_hold_every_body() {
-    // The force on the slider is what it needs: gravity only at rest.
-    let m = slider_crank([0.1, 0.3, 0.0]);
-    let loads = Loads::new(
-        &m,
-        vec![mass(3, 2.0, 0.0, [0.0, 0.0])],
-        Vec::new(),
-        [0.0, -10.0],
-    )
-    .unwrap();
-    for state in m.assembly_modes(0.7).states {
-        let r = loads.reactions(&m, &state, 0.0, 0.0).unwrap();
-        assert!(r.drive.abs() < 1e-12);
-        let guide = r.joints.iter().find(|j| j.joint == 3).unwrap();
-        assert!((guide.force_n[1] - 20.0).abs() < 1e-12 && guide.force_n[0].abs() < 1e-12);
-    }
-    // A pendulum driven at constant speed: centripetal force and weight in the pivot.
-    let m = four_bar([0.1, 0.4, 0.3, 0.35]);
-    let loads = Loads::new(
-        &m,
-        vec![mass(1, 3.0, 0.1, [0.2, 0.0])],
-        Vec::new(),
-        [0.0, -10.0],
-    )
-    .unwrap();
-    let state = m.assembly_modes(0.0).states[0].clone();
-    let r = loads.reactions(&m, &state, 5.0, 2.0).unwrap();
-    let pivot = r.joints[0];
-    let expected = [-3.0 * 0.2 * 25.0, 3.0 * 0.2 * 2.0 + 30.0];
-    for i in 0..2 {
-        assert!((pivot.force_n[i] - expected[i]).abs() < 1e-12, "{pivot:?}");
-    }
-    assert!((r.drive - (0.1 + 3.0 * 0.04) * 2.0 - 3.0 * 10.0 * 0.2).abs() < 1e-12);
-}
-
-#[test]
 fn reduced_derivatives_are_those_of_the_values() {
     let mechanism = class_iii(&SAND_SCREEN);
     let loads = loaded(&mechanism);
@@ -128,65 +91,6 @@ fn reduced_derivatives_are_those_of_the_values() {
         assert!((moment - mid.moment_derivative).abs() < 1e-6 * (1.0 + moment.abs()));
         assert!(mid.damping > 0.0);
     }
-}
-
-#[test]
-fn the_sand_screen_reduces_as_before() {
-    let special = crate::class_iii::tests::zinchenko();
-    let masses = reduction::tests::recovered();
-    let general = class_iii(&SAND_SCREEN);
-    let bodies = masses.bodies().iter().enumerate().map(|(k, b)| {
-        let (r, a) = (b.radius.m(), b.angle.rad());
-        // About a pivot: less by what the mass adds.
-        let j = match b.inertia {
-            reduction::MomentOfInertia::AboutCentreOfMass(j) => j.kg_m2(),
-            reduction::MomentOfInertia::AboutPivot(j) => j.kg_m2() - b.mass.kg() * r * r,
-        };
-        (k + 1, b.mass, j, [r * a.cos(), r * a.sin()])
-    });
-    let bodies: Vec<_> = bodies.collect();
-    for drive in [0.4, 2.0, 5.0] {
-        let angle = Angle::from_rad(drive);
-        for mode in special.assembly_modes(angle).modes {
-            let due = masses.reduce(&special.state(angle, mode).unwrap());
-            let states = general.assembly_modes(drive).states;
-            let state = states
-                .iter()
-                .find(|s| turn(general.body_angle(s, 4).angle.rad(), mode.phi4) < 1e-9);
-            let Some(state) = state else {
-                panic!("a mode is missing")
-            };
-            // Inertias of rockers 3 and 5 about their centres are negative with these masses: the
-            // reduction itself does not mind.
-            let g = reduced_with(&general, state, &bodies);
-            assert!((g.inertia - due.inertia_kg_m2).abs() < 1e-9 * due.inertia_kg_m2);
-            assert!(
-                (g.inertia_derivative - due.inertia_derivative_kg_m2).abs()
-                    < 1e-8 * (1.0 + due.inertia_kg_m2)
-            );
-            assert!((g.moment - due.moment_n_m).abs() < 1e-9 * (1.0 + due.moment_n_m.abs()));
-            assert!(
-                (g.moment_derivative - due.moment_derivative_n_m).abs()
-                    < 1e-7 * (1.0 + due.moment_derivative_n_m.abs())
-            );
-        }
-    }
-    let _ = Acceleration::from_m_per_s2(9.81);
-}
-
-type Parts = (usize, Mass, f64, [f64; 2]);
-
-fn reduced_with(m: &Mechanism, state: &State, bodies: &[Parts]) -> ReducedLoads {
-    let masses = bodies
-        .iter()
-        .map(|(b, kg, j, c)| mass(*b, kg.kg(), *j, *c))
-        .collect();
-    let loads = Loads {
-        masses,
-        loads: Vec::new(),
-        gravity: [0.0, -9.81],
-    };
-    loads.reduce(m, state)
 }
 
 #[test]

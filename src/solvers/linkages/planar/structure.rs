@@ -223,10 +223,8 @@ fn shortest_cycle(n: usize, edges: &[[usize; 2]], over: usize) -> Option<usize> 
 
 #[cfg(test)]
 mod tests {
-    use super::super::model::Point;
-    use super::super::tests::{guide, slide};
+    use super::super::tests::{gears, rack, slide, slot};
     use super::*;
-    use crate::units::Angle;
 
     /// Bodies by number; each pin names those it joins, 0 is the ground. Body 1 is driven.
     fn groups(bodies: usize, pins: &[&[usize]]) -> Vec<Group> {
@@ -349,13 +347,7 @@ mod tests {
         let mut d = Description::new();
         let [still, arm] = ["still", "arm"].map(|n| d.body(n));
         d.pin("A", &[(GROUND, [0.0, 0.0]), (still, [0.0, 0.0])]);
-        d.joint(
-            "slot",
-            Joint::Slot {
-                pin: Point::from_m(still, [0.5, 0.0]),
-                slot: guide((GROUND, [0.5, 0.0]), 0.3),
-            },
-        );
+        d.joint("slot", slot((still, [0.5, 0.0]), (GROUND, [0.5, 0.0]), 0.3));
         d.pin("B", &[(still, [1.0, 0.0]), (arm, [0.0, 0.0])]);
         d.drive = Drive::Angle {
             body: arm,
@@ -370,25 +362,12 @@ mod tests {
         let [a, b, slider] = ["a", "b", "slider"].map(|n| d.body(n));
         d.pin("A", &[(GROUND, [0.0, 0.0]), (a, [0.0, 0.0])]);
         d.pin("B", &[(GROUND, [1.0, 0.0]), (b, [0.0, 0.0])]);
-        d.joint(
-            "mesh",
-            Joint::Gears {
-                wheels: [a, b],
-                carrier: GROUND,
-                ratio: -0.5,
-                phase: Angle::from_rad(0.0),
-            },
-        );
+        d.joint("mesh", gears([a, b], GROUND, -0.5, 0.0));
         let guide = d.joint(
             "guide",
             slide((slider, [0.0, 0.0]), (GROUND, [0.0, 2.0]), 0.0),
         );
-        let rack = Joint::Rack {
-            wheel: b,
-            slide: guide,
-            radius: crate::units::Length::from_m(0.3),
-            phase: crate::units::Length::from_m(0.0),
-        };
+        let rack = rack(b, guide, [0.3, 0.0]);
         d.joint("rack", rack);
         let single = |body: usize, order: usize| Group {
             bodies: vec![body],

@@ -1,26 +1,11 @@
 //! Mechanisms that several tests use, and what holds for all of them.
 
+pub(super) use crate::arithmetic::tests::Random;
+
 use super::*;
 use crate::class_iii::{ClassIii, Geometry};
 use crate::dyad::{Assembly, FourBar, SliderCrank};
 use crate::units::{Angle, Length};
-
-/// A stream of numbers in [0, 1) without a pattern (SplitMix64).
-pub(super) struct Random(pub u64);
-
-impl Random {
-    pub fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 * 2f64.powi(-53)
-    }
-
-    pub fn within(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.next()
-    }
-}
 
 /// A crank that is driven, and nothing else.
 pub(super) fn driver() -> Mechanism {
@@ -72,6 +57,31 @@ pub(super) fn slide(slider: (usize, [f64; 2]), on: (usize, [f64; 2]), direction:
         slider: Point::from_m(slider.0, slider.1),
         guide: guide(on, direction),
         turn: Angle::from_rad(0.25),
+    }
+}
+
+pub(super) fn slot(pin: (usize, [f64; 2]), on: (usize, [f64; 2]), direction: f64) -> Joint {
+    Joint::Slot {
+        pin: Point::from_m(pin.0, pin.1),
+        slot: guide(on, direction),
+    }
+}
+
+pub(super) fn gears(wheels: [usize; 2], carrier: usize, ratio: f64, phase: f64) -> Joint {
+    Joint::Gears {
+        wheels,
+        carrier,
+        ratio,
+        phase: Angle::from_rad(phase),
+    }
+}
+
+pub(super) fn rack(wheel: usize, slide: usize, [radius, phase]: [f64; 2]) -> Joint {
+    Joint::Rack {
+        wheel,
+        slide,
+        radius: Length::from_m(radius),
+        phase: Length::from_m(phase),
     }
 }
 
@@ -172,8 +182,8 @@ fn a_four_bar_is_that_of_the_dyads() {
     let mut random = Random(1);
     let m = Length::from_m;
     for _ in 0..300 {
-        let [a, b, c, d] = std::array::from_fn(|_| random.within(0.2, 1.5));
-        let phi = random.within(-3.0, 3.0);
+        let [a, b, c, d] = std::array::from_fn(|_| random.between(0.2, 1.5));
+        let phi = random.between(-3.0, 3.0);
         let Ok(special) = FourBar::new(m(a), m(b), m(c), m(d)) else {
             continue;
         };
@@ -216,9 +226,9 @@ fn a_slider_crank_is_that_of_the_dyads() {
     let mut random = Random(2);
     let m = Length::from_m;
     for _ in 0..300 {
-        let [a, b] = std::array::from_fn(|_| random.within(0.2, 1.5));
-        let e = random.within(-0.4, 0.4);
-        let phi = random.within(-3.0, 3.0);
+        let [a, b] = std::array::from_fn(|_| random.between(0.2, 1.5));
+        let e = random.between(-0.4, 0.4);
+        let phi = random.between(-3.0, 3.0);
         let Ok(special) = SliderCrank::new(m(a), m(b), m(e), Angle::from_rad(0.0)) else {
             continue;
         };
@@ -247,11 +257,11 @@ fn a_slider_crank_is_that_of_the_dyads() {
 fn a_class_iii_linkage_is_that_of_its_solver() {
     let mut random = Random(3);
     for round in 0..100 {
-        let mut v: [f64; 11] = std::array::from_fn(|_| random.within(0.3, 1.5));
+        let mut v: [f64; 11] = std::array::from_fn(|_| random.between(0.3, 1.5));
         if round == 0 {
             v = SAND_SCREEN;
         }
-        let phi = random.within(-3.0, 3.0);
+        let phi = random.between(-3.0, 3.0);
         let special = ClassIii::new(Geometry::from_values(&v)).unwrap();
         let general = class_iii(&v);
         let groups = &general.structure().groups;
@@ -297,8 +307,8 @@ fn a_class_iii_linkage_is_that_of_its_solver() {
 fn the_homotopy_finds_the_modes_of_triads() {
     let mut random = Random(4);
     for _ in 0..40 {
-        let v: [f64; 11] = std::array::from_fn(|_| random.within(0.3, 1.5));
-        let phi = random.within(-3.0, 3.0);
+        let v: [f64; 11] = std::array::from_fn(|_| random.between(0.3, 1.5));
+        let phi = random.between(-3.0, 3.0);
         let mut general = class_iii(&v);
         let due = general.assembly_modes(phi);
         general.triads.fill(None);

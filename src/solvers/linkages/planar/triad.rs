@@ -156,8 +156,8 @@ mod tests {
         let on_plate = [[0.15, -0.12], [0.0, 0.1], [0.55, 0.2]];
         let lengths = [1.0, 0.6, 0.5];
         for k in 0..3 {
-            let [x, y] = std::array::from_fn(|_| random.within(-0.3, 0.3));
-            let angle = random.within(-3.0, 3.0);
+            let [x, y] = std::array::from_fn(|_| random.between(-0.3, 0.3));
+            let angle = random.between(-3.0, 3.0);
             let end = [x + lengths[k] * angle.cos(), y + lengths[k] * angle.sin()];
             pin(bases[k], (numbers[k], [x, y]));
             pin((numbers[k], end), (plate, on_plate[k]));

@@ -126,6 +126,8 @@ pub use voigt_hwhm::voigt_hwhm;
 
 use branch::{CELL, IMAGINARY_AXIS, MACLAURIN_21, formula_at};
 pub(crate) use extended::w_extended;
+/// √π/2.
+pub(crate) const HALF_SQRT_PI: crate::double_double::Dd = constants::HALF_SQRT_PI;
 use lengths::same_length;
 use many::all;
 use num_complex::Complex;

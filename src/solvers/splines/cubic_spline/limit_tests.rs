@@ -141,39 +141,3 @@ fn values_beside_a_given_slope() {
         assert!((integral - due).abs() <= 8.0 * f64::EPSILON * due, "{t}");
     }
 }
-
-/// Groups of points beside given slopes have the bits of single points.
-#[test]
-fn batches_beside_given_slopes() {
-    let y: Vec<f64> = (0..40)
-        .map(|i| f64::from(i % 7) - 0.3 * f64::from(i))
-        .collect();
-    let knots: Vec<f64> = (0..40).map(|i| 0.25 * f64::from(i)).collect();
-    let clamped = Boundary::clamped(3.0, -2.0);
-    let uniform = UniformCubicSpline::fit(0.0, 0.25, y.clone(), clamped).expect("a spline");
-    let on_knots = CubicSpline::fit(knots, y, clamped).expect("a spline");
-    let x: Vec<f64> = (0..=9750).map(|i| f64::from(i) * 1e-3).collect();
-    let (mut any, mut sorted) = (vec![0.0; x.len()], vec![0.0; x.len()]);
-    uniform.values(&x, &mut any).expect("points");
-    uniform.values_sorted(&x, &mut sorted).expect("points");
-    for ((x, a), b) in x.iter().zip(&any).zip(&sorted) {
-        let one = uniform.value(*x).expect("a point");
-        assert_eq!(
-            (one.to_bits(), one.to_bits()),
-            (a.to_bits(), b.to_bits()),
-            "{x}"
-        );
-        assert_eq!(
-            one.to_bits(),
-            uniform.jet(*x).expect("a point").value.to_bits()
-        );
-    }
-    on_knots.values_sorted(&x, &mut sorted).expect("points");
-    for (x, b) in x.iter().zip(&sorted) {
-        assert_eq!(
-            on_knots.value(*x).expect("a point").to_bits(),
-            b.to_bits(),
-            "{x}"
-        );
-    }
-}

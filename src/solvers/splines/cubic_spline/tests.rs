@@ -107,27 +107,6 @@ fn conditions_hold_for_every_pair_of_ends_and_every_size() {
 }
 
 #[test]
-fn both_kinds_agree() {
-    for b in [
-        Boundary::NATURAL,
-        Boundary::NOT_A_KNOT,
-        Boundary::clamped(1.0, 2.0),
-    ] {
-        let n = 100;
-        let x: Vec<f64> = (0..n).map(|i| i as f64 * 0.5).collect();
-        let a = CubicSpline::fit(x, wiggle(n), b)
-            .unwrap()
-            .second_derivatives();
-        let u = UniformCubicSpline::fit(0.0, 0.5, wiggle(n), b)
-            .unwrap()
-            .second_derivatives();
-        for (a, u) in a.iter().zip(&u) {
-            assert!((a - u).abs() < 1e-12);
-        }
-    }
-}
-
-#[test]
 fn sorted_batches_are_bit_identical() {
     let n = 300;
     let u = UniformCubicSpline::fit(-7.3, 0.1, wiggle(n), Boundary::NATURAL)
@@ -186,10 +165,6 @@ fn extrapolation() {
     let w = s.clone().with_extrapolation(Extrapolation::Wrap);
     assert_eq!(w.value(7.25), s.value(1.25));
     assert_eq!(w.value(-0.5), s.value(2.5));
-    let turn = s.integral(0.0, 3.0).unwrap();
-    let part = s.integral(1.0, 3.0).unwrap() + s.integral(0.0, 0.5).unwrap();
-    assert!((w.integral(-2.0, 6.5).unwrap() - (2.0 * turn + part)).abs() < 1e-13);
-    assert!((w.integral(6.5, -2.0).unwrap() + (2.0 * turn + part)).abs() < 1e-13);
     let c = s.clone().with_extrapolation(Extrapolation::Clamp);
     assert_eq!(
         c.jet(5.0).unwrap(),
@@ -198,7 +173,6 @@ fn extrapolation() {
             ..Jet::default()
         }
     );
-    assert!((c.integral(-1.0, 5.0).unwrap() - (turn + 3.0)).abs() < 1e-13);
     let l = s.clone().with_extrapolation(Extrapolation::Linear);
     let slope = s.jet(0.0).unwrap().first;
     assert!((l.value(-2.0).unwrap() - (1.0 - 2.0 * slope)).abs() < 1e-14);
@@ -328,10 +302,16 @@ fn every_lookup_gives_the_bits_of_single_points() {
         (2, 0.0, 1.0),
         (9, -1e9, 3.7),
         (10, 0.1, 0.1),
+        (41, 0.0, 0.25),
         (300, -7.3, 1e-3),
         (5000, 1e6, 0.3),
     ] {
-        let s = UniformCubicSpline::fit(origin, step, wiggle(n), Boundary::NATURAL).unwrap();
+        // Values beside given slopes have a form of their own.
+        let boundary = match n % 2 {
+            0 => Boundary::NATURAL,
+            _ => Boundary::clamped(3.0, -2.0),
+        };
+        let s = UniformCubicSpline::fit(origin, step, wiggle(n), boundary).unwrap();
         let (first, last) = s.grid.span();
         // From many points in a segment to many segments between points; knots and their
         // neighbours among them.

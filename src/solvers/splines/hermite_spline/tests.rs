@@ -185,15 +185,6 @@ fn a_limited_slope_beside_a_level_one_leaves_a_cube() {
 }
 
 #[test]
-fn two_points_give_the_line() {
-    for rule in ALL {
-        let s = fit(&[0.0, 3.0], &[1.0, 2.0], rule);
-        let jet = s.jet(0.75).expect("inside");
-        assert_eq!((jet.value, jet.second, jet.third), (1.25, 0.0, 0.0));
-    }
-}
-
-#[test]
 fn what_is_no_interpolant_is_refused() {
     use CubicSplineError as E;
     let refused = |x: &[f64], y: &[f64]| HermiteSpline::fit(x.to_vec(), y.to_vec(), Slopes::Akima);
@@ -324,21 +315,6 @@ proptest! {
             let (a, b) = (s.jet(at).unwrap(), r.jet(4.0 * at).unwrap());
             let due = (-8.0 * a.value, -2.0 * a.first, -0.5 * a.second, -0.125 * a.third);
             prop_assert_eq!((b.value, b.first, b.second, b.third), due);
-        }
-    }
-
-    /// Translations by whole numbers move values and nothing else, up to rounding.
-    #[test]
-    fn translation((x, y) in points(), t in 0.0f64..1.0, a in -9i32..9, b in -9i32..9) {
-        let (a, b) = (f64::from(a), f64::from(b));
-        let along: Vec<f64> = x.iter().map(|x| x + a).collect();
-        let up: Vec<f64> = y.iter().map(|y| y + b).collect();
-        // Akima's slopes jump where chords become equal, and rounding could move them across.
-        for rule in [Slopes::Pchip, Slopes::ModifiedAkima] {
-            let (s, r) = (fit(&x, &y, rule), fit(&along, &up, rule));
-            let at = inside(&x, t);
-            let moved = (at + a).clamp(along[0], along[along.len() - 1]);
-            prop_assert!((s.value(at).unwrap() + b - r.value(moved).unwrap()).abs() <= 1e-11);
         }
     }
 }

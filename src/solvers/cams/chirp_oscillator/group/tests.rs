@@ -1,6 +1,6 @@
 //! Describes what a group says of its four times.
 
-use super::super::types::{Chirp, Harmonic};
+use super::super::harmonic::tests::prepared;
 use super::*;
 use crate::lanes::{Task, with_best};
 
@@ -13,15 +13,6 @@ impl Task for Clear<'_> {
         let group = self.0.at(lanes, self.1);
         (group.clear, group.distances)
     }
-}
-
-fn prepared(roots: &Roots, omega0: f64, eps: f64) -> Prepared {
-    let harmonic = Harmonic {
-        k: 1.0,
-        amplitude: 1.0,
-        phase: 0.3,
-    };
-    Prepared::new(roots, &Chirp { omega0, eps }, &harmonic, 1.0)
 }
 
 /// Clear is a group where at each time the closed form serves, both resonances are far, and, where

@@ -2,7 +2,7 @@
 
 use super::*;
 
-fn prepared(roots: &Roots, omega0: f64, eps: f64) -> Prepared {
+pub(in super::super) fn prepared(roots: &Roots, omega0: f64, eps: f64) -> Prepared {
     let harmonic = Harmonic {
         k: 1.0,
         amplitude: 1.0,

@@ -352,3 +352,28 @@ fn an_implicit_method_begins_afresh_after_two_rejections() {
     assert!(h[0] == 0.0 && h[1] > 0.0 && h[2] == h[1]);
     assert!(h[3] < h[2] && h[3] > 0.0 && h[4] == h[3]);
 }
+
+#[test]
+fn counts_add_up() {
+    let a = Counts {
+        steps: 2,
+        rejected: 3,
+        retaken: 5,
+        evaluations: 7,
+    };
+    let b = Counts {
+        steps: 11,
+        rejected: 13,
+        retaken: 17,
+        evaluations: 19,
+    };
+    let due = Counts {
+        steps: 13,
+        rejected: 16,
+        retaken: 22,
+        evaluations: 26,
+    };
+    assert_eq!(a.plus(b), due);
+    let names: Vec<&str> = Method::ALL.iter().map(|m| m.name()).collect();
+    assert_eq!(names, ["verner98", "dop853", "radau5"]);
+}

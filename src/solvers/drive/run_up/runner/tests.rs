@@ -71,6 +71,33 @@ fn what_counts_as_the_angle_itself() {
     assert_eq!(neighbours(&[above], 5.0), (above - TAU, above));
 }
 
+#[test]
+fn neighbours_among_whole_turns() {
+    let angles = [0.5, 2.0, 5.0];
+    for turns in [-4.0, -1.0, 0.0, 3.0] {
+        let off = turns * TAU;
+        let check = |phi: f64, low: f64, high: f64| {
+            let (a, b) = neighbours(&angles, phi + off);
+            assert!(
+                (a - low - off).abs() < 1e-13 && (b - high - off).abs() < 1e-13,
+                "{a} {b}"
+            );
+        };
+        check(1.0, 0.5, 2.0);
+        check(3.0, 2.0, 5.0);
+        check(0.1, 5.0 - TAU, 0.5);
+        check(6.0, 5.0, 0.5 + TAU);
+        // One that it stands on is neither before nor after.
+        check(2.0, 0.5, 5.0);
+        check(2.0 + 1e-14, 0.5, 5.0);
+        check(2.0 + 1e-9, 2.0, 5.0);
+        check(2.0 - 1e-9, 0.5, 2.0);
+    }
+    assert_eq!(neighbours(&[], 1.0), (f64::NEG_INFINITY, f64::INFINITY));
+    let (a, b) = neighbours(&[1.0], 1.0);
+    assert!((a - (1.0 - TAU)).abs() < 1e-15 && (b - (1.0 + TAU)).abs() < 1e-15);
+}
+
 /// A speed within 1e-14 |ψ| is ψ itself, the bounds included.
 #[test]
 fn what_counts_as_the_speed_itself() {
@@ -82,15 +109,6 @@ fn what_counts_as_the_speed_itself() {
     assert_eq!(between(&speeds, 1000.0), (speeds[1], speeds[2]));
     let free = (f64::NEG_INFINITY, f64::INFINITY);
     assert_eq!(between(&[1000.0], 1000.0), free);
-}
-
-#[test]
-fn the_balance_is_energy_less_works() {
-    let (model, drive) = (FREE, off());
-    let equation = Equation::new(&model, &drive);
-    let s = sample(&equation, 2.0, &[1.0, 4.0, 1.0, 2.0, 4.0, 0.0], 1.0, 16.0).unwrap();
-    assert_eq!((s.kinetic_energy, s.work), (8.0, [1.0, 2.0, 4.0]));
-    assert_eq!(s.balance, 8.0 - 16.0 - 7.0);
 }
 
 /// From rest the crank goes with the torque, not against its motor.

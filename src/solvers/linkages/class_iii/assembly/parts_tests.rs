@@ -2,6 +2,7 @@
 
 use super::super::tests::zinchenko;
 use super::super::{Geometry, GeometryError};
+use super::zero_tests::expanded;
 use super::*;
 
 fn other() -> ClassIii {
@@ -103,36 +104,6 @@ fn the_partition_holds_all_extremes() {
     }
 }
 
-#[test]
-fn zeros_are_closed_in() {
-    let mut met = 0;
-    for linkage in [zinchenko(), other()] {
-        for phi1 in angles() {
-            let r = Resultant::new(&linkage.l, unit(phi1));
-            let at = r.partition();
-            for pair in at.windows(2) {
-                let (a, b) = (r.value(pair[0]), r.value(pair[1]));
-                if (a.t > 0.0) == (b.t > 0.0)
-                    || a.t.abs() < 1e3 * a.noise
-                    || b.t.abs() < 1e3 * b.noise
-                {
-                    continue;
-                }
-                let x = zero_between(|x| r.value(x).t, [pair[0], pair[1]], a.t);
-                assert!(pair[0] < x && x < pair[1]);
-                // The sign changes there, up to the noise of T.
-                let v = r.value(x);
-                let step = 1e-7 * (pair[1] - pair[0]);
-                let slope = (r.value(x + step).t - r.value(x - step).t) / (2.0 * step);
-                let allowed = v.noise / 16.0 + 8.0 * f64::EPSILON * slope.abs() * (1.0 + x.abs());
-                assert!(v.t.abs() <= allowed, "{phi1} {x}: {} {allowed}", v.t);
-                met += 1;
-            }
-        }
-    }
-    assert!(met > 60, "{met}");
-}
-
 /// The crank angle at which a pair of modes merges, to the last bit, by the number of modes.
 fn fold(linkage: &ClassIii, mut with: f64, mut without: f64) -> f64 {
     let n = linkage.assembly_modes(Angle::from_rad(with)).modes.len();
@@ -225,15 +196,8 @@ fn roots_of_polynomials() {
         vec![c(1e-3, 0.0), c(1e3, 0.0)],
     ];
     for roots in sets {
-        let mut p = vec![c(1.5, -0.5)];
-        for r in &roots {
-            let mut next = vec![c(0.0, 0.0); p.len() + 1];
-            for (k, a) in p.iter().enumerate() {
-                next[k + 1] += a;
-                next[k] -= a * r;
-            }
-            p = next;
-        }
+        let p = expanded(&roots).into_iter().map(|a| a * c(1.5, -0.5));
+        let p: Vec<Complex64> = p.collect();
         // Zeros at both ends are left out: roots at 0 and at infinity.
         for (before, after) in [(0, 0), (2, 1)] {
             let mut padded = vec![c(0.0, 0.0); before];

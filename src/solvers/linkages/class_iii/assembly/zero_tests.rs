@@ -85,7 +85,7 @@ fn starts_have_no_symmetry() {
 }
 
 /// Coefficients of the polynomial with these roots.
-fn expanded(roots: &[Complex64]) -> Vec<Complex64> {
+pub(super) fn expanded(roots: &[Complex64]) -> Vec<Complex64> {
     let mut p = vec![Complex64::new(1.0, 0.0)];
     for r in roots {
         let mut next = vec![Complex64::new(0.0, 0.0); p.len() + 1];
@@ -120,15 +120,6 @@ fn rounds_until_the_roots_rest() {
             assert!(near <= 1e-14 * r.norm(), "{r}: {z:?}");
         }
     }
-}
-
-/// A polynomial of degree one: there in the first round, and the second finds nothing to do.
-#[test]
-fn two_rounds_for_one_root() {
-    let root = Complex64::new(2.0, 1.0);
-    let mut z = starts(1);
-    assert_eq!(aberth(&expanded(&[root]), &mut z), 2);
-    assert!((z[0] - root).norm() < 1e-15);
 }
 
 /// Two starts at one place, where the method has no direction, are set apart.

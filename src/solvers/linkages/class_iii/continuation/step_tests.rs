@@ -1,6 +1,6 @@
 //! Steps of the continuation: limits, radius and prediction.
 
-use super::super::tests::zinchenko;
+use super::super::tests::{paper, zinchenko};
 use super::*;
 
 #[test]
@@ -38,10 +38,7 @@ fn the_radius_of_the_only_solution() {
 #[test]
 fn predictions() {
     let linkage = zinchenko();
-    let mode = linkage.assembly_modes(Angle::from_rad(0.3)).modes[2];
-    let start = linkage
-        .state_near(Angle::from_rad(0.3), mode)
-        .expect("a state");
+    let start = paper(0.3);
     for h in [0.02, -0.02] {
         let off = |h: f64| {
             let there = linkage

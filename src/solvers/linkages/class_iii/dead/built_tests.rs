@@ -81,10 +81,7 @@ fn dead_positions_at_the_ends() {
 #[test]
 fn dead_positions_on_both_sides_of_zero() {
     let linkage = super::super::tests::zinchenko();
-    let mode = linkage.assembly_modes(Angle::from_rad(0.0)).modes[2];
-    let middle = linkage
-        .state_near(Angle::from_rad(0.0), mode)
-        .expect("a state");
+    let middle = super::super::tests::paper(0.0);
     for from in [PI, -PI] {
         let start = linkage
             .follow(&middle, Angle::from_rad(from))

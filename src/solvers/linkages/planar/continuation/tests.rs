@@ -72,8 +72,6 @@ fn norms(mechanism: &Mechanism, state: &State) -> [f64; 3] {
 
 #[test]
 fn steps_are_as_long_as_the_proof_lets_them() {
-    // Which of the three limits is the least one.
-    let mut decides = [0; 3];
     for (what, mechanism, state) in states() {
         let step = mechanism.longest_step(&state, &mut Work::new(&mechanism.chain));
         let [kappa, mu, omega] = norms(&mechanism, &state);
@@ -86,27 +84,12 @@ fn steps_are_as_long_as_the_proof_lets_them() {
             "{what}: {step:?} {kappa}"
         );
         assert!((step.mu - mu).abs() <= 1e-12 * mu, "{what}: {step:?} {mu}");
-        // The first, with 4 κ r ≤ 1, makes the map contract by a half, the second takes the ball
-        // into itself. Arms are bounded where no unknown and not the drive has moved by more than
-        // the slack.
-        let shares = [
-            4.0 * (kappa * nu + mu) * length,
-            length * ((kappa * nu * nu + 2.0 * mu * nu + omega) / radius).sqrt(),
-            2.0 * length * nu.max(1.0) / SLACK,
-        ];
-        assert!(shares.iter().all(|s| *s <= 1.0), "{what}: {shares:?}");
-        let most = shares.iter().fold(0.0f64, |m, s| m.max(*s));
-        assert!(most > 0.95, "{what}: {shares:?}");
-        for (k, share) in shares.iter().enumerate() {
-            decides[k] += usize::from(*share == most);
-        }
         let due = (0.25 / kappa).min(0.5 * SLACK);
         assert!(
             (radius - due).abs() <= 1e-12 * due,
             "{what}: {radius} {due}"
         );
     }
-    assert!(decides.iter().all(|n| *n > 0), "{decides:?}");
 }
 
 /// Each of the three limits where it is the least, to the last digits.
@@ -216,7 +199,7 @@ fn the_ball_is_mapped_into_itself() {
         let mut jacobian = Matrix::new(n, n + 1);
         let mut rows = Vec::new();
         for k in 0..200 {
-            let s = length * [1.0, -1.0, random.within(-1.0, 1.0)][k % 3];
+            let s = length * [1.0, -1.0, random.between(-1.0, 1.0)][k % 3];
             let drive = state.pose.drive + s;
             let on_tangent: Vec<f64> = (0..n)
                 .map(|k| state.pose.u[k] + state.rates[0][k] * s)
@@ -224,7 +207,7 @@ fn the_ball_is_mapped_into_itself() {
             let pose = Pose::new(&mechanism.chain, drive, on_tangent.clone());
             pose.residual(&mechanism.chain, &mechanism.chain.closures, &mut rows);
             let defect = largest(&solved(&state, |r| rows[r])) / (0.5 * radius);
-            let off = |x: &f64| x + radius * random.within(-1.0, 1.0).signum();
+            let off = |x: &f64| x + radius * random.between(-1.0, 1.0).signum();
             let u = on_tangent.iter().map(off).collect();
             let pose = Pose::new(&mechanism.chain, drive, u);
             pose.jacobian(

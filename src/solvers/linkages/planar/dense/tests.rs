@@ -32,44 +32,6 @@ fn solutions_of_both_systems() {
     assert!(!f.of(&a, 3, 0));
 }
 
-#[test]
-fn blocks_one_after_the_other() {
-    let rows = [
-        [1e-3, 2.0, 0.0, 0.0],
-        [4.0, -1.0, 0.0, 0.0],
-        [0.5, 3.0, 1.0, 2.0],
-        [1.0, -2.0, 5.0, 1e-9],
-    ];
-    let mut a = Matrix::new(4, 4);
-    let places = (0..4).flat_map(|r| (0..4).map(move |c| (r, c)));
-    for (r, c) in places {
-        a[(r, c)] = rows[r][c];
-    }
-    let (mut f, mut whole) = (Factors::default(), Factors::default());
-    assert!(f.of_blocks(&a, 0, [0..2, 2..2, 2..4].into_iter()) && whole.of(&a, 4, 0));
-    approx::assert_relative_eq!(f.determinant(), whole.determinant(), max_relative = 1e-15);
-    let due = [1.0, -2.0, 0.5, 3.0];
-    let (mut x, mut y) = ([0.0; 4], [0.0; 4]);
-    f.solve(|r| (0..4).map(|c| a[(r, c)] * due[c]).sum(), &mut x);
-    let b: Vec<f64> = (0..4)
-        .map(|c| (0..4).map(|r| a[(r, c)] * due[r]).sum())
-        .collect();
-    f.solve_transposed(&b, &mut y);
-    for k in 0..4 {
-        assert!((x[k] - due[k]).abs() < 1e-14 && (y[k] - due[k]).abs() < 1e-14);
-    }
-    // The right sides of later blocks do not reach earlier ones.
-    let mut other = [0.0; 4];
-    f.solve(
-        |r| match r {
-            0 | 1 => (0..4).map(|c| a[(r, c)] * due[c]).sum(),
-            _ => 1e300,
-        },
-        &mut other,
-    );
-    assert_eq!(x[..2], other[..2]);
-}
-
 /// By how much all entries of a row and b would have to change for x to solve it (Oettli and
 /// Prager).
 fn backward_error(a: impl Iterator<Item = (f64, f64)>, b: f64) -> f64 {
@@ -148,9 +110,9 @@ fn even_systems_are_left_alone() {
     for _ in 0..20 {
         let mut a = Matrix::new(3, 3);
         for (r, c) in (0..3).flat_map(|r| (0..3).map(move |c| (r, c))) {
-            a[(r, c)] = random.within(-0.3, 0.3) + f64::from(u8::from(r == c));
+            a[(r, c)] = random.between(-0.3, 0.3) + f64::from(u8::from(r == c));
         }
-        let b = [(); 3].map(|()| random.within(-1.0, 1.0));
+        let b = [(); 3].map(|()| random.between(-1.0, 1.0));
         assert!(f.of(&a, 3, 0) && f.are_even());
         f.solve(|r| b[r], &mut x[0]);
         f.solve_closely(&a, |r| b[r], &mut x[1], &mut Vec::new());
@@ -185,10 +147,10 @@ fn blocks_of_every_size() {
                     .clone()
                     .flat_map(|r| (0..block.end).map(move |c| (r, c)))
                 {
-                    a[(r, c + 1)] = random.within(-1.0, 1.0);
+                    a[(r, c + 1)] = random.between(-1.0, 1.0);
                 }
             }
-            let b: Vec<f64> = (0..n).map(|_| random.within(-1.0, 1.0)).collect();
+            let b: Vec<f64> = (0..n).map(|_| random.between(-1.0, 1.0)).collect();
             let mut f = Factors::default();
             assert!(f.of_blocks(&a, 1, blocks.iter().cloned()));
             let mut any = Factors {

@@ -148,15 +148,6 @@ fn singular_systems_are_refused() {
     }
 }
 
-#[test]
-fn subsets_are_listed_once() {
-    let listed: Vec<Vec<bool>> = subsets(3, 1).collect();
-    let one = |at: usize| (0..3).map(|k| k == at).collect::<Vec<bool>>();
-    assert_eq!(listed, [one(0), one(1), one(2)]);
-    assert_eq!(subsets(0, 0).collect::<Vec<_>>(), [Vec::<bool>::new()]);
-    assert_eq!(subsets(12, 6).count(), 924);
-}
-
 /// No size of a group and neither seed has a start that is singular.
 #[test]
 fn factors_vanish_at_the_starts() {

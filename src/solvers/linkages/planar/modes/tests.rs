@@ -61,15 +61,6 @@ fn merged_modes_are_told() {
     }
 }
 
-/// A dyad that is stretched: its position has no rates, and is told.
-#[test]
-fn singular_positions_are_told() {
-    let m = four_bar([0.25, 0.5, 0.25, 1.0]);
-    let start = Pose::new(&m.chain, 0.0, vec![0.0; m.chain.unknowns]);
-    assert!(State::new(&m, start).is_none());
-    assert!(m.assembly_modes(0.0).near_singular);
-}
-
 /// A solution is refined and taken if it is near and new: angles by whole turns, displacements
 /// relative to one more than themselves.
 #[test]

@@ -24,7 +24,7 @@ fn estimates_are_those_of_the_matrices() {
         m
     };
     for off in [0.0, 0.02] {
-        let other = std::array::from_fn::<f64, 16, _>(|_| random.within(-off, off));
+        let other = std::array::from_fn::<f64, 16, _>(|_| random.between(-off, off));
         let at = matrix(&|r, c| j[r][c] + other[4 * r + c]);
         let mut factors = Factors::default();
         assert!(factors.of(&matrix(&|r, c| j[r][c]), 4, 0));
@@ -88,18 +88,18 @@ fn turned_columns_are_within_the_estimate() {
     let mut random = Random(32);
     let mut closest = 0.0f64;
     for m in some_linkages(&mut random) {
-        let phi = random.within(-3.0, 3.0);
+        let phi = random.between(-3.0, 3.0);
         for state in m.assembly_modes(phi).states {
             let n = m.chain.unknowns;
-            let (turn, short) = (random.within(0.0, 0.2), random.within(0.0, 0.01));
+            let (turn, short) = (random.between(0.0, 0.2), random.between(0.0, 0.01));
             let at = Estimate::new(&state.jacobian, &state.factors, &vec![0.0; n], 0.0);
             // Signs of the turns that add up in the row that bends most.
             for _ in 0..20 {
                 let turns: Vec<(f64, f64)> = (0..n)
                     .map(|_| {
                         (
-                            turn * random.within(-1.0, 1.0).signum(),
-                            1.0 - short * random.next(),
+                            turn * random.between(-1.0, 1.0).signum(),
+                            1.0 - short * random.between(0.0, 1.0),
                         )
                     })
                     .collect();
@@ -136,7 +136,7 @@ fn errors_of_positions_are_bounded() {
     let mut random = Random(33);
     let (mut bounded, mut none) = (0, 0);
     for m in some_linkages(&mut random) {
-        let phi = random.within(-3.0, 3.0);
+        let phi = random.between(-3.0, 3.0);
         for exact in m.assembly_modes(phi).states {
             let chain = &m.chain;
             let mut work = Work::new(chain);
@@ -145,7 +145,7 @@ fn errors_of_positions_are_bounded() {
             let sizes = (0..30).map(|k| 0.02 * 1.1f64.powi(k));
             for size in [1e-12, 1e-9, 1e-6, 1e-4].into_iter().chain(sizes) {
                 let by: Vec<f64> = (0..chain.unknowns)
-                    .map(|_| random.within(-size, size))
+                    .map(|_| random.between(-size, size))
                     .collect();
                 let u = exact.pose.u.iter().zip(&by).map(|(u, d)| u + d).collect();
                 let mut off = exact.clone();
@@ -272,10 +272,10 @@ fn positions_are_alone_within_the_estimate() {
     let mut random = Random(35);
     let mut far = 0;
     for m in some_linkages(&mut random) {
-        let phi = random.within(-3.0, 3.0);
+        let phi = random.between(-3.0, 3.0);
         let chain = &m.chain;
         for found in m.assembly_modes(phi).states {
-            let moved = found.pose.u.iter().map(|u| u + random.within(-0.05, 0.05));
+            let moved = found.pose.u.iter().map(|u| u + random.between(-0.05, 0.05));
             let given = Pose::new(chain, found.pose.drive, moved.collect());
             let middle = given
                 .u

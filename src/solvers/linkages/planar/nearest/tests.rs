@@ -35,8 +35,10 @@ pub(super) fn off(m: &Mechanism, state: &State, near: &[f64]) -> f64 {
 pub(super) fn some_linkages(random: &mut Random) -> Vec<Mechanism> {
     let mut all = vec![double_butterfly(), class_iii(&SAND_SCREEN)];
     for _ in 0..30 {
-        all.push(class_iii(&std::array::from_fn(|_| random.within(0.3, 1.5))));
-        all.push(four_bar(std::array::from_fn(|_| random.within(0.2, 1.5))));
+        all.push(class_iii(&std::array::from_fn(|_| {
+            random.between(0.3, 1.5)
+        })));
+        all.push(four_bar(std::array::from_fn(|_| random.between(0.2, 1.5))));
     }
     all
 }
@@ -48,7 +50,7 @@ fn newton_and_all_modes_agree() {
     let (mut decided, mut none, mut open) = (0, 0, 0);
     for m in some_linkages(&mut random) {
         for round in 0..24 {
-            let phi = random.within(-3.0, 3.0);
+            let phi = random.between(-3.0, 3.0);
             let states = m.assembly_modes(phi).states;
             let size = [0.03, 0.3, 1.0, PI][round % 4];
             let mut near = match states.len() {
@@ -57,9 +59,9 @@ fn newton_and_all_modes_agree() {
             };
             near[1..]
                 .iter_mut()
-                .for_each(|x| *x += random.within(-size, size));
+                .for_each(|x| *x += random.between(-size, size));
             near[0] = phi;
-            let reach = random.within(0.0, 2.0 * size);
+            let reach = random.between(0.0, 2.0 * size);
             let all = distances(&m, phi, &near);
             let within = all.first().is_some_and(|d| *d <= reach);
             match m.nearest_by_newton(phi, &near, reach) {
@@ -87,14 +89,14 @@ fn near_a_mode_newton_decides() {
     let mut random = Random(22);
     let (mut all, mut open) = (0, 0);
     for m in some_linkages(&mut random) {
-        let phi = random.within(-3.0, 3.0);
+        let phi = random.between(-3.0, 3.0);
         let modes = m.assembly_modes(phi);
         for s in modes.states {
             let exact = placed(&m, &s);
             let mut near = exact.clone();
             near[1..]
                 .iter_mut()
-                .for_each(|x| *x += random.within(-1e-3, 1e-3));
+                .for_each(|x| *x += random.between(-1e-3, 1e-3));
             all += 1;
             match m.nearest_by_newton(phi, &near, 0.1) {
                 Way::Found(state) => assert!(off(&m, &state, &exact) < 1e-9),
@@ -203,12 +205,7 @@ fn gears_are_not_decided() {
     let [a, b] = ["a", "b"].map(|n| d.body(n));
     d.pin("A", &[(GROUND, [0.0, 0.0]), (a, [0.0, 0.0])]);
     d.pin("B", &[(GROUND, [1.0, 0.0]), (b, [0.0, 0.0])]);
-    let wheels = Joint::Gears {
-        wheels: [a, b],
-        carrier: GROUND,
-        ratio: -0.5,
-        phase: Angle::from_rad(0.0),
-    };
+    let wheels = gears([a, b], GROUND, -0.5, 0.0);
     d.joint("mesh", wheels);
     let m = Mechanism::new(d).unwrap();
     let near = angles(&[1.0, -0.5]);
@@ -257,7 +254,7 @@ fn unknowns_from_angles_of_bodies() {
     for m in all {
         let chain = &m.chain;
         for _ in 0..5 {
-            let drive = random.within(-2.0, 2.0);
+            let drive = random.between(-2.0, 2.0);
             let u: Vec<f64> = chain
                 .lengths
                 .iter()
@@ -265,7 +262,7 @@ fn unknowns_from_angles_of_bodies() {
                     if length {
                         0.0
                     } else {
-                        random.within(-3.0, 3.0)
+                        random.between(-3.0, 3.0)
                     }
                 })
                 .collect();
@@ -296,26 +293,12 @@ fn pins_alone_and_gears() {
     let mut d = four_bar([0.1, 0.4, 0.3, 0.35]).description().clone();
     let lever = d.body("lever");
     d.pin("L", &[(GROUND, [-0.5, 0.0]), (lever, [0.0, 0.0])]);
-    d.joint(
-        "slot",
-        Joint::Slot {
-            pin: Point::from_m(1, [0.1, 0.0]),
-            slot: guide((lever, [0.0, 0.0]), 0.0),
-        },
-    );
+    d.joint("slot", slot((1, [0.1, 0.0]), (lever, [0.0, 0.0]), 0.0));
     let with_slot = Mechanism::new(d.clone()).unwrap();
     assert!(!with_slot.chain.is_of_pins() && with_slot.chain.turns_freely());
     let wheel = d.body("wheel");
     d.pin("W", &[(GROUND, [-1.0, 0.0]), (wheel, [0.0, 0.0])]);
-    d.joint(
-        "mesh",
-        Joint::Gears {
-            wheels: [1, wheel],
-            carrier: GROUND,
-            ratio: -0.5,
-            phase: Angle::from_rad(0.0),
-        },
-    );
+    d.joint("mesh", gears([1, wheel], GROUND, -0.5, 0.0));
     assert!(!Mechanism::new(d).unwrap().chain.turns_freely());
 }
 

@@ -8,8 +8,8 @@ use super::*;
 
 fn anywhere(mechanism: &Mechanism, random: &mut Random) -> Pose {
     let n = mechanism.chain.unknowns;
-    let u = (0..n).map(|_| random.within(-3.0, 3.0)).collect();
-    Pose::new(&mechanism.chain, random.within(-3.0, 3.0), u)
+    let u = (0..n).map(|_| random.between(-3.0, 3.0)).collect();
+    Pose::new(&mechanism.chain, random.between(-3.0, 3.0), u)
 }
 
 /// Positions at a drive of 0.4: all modes, or, as those of gears are not enumerated, what Newton's
@@ -34,7 +34,7 @@ fn closed(mechanism: &Mechanism) -> Vec<State> {
 #[test]
 fn jacobians_are_derivatives() {
     let mut random = Random(5);
-    for (what, mechanism) in every() {
+    for (what, mechanism, _) in every() {
         let chain = &mechanism.chain;
         let n = chain.unknowns;
         let mut jacobian = Matrix::new(n, n + 1);
@@ -99,7 +99,7 @@ fn a_tie_is_an_angle_between_bodies() {
 /// guides.
 #[test]
 fn joints_are_together() {
-    for (what, mechanism) in every() {
+    for (what, mechanism, _) in every() {
         for state in closed(&mechanism) {
             let at = |p: &Point| mechanism.point(&state, p).r;
             let turn = |body: usize| mechanism.body_angle(&state, body).angle.rad();
@@ -174,7 +174,7 @@ fn joints_are_together() {
 #[test]
 fn turns_by_steps() {
     let mut random = Random(9);
-    for (what, mechanism) in every() {
+    for (what, mechanism, _) in every() {
         let chain = &mechanism.chain;
         // All by a little, by terms of the series, by more, and one alone by more.
         for (size, others) in [
@@ -207,8 +207,8 @@ fn turns_by_steps() {
 /// Rates of angles, points and displacements are the derivatives along the branch.
 #[test]
 fn rates_are_derivatives() {
-    let large = ("double butterfly", double_butterfly());
-    for (what, mechanism) in every().into_iter().chain([large]) {
+    let large: (_, _, &[f64]) = ("double butterfly", double_butterfly(), &[]);
+    for (what, mechanism, _) in every().into_iter().chain([large]) {
         let bodies = 1..mechanism.description().bodies.len();
         let values = |state: &State| -> Vec<[f64; 3]> {
             let mut all = Vec::new();

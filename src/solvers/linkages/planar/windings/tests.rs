@@ -1,7 +1,6 @@
-use super::super::tests::{slide, turn};
+use super::super::tests::{gears, rack, slide, turn};
 use super::super::{Drive, GROUND, Mechanism, State};
 use super::*;
-use crate::units::{Angle, Length};
 
 /// A crank and a rocker that both turn fully, bodies 1 to 3, on pins at 0 and 0.1 m.
 fn double_crank() -> Description {
@@ -14,20 +13,14 @@ fn double_crank() -> Description {
     d
 }
 
-fn gears(wheels: [usize; 2], carrier: usize, ratio: f64) -> Joint {
-    Joint::Gears {
-        wheels,
-        carrier,
-        ratio,
-        phase: Angle::from_rad(0.0),
-    }
-}
-
 /// A wheel on a pin of the ground, geared to another.
 fn wheel(d: &mut Description, name: &str, at: f64, to: usize, ratio: f64) -> usize {
     let wheel = d.body(name);
     d.pin(name, &[(GROUND, [at, 0.0]), (wheel, [0.0, 0.0])]);
-    d.joint(format!("{name}-gears"), gears([to, wheel], GROUND, ratio));
+    d.joint(
+        format!("{name}-gears"),
+        gears([to, wheel], GROUND, ratio, 0.0),
+    );
     wheel
 }
 
@@ -156,7 +149,7 @@ fn a_position_is_counted_once_whatever_turns_lead_to_it() {
     d.pin("G", &[(GROUND, [0.1, 0.0]), (arm, [0.0, 0.0])]);
     let wheel = d.body("wheel");
     d.pin("H", &[(arm, [0.3, 0.0]), (wheel, [0.0, 0.0])]);
-    d.joint("mesh", gears([3, wheel], arm, -0.5));
+    d.joint("mesh", gears([3, wheel], arm, -0.5, 0.0));
     let m = Mechanism::new(d).unwrap();
     assert!(m.windings.overlap());
     let modes = m.assembly_modes(0.2);
@@ -178,15 +171,7 @@ fn a_rack_has_the_windings_within_its_reach() {
         let mut d = double_crank();
         let bar = d.body("bar");
         let guide = d.joint("guide", slide((bar, [0.0, 0.0]), (GROUND, [0.0, 2.0]), 0.0));
-        d.joint(
-            "rack",
-            Joint::Rack {
-                wheel: 3,
-                slide: guide,
-                radius: Length::from_m(radius),
-                phase: Length::from_m(0.1),
-            },
-        );
+        d.joint("rack", rack(3, guide, [radius, 0.1]));
         if links {
             let [first, second] = ["first", "second"].map(|n| d.body(n));
             d.pin("P", &[(bar, [0.0, 0.0]), (first, [0.0, 0.0])]);
@@ -246,16 +231,7 @@ fn a_driven_rack_gives_its_wheel_one_angle() {
     let [pinion, bar] = ["pinion", "bar"].map(|n| d.body(n));
     d.pin("W", &[(GROUND, [0.0, 0.0]), (pinion, [0.0, 0.0])]);
     let guide = d.joint("guide", slide((bar, [0.0, 0.0]), (GROUND, [0.0, 0.5]), 0.0));
-    let (radius, phase) = (Length::from_m(0.4), Length::from_m(0.0));
-    d.joint(
-        "rack",
-        Joint::Rack {
-            wheel: pinion,
-            slide: guide,
-            radius,
-            phase,
-        },
-    );
+    d.joint("rack", rack(pinion, guide, [0.4, 0.0]));
     wheel(&mut d, "second", 1.0, pinion, -0.5);
     d.drive = Drive::Displacement { joint: guide };
     let modes = Mechanism::new(d).unwrap().assembly_modes(0.9);

@@ -122,7 +122,7 @@ fn blocks_that_are_not_taken() {
     check(&CubicSpline::fit(x, y, Boundary::NATURAL).expect("a spline"));
 }
 
-/// On all cores the index of a refused point counts from the start, also at a seam of two parts.
+/// On all cores points are out of order at a seam of two parts, too.
 #[cfg(feature = "parallel")]
 #[test]
 fn parts_of_all_cores() {
@@ -131,18 +131,6 @@ fn parts_of_all_cores() {
     let mut x = vec![first + 1.0; 140_000];
     let mut out = vec![0.0; x.len()];
     assert_eq!(s.par_values_sorted(&x, &mut out), Ok(()));
-    x[135_000] = f64::NAN;
-    for e in [
-        s.par_values(&x, &mut out),
-        s.par_values_sorted(&x, &mut out),
-    ] {
-        let index = match e.expect_err("a bad point") {
-            EvaluationError::NotFinite { index, .. } => index,
-            other => panic!("{other}"),
-        };
-        assert_eq!(index, 135_000);
-    }
-    x[135_000] = first + 1.0;
     x[..131_072].fill(first + 1.5);
     assert_eq!(
         s.par_values_sorted(&x, &mut out),
