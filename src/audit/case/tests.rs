@@ -88,7 +88,7 @@ fn cases_have_an_order() {
         of(Origin::Given, &[2.0]),
         // As bits: -0 is above every positive number.
         of(Origin::Given, &[-0.0]),
-        of(Origin::Line { number: 1 }, &[1.0]),
+        of(Origin::Line { number: 0 }, &[1.0]),
         of(Origin::Line { number: 9 }, &[1.0]),
         of(boxed("b", 1, 0), &[1.0]),
         of(boxed("a", 2, 0), &[1.0]),
