@@ -1,14 +1,11 @@
 use super::*;
+use crate::bounds::rational;
 use crate::pinned::units;
 use crate::tracked::Result as Tracks;
 use mechaudit_solvers::faddeeva::proof::Real;
 use rand::rngs::ChaCha8Rng;
 use rand::{Rng, SeedableRng};
 use rug::Rational;
-
-fn rational(x: f64) -> Rational {
-    Rational::from_f64(x).expect("finite")
-}
 
 pub(super) fn setting(rounding: Rounding) -> Setting<'static> {
     Setting {

@@ -1,11 +1,8 @@
 use super::*;
+use crate::bounds::rational;
 use rand::rngs::ChaCha8Rng;
 use rand::{Rng, SeedableRng};
 use rug::Rational;
-
-fn rational(x: f64) -> Rational {
-    Rational::from_f64(x).expect("finite")
-}
 
 /// Numbers of all signs, some of them subnormal or zero.
 fn number(random: &mut ChaCha8Rng) -> f64 {
