@@ -356,16 +356,3 @@ fn the_fastest_round_counts() {
     assert_eq!(timed(&[9, 8, 10], 0), None);
     assert_eq!(timed(&[], 3), None);
 }
-
-/// A code that was judged nowhere is not the best anywhere.
-#[test]
-fn nobody_wins_without_a_case() {
-    let found = compared(vec![
-        report(None, &[]),
-        report(Some("a"), &[judged("middle", 0, Some(2))]),
-    ]);
-    let all = &found.regions.last().unwrap().standings;
-    let best: Vec<bool> = all.iter().map(|s| s.best).collect();
-    assert_eq!(best, [false, true]);
-    assert_eq!((all[0].ratio, all[1].ratio), (None, Some(1.0)));
-}

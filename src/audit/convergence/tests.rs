@@ -2,58 +2,26 @@ use super::*;
 use rug::Rational;
 
 /// `∫₀¹ x² dx` by the trapezoidal rule: the error is exactly `1/(6 n²)`.
-struct Trapezoid;
-
-fn sum<T>(n: u64, zero: T, term: impl Fn(T, u64) -> T) -> T {
-    (0..n).fold(zero, term)
-}
-
-impl Approximation for Trapezoid {
-    fn name(&self) -> &'static str {
-        "trapezoid"
-    }
-    fn summary(&self) -> &'static str {
-        ""
-    }
-    fn work_unit(&self) -> &'static str {
-        "intervals"
-    }
-    fn outputs(&self) -> Vec<(&'static str, Option<f64>)> {
-        vec![("integral", Some(2.0))]
-    }
-    fn places(&self) -> String {
-        "the whole interval".into()
-    }
-    fn levels(&self) -> Vec<String> {
-        (0..5).map(|k| (3u64 << k).to_string()).collect()
-    }
-    fn run(&self, level: usize) -> (u64, SolverAnswer) {
-        let n = 3u64 << level;
-        if level == 1 {
-            return (n, SolverAnswer::Fails("planted".into()));
-        }
-        let h = 1.0 / n as f64;
-        let area = sum(n, 0.0, |s, i| {
-            let (a, b) = (i as f64 * h, (i + 1) as f64 * h);
-            s + 0.5 * h * (a * a + b * b)
-        });
-        (n, SolverAnswer::Values(vec![area]))
-    }
-    fn twin(&self, level: usize) -> Option<Vec<Ball>> {
-        let n = 3u64 << level;
-        let area = sum(n, Rational::new(), |s, i| {
-            s + Rational::from((i * i + (i + 1) * (i + 1), 2 * n * n * n))
-        });
-        Some(vec![Ball::rational(128, &area)])
-    }
-    fn truth(&self) -> Result<Vec<Ball>, Uncertified> {
-        Ok(vec![Ball::rational(128, &Rational::from((1, 3)))])
-    }
-}
-
 #[test]
 fn the_error_is_taken_apart() {
-    let report = convergence(&Trapezoid).unwrap();
+    let intervals = |level: usize| 3u64 << level;
+    let area = |level| {
+        let h = 1.0 / intervals(level) as f64;
+        let ends = |i: u64| [i as f64 * h, (i + 1) as f64 * h];
+        let all = (0..intervals(level)).map(ends);
+        all.fold(0.0, |s, [a, b]| s + 0.5 * h * (a * a + b * b))
+    };
+    let exactly = |level| {
+        let n = intervals(level);
+        let area = |i| Rational::from((i * i + (i + 1) * (i + 1), 2 * n * n * n));
+        let sum: Rational = (0..n).map(area).sum();
+        Some(vec![Ball::rational(128, &sum)])
+    };
+    let mut plan = Plan::of(&[0, 1, 2, 3, 4].map(area));
+    plan.runs[1] = SolverAnswer::Fails("planted".into());
+    plan.twins = (0..5).map(exactly).collect();
+    plan.truth = Ball::rational(128, &Rational::from((1, 3)));
+    let report = plan.report();
     assert_eq!(report.levels[1].failed.as_deref(), Some("planted"));
     // The level after a failed one shows no order.
     assert_eq!(report.levels[2].errors[0].order, None);
@@ -67,11 +35,12 @@ fn the_error_is_taken_apart() {
     assert!(last.total <= last.method.unwrap() + last.rounding.unwrap() + 1e-18);
 }
 
-/// Values, twins and half steps at each level as they are planted; the work doubles. The truth is
-/// 1/2 for each value.
+/// Values, twins and half steps at each level as they are planted; the work doubles.
 struct Plan {
     outputs: usize,
     truths: usize,
+    /// Of each value.
+    truth: Ball,
     regular: bool,
     runs: Vec<SolverAnswer>,
     twins: Vec<Option<Vec<Ball>>>,
@@ -85,6 +54,7 @@ impl Plan {
         Plan {
             outputs: 1,
             truths: 1,
+            truth: ball(0.5, 0.0),
             regular: true,
             runs: runs.collect(),
             twins: Vec::new(),
@@ -141,7 +111,7 @@ impl Approximation for Plan {
     fn truth(&self) -> Result<Vec<Ball>, Uncertified> {
         match self.truths {
             0 => Err(Uncertified::Undecided("planted".into())),
-            n => Ok(vec![ball(0.5, 0.0); n]),
+            n => Ok(vec![self.truth.clone(); n]),
         }
     }
 }

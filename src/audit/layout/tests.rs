@@ -84,24 +84,6 @@ fn columns_are_found_by_name() {
     assert_eq!((l.column("S[2]"), l.column("q[0]")), (None, None));
 }
 
-#[test]
-fn answers_in_words() {
-    assert_eq!(
-        system().answer(),
-        "x[i]; for i = 0 to n - 1, the unknowns, row by row"
-    );
-    let rows = Rows {
-        index: "q",
-        count: "2",
-        meaning: "at q0 and q1",
-    };
-    let l = layout(&[("q0", "1"), ("q1", "1")], &["S", "S'"], Some(rows));
-    assert_eq!(
-        l.answer(),
-        "S[q], S'[q]; for q = 0 to 1, at q0 and q1: 4 values, row by row"
-    );
-}
-
 /// A count in the input and a letter that follows from the count of all numbers, in one layout.
 fn both() -> Layout {
     let inputs = [
@@ -250,4 +232,7 @@ fn rows_in_words() {
     assert_eq!(both().rows().as_deref(), Some(expected));
     assert_eq!(both().answer(), format!("u[i] [m], v[i] [s]; {expected}"));
     assert_eq!(layout(&[("x", "1")], &["s"], None).rows(), None);
+    // Of one that follows from the input they are not.
+    let expected = "x[i]; for i = 0 to n - 1, the unknowns, row by row";
+    assert_eq!(system().answer(), expected);
 }

@@ -1,62 +1,25 @@
 use super::*;
-use crate::answer::{ReferenceAnswer, SolverAnswer};
 use crate::case::{Case, Cases};
-use crate::method::Method;
+use crate::planted::{Planted, point, region};
 use crate::settings::Settings;
-use crate::{CheckPoint, Format, Input, Law, Output, Variant};
-use rug::Rational;
+use crate::{Format, Variant};
 
 /// Three numbers, the first of which counts.
-struct Plain;
-
-impl Method for Plain {
-    fn name(&self) -> &'static str {
-        "plain"
-    }
-    fn summary(&self) -> &'static str {
-        ""
-    }
-    fn source(&self) -> &'static str {
-        ""
-    }
-    fn inputs(&self) -> Vec<Input> {
-        ["n", "x", "y"]
-            .map(|name| Input { name, unit: "1" })
-            .to_vec()
-    }
-    fn outputs(&self) -> Vec<Output> {
-        Vec::new()
-    }
-    fn domain(&self) -> Domain {
-        let region = crate::planted::region;
-        Domain {
+fn plain() -> Planted<'static> {
+    Planted {
+        inputs: vec!["n", "x", "y"],
+        domain: Domain {
             regions: vec![
                 region("mid", |d| vec![3.0, d.uniform(1.0, 2.0), 0.0]),
                 region("far", |d| vec![3.0, d.log_uniform(1e150, 1e200), 1.0]),
             ],
             check_points: vec![
-                CheckPoint {
-                    name: "one",
-                    input: vec![1.0, 1.0, 0.0],
-                },
-                CheckPoint {
-                    name: "infinite",
-                    input: vec![1.0, f64::INFINITY, 0.0],
-                },
+                point("one", &[1.0, 1.0, 0.0]),
+                point("infinite", &[1.0, f64::INFINITY, 0.0]),
             ],
-        }
-    }
-    fn solve(&self, _: &[f64]) -> SolverAnswer {
-        SolverAnswer::Declines(None)
-    }
-    fn reference(&self, _: &[Rational], _: u32) -> ReferenceAnswer {
-        ReferenceAnswer::Refuses("always")
-    }
-    fn is_data(&self, j: usize) -> bool {
-        j > 0
-    }
-    fn laws(&self) -> Vec<Law> {
-        Vec::new()
+        },
+        data: |j| j > 0,
+        ..Planted::default()
     }
 }
 
@@ -68,8 +31,9 @@ fn settings(cases_per_region: u64) -> Settings {
 }
 
 fn boxed(text: &str) -> Result<Vec<Case>, SamplingError> {
-    let sides = SampleBox::read(&Plain, text)?;
-    let variant = Variant::new(&Plain).sampling(Sampling::Box(sides));
+    let plain = plain();
+    let sides = SampleBox::read(&plain, text)?;
+    let variant = Variant::new(&plain).sampling(Sampling::Box(sides));
     let cases = Cases::new(&variant, &settings(200));
     Ok((0..cases.len()).map(|i| cases.get(i)).collect())
 }
@@ -124,8 +88,9 @@ fn what_is_no_box() {
 }
 
 fn near(text: &str, radius: f64) -> Result<Vec<Case>, SamplingError> {
-    let near = Near::read(&Plain, &settings(200), text, radius)?;
-    let variant = Variant::new(&Plain).sampling(Sampling::Near(near));
+    let plain = plain();
+    let near = Near::read(&plain, &settings(200), text, radius)?;
+    let variant = Variant::new(&plain).sampling(Sampling::Near(near));
     let cases = Cases::new(&variant, &settings(200));
     Ok((0..cases.len()).map(|i| cases.get(i)).collect())
 }
@@ -146,7 +111,7 @@ fn neighbourhoods() {
         assert!(all.iter().filter(|c| distance(c) > 1e-4).count() > 50);
     }
     let drawn = near("mid/5", 1e-6).unwrap();
-    let expected = Cases::new(&Plain, &settings(200))
+    let expected = Cases::new(&plain(), &settings(200))
         .in_region("mid", 5)
         .unwrap();
     assert!((drawn[0].input[1] / expected.input[1] - 1.0).abs() <= 1e-6);
@@ -169,16 +134,9 @@ fn neighbourhoods() {
 }
 
 #[test]
-fn ordinary_is_away_from_the_ends() {
-    let domain = Variant::new(&Plain).ordinary().domain();
-    let names: Vec<&str> = domain.regions.iter().map(|r| r.name).collect();
-    let points: Vec<&str> = domain.check_points.iter().map(|p| p.name).collect();
-    assert_eq!((names, points), (vec!["mid"], vec!["one"]));
-}
-
-#[test]
 fn single_precision_has_inputs_of_its_own() {
-    let variant = Variant::new(&Plain).format(Format::Single);
+    let plain = plain();
+    let variant = Variant::new(&plain).format(Format::Single);
     let cases = Cases::new(&variant, &settings(50));
     for i in 0..cases.len() {
         let input = cases.get(i).input;
@@ -197,7 +155,7 @@ fn sides_are_drawn_by_the_stream() {
         let all = boxed(&format!("n=1,x=2,y={side}")).unwrap();
         for (index, case) in (0..).zip(&all) {
             // The third number of the box.
-            let mut draw = Draw::new(1, "plain", "box", index);
+            let mut draw = Draw::new(1, "planted", "box", index);
             let [_, _, t] = [(); 3].map(|()| draw.unit());
             let (y, expected) = (case.input[2], at(t));
             assert!(
@@ -217,7 +175,7 @@ fn sides_are_drawn_by_the_stream() {
     drawn("log -64..-0.25", |t| -(8.0 * t - 2.0).exp2());
     let all = boxed("n=1,x=2,y=+-log 0.5..8").unwrap();
     for (index, case) in (0..).zip(&all) {
-        let mut draw = Draw::new(1, "plain", "box", index);
+        let mut draw = Draw::new(1, "planted", "box", index);
         let [_, _, t] = [(); 3].map(|()| draw.unit());
         let size = (4.0 * t - 1.0).exp2();
         let expected = draw.signed(size);
@@ -235,8 +193,9 @@ fn a_box_draws_alike_however_it_is_written() {
     };
     assert_eq!(input("x=1..2,y=3..4,n=5"), input("n=5,y=3..4,x=1..2"));
     let all = boxed("y=7").unwrap();
+    let plain = plain();
+    let cases = Cases::new(&plain, &settings(200));
     for (index, case) in (0..).zip(&all) {
-        let cases = Cases::new(&Plain, &settings(200));
         let region = if index % 2 == 0 { "mid" } else { "far" };
         let mut expected = cases.in_region(region, index / 2).unwrap().input;
         expected[2] = 7.0;
@@ -247,16 +206,16 @@ fn a_box_draws_alike_however_it_is_written() {
 /// Without a region to draw the rest from, a box names every number.
 #[test]
 fn a_box_without_regions_is_whole() {
-    let method = crate::planted::Planted {
+    let method = Planted {
         inputs: vec!["x", "y"],
         domain: Domain::default(),
-        ..crate::planted::Planted::default()
+        ..Planted::default()
     };
     let read = |text: &str| SampleBox::read(&method, text).map(|b| b.is_whole());
     assert_eq!(read("x=1,y=2"), Ok(true));
     assert_eq!(read("x=1"), Err(SamplingError::NoRegion));
     assert_eq!(
-        SampleBox::read(&Plain, "x=1").map(|b| b.is_whole()),
+        SampleBox::read(&plain(), "x=1").map(|b| b.is_whole()),
         Ok(false)
     );
 }
@@ -269,7 +228,7 @@ fn neighbours_are_drawn_by_the_stream() {
         let least = if radius < 1e-15 { radius } else { f64::EPSILON };
         let mut far = 0;
         for (index, case) in (0..).zip(&all) {
-            let mut draw = Draw::new(1, "plain", "near", index);
+            let mut draw = Draw::new(1, "planted", "near", index);
             let own = match draw.unit() < 0.5 {
                 true => radius,
                 false => draw.log_uniform(least, radius),
@@ -300,7 +259,7 @@ fn ordinary_regions_are_told_by_sixty_four_draws() {
         vec![1.0, if far { 1e200 } else { 2.0 }]
     }
     let ordinary = |sample: fn(&mut Draw) -> Vec<f64>| {
-        let region = crate::planted::region("r", sample);
+        let region = region("r", sample);
         region.is_ordinary("m")
     };
     assert!(!ordinary(|d| far_at(d, 0, 0)));

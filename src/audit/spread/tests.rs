@@ -29,41 +29,15 @@ fn spread() {
 }
 
 #[test]
-fn what_no_number_holds_is_counted_apart() {
-    let s = of([3.0, f64::INFINITY]);
-    assert_eq!(
-        (s.count, s.beyond, s.max, s.p99, s.rms),
-        (1, 1, 3.0, 3.0, 3.0)
-    );
-    let s = of([f64::INFINITY]);
-    assert_eq!((s.count, s.beyond, s.max), (0, 1, 0.0));
-}
-
-#[test]
 fn octaves() {
     let tally = gathered([0.0, 1.5, 1.0, 0.26, f64::INFINITY]);
     assert_eq!(tally.octaves(), [(None, 1), (Some(-2), 1), (Some(0), 2)]);
     for x in [1.0, 1.999, 0.3, 1e-300, 1e300] {
         assert_eq!(octave(x), Some(x.log2().floor() as i32), "{x}");
     }
-}
-
-#[test]
-fn coarse_percentiles_are_rounded_up_by_less_than_a_hundredth() {
     let mut coarse = SpreadTally::coarse();
-    (1..=20_000).for_each(|k| coarse.add(f64::from(k)));
-    for (share, expected) in [(5000, 10_000.0), (9900, 19_800.0), (9999, 19_998.0)] {
-        let found = coarse.quantile(share);
-        assert!(
-            (1.0..1.01).contains(&(found / expected)),
-            "{found} {expected}"
-        );
-    }
-    assert_eq!(coarse.spread().p9999, Some(coarse.quantile(9999)));
-    let mut tiny = SpreadTally::coarse();
-    [0.0, 1e-300, 1e-7].iter().for_each(|x| tiny.add(*x));
-    assert_eq!(tiny.octaves(), [(None, 1), (Some(-20), 2)]);
-    assert_eq!(of([1.0; 9999]).p9999, None);
+    [0.0, 1e-300, 1e-7].iter().for_each(|x| coarse.add(*x));
+    assert_eq!(coarse.octaves(), [(None, 1), (Some(-20), 2)]);
 }
 
 /// A list of numbers becomes an array of counts where it is full, whatever came first.
@@ -184,6 +158,9 @@ fn errors_beyond_every_number_add_up() {
     a.merge(&gathered([f64::INFINITY; 3]));
     let s = a.spread();
     assert_eq!((s.beyond, s.count, s.max), (5, 1, 1.0));
+    assert_eq!((s.p99, s.rms), (1.0, 1.0));
+    let s = of([f64::INFINITY]);
+    assert_eq!((s.count, s.beyond, s.max), (0, 1, 0.0));
 }
 
 /// Zeros and the smallest numbers, in octaves as in coarse bins.

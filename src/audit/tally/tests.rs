@@ -1,12 +1,12 @@
 //! Planted answers in tallies: each statistic, each wrong kind, in any order.
 
 use super::*;
-use crate::answer::{Proof, Reference, ReferenceAnswer, SolverAnswer};
+use crate::answer::{ReferenceAnswer, SolverAnswer};
 use crate::case::Origin;
 use crate::judged::judge_case_briefly;
 use crate::kind::{Kind, Kinds};
-use crate::{Budget, CandidateReport, CheckPoint, Domain, Input, Law, Limit, NormBudget, Output};
-use mechaudit_reference::Ball;
+use crate::planted::{self, Planted, hard, output, point, region};
+use crate::{CandidateReport, Domain, Law, Limit, NormBudget, Output};
 use proptest::prelude::*;
 use rug::Rational;
 
@@ -14,84 +14,35 @@ mod report;
 mod stored;
 
 /// `x` and `2x`; refuses where x is negative.
-struct Twice;
-
-impl Method for Twice {
-    fn name(&self) -> &'static str {
-        "twice"
-    }
-    fn summary(&self) -> &'static str {
-        "x and 2x"
-    }
-    fn source(&self) -> &'static str {
-        "planted"
-    }
-    fn inputs(&self) -> Vec<Input> {
-        vec![Input {
-            name: "x",
-            unit: "1",
-        }]
-    }
-    fn outputs(&self) -> Vec<Output> {
-        ["one", "two"]
-            .map(|name| Output {
-                name,
-                unit: "1",
-                budget: Budget::new(Limit::Ulps(4.0), "planted"),
-            })
-            .to_vec()
-    }
-    fn domain(&self) -> Domain {
-        let region = crate::planted::region;
-        Domain {
+fn twice() -> Planted<'static> {
+    Planted {
+        outputs: ["one", "two"]
+            .map(|name| output(name, Limit::Ulps(4.0)))
+            .into(),
+        norm: Some(NormBudget::new(34.0, "planted")),
+        domain: Domain {
             regions: vec![
                 region("small", |d| vec![d.uniform(1.0, 2.0)]),
                 region("large", |d| vec![d.log_uniform(1e200, 1e300)]),
             ],
-            check_points: vec![CheckPoint {
-                name: "one",
-                input: vec![1.0],
-            }],
-        }
-    }
-    fn solve(&self, x: &[f64]) -> SolverAnswer {
-        match x[0] < 0.0 {
+            check_points: vec![point("one", &[1.0])],
+        },
+        solve: Box::new(|x| match x[0] < 0.0 {
             true => SolverAnswer::Refuses("negative"),
             false => SolverAnswer::Values(vec![x[0], 2.0 * x[0]]),
-        }
-    }
-    fn reference(&self, x: &[Rational], bits: u32) -> ReferenceAnswer {
-        if x[0] < 0 {
-            return ReferenceAnswer::Refuses("negative");
-        }
-        let twice = Rational::from(&x[0] * 2u32);
-        ReferenceAnswer::Values(Reference {
-            values: vec![Ball::rational(bits, &x[0]), Ball::rational(bits, &twice)],
-            proof: Proof::Exact,
-        })
-    }
-    fn conditions(&self, _: &[f64]) -> Option<Vec<f64>> {
-        None
-    }
-    fn laws(&self) -> Vec<Law> {
-        Vec::new()
-    }
-    fn hard(&self) -> Vec<HardCase> {
-        let row = |share, output: &str, x| HardCase {
-            share,
-            output: output.into(),
-            reason: "planted".into(),
-            input: vec![x],
-            folder: None,
-        };
-        vec![
-            row(2.0, "one", RECORDED),
-            row(0.5, "one", 1.625),
-            row(9.0, "two", 1.75),
+        }),
+        reference: Box::new(|x, bits| match x[0] < 0 {
+            true => ReferenceAnswer::Refuses("negative"),
+            false => ReferenceAnswer::exact([&x[0], &Rational::from(&x[0] * 2u32)], bits),
+        }),
+        hard: [
+            (2.0, "one", RECORDED),
+            (0.5, "one", 1.625),
+            (9.0, "two", 1.75),
         ]
-    }
-    fn norm_budget(&self) -> Option<NormBudget> {
-        Some(NormBudget::new(34.0, "planted"))
+        .map(|(share, output, x)| hard(share, output, &[x]))
+        .into(),
+        ..Planted::default()
     }
 }
 
@@ -139,7 +90,7 @@ fn only_what_is_recorded_is_forgiven() {
     assert_eq!(report(&[judged("small", 0, RECORDED, silent)]).failed(), 1);
     // Recorded and passed cases add up over merged tallies.
     let half = |n: u64| {
-        let mut tally = Tally::new(&Twice, &Settings::default());
+        let mut tally = Tally::new(&twice(), &Settings::default());
         for i in 0..n {
             let x = f64::from_bits(RECORDED.to_bits() + 6);
             tally.add(&judged(
@@ -153,7 +104,7 @@ fn only_what_is_recorded_is_forgiven() {
     };
     let mut whole = half(3);
     whole.merge(half(2));
-    let found = whole.finish(&Twice);
+    let found = whole.finish(&twice());
     assert_eq!(
         (found.total.recorded, found.cases, found.passed()),
         (5, 5, true)
@@ -179,7 +130,7 @@ fn trouble_besides_the_answers_is_no_pass() {
 #[test]
 fn laws_keep_their_worst() {
     let settings = Settings::default();
-    let mut tally = Tally::new(&Lawful, &settings);
+    let mut tally = Tally::new(&lawful(), &settings);
     let at = |index: u64| case("small", index, 1.0 + index as f64 / 64.0);
     tally.laws(&at(3), &[Some(0.25), Some(0.5)]);
     tally.laws(&at(2), &[Some(0.25), None]);
@@ -187,7 +138,7 @@ fn laws_keep_their_worst() {
     tally.laws(&at(5), &[None, Some(1.25)]);
     let place = |l: &crate::LawReport| l.worst_case.as_ref().map(|c| c.place());
     let check = |tally: &Tally| {
-        let found = tally.clone().finish(&Lawful);
+        let found = tally.clone().finish(&lawful());
         let [one, two] = found.laws.as_slice() else {
             panic!("two laws")
         };
@@ -204,8 +155,8 @@ fn laws_keep_their_worst() {
     check(&tally);
     // The same in two parts, either way round.
     let (mut a, mut b) = (
-        Tally::new(&Lawful, &settings),
-        Tally::new(&Lawful, &settings),
+        Tally::new(&lawful(), &settings),
+        Tally::new(&lawful(), &settings),
     );
     a.laws(&at(2), &[Some(0.25), None]);
     a.laws(&at(5), &[None, Some(1.25)]);
@@ -217,9 +168,9 @@ fn laws_keep_their_worst() {
     check(&a);
     check(&b);
     // Zero is no worst case.
-    let mut calm = Tally::new(&Lawful, &settings);
+    let mut calm = Tally::new(&lawful(), &settings);
     calm.laws(&at(1), &[Some(0.0), Some(0.0)]);
-    let found = calm.finish(&Lawful);
+    let found = calm.finish(&lawful());
     assert!(
         found
             .laws
@@ -228,56 +179,33 @@ fn laws_keep_their_worst() {
     );
 }
 
-/// [`Twice`] with two laws, whose residuals are planted.
-struct Lawful;
-
-impl Method for Lawful {
-    fn name(&self) -> &'static str {
-        Twice.name()
-    }
-    fn summary(&self) -> &'static str {
-        Twice.summary()
-    }
-    fn source(&self) -> &'static str {
-        Twice.source()
-    }
-    fn inputs(&self) -> Vec<Input> {
-        Twice.inputs()
-    }
-    fn outputs(&self) -> Vec<Output> {
-        Twice.outputs()
-    }
-    fn domain(&self) -> Domain {
-        Twice.domain()
-    }
-    fn solve(&self, x: &[f64]) -> SolverAnswer {
-        Twice.solve(x)
-    }
-    fn reference(&self, x: &[Rational], bits: u32) -> ReferenceAnswer {
-        Twice.reference(x, bits)
-    }
-    fn laws(&self) -> Vec<Law> {
-        ["first", "second"]
-            .map(|name| Law {
-                name,
-                statement: "planted",
-                residual: |_| None,
-            })
-            .to_vec()
+/// [`twice`] with two laws, whose residuals are planted.
+fn lawful() -> Planted<'static> {
+    let law = |name| Law {
+        name,
+        statement: "planted",
+        residual: |_| None,
+    };
+    Planted {
+        laws: ["first", "second"].map(law).into(),
+        ..twice()
     }
 }
 
 fn case(region: &'static str, index: u64, x: f64) -> Case {
     Case {
-        method: "twice",
         region,
-        input: vec![x],
-        origin: Origin::Random { seed: 1, index },
+        ..planted::case(index, &[x])
     }
 }
 
 fn judged(region: &'static str, index: u64, x: f64, answer: SolverAnswer) -> CaseReport {
-    judge_case_briefly(&Twice, case(region, index, x), answer, &Settings::default())
+    judge_case_briefly(
+        &twice(),
+        case(region, index, x),
+        answer,
+        &Settings::default(),
+    )
 }
 
 /// `x` off by a number of ulps, `2x` right.
@@ -288,9 +216,9 @@ fn off(region: &'static str, index: u64, ulps: u64) -> CaseReport {
 }
 
 fn report(all: &[CaseReport]) -> MethodReport {
-    let mut tally = Tally::new(&Twice, &Settings::default());
+    let mut tally = Tally::new(&twice(), &Settings::default());
     all.iter().for_each(|r| tally.add(r));
-    tally.finish(&Twice)
+    tally.finish(&twice())
 }
 
 #[test]
@@ -352,22 +280,6 @@ fn statistics_are_those_of_the_planted_errors() {
         (norm.max / expected - 1.0).abs() < 1e-3,
         "{norm:?} {expected}"
     );
-    let octaves: Vec<(Option<i32>, u64)> = r.outputs()[0]
-        .histogram
-        .iter()
-        .map(|o| (o.exponent, o.count))
-        .collect();
-    let expected = [
-        (None, 10),
-        (Some(0), 10),
-        (Some(1), 20),
-        (Some(2), 40),
-        (Some(3), 20),
-    ];
-    assert_eq!(octaves, expected);
-    // The first of those with the largest error of the octave.
-    let top = &r.outputs()[0].histogram[4].worst;
-    assert_eq!(top.origin, Origin::Random { seed: 1, index: 9 });
 }
 
 #[test]
@@ -437,7 +349,7 @@ proptest! {
         let all: Vec<CaseReport> = cases.into_iter().map(planted).collect();
         let settings = Settings { points: 4, ..Settings::default() };
         let tally = |part: &[CaseReport], backwards: bool| {
-            let mut tally = Tally::new(&Twice, &settings);
+            let mut tally = Tally::new(&twice(), &settings);
             match backwards {
                 false => part.iter().for_each(|r| tally.add(r)),
                 true => part.iter().rev().for_each(|r| tally.add(r)),
@@ -452,7 +364,7 @@ proptest! {
             sum.merge(b.clone());
             sum
         };
-        let whole = shown(&tally(&all, false).finish(&Twice));
+        let whole = shown(&tally(&all, false).finish(&twice()));
         let [a, b, c] = parts(false);
         let [x, y, z] = parts(true);
         for sum in [
@@ -461,7 +373,7 @@ proptest! {
             merged(&merged(&z, &x), &y),
             tally(&all, true),
         ] {
-            prop_assert_eq!(&shown(&sum.finish(&Twice)), &whole);
+            prop_assert_eq!(&shown(&sum.finish(&twice())), &whole);
         }
     }
 
@@ -473,20 +385,20 @@ proptest! {
         let all: Vec<CaseReport> = cases.into_iter().map(planted).collect();
         let settings = Settings { points: 4, ..Settings::default() };
         let tally = |part: &[CaseReport]| {
-            let mut tally = Tally::lean(&Twice, &settings);
+            let mut tally = Tally::lean(&twice(), &settings);
             part.iter().for_each(|r| tally.add(r));
             tally
         };
         let again = |tally: &Tally| {
             let text = serde_json::to_string(&tally.stored()).unwrap();
             let read: StoredTally = serde_json::from_str(&text).unwrap();
-            let back = Tally::restored(&Twice, &settings, read).unwrap();
+            let back = Tally::restored(&twice(), &settings, read).unwrap();
             assert_eq!(serde_json::to_string(&back.stored()).unwrap(), text);
             back
         };
         // The word of a refusal is judged alike, whoever says it.
         let shown = |tally: Tally| {
-            shown(&tally.finish(&Twice)).replace(r#"Declines(Some("negative"))"#, r#"Refuses("negative")"#)
+            shown(&tally.finish(&twice())).replace(r#"Declines(Some("negative"))"#, r#"Refuses("negative")"#)
         };
         let whole = shown(tally(&all));
         prop_assert_eq!(&shown(again(&tally(&all))), &whole);
@@ -502,12 +414,12 @@ proptest! {
 #[test]
 fn what_no_tally_of_the_method_holds_is_refused() {
     let settings = Settings::default();
-    let mut tally = Tally::lean(&Twice, &settings);
+    let mut tally = Tally::lean(&twice(), &settings);
     tally.add(&off("small", 0, 3));
     let text = serde_json::to_string(&tally.stored()).unwrap();
     let restored = |text: &str| {
         let read: StoredTally = serde_json::from_str(text).unwrap();
-        Tally::restored(&Twice, &settings, read).map(drop)
+        Tally::restored(&twice(), &settings, read).map(drop)
     };
     assert_eq!(restored(&text), Ok(()));
     for (from, to, why) in [
@@ -523,10 +435,10 @@ fn what_no_tally_of_the_method_holds_is_refused() {
         assert!(e.contains(why), "{e}");
     }
     // Of a spread that is not lean.
-    let whole = Tally::new(&Twice, &settings);
+    let whole = Tally::new(&twice(), &settings);
     let mut whole = whole;
     whole.add(&off("small", 0, 3));
-    let e = Tally::restored(&Twice, &settings, whole.stored());
+    let e = Tally::restored(&twice(), &settings, whole.stored());
     assert!(e.is_err());
 }
 
@@ -545,9 +457,9 @@ fn a_norm_at_its_budget_is_forgiven() {
 #[test]
 fn a_stored_tally_has_its_room() {
     let settings = Settings::default();
-    let mut tally = Tally::lean(&Twice, &settings);
+    let mut tally = Tally::lean(&twice(), &settings);
     tally.add(&off("small", 0, 1));
-    let back = Tally::restored(&Twice, &settings, tally.stored()).unwrap();
+    let back = Tally::restored(&twice(), &settings, tally.stored()).unwrap();
     let region = &back.regions[0].1;
     assert_eq!(region.share.room(), 1);
     for output in &region.outputs {

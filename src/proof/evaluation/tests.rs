@@ -1,13 +1,11 @@
 use super::*;
+use crate::bounds::rational;
+use crate::pinned::units;
 use crate::tracked::Result as Tracks;
 use mechaudit_solvers::faddeeva::proof::Real;
 use rand::rngs::ChaCha8Rng;
 use rand::{Rng, SeedableRng};
 use rug::Rational;
-
-fn rational(x: f64) -> Rational {
-    Rational::from_f64(x).expect("finite")
-}
 
 pub(super) fn setting(rounding: Rounding) -> Setting<'static> {
     Setting {
@@ -82,8 +80,7 @@ fn programs() -> Vec<(Program<Tracked>, Program<f64>, Due)> {
 /// its enclosure; the errors come close to their bounds.
 #[test]
 fn programs_at_points_are_within_their_errors() {
-    let mut random = ChaCha8Rng::seed_from_u64(1);
-    let mut unit = move || (random.next_u64() >> 11) as f64 / 2f64.powi(53);
+    let mut unit = units(1);
     for (i, (tracked, computed, due)) in programs().into_iter().enumerate() {
         let mut closest = 0.0f64;
         for _ in 0..12 {
@@ -117,8 +114,7 @@ fn programs_at_points_are_within_their_errors() {
 /// Beside a small factor down to zero: in units of it, and what underflows.
 #[test]
 fn programs_beside_a_small_factor() {
-    let mut random = ChaCha8Rng::seed_from_u64(2);
-    let mut unit = move || (random.next_u64() >> 11) as f64 / 2f64.powi(53);
+    let mut unit = units(2);
     for (i, (tracked, computed, due)) in programs().into_iter().enumerate() {
         // Those with a sum of both or a quotient by the other one.
         if ![2, 3, 4, 8].contains(&i) {

@@ -1,13 +1,11 @@
 use super::*;
-use rand::rngs::ChaCha8Rng;
-use rand::{Rng, SeedableRng};
+use crate::pinned::units;
 use rug::Rational;
 
 /// A rational function of two coordinates, over a rectangle and at a point of it.
 #[test]
 fn values_at_points_are_enclosed() {
-    let mut random = ChaCha8Rng::seed_from_u64(3);
-    let mut unit = || (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
+    let mut unit = units(3);
     for _ in 0..500 {
         let (x0, y0) = (1.0 + 4.0 * unit(), 0.5 + unit());
         let (x1, y1) = (x0 + unit(), y0 + unit());
@@ -130,8 +128,8 @@ fn radii_are_needed_and_enough() {
 /// The roundings of a centre and of slopes are in the radius.
 #[test]
 fn roundings_are_counted() {
-    let mut random = ChaCha8Rng::seed_from_u64(5);
-    let mut unit = || 1.0 + (random.next_u64() >> 12) as f64 / (1u64 << 52) as f64;
+    let mut more = units(5);
+    let mut unit = || 1.0 + more();
     let exact = |x: f64| Rational::from_f64(x).expect("finite");
     let few = |sum: &Exact, off: Rational| {
         assert!(exact(sum.radius) >= off, "{sum:?} {off}");

@@ -30,17 +30,23 @@ fn kernel(text: &str, domain: &[[f64; 2]]) -> Kernel {
     }
 }
 
+/// The proof of a program on as many boxes, without a target.
+fn proved(program: &Program, measure: Measure, boxes: u64) -> Proof {
+    let limits = Limits { boxes, target: 0.0 };
+    prove(program, measure, &limits, &Watch::default()).unwrap()
+}
+
 impl Kernel {
+    fn tried(&self) -> Result<Program, ProgramError> {
+        Program::new(&self.graph, &self.roots, None, &self.domain, self.setting)
+    }
+
     fn program(&self) -> Program {
-        Program::new(&self.graph, &self.roots, None, &self.domain, self.setting).unwrap()
+        self.tried().unwrap()
     }
 
     fn proof(&self, measure: Measure) -> Proof {
-        let limits = Limits {
-            boxes: 2_000,
-            target: 0.0,
-        };
-        prove(&self.program(), measure, &limits, &Watch::default()).unwrap()
+        proved(&self.program(), measure, 2_000)
     }
 
     fn bound(&self, measure: Measure) -> f64 {
@@ -218,15 +224,7 @@ fn no_random_formula_exceeds_its_bound() {
             }
         }
         let measures = [Measure::Absolute, Measure::Relative, Measure::Ulps];
-        let limits = Limits {
-            boxes: 60,
-            target: 0.0,
-        };
-        let bounds = measures.map(|m| {
-            prove(&kernel.program(), m, &limits, &Watch::default())
-                .unwrap()
-                .bound
-        });
+        let bounds = measures.map(|m| proved(&kernel.program(), m, 60).bound);
         if !bounds[0].is_finite() {
             continue;
         }
@@ -327,18 +325,7 @@ fn what_has_no_bound_says_so() {
     // On some boxes the sum only rises, and divides by what may be zero at their end.
     let end = kernel("(y + x)/(x - x + x/y)", &[[-5.0, 5.0], [1.0, 2.0]]);
     assert!(end.bound(Measure::Ulps) == f64::INFINITY);
-    let mut complex = Graph::new(["x".to_string()]);
-    let id = complex
-        .build(&Definitions::default(), &parse("W(x)").unwrap())
-        .unwrap();
-    let refused = Program::new(
-        &complex,
-        &[id],
-        None,
-        &[Interval::point(1.0)],
-        Setting::default(),
-    );
-    assert!(refused.is_err());
+    assert!(kernel("W(x)", &[[1.0, 1.0]]).tried().is_err());
 }
 
 /// The norm of the error of both parts, also as a part of a value whose parts are zero somewhere.
@@ -379,17 +366,7 @@ fn conditions_narrow_ranges() {
     let domain = [Interval::new(1.0, 9.0); 3];
     let of = |condition| {
         let program = Program::new(&graph, &[area], condition, &domain, Setting::default());
-        let limits = Limits {
-            boxes: 400,
-            target: 0.0,
-        };
-        prove(
-            &program.unwrap(),
-            Measure::Absolute,
-            &limits,
-            &Watch::default(),
-        )
-        .unwrap()
+        proved(&program.unwrap(), Measure::Absolute, 400)
     };
     assert!(of(None).bound == f64::INFINITY);
     let proof = of(Some(condition));
@@ -430,15 +407,9 @@ fn parts_of_a_domain_are_proved_apart() {
     let program = kernel.program();
     let all = parts(&program, 8);
     assert_eq!(all.len(), 8);
-    let limits = Limits {
-        boxes: 400,
-        target: 0.0,
-    };
     let each = all.iter().map(|at| {
         let part = program.within(at.clone());
-        prove(&part, Measure::Absolute, &limits, &Watch::default())
-            .unwrap()
-            .bound
+        proved(&part, Measure::Absolute, 400).bound
     });
     let worst = each.fold(0.0, f64::max);
     let whole = kernel.bound(Measure::Absolute);
@@ -483,28 +454,14 @@ fn boxes_cover_the_domain() {
 /// Loops run as often as their counters say; one that depends on rounding is refused.
 #[test]
 fn bounded_loops_are_unrolled() {
-    let build = |text: &str| {
-        let mut graph = Graph::new(["x".to_string()]);
-        let id = graph
-            .build(&Definitions::default(), &parse(text).unwrap())
-            .unwrap();
-        Program::new(
-            &graph,
-            &[id],
-            None,
-            &[Interval::new(1.0, 2.0)],
-            Setting::default(),
-        )
-    };
-    let unrolled = build("while_all(k < 3, s, 0, s + x, k, 0, k + 1, s)").unwrap();
-    let limits = Limits {
-        boxes: 500,
-        target: 0.0,
-    };
-    let proof = prove(&unrolled, Measure::Absolute, &limits, &Watch::default()).unwrap();
-    let same = kernel("0 + x + x + x", &[[1.0, 2.0]]).bound(Measure::Absolute);
-    assert_eq!(proof.bound, same);
-    assert!(build("while_all(s < 3, s, 0, s + x*x, s)").is_err());
-    let endless = build("x + while(1 < 2, k, 0, k, k)").unwrap_err();
+    let of = |text: &str| kernel(text, &[[1.0, 2.0]]);
+    let unrolled = of("while_all(k < 3, s, 0, s + x, k, 0, k + 1, s)");
+    let same = of("0 + x + x + x");
+    assert_eq!(
+        unrolled.bound(Measure::Absolute),
+        same.bound(Measure::Absolute)
+    );
+    assert!(of("while_all(s < 3, s, 0, s + x*x, s)").tried().is_err());
+    let endless = of("x + while(1 < 2, k, 0, k, k)").tried().unwrap_err();
     assert!(endless.to_string().contains("rounds"), "{endless}");
 }

@@ -163,26 +163,31 @@ fn a_wrong_centre_shows() {
     assert!(worst(&code, CELL, &cell()) > 1e12);
 }
 
-#[test]
-fn one_operation_that_truncates_shows() {
-    let at = cell();
-    let sound = worst(&CODE, CELL, &at);
-    let last = (1..400).map(|k| {
+/// The worst bound with one of the first operations truncating.
+fn truncated(operations: u32, of: impl Fn(&Code) -> f64) -> f64 {
+    let with = |k| {
         let rounding = Rounding {
             fma_rounds_twice: false,
             truncates: Some(k),
         };
-        worst(
-            &Code {
-                rounding,
-                ..CODE.clone()
-            },
-            CELL,
-            &at,
-        )
-    });
-    let most = last.fold(0.0, f64::max);
+        of(&Code {
+            rounding,
+            ..CODE.clone()
+        })
+    };
+    (1..operations).map(with).fold(0.0, f64::max)
+}
+
+#[test]
+fn one_operation_that_truncates_shows() {
+    let of = |code: &Code| worst(code, CELL, &cell());
+    let (sound, most) = (of(&CODE), truncated(400, of));
     assert!(most > sound + 0.2, "{sound} {most}");
+    for at in next_to_real_axis() {
+        let of = |code: &Code| worst_re(code, &at);
+        let (sound, most) = (of(&CODE), truncated(120, of));
+        assert!(most > sound + 0.3, "{at:?} {sound} {most}");
+    }
 }
 
 #[test]
@@ -237,26 +242,6 @@ fn the_real_part_beside_the_real_axis_is_within_its_bound() {
             let ulp = (value.next_up() - value).min(value - value.next_down());
             assert!((off / ulp).to_f64() <= most, "{z} {most}");
         }
-    }
-}
-
-#[test]
-fn an_operation_that_truncates_beside_the_real_axis_shows() {
-    for at in next_to_real_axis() {
-        let sound = worst_re(&CODE, &at);
-        let faulty = (1..120).map(|k| {
-            let rounding = Rounding {
-                fma_rounds_twice: false,
-                truncates: Some(k),
-            };
-            let code = Code {
-                rounding,
-                ..CODE.clone()
-            };
-            worst_re(&code, &at)
-        });
-        let most = faulty.fold(0.0, f64::max);
-        assert!(most > sound + 0.3, "{at:?} {sound} {most}");
     }
 }
 

@@ -1,12 +1,13 @@
 //! Rectangles against what the code does at points of them.
 
 use crate::cover::Rectangle;
+use crate::pinned::units;
 use mechaudit_reference::Ball;
 use mechaudit_reference::faddeeva::w_f64;
 use mechaudit_solvers::faddeeva::faddeeva;
 use num_complex::Complex;
+use rand::Rng;
 use rand::rngs::ChaCha8Rng;
-use rand::{Rng, SeedableRng};
 use rug::Float;
 use std::fmt::Debug;
 
@@ -48,8 +49,7 @@ pub(crate) fn pieces_hold_what_is_due<T: PartialEq + Debug>(
     many: usize,
     beside: impl Fn(Rectangle) -> Rectangle,
 ) {
-    let mut random = ChaCha8Rng::seed_from_u64(11);
-    let mut uniform = move || (random.next_u64() >> 11) as f64 * 2f64.powi(-53);
+    let mut uniform = units(11);
     let (mut known, mut refused, mut several) = (0, 0, 0);
     for k in 0..6000 {
         // Coordinates evenly and by their exponents, sides from a hundredth of the coordinate to

@@ -433,55 +433,6 @@ mod tests {
         v.iter().map(|&v| v.into()).collect()
     }
 
-    /// Table 1 of Zinchenko 2008 with `U_0 = 3`, `U_n = −5` and an inner right-hand side, solved by
-    /// the printed formulas (paper's signs): with the printed start `λ_1 = η_1 = 0` or with row 0,
-    /// and with the printed `b_n` or with −1.
-    fn printed_sweep(row_zero: bool, b_n: i32, d: &[Rational]) -> Vec<Rational> {
-        let n = d.len() - 1;
-        let (mut lambda, mut eta) = (vec![Rational::new(); n + 1], vec![Rational::new(); n + 1]);
-        if row_zero {
-            eta[1] = d[0].clone();
-        }
-        for i in 1..n {
-            let p: Rational = -4i32 - lambda[i].clone();
-            lambda[i + 1] = p.clone().recip();
-            eta[i + 1] = Rational::from(&eta[i] - &d[i]) / p;
-        }
-        let mut m = vec![Rational::new(); n + 1];
-        // Row n: 0 m_{n−1} − b_n m_n = U_n.
-        m[n] = Rational::from(-&d[n]) / b_n;
-        for i in (0..n).rev() {
-            m[i] = Rational::from(&lambda[i + 1] * &m[i + 1]) + &eta[i + 1];
-        }
-        m
-    }
-
-    #[test]
-    fn the_faults_of_the_print_show_in_exact_arithmetic() {
-        let d = q(&[3, 7, -2, 4, 11, -5]);
-        let n = d.len() - 1;
-        let (mut lower, mut upper) = (q(&[1; 5]), q(&[1; 5]));
-        let mut diagonal = q(&[4; 6]);
-        (upper[0], lower[n - 1]) = (Rational::new(), Rational::new());
-        (diagonal[0], diagonal[n]) = (1.into(), 1.into());
-        let truth = solve(&lower, &diagonal, &upper, &d).unwrap();
-        assert_eq!(
-            (&truth[0], &truth[n]),
-            (&Rational::from(3), &Rational::from(-5))
-        );
-        assert_eq!(printed_sweep(true, -1, &d), truth);
-        // b_n = 1 turns the sign of the last second derivative.
-        assert_eq!(printed_sweep(true, 1, &d)[n], 5);
-        // λ_1 = η_1 = 0 loses U_0; the inner equations still hold, for other unknowns.
-        let m = printed_sweep(false, -1, &d);
-        assert_eq!(m[0], 0);
-        assert_ne!(m[1], truth[1]);
-        for i in 1..n {
-            let left = Rational::from(&m[i - 1] + &m[i + 1]) + Rational::from(&m[i] * 4);
-            assert_eq!(left, d[i]);
-        }
-    }
-
     /// Rows without denominators and without a common factor, as they come and after an
     /// elimination.
     #[test]

@@ -25,27 +25,6 @@ fn one(
     judge_by(&rules, &answer, &exactly(expected), conditions)
 }
 
-/// Where no number is expected, a wrong value has its kind in its place, and a right one has none.
-#[test]
-fn kinds_where_no_number_is_due() {
-    let kind = |got: f64, expected: Expected| {
-        let found = one(Limit::Ulps(4.0), Format::Double, got, expected, None);
-        let c = &found.components[0];
-        assert_eq!(c.kind, found.kind);
-        assert!(c.ulps.is_nan() && c.conditioned.is_nan() && c.condition.is_nan());
-        (c.verdict, c.kind, c.of_budget)
-    };
-    let infinity = || Expected::Infinity { negative: false };
-    let wrong = |kind| (Verdict::WrongKind, Some(kind), f64::INFINITY);
-    let right = (Verdict::Pass, None, 0.0);
-    assert_eq!(kind(f64::INFINITY, infinity()), right);
-    assert_eq!(kind(f64::NAN, Expected::NotANumber), right);
-    assert_eq!(kind(f64::NAN, infinity()), wrong(Kind::Nan));
-    assert_eq!(kind(f64::NEG_INFINITY, infinity()), wrong(Kind::Infinity));
-    assert_eq!(kind(1.0, infinity()), wrong(Kind::Finite));
-    assert_eq!(kind(0.0, Expected::NotANumber), wrong(Kind::Finite));
-}
-
 /// Of a zero the condition number is infinite, whatever the derivatives are.
 #[test]
 fn zero_has_no_finite_condition_number() {
@@ -60,31 +39,33 @@ fn zero_has_no_finite_condition_number() {
     assert_eq!(found.components[0].condition, 0.0);
 }
 
-/// A rounding of the smallest f32 is free beside an absolute limit far below it.
+/// A rounding of the smallest numbers is free under every relative limit, beside an absolute one
+/// far below it as well.
 #[test]
-fn the_smallest_numbers_of_single_precision() {
-    let least = 2f64.powi(-149);
-    let judged = |got: f64, limit: Limit, format: Format| {
-        let expected = Expected::Number(Ball::exact(64, 1.5 * least));
-        one(limit, format, got, expected, None).verdict
-    };
-    for limit in [
-        Limit::RelativeOrAbsolute(1e-12, 1e-300),
-        Limit::Relative(1e-12),
-        Limit::OfNorm(1e-12),
+fn roundings_of_the_smallest_numbers_are_free() {
+    for (format, least, absolute) in [
+        (Format::Single, 2f64.powi(-149), 1e-300),
+        (Format::Double, 5e-324, 5e-324),
     ] {
-        for (got, verdict) in [
-            (least, Verdict::Pass),
-            (2.0 * least, Verdict::Pass),
-            (0.0, Verdict::Over),
-            (3.0 * least, Verdict::Over),
+        for limit in [
+            Limit::RelativeOrAbsolute(1e-12, absolute),
+            Limit::Relative(1e-12),
+            Limit::OfNorm(1e-12),
         ] {
-            assert_eq!(
-                judged(got, limit, Format::Single),
-                verdict,
-                "{limit} {got:e}"
-            );
-            assert_eq!(judged(got, limit, Format::Double), Verdict::Over);
+            for (got, verdict) in [
+                (1.0, Verdict::Pass),
+                (2.0, Verdict::Pass),
+                (0.0, Verdict::Over),
+                (3.0, Verdict::Over),
+            ] {
+                let reference = Ball::exact(64, 1.5).shift(least.log2() as i32);
+                let judged = |format| {
+                    let expected = Expected::Number(reference.clone());
+                    one(limit, format, got * least, expected, None).verdict
+                };
+                assert_eq!(judged(format), verdict, "{limit} {got}");
+                assert!(format == Format::Double || judged(Format::Double) == Verdict::Over);
+            }
         }
     }
 }

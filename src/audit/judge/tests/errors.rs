@@ -35,15 +35,6 @@ fn what_is_wrong_is_said() {
         over.why().as_deref(),
         Some("x (value 0) is 1.0000000000000018e0, expected 1e0: 2.000 times its budget off")
     );
-    let far = |times: f64| {
-        said(1.0 + 4.0 * times * f64::EPSILON, number(1.0))
-            .why()
-            .unwrap()
-    };
-    assert!(far(9999.0).contains("9999.000 times"), "{}", far(9999.0));
-    assert!(far(1e4).contains("1.00e4 times"), "{}", far(1e4));
-    let beyond = said(f64::MAX, number(5e-324)).why().unwrap();
-    assert!(beyond.contains("more than 1e308 times"), "{beyond}");
     // The first of two equally wrong values is named.
     let first = measured(&[2.0, 7.0], &[1.0, 1.0], Limit::Ulps(4.0), None);
     assert!(first.why().unwrap().starts_with("x (value 0) is "));
@@ -174,10 +165,7 @@ fn a_norm_s_budget_is_for_numbers_and_decided_by_bounds() {
     let budget = NormBudget::new(4.0, "planted");
     let o = outputs(Limit::Absolute(1e300));
     let judged = |got: f64, expected: Ball| {
-        let reference = ReferenceAnswer::Values(Reference {
-            values: vec![expected],
-            proof: Proof::Exact,
-        });
+        let reference = ReferenceAnswer::bounded(vec![expected], "planted");
         judge_with_norm(
             &o,
             Some(&budget),
@@ -257,30 +245,6 @@ fn normwise_limits_take_the_largest_with_its_condition() {
 }
 
 #[test]
-fn roundings_of_the_smallest_numbers_are_free_under_every_relative_limit() {
-    let expected = ReferenceAnswer::Values(Reference {
-        values: vec![Ball::new(Float::with_val(64, 1.5) << -1074i32, Mag::ZERO)],
-        proof: Proof::Exact,
-    });
-    for limit in [
-        Limit::Relative(1e-12),
-        Limit::RelativeOrAbsolute(1e-12, 5e-324),
-        Limit::OfNorm(1e-12),
-    ] {
-        for (bits, verdict) in [
-            (1, Verdict::Pass),
-            (2, Verdict::Pass),
-            (3, Verdict::Over),
-            (0, Verdict::Over),
-        ] {
-            let got = SolverAnswer::Values(vec![f64::from_bits(bits)]);
-            let found = judge(&outputs(limit), &got, &expected, None);
-            assert_eq!(found.verdict, verdict, "{limit} {bits}");
-        }
-    }
-}
-
-#[test]
 fn a_bound_on_a_norm_from_below_is_below() {
     for k in 1..2000 {
         let x = Mag::from_f64(f64::from(k) * 0.37);
@@ -295,10 +259,7 @@ fn a_bound_on_a_norm_from_below_is_below() {
 fn subnormal_roundings() {
     let tiny = f64::from_bits(1);
     let judged = |got: f64, expected: &Ball, limit: Limit, condition: f64| {
-        let reference = ReferenceAnswer::Values(Reference {
-            values: vec![expected.clone()],
-            proof: Proof::Exact,
-        });
+        let reference = ReferenceAnswer::bounded(vec![expected.clone()], "planted");
         let got = SolverAnswer::Values(vec![got]);
         judge(&outputs(limit), &got, &reference, Some(&[condition])).verdict
     };

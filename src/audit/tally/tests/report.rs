@@ -1,8 +1,7 @@
 //! Tests of a tally's report: regions, examples, norms, laws, and the parts left out.
 
 use super::*;
-use crate::judged::judge_case_briefly;
-use crate::planted::{self, Planted, off as shifted, output, region};
+use crate::planted::off as shifted;
 
 /// `1` in each of the outputs, off by a number of ulps.
 fn at(method: &Planted, region: &'static str, index: u64, ulps: &[u64]) -> CaseReport {

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::judged::judge_case;
-use crate::planted::{self, Planted, off as shifted, output};
+use crate::planted::off as shifted;
 use serde_json::Value;
 
 fn settings() -> Settings {

@@ -1,8 +1,6 @@
 use super::*;
-use crate::pinned::{bit_by_bit, largest};
+use crate::pinned::{bit_by_bit, largest, units};
 use mechaudit_reference::faddeeva::w_f64;
-use rand::rngs::ChaCha8Rng;
-use rand::{Rng, SeedableRng};
 use rug::Float;
 
 fn proved(change: impl FnOnce(&mut code::Again)) -> [f64; 3] {
@@ -51,12 +49,11 @@ fn faults_show() {
 /// Along the curve on which both terms have one size, and beside it, pairs are within E M of w.
 #[test]
 fn errors_of_pairs_are_below_their_bounds() {
-    let mut random = ChaCha8Rng::seed_from_u64(17);
+    let mut unit = units(17);
     let c = code::again();
     let [near, far, _] = proved(|_| ());
     let mut most = [0.0f64; 2];
     for i in 0..6000 {
-        let mut unit = || (random.next_u64() >> 11) as f64 / 2f64.powi(53);
         let b = 1.3 * 2f64.powf(24.0 * unit());
         let d = (2.0 * 1.7725 * 1.4143 * b).ln() + 3.0 * (unit() - 0.5);
         let a = b.hypot(d.max(0.1).sqrt());

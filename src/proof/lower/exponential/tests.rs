@@ -1,6 +1,5 @@
 use super::*;
-use rand::rngs::ChaCha8Rng;
-use rand::{Rng, SeedableRng};
+use crate::pinned::units;
 use rug::Float;
 
 const ROUND: f64 = mechaudit_solvers::faddeeva::proof::ROUND;
@@ -9,15 +8,10 @@ fn float(x: f64) -> Float {
     Float::with_val(300, x)
 }
 
-fn random() -> impl FnMut() -> f64 {
-    let mut random = ChaCha8Rng::seed_from_u64(29);
-    move || (random.next_u64() >> 11) as f64 / 2f64.powi(53)
-}
-
 /// `e^{h + l}` at points of an interval is within its errors in each form, and they are not idle.
 #[test]
 fn exponentials_at_points_are_within_their_errors() {
-    let mut unit = random();
+    let mut unit = units(29);
     let c = code::constants();
     let of_series = exponential_error(&c.exp, c.ln_2, MOST_EXPONENT);
     let mut most = [0.0f64; 3];
@@ -76,7 +70,7 @@ fn exponentials_at_points_are_within_their_errors() {
 /// Sine and cosine of a reduced phase and its low part, without what the phase itself is wrong by.
 #[test]
 fn circles_at_points_are_within_their_errors() {
-    let mut unit = random();
+    let mut unit = units(29);
     let c = code::constants();
     let none = Phase {
         error: 0.0,

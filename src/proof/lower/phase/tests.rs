@@ -1,6 +1,5 @@
 use super::*;
-use rand::rngs::ChaCha8Rng;
-use rand::{Rng, SeedableRng};
+use crate::pinned::units;
 use rug::Float;
 use std::sync::LazyLock;
 
@@ -11,8 +10,7 @@ static PHASE: LazyLock<Phase> =
 /// form, are within their errors.
 #[test]
 fn reduced_phases_are_within_their_errors() {
-    let mut random = ChaCha8Rng::seed_from_u64(23);
-    let mut unit = || (random.next_u64() >> 11) as f64 / 2f64.powi(53);
+    let mut unit = units(23);
     let h0 = code::constants().half_pi[0];
     let half_pi = Ball::pi(300).shift(-1).mid().clone();
     let float = |x: f64| Float::with_val(300, x);

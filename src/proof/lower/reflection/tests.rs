@@ -1,8 +1,6 @@
 use super::*;
 use crate::pinned::{bit_by_bit, counted, units};
 use mechaudit_reference::Mag;
-use rand::rngs::ChaCha8Rng;
-use rand::{Rng, SeedableRng};
 use rug::{Float, Rational};
 
 fn at(a: [f64; 2], b: [f64; 2]) -> Rectangle {
@@ -218,8 +216,7 @@ fn sizes_of_numbers_known_to_few_digits() {
 /// used.
 #[test]
 fn differences_on_a_grid_are_below_their_bound() {
-    let mut random = ChaCha8Rng::seed_from_u64(31);
-    let mut unit = move || (random.next_u64() >> 11) as f64 * 2f64.powi(-53);
+    let mut unit = units(31);
     let (mut close, mut finite) = (0, 0);
     for _ in 0..400 {
         let (a, b) = (0.5 + 2.0 * unit(), 0.5 + 2.0 * unit());

@@ -1,6 +1,6 @@
 use super::*;
 use crate::at_points::error;
-use crate::pinned::{bit_by_bit, counted, digest};
+use crate::pinned::{bit_by_bit, counted, digest, units};
 use mechaudit_solvers::faddeeva::{Branch, branch};
 use num_complex::Complex;
 use rand::rngs::ChaCha8Rng;
@@ -139,13 +139,12 @@ fn coefficients_about_a_zero() {
 /// No part of the way down to the f64 next to a zero is left out, and none of it twice.
 #[test]
 fn rings_go_down_to_the_nearest() {
-    let mut random = ChaCha8Rng::seed_from_u64(12);
+    let mut unit = units(12);
     for (outer, least) in [(0.1, 1e-17), (1.0, 0.3), (1.0, 0.25), (0.7, 0.69)] {
         let all = rings(outer, least);
         let halvings = (outer / least).log2().ceil() as usize;
         assert_eq!(all.len(), 4 * halvings, "{outer} {least}");
         for _ in 0..500 {
-            let mut unit = || (random.next_u64() >> 11) as f64 / 2f64.powi(53);
             let size = least * (outer / least).powf(unit());
             let (other, signs) = ((2.0 * unit() - 1.0) * size, unit());
             let size = if signs < 0.5 { size } else { -size };

@@ -41,28 +41,46 @@ fn rational_numbers_are_rounded_once() {
     assert_eq!(tiny("0.1"), 0.1);
 }
 
+/// The sign belongs to the number, the exponent to its last digit, whose place is the unit.
 #[test]
-fn exact_parsing() {
-    for (text, n, d, places) in [
-        ("0.034", 34, 1000, 3),
-        ("-0.000", 0, 1, 3),
+fn numbers_are_read_exactly() {
+    for (text, n, d, exponent) in [
+        ("0.034", 34, 1000, -3),
+        ("-0.000", 0, 1, -3),
         ("+7", 7, 1, 0),
-        ("1.5e-3", 15, 10_000, 4),
-        ("2.5E2", 250, 1, 0),
-        (".5", 1, 2, 1),
+        ("1.5e-3", 15, 10_000, -4),
+        ("2.5E2", 250, 1, 1),
+        (".5", 1, 2, -1),
+        ("-1.25", -5, 4, -2),
+        ("-7e2", -700, 1, 2),
+        ("-12.5e-1", -5, 4, -2),
+        ("1.5e1", 15, 1, 0),
+        ("1e0", 1, 1, 0),
+        ("1.2e4", 12_000, 1, 3),
     ] {
         let x = Decimal::parse(text).unwrap();
         assert_eq!(x.value, Rational::from((n, d)), "{text}");
-        assert_eq!(x.places, places, "{text}");
+        assert_eq!(x.exponent, exponent, "{text}");
+        assert_eq!(x.places as i32, (-exponent).max(0), "{text}");
+        let places = Rational::from(10u32.pow(x.places));
+        let unit = match exponent > 0 {
+            true => Rational::from(10u32.pow(exponent as u32)),
+            false => places.recip(),
+        };
+        assert_eq!(x.unit(), unit, "{text}");
     }
     for text in [
         "",
         "-",
+        "+",
         ".",
         "1,5",
         "nan",
         "inf",
         "1e",
+        "1e+",
+        "e5",
+        ".e5",
         "1e999999999",
         "1e-2147483648",
         "0x10",
@@ -71,22 +89,12 @@ fn exact_parsing() {
     ] {
         assert!(Decimal::parse(text).is_err(), "{text:?}");
     }
-}
-
-#[test]
-fn the_last_digit_has_its_place() {
-    for (text, n, d) in [
-        ("1.25", 1, 100),
-        ("1.2e4", 1000, 1),
-        ("12", 1, 1),
-        ("1.20e-1", 1, 1000),
-    ] {
-        assert_eq!(
-            Decimal::parse(text).unwrap().unit(),
-            Rational::from((n, d)),
-            "{text}"
-        );
+    for text in ["", "+", "e5", ".e5", "1e+"] {
+        assert!(Decimal::nearest(text).is_err(), "{text:?}");
     }
+    assert_eq!(Decimal::parse("1e100000").unwrap().exponent, 100_000);
+    let beyond = Decimal::parse("1e100001").unwrap_err().to_string();
+    assert!(beyond.ends_with("is beyond ±100000"), "{beyond}");
     let off = Decimal::parse("0.334").unwrap();
     let off = off.units_off(&Ball::rational(100, &Rational::from((1, 3))));
     assert!((off.to_f64() - 2.0 / 3.0).abs() < 1e-12);
@@ -104,29 +112,6 @@ fn digits_are_printed_only_when_certified() {
     assert_eq!(minus.to_decimal(6).unwrap(), "-0.000333333");
     assert_eq!(Ball::integer(64, 1200).to_decimal(6).unwrap(), "1200.00");
     assert_eq!(Ball::integer(64, 0).to_decimal(6).unwrap(), "0");
-}
-
-/// The sign belongs to the number, the exponent to its last digit.
-#[test]
-fn signs_and_exponents() {
-    for (text, n, d, exponent) in [
-        ("-1.25", -5, 4, -2),
-        ("-7e2", -700, 1, 2),
-        ("-12.5e-1", -5, 4, -2),
-        ("1.5e1", 15, 1, 0),
-        ("1e0", 1, 1, 0),
-    ] {
-        let x = Decimal::parse(text).unwrap();
-        assert_eq!(x.value, Rational::from((n, d)), "{text}");
-        assert_eq!(x.exponent, exponent, "{text}");
-        assert_eq!(x.places as i32, (-exponent).max(0), "{text}");
-    }
-    assert_eq!(Decimal::parse("1e100000").unwrap().exponent, 100_000);
-    let beyond = Decimal::parse("1e100001").unwrap_err().to_string();
-    assert!(beyond.ends_with("is beyond ±100000"), "{beyond}");
-    for text in ["", "+", "e5", ".e5", "1e+"] {
-        assert!(Decimal::nearest(text).is_err() && Decimal::parse(text).is_err());
-    }
 }
 
 fn around(text: &str, rad: f64) -> Ball {

@@ -7,19 +7,31 @@ fn exact(m: Mag) -> Float {
     Float::with_val(4000, m.to_float())
 }
 
+/// Every size, evenly by the bits.
+fn number() -> impl Strategy<Value = f64> {
+    (1e-300f64.to_bits()..1e300f64.to_bits()).prop_map(f64::from_bits)
+}
+
 proptest! {
     #[test]
-    fn every_operation_is_an_upper_bound(a in 1e-300f64..1e300, b in 1e-300f64..1e300) {
-        let (x, y) = (Mag::from_f64(a), Mag::from_f64(b));
-        prop_assert_eq!(exact(x), a);
-        prop_assert!(exact(x.add(y)) >= Float::with_val(4000, a) + b);
-        prop_assert!(exact(x.mul(y)) >= Float::with_val(4000, a) * b);
-        prop_assert!(exact(x.div(y)) >= Float::with_val(4000, a) / b);
-        prop_assert!(exact(x.sqrt()) >= Float::with_val(4000, a).sqrt());
-        let d = exact(x.sub_below(y));
-        prop_assert!(d == 0 || d <= Float::with_val(4000, a) - b);
-        // And a tight one.
-        prop_assert!(exact(x.mul(y)) <= Float::with_val(4000, a) * b * (1.0 + 1e-15));
+    fn every_operation_is_a_tight_upper_bound((a, b, near) in (number(), number(), 0.5f64..2.0)) {
+        for b in [b, a * near] {
+            let (x, y) = (Mag::from_f64(a), Mag::from_f64(b));
+            let (p, q) = (Float::with_val(4000, a), Float::with_val(4000, b));
+            prop_assert_eq!(exact(x), a);
+            for (found, due) in [
+                (x.add(y), Float::with_val(4000, &p + &q)),
+                (x.mul(y), Float::with_val(4000, &p * &q)),
+                (x.div(y), Float::with_val(4000, &p / &q)),
+                (x.sqrt(), p.clone().sqrt()),
+            ] {
+                let found = exact(found);
+                prop_assert!(due <= found && found <= due * (1.0 + 1e-15), "{a} {b}");
+            }
+            let (d, due) = (exact(x.sub_below(y)), p - q);
+            prop_assert!(d == 0 || d <= due);
+            prop_assert!(b > 0.9 * a || d >= due * (1.0 - 1e-14), "{a} {b}");
+        }
     }
 }
 
@@ -131,6 +143,46 @@ fn the_ends_of_the_range() {
     assert_eq!(Mag::from_f64(least).to_f64(), least);
     assert_eq!(Mag::from_f64(least / 2.0).to_f64(), (least / 2.0).next_up());
     assert_eq!(Mag::from_f64(1.5).shift(-1075).to_f64(), f64::from_bits(1));
+}
+
+/// Infinite and zero bounds, and terms far below others.
+#[test]
+fn operations_at_the_ends() {
+    let (zero, one, inf) = (Mag::ZERO, Mag::from_f64(1.0), Mag::INFINITY);
+    let nan = Float::with_val(53, f64::NAN);
+    assert!(!Mag::above(&nan).is_finite() && Mag::below(&nan).is_zero());
+    assert!(Mag::below(&Float::new(53)).is_zero());
+    for x in [one, Mag::power_of_two(-5000), Mag::power_of_two(5000)] {
+        for y in [x.add(inf), inf.add(x), x.mul(inf), inf.mul(x), x.div(zero)] {
+            assert!(!y.is_finite(), "{x:?}");
+        }
+        assert!(!inf.div(x).is_finite() && x.div(inf).is_zero());
+        assert!(zero.div(x).is_zero() && zero.mul(x).is_zero() && zero.sub_below(x).is_zero());
+        assert_eq!((x.add(zero), zero.add(x)), (x, x));
+    }
+    assert!(zero.div(zero).is_zero() && zero.sqrt().is_zero() && !inf.sqrt().is_finite());
+    let exponents = [zero, inf, one].map(Mag::exponent);
+    assert_eq!(exponents, [None, None, Some(0)]);
+    // Powers of two are exact, and a tiny term still moves a sum up and a difference down.
+    for k in [50, 59, 60, 61, 62, 100, 4000] {
+        let (tiny, part) = (Mag::power_of_two(-k), 2f64.powi(-k as i32));
+        let most = Mag::from_f64(1.0 + part + 3.0 * f64::EPSILON);
+        for sum in [one.add(tiny), tiny.add(one)] {
+            assert!(sum > one && sum <= most, "{k}");
+        }
+        let less = one.sub_below(tiny);
+        let least = Mag::from_f64(1.0 - part - 3.0 * f64::EPSILON);
+        assert!(less < one && less >= least, "{k}");
+    }
+    // As f64, from above.
+    for (e, due) in [
+        (-3, 0.125),
+        (-1021, 2f64.powi(-1021)),
+        (-1074, f64::from_bits(2)),
+        (-1075, f64::from_bits(1)),
+    ] {
+        assert_eq!(Mag::power_of_two(e).to_f64(), due, "{e}");
+    }
 }
 
 #[test]

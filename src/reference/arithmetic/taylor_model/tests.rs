@@ -306,13 +306,10 @@ fn bounds_are_rounded_up() {
 /// Products of bounds are not below those of what they bound, whatever the bits beyond the 53rd.
 #[test]
 fn products_of_bounds_are_rounded_up() {
-    let mut state = 1u64;
+    let mut numbers = Draw(1);
     let mut draw = || {
-        state = state
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1);
         // From one to two.
-        let x = Float::with_val(P, state >> 5 | 1 << 59) >> 59u32;
+        let x = Float::with_val(P, numbers.next() >> 5 | 1 << 59) >> 59u32;
         let exact = x.to_rational().unwrap();
         (x, exact)
     };

@@ -1,8 +1,9 @@
 use super::*;
+use crate::gauss_legendre::GaussLegendre;
 use crate::pinned::{Answers, Draw, pin};
 use crate::{Ball, ComplexBall, Mag};
 use proptest::prelude::*;
-use rug::{Float, Rational};
+use rug::Rational;
 
 fn problem(values: [f64; 9]) -> Problem {
     Problem::new(&values.map(|x| Rational::from_f64(x).unwrap())).unwrap()
@@ -14,33 +15,17 @@ fn overlap(a: &Response, b: &Response, what: &str) {
     }
 }
 
+/// Next to critical damping.
+const ABOVE: f64 = 10.0 * (1.0 + 1e-12);
+const BELOW: f64 = 10.0 * (1.0 - 1e-12);
+
 /// w, n, ε, Ω₀, k, δ, y₀, v₀, t
 const CASES: &[[f64; 9]] = &[
     [10.0, 0.5, 4.0, 0.0, 2.0, 0.0, 0.0, 0.0, 1.5],
     [10.0, 0.5, -4.0, 30.0, 2.0, 0.3, 0.1, -2.0, 8.0],
     [10.0, 10.0, 4.0, 0.0, 2.0, 0.3, 0.1, -2.0, 3.0],
-    [
-        10.0,
-        10.0 * (1.0 + 1e-12),
-        4.0,
-        0.0,
-        2.0,
-        0.3,
-        0.1,
-        -2.0,
-        3.0,
-    ],
-    [
-        10.0,
-        10.0 * (1.0 - 1e-12),
-        4.0,
-        0.0,
-        2.0,
-        0.3,
-        0.1,
-        -2.0,
-        3.0,
-    ],
+    [10.0, ABOVE, 4.0, 0.0, 2.0, 0.3, 0.1, -2.0, 3.0],
+    [10.0, BELOW, 4.0, 0.0, 2.0, 0.3, 0.1, -2.0, 3.0],
     [10.0, 40.0, -4.0, 10.0, 1.0, 0.3, 0.1, -2.0, 3.0],
     [10.0, 0.0, 0.0, 10.0, 1.0, 0.3, 0.1, -2.0, 3.0],
     [10.0, 0.0, 0.0, -10.0, 1.0, 0.3, 0.1, -2.0, 3.0],
@@ -131,67 +116,17 @@ proptest! {
     }
 }
 
-/// A node of the Gauss–Legendre rule with its weight, proven by a change of sign.
-fn node(points: u32, near: f64, prec: u32) -> (Ball, Ball) {
-    let legendre = |x: &Ball| {
-        let (mut a, mut b) = (Ball::integer(prec, 1), x.clone());
-        for j in 2..=i64::from(points) {
-            let next = (&(x * &b) * Ball::integer(prec, 2 * j - 1)
-                - &a * Ball::integer(prec, j - 1))
-                / Ball::integer(prec, j);
-            a = std::mem::replace(&mut b, next);
-        }
-        (a, b)
-    };
-    // P′ = N (P_{N−1} − x P_N)/(1 − x²)
-    let slope = |x: &Ball, a: &Ball, b: &Ball| {
-        let one = Ball::integer(prec, 1);
-        Ball::integer(prec, i64::from(points)) * (a - &(x * b)) / (one - x.square())
-    };
-    let mut mid = Float::with_val(prec, near);
-    for _ in 0..8 {
-        let x = Ball::new(mid.clone(), Mag::ZERO);
-        let (a, b) = legendre(&x);
-        mid -= Float::with_val(prec, b.mid() / slope(&x, &a, &b).mid());
-    }
-    let rad = Mag::power_of_two(90 - i64::from(prec));
-    let step = rad.to_float();
-    let end = |x: Float| legendre(&Ball::new(x, Mag::ZERO)).1;
-    let (low, high) = (
-        end(Float::with_val(prec, &mid - &step)),
-        end(Float::with_val(prec, &mid + &step)),
-    );
-    assert!(
-        low.is_negative() != high.is_negative() && !low.contains_zero() && !high.contains_zero()
-    );
-    let x = Ball::new(mid, rad);
-    let (a, b) = legendre(&x);
-    let d = slope(&x, &a, &b);
-    let one = Ball::integer(prec, 1);
-    let weight = Ball::integer(prec, 2) / ((one - x.square()) * d.square());
-    (x, weight)
-}
-
 /// `A` by Gauss–Legendre panels: with N points and the integrand bounded by M within the Bernstein
 /// ellipse ρ the error is at most `(64/15) M ρ^{−2(N−1)}/(1 − ρ^{−2})` (Trefethen, *Approximation
 /// Theory and Approximation Practice*, Theorem 19.3) times the half-width. Within the ellipse `|s −
 /// c| ≤ r = h (ρ + 1/ρ)/2`, and there `|K h| ≤ (|K| + |K′|/w) e^{(w + 2n + |q| + κr) r}` as for the
 /// panels.
 fn by_gauss_legendre(values: [f64; 9], prec: u32) -> ComplexBall {
-    const POINTS: u32 = 40;
+    const POINTS: usize = 40;
     const RHO: f64 = 16.0;
     let p = problem(values);
     let [w, n, eps, omega0, k, _, _, _, t] = values;
-    let nodes: Vec<(Ball, Ball)> = (1..=POINTS)
-        .map(|i| {
-            let angle = std::f64::consts::PI * (f64::from(i) - 0.25) / (f64::from(POINTS) + 0.5);
-            // The recurrence widens a ball threefold in every step.
-            node(POINTS, angle.cos(), prec + 120)
-        })
-        .collect();
-    for pair in nodes.windows(2) {
-        assert!(!pair[0].0.overlaps(&pair[1].0));
-    }
+    let rule = GaussLegendre::new(POINTS, prec).unwrap();
     let fastest = (k * omega0).abs().max((k * (omega0 + eps * t)).abs());
     let panels = ((w + 2.0 * n + fastest) * t / 2.0).ceil() as u32;
     let half = Rational::from(&p.t / (2 * panels));
@@ -212,7 +147,7 @@ fn by_gauss_legendre(values: [f64; 9], prec: u32) -> ComplexBall {
             let angle = s * (&omega - &(&kappa * s).shift(-1));
             ComplexBall::unit(&angle).scaled(&(decay * sine))
         };
-        for (x, weight) in &nodes {
+        for (x, weight) in &rule.nodes {
             sum = &sum + &integrand(&(&centre + &(&h * x))).scaled(&(weight * &h));
         }
         // K and K′/w are at most e^{−ns} (s + (1 + ns)/w) ≤ t + 2/w in modulus.

@@ -3,6 +3,7 @@
 use super::super::cam_law::{Family, Piece};
 use super::super::fourier_transform::near_resonance;
 use super::*;
+use crate::cubic_spline::Spline;
 
 fn r(n: i32, d: i32) -> Rational {
     Rational::from((n, d))
@@ -142,30 +143,41 @@ fn equal_steps_are_single_harmonics() {
     }
 }
 
-#[test]
-fn conditions_of_a_table_are_its_differences() {
-    use crate::cubic_spline::Spline;
+/// Knots and ordinates of a table.
+fn table() -> [[Rational; 5]; 2] {
     let knots = [r(0, 1), r(1, 5), r(1, 2), r(9, 10), r(1, 1)];
     let ordinates = [r(0, 1), r(1, 9), r(2, 3), r(4, 5), r(1, 1)];
-    let stroke = |x: &[Rational], y: &[Rational]| Stroke {
+    [knots, ordinates]
+}
+
+/// A stroke by the spline through a table.
+fn by_spline(x: &[Rational], y: &[Rational]) -> Stroke {
+    Stroke {
         law: Law::spline(&Spline::clamped(x, y, &r(0, 1), &r(0, 1)).unwrap(), x),
         start: r(1, 11),
         turns: r(2, 7),
-    };
-    let orders = Orders {
-        first: 3,
-        stride: 2,
-        count: 3,
-    };
+    }
+}
+
+/// Orders 3, 5 and 7.
+const ODD: Orders = Orders {
+    first: 3,
+    stride: 2,
+    count: 3,
+};
+
+#[test]
+fn conditions_of_a_table_are_its_differences() {
+    let [knots, ordinates] = table();
     let values = |stroke: &Stroke| -> Vec<Ball> {
         // The condition of the mean is that of one stroke: its area.
         let area = stroke.law.mean(300) * Ball::rational(300, &stroke.turns);
-        let harmonics = harmonics(&r(1, 1), stroke, None, orders, 300);
+        let harmonics = harmonics(&r(1, 1), stroke, None, ODD, 300);
         std::iter::once(area)
             .chain(harmonics.into_iter().flatten())
             .collect()
     };
-    let base = stroke(&knots, &ordinates);
+    let base = by_spline(&knots, &ordinates);
     let before = values(&base);
     let mut due = vec![0.0; before.len()];
     for j in 1..4 {
@@ -173,12 +185,12 @@ fn conditions_of_a_table_are_its_differences() {
             let (mut x, mut y) = (knots.clone(), ordinates.clone());
             let moved = if of_knot { &mut x[j] } else { &mut y[j] };
             *moved *= r(1, 1) + (r(1, 1) >> 60);
-            for ((sum, a), b) in due.iter_mut().zip(values(&stroke(&x, &y))).zip(&before) {
+            for ((sum, a), b) in due.iter_mut().zip(values(&by_spline(&x, &y))).zip(&before) {
                 *sum += (a - b).shift(60).to_f64().abs();
             }
         }
     }
-    let (mean, found) = data_conditions(&r(1, 1), &base, orders, 128);
+    let (mean, found) = data_conditions(&r(1, 1), &base, ODD, 128);
     let found = std::iter::once(mean).chain(found.into_iter().flatten());
     for (found, due) in found.zip(due) {
         assert!(
@@ -334,22 +346,10 @@ fn bits_that_the_integration_by_parts_loses() {
 /// Checks that a value computed with few bits is not below that computed with many.
 #[test]
 fn conditions_are_bounds_from_above() {
-    use crate::cubic_spline::Spline;
-    let knots = [r(0, 1), r(1, 5), r(1, 2), r(9, 10), r(1, 1)];
-    let ordinates = [r(0, 1), r(1, 9), r(2, 3), r(4, 5), r(1, 1)];
-    let spline = Spline::clamped(&knots, &ordinates, &r(0, 1), &r(0, 1)).unwrap();
-    let stroke = Stroke {
-        law: Law::spline(&spline, &knots),
-        start: r(1, 11),
-        turns: r(2, 7),
-    };
-    let orders = Orders {
-        first: 3,
-        stride: 2,
-        count: 3,
-    };
+    let [knots, ordinates] = table();
+    let stroke = by_spline(&knots, &ordinates);
     let all = |bits| {
-        let (mean, found) = data_conditions(&r(1, 1), &stroke, orders, bits);
+        let (mean, found) = data_conditions(&r(1, 1), &stroke, ODD, bits);
         std::iter::once(mean).chain(found.into_iter().flatten())
     };
     for (few, many) in all(32).zip(all(256)) {

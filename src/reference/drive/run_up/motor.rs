@@ -180,11 +180,7 @@ fn square_range(x: &Ball) -> Ball {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Decimal;
-
-    fn q(t: &str) -> Rational {
-        Decimal::parse(t).unwrap().value
-    }
+    use crate::class_iii::tests::q;
 
     #[test]
     fn the_rated_point_and_the_breakdown() {
@@ -214,22 +210,5 @@ mod tests {
         }
         assert!(c.slope(&Ball::exact(64, 9.7)).is_negative());
         assert!(c.reversed().slope(&Ball::exact(64, -9.7)).is_negative());
-    }
-
-    #[test]
-    fn faults() {
-        let m = Motor::Kloss {
-            breakdown_torque: q("1"),
-            breakdown_slip: q("0"),
-            synchronous: q("1"),
-        };
-        assert!(m.fault().is_some());
-        let m = Motor::Rated {
-            torque: q("1"),
-            overload: q("0.9"),
-            slip: q("0.1"),
-            synchronous: q("1"),
-        };
-        assert!(m.fault().is_some());
     }
 }

@@ -4,15 +4,12 @@ use super::proof::planted::FORGET_DEFECT;
 use super::twin::follow_from;
 use super::twin::planted::FORGET_EARLIER;
 use super::*;
+use crate::class_iii::tests::q;
 use crate::class_iii::{Body, ExactAngle, Geometry, Linkage, Masses};
-use crate::{Ball, Decimal, Mag, Undecided};
+use crate::{Ball, Mag, Undecided};
 use proptest::prelude::*;
 use rug::{Float, Rational};
 use std::sync::{Arc, LazyLock};
-
-fn q(t: &str) -> Rational {
-    Decimal::parse(t).unwrap().value
-}
 
 pub(super) fn geometry() -> Geometry {
     Geometry {

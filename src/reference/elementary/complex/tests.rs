@@ -71,6 +71,31 @@ fn about(x: f64, y: f64, r: f64) -> ComplexBall {
     point(x, y).widened(Mag::from_f64(r))
 }
 
+/// The places at these distances from zero.
+pub(super) fn at_distances(sizes: [f64; 4]) -> Vec<(f64, f64)> {
+    let at = |size| PLACES.map(|(x, y)| (size * x, size * y));
+    sizes.into_iter().flat_map(at).collect()
+}
+
+/// Checks that values about these middles hold those at points of the boxes, where there are any.
+pub(super) fn boxes_hold(
+    f: impl Fn(&ComplexBall, u32) -> ComplexEvaluated,
+    middles: &[(f64, f64)],
+    radii: &[f64],
+) {
+    for &(x, y) in middles {
+        for &r in radii {
+            let Ok(found) = f(&about(x, y, r), 80) else {
+                continue;
+            };
+            for (s, t) in PLACES {
+                let value = f(&point(x + 0.99 * r * s, y + 0.99 * r * t), 120).unwrap();
+                assert!(found.overlaps(&value), "{x} {y} {r}: {found:?} {value:?}");
+            }
+        }
+    }
+}
+
 /// Exact points of a box.
 fn points(z: &ComplexBall) -> Vec<ComplexBall> {
     let at = |x: &Ball, t: f64| {

@@ -208,27 +208,3 @@ proptest! {
         hold(&generalised(&a, &b, 70).unwrap(), &values, 70);
     }
 }
-
-/// Clement's matrix has the eigenvalues −n, −n + 2, …, n.
-#[test]
-#[ignore = "takes a minute without optimisation"]
-fn eigenvalues_of_a_hundred_rows() {
-    for n in [50usize, 100] {
-        let a = Matrix::from_fn(n, n, |i, j| Rational::from((1, (i + j + 1) as u32)));
-        let start = std::time::Instant::now();
-        let found = symmetric(&a, 54).unwrap();
-        eprintln!(
-            "Hilbert matrix of order {n}: {:?}, least {}",
-            start.elapsed(),
-            found[0].mid()
-        );
-        let a = Matrix::from_fn(n, n, |i, j| Rational::from(i.min(j) as u32 + 1));
-        let start = std::time::Instant::now();
-        let found = symmetric(&a, 54).unwrap();
-        eprintln!(
-            "min(i, j) of order {n}: {:?}, least {}",
-            start.elapsed(),
-            found[0].mid()
-        );
-    }
-}

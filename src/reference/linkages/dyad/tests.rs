@@ -7,54 +7,6 @@ fn q(n: i64, d: i64) -> Rational {
 }
 
 #[test]
-fn a_triangle_with_whole_sides() {
-    let m = four_bar(&[1, 3, 4, 6].map(Rational::from), &q(0, 1), true, 200).unwrap();
-    // A (1, 0), B (6, 0), |AB| = 5, right angle at C (1 + 9/5, 12/5).
-    assert!(m.joint[0].contains(&q(14, 5)) && m.joint[1].contains(&q(12, 5)));
-    // C' = (0·…): (C−A)·C' = (C−A)·(0, 1) = 12/5, (C−B)·C' = 0:
-    // C' = (12/5) (C−A)/9, because the links are normal. φ2' = (C−A) × (C'−A')/9.
-    assert!(m.coupler[1].contains(&q(-1, 5)));
-    // φ3' = (C−B) × C'/16, C−B = (−16/5, 12/5), C' = (12/25, 16/25).
-    assert!(m.rocker[1].contains(&q(-1, 5)));
-    let right = Ball::pi(200).shift(-1);
-    assert!(m.transmission.overlaps(&right));
-    assert!(m.coupler[0].accuracy_bits() > 180);
-}
-
-#[test]
-fn exact_refusals() {
-    let at = |l: [i64; 4], bits| four_bar(&l.map(Rational::from), &q(0, 1), true, bits);
-    assert_eq!(at([1, 2, 3, 6], 128).unwrap_err(), DyadRefusal::CannotClose);
-    assert_eq!(at([1, 9, 3, 5], 128).unwrap_err(), DyadRefusal::CannotClose);
-    assert_eq!(at([2, 7, 3, 6], 128).unwrap_err(), DyadRefusal::Singular);
-    assert_eq!(at([2, 8, 3, 6], 128).unwrap_err(), DyadRefusal::Unreachable);
-    assert_eq!(at([2, 8, 0, 6], 128).unwrap_err(), DyadRefusal::NotPositive);
-    let slide = |e: i64| {
-        slider_crank(
-            &[1, 5, e].map(Rational::from),
-            &q(1, 3),
-            &q(1, 3),
-            true,
-            128,
-        )
-    };
-    assert_eq!(slide(5).unwrap_err(), DyadRefusal::Singular);
-    assert_eq!(slide(-6).unwrap_err(), DyadRefusal::CannotClose);
-    assert_eq!(
-        slider_crank(
-            &[2, 5, 6].map(Rational::from),
-            &q(1, 3),
-            &q(1, 3),
-            true,
-            128
-        )
-        .unwrap_err(),
-        DyadRefusal::Unreachable
-    );
-    assert!(slide(4).is_ok());
-}
-
-#[test]
 fn a_sign_too_close_to_call_stays_undecided() {
     // The crank of the parallelogram is 1e-60 from its change point at φ1 = 0.
     let tiny = Rational::from((1, rug::Integer::from(rug::Integer::u_pow_u(10, 60))));
@@ -251,37 +203,51 @@ fn a_slider_crank_is_closed_and_moves_as_it_says() {
     assert!(seen > 80, "{seen}");
 }
 
-/// Beside the crank angles where it is told exactly.
+/// Lengths that cannot be joined are refused by exact fractions at dead positions and for all crank
+/// angles, and by balls elsewhere.
 #[test]
-fn what_cannot_be_joined_is_refused_by_balls() {
-    let bar =
-        |l: [i64; 4], phi: Rational| four_bar(&l.map(Rational::from), &phi, true, 128).map(drop);
-    // |AB| is 5.8 at three radians and 1.1 at a tenth.
-    assert_eq!(bar([2, 2, 2, 3], q(3, 1)), Err(DyadRefusal::Unreachable));
-    assert_eq!(bar([2, 5, 2, 3], q(1, 10)), Err(DyadRefusal::Unreachable));
-    assert_eq!(bar([2, 2, 2, 3], q(1, 10)), Ok(()));
-    for zero in 0..4 {
-        let mut l = [2, 2, 2, 3];
-        l[zero] = 0;
-        assert_eq!(bar(l, q(1, 10)), Err(DyadRefusal::NotPositive));
+fn what_cannot_be_joined_is_refused() {
+    use DyadRefusal::{CannotClose, NotPositive, Singular, Unreachable};
+    let (dead, small, wide) = (q(0, 1), q(1, 10), q(3, 1));
+    for (l, phi, due) in [
+        ([1, 2, 3, 6], &dead, Err(CannotClose)),
+        ([1, 9, 3, 5], &dead, Err(CannotClose)),
+        ([2, 2, 2, 6], &dead, Err(CannotClose)),
+        ([2, 3, 1, 6], &dead, Err(CannotClose)),
+        ([1, 2, 4, 6], &dead, Ok(())),
+        ([2, 7, 3, 6], &dead, Err(Singular)),
+        ([2, 1, 5, 6], &dead, Err(Singular)),
+        ([4, 1, 2, 5], &dead, Err(Singular)),
+        ([2, 8, 3, 6], &dead, Err(Unreachable)),
+        ([4, 3, 1, 5], &dead, Err(Unreachable)),
+        ([2, 8, 0, 6], &dead, Err(NotPositive)),
+        // |AB| is 5.8 at three radians and 1.1 at a tenth.
+        ([2, 2, 2, 3], &wide, Err(Unreachable)),
+        ([2, 5, 2, 3], &small, Err(Unreachable)),
+        ([2, 2, 2, 3], &small, Ok(())),
+        ([0, 2, 2, 3], &small, Err(NotPositive)),
+        ([2, 0, 2, 3], &small, Err(NotPositive)),
+        ([2, 2, 0, 3], &small, Err(NotPositive)),
+        ([2, 2, 2, 0], &small, Err(NotPositive)),
+    ] {
+        let found = four_bar(&l.map(Rational::from), phi, true, 128).map(drop);
+        assert_eq!(found, due, "{l:?} {phi}");
     }
-    let slide = |l: [i64; 3], phi: Rational| {
-        slider_crank(&l.map(Rational::from), &q(0, 1), &phi, true, 128).map(drop)
-    };
-    // The crank's end is at the height 1.8 and at −1.8; the guide at 3.
-    assert_eq!(slide([2, 2, 3], q(11, 10)), Ok(()));
-    assert_eq!(slide([2, 2, 3], q(-11, 10)), Err(DyadRefusal::Unreachable));
-    assert_eq!(slide([0, 2, 1], q(1, 1)), Err(DyadRefusal::NotPositive));
-    assert_eq!(slide([2, 0, 1], q(1, 1)), Err(DyadRefusal::NotPositive));
-    // At a dead position to either side.
-    let bar = |l: [i64; 4]| four_bar(&l.map(Rational::from), &q(0, 1), true, 128).map(drop);
-    assert_eq!(bar([1, 2, 3, 6]), Err(DyadRefusal::CannotClose));
-    assert_eq!(bar([1, 2, 4, 6]), Ok(()));
-    assert_eq!(bar([2, 2, 2, 6]), Err(DyadRefusal::CannotClose));
-    assert_eq!(bar([2, 3, 1, 6]), Err(DyadRefusal::CannotClose));
-    assert_eq!(bar([2, 1, 5, 6]), Err(DyadRefusal::Singular));
-    assert_eq!(bar([4, 1, 2, 5]), Err(DyadRefusal::Singular));
-    assert_eq!(bar([4, 3, 1, 5]), Err(DyadRefusal::Unreachable));
+    let third = q(1, 3);
+    for (l, delta, phi, due) in [
+        ([1, 5, 5], &third, &third, Err(Singular)),
+        ([1, 5, -6], &third, &third, Err(CannotClose)),
+        ([2, 5, 6], &third, &third, Err(Unreachable)),
+        ([1, 5, 4], &third, &third, Ok(())),
+        // The crank's end is at the height 1.8 and at −1.8; the guide at 3.
+        ([2, 2, 3], &dead, &q(11, 10), Ok(())),
+        ([2, 2, 3], &dead, &q(-11, 10), Err(Unreachable)),
+        ([0, 2, 1], &dead, &q(1, 1), Err(NotPositive)),
+        ([2, 0, 1], &dead, &q(1, 1), Err(NotPositive)),
+    ] {
+        let found = slider_crank(&l.map(Rational::from), delta, phi, true, 128).map(drop);
+        assert_eq!(found, due, "{l:?} {delta} {phi}");
+    }
 }
 
 #[test]

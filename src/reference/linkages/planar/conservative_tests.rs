@@ -1,27 +1,12 @@
 //! Motion from rest against closed forms, and the other statements about it.
 
 use super::energy::Forces;
-use super::tests::{cranked, four_bar, oscillator};
+use super::tests::{BITS, ball, cranked, four_bar, guess, meets, origin, oscillator};
 use super::{Attachment, Body, Drive, Joint, Linkage, Mechanism};
 use crate::class_iii::tests::q;
 use crate::pinned::{Answers, pin};
 use crate::{Ball, Mag};
-use rug::{Float, Rational};
-
-const BITS: u32 = 192;
-
-fn ball(text: &str) -> Ball {
-    Ball::rational(BITS, &q(text))
-}
-
-fn guess(x: &[f64]) -> Vec<Float> {
-    x.iter().map(|x| Float::with_val(64, *x)).collect()
-}
-
-fn meets(a: &Ball, b: &Ball) {
-    let near = (a - b).magnitude() < Mag::power_of_two(-120);
-    assert!(a.overlaps(b) && near, "{a:?} {b:?}");
-}
+use rug::Rational;
 
 /// Times ascend from above zero.
 #[test]
@@ -80,7 +65,6 @@ fn an_oscillator_from_elsewhere() {
 fn a_wheel_has_its_inertia() {
     let mut wheel = Body::massless("wheel");
     (wheel.mass, wheel.inertia) = (q("5"), q("2"));
-    let origin = || [q("0"), q("0")];
     let joints = vec![Joint::Pin {
         a: Attachment::ground(origin()),
         b: Attachment::body(0, origin()),

@@ -1,7 +1,7 @@
 //! Completeness beside other proofs of it: two circles, and the class-III group by elimination.
 
 use super::modes::{Found, intersection};
-use super::tests::{cranked, four_bar};
+use super::tests::{bars, cranked, four_bar, pin};
 use super::{Attachment, Body, Drive, Frame, Joint, Linkage, Mechanism, Real};
 use crate::class_iii::tests::q;
 use crate::class_iii::{self, ExactAngle, Geometry};
@@ -19,28 +19,11 @@ fn turned(a: &Ball, b: &Ball) -> f64 {
     (off - std::f64::consts::TAU * (off / std::f64::consts::TAU).round()).abs()
 }
 
-#[test]
-fn a_four_bar_has_two() {
-    let linkage = cranked(&four_bar());
-    for phi in ["0.9", "2.5", "-3.1", "3.141"] {
-        let modes = linkage.modes(&ball(phi)).unwrap();
-        assert_eq!(modes.len(), 2, "{phi}");
-        for left in [true, false] {
-            let lengths = ["2", "3.5", "3", "4"].map(q);
-            let due = crate::dyad::four_bar(&lengths, &q(phi), left, BITS).unwrap();
-            let met = modes.iter().filter(|m| {
-                turned(&m.x[1], &due.coupler[0]) < 1e-30 && turned(&m.x[2], &due.rocker[0]) < 1e-30
-            });
-            assert_eq!(met.count(), 1, "{phi} {left}");
-        }
-    }
-}
-
-/// Whole turns of the crank change nothing but its own angle.
+/// A four-bar has two modes; whole turns of the crank change nothing but its own angle.
 #[test]
 fn a_crank_turned_further_has_the_same() {
     let linkage = cranked(&four_bar());
-    for phi in ["4", "-7", "40"] {
+    for phi in ["0.9", "2.5", "-3.1", "3.141", "4", "-7", "40"] {
         let modes = linkage.modes(&ball(phi)).unwrap();
         assert_eq!(modes.len(), 2, "{phi}");
         for left in [true, false] {
@@ -87,7 +70,6 @@ fn a_drive_between_two_bodies_has_all_its_modes() {
 fn gears_count_the_turns() {
     let b = Attachment::body;
     let at = |x: &str| [q(x), q("0")];
-    let pin = |a, b| Joint::Pin { a, b };
     let geared = |ratio: &str, drive: usize| {
         let joints = vec![
             pin(Attachment::ground(at("0")), b(0, at("0"))),
@@ -178,7 +160,6 @@ fn group() -> (Geometry, Mechanism) {
     let b = Attachment::body;
     let at = |x: &Rational| [x.clone(), Rational::new()];
     let origin = || [Rational::new(), Rational::new()];
-    let pin = |a, b| Joint::Pin { a, b };
     let g = &geometry;
     let joints = vec![
         pin(Attachment::ground(origin()), b(0, origin())),
@@ -222,30 +203,7 @@ fn a_class_iii_group_has_those_of_its_elimination() {
 
 #[test]
 fn none_where_it_cannot_be_joined_and_undecided_where_modes_meet() {
-    let b = Attachment::body;
-    let at = |x: &str| [q(x), q("0")];
-    let with = |frame: &str| {
-        let joints = vec![
-            Joint::Pin {
-                a: Attachment::ground(at("0")),
-                b: b(0, at("0")),
-            },
-            Joint::Pin {
-                a: b(0, at("1")),
-                b: b(1, at("0")),
-            },
-            Joint::Pin {
-                a: Attachment::ground(at(frame)),
-                b: b(2, at("0")),
-            },
-            Joint::Pin {
-                a: b(1, at("2")),
-                b: b(2, at("1")),
-            },
-        ];
-        let bodies = ["crank", "coupler", "rocker"].map(Body::massless).to_vec();
-        cranked(&Mechanism::new(bodies, joints).unwrap())
-    };
+    let with = |frame| cranked(&bars(["1", "2", "1", frame]));
     // Coupler and rocker reach 3; from the crank's pin to the pivot it is 4 and more.
     assert!(with("4").modes(&ball("2")).unwrap().is_empty());
     // A parallelogram on one line.
@@ -338,7 +296,6 @@ fn a_mode_is_told_by_the_box_in_which_it_is_alone() {
 fn slides_are_undecided() {
     let b = Attachment::body;
     let at = |x: &str| [q(x), q("0")];
-    let pin = |a, b| Joint::Pin { a, b };
     let joints = vec![
         pin(Attachment::ground(at("0")), b(0, at("0"))),
         pin(b(0, at("1")), b(1, at("0"))),

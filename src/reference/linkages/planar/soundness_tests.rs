@@ -2,22 +2,17 @@
 
 use super::enclosure::Position;
 use super::energy::Forces;
-use super::mechanism::Mechanism;
 use super::panel::{Loaded, Panel, exact};
-use super::tests::{cranked, four_bar};
-use super::{Attachment, Body, Drive, Joint, Linkage};
+use super::tests::{bars, cranked, four_bar, guess};
+use super::{Drive, Linkage};
 use crate::class_iii::tests::q;
 use crate::{Ball, Mag};
 use rug::Float;
 
 const BITS: u32 = 160;
 
-fn ball(text: &str) -> Ball {
+pub(super) fn ball(text: &str) -> Ball {
     Ball::rational(BITS, &q(text))
-}
-
-fn guess(x: &[f64]) -> Vec<Float> {
-    x.iter().map(|x| Float::with_val(64, *x)).collect()
 }
 
 /// A driving force on a four-bar with masses.
@@ -41,23 +36,7 @@ pub(super) fn both(linkage: &Linkage, phi: &Ball) -> [Position; 2] {
 #[test]
 fn a_box_without_a_root_is_refused() {
     // A frame of 9 is too long for a crank of 2, a coupler of 7/2 and a rocker of 3 but near φ = 0.
-    let linkage = cranked(&four_bar());
-    let far = Mechanism::new(
-        ["crank", "coupler", "rocker"].map(Body::massless).to_vec(),
-        linkage
-            .mechanism()
-            .joints()
-            .iter()
-            .map(|j| match j {
-                Joint::Pin { a, b } if *a == Attachment::ground([q("4"), q("0")]) => Joint::Pin {
-                    a: Attachment::ground([q("9"), q("0")]),
-                    b: b.clone(),
-                },
-                other => other.clone(),
-            })
-            .collect(),
-    )
-    .unwrap();
+    let far = bars(["2", "3.5", "3", "9"]);
     let linkage = Linkage::new(&far, &Drive::coordinate(0), BITS).unwrap();
     for phi in ["0.9", "2", "3.1"] {
         for start in [[0.5, 1.6], [-1.1, -1.9], [0.0, 3.1], [0.2, 2.5]] {
@@ -70,17 +49,7 @@ fn a_box_without_a_root_is_refused() {
 /// A parallelogram on one line, where two branches meet.
 #[test]
 fn a_change_point_is_undecided() {
-    let b = Attachment::body;
-    let at = |x: &str| [q(x), q("0")];
-    let pin = |a, b| Joint::Pin { a, b };
-    let joints = vec![
-        pin(Attachment::ground(at("0")), b(0, at("0"))),
-        pin(b(0, at("1")), b(1, at("0"))),
-        pin(Attachment::ground(at("2")), b(2, at("0"))),
-        pin(b(1, at("2")), b(2, at("1"))),
-    ];
-    let bodies = ["crank", "coupler", "rocker"].map(Body::massless).to_vec();
-    let linkage = cranked(&Mechanism::new(bodies, joints).unwrap());
+    let linkage = cranked(&bars(["1", "2", "1", "2"]));
     let flat = linkage.position(&ball("0"), &guess(&[0.0, 0.0, 0.0]));
     assert!(flat.is_err(), "{flat:?}");
     // Near it the two are told apart or nothing is said.
@@ -152,13 +121,7 @@ fn discs_hold_what_lies_in_them_and_end_at_dead_positions() {
     }
     // The lengths 7/2 and 3 meet the crank's pin until |2 e^{iφ} − 4| = 6 at φ = π; with a frame of
     // 5 they do not.
-    let mut joints = linkage.mechanism().joints().to_vec();
-    joints[2] = Joint::Pin {
-        a: Attachment::ground([q("5"), q("0")]),
-        b: Attachment::body(2, [q("0"), q("0")]),
-    };
-    let bodies = ["crank", "coupler", "rocker"].map(Body::massless).to_vec();
-    let linkage = cranked(&Mechanism::new(bodies, joints).unwrap());
+    let linkage = cranked(&bars(["2", "3.5", "3", "5"]));
     // cos φ = (4 + 25 − 6.5²)/20 at the dead position, φ = 2.295.
     let near = linkage
         .position(&ball("2"), &guess(&[2.0, -0.1, 2.6]))

@@ -3,6 +3,15 @@
 use crate::{Ball, Mag};
 use rug::{Float, Rational};
 
+/// Which function of the pair: both come from the same series.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Member {
+    /// `w(z)`.
+    W,
+    /// `w(z) − e^{−z²} = (2i/√π) F(z)`, F Dawson's function; in the first quadrant only.
+    Dawson,
+}
+
 /// A real number known exactly.
 #[derive(Clone)]
 pub(super) enum Real {

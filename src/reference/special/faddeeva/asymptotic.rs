@@ -57,10 +57,9 @@
 //! With `u = 1/z = a + ib`, `v = C u²`, C a power of two with |v| ≤ 1,
 //! `Σ (1/2)_m C^{−m} v^m = P + i q S`, q = 2abC ([`super::fixed`], term ratio (2m+1)/(2C)):
 //! `u (P + iqS) = a (P − 2b²C S) + i b (P + 2a²C S)`.
-use super::argument::Argument;
+use super::argument::{Argument, Member};
 use super::fixed;
 use super::gaussian::Gaussian;
-use super::pair::Member;
 use super::scaled::{REACH, Scaled};
 use crate::{Ball, Mag};
 use rug::Integer;

@@ -54,8 +54,7 @@ mod gaussian;
 mod part;
 mod series;
 
-use super::argument::Real;
-use super::pair::Member;
+use super::argument::{Member, Real};
 use crate::{Ball, ComplexBall};
 use cells::{Cell, SIDE, cell};
 use coordinate::Coordinate;

@@ -1,7 +1,6 @@
 //! The choice of the series for an argument, whatever the precision.
 
-use super::argument::{Argument, Real};
-use super::pair::Member;
+use super::argument::{Argument, Member, Real};
 use super::scaled::Scaled;
 use super::{asymptotic, kummer};
 

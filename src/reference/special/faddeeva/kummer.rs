@@ -29,10 +29,9 @@
 //! Both P and the exponential reach `e^{|z|²}` while w is of the order 1/|z| in the upper
 //! half-plane: 1.4427 |z|² bits are lost at most, and are added.
 
-use super::argument::Argument;
+use super::argument::{Argument, Member};
 use super::fixed;
 use super::gaussian::Gaussian;
-use super::pair::Member;
 use crate::{Ball, ComplexBall, Mag};
 use rug::Integer;
 

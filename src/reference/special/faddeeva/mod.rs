@@ -27,22 +27,19 @@ mod fixed;
 mod gaussian;
 mod general;
 mod kummer;
-mod pair;
 mod recurrence;
 mod related;
 mod scaled;
 pub mod trapezoidal;
-mod value;
 mod voigt_hwhm;
 mod zeros;
 mod ziv;
 
 use crate::{Ball, ComplexBall, Mag, Undecided};
 use argument::Real;
-use choice::once;
+use choice::{once, scaled, value};
 use rug::{Float, Rational};
 use std::f64::consts::FRAC_2_SQRT_PI;
-use value::{scaled, value};
 
 pub use derivatives::{taylor, w_derivative, w_derivative_scaled};
 pub(crate) use related::Relative;

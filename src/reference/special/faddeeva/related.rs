@@ -13,12 +13,10 @@
 //!
 //! Each function comes with a variant `…_scaled`, whose exponents may have any size.
 
-use super::argument::{Argument, Real, length};
-use super::choice::{at, once, once_dawson};
+use super::argument::{Argument, Member, Real, length};
+use super::choice::{at, once, once_dawson, scaled};
 use super::gaussian::Gaussian;
-use super::pair::Member;
 use super::scaled::{Scaled, aligned};
-use super::value::scaled;
 use super::ziv::{balls, decide};
 use crate::{Ball, ComplexBall, Undecided};
 use rug::{Float, Rational};

@@ -78,6 +78,14 @@ fn products_with_gaussians_keep_their_bits() {
     let [large, _] = times_gaussian(&large, &Real::Double(1e5), &Real::Double(0.0), 100);
     assert_eq!(large.exponent - re.exponent, 9000);
     assert!(large.ball.overlaps(&re.ball));
+    // (3/2 − i/4) e^{−z²} with z² = 0.3125 − 0.75 i.
+    let factor = [1.5, -0.25].map(|x| Scaled::from(Ball::exact(80, x)));
+    let (x, y) = (Real::Double(0.75), Real::Double(-0.5));
+    let [re, im] = times_gaussian(&factor, &x, &y, 80).map(|s| s.to_ball().to_f64());
+    let size = (-0.3125f64).exp();
+    let (c, s) = (size * 0.75f64.cos(), size * 0.75f64.sin());
+    assert!((re - (1.5 * c + 0.25 * s)).abs() < 1e-15);
+    assert!((im - (1.5 * s - 0.25 * c)).abs() < 1e-15);
 }
 
 /// Relative to a power of two: what is too small becomes a tiny ball about zero.

@@ -23,9 +23,8 @@
 //! `Re w′ = 2(y Im w − x Re w)` of the steps loses `2 log₂ y` digits; where these are more than
 //! half of all, that of Lorentz's profile, wrong by about y^-2, replaces it.
 
-use super::argument::{Argument, Real};
+use super::argument::{Argument, Member, Real};
 use super::choice::at;
-use super::pair::Member;
 use super::ziv::{cap, first};
 use crate::{Ball, Undecided};
 use rug::ops::Pow;

@@ -1,6 +1,6 @@
 //! Series against asymptotic sums, and Wronskians.
 
-use super::super::tests::{PLACES, point};
+use super::super::tests::{PLACES, at_distances, boxes_hold, point};
 use super::*;
 use crate::Mag;
 
@@ -56,22 +56,8 @@ fn the_wronskian_is_the_inverse_of_pi() {
 #[test]
 fn boxes_hold_values() {
     for f in [airyai, airyaiprime, airybi, airybiprime] {
-        for (x, y) in PLACES {
-            for size in [0.0, 2.0, 9.0, 30.0] {
-                for r in [1e-12, 0.01, 0.3, 2.0] {
-                    let z = point(size * x, size * y).widened(Mag::from_f64(r));
-                    let Ok(found) = f(&z, 80) else { continue };
-                    for (s, t) in PLACES {
-                        let value = f(
-                            &point(size * x + 0.99 * r * s, size * y + 0.99 * r * t),
-                            120,
-                        )
-                        .unwrap();
-                        assert!(found.overlaps(&value), "{z:?} {r}");
-                    }
-                }
-            }
-        }
+        let middles = at_distances([0.0, 2.0, 9.0, 30.0]);
+        boxes_hold(f, &middles, &[1e-12, 0.01, 0.3, 2.0]);
     }
 }
 

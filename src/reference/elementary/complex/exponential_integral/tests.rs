@@ -1,6 +1,6 @@
 //! Series against asymptotic sums, and boxes.
 
-use super::super::tests::{PLACES, point};
+use super::super::tests::{PLACES, at_distances, boxes_hold, point};
 use super::*;
 
 #[test]
@@ -51,18 +51,7 @@ fn the_integrals_are_related() {
 #[test]
 fn boxes_hold_values() {
     for f in [e1, ei, si, ci] {
-        for (x, y) in PLACES {
-            for size in [0.0, 2.0, 40.0, 150.0] {
-                for r in [1e-12, 0.01, 0.3, 2.0] {
-                    let z = point(size * x, size * y).widened(Mag::from_f64(r));
-                    let Ok(found) = f(&z, 80) else { continue };
-                    for (s, t) in PLACES {
-                        let z = point(size * x + 0.99 * r * s, size * y + 0.99 * r * t);
-                        let value = f(&z, 120).unwrap();
-                        assert!(found.overlaps(&value), "{z:?} {r} {found:?} {value:?}");
-                    }
-                }
-            }
-        }
+        let middles = at_distances([0.0, 2.0, 40.0, 150.0]);
+        boxes_hold(f, &middles, &[1e-12, 0.01, 0.3, 2.0]);
     }
 }

@@ -1,6 +1,6 @@
 //! The equation, the branches, and boxes.
 
-use super::super::tests::{PLACES, point};
+use super::super::tests::{PLACES, at_distances, boxes_hold, point};
 use super::*;
 
 /// `w e^w` is z again.
@@ -66,22 +66,6 @@ fn the_range_ends_at_its_boundary() {
 
 #[test]
 fn boxes_hold_values() {
-    for (x, y) in PLACES {
-        for size in [0.0, 0.3, 1.0, 20.0] {
-            for r in [1e-12, 0.01, 0.05, 0.3, 9.0] {
-                let z = point(size * x, size * y).widened(Mag::from_f64(r));
-                let Ok(found) = lambertw(&z, 80) else {
-                    continue;
-                };
-                for (s, t) in PLACES {
-                    let value = lambertw(
-                        &point(size * x + 0.99 * r * s, size * y + 0.99 * r * t),
-                        120,
-                    )
-                    .unwrap();
-                    assert!(found.overlaps(&value), "{z:?} {r}");
-                }
-            }
-        }
-    }
+    let middles = at_distances([0.0, 0.3, 1.0, 20.0]);
+    boxes_hold(lambertw, &middles, &[1e-12, 0.01, 0.05, 0.3, 9.0]);
 }

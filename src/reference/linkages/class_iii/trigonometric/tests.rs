@@ -2,6 +2,7 @@
 
 use super::super::laurent::Laurent;
 use super::*;
+use crate::pinned::Draw;
 use std::f64::consts::{PI, TAU};
 
 /// `Π (cos(θ − m) − cos d)`, with a zero at every `m ± d`.
@@ -20,13 +21,8 @@ fn with_zeros(pairs: &[(f64, f64); 3], bits: u32) -> Trigonometric {
 /// Each interval holds one zero, and each zero lies in one; zeros 2^−9 apart are still told apart.
 #[test]
 fn all_zeros_are_isolated() {
-    let mut seed = 1u64;
-    let mut unit = || {
-        seed = seed
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (seed >> 11) as f64 / (1u64 << 53) as f64
-    };
+    let mut draw = Draw(1);
+    let mut unit = || (draw.next() >> 11) as f64 / (1u64 << 53) as f64;
     for case in 0..60 {
         let narrow = f64::from(case % 6);
         let pairs = [(); 3].map(|()| (TAU * unit(), PI * (0.05 + 0.9 * unit())));

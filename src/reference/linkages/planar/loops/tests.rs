@@ -1,38 +1,15 @@
 //! Joints in any order, from either side and at any points of the bodies.
 
 use super::super::energy::Forces;
-use super::super::tests::{cranked, four_bar};
+use super::super::tests::{BITS, at, ball, cranked, four_bar, guess, meets, origin, pin};
 use super::super::{
     Attachment, Body, Drive, Joint, Linkage, Mechanism, MechanismError, Point, Real,
 };
+use crate::Ball;
 use crate::class_iii::ExactAngle;
 use crate::class_iii::tests::q;
 use crate::dyad;
-use crate::{Ball, Mag};
-use rug::{Float, Rational};
-
-const BITS: u32 = 192;
-
-fn at(x: &str, y: &str) -> Point {
-    [q(x), q(y)]
-}
-
-fn ball(text: &str) -> Ball {
-    Ball::rational(BITS, &q(text))
-}
-
-fn guess(x: &[f64]) -> Vec<Float> {
-    x.iter().map(|x| Float::with_val(64, *x)).collect()
-}
-
-fn meets(a: &Ball, b: &Ball) {
-    let near = (a - b).magnitude() < Mag::power_of_two(-150);
-    assert!(a.overlaps(b) && near, "{a:?} {b:?}");
-}
-
-fn pin(a: Attachment, b: Attachment) -> Joint {
-    Joint::Pin { a, b }
-}
+use rug::Rational;
 
 /// The four-bar with its joints from the last to the first, its bodies' origins beside their axes,
 /// and the axes of the rocker turned by half a turn.
@@ -43,7 +20,7 @@ fn a_four_bar_is_the_same_from_either_end() {
         pin(b(2, at("-2", "0.25")), b(1, at("4.5", "1"))),
         pin(Attachment::ground(at("4", "0")), b(2, at("1", "0.25"))),
         pin(b(1, at("1", "1")), b(0, at("1.5", "-3"))),
-        pin(b(0, at("-0.5", "-3")), Attachment::ground(at("0", "0"))),
+        pin(b(0, at("-0.5", "-3")), Attachment::ground(origin())),
     ];
     let bodies = ["crank", "coupler", "rocker"].map(Body::massless).to_vec();
     let linkage = cranked(&Mechanism::new(bodies, joints).unwrap());
@@ -74,14 +51,14 @@ fn a_guide_on_the_slider() {
     let bodies = ["crank", "rod", "slider"].map(Body::massless).to_vec();
     let joints = vec![
         Joint::Slide {
-            a: b(2, at("0", "0")),
+            a: b(2, origin()),
             direction: at("0.5", "0").map(Real::from),
-            b: Attachment::ground(at("0", "0")),
+            b: Attachment::ground(origin()),
             turn: ExactAngle::Radians(q("0.25")),
         },
-        pin(Attachment::ground(at("0", "0")), b(0, at("0", "0"))),
-        pin(b(0, at("1", "0")), b(1, at("0", "0"))),
-        pin(b(1, at("4", "0")), b(2, at("0", "0"))),
+        pin(Attachment::ground(origin()), b(0, origin())),
+        pin(b(0, at("1", "0")), b(1, origin())),
+        pin(b(1, at("4", "0")), b(2, origin())),
     ];
     let linkage = cranked(&Mechanism::new(bodies, joints).unwrap());
     let lengths = ["1", "4", "0"].map(q);
@@ -109,7 +86,7 @@ fn a_guide_between_two_bodies() {
     let b = Attachment::body;
     let linkage = |guide: Joint| {
         let joints = vec![
-            pin(Attachment::ground(at("0", "0")), b(0, at("0", "0"))),
+            pin(Attachment::ground(origin()), b(0, origin())),
             guide,
             Joint::Slot {
                 a: Attachment::ground(at("1", "0")),
@@ -122,7 +99,7 @@ fn a_guide_between_two_bodies() {
     };
     let (turn, direction) = (ExactAngle::Radians(q("0.25")), at("2", "0"));
     let on_crank = linkage(Joint::Slide {
-        a: b(0, at("0", "0")),
+        a: b(0, origin()),
         direction: direction.clone().map(Real::from),
         b: b(1, at("1", "1")),
         turn: turn.clone(),
@@ -130,7 +107,7 @@ fn a_guide_between_two_bodies() {
     let on_block = linkage(Joint::Slide {
         a: b(1, at("1", "1")),
         direction: direction.map(Real::from),
-        b: b(0, at("0", "0")),
+        b: b(0, origin()),
         turn,
     });
     // The block's angle, the angle of the line, twice the sign of the way.
@@ -152,7 +129,6 @@ fn a_guide_between_two_bodies() {
 #[test]
 fn bad_parts_are_refused() {
     let b = Attachment::body;
-    let origin = || at("0", "0");
     let hung = || pin(Attachment::ground(origin()), b(0, origin()));
     let body = |mass: &str, inertia: &str| {
         let mut body = Body::massless("one");
@@ -205,9 +181,9 @@ fn bad_parts_are_refused() {
 #[test]
 fn a_spring_across_a_slide_by_its_derivatives() {
     let joints = vec![Joint::Slide {
-        a: Attachment::ground(at("0", "0")),
+        a: Attachment::ground(origin()),
         direction: at("1", "0").map(Real::from),
-        b: Attachment::body(0, at("0", "0")),
+        b: Attachment::body(0, origin()),
         turn: ExactAngle::Radians(q("0")),
     }];
     let mechanism = Mechanism::new(vec![Body::massless("block")], joints).unwrap();
@@ -215,12 +191,12 @@ fn a_spring_across_a_slide_by_its_derivatives() {
     let forces = Forces {
         drive: q("10"),
         springs: vec![super::super::Spring {
-            a: Attachment::body(0, at("0", "0")),
+            a: Attachment::body(0, origin()),
             b: Attachment::ground(at("0", "3")),
             stiffness: q("6"),
             length: q("2"),
         }],
-        gravity: at("0", "0"),
+        gravity: origin(),
     };
     let position = linkage.position(&ball("4"), &guess(&[0.0, 4.0])).unwrap();
     let series = linkage.series(&position, 4).unwrap();

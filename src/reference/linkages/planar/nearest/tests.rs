@@ -1,15 +1,10 @@
 //! Which position is nearest is told rightly or not at all.
 
-use super::super::soundness_tests::both;
+use super::super::soundness_tests::{ball, both};
 use super::super::tests::{cranked, four_bar};
 use super::super::{Drive, Linkage, Position};
-use crate::class_iii::tests::q;
 use crate::pinned::{Answers, Draw, pin};
 use crate::{Ball, Mag};
-
-fn ball(text: &str) -> Ball {
-    Ball::rational(160, &q(text))
-}
 
 /// With two positions nearby, only a guess clearly next to one of them gets it; without any, none.
 #[test]

@@ -1,28 +1,16 @@
 //! Rates, multipliers and forces in joints for drives of other forms.
 
 use super::super::energy::{Forces, Spring};
-use super::super::tests::{cranked, four_bar};
+use super::super::tests::{BITS, ball, cranked, four_bar, guess, meets};
 use super::super::{Attachment, Drive, Joint, Linkage, Position};
 use crate::class_iii::tests::q;
 use crate::dyad;
 use crate::pinned::{Answers, Draw, pin};
-use crate::{Ball, Mag};
-use rug::{Float, Rational};
-
-const BITS: u32 = 192;
-
-fn ball(text: &str) -> Ball {
-    Ball::rational(BITS, &q(text))
-}
-
-fn meets(a: &Ball, b: &Ball) {
-    let near = (a - b).magnitude() < Mag::power_of_two(-150);
-    assert!(a.overlaps(b) && near, "{a:?} {b:?}");
-}
+use rug::Rational;
 
 /// The four-bar at a crank angle of 9/10.
 fn position() -> Position {
-    let start = [0.9, 0.5, 1.6].map(|x| Float::with_val(64, x));
+    let start = guess(&[0.9, 0.5, 1.6]);
     cranked(&four_bar()).position(&ball("0.9"), &start).unwrap()
 }
 
@@ -118,7 +106,7 @@ fn forces_are_for_pins_without_springs() {
         b: Attachment::body(3, [q("0"), q("0")]),
     });
     let geared = cranked(&super::super::Mechanism::new(bodies, joints).unwrap());
-    let start = [0.9, 0.5, 1.6, 1.8].map(|x| Float::with_val(64, x));
+    let start = guess(&[0.9, 0.5, 1.6, 1.8]);
     let at = geared.position(&ball("0.9"), &start).unwrap();
     let series = geared.series(&at, 2).unwrap();
     let rates = series.in_time(&ball("1"), &ball("0"));

@@ -1,7 +1,6 @@
 //! Exactly known arguments, and numbers with exponents of any size.
 
 use super::super::argument::{Argument, Real};
-use super::super::related::times_gaussian;
 use super::super::scaled::{Scaled, aligned};
 use crate::{Ball, Mag};
 use rug::float::Round;
@@ -122,26 +121,6 @@ fn alignment_is_to_the_larger_exponent() {
     assert_eq!((a.to_f64(), b.to_f64(), k), (0.0, 1.25, Integer::from(3)));
     let (a, b, k) = aligned(&scaled(1.5, -9), &scaled(0.0, 3));
     assert_eq!((a.to_f64(), b.to_f64(), k), (1.5, 0.0, Integer::from(-9)));
-}
-
-/// `(a + ib) e^{−z²}` keeps the exponents of its factors.
-#[test]
-fn products_with_the_gaussian() {
-    let (x, y) = (Real::Double(0.75), Real::Double(-0.5));
-    let plain = times_gaussian(&[scaled(1.5, 0), scaled(-0.25, 0)], &x, &y, 80);
-    for k in [-700, 5, 9000] {
-        let found = times_gaussian(&[scaled(1.5, k), scaled(-0.25, k)], &x, &y, 80);
-        for (a, b) in found.iter().zip(&plain) {
-            assert_eq!(Integer::from(&a.exponent - &b.exponent), k);
-            assert!(a.ball.overlaps(&b.ball));
-        }
-    }
-    // e^{−z²} with z² = 0.3125 − 0.75 i.
-    let [re, im] = plain.map(|s| s.to_ball().to_f64());
-    let size = (-0.3125f64).exp();
-    let (c, s) = (size * 0.75f64.cos(), size * 0.75f64.sin());
-    assert!((re - (1.5 * c + 0.25 * s)).abs() < 1e-15);
-    assert!((im - (1.5 * s - 0.25 * c)).abs() < 1e-15);
 }
 
 /// Signs, zeros and balls of every kind of argument, and as many bits as they are written in.
