@@ -69,7 +69,9 @@ def positive(f):
     return of
 
 
-def divided(a, b):
+def divided(a, b=None):
+    if b is None:
+        a, b = 1, a
     if b == 0:
         raise Undefined
     return a / b

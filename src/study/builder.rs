@@ -1,6 +1,6 @@
 //! A study of one formula, built in code.
 
-use super::problem::{Problem, StudyInput, StudyOutput, default_budget};
+use super::problem::{Problem, StudyCondition, StudyInput, StudyOutput, default_budget};
 use super::{Study, StudyError};
 use crate::audit::{Limit, SolverAnswer};
 use crate::candidate::{Audit, AuditError, IntoAnswer, Report};
@@ -114,6 +114,7 @@ impl Formula {
         };
         let is = read(&self.text)?;
         let condition = self.condition.as_deref().map(read).transpose()?;
+        let condition = condition.map(|is| StudyCondition { is, place: None });
         Study::new(Problem {
             name: "formula".into(),
             title: self.text.clone(),

@@ -2,7 +2,7 @@
 
 use super::error::StudyError;
 use super::initial_value::Solution;
-use super::problem::{Problem, StudyOutput, StudySolver, intern};
+use super::problem::{Problem, StudyCondition, StudyOutput, StudySolver, intern};
 use mechaudit_symbolic::evaluation::{
     Algebraic, Answer, Certified, Evaluator, Floating, Format, Goal, LIMIT,
 };
@@ -211,30 +211,23 @@ impl Sketch {
     pub fn new(problem: &Problem) -> Result<Sketch, StudyError> {
         let mut graph = graph_with_system(graph_of(problem), problem)?;
         let definitions = &problem.definitions;
-        let mut condition = |e: &mechaudit_symbolic::Expr, of: &str| {
-            let id = build(&mut graph, definitions, e, of)?;
+        let mut condition = |c: &Option<StudyCondition>, of: &str| {
+            let Some(StudyCondition { is, place }) = c else {
+                return Ok(None);
+            };
+            let id = build(&mut graph, definitions, is, of)?;
             match graph.is_condition(id) {
-                true => Ok(id),
-                false => Err(StudyError::new(format!(
-                    "{of}: {e} is a number, not a condition"
-                ))),
+                true => Ok(Some(id)),
+                false => {
+                    let reason = format!("{of}: {is} is a number, not a condition");
+                    Err(StudyError::new(reason).at(*place))
+                }
             }
         };
-        let whole = problem
-            .condition
-            .as_ref()
-            .map(|e| condition(e, "where"))
-            .transpose()?;
-        let mut regions = Vec::new();
-        for region in &problem.regions {
-            regions.push(
-                region
-                    .condition
-                    .as_ref()
-                    .map(|e| condition(e, &region.name))
-                    .transpose()?,
-            );
-        }
+        let whole = condition(&problem.condition, "where")?;
+        let regions = problem.regions.iter();
+        let regions = regions.map(|region| condition(&region.condition, &region.name));
+        let regions = regions.collect::<Result<_, _>>()?;
         let mut outputs = Vec::new();
         for output in expressions(problem) {
             outputs.push(build(&mut graph, definitions, &output.is, &output.name)?);

@@ -1,7 +1,9 @@
 //! Studies in FPCore.
 
-use super::error::{Place, StudyError};
-use super::problem::{Problem, StudyInput, StudyOutput, StudySolver, default_budget};
+use super::error::StudyError;
+use super::problem::{
+    Problem, StudyCondition, StudyInput, StudyOutput, StudySolver, default_budget,
+};
 use crate::audit::did_you_mean;
 use mechaudit_symbolic::evaluation::{Elementary, Format};
 use mechaudit_symbolic::fpcore::{Core, CoreError, parse_cores};
@@ -10,10 +12,10 @@ use rug::Rational;
 
 impl From<CoreError> for StudyError {
     fn from(error: CoreError) -> StudyError {
-        StudyError::new(error.reason).at(Place {
-            line: error.line,
-            column: error.column,
-        })
+        let hint = error
+            .unknown
+            .map_or(String::new(), |(name, known)| did_you_mean(&name, &known));
+        StudyError::new(error.reason + &hint).at(error.place)
     }
 }
 
@@ -86,7 +88,7 @@ fn problem(core: Core, file: &str, k: usize) -> Problem {
         .iter()
         .map(|name| StudyInput::any(name))
         .collect();
-    if let Some(pre) = &core.pre {
+    if let Some((pre, _)) = &core.pre {
         narrow(pre, &mut inputs);
     }
     let is = core.spec.clone().unwrap_or_else(|| core.body.clone());
@@ -135,7 +137,10 @@ fn problem(core: Core, file: &str, k: usize) -> Problem {
                 elementary: Elementary::Platform,
             }],
         },
-        condition: core.pre,
+        condition: core.pre.map(|(is, place)| StudyCondition {
+            is,
+            place: Some(place),
+        }),
         inputs,
         notes,
         ..Problem::default()

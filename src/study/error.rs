@@ -1,30 +1,7 @@
 //! Errors of studies, with the place in the file.
 
+pub use mechaudit_symbolic::Place;
 use mechaudit_symbolic::SymbolicError;
-
-/// A place in a text, counted from 1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Place {
-    /// The line.
-    pub line: usize,
-    /// The column.
-    pub column: usize,
-}
-
-impl Place {
-    /// The place of a byte of a text.
-    pub fn of(text: &str, at: usize) -> Place {
-        let before = &text.as_bytes()[..at.min(text.len())];
-        let start = before
-            .iter()
-            .rposition(|b| *b == b'\n')
-            .map_or(0, |k| k + 1);
-        Place {
-            line: before.iter().filter(|b| **b == b'\n').count() + 1,
-            column: String::from_utf8_lossy(&before[start..]).chars().count() + 1,
-        }
-    }
-}
 
 /// Reason why a text is no study: a file, a place and a rule.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -48,8 +25,8 @@ impl StudyError {
     }
 
     /// The same fault at a place, unless it has one.
-    pub fn at(mut self, place: Place) -> StudyError {
-        self.place.get_or_insert(place);
+    pub fn at(mut self, place: impl Into<Option<Place>>) -> StudyError {
+        self.place = self.place.or(place.into());
         self
     }
 
@@ -66,7 +43,7 @@ impl std::fmt::Display for StudyError {
             write!(f, "{file}: ")?;
         }
         if let Some(place) = self.place {
-            write!(f, "line {}, column {}: ", place.line, place.column)?;
+            write!(f, "{place}: ")?;
         }
         f.write_str(&self.reason)
     }

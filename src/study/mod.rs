@@ -112,8 +112,8 @@ pub use error::{Place, StudyError};
 pub use initial_value::{InitialValue, TimesError, times};
 pub use linear::{Linear, Task, Tensor};
 pub use problem::{
-    Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver, StudySystem, fault_in,
-    intern, limit,
+    Problem, Spacing, StudyCondition, StudyInput, StudyOutput, StudyRegion, StudySolver,
+    StudySystem, fault_in, intern, limit,
 };
 pub use read::{input, is_name, rational};
 
@@ -331,7 +331,10 @@ impl Study {
             };
             inputs.extend(found.inputs.clone());
             let both = problem.condition.into_iter().chain(found.condition.clone());
-            problem.condition = both.reduce(|a, b| Expr::And(vec![a, b]));
+            problem.condition = both.reduce(|a, b| StudyCondition {
+                is: Expr::And(vec![a.is, b.is]),
+                place: b.place,
+            });
         }
         inputs.extend(narrowed.iter().cloned());
         for input in inputs {

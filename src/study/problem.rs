@@ -71,6 +71,15 @@ pub struct StudySystem {
     pub equations: Vec<Expr>,
 }
 
+/// A condition on the inputs.
+#[derive(Clone, Debug)]
+pub struct StudyCondition {
+    /// Holds at the inputs that are meant.
+    pub is: Expr,
+    /// Where the file states it.
+    pub place: Option<Place>,
+}
+
 /// A part of the domain.
 #[derive(Clone, Debug)]
 pub struct StudyRegion {
@@ -79,7 +88,7 @@ pub struct StudyRegion {
     /// Inputs with other ends than their own.
     pub inputs: Vec<StudyInput>,
     /// A condition on the inputs.
-    pub condition: Option<Expr>,
+    pub condition: Option<StudyCondition>,
 }
 
 /// A solver that the file states.
@@ -115,7 +124,7 @@ pub struct Problem {
     /// Outputs in the order of the file.
     pub outputs: Vec<StudyOutput>,
     /// A condition on all inputs.
-    pub condition: Option<Expr>,
+    pub condition: Option<StudyCondition>,
     /// Parts of the domain.
     pub regions: Vec<StudyRegion>,
     /// Solvers in the order of the file.

@@ -44,8 +44,10 @@ impl Problem {
             .iter()
             .map(|k| build(&solver.definitions, &solver.formulas[*k]));
         let formulas = formulas.collect::<Result<Vec<_>, _>>()?;
-        let condition = self.condition.as_ref().map(|e| build(&self.definitions, e));
-        let condition = condition.transpose()?;
+        let condition = self.condition.as_ref();
+        let condition = condition
+            .map(|c| build(&self.definitions, &c.is))
+            .transpose()?;
         let domain = self.inputs.iter().map(|i| range(i, setting, within));
         let domain = domain.collect::<Result<Vec<_>, _>>()?;
         Program::new(&graph, &formulas, condition, &domain, setting).map_err(|e| refused(&e))

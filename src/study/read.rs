@@ -7,8 +7,8 @@ use super::error::StudyError;
 use super::initial_value;
 use super::linear;
 use super::problem::{
-    Problem, Spacing, StudyInput, StudyOutput, StudyRegion, StudySolver, default_budget, fault_in,
-    limit,
+    Problem, Spacing, StudyCondition, StudyInput, StudyOutput, StudyRegion, StudySolver,
+    default_budget, fault_in, limit,
 };
 use super::system;
 use mechaudit_symbolic::evaluation::{Elementary, Format};
@@ -110,12 +110,10 @@ pub(super) fn problem(text: &str, name: &str) -> Result<Problem, StudyError> {
             return Err(item.fault(format!("the definition of {name} leads back to {name}")));
         }
     }
-    let condition = |item: &Item| {
-        let found = names.expression(item)?;
-        system::is_free(&problem, &found, item)?;
-        Ok::<_, StudyError>(found)
-    };
-    problem.condition = file.get("where").map(condition).transpose()?;
+    let whole = file.get("where");
+    problem.condition = whole
+        .map(|item| condition(&names, &problem, item))
+        .transpose()?;
     if let Some(regions) = file.get("region") {
         for item in regions.list()? {
             problem.regions.push(region(&names, &problem, item)?);
@@ -434,15 +432,11 @@ fn region(names: &Names, problem: &Problem, item: &Item) -> Result<StudyRegion, 
         return Err(name.fault(format!("the region's name {word:?} is not one word")));
     }
     let mut inputs = Vec::new();
-    let mut condition = None;
+    let mut found = None;
     for (key, value) in item.table()? {
         match key.as_str() {
             "name" => {}
-            "where" => {
-                let found = names.expression(value)?;
-                system::is_free(problem, &found, value)?;
-                condition = Some(found);
-            }
+            "where" => found = Some(condition(names, problem, value)?),
             key => {
                 if !problem.inputs.iter().any(|i| i.name == key) {
                     let known: Vec<&str> = problem.inputs.iter().map(|i| i.name.as_str()).collect();
@@ -456,7 +450,17 @@ fn region(names: &Names, problem: &Problem, item: &Item) -> Result<StudyRegion, 
     Ok(StudyRegion {
         name: word.into(),
         inputs,
-        condition,
+        condition: found,
+    })
+}
+
+/// A condition on the inputs.
+fn condition(names: &Names, problem: &Problem, item: &Item) -> Result<StudyCondition, StudyError> {
+    let is = names.expression(item)?;
+    system::is_free(problem, &is, item)?;
+    Ok(StudyCondition {
+        is,
+        place: Some(item.place),
     })
 }
 

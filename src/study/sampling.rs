@@ -220,10 +220,14 @@ pub(super) fn domain(
             Format::Double => "binary64",
             Format::Single => "binary32",
         };
-        return Err(StudyError::new(format!(
-            "the range of {} holds no {name}",
-            input.name
-        )));
+        let reason = match (&input.from, &input.to) {
+            (Some(from), Some(to)) if from > to => {
+                format!("the range of {} is empty: {from} to {to}", input.name)
+            }
+            _ => format!("the range of {} holds no {name}", input.name),
+        };
+        let stated = problem.condition.as_ref();
+        return Err(StudyError::new(reason).at(stated.and_then(|c| c.place)));
     }
     let filter = Filter {
         sketch: sketch.clone(),
@@ -313,13 +317,17 @@ pub(super) fn domain(
             // The condition may leave out all edges.
             (true, "edges" | "magnitudes" | "flips") => {}
             (true, name) => {
-                let reason = match problem.condition.is_some() || name != "domain" {
-                    true => format!(
-                        "no input was found that satisfies the conditions of {name} (where)"
-                    ),
-                    false => format!("the region {name} holds no input"),
-                };
-                return Err(StudyError::new(reason));
+                let own = problem.regions.iter().find(|r| r.name == name);
+                let own = own.and_then(|r| r.condition.as_ref());
+                let stated: Vec<_> = problem.condition.iter().chain(own).collect();
+                let texts: Vec<_> = stated.iter().map(|c| c.is.to_string()).collect();
+                let reason = format!(
+                    "no input was found that satisfies the conditions of {name}: {}; where there \
+                     are some, narrow the ranges of inputs to them",
+                    texts.join(" and ")
+                );
+                let place = stated.last().and_then(|c| c.place);
+                return Err(StudyError::new(reason).at(place));
             }
         }
     }

@@ -2,7 +2,7 @@
 //! scalars.
 
 use crate::expr::{Constant, Expr, Loop, Relation};
-use crate::{Func, SymbolicError, number};
+use crate::{Func, Place, SymbolicError, number};
 use rug::Rational;
 use rug::ops::Pow;
 
@@ -20,8 +20,8 @@ pub struct Core {
     /// A format that the core or a part of it asks for and that is not binary64 or binary32 all
     /// over, or a rounding that is not to nearest.
     pub other_rounding: Option<String>,
-    /// The property `:pre`, a condition on the arguments.
-    pub pre: Option<Expr>,
+    /// The property `:pre`, a condition on the arguments, and where it stands.
+    pub pre: Option<(Expr, Place)>,
     /// The property `:spec`, the formula that is meant.
     pub spec: Option<Expr>,
     /// Other properties whose values are strings, for reports: `:description`, `:cite`.
@@ -34,14 +34,14 @@ pub struct Core {
 
 /// A fault in a text of cores, with its place.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("line {line}, column {column}: {reason}")]
+#[error("{place}: {reason}")]
 pub struct CoreError {
-    /// The line, counted from 1.
-    pub line: usize,
-    /// The column, counted from 1.
-    pub column: usize,
+    /// The place.
+    pub place: Place,
     /// The reason.
     pub reason: String,
+    /// A name without a meaning, and the names that have one there.
+    pub unknown: Option<(String, Vec<String>)>,
 }
 
 /// Brackets within brackets.
@@ -59,8 +59,7 @@ pub fn parse_cores(text: &str) -> Result<Vec<Result<Core, CoreError>>, CoreError
     };
     let mut cores = Vec::new();
     while let Some(datum) = reader.next()? {
-        let place = Places { text };
-        cores.push(core(&datum).map_err(|fault| place.error(fault)));
+        cores.push(core(text, &datum).map_err(|fault| fault.within(text)));
     }
     Ok(cores)
 }
@@ -69,34 +68,25 @@ pub fn parse_cores(text: &str) -> Result<Vec<Result<Core, CoreError>>, CoreError
 struct Fault {
     at: usize,
     reason: String,
+    unknown: Option<(String, Vec<String>)>,
+}
+
+impl Fault {
+    fn within(self, text: &str) -> CoreError {
+        CoreError {
+            place: Place::of(text, self.at),
+            reason: self.reason,
+            unknown: self.unknown,
+        }
+    }
 }
 
 fn fault<T>(at: usize, reason: impl Into<String>) -> Result<T, Fault> {
     Err(Fault {
         at,
         reason: reason.into(),
+        unknown: None,
     })
-}
-
-struct Places<'a> {
-    text: &'a str,
-}
-
-impl Places<'_> {
-    fn error(&self, fault: Fault) -> CoreError {
-        let bytes = self.text.as_bytes();
-        let before = &bytes[..fault.at.min(bytes.len())];
-        let line = before.iter().filter(|b| **b == b'\n').count() + 1;
-        let start = before
-            .iter()
-            .rposition(|b| *b == b'\n')
-            .map_or(0, |k| k + 1);
-        CoreError {
-            line,
-            column: String::from_utf8_lossy(&before[start..]).chars().count() + 1,
-            reason: fault.reason,
-        }
-    }
 }
 
 /// A datum with the byte where it begins.
@@ -122,9 +112,7 @@ struct Reader<'a> {
 
 impl Reader<'_> {
     fn failed<T>(&self, at: usize, reason: impl Into<String>) -> Result<T, CoreError> {
-        let text = String::from_utf8_lossy(self.text);
-        let reason = reason.into();
-        Err(Places { text: &text }.error(Fault { at, reason }))
+        fault(at, reason).map_err(|fault| fault.within(&String::from_utf8_lossy(self.text)))
     }
 
     fn skip(&mut self) {
@@ -225,7 +213,7 @@ impl Datum {
 }
 
 /// A core of its datum.
-fn core(datum: &Datum) -> Result<Core, Fault> {
+fn core(text: &str, datum: &Datum) -> Result<Core, Fault> {
     let mut parts = datum.list()?.iter().peekable();
     match parts.next().map(Datum::symbol) {
         Some(Ok("FPCore")) => {}
@@ -291,7 +279,10 @@ fn core(datum: &Datum) -> Result<Core, Fault> {
         match (property, &value.form) {
             (":name", Form::Text(text)) => found.name = Some(text.clone()),
             (":precision", Form::Symbol(s)) => found.precision = Some(s.clone()),
-            (":pre", _) => found.pre = Some(expression(value, &mut names)?),
+            (":pre", _) => {
+                let place = Place::of(text, value.at);
+                found.pre = Some((expression(value, &mut names)?, place));
+            }
             (":spec", _) => found.spec = Some(expression(value, &mut names)?),
             (property, Form::Text(text)) => {
                 found.texts.push((property[1..].to_string(), text.clone()));
@@ -365,7 +356,19 @@ fn atom(at: usize, s: &str, names: &[String]) -> Result<Expr, Fault> {
     }
     match Constant::ALL.iter().find(|c| c.1 == s) {
         Some((c, _)) => Ok(Expr::Constant(*c)),
-        None => fault(at, format!("the name {s} is not bound")),
+        None => Err(Fault {
+            at,
+            reason: format!("the name {s} is not bound"),
+            unknown: Some((
+                s.into(),
+                names
+                    .iter()
+                    .map(String::as_str)
+                    .chain(Constant::ALL.iter().map(|c| c.1))
+                    .map(String::from)
+                    .collect(),
+            )),
+        }),
     }
 }
 
@@ -388,7 +391,11 @@ fn expression(datum: &Datum, names: &mut Vec<String>) -> Result<Expr, Fault> {
         true => Ok(()),
         false => fault(
             at,
-            format!("{name} takes {n} arguments, not {}", rest.len()),
+            format!(
+                "{name} takes {n} argument{}, not {}",
+                if n == 1 { "" } else { "s" },
+                rest.len()
+            ),
         ),
     };
     Ok(match name {
@@ -534,7 +541,16 @@ fn expression(datum: &Datum, names: &mut Vec<String>) -> Result<Expr, Fault> {
                     count(f.arity())?;
                     Expr::Call(f, all(names)?)
                 }
-                None => return fault(head.at, format!("there is no operator {name}")),
+                None => {
+                    return Err(Fault {
+                        at: head.at,
+                        reason: format!("there is no operator {name}"),
+                        unknown: Some((
+                            name.into(),
+                            Func::ALL.iter().map(|f| f.1.into()).collect(),
+                        )),
+                    });
+                }
             }
         }
     })

@@ -100,7 +100,7 @@ pub use algebra::{Algebra, Derivation};
 pub use dimension::{Dimensions, Powers, Undimensional};
 pub use edit::{Edit, Family, edits};
 pub use enclosure::{BITS, Enclosures, Point, enclose, enclose_form, has_derivative, is_real};
-pub use error::SymbolicError;
+pub use error::{Place, SymbolicError};
 pub use exact::Exact;
 pub use expr::{Bound, Constant, Equation, Expr, Loop, Relation, Roots};
 pub use expsum::ExpSum;

@@ -248,7 +248,7 @@ fn bad() -> Vec<(&'static str, String, &'static str)> {
         (
             "where.toml",
             format!("where = \"x < 0 and x > 1\"\n{}", formula("x")),
-            "no input was found that satisfies the conditions",
+            "line 1, column 9: no input was found that satisfies the conditions of domain: (x < 0) and (x > 1)",
         ),
         (
             "key.toml",
@@ -318,8 +318,23 @@ fn bad() -> Vec<(&'static str, String, &'static str)> {
         ),
         (
             "name.fpcore",
-            "(FPCore (x) (sin y))".into(),
-            "line 1, column 18: the name y is not bound",
+            "(FPCore (width)\n (sin widht))".into(),
+            "line 2, column 7: the name widht is not bound (did you mean \"width\"?)",
+        ),
+        (
+            "operator.fpcore",
+            "(FPCore (x) (sqr x))".into(),
+            "line 1, column 14: there is no operator sqr (did you mean \"sqrt\"?)",
+        ),
+        (
+            "empty.fpcore",
+            "(FPCore (x) :pre (< 2 x 1) x)".into(),
+            "line 1, column 18: the range of x is empty: 2 to 1",
+        ),
+        (
+            "where.fpcore",
+            "(FPCore (x y) :pre (and (<= 0 x 1) (<= 0 y 1) (> x y) (> y x)) x)".into(),
+            "line 1, column 20: no input was found that satisfies the conditions of domain: ",
         ),
         (
             "long.toml",

@@ -125,6 +125,13 @@ type Found = Result<Value, NoValue>;
 const LONGEST: u32 = 1 << 14;
 
 impl Balls {
+    /// Bits of relative accuracy that an integral or a root is due now: more than the goal where
+    /// the working precision was raised, because a sum with it may cancel. The other half of the
+    /// bits is for constants in it, which are known to the working precision alone.
+    pub(super) fn due(&self) -> u32 {
+        self.goal.max(self.prec / 2)
+    }
+
     /// A rational number with its ball.
     fn rational(&self, q: Rational) -> Value {
         let bits = q

@@ -18,6 +18,10 @@ const SPARE: i64 = 8;
 /// The binary logarithm of the share of evaluations that an inner integral may take.
 const INNER_SHARE: u32 = 5;
 
+/// Bits beyond the goal to which an integral is enclosed where a sum with it cancels: each costs
+/// nodes.
+const DEEPER: u32 = 1 << 10;
+
 /// Bits and evaluations of an inner integral for an interval or a rectangle of the outer variable.
 const COARSE_BITS: u32 = 8;
 const COARSE_EVALUATIONS: u64 = 1 << 7;
@@ -199,12 +203,12 @@ pub(super) fn integral(
     let limits = [limit(evaluator, from)?, limit(evaluator, to)?];
     prepare(evaluator, binder, body);
     let balls = &evaluator.interpretation;
-    let (prec, is_continued) = (balls.prec, balls.holomorphic);
+    let (prec, asked, is_continued) = (balls.prec, balls.goal, balls.holomorphic);
     // Under another integral a bound serves where no more is to be had: for many values of its
     // variable at once.
     let is_inner = balls.known < i64::MAX;
     let (bits, evaluations) = match u32::try_from(balls.known.saturating_sub(SPARE)) {
-        _ if !is_inner => (balls.goal, balls.evaluations),
+        _ if !is_inner => (balls.due().min(balls.goal + DEEPER), balls.evaluations),
         Ok(known) if known >= COARSE_BITS => (
             (balls.goal + INNER).min(known),
             balls.evaluations >> INNER_SHARE,
@@ -246,7 +250,7 @@ pub(super) fn integral(
     // A second try with more bits may serve an integrand that is enclosed badly; a third would not
     // end.
     let is_hopeless =
-        matches!(hindrance, Some(Hindrance::Interval(..))) && prec > 2 * bits && !is_inner;
+        matches!(hindrance, Some(Hindrance::Interval(..))) && prec > 2 * asked && !is_inner;
     if is_hopeless || (is_spent && hindrance.is_some()) {
         return Err(Stop {
             node,

@@ -32,7 +32,7 @@ pub(super) fn root(
     };
     let graph = evaluator.graph().clone();
     super::system::prepare(evaluator, &graph, &[body, slope]);
-    let goal = evaluator.interpretation.goal;
+    let goal = evaluator.interpretation.due();
     let evaluator = RefCell::new(evaluator);
     let of = |id: Id| {
         let evaluator = &evaluator;

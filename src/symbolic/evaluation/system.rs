@@ -120,7 +120,7 @@ pub(super) fn solution(
     prepare(evaluator, &graph, jacobian);
     let bits = evaluator.interpretation.prec;
     // Parts that do not depend on an unknown are known to the working precision alone.
-    let goal = evaluator.interpretation.goal.min(bits.saturating_sub(32));
+    let goal = evaluator.interpretation.due().min(bits.saturating_sub(32));
     let mut system = Equations {
         evaluator,
         binder,

@@ -3,6 +3,7 @@
 use super::{
     Algebraic, Answer, Balls, Certified, Elementary, Evaluator, Floating, Format, Goal, Value,
 };
+use crate::fpcore::parse_cores;
 use crate::graph::Graph;
 use crate::{Definitions, parse};
 use mechaudit_reference::{Ball, ComplexBall, Mag};
@@ -55,6 +56,68 @@ fn special_functions_at_a_point() {
         ("im(lgamma(1 + i*x))", "-0.3016403204675331978875317"),
     ] {
         assert_eq!(value(text, (1, 1), 25), due, "{text}");
+    }
+}
+
+/// Differences from numbers near them, to 25 digits by mpmath: the integral and the root have to be
+/// known to more than those.
+#[test]
+fn integrals_and_roots_that_cancel() {
+    for (text, due) in [
+        (
+            "int(t, 0, x, exp(-t^2)) - 0.746824132812427025399",
+            "4.674361318530053544996868e-22",
+        ),
+        (
+            "root(t, x, 2*x, t^2 - 2) - 1.414213562373095048801",
+            "6.887242096980785696718754e-22",
+        ),
+        // A root that is far smaller than its interval.
+        (
+            "root(t, -1e-20, 2e-20, t - 1e-20*sin(t) - 1e-90*x)",
+            "1.000000000000000000010000e-90",
+        ),
+    ] {
+        assert_eq!(value(text, (1, 1), 25), due, "{text}");
+    }
+}
+
+/// Differences that would take thousands of bits, to 25 digits by mpmath.
+#[test]
+fn identities_spare_precision() {
+    for (text, due) in [
+        (
+            "(- 1 (/ 1 (+ 1 (exp (* -9000 x)))))",
+            "2.236983963488984692781503e-3909",
+        ),
+        (
+            "(- 1 (/ 1 (+ (exp (* -9000 x)) 1)))",
+            "2.236983963488984692781503e-3909",
+        ),
+        (
+            "(- (pow E (* 1e-300 x)) 1)",
+            "1.000000000000000000000000e-300",
+        ),
+        // Others that look like them.
+        (
+            "(- 1 (/ 2 (+ 1 (exp (* -9000 x)))))",
+            "-1.000000000000000000000000",
+        ),
+        ("(pow PI x)", "3.141592653589793238462643"),
+    ] {
+        let core = parse_cores(&format!("(FPCore (x) {text})"))
+            .unwrap()
+            .remove(0);
+        let mut graph = Graph::new(["x".to_string()]).of_real_functions();
+        let id = graph
+            .build(&Definitions::default(), &core.unwrap().body)
+            .unwrap();
+        let mut certified = Certified::new(Arc::new(graph), 192);
+        let found = certified.values(&[Rational::from(1)], &[id], Goal::Bits(92));
+        let Answer::Number(ball) = &found[0] else {
+            panic!("{text}: {found:?}");
+        };
+        assert_eq!(ball.to_decimal(25).as_deref(), Some(due), "{text}");
     }
 }
 

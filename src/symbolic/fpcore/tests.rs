@@ -18,7 +18,7 @@ fn cores_are_read() {
     assert_eq!(core.arguments, ["x", "y"]);
     assert_eq!((core.line, core.name.as_deref()), (2, Some("Cancellation")));
     assert_eq!(
-        core.pre.unwrap().to_string(),
+        core.pre.unwrap().0.to_string(),
         "(0 < x) and (x < y) and (y < 1e3)"
     );
     assert_eq!(core.spec.unwrap().to_string(), "x - y");
@@ -83,7 +83,7 @@ fn faults_have_their_place() {
         ),
         (
             "(FPCore (x) (sin x x))",
-            "line 1, column 13: sin takes 1 arguments, not 2",
+            "line 1, column 13: sin takes 1 argument, not 2",
         ),
         (
             "(FPCore (x) (foo x))",

@@ -1,13 +1,14 @@
 //! Identities of real functions that spare precision, or are enclosed more closely.
 
 use super::{Graph, Id, Node};
-use crate::Func;
+use crate::{Constant, Func};
 
 impl Graph {
     /// The same real function without some differences that cancel: `e^x − 1` is `expm1(x)`,
-    /// `log(1 + x)` is `log1p(x)`, and `1 − cos x` is `2 sin²(x/2)`. `pow` with a small integer is a
-    /// power. Of a bound variable, whose values are wide, `a/x^k` is `a x^{−k}`: a power of a
-    /// rectangle holds zero where its base does not.
+    /// `log(1 + x)` is `log1p(x)`, `1 − 1/(1 + x)` is `x/(1 + x)`, and `1 − cos x` is `2 sin²(x/2)`.
+    /// `pow` with a small integer is a power, and of Euler's number the exponential. Of a bound
+    /// variable, whose values are wide, `a/x^k` is `a x^{−k}`: a power of a rectangle holds zero
+    /// where its base does not.
     ///
     /// This is for definitions, which are meant over the reals; a formula in floating point would
     /// be another one.
@@ -30,6 +31,19 @@ impl Graph {
                     let minus = self.push(Node::Unary(Func::Expm1, x));
                     return Node::Neg(minus);
                 }
+                if let Node::Div(c, d) = self.node(b)
+                    && one(self, c)
+                    && let Node::Add(x, y) = self.node(d)
+                    && let Some(rest) = match (one(self, x), one(self, y)) {
+                        (true, _) => Some(y),
+                        (_, true) => Some(x),
+                        _ => None,
+                    }
+                    // Over wide values x would count twice.
+                    && self.facts[rest as usize].binders.is_empty()
+                {
+                    return Node::Div(rest, d);
+                }
                 let Some(x) = unary(self, b, Func::Cos) else {
                     return node;
                 };
@@ -48,9 +62,10 @@ impl Graph {
                 }
                 _ => node,
             },
-            Node::Binary(Func::Pow, a, b) => match self.small_integer(b) {
-                Some(k) => Node::Power(a, k),
-                None => node,
+            Node::Binary(Func::Pow, a, b) => match (self.node(a), self.small_integer(b)) {
+                (_, Some(k)) => Node::Power(a, k),
+                (Node::Constant(Constant::E), None) => Node::Unary(Func::Exp, b),
+                _ => node,
             },
             Node::Div(a, b) => match self.node(b) {
                 Node::Power(x, k) if k > 1 && !self.facts[x as usize].binders.is_empty() => {

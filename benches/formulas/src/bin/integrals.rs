@@ -10,8 +10,8 @@ use std::time::Duration;
 #[global_allocator]
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
-/// Bits of 30 digits and a few more, as FLINT's program is called with: `-goal 104`.
-const BITS: u32 = 104;
+/// Bits of 30 digits and of the hundredth of a unit of the last one that printing asks for.
+const BITS: u32 = 110;
 
 /// Time after which an integral is not repeated.
 const ENOUGH: Duration = Duration::from_millis(300);

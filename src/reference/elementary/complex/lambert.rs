@@ -19,29 +19,29 @@ use super::super::support::{BITS, WIDE, exact, exp_above};
 use super::super::{self as real, ComplexEvaluated, Evaluated, NoValue};
 use super::{GUARD, below, bounded, middle, rounded, widened};
 use crate::{Ball, ComplexBall, Mag};
-/// A number near W(z).
-fn start(z: &ComplexBall, lower: bool) -> Result<ComplexBall, NoValue> {
-    let at = |x, y| Ok(ComplexBall::new(Ball::exact(BITS, x), Ball::exact(BITS, y)));
-    let (x, y) = (z.re.mid().to_f64(), z.im.mid().to_f64());
-    // Near the branch point w + 1 = ±√(2 (1 + e z)) − ….
-    let t = [
-        2.0 * (1.0 + std::f64::consts::E * x),
-        2.0 * std::f64::consts::E * y,
-    ];
-    let size = t[0].hypot(t[1]);
-    if size < 2.0 {
-        let root = [
-            ((size + t[0]).max(0.0) / 2.0).sqrt(),
-            ((size - t[0]).max(0.0) / 2.0).sqrt(),
-        ];
-        let sign = if y < 0.0 { -1.0 } else { 1.0 };
-        let [p, q] = [root[0], root[1] * sign];
-        return match lower {
-            true => at(-1.0 - p - p * p / 3.0, 0.0),
-            // −1 + t − t²/3
-            false => at(-1.0 + p - (p * p - q * q) / 3.0, q - 2.0 * p * q / 3.0),
-        };
+
+/// `2 (1 + e z)`, about the square of W(z) + 1 next to the branch point.
+fn branch_distance(z: &ComplexBall) -> ComplexEvaluated {
+    // As many leading bits as z has may cancel.
+    let p = z.re.prec().max(z.im.prec()) + 2 * BITS;
+    let e = real::exp(&exact(BITS, 1), p)?;
+    let t = super::plus(&z.scaled(&e), 1, p)?;
+    Ok(ComplexBall::new(t.re.shift(1), t.im.shift(1)))
+}
+
+/// A number near W(z), of which t is the distance from the branch point.
+fn start(z: &ComplexBall, t: &ComplexBall, lower: bool, p: u32) -> ComplexEvaluated {
+    if t.magnitude() < Mag::from_f64(2.0) {
+        // −1 ± √t − t/3
+        let root = super::sqrt(&middle(t), p)?;
+        let near = if lower { -&root } else { root };
+        let third = ComplexBall::new(
+            real::div(&t.re, &exact(BITS, 3), p)?,
+            real::div(&t.im, &exact(BITS, 3), p)?,
+        );
+        return super::plus(&(&near - &third), -1, p);
     }
+    let (x, y) = (z.re.mid().to_f64(), z.im.mid().to_f64());
     if lower {
         let log = real::log(&-&z.re, BITS)?;
         let less = real::log(&-&log, BITS)?;
@@ -56,10 +56,14 @@ fn start(z: &ComplexBall, lower: bool) -> Result<ComplexBall, NoValue> {
     Ok(&log - &super::log(&log, BITS)?)
 }
 
-/// A number near W(z), by Halley's method at a growing precision.
-fn approximation(z: &ComplexBall, lower: bool, p: u32) -> ComplexEvaluated {
-    let mut w = middle(&start(z, lower)?);
-    let mut bits = BITS;
+/// A number near W(z) to p bits of W(z) + 1, by Halley's method at a growing precision, and the bits
+/// that it takes: twice as many more as are the same in W(z) and −1.
+fn approximation(z: &ComplexBall, lower: bool, p: u32) -> Result<(ComplexBall, u32), NoValue> {
+    let t = branch_distance(z)?;
+    let same = t.magnitude().exponent().unwrap_or(0).min(0).unsigned_abs();
+    let same = u32::try_from(same).map_err(|_| WIDE)?;
+    let (p, mut bits) = (p + same, BITS + same);
+    let mut w = middle(&start(z, &t, lower, bits)?);
     let mut rounds = 0;
     loop {
         // w − f/(f' − f (w + 2)/(2 (w + 1))) with f = w − z e^{−w}, f' = w + 1, all over e^w.
@@ -79,7 +83,7 @@ fn approximation(z: &ComplexBall, lower: bool, p: u32) -> ComplexEvaluated {
         let due = scale - i64::from(bits) / 3 - 2;
         if size <= Mag::power_of_two(due) {
             if bits >= p {
-                return Ok(w);
+                return Ok((w, p));
             }
             bits = (bits * 5 / 2).min(p);
         }
@@ -126,7 +130,9 @@ fn value(z: &ComplexBall, lower: bool, prec: u32) -> ComplexEvaluated {
             return rounded(&z.widened(size.mul(size).shift(1)), prec);
         }
     }
-    let v = approximation(&m, lower, p)?;
+    // A step without a value says nothing of W(z).
+    let found = approximation(&m, lower, p);
+    let (v, p) = found.map_err(|_| NoValue::Undecided("no approximation to Lambert's function"))?;
     let bits = p + 16;
     let more = super::plus(&v, 1, bits)?;
     let grown = super::exp(&v, bits)?;

@@ -81,7 +81,8 @@ pub fn own_study(
         .collect();
     // Conditions keep their own names.
     let regions = problem.regions.iter().filter_map(|r| r.condition.as_ref());
-    let conditions: Vec<&Expr> = problem.condition.iter().chain(regions).collect();
+    let conditions = problem.condition.iter().chain(regions);
+    let conditions: Vec<&Expr> = conditions.map(|c| &c.is).collect();
     let definitions = &problem.definitions;
     let clash = |name: &&String| conditions.iter().any(|e| definitions.reaches(e, &[name]));
     if let Some(name) = differing(problem, solver).find(clash) {

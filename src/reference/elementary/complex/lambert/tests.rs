@@ -2,6 +2,7 @@
 
 use super::super::tests::{PLACES, at_distances, boxes_hold, point};
 use super::*;
+use rug::Float;
 
 /// `w e^w` is z again.
 fn returns(z: &ComplexBall, w: &ComplexBall) {
@@ -39,6 +40,49 @@ fn values_solve_the_equation() {
     ));
     assert!(matches!(
         real_branch(&Ball::exact(64, 0.4), true, 64),
+        Err(NoValue::Undefined(_))
+    ));
+}
+
+/// Values of Arb beside the branch point, where W is −1 but for a part far below the precision.
+#[test]
+fn numbers_beside_the_branch_point_have_two_values() {
+    let beside = [
+        (
+            ("-26508507426831583", 56),
+            "-0.9999999971932641197690043657925048291880",
+            "-1.000000002806735885482839844951896141344",
+        ),
+        (
+            ("-525055083605898956341513190315239211749778945", 150),
+            "-0.9999999999999999999999601591745829097744",
+            "-1.000000000000000000000039840825417090226",
+        ),
+    ];
+    for ((m, places), upper, lower) in beside {
+        let m = Float::with_val(160, Float::parse(m).unwrap());
+        let x = Ball::new(m >> places, Mag::ZERO);
+        for (lower, due) in [(false, upper), (true, lower)] {
+            let w = real_branch(&x, lower, 64).unwrap();
+            let due = Ball::new(
+                Float::with_val(140, Float::parse(due).unwrap()),
+                Mag::from_f64(3e-40),
+            );
+            assert!(
+                w.overlaps(&due) && w.rad() <= Mag::power_of_two(-62),
+                "{x:?} {w:?}"
+            );
+        }
+        let z = ComplexBall::new(x.clone(), exact(64, 0));
+        assert!(lambertw(&z, 64).unwrap().im.is_zero());
+        // A little above it the value is beside the upper half-line.
+        let above = lambertw(&ComplexBall::new(x, Ball::exact(64, 1e-30)), 64).unwrap();
+        assert!(above.im.is_positive() && above.radius() <= Mag::power_of_two(-62));
+    }
+    // The end itself is irrational: this is as near as 64 bits are.
+    let below = Ball::exact(64, -0.36787944117144233);
+    assert!(matches!(
+        real_branch(&below, true, 64),
         Err(NoValue::Undefined(_))
     ));
 }
