@@ -326,6 +326,7 @@ pub(super) fn on_proofs(ledger: &Ledger) -> Finding {
         subject: Subject::Formula,
         place: "all formulas",
         title: match count {
+            0 => "No entry of the ledger is proved as printed".into(),
             1 => "One entry of the ledger is proved as printed".into(),
             count => format!("{count} entries of the ledger are proved as printed"),
         },

@@ -1,6 +1,6 @@
 //! Requirements that are decided at a point, over domains and over boxes.
 
-use super::boxes::Function;
+use super::boxes::{Function, Region};
 use super::*;
 use crate::parse;
 
@@ -66,8 +66,9 @@ fn the_largest_value_over_a_box_is_enclosed() {
     let unit = [Rational::new(), Rational::from(1)];
     let over = |text: &str, names: &[&str], ends: &[Rational; 2]| {
         let region = names.iter().map(|n| (n.to_string(), ends.clone()));
+        let region: Region = region.collect();
         let none = Definitions::default();
-        Function::new(&none, &parse(text).unwrap(), &region.collect()).unwrap()
+        Function::new(&none, &parse(text).unwrap(), &region).unwrap()
     };
     for (text, names, [above, below]) in [
         ("x*(1 - x)", &["x"][..], [1, 4]),
@@ -82,8 +83,8 @@ fn the_largest_value_over_a_box_is_enclosed() {
         );
     }
     // Beyond binary64, and where a value may be undefined throughout.
-    let far = [Rational::new(), Rational::from(10).pow(400)];
-    let found = over("x", &["x"], &far).largest(1.0).unwrap();
+    let far = [Rational::new(), Rational::from(1) << 1100u32];
+    let found = over("x", &["x"], &far).largest(1e300).unwrap();
     assert!(found.contains(&far[1]));
     assert!(over("1/x", &["x"], &unit).largest(1e-6).is_none());
     // Positive everywhere but at 1/2 itself.
