@@ -38,44 +38,26 @@ struct Paper {
     motion: Option<fn() -> Motion>,
 }
 
-/// The files of a paper in `reference/papers`, the first of which is `paper.toml`.
-macro_rules! texts {
-    ($key:literal: $($file:literal)*) => {
-        &[$(($file, include_str!(concat!("../../reference/papers/", $key, "/", $file)))),*]
+/// A paper of `reference/papers` with its files, the first of which is `paper.toml`.
+macro_rules! paper {
+    ($key:literal, $analyse:expr, $motion:expr; $($file:literal)*) => {
+        Paper {
+            key: $key,
+            texts: &[$(($file, include_str!(concat!("../../reference/papers/", $key, "/", $file)))),*],
+            analyse: $analyse,
+            motion: $motion,
+        }
     };
 }
 
 const PAPERS: &[Paper] = &[
-    Paper {
-        key: zinchenko::KEY,
-        texts: texts!("zinchenko": "paper.toml" "tables.toml" "claims.toml" "dynamics.toml" "spline.toml" "sweep.toml" "numbers.toml" "rates.toml"),
-        analyse: Some(zinchenko::analysis),
-        motion: Some(zinchenko::motion),
-    },
-    Paper {
-        key: gembara_senyk::KEY,
-        texts: texts!("gembara-senyk": "paper.toml" "model.toml" "solution.toml" "amplitude.toml" "numbers.toml"),
-        analyse: Some(gembara_senyk::analysis),
-        motion: None,
-    },
-    Paper {
-        key: andrews::KEY,
-        texts: texts!("andrews": "paper.toml" "dynamics.toml" "constraints.toml"),
-        analyse: Some(andrews::analysis),
-        motion: None,
-    },
-    Paper {
-        key: n_four_bar::KEY,
-        texts: texts!("n-four-bar": "paper.toml"),
-        analyse: Some(n_four_bar::analysis),
-        motion: None,
-    },
-    Paper {
-        key: "pmksweb",
-        texts: texts!("pmksweb": "paper.toml"),
-        analyse: None,
-        motion: None,
-    },
+    paper!("zinchenko", Some(zinchenko::analysis), Some(zinchenko::motion);
+        "paper.toml" "tables.toml" "claims.toml" "dynamics.toml" "spline.toml" "sweep.toml" "numbers.toml" "rates.toml"),
+    paper!("gembara-senyk", Some(gembara_senyk::analysis), None;
+        "paper.toml" "model.toml" "solution.toml" "amplitude.toml" "numbers.toml"),
+    paper!("andrews", Some(andrews::analysis), None; "paper.toml" "dynamics.toml" "constraints.toml"),
+    paper!("n-four-bar", Some(n_four_bar::analysis), None; "paper.toml"),
+    paper!("pmksweb", None, None; "paper.toml"),
 ];
 
 fn paper(key: &str) -> Option<&'static Paper> {
@@ -90,11 +72,6 @@ pub fn file_of(key: &str) -> Option<&'static PaperFile> {
         PAPERS.iter().map(read).collect()
     });
     FILES.iter().find(|file| file.citation.key == key)
-}
-
-/// The files of a paper that is compiled in.
-fn file_of_known(key: &str) -> &'static PaperFile {
-    file_of(key).expect("a paper that is compiled in")
 }
 
 /// Audits the paper of that key; undecided when there is no certified value.

@@ -4,7 +4,6 @@ use super::file::Rounding;
 use super::{Entry, EntryVerdict, Tally, VariantJudgement};
 use crate::audit::{Agreement, agreement};
 use crate::reference::{Ball, Decimal};
-use std::collections::BTreeMap;
 
 /// The variant of the data of a paper that is audited with its printed data alone.
 pub(super) const AS_PRINTED: &str = "as_printed";
@@ -201,27 +200,85 @@ pub(super) fn explained(text: &str, value: &Ball) -> Option<String> {
     })
 }
 
-/// Counts how many numbers of a column agree with their values.
-pub(super) fn tally<'a>(
-    [variant, column]: [&'static str; 2],
-    table: u32,
-    of: impl Iterator<Item = (&'a Number, &'a Ball)>,
-) -> Tally {
-    let mut tally = Tally {
-        variant,
-        table,
-        column,
-        ..Tally::default()
-    };
-    for (printed, value) in of {
-        let off = printed.units_off(value).abs();
-        tally.entries += 1;
-        tally.within_half += usize::from(printed.is_rounded(value));
-        tally.within_one += usize::from(printed.is_within_one(value));
-        tally.worst_units = tally.worst_units.max(off);
-        tally.worst = tally.worst.max(off * printed.value.unit().to_f64());
+/// A printed number with its place, and the value that is due by each variant of the data, where it
+/// is known.
+pub(super) struct Row<'a> {
+    pub number: u32,
+    pub name: &'static str,
+    pub printed: &'a Number,
+    pub due: Vec<Option<&'a Ball>>,
+}
+
+/// A printed column.
+pub(super) struct Column<'a> {
+    pub table: u32,
+    pub name: &'static str,
+    pub rows: Vec<Row<'a>>,
+}
+
+impl Column<'_> {
+    /// Counts how many numbers agree with their values under a variant of the data.
+    fn tally(&self, which: usize, variant: &'static str) -> Tally {
+        let mut tally = Tally {
+            variant,
+            table: self.table,
+            column: self.name,
+            entries: self.rows.len(),
+            ..Tally::default()
+        };
+        let known = self.rows.iter();
+        let known = known.filter_map(|row| Some((row.printed, row.due[which]?)));
+        for (printed, value) in known {
+            let off = printed.units_off(value).abs();
+            tally.within_half += usize::from(printed.is_rounded(value));
+            tally.within_one += usize::from(printed.is_within_one(value));
+            tally.worst_units = tally.worst_units.max(off);
+            tally.worst = tally.worst.max(off * printed.value.unit().to_f64());
+        }
+        tally
     }
-    tally
+}
+
+/// Judges every printed number under every variant, and counts how many agree. The judgement is by
+/// the numbers of column, row and variant; true if nearly everything else in the column agrees, so
+/// that a misprint stands out.
+pub(super) fn entries(
+    variants: &[&'static str],
+    columns: &[Column],
+    judge: impl Fn([usize; 3], bool) -> VariantJudgement,
+) -> (Vec<Entry>, Vec<Tally>) {
+    let of = |(k, name): (usize, &&'static str)| {
+        let tallies = columns.iter().map(|c| c.tally(k, *name));
+        tallies.collect::<Vec<_>>()
+    };
+    let tallies: Vec<Tally> = variants.iter().enumerate().flat_map(of).collect();
+    let agrees = |t: &Tally| t.entries - t.within_one <= t.entries / 10;
+    let mut all = Vec::new();
+    for (c, column) in columns.iter().enumerate() {
+        all.extend(column.rows.iter().enumerate().map(|(r, row)| {
+            let judged = |(k, name): (usize, &&'static str)| {
+                let agrees = agrees(&tallies[k * columns.len() + c]);
+                (*name, judge([c, r, k], agrees))
+            };
+            Entry {
+                table: column.table,
+                row: row.number,
+                column: row.name,
+                printed: row.printed.text.clone(),
+                variants: variants.iter().enumerate().map(judged).collect(),
+            }
+        }));
+    }
+    (all, tallies)
+}
+
+/// Judges columns of certified values by their digits alone.
+pub(super) fn by_digits(columns: &[Column], digits: usize) -> (Vec<Entry>, Vec<Tally>) {
+    entries(&[AS_PRINTED], columns, |[c, r, k], _| {
+        let row = &columns[c].rows[r];
+        let value = row.due[k].expect("a certified value");
+        row.printed.judged(value, digits)
+    })
 }
 
 /// The records of a published table; lines that begin with `#` are comments.
@@ -236,29 +293,6 @@ pub(super) fn records(text: &str) -> Vec<csv::StringRecord> {
         .records()
         .map(|r| r.expect("a row of a published table"));
     rows.collect()
-}
-
-/// A printed number: its row, its name, what stands there, and the certified value.
-pub(super) type Row<'a> = (u32, &'static str, &'a Number, &'a Ball);
-
-/// A printed column: its table, its name, and its rows.
-pub(super) type Column<'a> = (u32, &'static str, Vec<Row<'a>>);
-
-/// Judges the columns of a paper that has one variant of the data.
-pub(super) fn entries(columns: &[Column], digits: usize) -> (Vec<Entry>, Vec<Tally>) {
-    let (mut entries, mut tallies) = (Vec::new(), Vec::new());
-    for (table, column, rows) in columns {
-        let pairs = rows.iter().map(|(.., printed, value)| (*printed, *value));
-        tallies.push(tally([AS_PRINTED, column], *table, pairs));
-        entries.extend(rows.iter().map(|(row, name, printed, value)| Entry {
-            table: *table,
-            row: *row,
-            column: name,
-            printed: printed.text.clone(),
-            variants: BTreeMap::from([(AS_PRINTED, printed.judged(value, digits))]),
-        }));
-    }
-    (entries, tallies)
 }
 
 #[cfg(test)]
@@ -351,14 +385,28 @@ mod tests {
     fn a_column_is_counted_within_half_a_unit_and_one() {
         let numbers = ["1.00", "2.00", "3.0"].map(Number::read);
         let values = ["1.004", "1.991", "3.13"].map(ball);
-        let pairs = || numbers.iter().zip(&values);
-        let found = tally(["variant", "column"], 2, pairs());
+        let of = |count: usize| {
+            let rows = numbers.iter().zip(&values).take(count);
+            let row = |(printed, value)| Row {
+                number: 1,
+                name: "column",
+                printed,
+                due: vec![Some(value)],
+            };
+            let column = Column {
+                table: 2,
+                name: "column",
+                rows: rows.map(row).collect(),
+            };
+            column.tally(0, "variant")
+        };
+        let found = of(3);
         assert_eq!(
             (found.entries, found.within_half, found.within_one),
             (3, 1, 2)
         );
         assert!((found.worst_units - 1.3).abs() < 1e-12 && (found.worst - 0.13).abs() < 1e-12);
-        let right = tally(["variant", "column"], 2, pairs().take(1));
+        let right = of(1);
         assert!((right.worst_units - 0.4).abs() < 1e-12 && (right.worst - 0.004).abs() < 1e-12);
     }
 }

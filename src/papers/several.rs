@@ -22,7 +22,7 @@ pub fn summary(papers: Vec<PaperFile>, progress: Progress) -> Result<PaperReport
         progress(file.citation.key, done, count + 1);
         let of_paper = std::mem::take(&mut file.surveys);
         let report = file.report(&|_, _, _| {})?;
-        let is_claim = |f: &&Finding| file.accuracies.iter().any(|a| a.id == f.id);
+        let is_claim = |f: &&Finding| file.accuracies.iter().any(|a| a.statement.id == f.id);
         let of_file = report.findings.iter().filter(is_claim);
         claims.extend(of_file.map(|f| (report.paper.key, f.clone())));
         findings.push(sum(&report, !of_paper.is_empty()));

@@ -1,6 +1,9 @@
 //! TOML with places: a tree whose tables keep the order of the file, for studies and for papers.
 
 use super::error::{Place, StudyError};
+use super::problem::intern;
+use super::read::rational;
+use rug::Rational;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -140,5 +143,95 @@ impl Item {
             }
         }
         Ok(())
+    }
+}
+
+/// Refuses keys other than these, which are separated by blanks.
+///
+/// # Errors
+/// As [`Item::only`].
+pub fn only(node: &Item, keys: &str) -> Result<(), StudyError> {
+    node.only(&keys.split_whitespace().collect::<Vec<_>>())
+}
+
+/// A key that has to be there.
+///
+/// # Errors
+/// The key is missing.
+pub fn required<'a>(node: &'a Item, key: &str) -> Result<&'a Item, StudyError> {
+    node.get(key)
+        .ok_or_else(|| node.fault(format!("the key {key:?} is missing")))
+}
+
+/// A text that may be missing, kept for good.
+///
+/// # Errors
+/// As [`Item::text`].
+pub fn text(node: &Item, key: &str) -> Result<&'static str, StudyError> {
+    node.get(key).map_or(Ok(""), |item| item.text().map(intern))
+}
+
+/// The texts of a list, or one text; nothing if it is missing.
+pub fn texts(node: Option<&Item>) -> Vec<&Item> {
+    match node {
+        None => Vec::new(),
+        Some(node) => match &node.value {
+            Value::List(items) => items.iter().collect(),
+            _ => vec![node],
+        },
+    }
+}
+
+/// True or false; false if it is missing.
+///
+/// # Errors
+/// A value of another kind.
+pub fn truth(node: &Item, key: &str) -> Result<bool, StudyError> {
+    match node.get(key).map(|item| (&item.value, item)) {
+        None => Ok(false),
+        Some((Value::Truth(b), _)) => Ok(*b),
+        Some((_, item)) => Err(item.fault("expected true or false")),
+    }
+}
+
+/// A number without sign that is not larger than a limit.
+///
+/// # Errors
+/// Another text, and a larger number.
+pub fn count(node: &Item, most: u32) -> Result<u32, StudyError> {
+    let text = node.text()?;
+    match text.parse::<u32>() {
+        Ok(n) if n <= most => Ok(n),
+        _ => Err(node.fault(format!("{text:?} is no number from 0 to {most}"))),
+    }
+}
+
+/// One of some words.
+///
+/// # Errors
+/// A text that is none of the words.
+pub fn word<T: Copy>(
+    node: Option<&Item>,
+    words: &[(&str, T)],
+    default: T,
+) -> Result<T, StudyError> {
+    let Some(node) = node else { return Ok(default) };
+    let text = node.text()?;
+    let found = words.iter().find(|w| w.0 == text);
+    found.map(|w| w.1).ok_or_else(|| {
+        let known: Vec<&str> = words.iter().map(|w| w.0).collect();
+        let known = known.join(", ");
+        node.fault(format!("{text:?} is none of: {known}"))
+    })
+}
+
+/// The two ends of a range, `[from, to]`.
+///
+/// # Errors
+/// Anything else than a list of two numbers.
+pub fn ends(node: &Item) -> Result<[Rational; 2], StudyError> {
+    match node.list()? {
+        [low, high] => Ok([rational(low)?, rational(high)?]),
+        _ => Err(node.fault("expected two ends: [from, to]")),
     }
 }

@@ -84,6 +84,7 @@ mod parse;
 #[cfg(test)]
 mod pinned_tests;
 mod poly;
+pub mod requirement;
 mod root;
 mod series;
 mod square;

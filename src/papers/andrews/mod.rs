@@ -14,6 +14,3 @@ pub use data::BITS;
 pub(super) use findings::analysis;
 pub use motion::{DIGITS, Motion, TIMES, motion};
 pub use printed::{Printed, QUANTITIES, printed, unit};
-
-/// The name used on the command line.
-pub const KEY: &str = "andrews";

@@ -1,7 +1,7 @@
 //! The printed values, and their judgement digit by digit.
 
 use super::motion::{DIGITS, TIMES};
-use crate::papers::number::{self, Column, Number, records};
+use crate::papers::number::{self, Column, Number, Row, records};
 use crate::papers::{Entry, Tally};
 use crate::reference::Ball;
 use crate::study::intern;
@@ -74,15 +74,21 @@ pub(super) fn entries(printed: &[Printed], values: &[Vec<Ball>]) -> (Vec<Entry>,
             let of = printed
                 .iter()
                 .filter(|p| p.time == time && kind(p.quantity) == k);
-            let rows = of.map(|p| {
-                let (row, name) = (p.quantity as u32 + 1, QUANTITIES[p.quantity]);
-                (row, name, &p.number, certified(values, p))
+            let rows = of.map(|p| Row {
+                number: p.quantity as u32 + 1,
+                name: QUANTITIES[p.quantity],
+                printed: &p.number,
+                due: vec![Some(certified(values, p))],
             });
-            columns.push((table, column, rows.collect()));
+            columns.push(Column {
+                table,
+                name: column,
+                rows: rows.collect(),
+            });
         }
     }
-    columns.retain(|c| !c.2.is_empty());
-    number::entries(&columns, DIGITS)
+    columns.retain(|c| !c.rows.is_empty());
+    number::by_digits(&columns, DIGITS)
 }
 
 #[cfg(test)]

@@ -3,10 +3,11 @@
 
 mod search;
 
+use super::claim::Statement;
 use super::program::Asked;
-use super::read::{Reading, count, only, required, text, texts, word};
+use super::read::{Reading, count, only, required, texts, word};
 use crate::audit::selected_outputs;
-use crate::papers::{Finding, FindingVerdict, Subject, figure};
+use crate::papers::{Finding, FindingVerdict, figure};
 use crate::reference::nearest_f64;
 use crate::study::document::Item as Node;
 use crate::study::{Study, StudyError, StudyInput, input, intern, rational};
@@ -32,33 +33,43 @@ pub enum Statistic {
     Mean,
 }
 
-/// The verdict on a claim.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// The verdict on a claim, the worst last.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd)]
 pub enum Held {
+    /// It states no bound.
+    NotTestable,
     /// At every point tried, or the interval of the mean is below the bound.
     AsFarAsSearched,
     /// Refuted in the region, but at every point tried of a part that the claim names.
     InPart,
+    /// The reference could not tell, or the interval of the mean holds the bound.
+    Open,
     /// At a point that is named it certainly does not hold, or the interval of the mean is above
     /// the bound.
     Refuted,
-    /// The reference could not tell, or the interval of the mean holds the bound.
-    Open,
-    /// It states no bound.
-    NotTestable,
+}
+
+impl Held {
+    fn words(self) -> (FindingVerdict, &'static str) {
+        use FindingVerdict::{Confirmed, Refuted, Unexplained};
+        match self {
+            Held::AsFarAsSearched => (Confirmed, "Holds as far as searched."),
+            Held::InPart => (Refuted, "Holds in part alone."),
+            Held::Refuted => (Refuted, "Refuted."),
+            Held::Open => (
+                Unexplained,
+                "Open: the reference or the sample could not tell.",
+            ),
+            Held::NotTestable => (Unexplained, "Not testable: no bound is stated."),
+        }
+    }
 }
 
 /// A claim about an algorithm.
 #[derive(Clone, Debug)]
 pub struct Accuracy {
-    /// A stable name.
-    pub id: &'static str,
-    /// Where it is claimed.
-    pub place: &'static str,
     /// Its statement.
-    pub claim: &'static str,
-    /// A further remark, for instance how it is read.
-    pub note: &'static str,
+    pub statement: Statement,
     /// The verdict on record.
     pub expected: Held,
     test: Option<Test>,
@@ -110,10 +121,7 @@ const MOST_CASES: u32 = 100_000;
 /// Reads a claim; without a bound it is not testable.
 pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Accuracy, StudyError> {
     only(node, KEYS)?;
-    let id = reading.id(node)?;
-    for key in ["place", "claims"] {
-        required(node, key)?;
-    }
+    let statement = Statement::read(reading, node)?;
     let test = node
         .get("bound")
         .map(|bound| test(reading, node, bound))
@@ -123,10 +131,7 @@ pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Accuracy, Study
         return Err(node.fault("a claim has a bound, or the verdict \"not testable\""));
     }
     Ok(Accuracy {
-        id,
-        place: text(node, "place")?,
-        claim: text(node, "claims")?,
-        note: text(node, "note")?,
+        statement,
         expected,
         test,
     })
@@ -147,11 +152,11 @@ fn test(reading: &mut Reading, node: &Node, bound: &Node) -> Result<Test, StudyE
             (chosen.map_err(|e| e.at(solver.place))?, None)
         }
     };
-    let part = |key: &str| node.get(key).map(|n| n.text().map(intern)).transpose();
-    let output = part("output")?;
+    let output = node.get("output").map(|n| n.text().map(intern));
+    let output = output.transpose()?;
     let at = node.get("at").map(|at| point(&study, at)).transpose()?;
     let mut studies = Vec::new();
-    for region in texts(node.get("region"))? {
+    for region in texts(node.get("region")) {
         let within = study.within(Some(region.text()?), &[]);
         studies.push(within.map_err(|e| e.at(region.place))?);
     }
@@ -244,19 +249,7 @@ impl Accuracy {
         });
         let part = self.test.as_ref().and_then(|test| test.part.as_ref());
         let held = found.as_ref().map_or(Held::NotTestable, |f| f.held);
-        let (verdict, word) = match held {
-            Held::AsFarAsSearched => (FindingVerdict::Confirmed, "Holds as far as searched."),
-            Held::InPart => (FindingVerdict::Refuted, "Holds in part alone."),
-            Held::Refuted => (FindingVerdict::Refuted, "Refuted."),
-            Held::Open => (
-                FindingVerdict::Unexplained,
-                "Open: the reference or the sample could not tell.",
-            ),
-            Held::NotTestable => (
-                FindingVerdict::Unexplained,
-                "Not testable: no bound is stated.",
-            ),
-        };
+        let (verdict, words) = held.words();
         let mut figures = Vec::new();
         if let (Some(test), Some(found)) = (&self.test, &found) {
             figures.push(figure("claimed bound", test.printed, "1"));
@@ -267,17 +260,8 @@ impl Accuracy {
             }
             figures.push(figure("points", found.points.to_string(), "1"));
         }
-        let text = [word, self.note].join(" ");
-        Finding {
-            id: self.id,
-            subject: Subject::Claim,
-            place: self.place,
-            title: self.claim.trim_end_matches('.').into(),
-            verdict,
-            text: text.trim().into(),
-            figures,
-            as_recorded: held == self.expected,
-        }
+        let as_recorded = held == self.expected;
+        self.statement.finding(verdict, words, figures, as_recorded)
     }
 }
 

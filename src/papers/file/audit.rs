@@ -5,10 +5,10 @@ use super::finding::{Measured, on_proofs};
 use super::table::{Column, Rounding};
 use super::{Accuracy, Claim, PaperFile, Stated, Survey, Table};
 use crate::papers::ledger::{Ledger, LedgerEntry, dimension, finding};
-use crate::papers::number::{AS_PRINTED, Number, explained, tally};
+use crate::papers::number::{self, AS_PRINTED, Number, explained};
 use crate::papers::{
     Entry, EntryVerdict, Figure, Finding, FindingVerdict, PaperReport, Progress, Subject, Tally,
-    VariantJudgement, figure,
+    VariantJudgement, decided, figure,
 };
 use crate::reference::{Ball, Undecided};
 use crate::study::Study;
@@ -16,7 +16,6 @@ use crate::symbolic::Outcome;
 use crate::symbolic::evaluation::{Answer, Goal};
 use rayon::prelude::*;
 use rug::Rational;
-use std::collections::BTreeMap;
 
 /// Significant digits of recomputed values beyond those that are printed.
 pub(super) const MORE_DIGITS: usize = 10;
@@ -126,62 +125,58 @@ fn is_right(printed: &Number, value: &Ball, rounding: Rounding) -> bool {
 
 /// Judges every entry of a table.
 fn judge_table(table: &Table) -> (Finding, Vec<Entry>, Vec<Tally>) {
-    let inputs: Vec<Vec<Rational>> = (0..table.rows.len())
-        .map(|k| {
-            table
-                .given
-                .iter()
-                .map(|g| g.1[k].value.value.clone())
-                .collect()
-        })
-        .collect();
-    let (mut entries, mut tallies) = (Vec::new(), Vec::new());
-    let (mut figures, mut as_recorded, mut right) = (Vec::new(), true, 0);
-    let mut of_print = true;
-    for column in &table.columns {
-        let cells: Vec<(usize, &Number)> = column
-            .printed
-            .iter()
-            .enumerate()
+    let given = |k: usize| table.given.iter().map(move |g| g.1[k].value.value.clone());
+    let inputs: Vec<Vec<Rational>> = (0..table.rows.len()).map(|k| given(k).collect()).collect();
+    let known = table.columns.iter().map(|column| {
+        let cells = column.printed.iter().enumerate();
+        let cells: Vec<(usize, &Number)> = cells
             .filter_map(|(k, number)| Some((k, number.as_ref()?)))
             .collect();
         // The same digits in all rows: a trajectory that has to be closer begins anew.
         let digits = cells.iter().map(|(_, number)| number.text.len()).max();
         let digits = digits.unwrap_or_default() + MORE_DIGITS;
-        let values: Vec<Known> = cells
-            .par_iter()
-            .map(|(k, _)| value_in_row(column, &inputs[*k], digits))
-            .collect();
-        let pairs = cells.iter().zip(&values);
-        let pairs = pairs.filter_map(|((_, number), value)| Some((*number, value.as_ref().ok()?)));
-        let of_column = Tally {
-            entries: cells.len(),
-            ..tally([AS_PRINTED, column.name], table.number, pairs)
-        };
-        // A misprint stands out only where nearly everything else agrees.
-        let agrees = cells.len() - of_column.within_one <= cells.len() / 10;
+        let values = cells.into_par_iter().map(|(k, number)| {
+            let value = value_in_row(column, &inputs[k], digits);
+            (table.rows[k], number, value)
+        });
+        values.collect::<Vec<_>>()
+    });
+    let known: Vec<Vec<(u32, &Number, Known)>> = known.collect();
+    let columns = table.columns.iter().zip(&known).map(|(column, cells)| {
+        let rows = cells.iter().map(|(row, printed, value)| number::Row {
+            number: *row,
+            name: column.name,
+            printed,
+            due: vec![value.as_ref().ok()],
+        });
+        number::Column {
+            table: table.number,
+            name: column.name,
+            rows: rows.collect(),
+        }
+    });
+    let columns: Vec<number::Column> = columns.collect();
+    let (entries, tallies) = number::entries(&[AS_PRINTED], &columns, |[c, r, _], agrees| {
+        let (_, number, value) = &known[c][r];
+        judged(number, value, table.columns[c].rounding, agrees)
+    });
+    let (mut figures, mut as_recorded, mut right) = (Vec::new(), true, 0);
+    let mut of_print = true;
+    let mut rest = entries.iter();
+    for (column, cells) in table.columns.iter().zip(&known) {
         let mut wrong = Vec::new();
-        for ((k, number), value) in cells.iter().zip(&values) {
-            let row = table.rows[*k];
-            let judged = judged(number, value, column.rounding, agrees);
-            if matches!(judged.verdict, EntryVerdict::Agrees) {
+        for entry in rest.by_ref().take(cells.len()) {
+            let judged = &entry.variants[AS_PRINTED];
+            if judged.verdict == EntryVerdict::Agrees {
                 right += 1;
-            } else {
-                wrong.push(row);
-                of_print &= judged.verdict == EntryVerdict::Misprint;
-                figures.push(off(column, row, number, &judged));
+                continue;
             }
-            entries.push(Entry {
-                table: table.number,
-                row,
-                column: column.name,
-                printed: number.text.clone(),
-                variants: BTreeMap::from([(AS_PRINTED, judged)]),
-            });
+            wrong.push(entry.row);
+            of_print &= judged.verdict == EntryVerdict::Misprint;
+            figures.push(off(entry, judged));
         }
         // An undecided number is not known to be wrong.
-        as_recorded &= wrong == column.wrong && values.iter().all(Result::is_ok);
-        tallies.push(of_column);
+        as_recorded &= wrong == column.wrong && cells.iter().all(|cell| cell.2.is_ok());
     }
     let verdict = match (right == entries.len(), of_print) {
         (true, _) => FindingVerdict::Confirmed,
@@ -238,8 +233,11 @@ fn judged(number: &Number, value: &Known, rounding: Rounding, agrees: bool) -> V
     found
 }
 
-fn off(column: &Column, row: u32, number: &Number, judged: &VariantJudgement) -> Figure {
-    let name = format!("row {row}, {}, printed {}", column.name, number.text);
+fn off(entry: &Entry, judged: &VariantJudgement) -> Figure {
+    let name = format!(
+        "row {}, {}, printed {}",
+        entry.row, entry.column, entry.printed
+    );
     let value = match &judged.note {
         Some(note) => format!("{} ({note})", judged.recomputed),
         None => judged.recomputed.clone(),
@@ -249,8 +247,8 @@ fn off(column: &Column, row: u32, number: &Number, judged: &VariantJudgement) ->
 
 /// Decides a claim.
 fn judge_claim(claim: &Claim) -> Finding {
-    let numbers = claim.printed.iter().chain(claim.bounds.iter().flatten());
-    let longest = numbers.map(|n| n.text.len()).max().unwrap_or_default();
+    let longest = claim.numbers().map(|(_, n)| n.text.len()).max();
+    let longest = longest.unwrap_or_default();
     let value = match &claim.quantity {
         Quantity::Value(study) => recomputed(study, longest + MORE_DIGITS),
         Quantity::Largest(f) => f.largest(within(claim)).ok_or_else(not_enclosed),
@@ -268,37 +266,18 @@ fn judge_claim(claim: &Claim) -> Finding {
         Outcome::Refuted => FindingVerdict::Refuted,
         Outcome::Undecided => FindingVerdict::Unexplained,
     };
-    let mut figures = Vec::new();
-    if let Some(printed) = &claim.printed {
-        figures.push(figure("printed", &printed.text, claim.unit));
-    }
-    for (name, bound) in ["printed lower bound", "printed upper bound"]
-        .iter()
-        .zip(&claim.bounds)
-    {
-        if let Some(bound) = bound {
-            figures.push(figure(*name, &bound.text, claim.unit));
-        }
-    }
+    let printed = claim.numbers();
+    let mut figures: Vec<Figure> = printed
+        .map(|(name, number)| figure(name, &number.text, claim.unit))
+        .collect();
     figures.push(figure(
         "recomputed",
         shown(&value, longest + MORE_DIGITS),
         claim.unit,
     ));
-    let text = match claim.note {
-        "" => claim.claim.to_string(),
-        note => format!("{} {note}", claim.claim),
-    };
-    Finding {
-        id: claim.id,
-        subject: claim.subject,
-        place: claim.place,
-        title: claim.claim.trim_end_matches('.').into(),
-        verdict,
-        text,
-        figures,
-        as_recorded: outcome == claim.expected,
-    }
+    let statement = &claim.statement;
+    let as_recorded = outcome == claim.expected;
+    statement.finding(verdict, statement.claim, figures, as_recorded)
 }
 
 fn not_enclosed() -> String {
@@ -307,8 +286,7 @@ fn not_enclosed() -> String {
 
 /// The radius of an extreme that decides its claim, unless the number is close to a limit.
 fn within(claim: &Claim) -> f64 {
-    let numbers = claim.printed.iter().chain(claim.bounds.iter().flatten());
-    let units = numbers.map(|n| n.value.unit().to_f64());
+    let units = claim.numbers().map(|(_, n)| n.value.unit().to_f64());
     units.fold(f64::INFINITY, f64::min) / 64.0
 }
 
@@ -318,36 +296,27 @@ pub(super) fn shown(value: &Known, digits: usize) -> String {
         Ok(value) => value,
         Err(reason) => return reason.clone(),
     };
-    let shown = (1..=digits)
-        .rev()
-        .find_map(|digits| value.to_decimal(digits));
-    shown.unwrap_or_else(|| "undecided".into())
+    decided((1..=digits).rev().find_map(|n| value.to_decimal(n)))
 }
 
 /// All parts of the claim have to hold; one that fails refutes it.
 fn outcome(claim: &Claim, value: &Ball) -> Outcome {
-    let mut parts = Vec::new();
-    if let Some(printed) = &claim.printed {
-        parts.push(match is_right(printed, value, claim.rounding) {
-            true => Outcome::Proved,
-            false if printed.is_wrong(value, claim.rounding) => Outcome::Refuted,
-            false => Outcome::Undecided,
-        });
-    }
-    for (bound, sign) in claim.bounds.iter().zip([-1, 1]) {
-        let Some(bound) = bound else { continue };
-        // Positive if the bound is kept.
-        let slack = bound.difference(value);
-        let slack = if sign < 0 { -&slack } else { slack };
-        parts.push(match () {
-            () if slack.is_positive() || slack.is_zero() => Outcome::Proved,
-            () if slack.is_negative() => Outcome::Refuted,
-            () => Outcome::Undecided,
-        });
-    }
+    let rounded = claim.printed.iter().map(|printed| {
+        let is_right = is_right(printed, value, claim.rounding);
+        (is_right, printed.is_wrong(value, claim.rounding))
+    });
+    let [lower, upper] = &claim.bounds;
+    let above = lower.iter().map(|bound| -bound.difference(value));
+    let below = upper.iter().map(|bound| bound.difference(value));
+    let kept = above.chain(below);
+    let kept = kept.map(|slack| {
+        let is_kept = slack.is_positive() || slack.is_zero();
+        (is_kept, slack.is_negative())
+    });
+    let parts: Vec<(bool, bool)> = rounded.chain(kept).collect();
     match () {
-        () if parts.contains(&Outcome::Refuted) => Outcome::Refuted,
-        () if parts.contains(&Outcome::Undecided) || parts.is_empty() => Outcome::Undecided,
-        () => Outcome::Proved,
+        () if parts.iter().any(|part| part.1) => Outcome::Refuted,
+        () if parts.iter().all(|part| part.0) && !parts.is_empty() => Outcome::Proved,
+        () => Outcome::Undecided,
     }
 }

@@ -1,13 +1,13 @@
 //! Claims with numbers: a value, or an extreme over a box, and the number as printed.
 
 use super::entry::fault;
-use super::read::{Reading, only, required, text, word};
+use super::read::{Reading, ends, only, required, text, word};
 use super::table::{ROUNDINGS, Rounding, formula, shared};
-use crate::papers::Subject;
-use crate::papers::ledger::boxes::{Function, Region};
 use crate::papers::number::Number;
+use crate::papers::{Figure, Finding, FindingVerdict, Subject};
 use crate::study::document::Item as Node;
-use crate::study::{Study, StudyError, is_name, rational};
+use crate::study::{Study, StudyError, is_name};
+use crate::symbolic::requirement::boxes::{Function, Region};
 use crate::symbolic::{Expr, Outcome};
 
 /// The number that a claim is about.
@@ -17,23 +17,66 @@ pub(super) enum Quantity {
     Value(Study),
     /// The largest value over a box.
     Largest(Function),
-    /// The smallest value over a box: that of the negative is the largest.
+    /// The smallest value over a box, by the function's negative.
     Smallest(Function),
 }
 
-/// A claim with a number.
+/// A statement of a paper.
 #[derive(Clone, Debug)]
-pub struct Claim {
+pub struct Statement {
     /// A stable name.
     pub id: &'static str,
     /// Where in the paper.
     pub place: &'static str,
     /// The subject of its finding.
     pub subject: Subject,
-    /// Its statement.
+    /// Its words.
     pub claim: &'static str,
-    /// A further remark.
+    /// A further remark, for instance how it is read.
     pub note: &'static str,
+}
+
+impl Statement {
+    /// Reads the keys that all statements have.
+    pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Statement, StudyError> {
+        let id = reading.id(node)?;
+        required(node, "place")?;
+        required(node, "claims")?;
+        Ok(Statement {
+            id,
+            place: text(node, "place")?,
+            subject: word(node.get("subject"), &SUBJECTS, Subject::Claim)?,
+            claim: text(node, "claims")?,
+            note: text(node, "note")?,
+        })
+    }
+
+    /// The finding on it, whose text is `words` and the remark.
+    pub(super) fn finding(
+        &self,
+        verdict: FindingVerdict,
+        words: &str,
+        figures: Vec<Figure>,
+        as_recorded: bool,
+    ) -> Finding {
+        Finding {
+            id: self.id,
+            subject: self.subject,
+            place: self.place,
+            title: self.claim.trim_end_matches('.').into(),
+            verdict,
+            text: [words, self.note].join(" ").trim().into(),
+            figures,
+            as_recorded,
+        }
+    }
+}
+
+/// A claim with a number.
+#[derive(Clone, Debug)]
+pub struct Claim {
+    /// Its statement.
+    pub statement: Statement,
     /// The unit of the number.
     pub unit: &'static str,
     /// The number as printed.
@@ -44,9 +87,21 @@ pub struct Claim {
     pub bounds: [Option<Number>; 2],
     /// The outcome on record.
     pub expected: Outcome,
-    /// Its file and line.
-    pub origin: (&'static str, usize),
     pub(super) quantity: Quantity,
+}
+
+impl Claim {
+    /// The numbers as printed, with their names.
+    pub(super) fn numbers(&self) -> impl Iterator<Item = (&'static str, &Number)> {
+        let [lower, upper] = &self.bounds;
+        let all = [
+            ("printed", &self.printed),
+            ("printed lower bound", lower),
+            ("printed upper bound", upper),
+        ];
+        all.into_iter()
+            .filter_map(|(name, number)| Some((name, number.as_ref()?)))
+    }
 }
 
 const KEYS: &str = "id place subject claims note is largest smallest over with printed rounding \
@@ -68,9 +123,7 @@ pub(super) const SUBJECTS: [(&str, Subject); 4] = [
 /// Reads a claim.
 pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Claim, StudyError> {
     only(node, KEYS)?;
-    let id = reading.id(node)?;
-    required(node, "place")?;
-    required(node, "claims")?;
+    let statement = Statement::read(reading, node)?;
     let number = |key: &str| {
         let read = |item: &Node| -> Result<Number, StudyError> {
             let text = item.text()?;
@@ -80,11 +133,7 @@ pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Claim, StudyErr
         node.get(key).map(read).transpose()
     };
     let claim = Claim {
-        id,
-        place: text(node, "place")?,
-        subject: word(node.get("subject"), &SUBJECTS, Subject::Claim)?,
-        claim: text(node, "claims")?,
-        note: text(node, "note")?,
+        statement,
         unit: match text(node, "unit")? {
             "" => "1",
             unit => unit,
@@ -93,7 +142,6 @@ pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Claim, StudyErr
         rounding: word(node.get("rounding"), &ROUNDINGS, Rounding::Nearest)?,
         bounds: [number("above")?, number("below")?],
         expected: word(node.get("verdict"), &VERDICTS, Outcome::Proved)?,
-        origin: (reading.file, node.place.line),
         quantity: quantity(reading, node)?,
     };
     match (&claim.printed, &claim.bounds) {
@@ -113,16 +161,13 @@ fn quantity(reading: &Reading, node: &Node) -> Result<Quantity, StudyError> {
     };
     let over = required(node, "over")?;
     let mut region: Region = Vec::new();
-    for (name, ends) in over.table()? {
-        is_name(name, ends)?;
-        let [low, high] = ends.list()? else {
-            return Err(ends.fault("expected two ends: [from, to]"));
-        };
-        let (low, high) = (rational(low)?, rational(high)?);
-        if low > high {
-            return Err(ends.fault(format!("the range of {name} is empty")));
+    for (name, node) in over.table()? {
+        is_name(name, node)?;
+        let range = ends(node)?;
+        if range[0] > range[1] {
+            return Err(node.fault(format!("the range of {name} is empty")));
         }
-        region.push((name.clone(), [low, high]));
+        region.push((name.clone(), range));
     }
     let (mut definitions, own) = shared;
     let variables = region.iter().map(|r| r.0.clone());

@@ -47,7 +47,7 @@ pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Item, StudyErro
     let printed = printed(node, &mut item)?;
     item.names = names(&reading.symbols.names, &item, printed)?;
     item.conditions = Arc::new(reading.symbols.conditions(truth(node, "values")?));
-    let requirements = texts(node.get("requires"))?;
+    let requirements = texts(node.get("requires"));
     for requirement in &requirements {
         let text = requirement.text()?;
         let read = Requirement::read(text, &item.names);
@@ -125,7 +125,7 @@ fn names(declared: &Names, item: &Item, printed: Option<&Node>) -> Result<Names,
 }
 
 fn facts(node: &Node, item: &mut Item) -> Result<(), StudyError> {
-    for fact in texts(node.get("also"))? {
+    for fact in texts(node.get("also")) {
         let (place, outcome) = match fact.value {
             Value::Table(_) => {
                 fact.only(&["refuted"])?;
@@ -157,7 +157,7 @@ fn repair(node: &Node, item: &mut Item) -> Result<(), StudyError> {
             n => n as usize,
         };
     }
-    let confused = texts(node.get("confused"))?;
+    let confused = texts(node.get("confused"));
     let confused = confused.into_iter().map(Node::text);
     let confused = confused.collect::<Result<Vec<_>, _>>()?;
     let family = Family::new(&confused, text(node, "missing")?);

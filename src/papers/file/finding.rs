@@ -137,7 +137,7 @@ pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Stated, StudyEr
     };
     let lines = node.get("figures").map_or(Ok(&[][..]), Node::list)?;
     let lines = lines.iter().map(|node| line(&scope, node));
-    let conditions = texts(node.get("holds"))?.into_iter();
+    let conditions = texts(node.get("holds")).into_iter();
     let conditions = conditions.map(|node| scope.condition(node));
     let stated = Stated {
         id: reading.id(node)?,
@@ -167,7 +167,7 @@ pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Stated, StudyEr
 
 fn basis(node: &Node) -> Result<Basis, StudyError> {
     let mut entries = Vec::new();
-    for item in texts(node.get("entries"))? {
+    for item in texts(node.get("entries")) {
         entries.push((intern(item.text()?), item.place));
     }
     match (node.get("entries"), node.get("ledger")) {
@@ -326,6 +326,7 @@ pub(super) fn on_proofs(ledger: &Ledger) -> Finding {
         subject: Subject::Formula,
         place: "all formulas",
         title: match count {
+            0 => "No entry of the ledger is proved as printed".into(),
             1 => "One entry of the ledger is proved as printed".into(),
             count => format!("{count} entries of the ledger are proved as printed"),
         },

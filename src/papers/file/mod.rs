@@ -20,7 +20,7 @@ mod table;
 mod tests;
 
 pub use accuracy::Accuracy;
-pub use claim::Claim;
+pub use claim::{Claim, Statement};
 pub(super) use finding::VERDICTS as FINDING_VERDICTS;
 pub use finding::{Measured, Quantity, Stated};
 pub use program::{Program, Programs};

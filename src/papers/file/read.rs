@@ -7,6 +7,7 @@ use super::{PaperFile, accuracy, claim, entry, finding, survey, table};
 use crate::audit::{Method, SolverAnswer};
 use crate::papers::Citation;
 use crate::study::document::{self, Item as Node, Value};
+pub(super) use crate::study::document::{count, ends, only, required, text, texts, truth, word};
 use crate::study::{Study, StudyError, intern, is_name};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -132,7 +133,7 @@ impl Reading<'_> {
     /// study takes it.
     fn with_definitions(&self, node: &Node) -> Result<Node, StudyError> {
         let mut lets = Vec::new();
-        for file in texts(node.get("with"))? {
+        for file in texts(node.get("with")) {
             let name = file.text()?;
             let text = self.source.read(name).map_err(|e| e.at(file.place))?;
             let read = document::read(&text).map_err(|e| e.in_file(name))?;
@@ -144,24 +145,19 @@ impl Reading<'_> {
         lets.extend(own.to_vec());
         let mut entries = node.table()?.to_vec();
         entries.retain(|e| !["study", "with", "let"].contains(&e.0.as_str()));
-        entries.push((
-            "let".into(),
-            Node {
-                value: Value::Table(lets),
-                ..node.clone()
-            },
-        ));
-        Ok(Node {
+        let table = |entries| Node {
+            place: node.place,
             value: Value::Table(entries),
-            ..node.clone()
-        })
+        };
+        entries.push(("let".into(), table(lets)));
+        Ok(table(entries))
     }
 
     /// The definitions that a list names: groups, and definitions of its own.
     pub fn definitions(&self, node: Option<&Node>) -> Result<Vec<&'static str>, StudyError> {
         let mut all: Vec<&'static str> = Vec::new();
         let mut own = BTreeSet::new();
-        for item in texts(node)? {
+        for item in texts(node) {
             let text = item.text()?;
             if text.contains('=') {
                 if let Some(name) = defined(text)
@@ -192,67 +188,6 @@ pub(super) fn defined(text: &str) -> Option<&str> {
     (!left.contains(':')).then(|| left.trim())
 }
 
-/// Refuses keys other than these, which are separated by blanks.
-pub(super) fn only(node: &Node, keys: &str) -> Result<(), StudyError> {
-    node.only(&keys.split_whitespace().collect::<Vec<_>>())
-}
-
-/// A key that has to be there.
-pub(super) fn required<'a>(node: &'a Node, key: &str) -> Result<&'a Node, StudyError> {
-    node.get(key)
-        .ok_or_else(|| node.fault(format!("the key {key:?} is missing")))
-}
-
-/// A text that may be missing, kept for good.
-pub(super) fn text(node: &Node, key: &str) -> Result<&'static str, StudyError> {
-    node.get(key).map_or(Ok(""), |item| item.text().map(intern))
-}
-
-/// A text or a list of texts.
-pub(super) fn texts(node: Option<&Node>) -> Result<Vec<&Node>, StudyError> {
-    match node {
-        None => Ok(Vec::new()),
-        Some(node) => match &node.value {
-            Value::List(items) => Ok(items.iter().collect()),
-            _ => Ok(vec![node]),
-        },
-    }
-}
-
-/// True or false; false if it is missing.
-pub(super) fn truth(node: &Node, key: &str) -> Result<bool, StudyError> {
-    match node.get(key).map(|item| (&item.value, item)) {
-        None => Ok(false),
-        Some((Value::Truth(b), _)) => Ok(*b),
-        Some((_, item)) => Err(item.fault("expected true or false")),
-    }
-}
-
-/// A number without sign that is not larger than a limit.
-pub(super) fn count(node: &Node, most: u32) -> Result<u32, StudyError> {
-    let text = node.text()?;
-    match text.parse::<u32>() {
-        Ok(n) if n <= most => Ok(n),
-        _ => Err(node.fault(format!("{text:?} is no number from 0 to {most}"))),
-    }
-}
-
-/// One of some words.
-pub(super) fn word<T: Copy>(
-    node: Option<&Node>,
-    words: &[(&str, T)],
-    default: T,
-) -> Result<T, StudyError> {
-    let Some(node) = node else { return Ok(default) };
-    let text = node.text()?;
-    let found = words.iter().find(|w| w.0 == text);
-    found.map(|w| w.1).ok_or_else(|| {
-        let known: Vec<&str> = words.iter().map(|w| w.0).collect();
-        let known = known.join(", ");
-        node.fault(format!("{text:?} is none of: {known}"))
-    })
-}
-
 /// Reads a paper.
 pub(super) fn paper(key: &str, source: &Source, first: &str) -> Result<PaperFile, StudyError> {
     let read = |name: &str| {
@@ -281,7 +216,7 @@ pub(super) fn paper(key: &str, source: &Source, first: &str) -> Result<PaperFile
         is_analysed: paper.analysis.is_some(),
     };
     part(&mut reading, &file, &mut paper).map_err(in_first)?;
-    for name in texts(file.get("parts")).map_err(in_first)? {
+    for name in texts(file.get("parts")) {
         let text = name.text().map_err(in_first)?;
         let more = read(text).map_err(|e| e.at(name.place).in_file(first))?;
         let here = |e: StudyError| e.in_file(text);
@@ -305,16 +240,13 @@ pub(super) fn paper(key: &str, source: &Source, first: &str) -> Result<PaperFile
 }
 
 fn citation(key: &str, file: &Node) -> Result<Citation, StudyError> {
-    let year = match file.get("year") {
-        None => None,
-        Some(year) => Some(count(year, 9999)? as u16),
-    };
+    let year = file.get("year").map(|year| count(year, 9999)).transpose()?;
     required(file, "title")?;
     Ok(Citation {
         key: intern(key),
         authors: text(file, "authors")?,
         title: text(file, "title")?,
-        year,
+        year: year.map(|year| year as u16),
         venue: text(file, "venue")?,
         source: text(file, "source")?,
     })
@@ -325,7 +257,7 @@ fn part(reading: &mut Reading, file: &Node, paper: &mut PaperFile) -> Result<(),
     for (name, group) in file.get("definitions").map_or(Ok(&[][..]), Node::table)? {
         is_name(name, group)?;
         let mut lines = Vec::new();
-        for item in texts(Some(group))? {
+        for item in texts(Some(group)) {
             let line = item.text()?;
             let Some((left, _)) = line.split_once('=') else {
                 let reason = format!("{line:?} is no definition: \"name = expression\"");

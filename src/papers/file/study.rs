@@ -1,12 +1,14 @@
 //! Studies and machines of the folder, whose certified values stand behind numbers of the paper.
 
+use super::entry::fault;
 use super::read::Reading;
 use crate::audit::Limit;
 use crate::machine::planar::Moving;
 use crate::machine::{Linkage, Source};
+use crate::papers::ledger::Names;
 use crate::study::document::Item as Node;
-use crate::study::{Problem, Study, StudyError, StudyOutput, fault_in};
-use crate::symbolic::{Expr, parse_declared};
+use crate::study::{Problem, Study, StudyError, StudyOutput};
+use crate::symbolic::Expr;
 
 /// Opens the study that a key names, or the motion of a machine.
 ///
@@ -43,15 +45,11 @@ pub(super) fn with_outputs(
     let own = problem.inputs.iter().map(|i| &i.name);
     let own = own.chain(unknowns.map(|u| &u.0));
     let own = own.chain(states.map(|s| &s.name));
-    let declared: Vec<String> = own
-        .chain(problem.definitions.names.keys())
-        .cloned()
-        .collect();
+    let names = Names::declared(own.chain(problem.definitions.names.keys()).cloned());
     let mut all = Vec::new();
     for (name, node) in outputs {
         let text = node.text()?;
-        let known = |name: &str| declared.iter().any(|d| d == name);
-        let is = parse_declared(text, &known).map_err(|e| fault_in(e, node.place, &declared))?;
+        let is = names.expression(text).map_err(|e| fault(e, node, &names))?;
         all.push(output(name, text, is));
     }
     let problem = Problem {

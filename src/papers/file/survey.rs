@@ -67,7 +67,7 @@ pub(super) fn read(reading: &mut Reading, node: &Node) -> Result<Survey, StudyEr
     }
     let numbers = |key: &str| -> Result<Vec<(&'static str, f64)>, StudyError> {
         let mut all = Vec::new();
-        for n in texts(node.get(key))? {
+        for n in texts(node.get(key)) {
             match rational(n)?.to_f64() {
                 x if x > 0.0 && x.is_finite() => all.push((intern(n.text()?), x)),
                 _ => return Err(n.fault(format!("{key} are positive numbers"))),

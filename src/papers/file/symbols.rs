@@ -1,9 +1,9 @@
 //! The symbols of a paper: meaning, unit, domain, and the value as printed.
 
-use super::read::{required, word};
+use super::read::{ends, required, word};
 use crate::papers::ledger::{Conditions, Domain, Names};
 use crate::study::document::{Item as Node, Value};
-use crate::study::{Place, StudyError, is_name, rational};
+use crate::study::{Place, StudyError, is_name};
 use crate::symbolic::{Dimensions, Expr, number, parse_declared, unit};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -82,11 +82,8 @@ fn symbol(name: &str, node: &Node) -> Result<Symbol, StudyError> {
 }
 
 fn domain(node: &Node) -> Result<Option<Domain>, StudyError> {
-    if let Value::List(ends) = &node.value {
-        let [low, high] = ends.as_slice() else {
-            return Err(node.fault("a domain has two ends: [from, to]"));
-        };
-        let (low, high) = (rational(low)?, rational(high)?);
+    if let Value::List(_) = node.value {
+        let [low, high] = ends(node)?;
         return match low < high {
             true => Ok(Some(Domain::Between(low, high))),
             false => Err(node.fault("the domain is empty: its first end is the smaller one")),

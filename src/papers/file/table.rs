@@ -176,7 +176,7 @@ pub(super) fn read(reading: &Reading, node: &Node) -> Result<Table, StudyError> 
             named.extend(inputs.map(|i| (i.name.clone(), *file)));
         }
         None => {
-            for item in texts(node.get("given"))? {
+            for item in texts(node.get("given")) {
                 is_name(item.text()?, item)?;
                 named.push((item.text()?.to_string(), item));
             }
@@ -279,7 +279,7 @@ fn column<'a>(node: &'a Node, rows: &[u32], rounding: Rounding) -> Result<Stated
         Value::Table(_) => {
             node.only(&["is", "rounding", "wrong"])?;
             let mut wrong = Vec::new();
-            for row in texts(node.get("wrong"))? {
+            for row in texts(node.get("wrong")) {
                 let found = count(row, u32::MAX)?;
                 if !rows.contains(&found) {
                     return Err(row.fault(format!("the table has no row {found}")));

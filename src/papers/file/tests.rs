@@ -342,63 +342,41 @@ fn domains_decide_what_is_proved() {
     let real = "x = { means = 'a', domain = 'real' }";
     let positive = "x = 'a'";
     let between = "x = { means = 'a', domain = [-2, -1] }";
-    let root = "requires = 'sqrt(x^2) = x'";
-    assert_eq!(verdict(positive, root), Verdict::Proved);
-    assert_eq!(verdict(real, root), Verdict::Refuted);
-    assert_eq!(verdict(between, root), Verdict::Refuted);
-    assert_eq!(
-        verdict(between, "requires = 'sqrt(x^2) = -x'"),
-        Verdict::Proved
-    );
-    assert_eq!(
-        verdict(real, "requires = 'sin(-x) = -sin(x)'"),
-        Verdict::Proved
-    );
-    assert_eq!(
-        verdict(real, "printed = 'y = x^3'\nrequires = 'D(y, x) = 3*x^2'"),
-        Verdict::Proved
-    );
-    assert_eq!(
-        verdict(
-            real,
-            "printed = 'y = x^3'\nrequires = 'D(y, x) = 3*x*abs(x)'"
-        ),
-        Verdict::Refuted
-    );
-    // True at the one point that is not zero's side.
-    assert_eq!(verdict(real, "requires = 'x/x = 1'"), Verdict::Proved);
     let integer = "n = { means = 'a', domain = 'integer' }";
-    assert_ne!(
-        verdict(integer, "requires = 'sin(pi*n) = 0'"),
-        Verdict::Refuted
-    );
-    assert_eq!(
-        verdict("n = 'a'", "requires = 'sin(pi*n) = 0'"),
-        Verdict::Refuted
-    );
-    // Inequalities are proved over bounded boxes.
     let unit = "x = { means = 'a', domain = [0, 1] }";
-    assert_eq!(
-        verdict(unit, "requires = 'x*(1 - x) < 0.2501'"),
-        Verdict::Proved
-    );
-    assert_eq!(
-        verdict(unit, "requires = 'x*(1 - x) < 0.2'"),
-        Verdict::Refuted
-    );
+    let root = "requires = 'sqrt(x^2) = x'";
+    let (yes, no) = (Verdict::Proved, Verdict::Refuted);
+    for (symbols, text, due) in [
+        (positive, root, yes),
+        (real, root, no),
+        (between, root, no),
+        (between, "requires = 'sqrt(x^2) = -x'", yes),
+        (real, "requires = 'sin(-x) = -sin(x)'", yes),
+        (
+            real,
+            "printed = 'y = x^3'\nrequires = 'D(y, x) = 3*x^2'",
+            yes,
+        ),
+        (
+            real,
+            "printed = 'y = x^3'\nrequires = 'D(y, x) = 3*x*abs(x)'",
+            no,
+        ),
+        // True at the one point that is not zero's side.
+        (real, "requires = 'x/x = 1'", yes),
+        ("n = 'a'", "requires = 'sin(pi*n) = 0'", no),
+        // Inequalities are proved over bounded boxes.
+        (unit, "requires = 'x*(1 - x) < 0.2501'", yes),
+        (unit, "requires = 'x*(1 - x) < 0.2'", no),
+        (unit, "requires = 'sin(x) ~ x within 0.16'", yes),
+        (positive, "requires = 'x < x + 1'", Verdict::Undecided),
+    ] {
+        assert_eq!(verdict(symbols, text), due, "{text}");
+    }
     // It fails next to 1/2 alone, where no sample lies.
-    assert_ne!(
-        verdict(unit, "requires = 'x*(1 - x) < 0.24999'"),
-        Verdict::Proved
-    );
-    assert_eq!(
-        verdict(positive, "requires = 'x < x + 1'"),
-        Verdict::Undecided
-    );
-    assert_eq!(
-        verdict(unit, "requires = 'sin(x) ~ x within 0.16'"),
-        Verdict::Proved
-    );
+    let near = verdict(unit, "requires = 'x*(1 - x) < 0.24999'");
+    let sine = verdict(integer, "requires = 'sin(pi*n) = 0'");
+    assert!(near != yes && sine != no);
     // The witness is a point of the domain.
     let found = decide(&entry(between, root).items[0]);
     let point = &found.obligations[0].witness.as_ref().unwrap().point;
@@ -411,27 +389,17 @@ fn domains_decide_what_is_proved() {
 #[test]
 fn values_are_put_in_where_the_entry_asks_for_them() {
     let symbols = "g = { means = 'a', value = '9.81' }\nt = { means = 'b', value = '2' }\nz = { means = 'c', value = '-1.5' }";
-    let fall = "printed = 's = g*t^2/2'\n";
-    assert_eq!(
-        verdict(
-            symbols,
-            &format!("{fall}values = true\nrequires = 's = 19.62'")
+    let printed = "printed = 's = g*t^2/2'\n";
+    for (text, due) in [
+        ("values = true\nrequires = 's = 19.62'", Verdict::Proved),
+        (
+            "values = true\nrequires = 'D(s, t) = 19.62'",
+            Verdict::Proved,
         ),
-        Verdict::Proved
-    );
-    assert_eq!(
-        verdict(
-            symbols,
-            &format!("{fall}values = true\nrequires = 'D(s, t) = 19.62'")
-        ),
-        Verdict::Proved
-    );
-    assert_eq!(
-        verdict(symbols, &format!("{fall}requires = 's = 19.62'")),
-        Verdict::Refuted
-    );
-    assert_eq!(
-        verdict(symbols, "values = true\nrequires = 'z*t = -3'"),
-        Verdict::Proved
-    );
+        ("requires = 's = 19.62'", Verdict::Refuted),
+        ("values = true\nrequires = 'z*t = -3'", Verdict::Proved),
+    ] {
+        let found = verdict(symbols, &format!("{printed}{text}"));
+        assert_eq!(found, due, "{text}");
+    }
 }

@@ -10,6 +10,3 @@ pub mod charts;
 mod findings;
 
 pub(super) use findings::analysis;
-
-/// The name used on the command line.
-pub const KEY: &str = "gembara-senyk";

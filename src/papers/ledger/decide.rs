@@ -8,7 +8,10 @@ use crate::symbolic::{
 
 fn obligation(r: &Requirement, found: Identity, recorded: Option<Outcome>) -> Obligation {
     Obligation {
-        formula: r.formula(),
+        formula: Formula {
+            text: r.to_string(),
+            latex: r.latex(),
+        },
         printed: found.outcome,
         residual: found.residual.filter(|_| found.outcome != Outcome::Proved),
         witness: found.witness,
@@ -80,11 +83,7 @@ fn undimensional(item: &Item, definitions: &Definitions, printed: &Equation) -> 
 }
 
 fn is_number(e: &Expr) -> bool {
-    match e {
-        Expr::Num(_) => true,
-        Expr::Neg(x) => is_number(x),
-        _ => false,
-    }
+    matches!(e, Expr::Num(_)) || matches!(e, Expr::Neg(x) if is_number(x))
 }
 
 fn evaluate(item: &Item) -> Result<LedgerEntry, SymbolicError> {

@@ -27,6 +27,7 @@ pub fn finding(e: &LedgerEntry) -> Option<Finding> {
             (Subject::Formula, format!("{} is misprinted", e.place))
         }
         Verdict::Model => (Subject::Claim, e.claim.trim_end_matches('.').to_string()),
+        Verdict::Undecided => (Subject::Formula, format!("{} is undecided", e.place)),
         _ => (Subject::Formula, format!("{} is wrong", e.place)),
     };
     let forms = [("printed", &e.printed), ("corrected", &e.corrected)];
@@ -39,22 +40,24 @@ pub fn finding(e: &LedgerEntry) -> Option<Finding> {
     });
     let mut figures: Vec<Figure> = forms.collect();
     if let Some(r) = &e.repair {
-        let pairs = [
-            ("pairs of edits tried", r.pairs),
-            ("pairs that hold", r.pairs_that_hold),
+        let has_pairs = r.pairs > 0;
+        let counts = [
+            ("single edits tried", r.single_edits, true),
+            ("single edits that hold", r.single_that_hold, true),
+            ("pairs of edits tried", r.pairs, has_pairs),
+            ("pairs that hold", r.pairs_that_hold, has_pairs),
+            ("edits left undecided", r.undecided, r.undecided > 0),
         ];
-        let singles = [
-            ("single edits tried", r.single_edits),
-            ("single edits that hold", r.single_that_hold),
-        ];
-        let pairs = pairs.into_iter().filter(|_| r.pairs > 0);
-        let counts = singles.into_iter().chain(pairs);
-        figures.extend(counts.map(|(name, count)| figure(name, count, "1")));
+        let counts = counts.into_iter().filter(|count| count.2);
+        figures.extend(counts.map(|(name, count, _)| figure(name, count, "1")));
     }
-    let text = match e.note {
-        "" => e.claim.to_string(),
-        note => format!("{} {note}", e.claim),
-    };
+    let unproved = e.obligations.iter().find(|o| o.printed != Outcome::Proved);
+    if let (None, Some(o), true) = (&e.printed, unproved, e.verdict != Verdict::Model) {
+        figures.push(figure("requirement", &o.formula.text, "1"));
+        let off = o.witness.iter();
+        figures.extend(off.map(|w| figure("left side less right side", &w.residual, "1")));
+    }
+    let text = [e.claim, e.note].join(" ").trim().to_string();
     Some(Finding {
         id: e.id,
         subject,

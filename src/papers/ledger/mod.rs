@@ -10,21 +10,15 @@
 //! Every edit that does not work is refuted by an enclosure that excludes zero at a rational point;
 //! every edit that works is proved.
 
-pub(super) mod boxes;
-mod conditions;
 mod decide;
 mod findings;
 mod item;
-mod names;
 mod repair;
-mod requirement;
 
-pub use conditions::{Conditions, Domain};
+pub use crate::symbolic::requirement::{Conditions, Domain, Names, Requirement};
 pub use decide::decide;
 pub use findings::{dimension, finding};
 pub use item::Item;
-pub use names::Names;
-pub use requirement::Requirement;
 
 use super::Citation;
 use crate::symbolic::{Edit, Equation, Outcome, Witness, latex_equation};

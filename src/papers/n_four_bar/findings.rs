@@ -227,7 +227,7 @@ mod tests {
             library(m, &mut measured);
             exudyn(m, &mut measured);
             passages(m, &mut measured).unwrap();
-            let all = on_figures(super::super::KEY, &measured).into_iter();
+            let all = on_figures("n-four-bar", &measured).into_iter();
             let lost = all.filter(|f| !f.as_recorded && on_prints.contains(&f.id));
             lost.map(|f| f.id).collect()
         };

@@ -16,6 +16,3 @@ pub mod singular;
 pub(super) use findings::analysis;
 pub use motion::{BITS, Course, DIGITS, Motion, QUANTITIES, TIMES, motion};
 pub use printed::{Copied, Row};
-
-/// The name used on the command line.
-pub const KEY: &str = "n-four-bar";

@@ -51,18 +51,32 @@ pub fn exudyn() -> Vec<Copied> {
 /// Judges every printed number for which a certified value exists: table 1 is the library's, table
 /// 2 EXUDYN's.
 pub(super) fn entries(motion: &Motion) -> (Vec<Entry>, Vec<Tally>) {
+    let row = |number, name, printed, due| number::Row {
+        number,
+        name,
+        printed,
+        due: vec![Some(due)],
+    };
     let mut all: Vec<Column> = Vec::new();
-    for (k, column) in ["B0_x", "B0_y"].into_iter().enumerate() {
+    for (k, name) in ["B0_x", "B0_y"].into_iter().enumerate() {
         let rows = motion.library.iter().zip(1..);
-        let rows = rows.map(|((row, due), i)| (i, column, &row.place[k], &due.values[k]));
-        all.push((1, column, rows.collect()));
+        let rows = rows.map(|((of, due), i)| row(i, name, &of.place[k], &due.values[k]));
+        all.push(Column {
+            table: 1,
+            name,
+            rows: rows.collect(),
+        });
     }
-    for column in ["B0_x", "B0_y", "B0_vx", "B0_vy", "C0_x", "C0_y"] {
+    for name in ["B0_x", "B0_y", "B0_vx", "B0_vy", "C0_x", "C0_y"] {
         let of = motion.exudyn.iter().zip(1..);
-        let of = of.filter(|((copied, _), _)| copied.quantity == column);
+        let of = of.filter(|((copied, _), _)| copied.quantity == name);
         let rows =
-            of.filter_map(|((copied, due), i)| Some((i, column, &copied.number, due.as_ref()?)));
-        all.push((2, column, rows.collect()));
+            of.filter_map(|((copied, due), i)| Some(row(i, name, &copied.number, due.as_ref()?)));
+        all.push(Column {
+            table: 2,
+            name,
+            rows: rows.collect(),
+        });
     }
-    number::entries(&all, DIGITS)
+    number::by_digits(&all, DIGITS)
 }

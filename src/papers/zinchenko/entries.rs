@@ -1,7 +1,7 @@
 //! Every printed entry against its recomputed value.
 
 use super::tables::{COLUMNS, ROWS, twin};
-use crate::papers::number::{Number, explained, tally};
+use crate::papers::number::{self, Column, Number, Row, explained};
 use crate::papers::{Entry, EntryVerdict, Tally, VariantJudgement, decided};
 use crate::reference::Ball;
 
@@ -15,11 +15,11 @@ pub(super) type Variant = (&'static str, Vec<Vec<Ball>>);
 fn judge(
     p: &Number,
     value: &Ball,
-    twin: Option<(u32, &Number, &Ball)>,
+    twin: Option<(u32, (&Number, &Ball))>,
     column_agrees: bool,
 ) -> VariantJudgement {
     let by_twin = || {
-        let (table, other, v) = twin?;
+        let (table, (other, v)) = twin?;
         let text = &other.text;
         let says = || format!("Table {table} prints {text} for the same quantity, which agrees");
         other.is_rounded(v).then(says)
@@ -40,36 +40,26 @@ fn judge(
 
 /// Judges every entry under every variant.
 pub(super) fn entries(printed: &[Vec<Number>], variants: &[Variant]) -> (Vec<Entry>, Vec<Tally>) {
-    let mut tallies = Vec::new();
-    for (name, values) in variants {
-        for (c, (table, column)) in COLUMNS.into_iter().enumerate() {
-            let pairs = printed[c].iter().zip(&values[c]);
-            tallies.push(tally([name, column], table, pairs));
-        }
-    }
-    // A misprint stands out only where nearly everything else agrees.
-    let agrees = |t: &Tally| ROWS - t.within_one <= ROWS / 10;
-    let mut all = Vec::new();
-    for (c, (table, column)) in COLUMNS.into_iter().enumerate() {
-        for row in 0..ROWS {
-            let of = |(k, (name, values)): (usize, &Variant)| {
-                let beside = twin(c).map(|t| (COLUMNS[t].0, &printed[t][row], &values[t][row]));
-                let agrees = agrees(&tallies[k * COLUMNS.len() + c]);
-                (
-                    *name,
-                    judge(&printed[c][row], &values[c][row], beside, agrees),
-                )
-            };
-            all.push(Entry {
-                table,
-                row: row as u32,
-                column,
-                printed: printed[c][row].text.clone(),
-                variants: variants.iter().enumerate().map(of).collect(),
-            });
-        }
-    }
-    (all, tallies)
+    let column = |(c, (table, name)): (usize, (u32, &'static str))| Column {
+        table,
+        name,
+        rows: (0..ROWS)
+            .map(|row| Row {
+                number: row as u32,
+                name,
+                printed: &printed[c][row],
+                due: variants.iter().map(|v| Some(&v.1[c][row])).collect(),
+            })
+            .collect(),
+    };
+    let columns: Vec<Column> = COLUMNS.into_iter().enumerate().map(column).collect();
+    let names: Vec<&str> = variants.iter().map(|v| v.0).collect();
+    number::entries(&names, &columns, |[c, row, k], agrees| {
+        let of = |c: usize| (&printed[c][row], &variants[k].1[c][row]);
+        let beside = twin(c).map(|t| (COLUMNS[t].0, of(t)));
+        let (number, value) = of(c);
+        judge(number, value, beside, agrees)
+    })
 }
 
 #[cfg(test)]
@@ -141,7 +131,7 @@ mod tests {
             ("10.834", None, false, EntryVerdict::Unexplained, -300.0),
         ] {
             let twin = twin.map(ball);
-            let twin = twin.as_ref().map(|v| (3, &beside, v));
+            let twin = twin.as_ref().map(|v| (3, (&beside, v)));
             let found = judge(&printed, &ball(value), twin, agrees);
             assert_eq!(found.verdict, due, "{value}");
             assert!((found.units_in_last_digit - units).abs() < 1e-6, "{value}");

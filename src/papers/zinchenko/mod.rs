@@ -29,9 +29,6 @@ use rug::Rational;
 /// Working precision of the recomputed tables: 25 digits and room for cancellation.
 const BITS: u32 = 192;
 
-/// The name used on the command line.
-pub const KEY: &str = "zinchenko";
-
 /// Measures every quantity of the findings.
 ///
 /// # Errors

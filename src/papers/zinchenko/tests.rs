@@ -8,7 +8,7 @@ static MEASURED: LazyLock<Measured> = LazyLock::new(|| analysis().unwrap());
 
 /// Names of the findings that are not as recorded.
 fn lost(measured: &Measured) -> Vec<&'static str> {
-    let all = on_figures(KEY, measured);
+    let all = on_figures("zinchenko", measured);
     all.iter()
         .filter(|f| !f.as_recorded)
         .map(|f| f.id)

@@ -40,7 +40,7 @@ pub fn finding(f: &Finding, width: usize) -> String {
     );
     if !f.as_recorded {
         let warning = format!(
-            "NOT AS RECORDED: finding {} differs from earlier runs",
+            "NOT AS RECORDED: {} has another verdict or figure on record, see --check",
             f.id
         );
         out.push_str(&format!("    {}\n", paint(BAD, &wrap(&warning, 4, width))));

@@ -61,7 +61,7 @@ fn found(printed: &[Printed], values: &[Vec<Ball>]) -> Vec<Finding> {
         "mirrored",
         "certified-motion",
     ];
-    let mut all = on_figures(super::super::KEY, &digits(printed, values));
+    let mut all = on_figures("andrews", &digits(printed, values));
     all.retain(|f| of.contains(&f.id));
     assert_eq!(all.len(), 5);
     all

@@ -27,18 +27,6 @@ pub(super) struct Found {
     pub(super) points: u64,
 }
 
-impl Found {
-    /// The order of findings: what is refuted is worse than what is open, and that than what holds.
-    fn rank(&self) -> (u8, f64) {
-        let held = match self.held {
-            Held::Refuted => 2,
-            Held::Open => 1,
-            _ => 0,
-        };
-        (held, self.size)
-    }
-}
-
 /// A mean of errors, and four standard errors: by the central limit theorem the interval misses the
 /// mean once in 16000 samples; where a few points carry the mean it may miss it more often.
 pub(super) fn mean(errors: &[f64]) -> [f64; 2] {
@@ -122,7 +110,9 @@ impl Test {
         let found = studies.iter().map(|study| self.searched_one(study));
         let worse = |a: Found, b: Found| {
             let points = a.points + b.points;
-            let worst = if b.rank() > a.rank() { b } else { a };
+            // What is refuted is worse than what is open, and that than what holds.
+            let is_worse = (b.held, b.size) > (a.held, a.size);
+            let worst = if is_worse { b } else { a };
             Found { points, ..worst }
         };
         let none = || self.worst_of(&self.studies[0], [], 0);

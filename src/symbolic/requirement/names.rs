@@ -1,6 +1,6 @@
-//! The names that formulas of an entry may use.
+//! The names that formulas may use.
 
-use crate::symbolic::{
+use crate::{
     Definitions, Equation, Expr, SymbolicError, parse, parse_declared, parse_declared_equation,
     parse_equation,
 };

@@ -1,4 +1,4 @@
-//! The values that the symbols of an entry may have.
+//! The values that symbols may have.
 //!
 //! The algebra proves for positive symbols. A symbol that may be negative or zero is therefore
 //! treated case by case: a requirement is proved if it is proved with `x`, with `-x` and with `0`
@@ -6,7 +6,7 @@
 
 use super::Requirement;
 use super::boxes::{Function, Region};
-use crate::symbolic::{Definitions, Expr, Identity, Outcome, Point, SymbolicError, Witness};
+use crate::{Definitions, Expr, Identity, Outcome, Point, SymbolicError, Witness};
 use rug::Rational;
 use std::collections::BTreeMap;
 
@@ -107,7 +107,7 @@ impl Conditions {
 
     /// The point at which candidates of a repair are tried first; none where symbols have values or
     /// are not positive.
-    pub(super) fn first_point(&self) -> Option<Point> {
+    pub fn first_point(&self) -> Option<Point> {
         let mut point = Point::sample(0);
         for (name, domain) in &self.domains {
             let parts = domain.parts();
@@ -120,7 +120,7 @@ impl Conditions {
     }
 
     /// Decides a requirement under these conditions.
-    pub(super) fn decide(&self, r: &Requirement, definitions: &Definitions) -> Identity {
+    pub fn decide(&self, r: &Requirement, definitions: &Definitions) -> Identity {
         if self.is_empty() {
             return r.decide(definitions, &BTreeMap::new());
         }

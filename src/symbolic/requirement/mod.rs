@@ -1,15 +1,22 @@
 //! Requirements: equations, closeness, inequalities.
 
-use super::Names;
-use crate::reference::Ball;
-use crate::symbolic::{
+pub mod boxes;
+mod conditions;
+mod names;
+
+pub use conditions::{Conditions, Domain};
+pub use names::Names;
+
+use crate::{
     Definitions, Equation, Expr, Func, Identity, Outcome, Point, SymbolicError, Witness, enclose,
-    is_real, latex,
+    is_real, latex, latex_equation,
 };
+use mechaudit_reference::Ball;
 use rug::Rational;
 use std::collections::BTreeMap;
+use std::fmt;
 
-/// A requirement of an entry.
+/// A requirement on expressions.
 #[derive(Clone, Debug)]
 pub enum Requirement {
     /// `left = right`, for all values of the symbols.
@@ -60,23 +67,19 @@ impl Requirement {
         names.equation(text).map(Requirement::Equal)
     }
 
-    /// The text and LaTeX forms.
-    pub fn formula(&self) -> super::Formula {
-        let (text, latex) = match self {
-            Requirement::Equal(e) => return super::Formula::of(e),
-            Requirement::Near(a, b, c) => (
-                format!("{a} ~ {b} within {c}"),
-                format!(r"\left|{} - {}\right| \le {}", latex(a), latex(b), latex(c)),
-            ),
-            Requirement::Less(a, b) => {
-                (format!("{a} < {b}"), format!("{} < {}", latex(a), latex(b)))
+    /// The requirement in LaTeX, without delimiters.
+    pub fn latex(&self) -> String {
+        match self {
+            Requirement::Equal(e) => latex_equation(e),
+            Requirement::Near(a, b, c) => {
+                format!(r"\left|{} - {}\right| \le {}", latex(a), latex(b), latex(c))
             }
-        };
-        super::Formula { text, latex }
+            Requirement::Less(a, b) => format!("{} < {}", latex(a), latex(b)),
+        }
     }
 
     /// The requirement with an expression in the place of a symbol, after all derivatives.
-    pub(super) fn at(self, name: &str, value: &Expr) -> Requirement {
+    fn at(self, name: &str, value: &Expr) -> Requirement {
         let at = |e: Expr| Expr::At(Box::new(e), name.into(), Box::new(value.clone()));
         match self {
             Requirement::Equal(e) => Requirement::Equal(Equation {
@@ -89,7 +92,7 @@ impl Requirement {
     }
 
     /// Returns the expression that an inequality requires to be positive.
-    pub(super) fn slack(&self) -> Option<Expr> {
+    fn slack(&self) -> Option<Expr> {
         match self {
             Requirement::Equal(_) => None,
             Requirement::Near(a, b, c) => {
@@ -101,7 +104,7 @@ impl Requirement {
     }
 
     /// The sides.
-    pub(super) fn sides(&self) -> [&Expr; 2] {
+    fn sides(&self) -> [&Expr; 2] {
         match self {
             Requirement::Equal(e) => [&e.left, &e.right],
             Requirement::Near(a, b, _) | Requirement::Less(a, b) => [a, b],
@@ -177,6 +180,17 @@ impl Requirement {
     }
 }
 
+/// The text that is read back.
+impl fmt::Display for Requirement {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Requirement::Equal(e) => write!(f, "{e}"),
+            Requirement::Near(a, b, c) => write!(f, "{a} ~ {b} within {c}"),
+            Requirement::Less(a, b) => write!(f, "{a} < {b}"),
+        }
+    }
+}
+
 fn minus(a: &Expr, b: &Expr) -> Expr {
     Expr::Add(vec![a.clone(), Expr::Neg(Box::new(b.clone()))])
 }
@@ -200,3 +214,6 @@ fn shown(x: &Ball) -> String {
     x.to_decimal(6)
         .unwrap_or_else(|| format!("{:.6e}", x.to_f64()))
 }
+
+#[cfg(test)]
+mod tests;
