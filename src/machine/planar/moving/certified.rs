@@ -28,8 +28,9 @@ pub struct Certified {
     until: Option<usize>,
     outside: Option<usize>,
     starts: Vec<Id>,
-    /// True if a resistance may hold the drive at rest; formulas take it to go forward.
-    holds: bool,
+    /// The quantities that jump where a resistance holds the drive at rest, if one does: those from
+    /// this one on.
+    jumping: Option<usize>,
 }
 
 enum Output {
@@ -83,7 +84,7 @@ impl Certified {
         Ok(Certified {
             outputs: outputs.map(output).collect(),
             starts: nodes.iter().map(|n| n.0).collect(),
-            holds: moving.holds && matches!(row, Row::RunUp { .. }),
+            jumping: moving.holds.then(|| moving.jumping(row)).transpose()?,
             until: state(UNTIL),
             outside: state(OUTSIDE),
             graph: Arc::new(graph),
@@ -149,12 +150,12 @@ impl Certified {
             }
         }
         let mut values = self.values(&when, &states, bits + 64);
-        if let [_, Some(speed), acceleration] = &mut values[..]
-            && self.holds
-            && speed.contains_zero()
-            && !acceleration.as_ref().is_some_and(Ball::is_positive)
-        {
-            *acceleration = None;
+        if let Some(jumping) = self.jumping {
+            if time.is_zero() {
+                // The values are known without a run.
+                let _ = self.states(time, bits);
+            }
+            self.hold(time, &mut values, jumping);
         }
         for (found, value) in found.digits.iter_mut().zip(values) {
             if found.is_none() {
@@ -162,6 +163,30 @@ impl Certified {
             }
         }
         Ok(())
+    }
+
+    /// Takes the acceleration of a drive that is held at rest for zero. Where a body may be at rest
+    /// formulas do not give what jumps, but for a drive that goes forward.
+    fn hold(&self, time: &Rational, values: &mut [Option<Ball>], jumping: usize) {
+        let is_zero = |value: &Option<Ball>| value.as_ref().is_none_or(Ball::contains_zero);
+        match values {
+            [_, Some(speed), acceleration] if jumping == 2 => {
+                let is_drive = |k| matches!(self.outputs[1], Output::State(own) if own == k);
+                if self.trajectory.resting(time).is_some_and(is_drive) {
+                    *acceleration = Some(Ball::integer(64, 0));
+                } else if speed.contains_zero()
+                    && !acceleration.as_ref().is_some_and(Ball::is_positive)
+                {
+                    *acceleration = None;
+                }
+            }
+            _ => {
+                let (known, others) = values.split_at_mut(jumping);
+                if known.iter().skip(1).step_by(2).any(is_zero) {
+                    others.fill(None);
+                }
+            }
+        }
     }
 
     /// The states at the start.
@@ -236,6 +261,16 @@ impl Certified {
             Output::Expression(id) => evaluator.value(*id).ok()?.real().cloned(),
         };
         self.outputs.iter().map(value).collect()
+    }
+}
+
+impl Moving {
+    /// The number of the first quantity of a row that depends on accelerations.
+    fn jumping(&self, row: &Row) -> Result<usize, MovingError> {
+        match row {
+            Row::RunUp { .. } => Ok(2),
+            Row::Motion { .. } => Ok(self.quantities(false)?.len()),
+        }
     }
 }
 

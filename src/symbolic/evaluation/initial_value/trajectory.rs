@@ -353,6 +353,13 @@ impl Trajectory {
         })
     }
 
+    /// The number of the state that is zero at a time because the motion slides along the switch of
+    /// its sign there, if it does and is known up to then.
+    pub fn resting(&self, time: &Rational) -> Option<usize> {
+        let run = self.run[usize::from(*time < self.start)].as_ref()?;
+        run.resting(time)
+    }
+
     /// Enclosures of the times at which the rates switched from one smooth piece to another, and
     /// of the states then, as far as the motion is known: those after the start, then those before
     /// it.
