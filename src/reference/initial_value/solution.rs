@@ -123,13 +123,17 @@ impl Solution {
         self
     }
 
-    /// The solution with first steps of at most some length: of one that is simpler than its field,
-    /// as a motion that slides, coefficients are rounding errors, which bound no step.
-    pub fn beginning(mut self, length: f64) -> Solution {
+    /// Begins once more with first steps of at most some length. Of a solution that is simpler than its
+    /// field, as a motion that slides, coefficients are rounding errors, which bound no step; and
+    /// errors of a step are those of its end.
+    pub fn shorten(&mut self, length: f64) {
         for branch in &mut self.branches {
             branch.first = branch.first.min(length);
+            branch.places.truncate(1);
+            branch.lengths.clear();
+            branch.sizes.clear();
+            (branch.current, branch.stopped) = (None, None);
         }
-        self
     }
 
     /// The working precision in bits.

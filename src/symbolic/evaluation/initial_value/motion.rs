@@ -282,7 +282,7 @@ impl Motion {
         };
         let mut next = next?;
         if next.slides.is_some() {
-            next.solution = next.solution.beginning(16.0 * length.to_f64());
+            next.solution.shorten(16.0 * length.to_f64());
         }
         piece.verified = before;
         self.pieces.push(next);

@@ -260,7 +260,14 @@ impl Piece {
                     self.verified = to;
                     return Ok(());
                 }
-                break;
+                // A shorter step is known more closely.
+                self.solution.shorten(Rational::from(&to - &from).to_f64());
+                let (field, constants) = (&self.field.field, &self.field.constants);
+                let end = self
+                    .solution
+                    .end_of_step(field, constants, &from, false, steps)
+                    .map_err(Halt::Stopped)?;
+                to = to.min(end);
             }
             to = from.clone() + (to - from) / 4u32;
         }

@@ -1,7 +1,10 @@
 //! Certified motions against values from elsewhere and against closed forms.
 
+use super::crossing::{cross, enclosed, times};
+use super::field::Smooth;
 use super::{InitialValueProblem, Limits, MotionError, ProblemError, State, Trajectory};
-use crate::evaluation::Goal;
+use crate::evaluation::taylor::{Side, Switch};
+use crate::evaluation::{Balls, Evaluator, Goal, Value};
 use crate::{Definitions, parse};
 use mechaudit_reference::elementary as real;
 use mechaudit_reference::{Ball, Mag};
@@ -448,6 +451,9 @@ fn switches() {
         at("y = 0 -> fmax(t - 1, 0)", (3, 1)).0,
         Ok("2.0000000000000000000".into())
     );
+    // y = (t − 1)² − 1/4 is below zero for a time of 1 within a step.
+    let below = "z = 0 -> if(y < 0, 1, 0); y = 3/4 -> 2*(t - 1)";
+    assert_eq!(at(below, (3, 1)).0, Ok("1.0000000000000000000".into()));
     // A start at a switch that the motion leaves.
     assert_eq!(
         at("y = 0 -> 1 + abs(y)", (1, 1)).0,
@@ -667,6 +673,17 @@ fn sliding() {
     assert!(two.contains("two switches"), "{two}");
     // The past of a motion at rest is not determined.
     assert!(at(brake, (-1, 2)).concat().contains("switch"));
+    // The same resistance by its size and the sign of the rate.
+    let signed = "phi = 0 -> omega; omega = 0 -> 2*sin(t) - copysign(3/2, omega)";
+    assert_eq!(at(signed, (9, 2)), at(brake, (9, 2)));
+    let signed = "phi = 0 -> omega; omega = 0 -> 2*sin(t) - 3/2*omega/abs(omega)";
+    assert!(at(signed, (9, 2)).concat().contains("no value"));
+    // Leaves at t = 1 with ω = (t − 1)² (t − 2) (t − 3)/10, which comes to rest at 2; a polynomial,
+    // whose steps end far beyond that.
+    let turns =
+        "w = 0 -> 1 + (t - 1)*((2*t - 5)*(t - 1) + 2*(t - 2)*(t - 3))/10 - if(w > 0, 1, -1)";
+    assert_eq!(at(turns, (3, 2)), ["0.01875000000000000000000000"]);
+    assert_eq!(at(turns, (9, 4)), ["0"]);
     // Jumps of the torque while the brake holds.
     let steps = "w = 0 -> if(t < 1, 1, if(t < 2, -1, 3)) - if(w > 0, 2, -2)";
     assert_eq!(at(steps, (3, 2)), ["0"]);
@@ -711,4 +728,51 @@ fn derivatives_of_sliding_motions() {
         0.51034526742872575348,
     ];
     check_derivatives(brake(), (9, 2), &due);
+}
+
+/// The fields of a problem without inputs on sides of its first switch, at a time and states.
+fn fields(text: &str, sides: &[Side], time: (i64, i64)) -> (Vec<Smooth>, Vec<Switch>) {
+    let problem = problem(text).unwrap();
+    let mut evaluator = Evaluator::new(problem.graph.clone(), Balls::new(128));
+    evaluator.set_input(0, Value::rational(128, Rational::from(time)));
+    let switches: Vec<Switch> = problem.switches.iter().map(|s| s.0).collect();
+    let field = |side: &Side| {
+        let known = switches.first().map(|s| (*s, side.clone()));
+        Smooth::new(&problem, &mut evaluator, &known.into_iter().collect()).unwrap()
+    };
+    (sides.iter().map(field).collect(), switches)
+}
+
+/// From y = 1/2 with the rate −1 it takes at least 1/2 to come to rest at zero.
+#[test]
+fn a_switch_is_reached_before_the_motion_slides() {
+    let sides = [Side::Positive, Side::Negative];
+    let (pieces, switches) = fields("y = 0 -> if(y > 0, -1, 1)", &sides, (0, 1));
+    let pieces: Vec<&Smooth> = pieces.iter().collect();
+    let [start, half] = [(0, 1), (1, 2)].map(Rational::from);
+    let states = [Ball::rational(128, &half)];
+    let width = (Rational::from((1, 64)), false);
+    let Ok(crossing) = cross((&start, &states), &pieces, &switches, width, 128) else {
+        panic!("not crossed")
+    };
+    assert!(
+        crossing.slides && crossing.after >= half,
+        "{}",
+        crossing.after
+    );
+}
+
+/// e^t over a quarter.
+#[test]
+fn all_solutions_are_in_the_box_of_a_way_across() {
+    let (pieces, _) = fields("y = 1 -> y", &[Side::Positive], (0, 1));
+    let [start, quarter] = [(0, 1), (1, 4)].map(Rational::from);
+    let span = times(128, &start, &quarter);
+    let way = Ball::rational(128, &quarter);
+    let (hull, end) = enclosed(&[Ball::integer(128, 1)], &[&pieces[0]], &span, &way).unwrap();
+    let due = real::exp(&way, 128).unwrap();
+    assert!(
+        end[0].contains_ball(&due) && hull[0].contains_ball(&due),
+        "{hull:?} {end:?}"
+    );
 }
