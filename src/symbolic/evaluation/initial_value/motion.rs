@@ -166,11 +166,11 @@ impl Motion {
         })
     }
 
-    /// The state that the motion keeps at zero at a time by sliding along the switch of its sign.
-    pub fn resting(&self, time: &Rational) -> Option<usize> {
+    /// The switch that the motion slides along at a time.
+    pub fn sliding(&self, time: &Rational) -> Option<&Sliding> {
         let mut pieces = self.pieces.iter().rev();
         let piece = pieces.find(|piece| self.is_past(time, &piece.start))?;
-        piece.slides.as_ref()?.rest
+        piece.slides.as_deref()
     }
 
     /// Returns true if a time is another, or comes after it in the direction of the motion.
