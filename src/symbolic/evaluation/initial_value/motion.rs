@@ -244,9 +244,12 @@ impl Motion {
         if piece.slides.is_some() && end > *time {
             end.clone_from(time);
         }
-        if let Some((sliding, exit)) = piece.leaves.take() {
+        if let Some((sliding, exit)) = piece.leaves.clone() {
             let mut evaluator = sliding.evaluator(&mut self.evaluator);
-            return piece.depart(&sliding, &sliding.exits[exit], end, &mut evaluator, steps);
+            let exit = &sliding.exits[exit];
+            piece.depart(&sliding, exit, end, &mut evaluator, steps)?;
+            piece.leaves = None;
+            return Ok(());
         }
         let Some((guarded, before, width)) = piece.failure(&end, bits, steps)? else {
             piece.verified = end;
