@@ -12,10 +12,10 @@ const WITNESS: &str = include_str!("../../reference/independent/initial_value.cs
 
 /// Stiff problems with the last time that a test can wait for; the witness has later ones too.
 const STIFF: [(&str, &str, f64); 4] = [
-    ("hires", "", 5.0),
+    ("hires", "", 321.8122),
     ("prothero-robinson", "", 10.0),
     ("robertson", "", 0.4),
-    ("van-der-pol", "100", 10.0),
+    ("van-der-pol", "100", 100.0),
 ];
 
 /// The values of a problem by time and state.

@@ -52,6 +52,8 @@ pub enum Stopped {
 #[derive(Clone, Debug)]
 struct Branch {
     backward: bool,
+    /// The longest that the first step may be.
+    first: f64,
     /// Where steps begin; the last one is not continued yet.
     places: Vec<Place>,
     /// The lengths of the steps.
@@ -93,6 +95,7 @@ impl Solution {
         };
         let branch = |backward| Branch {
             backward,
+            first: (1u64 << 40) as f64,
             places: vec![place.clone()],
             lengths: Vec::new(),
             current: None,
@@ -118,6 +121,19 @@ impl Solution {
             place.carried = Some(Enclosed::exact(start.n, start.mid));
         }
         self
+    }
+
+    /// Begins once more with first steps of at most some length. Of a solution that is simpler than its
+    /// field, as a motion that slides, coefficients are rounding errors, which bound no step; and
+    /// errors of a step are those of its end.
+    pub fn shorten(&mut self, length: f64) {
+        for branch in &mut self.branches {
+            branch.first = branch.first.min(length);
+            branch.places.truncate(1);
+            branch.lengths.clear();
+            branch.sizes.clear();
+            (branch.current, branch.stopped) = (None, None);
+        }
     }
 
     /// The working precision in bits.
@@ -318,7 +334,7 @@ impl Branch {
     /// The longest that a step may be.
     fn longest(&self, k: usize) -> f64 {
         match k {
-            0 => (1u64 << 40) as f64,
+            0 => self.first,
             k => 16.0 * self.lengths[k - 1].abs(),
         }
     }

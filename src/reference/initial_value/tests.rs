@@ -365,6 +365,34 @@ fn flows_hold_the_exponential() {
     }
 }
 
+/// The bound on the growth of errors of `x′ = (6 t − 2) x`, `y′ = x`: x is `e^{3 t² − 2 t}`, `e` at t = 1,
+/// and y its integral, 1.07899 by mpmath.
+#[test]
+fn growth_is_bounded_where_the_jacobian_changes_its_sign() {
+    let mut jacobian = Program::new();
+    let time = jacobian.push(Operation::Time);
+    let [six, two, one] = [(); 3].map(|()| jacobian.constant());
+    let rise = jacobian.push(Operation::Mul(six, time));
+    let rate = jacobian.push(Operation::Sub(rise, two));
+    let places = vec![(0, 0, rate), (1, 0, one)];
+    let field = Field::new(Program::new(), vec![0, 0], jacobian, places);
+    let constants = [6, 2, 1].map(|k| number((k, 1)));
+    let p = vec![vec![Float::with_val(BITS, 1); 10]; 2];
+    let states = Scaled::new(&p, 1.0, 9);
+    let time = (&Ball::integer(64, 0), 1.0);
+    let flow = Flow::new(
+        &field,
+        &constants,
+        time,
+        &states,
+        &[Mag::ZERO; 2],
+        &[1.0; 2],
+    );
+    let growth = flow.unwrap().growth(&[Mag::power_of_two(0), Mag::ZERO]);
+    assert!(growth[0] > Mag::from_f64(2.718), "{growth:?}");
+    assert!(growth[1] > Mag::from_f64(1.0789), "{growth:?}");
+}
+
 /// `y′ = y²`.
 fn quadratic() -> Field {
     let mut rates = Program::new();

@@ -360,7 +360,7 @@ impl Graph {
     }
 
     /// The place of a node, which is added if it is new.
-    fn push(&mut self, node: Node) -> Id {
+    pub(crate) fn push(&mut self, node: Node) -> Id {
         let node = match self.is_real_function {
             true => self.without_cancellation(node),
             false => node,

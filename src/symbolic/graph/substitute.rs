@@ -14,7 +14,11 @@ impl Graph {
         self.replaced(root, &HashMap::from([(leaf, value)]))
     }
 
-    pub(super) fn replaced(
+    /// The expression with nodes in place of others.
+    ///
+    /// # Errors
+    /// A binder that is being built.
+    pub(crate) fn replaced(
         &mut self,
         root: Id,
         map: &HashMap<Id, Id>,

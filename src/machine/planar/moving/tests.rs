@@ -413,3 +413,49 @@ fn the_end_of_a_motion_is_certified() {
     let mut motion = Certified::new(&moving, 15, &row).unwrap();
     assert_eq!(motion.at(&early).ended, None);
 }
+
+/// A flywheel that a resistance of 2 N m holds until the motor's torque, 8 N m/s times t, overcomes
+/// it: `0.5 ω̇ = 8 t − 2` from 1/4 s on.
+#[test]
+fn a_resistance_holds_the_drive() {
+    let moving = read(
+        r#"
+        type = "planar"
+        [ground]
+        points = { O = ["0 m", "0 m"] }
+        [[body]]
+        name = "wheel"
+        ends = ["O", "A"]
+        length = "10 cm"
+        mass = "1 kg"
+        inertia = "0.5 kg m^2"
+        centre = ["0 cm", "0 cm"]
+        [[joint]]
+        kind = "pin"
+        point = "O"
+        [drive]
+        body = "wheel"
+        [motor]
+        kind = "table"
+        points = [["0 s", "0 N m"], ["2 s", "16 N m"]]
+        [load]
+        constant = "2 N m"
+        [motion.start]
+        wheel = { at = "0 deg", speed = "0 rad/s" }
+    "#,
+    );
+    let row = Row::RunUp { target: None };
+    let at = |time| {
+        let found = certified(&moving, &row, time);
+        assert_eq!(found.reason, None, "{time:?}");
+        let digits = found.digits.iter().map(|d| d.as_deref().unwrap());
+        digits.map(String::from).collect::<Vec<String>>()
+    };
+    assert_eq!(at((0, 1)), ["0", "0", "0"]);
+    assert_eq!(at((1, 5)), ["0", "0", "0"]);
+    // 8/3 t³ − 2 t² + t/2 − 1/24 radians at 5/4 s.
+    assert_eq!(
+        at((5, 4)),
+        ["152.788745368220", "8.00000000000000", "32.0000000000000"]
+    );
+}

@@ -9,9 +9,10 @@
 //! f_2` satisfies `y(t) ∈ y(a) + [0, b − a] F` for the hull F of both rates over a box that holds
 //! this set in its interior. So it is for several switches at once, with the rates on all their
 //! sides: their order does not matter. So does any mean of them, as of a motion that slides along
-//! the switch (Filippov, *Differential Equations with Discontinuous Righthand Sides*, 1988, §4); for such a
-//! motion the guard is not proved to have the other sign at b. Where a rate has a value of its own at
-//! the switch, as in `if(y == 1, 0, 1)`, it is one of those in F: the motion may stay there.
+//! the switch ([`super::sliding`]). Where the rates of both sides move a value h of size `|h| ≤ u` at
+//! a towards zero by at least m, the motion is on the switch at `b ≥ a + u/m`. Where a rate has a value
+//! of its own at the switch, as in `if(y == 1, 0, 1)`, it is one of those in F: the motion may stay
+//! there.
 
 use super::field::{Guarded, Smooth};
 use crate::evaluation::taylor::Switch;
@@ -22,12 +23,16 @@ use rug::Rational;
 pub(super) struct Crossing {
     /// The last time at which the motion is certainly before the switch.
     pub before: Rational,
+    /// The states then.
+    pub starts: Vec<Ball>,
     /// The first time at which it is certainly past it.
     pub after: Rational,
     /// The states at all times between.
     pub hull: Vec<Ball>,
     /// The states at the last.
     pub states: Vec<Ball>,
+    /// True if the motion is on the switch then, and stays there.
+    pub slides: bool,
 }
 
 pub(super) const TOUCHES: &str = "the motion may touch a switch without crossing it, or stay at it";
@@ -80,13 +85,45 @@ pub(super) fn cross(
             let reason = "the motion is not enclosed while it crosses a switch";
             return Err(Uncrossed::Open(reason));
         };
+        // On which sides of a switch the rates lead to it, and how fast.
+        let mut pulls = Vec::new();
         for piece in pieces {
             let Ok(guards) = piece.guards(&span, &hull) else {
                 return Err(Uncrossed::Open(TOUCHES));
             };
+            let own = guards
+                .iter()
+                .filter(|guard| switches.contains(&guard.switch));
+            pulls.extend(own.map(|guard| (guard.positive, guard.pull())));
             let mut open = guards.into_iter().filter(|guard| !guard.holds());
             if let Some(other) = open.find(|guard| !switches.contains(&guard.switch)) {
                 return Err(Uncrossed::Meets(other));
+            }
+        }
+        if let ([Switch::Sign(..) | Switch::SignOf(_)], [(a, Some(one)), (b, Some(other))]) =
+            (switches, &pulls[..])
+            && !is_backward
+            && a != b
+        {
+            let off = last.guards(&Ball::rational(bits, time), states);
+            let off = off.ok().and_then(|guards| {
+                let mut own = guards.iter().filter(|guard| guard.switch == switches[0]);
+                own.next().map(|guard| guard.value.magnitude())
+            });
+            // The product of magnitudes is rounded up.
+            let reached = one.min(*other).mul(way.mignitude()).shift(-1);
+            match off {
+                Some(off) if off < reached => {
+                    return Ok(Crossing {
+                        before: time.clone(),
+                        starts: states.to_vec(),
+                        after,
+                        hull,
+                        states: end,
+                        slides: true,
+                    });
+                }
+                _ => continue,
             }
         }
         let at_end = Ball::rational(bits, &after);
@@ -94,9 +131,11 @@ pub(super) fn cross(
         if past.is_ok_and(|guards| guards.iter().all(Guarded::holds)) {
             return Ok(Crossing {
                 before: time.clone(),
+                starts: states.to_vec(),
                 after,
                 hull,
                 states: end,
+                slides: false,
             });
         }
     }
@@ -110,7 +149,7 @@ pub(super) fn cross(
 /// along the motion before the switch (Aizerman, Gantmakher, *Quart. J. Mech. Appl. Math.* 11
 /// (1958) 101–117), if the motion before the switch and the one past it both cross it. Where `∇g·s
 /// = 0` for all switches, to first order their times do not move, and neither their order nor a
-/// start at them matters.
+/// start at them matters. Rates along a switch do not cross it, and have no ġ.
 ///
 /// Before the jump and after it `S′ = J S`, so that S is multiplied by a matrix whose row i differs
 /// from that of the identity by at most `2 ν_i` for `ν_i ≥ ∫ Σ_k |J_ik| dt`, `ν_i ≤ 1/2`.
@@ -131,13 +170,22 @@ pub(super) fn jumped(
         return unknown();
     };
     let mut pace = whole();
-    for switch in switches {
-        let of = |piece: &&Smooth| {
-            let guards = piece.guards(&span, hull).ok()?;
-            let guard = guards.into_iter().find(|guard| guard.switch == *switch);
-            guard?.rate
+    // A motion that starts on a switch and stays there has no switching time.
+    let paced = if is_start && crossing.slides {
+        &[]
+    } else {
+        switches
+    };
+    for switch in paced {
+        let of = |piece: &&Smooth| match piece.guards(&span, hull) {
+            Ok(guards) => {
+                let guard = guards.into_iter().find(|guard| guard.switch == *switch);
+                guard.map(|guard| guard.rate)
+            }
+            Err(_) => Some(None),
         };
-        let Some(paces) = pieces.iter().map(of).collect::<Option<Vec<Ball>>>() else {
+        let paces = pieces.iter().filter_map(of).collect::<Option<Vec<Ball>>>();
+        let Some(paces) = paces.filter(|paces| !paces.is_empty()) else {
             return unknown();
         };
         let all = paces
@@ -199,7 +247,7 @@ pub(super) fn whole() -> Ball {
 }
 
 /// Boxes of the states while they cross, and at the end.
-fn enclosed(
+pub(super) fn enclosed(
     states: &[Ball],
     pieces: &[&Smooth],
     span: &Ball,

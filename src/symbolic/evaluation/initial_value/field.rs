@@ -4,7 +4,7 @@ use super::InitialValueProblem;
 use crate::evaluation::ball::unary;
 use crate::evaluation::taylor::{Compiled, Fixed, Side, Switch, Unsupported, compile};
 use crate::evaluation::{Balls, Evaluator, Value};
-use crate::graph::Id;
+use crate::graph::{Id, Node};
 use mechaudit_reference::elementary::NoValue;
 use mechaudit_reference::initial_value::{Constants, Field, Obstacle, Slot, values};
 use mechaudit_reference::{Ball, Mag};
@@ -76,7 +76,7 @@ impl Smooth {
         let (rates, outputs) = compiled(&problem.rates, &[])?;
         let slopes: Vec<Id> = problem.jacobian.iter().map(|e| e.2).collect();
         let (jacobian, slots) = compiled(&slopes, &[])?;
-        let mut switches: Vec<Switch> = Vec::new();
+        let mut switches: Vec<Switch> = problem.margins.clone();
         for guard in rates.guards.iter().chain(&jacobian.guards) {
             if !switches.contains(&guard.switch) {
                 switches.push(guard.switch);
@@ -206,6 +206,12 @@ impl Guarded {
         }
     }
 
+    /// A lower bound on the rate towards zero, where the value certainly moves towards it.
+    pub fn pull(&self) -> Option<Mag> {
+        let rate = self.rate.as_ref()?;
+        (self.rises()? != self.positive).then(|| rate.mignitude())
+    }
+
     /// True if the value certainly rises, false if it falls.
     pub fn rises(&self) -> Option<bool> {
         let rate = self.rate.as_ref()?;
@@ -228,6 +234,32 @@ pub(super) fn set(
     for (k, state) in states.iter().enumerate() {
         evaluator.set_input(problem.inputs + 1 + k, Value::Real(state.clone()));
     }
+}
+
+/// The values of some inputs of an evaluator.
+pub(super) fn inputs_of(evaluator: &mut Evaluator<Balls>, inputs: usize) -> Vec<Option<Value>> {
+    let value = |k: usize| {
+        let id = evaluator.graph().find(Node::Input(k as u32))?;
+        evaluator.value(id).ok().cloned()
+    };
+    (0..inputs).map(value).collect()
+}
+
+/// Forgets what depends on the last states, and gives others.
+pub(super) fn set_again(
+    evaluator: &mut Evaluator<Balls>,
+    problem: &InitialValueProblem,
+    time: &Ball,
+    states: &[Ball],
+) {
+    let inputs = inputs_of(evaluator, problem.inputs);
+    evaluator.reset(false);
+    for (k, value) in inputs.into_iter().enumerate() {
+        if let Some(value) = value {
+            evaluator.set_input(k, value);
+        }
+    }
+    set(evaluator, problem, time, states);
 }
 
 /// The values of the constants of a program.

@@ -23,7 +23,9 @@
 mod crossing;
 mod field;
 mod motion;
+mod piece;
 mod problem;
+mod sliding;
 mod trajectory;
 
 pub use problem::{InitialValueProblem, ProblemError, State};

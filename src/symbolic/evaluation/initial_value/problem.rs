@@ -78,6 +78,8 @@ pub struct InitialValueProblem {
     pub(super) jacobian: Vec<(usize, usize, Id)>,
     /// The switches of the rates, and the rates of the values that change their signs there.
     pub(super) switches: Vec<(Switch, Option<Id>)>,
+    /// Switches that are guarded, although the rates do not need them.
+    pub(super) margins: Vec<Switch>,
     /// The derivatives that are carried along.
     pub(super) variation: Option<Variation>,
     /// The problem that carries derivatives along, once it is asked for.
@@ -193,12 +195,16 @@ impl InitialValueProblem {
         }
         let rates: Vec<Id> = states.iter().map(|s| s.1).collect();
         let switches = Switch::all(&graph, &rates).into_iter().map(|switch| {
-            let rate = rate_of_switch(&mut graph, switch, inputs, &rates);
-            (switch, rate.ok())
+            let value = value_of_switch(&mut graph, switch);
+            (
+                switch,
+                rate_of_value(&mut graph, value, inputs, &rates).ok(),
+            )
         });
         let switches = switches.collect();
         Ok(InitialValueProblem {
             switches,
+            margins: Vec::new(),
             inputs,
             time,
             start,
@@ -224,43 +230,81 @@ impl InitialValueProblem {
         let n = self.states.len();
         let [zero, one] = [0, 1].map(|k| graph.number(k));
         let inputs: Vec<Id> = (0..self.inputs).map(|k| graph.input(k)).collect();
-        let own: Vec<Id> = (0..n).map(|k| graph.input(self.inputs + 1 + k)).collect();
         for name in self.inputs() {
             graph.add_input(format!("{name} as a state"));
         }
-        let fault = |k: usize, part| {
-            let name = self.states[k].clone();
+        let fault = |k: usize| {
+            let (part, name) = ("start", self.states[k].clone());
             move |error| ProblemError::Expression { part, name, error }
         };
         let mut start = Vec::new();
-        let mut slopes = Vec::new();
         for k in 0..n {
             start.extend((0..n).map(|j| if j == k { one } else { zero }));
-            for (j, input) in inputs.iter().enumerate() {
+            for input in &inputs {
                 let slope = graph.derivative(self.starts[k], *input);
-                start.push(slope.map_err(fault(k, "start"))?);
-                let slope = graph.derivative(self.rates[k], *input);
-                slopes.push((k, n + j, slope.map_err(fault(k, "rate"))?));
+                start.push(slope.map_err(fault(k))?);
             }
         }
         let size = n + self.inputs;
         start
             .extend((n * size..size * size).map(|k| if k % size == k / size { one } else { zero }));
+        let states = self.starts.iter().copied().zip(self.rates.iter().copied());
+        let rest = inputs.iter().map(|input| (*input, zero));
+        let states: Vec<(Id, Id)> = states.chain(rest).collect();
+        let problem = InitialValueProblem::of_graph(graph, self.start, &states)?;
+        problem.by_inputs(start)
+    }
+
+    /// The problem with guards of some switches, and of those that these depend on, whether its
+    /// rates need them or not.
+    pub(super) fn guarded(mut self, switches: Vec<Switch>) -> InitialValueProblem {
+        let graph = Arc::make_mut(&mut self.graph);
+        let values = switches
+            .iter()
+            .map(|switch| value_of_switch(graph, *switch));
+        let values: Vec<Id> = values.collect();
+        let inner = Switch::all(graph, &values);
+        self.margins = switches.into_iter().chain(inner).collect();
+        for switch in &self.margins {
+            if self.switches.iter().all(|known| known.0 != *switch) {
+                let value = value_of_switch(graph, *switch);
+                let rate = rate_of_value(graph, value, self.inputs, &self.rates);
+                self.switches.push((*switch, rate.ok()));
+            }
+        }
+        self
+    }
+
+    /// The problem, whose last states are the inputs, with derivatives that are carried along:
+    /// those by the inputs are in the Jacobian as those by these states.
+    pub(super) fn by_inputs(mut self, start: Vec<Id>) -> Result<InitialValueProblem, ProblemError> {
+        let graph = Arc::make_mut(&mut self.graph);
+        let n = self.states.len() - self.inputs;
+        let inputs: Vec<Id> = (0..self.inputs).map(|k| graph.input(k)).collect();
+        let own: Vec<Id> = (0..n).map(|k| graph.input(self.inputs + 1 + k)).collect();
+        let zero = graph.number(0);
+        for k in 0..n {
+            for (j, input) in inputs.iter().enumerate() {
+                let slope = graph.derivative(self.rates[k], *input);
+                let slope = slope.map_err(|error| ProblemError::Expression {
+                    part: "rate",
+                    name: self.states[k].clone(),
+                    error,
+                })?;
+                if slope != zero {
+                    self.jacobian.push((k, n + j, slope));
+                }
+            }
+        }
         let gradients = self.switches.iter().filter_map(|(switch, _)| {
-            let value = value_of_switch(&mut graph, *switch);
+            let value = value_of_switch(graph, *switch);
             let by = own.iter().chain(&inputs);
             let found: Result<Vec<Id>, _> = by.map(|by| graph.derivative(value, *by)).collect();
             Some((*switch, found.ok()?))
         });
         let gradients = gradients.collect();
-        let states = self.starts.iter().copied().zip(self.rates.iter().copied());
-        let rest = inputs.iter().map(|input| (*input, zero));
-        let states: Vec<(Id, Id)> = states.chain(rest).collect();
-        let mut problem = InitialValueProblem::of_graph(graph, self.start, &states)?;
-        slopes.retain(|slope| slope.2 != zero);
-        problem.jacobian.extend(slopes);
-        problem.variation = Some(Variation { start, gradients });
-        Ok(problem)
+        self.variation = Some(Variation { start, gradients });
+        Ok(self)
     }
 
     /// The names of the inputs.
@@ -299,10 +343,10 @@ impl InitialValueProblem {
     }
 }
 
-/// The derivative by the time, along a motion, of the value that changes its sign at a switch.
-fn rate_of_switch(
+/// The derivative of a node by the time, along a motion with some rates.
+pub(super) fn rate_of_value(
     graph: &mut Graph,
-    switch: Switch,
+    value: Id,
     inputs: usize,
     rates: &[Id],
 ) -> Result<Id, SymbolicError> {
@@ -311,12 +355,11 @@ fn rate_of_switch(
     for (k, rate) in rates.iter().enumerate() {
         path.push((graph.input(inputs + 1 + k), *rate));
     }
-    let value = value_of_switch(graph, switch);
     graph.derivative_along(value, &path)
 }
 
 /// The value whose sign, or whose integer part, decides a switch.
-fn value_of_switch(graph: &mut Graph, switch: Switch) -> Id {
+pub(super) fn value_of_switch(graph: &mut Graph, switch: Switch) -> Id {
     match switch.parts() {
         (a, Some(b)) => graph.difference(a, b),
         (a, None) => a,

@@ -1,7 +1,10 @@
 //! Certified motions against values from elsewhere and against closed forms.
 
+use super::crossing::{cross, enclosed, times};
+use super::field::Smooth;
 use super::{InitialValueProblem, Limits, MotionError, ProblemError, State, Trajectory};
-use crate::evaluation::Goal;
+use crate::evaluation::taylor::{Side, Switch};
+use crate::evaluation::{Balls, Evaluator, Goal, Value};
 use crate::{Definitions, parse};
 use mechaudit_reference::elementary as real;
 use mechaudit_reference::{Ball, Mag};
@@ -28,7 +31,7 @@ fn trajectory(text: &str) -> Trajectory {
 }
 
 fn bits(digits: u32) -> Goal {
-    Goal::Bits(digits * 10 / 3 + 4)
+    Goal::Bits(digits * 10 / 3 + 8)
 }
 
 /// The decimals of all states at a time.
@@ -448,16 +451,13 @@ fn switches() {
         at("y = 0 -> fmax(t - 1, 0)", (3, 1)).0,
         Ok("2.0000000000000000000".into())
     );
+    // y = (t − 1)² − 1/4 is below zero for a time of 1 within a step.
+    let below = "z = 0 -> if(y < 0, 1, 0); y = 3/4 -> 2*(t - 1)";
+    assert_eq!(at(below, (3, 1)).0, Ok("1.0000000000000000000".into()));
     // A start at a switch that the motion leaves.
     assert_eq!(
         at("y = 0 -> 1 + abs(y)", (1, 1)).0,
         Ok("1.7182818284590452354".into())
-    );
-    // Motion that stays at a switch.
-    let sliding = at("y = 1 -> if(y > 0, -1, 1)", (3, 1));
-    assert!(
-        matches!(sliding.0, Err(MotionError::Undecided { ref reached, ref reason }) if (reached.to_f64() - 1.0).abs() < 1e-6 && reason.contains("touch")),
-        "{sliding:?}"
     );
     let before = at("y = 1 -> if(y > 0, -1, 1)", (1, 2)).0;
     assert_eq!(before, Ok("0.50000000000000000000".into()));
@@ -624,8 +624,6 @@ fn switches_at_one_instant() {
         (3, 1),
     );
     assert_eq!(touched, "4.00000000000000");
-    let stays = at("y = -1 -> if(y < 0, 1, -1) + 0*floor(t)", (3, 1));
-    assert!(stays.contains("touch"), "{stays}");
     // Times that nothing moves: the derivatives pass.
     let steps = with_inputs(&[("k", (3, 1))], "y = 1 -> k*(floor(t) + floor(2*t))");
     check_derivatives(steps, (9, 4), &[1.0, 5.5]);
@@ -651,4 +649,148 @@ fn starts_at_switches() {
     let both = start("y = 0 -> k + abs(y) + floor(t)");
     let e = std::f64::consts::E.sqrt();
     check_derivatives(both, (1, 2), &[f64::NAN, e - 1.0]);
+}
+
+/// Motions that slide along a switch, in closed form.
+#[test]
+fn sliding() {
+    let at = |text: &str, t: (i64, i64)| decimals(&mut trajectory(text), t, 25);
+    // A mass on a belt of speed 1/2: it slips up to π/6, is carried to x = 1 at π/6 + √3, and slips
+    // again.
+    let belt = "x = 0 -> v; v = 0 -> -x + if(v < 1/2, 1, -1)";
+    assert_eq!(at(belt, (2, 1))[0], "0.8721752084164119166977232");
+    assert_eq!(
+        at(belt, (3, 1)),
+        ["1.338747083361802856853530", "0.3677640731690247446766366"].map(String::from)
+    );
+    // A shaft that a brake holds, frees, holds and frees: it turns from asin(3/4) to 3.0587…, and
+    // back from π + asin(3/4) on.
+    let brake =
+        "phi = 0 -> omega; omega = 0 -> 2*sin(t) - if(omega > 0, 3/2, if(omega < 0, -3/2, 0))";
+    assert_eq!(at(brake, (1, 2)), ["0", "0"].map(String::from));
+    assert_eq!(
+        at(brake, (3, 2)),
+        [
+            "0.04867554177916467445847864",
+            "0.2034943706691109871538447"
+        ]
+        .map(String::from)
+    );
+    assert_eq!(at(brake, (3, 1))[1], "0.07495376720540772187336997");
+    assert_eq!(at(brake, (7, 2))[0], "0.5936135612396032973184968");
+    assert_eq!(
+        at(brake, (9, 2)),
+        [
+            "0.5688896853623904819204025",
+            "-0.1357661555276472530632258"
+        ]
+        .map(String::from)
+    );
+    // What touches the switch from one side, and what reaches a second one, is undecided.
+    let touches = at(belt, (9, 1)).concat();
+    assert!(
+        touches.contains("8.538") && touches.contains("touch"),
+        "{touches}"
+    );
+    let both = "x = 1 -> if(x > 0, -1, 1); y = 2 -> if(y > 0, -1, 1)";
+    assert_eq!(
+        at(both, (3, 2)),
+        ["0", "0.5000000000000000000000000"].map(String::from)
+    );
+    let two = at(both, (3, 1)).concat();
+    assert!(two.contains("two switches"), "{two}");
+    // The past of a motion at rest is not determined.
+    let held = at("w = 0 -> 1 - if(w > 0, 2, -2)", (-1, 2)).concat();
+    assert!(held.contains("the side of a switch"), "{held}");
+    // The same resistance by its size and the sign of the rate.
+    let signed = "phi = 0 -> omega; omega = 0 -> 2*sin(t) - copysign(3/2, omega)";
+    assert_eq!(at(signed, (9, 2)), at(brake, (9, 2)));
+    let signed = "phi = 0 -> omega; omega = 0 -> 2*sin(t) - 3/2*omega/abs(omega)";
+    assert!(at(signed, (9, 2)).concat().contains("no value"));
+    // Leaves at t = 1 with ω = (t − 1)² (t − 2) (t − 3)/10, which comes to rest at 2; a polynomial,
+    // whose steps end far beyond that.
+    let turns =
+        "w = 0 -> 1 + (t - 1)*((2*t - 5)*(t - 1) + 2*(t - 2)*(t - 3))/10 - if(w > 0, 1, -1)";
+    assert_eq!(at(turns, (3, 2)), ["0.01875000000000000000000000"]);
+    assert_eq!(at(turns, (9, 4)), ["0"]);
+    // Jumps of the torque while the brake holds.
+    let steps = "w = 0 -> if(t < 1, 1, if(t < 2, -1, 3)) - if(w > 0, 2, -2)";
+    assert_eq!(at(steps, (3, 2)), ["0"]);
+    let jump = at(steps, (3, 1)).concat();
+    assert!(
+        jump.contains("undecided") && jump.contains("leaves"),
+        "{jump}"
+    );
+}
+
+#[test]
+fn derivatives_of_sliding_motions() {
+    let root = 3f64.sqrt() / 2.0;
+    let belt = with_inputs(
+        &[("u", (1, 2))],
+        "x = 0 -> v; v = 0 -> -x + if(v < u, 1, -1)",
+    );
+    check_derivatives(belt, (2, 1), &[root, 0.5, 1.476401224401701, 0.0, 0.0, 1.0]);
+    let brake = || {
+        let rate = "2*sin(t) - if(omega > 0, c, if(omega < 0, -c, 0))";
+        with_inputs(
+            &[("c", (3, 2))],
+            &format!("phi = 0 -> omega; omega = 0 -> {rate}"),
+        )
+    };
+    let open = f64::NAN;
+    check_derivatives(
+        brake(),
+        (7, 2),
+        &[1.0, open, -2.44354535027441, 0.0, open, 0.0],
+    );
+    let due = [1.0, open, -2.313319204280961, 0.0, open, 0.5103452674287258];
+    check_derivatives(brake(), (9, 2), &due);
+}
+
+/// The fields of a problem without inputs on sides of its first switch, at a time and states.
+fn fields(text: &str, sides: &[Side], time: (i64, i64)) -> (Vec<Smooth>, Vec<Switch>) {
+    let problem = problem(text).unwrap();
+    let mut evaluator = Evaluator::new(problem.graph.clone(), Balls::new(128));
+    evaluator.set_input(0, Value::rational(128, Rational::from(time)));
+    let switches: Vec<Switch> = problem.switches.iter().map(|s| s.0).collect();
+    let field = |side: &Side| {
+        let known = switches.first().map(|s| (*s, side.clone()));
+        Smooth::new(&problem, &mut evaluator, &known.into_iter().collect()).unwrap()
+    };
+    (sides.iter().map(field).collect(), switches)
+}
+
+/// From y = 1/2 with the rate −1 it takes at least 1/2 to come to rest at zero.
+#[test]
+fn a_switch_is_reached_before_the_motion_slides() {
+    let sides = [Side::Positive, Side::Negative];
+    let (pieces, switches) = fields("y = 0 -> if(y > 0, -1, 1)", &sides, (0, 1));
+    let pieces: Vec<&Smooth> = pieces.iter().collect();
+    let [start, half] = [(0, 1), (1, 2)].map(Rational::from);
+    let states = [Ball::rational(128, &half)];
+    let width = (Rational::from((1, 64)), false);
+    let Ok(crossing) = cross((&start, &states), &pieces, &switches, width, 128) else {
+        panic!("not crossed")
+    };
+    assert!(
+        crossing.slides && crossing.after >= half,
+        "{}",
+        crossing.after
+    );
+}
+
+/// e^t over a quarter.
+#[test]
+fn all_solutions_are_in_the_box_of_a_way_across() {
+    let (pieces, _) = fields("y = 1 -> y", &[Side::Positive], (0, 1));
+    let [start, quarter] = [(0, 1), (1, 4)].map(Rational::from);
+    let span = times(128, &start, &quarter);
+    let way = Ball::rational(128, &quarter);
+    let (hull, end) = enclosed(&[Ball::integer(128, 1)], &[&pieces[0]], &span, &way).unwrap();
+    let due = real::exp(&way, 128).unwrap();
+    assert!(
+        end[0].contains_ball(&due) && hull[0].contains_ball(&due),
+        "{hull:?} {end:?}"
+    );
 }
