@@ -113,7 +113,11 @@ impl Piece {
                 ),
                 Some(_) => None,
             };
-            return piece.ok_or_else(|| halt("the motion may slide along two switches at once"));
+            let reason = match problem.slides {
+                true => "the motion may slide along two switches at once",
+                false => TOUCHES,
+            };
+            return piece.ok_or_else(|| halt(reason));
         }
         if problem.variation.is_some() {
             let pieces: Vec<&Smooth> = [&self.field].into_iter().chain(&fields).collect();
@@ -143,6 +147,9 @@ impl Piece {
         known: &mut Vec<Arc<Sliding>>,
         is_start: bool,
     ) -> Option<Piece> {
+        if !problem.slides {
+            return None;
+        }
         let sliding = match known.iter().find(|sliding| sliding.switch == switch) {
             Some(sliding) => sliding.clone(),
             None => {
