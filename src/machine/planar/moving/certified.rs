@@ -30,8 +30,6 @@ pub struct Certified {
     starts: Vec<Id>,
     /// True if a resistance may hold the drive at rest; formulas take it to go forward.
     holds: bool,
-    /// The first quantity that depends on accelerations.
-    jumping: usize,
 }
 
 enum Output {
@@ -75,6 +73,7 @@ impl Certified {
         let mut posed = graph.clone();
         let zero = posed.number(0);
         let problem = InitialValueProblem::of_graph(posed, zero, &nodes).map_err(fault)?;
+        let problem = problem.without_slides();
         let trajectory = problem.trajectory(&[], Limits::default()).map_err(fault)?;
         let state = |name: &str| equations.states.iter().position(|s| s.name == *name);
         let output = |(id, name): (Id, &String)| match state(name) {
@@ -85,8 +84,7 @@ impl Certified {
         Ok(Certified {
             outputs: outputs.map(output).collect(),
             starts: nodes.iter().map(|n| n.0).collect(),
-            holds: moving.holds,
-            jumping: moving.jumping(row)?,
+            holds: moving.holds && matches!(row, Row::RunUp { .. }),
             until: state(UNTIL),
             outside: state(OUTSIDE),
             graph: Arc::new(graph),
@@ -152,43 +150,19 @@ impl Certified {
             }
         }
         let mut values = self.values(&when, &states, bits + 64);
-        if time.is_zero() {
-            // The values are known without a run.
-            let _ = self.states(time, bits);
+        if let [_, Some(speed), acceleration] = &mut values[..]
+            && self.holds
+            && speed.contains_zero()
+            && !acceleration.as_ref().is_some_and(Ball::is_positive)
+        {
+            *acceleration = None;
         }
-        self.hold(time, &mut values);
         for (found, value) in found.digits.iter_mut().zip(values) {
             if found.is_none() {
                 *found = value.and_then(|v| self.decimal(&v));
             }
         }
         Ok(())
-    }
-
-    /// Takes the acceleration of a drive that is held at rest for zero. Formulas do not give what jumps
-    /// where a body is at rest or may be, but for a drive that goes forward.
-    fn hold(&self, time: &Rational, values: &mut [Option<Ball>]) {
-        let slides = self.trajectory.slides(time);
-        let is_zero = |value: &Option<Ball>| value.as_ref().is_none_or(Ball::contains_zero);
-        let rest = self.trajectory.resting(time);
-        match values {
-            [_, speed, acceleration] if self.jumping == 2 => {
-                let is_drive = |k: usize| matches!(self.outputs[1], Output::State(own) if own == k);
-                let is_forward = acceleration.as_ref().is_some_and(Ball::is_positive);
-                if rest.is_some_and(is_drive) {
-                    *acceleration = Some(Ball::integer(64, 0));
-                } else if slides || self.holds && is_zero(speed) && !is_forward {
-                    *acceleration = None;
-                }
-            }
-            _ => {
-                let (known, others) = values.split_at_mut(self.jumping);
-                let mut speeds = known.iter().skip(1).step_by(2);
-                if slides || self.holds && speeds.any(is_zero) {
-                    others.fill(None);
-                }
-            }
-        }
     }
 
     /// The states at the start.
@@ -263,16 +237,6 @@ impl Certified {
             Output::Expression(id) => evaluator.value(*id).ok()?.real().cloned(),
         };
         self.outputs.iter().map(value).collect()
-    }
-}
-
-impl Moving {
-    /// The number of the first quantity of a row that depends on accelerations.
-    fn jumping(&self, row: &Row) -> Result<usize, MovingError> {
-        match row {
-            Row::RunUp { .. } => Ok(2),
-            Row::Motion { .. } => Ok(self.quantities(false)?.len()),
-        }
     }
 }
 

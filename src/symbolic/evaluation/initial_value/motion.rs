@@ -168,13 +168,6 @@ impl Motion {
         })
     }
 
-    /// The switch that the motion slides along at a time.
-    pub fn sliding(&self, time: &Rational) -> Option<&Sliding> {
-        let mut pieces = self.pieces.iter().rev();
-        let piece = pieces.find(|piece| self.is_past(time, &piece.start))?;
-        piece.slides.as_deref()
-    }
-
     /// Returns true if a time is another, or comes after it in the direction of the motion.
     fn is_past(&self, time: &Rational, other: &Rational) -> bool {
         match self.is_backward {

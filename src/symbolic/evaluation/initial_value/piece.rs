@@ -124,7 +124,11 @@ impl Piece {
                 ),
                 Some(_) => None,
             };
-            return piece.ok_or_else(|| halt("the motion may slide along two switches at once, or have rates of its own at one"));
+            let reason = match problem.slides {
+                true => "the motion may slide along two switches at once, or with rates of its own",
+                false => TOUCHES,
+            };
+            return piece.ok_or_else(|| halt(reason));
         }
         if problem.variation.is_some() {
             let pieces: Vec<&Smooth> = [&self.field].into_iter().chain(&fields).collect();
@@ -154,6 +158,9 @@ impl Piece {
         known: &mut Vec<Arc<Sliding>>,
         is_start: bool,
     ) -> Option<Piece> {
+        if !problem.slides {
+            return None;
+        }
         let sliding = match known.iter().find(|sliding| sliding.switch == switch) {
             Some(sliding) => sliding.clone(),
             None => {

@@ -80,6 +80,8 @@ pub struct InitialValueProblem {
     pub(super) switches: Vec<(Switch, Option<Id>)>,
     /// Switches that are guarded, although the rates do not need them.
     pub(super) margins: Vec<Switch>,
+    /// True if motions are followed along switches.
+    pub(super) slides: bool,
     /// The derivatives that are carried along.
     pub(super) variation: Option<Variation>,
     /// The problem that carries derivatives along, once it is asked for.
@@ -205,6 +207,7 @@ impl InitialValueProblem {
         Ok(InitialValueProblem {
             switches,
             margins: Vec::new(),
+            slides: true,
             inputs,
             time,
             start,
@@ -253,6 +256,14 @@ impl InitialValueProblem {
         let states: Vec<(Id, Id)> = states.chain(rest).collect();
         let problem = InitialValueProblem::of_graph(graph, self.start, &states)?;
         problem.by_inputs(start)
+    }
+
+    /// The problem whose motions are undecided where they slide along a switch: for rates of which
+    /// other quantities depend on the sides, too.
+    #[must_use]
+    pub fn without_slides(mut self) -> InitialValueProblem {
+        self.slides = false;
+        self
     }
 
     /// The problem with guards of some switches, and of those that these depend on, whether its

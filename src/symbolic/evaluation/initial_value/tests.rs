@@ -699,6 +699,11 @@ fn sliding() {
     );
     let two = at(both, (3, 1)).concat();
     assert!(two.contains("two switches"), "{two}");
+    // Other states have rates of their own where y is zero.
+    let own = "x = 0 -> if(y == 0, 7, 1); y = 1 -> if(y > 0, -1, 1)";
+    assert_eq!(at(own, (1, 2))[0], "0.5000000000000000000000000");
+    let own = at(own, (3, 1)).concat();
+    assert!(own.contains("rates of its own"), "{own}");
     // The past of a motion at rest is not determined.
     let held = at("w = 0 -> 1 - if(w > 0, 2, -2)", (-1, 2)).concat();
     assert!(held.contains("the side of a switch"), "{held}");

@@ -353,19 +353,6 @@ impl Trajectory {
         })
     }
 
-    /// Returns true if the motion slides along a switch at a time, as far as it is known.
-    pub fn slides(&self, time: &Rational) -> bool {
-        let run = self.run[usize::from(*time < self.start)].as_ref();
-        run.is_some_and(|run| run.sliding(time).is_some())
-    }
-
-    /// The number of the state that is zero at a time because the motion slides along the switch of
-    /// its sign there.
-    pub fn resting(&self, time: &Rational) -> Option<usize> {
-        let run = self.run[usize::from(*time < self.start)].as_ref()?;
-        run.sliding(time)?.rest
-    }
-
     /// Enclosures of the times at which the rates switched from one smooth piece to another, and
     /// of the states then, as far as the motion is known: those after the start, then those before
     /// it.
