@@ -143,6 +143,7 @@ impl Scalar for Round {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::pinned::Draw;
 
     /// Points on the circle, by addition theorems in 200 bits, against the disc's cosine, sine and
     /// inverse root.
@@ -214,13 +215,8 @@ mod tests {
     /// than either part.
     #[test]
     fn cosines_of_discs_are_as_wide_as_they_have_to_be() {
-        let mut state = 1u64;
-        let mut unit = || {
-            state = state
-                .wrapping_mul(6364136223846793005)
-                .wrapping_add(1442695040888963407);
-            (state >> 11) as f64 / 2f64.powi(53)
-        };
+        let mut draw = Draw(1);
+        let mut unit = || (draw.next() >> 11) as f64 / 2f64.powi(53);
         for i in 0..2000 {
             let r = 4.0 * unit() * 2f64.powi(-(i % 40));
             let up = Float::with_val(300, r).exp();

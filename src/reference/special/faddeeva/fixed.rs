@@ -213,9 +213,30 @@ fn enclosed(x: &Integer, bits: u32, error: f64, shift: i64) -> Ball {
 
 #[cfg(test)]
 mod tests {
+    use super::super::tests::q as rational;
     use super::*;
     use proptest::prelude::*;
     use rug::Rational;
+
+    /// The parts of the sum of n terms at p and q², of which the second is a multiple of q.
+    fn exact(
+        p: &Rational,
+        q2: &Rational,
+        n: u64,
+        ratio: impl Fn(u64) -> (u64, u64),
+    ) -> [Rational; 2] {
+        let (mut power, mut term) = ((Rational::from(1), Rational::new()), Rational::from(1));
+        let mut sums = [Rational::new(), Rational::new()];
+        for k in 0..n {
+            sums[0] += Rational::from(&power.0 * &term);
+            sums[1] += Rational::from(&power.1 * &term);
+            let next = Rational::from(p * &power.0) - Rational::from(q2 * &power.1);
+            power.1 = Rational::from(p * &power.1) + &power.0;
+            power.0 = next;
+            term *= Rational::from(ratio(k));
+        }
+        sums
+    }
 
     proptest! {
         #[test]
@@ -225,25 +246,14 @@ mod tests {
         ) {
             // q of order one, tiny, or zero.
             let (p, q) = (r * turn.cos(), r * turn.sin() * [1.0, 1e-9, 0.0][k as usize]);
-            let (p, q) = (Rational::from_f64(p).unwrap(), Rational::from_f64(q).unwrap());
-            let q2 = Rational::from(q.square_ref());
+            let (p, q2) = (rational(p), rational(q).square());
             let ratio = |k: u64| (top, (2 * k + 3) << down);
-            let (mut power, mut term) = ((Rational::from(1), Rational::new()), Rational::from(1));
-            let (mut re, mut im) = (Rational::new(), Rational::new());
-            for k in 0..n {
-                re += Rational::from(&power.0 * &term);
-                im += Rational::from(&power.1 * &term);
-                let next = Rational::from(&p * &power.0) - Rational::from(&q2 * &power.1);
-                power.1 = Rational::from(&p * &power.1) + &power.0;
-                power.0 = next;
-                let (a, b) = ratio(k);
-                term *= Rational::from((a, b));
-            }
+            let [re, im] = exact(&p, &q2, n, ratio);
             // Inputs with a radius, and none.
             let wide = Mag::power_of_two(-i64::from(bits));
             let given = |x: &Rational| Ball::rational(bits + 20, x).widened(wide);
-            let exact = |x: &Rational| Ball::rational(4000, x);
-            for (p, q2) in [(given(&p), given(&q2)), (exact(&p), exact(&q2))] {
+            let narrow = |x: &Rational| Ball::rational(4000, x);
+            for (p, q2) in [(given(&p), given(&q2)), (narrow(&p), narrow(&q2))] {
                 let (a, b) = sum(&p, &q2, bits, n, ratio);
                 prop_assert!(a.contains(&re) && b.contains(&im), "{a:?} {b:?}");
                 let growth = (f64::from(top as u32) / 2.0) * std::f64::consts::LOG2_E;
@@ -315,23 +325,6 @@ mod tests {
                 for n in [2u64, 5, 12, 30] {
                     for (top, factor) in [(1u64, 1u64), (3, 2), (2, 3)] {
                         let ratio = |k: u64| (top, factor * (k % 3 + 1));
-                        let exact = |p: f64, q2: f64| {
-                            let ball = |x: f64| Ball::exact(600, x);
-                            let (p, q2) = (ball(p), ball(q2));
-                            let (mut re, mut im) = (ball(0.0), ball(0.0));
-                            let (mut power, mut term) = ((ball(1.0), ball(0.0)), ball(1.0));
-                            for k in 0..n {
-                                re = &re + &power.0 * &term;
-                                im = &im + &power.1 * &term;
-                                let next = &p * &power.0 - &q2 * &power.1;
-                                power.1 = &p * &power.1 + &power.0;
-                                power.0 = next;
-                                let (a, b) = ratio(k);
-                                term = &term * Ball::integer(600, a as i64)
-                                    / Ball::integer(600, b as i64);
-                            }
-                            [re, im]
-                        };
                         let given = |x: f64| Ball::exact(bits + 20, x).widened(Mag::from_f64(wide));
                         let (a, b) = sum(&given(p), &given(q * q), bits, n, ratio);
                         for (dp, dq) in [
@@ -342,10 +335,15 @@ mod tests {
                             (1.0, 0.0),
                             (0.0, 1.0),
                         ] {
-                            let due = exact(p + dp * wide, q * q + dq * wide);
+                            let due = exact(
+                                &rational(p + dp * wide),
+                                &rational(q * q + dq * wide),
+                                n,
+                                ratio,
+                            );
                             for (i, (found, due)) in [&a, &b].into_iter().zip(&due).enumerate() {
-                                assert!(found.contains_ball(due), "{p} {q} {n} {top}: {found:?}");
-                                let way = Float::with_val(64, found.mid() - due.mid()).abs();
+                                assert!(found.contains(due), "{p} {q} {n} {top}: {found:?}");
+                                let way = Float::with_val(64, found.mid() - due).abs();
                                 most[i] = most[i].max((way / found.rad().to_float()).to_f64());
                             }
                         }
@@ -381,17 +379,7 @@ mod tests {
     fn bounds_beyond_numbers_are_multiples() {
         let (bits, n) = (1600, 22u64);
         let ratio = |_: u64| (1u64 << 60, 1u64);
-        let (p, q2) = (Rational::from((1, 2)), Rational::from((1, 4)));
-        let (mut power, mut term) = ((Rational::from(1), Rational::new()), Rational::from(1));
-        let (mut re, mut im) = (Rational::new(), Rational::new());
-        for _ in 0..n {
-            re += Rational::from(&power.0 * &term);
-            im += Rational::from(&power.1 * &term);
-            let next = Rational::from(&p * &power.0) - Rational::from(&q2 * &power.1);
-            power.1 = Rational::from(&p * &power.1) + &power.0;
-            power.0 = next;
-            term <<= 60;
-        }
+        let [re, im] = exact(&rational(0.5), &rational(0.25), n, ratio);
         let ball = |x: f64| Ball::exact(64, x);
         let (a, b) = sum(&ball(0.5), &ball(0.25), bits, n, ratio);
         assert!(a.contains(&re) && b.contains(&im), "{a:?} {b:?}");

@@ -256,14 +256,11 @@ pub fn voigt_scaled(
 
 #[cfg(test)]
 mod tests {
+    use super::super::tests::q;
     use super::super::{taylor, w_derivative_scaled};
     use super::*;
 
     type Function = fn(&Rational, &Rational, u32) -> Result<[Scaled; 2], Undecided>;
-
-    fn exact(x: f64) -> Rational {
-        Rational::from_f64(x).expect("finite")
-    }
 
     fn overlap(a: &[Scaled; 2], b: &[Scaled; 2]) -> bool {
         a.iter().zip(b).all(|(a, b)| {
@@ -293,7 +290,7 @@ mod tests {
                 (0.0, -1e200),
                 (1e9, -1e9),
             ] {
-                let (x, y) = (exact(x), exact(y));
+                let (x, y) = (q(x), q(y));
                 let (a, b) = (f(&x, &y, 60).unwrap(), f(&x, &y, 200).unwrap());
                 assert!(overlap(&a, &b), "{i}: {x}, {y}");
                 let good = |s: &Scaled| s.ball.is_zero() || s.ball.accuracy_bits() >= 60;
@@ -301,10 +298,10 @@ mod tests {
             }
         }
         // F(iy) = i (√π/2) e^{y²} erf y.
-        let [re, im] = dawson_scaled(&Rational::new(), &exact(1e10), 60).unwrap();
+        let [re, im] = dawson_scaled(&Rational::new(), &q(1e10), 60).unwrap();
         assert!(re.ball.is_zero() && im.exponent.significant_bits() == 67);
         // Normal density at 10^12 deviations.
-        let v = voigt_scaled(&exact(1e12), &exact(1.0), &Rational::new(), 60).unwrap();
+        let v = voigt_scaled(&q(1e12), &q(1.0), &Rational::new(), 60).unwrap();
         assert!(v.to_decimal(10).unwrap().contains("e-217147240951625913"));
     }
 
@@ -317,7 +314,7 @@ mod tests {
             (20.0, 1e-9),
             (0.0, 3.0),
         ] {
-            let (x, y) = (exact(x), exact(y));
+            let (x, y) = (q(x), q(y));
             let c = &taylor(&x, &y, 1, 80).unwrap()[1];
             let [re, im] = w_derivative_scaled(&x, &y, 80)
                 .unwrap()

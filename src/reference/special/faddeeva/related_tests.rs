@@ -4,12 +4,9 @@
 use super::argument::Real;
 use super::gaussian::{Gaussian, exp_scaled};
 use super::related::times_gaussian;
+use super::tests::q;
 use super::*;
 use rug::Integer;
-
-fn q(x: f64) -> Rational {
-    Rational::from_f64(x).expect("finite")
-}
 
 fn one() -> [Scaled; 2] {
     [

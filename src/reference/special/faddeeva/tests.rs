@@ -7,7 +7,8 @@ use crate::Decimal;
 use crate::pinned::{Answers, Draw, pin};
 use proptest::prelude::*;
 
-fn q(x: f64) -> Rational {
+/// The exact value of a number.
+pub(super) fn q(x: f64) -> Rational {
     Rational::from_f64(x).expect("finite")
 }
 

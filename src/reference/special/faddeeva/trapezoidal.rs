@@ -135,13 +135,10 @@ fn upper(z: &ComplexBall, prec: u32, inner: u32) -> ComplexBall {
 
 #[cfg(test)]
 mod tests {
+    use super::super::tests::q;
     use super::*;
     use crate::pinned::{Answers, Draw, pin};
     use std::f64::consts::{LN_2, PI};
-
-    fn q(x: f64) -> Rational {
-        Rational::from_f64(x).unwrap()
-    }
 
     /// Both errors of the head, from the step, the nearest node and the first node left out.
     fn bound(x: f64, prec: u32) -> f64 {

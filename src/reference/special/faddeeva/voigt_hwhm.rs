@@ -172,13 +172,10 @@ pub fn voigt_hwhm(sigma: &Rational, gamma: &Rational, bits: u32) -> Result<Ball,
 
 #[cfg(test)]
 mod tests {
+    use super::super::tests::q;
     use super::*;
     use crate::faddeeva::{voigt_scaled, w_derivative_scaled};
     use crate::pinned::{Answers, Draw, pin};
-
-    fn exact(x: f64) -> Rational {
-        Rational::from_f64(x).expect("finite")
-    }
 
     /// mpmath 1.3.0: root of `re(exp(-z²) erfc(-iz)) − exp(y²) erfc(y)/2` at 60 digits.
     const BY_MPMATH: [(f64, f64, &str); 5] = [
@@ -192,7 +189,7 @@ mod tests {
     #[test]
     fn mpmath_gives_the_same() {
         for (sigma, gamma, digits) in BY_MPMATH {
-            let h = voigt_hwhm(&exact(sigma), &exact(gamma), 120).unwrap();
+            let h = voigt_hwhm(&q(sigma), &q(gamma), 120).unwrap();
             assert_eq!(h.to_decimal(30).unwrap(), digits, "{sigma}, {gamma}");
         }
     }
@@ -251,14 +248,14 @@ mod tests {
     #[test]
     fn pure_profiles_and_refusals() {
         let zero = Rational::new();
-        let h = voigt_hwhm(&zero, &exact(0.3), 100).unwrap();
-        assert!(h.contains(&exact(0.3)));
+        let h = voigt_hwhm(&zero, &q(0.3), 100).unwrap();
+        assert!(h.contains(&q(0.3)));
         assert!(voigt_hwhm(&zero, &zero, 100).unwrap().is_zero());
         // √(2 ln 2), OEIS A185357 has 1.17741002251547469101156932645969963774738568938582…
-        let h = voigt_hwhm(&exact(1.0), &zero, 120).unwrap();
+        let h = voigt_hwhm(&q(1.0), &zero, 120).unwrap();
         assert_eq!(h.to_decimal(30).unwrap(), "1.17741002251547469101156932646");
-        assert!(voigt_hwhm(&exact(-1.0), &exact(1.0), 100).is_err());
-        assert!(voigt_hwhm(&exact(1.0), &exact(-1.0), 100).is_err());
+        assert!(voigt_hwhm(&q(-1.0), &q(1.0), 100).is_err());
+        assert!(voigt_hwhm(&q(1.0), &q(-1.0), 100).is_err());
     }
 
     /// Few bits and many, of every size of γ/σ: what comes out is within the width that more bits
@@ -266,15 +263,15 @@ mod tests {
     #[test]
     fn as_many_bits_as_asked_for() {
         for gamma in [0.0, 1e-30, 0.01, 1.0, 900.0, 7e5, 1.1e6, 2.2e6, 3e9, 1e40] {
-            let fine = voigt_hwhm(&exact(0.75), &exact(gamma), 500).unwrap();
+            let fine = voigt_hwhm(&q(0.75), &q(gamma), 500).unwrap();
             for bits in [0, 1, 15, 16, 17, 40, 53, 63, 64, 65, 130, 200, 300, 400] {
-                let h = voigt_hwhm(&exact(0.75), &exact(gamma), bits).unwrap();
+                let h = voigt_hwhm(&q(0.75), &q(gamma), bits).unwrap();
                 assert!(h.accuracy_bits() >= i64::from(bits), "{gamma} {bits}");
                 assert!(h.overlaps(&fine), "{gamma} {bits}");
             }
         }
         // More steps than 40 of a fixed gain would take.
-        let wide = voigt_hwhm(&exact(0.75), &exact(1.1e6), 3000).unwrap();
+        let wide = voigt_hwhm(&q(0.75), &q(1.1e6), 3000).unwrap();
         assert!(wide.accuracy_bits() >= 3000);
     }
 
@@ -304,7 +301,7 @@ mod tests {
             let t = equation.start();
             let (_, w) = equation.value(&t).unwrap();
             let x = t.to_rational().unwrap();
-            let due = w_derivative_scaled(&x, &exact(y), 120).unwrap()[0].to_ball();
+            let due = w_derivative_scaled(&x, &q(y), 120).unwrap()[0].to_ball();
             let off: Float = equation.slope(&t, &w) / due.mid() - 1u32;
             assert!(off.abs() < 1e-14, "{y}");
         }

@@ -64,6 +64,7 @@ mod tests {
     use super::*;
     use crate::ComplexBall;
     use crate::faddeeva::argument::Real;
+    use crate::faddeeva::tests::q;
     use rug::Rational;
 
     fn double(x: f64) -> Coordinate {
@@ -72,10 +73,6 @@ mod tests {
 
     fn rational(q: Rational) -> Coordinate {
         Coordinate::new(&Real::Rational(q)).unwrap()
-    }
-
-    fn q(x: f64) -> Rational {
-        Rational::from_f64(x).unwrap()
     }
 
     /// Of the two within 2^-141 of themselves, and the slack of what is not exact.
