@@ -17,7 +17,6 @@ use mechaudit::study::Study;
 use rug::Rational;
 use serde::Serialize;
 use serde_json::json;
-use std::io::Read;
 use std::path::Path;
 
 /// Bits of the reference beyond those of the entries.
@@ -59,18 +58,7 @@ pub fn judge(study: &Study, path: &Path, args: &JudgeArgs) -> Result<Outcome, Fa
         return Err(Failure::new(format!("--format junit: {text}")));
     }
     let output = Output::open(args.output.as_deref())?;
-    let file: Box<dyn Read> = match path == Path::new("-") {
-        true => Box::new(std::io::stdin().lock()),
-        false => Box::new(std::fs::File::open(path).map_err(|e| Failure::in_file(path, e))?),
-    };
-    let (_, mut rows) = published::read(study, file).map_err(|e| Failure::in_file(path, e))?;
-    if let Some(line) = args.line {
-        rows.retain(|r| r.line == line);
-        if rows.is_empty() {
-            let name = path.display();
-            return Err(Failure::new(format!("{name}: no row on line {line}")));
-        }
-    }
+    let (_, rows) = published::open(study, path, args.line)?;
     let outputs = study.outputs();
     let entries: Vec<Entry> = waiting("motion", || {
         let rows = rows.iter();
