@@ -138,18 +138,7 @@ const LIMIT: Limit = Limit::LastDigit(0.5);
 /// printed, and its outputs.
 pub fn judge(method: &dyn Method, path: &Path, args: &JudgeArgs) -> Result<Outcome, Failure> {
     let output = Output::open(args.output.as_deref())?;
-    let file: Box<dyn Read> = match path == Path::new("-") {
-        true => Box::new(std::io::stdin().lock()),
-        false => Box::new(std::fs::File::open(path).map_err(|e| Failure::in_file(path, e))?),
-    };
-    let (header, mut rows) = read(method, file).map_err(|e| Failure::in_file(path, e))?;
-    if let Some(line) = args.line {
-        rows.retain(|r| r.line == line);
-        if rows.is_empty() {
-            let name = path.display();
-            return Err(Failure::new(format!("{name}: no row on line {line}")));
-        }
-    }
+    let (header, rows) = open(method, path, args.line)?;
     let settings = Settings::default();
     let variant = Variant::new(method).limit(LIMIT).without_laws();
     let judged: Vec<(CaseReport, Vec<Judged>)> = rows
@@ -331,6 +320,27 @@ fn table(header: &[String], judged: &[Judged]) -> String {
         ]);
     }
     table.render(2)
+}
+
+/// The header and the rows of the table in a file, or the row on one line alone.
+pub fn open(
+    method: &dyn Method,
+    path: &Path,
+    line: Option<u64>,
+) -> Result<(Vec<String>, Vec<Row>), Failure> {
+    let file: Box<dyn Read> = match path == Path::new("-") {
+        true => Box::new(std::io::stdin().lock()),
+        false => Box::new(std::fs::File::open(path).map_err(|e| Failure::in_file(path, e))?),
+    };
+    let (header, mut rows) = read(method, file).map_err(|e| Failure::in_file(path, e))?;
+    rows.retain(|row| line.is_none_or(|line| row.line == line));
+    match line.filter(|_| rows.is_empty()) {
+        Some(line) => {
+            let name = path.display();
+            Err(Failure::new(format!("{name}: no row on line {line}")))
+        }
+        None => Ok((header, rows)),
+    }
 }
 
 /// The header and the lines of a table.

@@ -17,7 +17,6 @@ use mechaudit::study::Study;
 use rug::Rational;
 use serde::Serialize;
 use serde_json::json;
-use std::io::Read;
 use std::path::Path;
 
 /// Bits of the reference beyond those of the entries.
@@ -59,21 +58,10 @@ pub fn judge(study: &Study, path: &Path, args: &JudgeArgs) -> Result<Outcome, Fa
         return Err(Failure::new(format!("--format junit: {text}")));
     }
     let output = Output::open(args.output.as_deref())?;
-    let file: Box<dyn Read> = match path == Path::new("-") {
-        true => Box::new(std::io::stdin().lock()),
-        false => Box::new(std::fs::File::open(path).map_err(|e| Failure::in_file(path, e))?),
-    };
-    let (_, mut rows) = published::read(study, file).map_err(|e| Failure::in_file(path, e))?;
+    let (_, mut rows) = published::open(study, path, args.line)?;
     // A simulation has a number in every field: many programs write NaN as an empty one.
     for row in &mut rows {
         row.entries.append(&mut row.blanks);
-    }
-    if let Some(line) = args.line {
-        rows.retain(|r| r.line == line);
-        if rows.is_empty() {
-            let name = path.display();
-            return Err(Failure::new(format!("{name}: no row on line {line}")));
-        }
     }
     let outputs = study.outputs();
     let entries: Vec<Entry> = waiting("motion", || {
