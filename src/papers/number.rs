@@ -247,8 +247,8 @@ pub(super) fn entries(
     columns: &[Column],
     judge: impl Fn([usize; 3], bool) -> VariantJudgement,
 ) -> (Vec<Entry>, Vec<Tally>) {
-    let of = |(k, name): (usize, &&'static str)| {
-        let tallies = columns.iter().map(|c| c.tally(k, *name));
+    let of = |(k, &name): (usize, &&'static str)| {
+        let tallies = columns.iter().map(|c| c.tally(k, name));
         tallies.collect::<Vec<_>>()
     };
     let tallies: Vec<Tally> = variants.iter().enumerate().flat_map(of).collect();
