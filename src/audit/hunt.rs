@@ -72,9 +72,17 @@ struct Found {
     /// Largest share for each output; nothing where no values were judged.
     shares: Option<Vec<f64>>,
     verdict: Verdict,
+    /// True if the solver refused the input.
+    refused: bool,
 }
 
 impl Found {
+    /// Returns true if it counts as a failure wherever it is found. A refusal counts among the cases
+    /// of a region only: beyond them a solver may have limits of its own.
+    fn fails_anywhere(&self) -> bool {
+        self.verdict == Verdict::WrongKind && !self.refused
+    }
+
     /// The share of one output; below every other where no values were judged.
     fn share(&self, output: usize) -> f64 {
         self.shares.as_ref().map_or(-1.0, |s| s[output])
@@ -329,8 +337,7 @@ impl Hunter<'_> {
                     kind,
                     region,
                 });
-            } else if found.verdict == Verdict::WrongKind || drawn && found.verdict != Verdict::Pass
-            {
+            } else if found.fails_anywhere() || drawn && found.verdict != Verdict::Pass {
                 self.failures.push(case);
             }
         }
@@ -367,7 +374,7 @@ impl Hunter<'_> {
             for f in found {
                 let reason = || format!("climbed from {} in {}", seed.kind, seed.region);
                 self.record(&f, &reason);
-                if f.verdict == Verdict::WrongKind {
+                if f.fails_anywhere() {
                     self.failures.push(self.given(seed.region, f.input.clone()));
                 }
                 if f.share(output) >= top.share(output) {
@@ -396,6 +403,7 @@ fn judged(
         input,
         origin: Origin::Given,
     };
+    let refused = matches!(answer, SolverAnswer::Refuses(_) | SolverAnswer::Declines(_));
     let report = judge_case_briefly(method, case, answer, settings);
     let components = &report.judgement.components;
     let kinds = [Verdict::Pass, Verdict::Over];
@@ -410,6 +418,7 @@ fn judged(
         input: report.case.input,
         shares,
         verdict: report.judgement.verdict,
+        refused,
     }
 }
 
