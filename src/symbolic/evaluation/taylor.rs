@@ -92,7 +92,7 @@ impl Switch {
         let at_zero = |id| match graph.node(id) {
             Node::Compare(relation, a, b) => {
                 let (switch, is_turned) = Switch::between(graph, a, b);
-                (switch == self).then(|| match relation {
+                (switch == self).then_some(match relation {
                     Relation::Less | Relation::GreaterEqual => Some(!is_turned),
                     Relation::LessEqual | Relation::Greater => Some(is_turned),
                     Relation::Equal | Relation::NotEqual => None,

@@ -117,7 +117,9 @@ proptest! {
         if fast::w(&dx, &dy, bits).is_none() {
             // It does answer in ordinary places.
             prop_assert!(!(bits < 80 && x.abs() < 9.0 && y > 0.3 && y < 9.0 && x.abs() > 0.3));
-            prop_assert!(!(bits < 80 && (10.5..39.0).contains(&x) && y.abs() < 1.0 && y != 0.0));
+            // Close below the axis e^(-x^2) may cancel against the rest.
+            let cancels = y > -1e-40 && y <= 0.0;
+            prop_assert!(!(bits < 80 && (10.5..39.0).contains(&x) && y.abs() < 1.0 && !cancels));
             prop_assert!(!(bits < 50 && k == 8 && x.abs() < 1e6));
         }
     }
