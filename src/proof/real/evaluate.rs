@@ -195,9 +195,6 @@ pub(super) fn bound(
             if ends[1] < SMALL {
                 return Ok((formula, underflowing(ends, two_over_root)));
             }
-            if !tables.row(0.0)?.1.is_exact_at_centre() {
-                return Err("a value at 0");
-            }
             let operand = Operand::new(tables, function, Inner::Row { centre: 0.0 }, ends)?;
             let ways = evaluate(next_to_zero(), || {
                 alone(sum_of(operand.at(Tracked::sigma())))

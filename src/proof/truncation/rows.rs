@@ -174,11 +174,6 @@ impl RowErrors {
         }
     }
 
-    /// Returns whether the function at the centre is exactly what is stored.
-    pub fn is_exact_at_centre(&self) -> bool {
-        self.parts[0] == [0.0; 2]
-    }
-
     /// Returns whether the components that are zero by symmetry about a centre on the imaginary
     /// axis are exactly zero.
     pub fn is_symmetric(&self) -> bool {

@@ -222,7 +222,10 @@ where
                     _ => {}
                 }
             }
-            if Float::with_val(64, &hi - &lo) * 4u32 > width || value.contains_zero() {
+            // Where the slope varies the interval is halved at least, at any precision.
+            let varies = !slope.contains_zero() && slope.rad() > slope.mignitude().shift(-2);
+            let shrinks = Float::with_val(64, &hi - &lo) * if varies { 1u32 } else { 4 } < width;
+            if !shrinks || value.contains_zero() {
                 bits *= 2;
                 if bits > most {
                     break;

@@ -226,7 +226,8 @@ fn a_dropped_term_shows() {
     }
 }
 
-/// Next to zero nothing is known of erf as a part of itself if the row does not begin with zero.
+/// A constant in the row about zero has no part that falls with x, so that nothing is known of erf as
+/// a part of itself.
 #[test]
 fn a_value_of_erf_at_zero_shows() {
     let at = at(false, 1e-10, 2e-10);

@@ -173,6 +173,14 @@ fn a_function_that_fails_ends_the_search() {
     assert!(roots.is_empty() && open.len() == 1 && open[0].0 <= 0 && open[0].1 >= 0);
 }
 
+/// Next to a turning point the slope of a piece varies, and precision does not help.
+#[test]
+fn a_root_beside_a_turning_point() {
+    let roots = [q(32, 13), q(33, 13)];
+    let found = all(&with_roots(&roots), q(-5, 1) + q(1, 97), q(5, 1)).expect("two roots");
+    assert!(found.len() == 2 && found.iter().zip(&roots).all(|(x, due)| x.contains(due)));
+}
+
 /// A monotone function has a root only where its signs differ.
 #[test]
 fn signs_decide_over_a_monotone_piece() {
