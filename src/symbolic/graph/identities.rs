@@ -64,7 +64,7 @@ impl Graph {
             },
             Node::Binary(Func::Pow, a, b) => match (self.node(a), self.small_integer(b)) {
                 (_, Some(k)) => Node::Power(a, k),
-                (Node::Constant(c), None) if c == Constant::E => Node::Unary(Func::Exp, b),
+                (Node::Constant(Constant::E), None) => Node::Unary(Func::Exp, b),
                 _ => node,
             },
             Node::Div(a, b) => match self.node(b) {
