@@ -419,7 +419,7 @@ pub(super) fn beyond_subnormal(x: f64) -> bool {
     (x * power_of_two(1000)).mul_add(c, -power_of_two(-21)) >= 0.0
 }
 
-/// What roundings and terms that are left out below `2⁻⁹⁵⁰` come to at most, in units.
+/// A bound of what roundings and omitted terms below `2⁻⁹⁵⁰` add, in units.
 const ROUNDINGS: f64 = 1e-15;
 
 /// The bound of erf where `x < 2⁻⁹⁵⁰`. There `x²` and with it all that follows the first term is

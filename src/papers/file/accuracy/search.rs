@@ -110,7 +110,7 @@ impl Test {
         let found = studies.iter().map(|study| self.searched_one(study));
         let worse = |a: Found, b: Found| {
             let points = a.points + b.points;
-            // What is refuted is worse than what is open, and that than what holds.
+            // A refutation is worse than an open case, and that than a proof.
             let is_worse = (b.held, b.size) > (a.held, a.size);
             let worst = if is_worse { b } else { a };
             Found { points, ..worst }

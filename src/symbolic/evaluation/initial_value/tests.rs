@@ -686,7 +686,7 @@ fn sliding() {
         ]
         .map(String::from)
     );
-    // What touches the switch from one side, and what reaches a second one, is undecided.
+    // Motions that touch the switch from one side or reach a second one are undecided.
     let touches = at(belt, (9, 1)).concat();
     assert!(
         touches.contains("8.538") && touches.contains("touch"),
