@@ -1,4 +1,4 @@
-//! How far a drive goes on a branch.
+//! The range of a drive on a branch of a mechanism.
 
 /// Turns after which a branch is given up to close.
 pub const TURNS: u32 = 12;
