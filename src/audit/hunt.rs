@@ -58,7 +58,7 @@ const TOGETHER_ELSEWHERE: usize = 4096;
 const MOVES_ELSEWHERE: usize = 64;
 /// Climbs that the evaluations are divided among, or one for each output if there are more.
 const STARTS: usize = 12;
-/// So many times as many places to climb from: a climb that ends early leaves its evaluations.
+/// The factor by which there are more places to climb from: a climb that ends early leaves its evaluations.
 const ROUNDS: usize = 20;
 /// Rounds without gain after which a climb ends.
 const PATIENCE: usize = 10;

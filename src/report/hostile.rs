@@ -14,7 +14,7 @@ use crate::papers::{Citation, PaperReport};
 /// Ends an element, an attribute between quotes of either kind, and begins a script.
 const HOSTILE: &str = "'\"></style></title><script>alert(1)</script>&\u{1}";
 
-/// So many texts, and none of them markup.
+/// Checks that the page shows the hostile text at least `texts` times and never as markup.
 fn harmless(page: &str, texts: usize) {
     assert!(!page.contains("<script"), "{page}");
     assert!(!page.contains("\"></style>"), "{page}");

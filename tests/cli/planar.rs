@@ -294,7 +294,7 @@ fn what_cannot_move_or_moves_too_much_is_told() {
     let d = more(loose);
     refused(
         &d,
-        "1 degrees of freedom besides the drive: bar can still move",
+        "with the drive held, bar can still move, in 1 degree of freedom",
     );
     said(&d, "line ");
 }

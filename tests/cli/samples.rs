@@ -112,7 +112,7 @@ fn due(shown: &[String], printed: &[String]) -> Result<Vec<String>, String> {
     }
     match any || at >= printed.len() {
         true => Ok(all),
-        false => Err(format!("{:?} is printed besides", printed[at])),
+        false => Err(format!("{:?} is printed but not shown", printed[at])),
     }
 }
 

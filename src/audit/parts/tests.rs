@@ -6,7 +6,7 @@ use rug::Float;
 
 const ULP: f64 = f64::EPSILON;
 
-/// So many ulps of one beside `x`, exactly.
+/// Returns the number that is exactly `ulps` ulps of one above `x`.
 fn beside(x: f64, ulps: f64) -> Ball {
     Ball::new(Float::with_val(128, x) + ulps * ULP, Mag::ZERO)
 }

@@ -6,7 +6,7 @@ use crate::{Limit, ReferenceAnswer, SolverAnswer, judge_case_briefly};
 
 const NAMES: [&str; 2] = ["x", "y"];
 
-/// `1` in two outputs and so many rows as are answered; condition numbers as given, for each value.
+/// Judges `got` where 1 is expected in both outputs of every row, with the condition numbers given for each value.
 fn judged(index: u64, got: &[f64], conditions: Option<&[f64]>) -> CaseReport {
     let rows = got.len();
     let method = Planted {
@@ -23,7 +23,7 @@ fn judged(index: u64, got: &[f64], conditions: Option<&[f64]>) -> CaseReport {
     judge_case_briefly(&method, case(index, &[1.0]), answer, &settings)
 }
 
-/// So many ulps off in each value.
+/// Judges values that are off by `by` ulps each.
 fn ulps(index: u64, by: &[u64]) -> CaseReport {
     let got: Vec<f64> = by.iter().map(|k| off(1.0, *k)).collect();
     judged(index, &got, None)
@@ -326,8 +326,7 @@ fn the_sample_is_that_of_the_smallest_hashes() {
     }
 }
 
-/// Three examples of each wrong kind, the first; of failures the first so many as there is room
-/// for.
+/// The first three examples of each wrong kind are kept, and the first failures for which there is room.
 #[test]
 fn first_failures_and_examples_are_kept() {
     let nan = |i| judged(i, &[f64::NAN, 1.0], None);

@@ -162,7 +162,7 @@ mod tests {
         (comments.collect(), inputs.collect())
     }
 
-    /// Check points and hard cases are named, then each region with its description and so many
+    /// Check points and hard cases are named, then each region with its description and the number of its
     /// inputs.
     #[test]
     fn every_region_has_a_heading() {

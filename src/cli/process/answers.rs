@@ -387,7 +387,7 @@ mod tests {
             .collect()
     }
 
-    /// So many at most, in their order, beside what has been taken before; then there are no more.
+    /// Answers are taken in their order, at most the number asked for at a time, until there are no more.
     #[test]
     fn answers_are_taken_in_pieces() {
         let patience = Duration::from_secs(60);

@@ -135,7 +135,7 @@ impl Definition for CamFourierSeries {
         let coefficient = Budget::new(
             Limit::Normwise(64.0),
             "of the largest of all a_n and b_n, which turn into each other with the angle that is zero; for a condition of \
-             one (the lift); angles are exact. Some 10 u of each stroke's share; besides, shares that cancel by up to \
+             one (the lift); angles are exact. Some 10 u of each stroke's share; in addition, shares that cancel by up to \
              a half, jumps of derivatives that cancel by up to a factor of 10, eight harmonics all near zeros of a \
              transform by up to a factor of 5",
         );

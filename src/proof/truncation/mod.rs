@@ -25,7 +25,7 @@ pub(crate) struct Truncation {
     pub re: f64,
     /// Of the imaginary part.
     pub im: f64,
-    /// Besides, of each component, in units of 2⁻¹⁰⁷⁵.
+    /// The part of each component's error that does not scale with it, in units of 2⁻¹⁰⁷⁵.
     pub tiny: f64,
     /// Of the real part beside the real axis, where `e^{−z²}` is added.
     pub sum: Option<OfSum>,

@@ -97,7 +97,7 @@ pub struct Goal {
 }
 
 impl Goal {
-    /// So many bits of the value, or as many places after the binary point if that is less.
+    /// Asks for `bits` bits of the value, or `bits` places after the binary point if that is less.
     pub fn bits(bits: u32) -> Goal {
         let absolute = Mag::power_of_two(-i64::from(bits));
         Goal {
@@ -107,7 +107,7 @@ impl Goal {
         }
     }
 
-    /// So many decimal digits.
+    /// Asks for `digits` decimal digits.
     pub fn digits(digits: u32) -> Goal {
         Goal::bits((f64::from(digits) * std::f64::consts::LOG2_10).ceil() as u32 + 1)
     }

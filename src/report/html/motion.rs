@@ -53,7 +53,7 @@ struct Row<'a> {
     drawn: bool,
 }
 
-/// So many significant digits.
+/// Rounds `x` to `n` significant digits.
 fn digits(x: f64, n: usize) -> f64 {
     format!("{x:.*e}", n - 1).parse().unwrap_or(x)
 }

@@ -33,7 +33,7 @@ pub fn percent(x: f64) -> String {
     }
 }
 
-/// So many things.
+/// Returns the number with the name of what is counted, in the plural unless it is one.
 pub fn count(n: usize, thing: &str) -> String {
     format!("{n} {thing}{}", if n == 1 { "" } else { "s" })
 }

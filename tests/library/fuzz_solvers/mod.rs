@@ -81,7 +81,7 @@ fn usual() -> impl Strategy<Value = f64> {
 fn numbers<const N: usize>() -> impl Strategy<Value = [f64; N]> {
     let array = |s: BoxedStrategy<f64>| prop::collection::vec(s, N);
     prop_oneof![array(any_f64().boxed()), array(usual().boxed()), mixed(N)]
-        .prop_map(|v| v.try_into().expect("so many"))
+        .prop_map(|v| v.try_into().expect("as many as were drawn"))
 }
 
 /// Usual numbers, all but one.

@@ -63,7 +63,7 @@ struct Args {
     /// missed
     #[arg(long, value_name = "S")]
     most: Option<f64>,
-    /// So many mutants, drawn by chance and judged in that order: those judged first are a sample
+    /// The number of mutants, drawn by chance and judged in that order: those judged first are a sample
     /// too
     #[arg(long, value_name = "N")]
     sample: Option<usize>,

@@ -68,7 +68,7 @@ fn the_crank_angles_of_no_window_are_a_turn_in_48() {
     assert_eq!(grid.angle(1), Rational::from((15, 2)));
     let from_start = args("").grid(Some(Rational::from(14))).unwrap();
     assert_eq!(from_start.angle(2), 29);
-    // So many rows, and fewer where all branches are kept.
+    // The number of rows has a limit, which is lower where all branches are kept.
     let many = |line: &str| args(line).grid(None).is_ok();
     assert!(many("--step-deg 1 --to-deg 9999999") && !many("--step-deg 1 --to-deg 10000000"));
     assert!(many("--all-branches --step-deg 1 --to-deg 99999"));

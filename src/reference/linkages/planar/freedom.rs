@@ -111,7 +111,7 @@ impl Freedom {
 }
 
 impl Drawing {
-    /// So many moving bodies with their pins.
+    /// Creates the drawing of a number of moving bodies with their pins.
     ///
     /// # Errors
     /// [`MechanismError::Missing`] if a pin names a body that does not exist,

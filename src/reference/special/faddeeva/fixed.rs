@@ -201,7 +201,7 @@ fn sum_checked(
     Some((ball(&re, e.re), ball(&im, e.im)))
 }
 
-/// So many units, with an error of `error 2^shift` of them as it was computed.
+/// Returns the ball around `x` units of 2^-bits, computed with an error of `error 2^shift` units.
 fn enclosed(x: &Integer, bits: u32, error: f64, shift: i64) -> Ball {
     let prec = x.significant_bits().max(64);
     let mid = Float::with_val(prec, x) >> bits;

@@ -15,7 +15,7 @@ const WHOLE: usize = 300;
 /// Numbers of an input that are kept for every case, and those of an input or an answer for a whole
 /// case: on pages of few methods, and of many.
 const NUMBERS: [(usize, usize); 2] = [(8, 24), (4, 12)];
-/// So many methods are few.
+/// The number of methods up to which a page has few.
 const FEW: usize = 3;
 
 /// The page's data.

@@ -320,7 +320,7 @@ fn columns_give_way_one_by_one() {
     }
 }
 
-/// With `n` outputs, whose largest errors are 1, 2, …, and regions in which so many cases fail.
+/// Returns a report of `n` outputs, whose largest errors are 1, 2, …, and of regions in which `failed` cases fail.
 fn with_outputs(n: usize, failed: u64) -> MethodReport {
     let mut report = fabricated();
     for region in &mut report.regions {
@@ -336,7 +336,7 @@ fn with_outputs(n: usize, failed: u64) -> MethodReport {
     report
 }
 
-/// With figures of so many values, and without any.
+/// Returns a report with figures of `count` values.
 fn with_values(count: u64) -> MethodReport {
     let mut report = fabricated();
     let spread = Spread {

@@ -102,7 +102,7 @@ pub struct Sample {
 pub enum EventKind {
     /// The driven links turned back.
     DeadPosition,
-    /// So many turns since the start. A crank that swings back through an angle that it has just
+    /// A number of turns was completed since the start. A crank that swings back through an angle that it has just
     /// passed has not made one.
     Turn(i64),
     /// The target speed was reached.

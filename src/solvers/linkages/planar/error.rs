@@ -87,7 +87,10 @@ pub enum MechanismError {
         bodies: Vec<String>,
     },
     /// The drive does not determine the motion.
-    #[error("{freedoms} degrees of freedom besides the drive: {} can still move", bodies.join(", "))]
+    #[error(
+        "with the drive held, {} can still move, in {freedoms} degree{} of freedom",
+        bodies.join(", "), if *freedoms == 1 { "" } else { "s" }
+    )]
     Loose {
         /// How many, the drive held.
         freedoms: usize,

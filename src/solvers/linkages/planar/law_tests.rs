@@ -25,7 +25,7 @@ fn freedoms_are_counted() {
     Mechanism::new(ring(4)).unwrap();
     assert_eq!(
         told(ring(5)),
-        "1 degrees of freedom besides the drive: bar 2, bar 3, bar 4 can still move"
+        "with the drive held, bar 2, bar 3, bar 4 can still move, in 1 degree of freedom"
     );
     assert_eq!(
         told(ring(3)),

@@ -79,8 +79,8 @@ impl Case {
         proof.bound((!self.rest).then_some(&start), &model(&self.inverse))
     }
 
-    /// The errors of the speed at the end and anywhere within the bounds, which are at most so many
-    /// times as large.
+    /// Checks that the errors of the speed at the end and anywhere are within the bounds, and that the bounds are at
+    /// most `most` times as large.
     fn check(self, name: &str, end: f64, anywhere: f64, most: f64) -> Bounds {
         let last: f64 = self.chi.iter().sum();
         let found = self.bounds().unwrap_or_else(|why| panic!("{name}: {why}"));
