@@ -166,15 +166,20 @@ fn norm(study: &Study, measure: Measure, input: &[f64]) -> Option<f64> {
     .filter(|e| e.is_finite())
 }
 
-/// Inputs beside those of the hunts at which solver and definition are compared.
-const DRAWN: usize = 32;
+/// Inputs beside those of the hunts at which solver and definition are compared, and those of each
+/// region among them.
+const DRAWN: usize = 128;
+const OF_REGION: u64 = 24;
 
-/// Some of the study's check points and draws.
+/// The study's check points and some draws.
 fn drawn(study: &Study) -> Vec<Vec<f64>> {
-    let cases = Cases::new(study, &Settings::default());
-    let step = cases.len().div_ceil(DRAWN).max(1);
-    let each = (0..cases.len()).step_by(step);
-    each.map(|i| cases.get(i).input).collect()
+    let settings = Settings {
+        cases_per_region: OF_REGION,
+        ..Settings::default()
+    };
+    let cases = Cases::new(study, &settings);
+    let some = 0..cases.len().min(DRAWN);
+    some.map(|i| cases.get(i).input).collect()
 }
 
 /// Decides whether the solver's formula is the definition over the reals.
