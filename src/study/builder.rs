@@ -107,6 +107,9 @@ impl Formula {
             )));
         }
         let known = |name: &str| self.inputs.iter().any(|i| i.name == name);
+        if known("inf") {
+            return Err(StudyError::new(super::read::INFINITY));
+        }
         let names: Vec<String> = self.inputs.iter().map(|i| i.name.clone()).collect();
         let place = super::Place { line: 1, column: 0 };
         let read = |text: &str| {

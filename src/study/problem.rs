@@ -156,6 +156,14 @@ impl Problem {
         }
     }
 
+    /// The names that a solver defines otherwise than the study, inputs and constants among them.
+    pub fn redefined<'a>(&'a self, solver: &'a StudySolver) -> impl Iterator<Item = &'a String> {
+        let stated = &self.definitions.names;
+        let own = solver.definitions.names.iter();
+        own.filter(|(name, is)| stated.get(*name) != Some(is))
+            .map(|(name, _)| name)
+    }
+
     /// The inputs of each row of an answer.
     pub(super) fn of_rows<T: Clone>(
         &self,

@@ -133,6 +133,9 @@ pub(super) fn entries<'a>(file: &'a Item, key: &str) -> Result<&'a [(String, Ite
     file.get(key).map_or(Ok(&[]), Item::table)
 }
 
+/// The reason why `inf` is no name: limits without end are told by it from numbers.
+pub(super) const INFINITY: &str = "inf is infinity, and no name";
+
 /// Checks that a text is a name.
 ///
 /// # Errors
@@ -145,6 +148,7 @@ pub fn is_name(name: &str, item: &Item) -> Result<(), StudyError> {
         .is_some_and(|c| c.is_ascii_alphabetic() || c == '_');
     let rest = letters.all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '\''));
     match first && rest && name.len() <= 64 {
+        true if name == "inf" => Err(item.fault(INFINITY)),
         true => Ok(()),
         false => Err(item.fault(format!(
             "{name:?} is no name: a letter, then up to 63 letters, digits and underscores"
@@ -561,8 +565,10 @@ fn dependent(problem: &Problem) -> Vec<String> {
     let mut notes = Vec::new();
     for solver in &problem.solvers {
         for (output, formula) in problem.outputs.iter().zip(&solver.formulas) {
+            let is_other = |n: &String| problem.definitions.reaches(&output.is, &[n]);
+            let is_alike = *formula == output.is && !problem.redefined(solver).any(is_other);
             let (solver, name) = (&solver.name, &output.name);
-            if *formula == output.is {
+            if is_alike {
                 notes.push(format!(
                     "The solver {solver} and the definition of {name} are the same formula: they are not independent."
                 ));

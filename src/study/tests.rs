@@ -91,6 +91,22 @@ fn solved(formula: &str) -> f64 {
     }
 }
 
+/// The same text is another formula where the solver gives a constant another value; infinity is
+/// nobody's name.
+#[test]
+fn constants_of_a_solver_and_no_name() {
+    let text = "[inputs]\nx = {}\n[outputs]\ny = \"pi*x\"\n[solver.s]\ny = \"pi*x\"";
+    let notes = |text: &str| Study::parse(text, "p").unwrap().problem().notes.len();
+    let own = format!("{text}\n[solver.s.let]\npi = \"3\"");
+    assert_eq!((notes(text), notes(&own)), (1, 0));
+    let refused = Study::parse(&text.replace("x = {}", "inf = {}"), "p").unwrap_err();
+    let said = refused.to_string();
+    let why = "inf is infinity, and no name";
+    assert!(said.contains(why), "{said}");
+    let built = Study::formula("inf + 1").input("inf", 0.0..=1.0).study();
+    assert_eq!(built.unwrap_err().to_string(), why);
+}
+
 #[test]
 fn lists_indices_and_names_that_are_given() {
     assert_eq!(solved("c[1] + 10*c[2]"), 30.5);

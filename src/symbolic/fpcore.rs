@@ -246,6 +246,9 @@ fn core(text: &str, datum: &Datum) -> Result<Core, Fault> {
         if arguments.contains(&name) {
             return fault(argument.at, format!("the argument {name} is named twice"));
         }
+        if name == "inf" {
+            return fault(argument.at, "inf is infinity, and no name");
+        }
         arguments.push(name);
     }
     let mut found = Core {

@@ -40,6 +40,13 @@ impl Symbol {
         })
     }
 
+    /// Returns true if a name that nothing defines stands for any positive number in an
+    /// [`Algebra`](super::Algebra), which gives names with other letters to roots and the like.
+    pub fn is_free(name: &str) -> bool {
+        let is_letter = |b: u8| b.is_ascii_alphanumeric() || matches!(b, b'_' | b'\'');
+        Symbol::new(name).is_some_and(|s| s != Symbol::PI) && name.bytes().all(is_letter)
+    }
+
     /// The symbol of that name.
     ///
     /// # Errors
@@ -83,5 +90,9 @@ mod tests {
         for bad in ["", "a name with blanks", "seventeen_letters", "ω"] {
             assert_eq!(Symbol::new(bad), None, "{bad}");
         }
+        for taken in ["pi", "r:x", "k#1", "#", "seventeen_letters"] {
+            assert!(!Symbol::is_free(taken), "{taken}");
+        }
+        assert!(Symbol::is_free("x_1'"));
     }
 }

@@ -105,8 +105,8 @@ pub struct Scope<'a, V> {
     pub definitions: &'a Definitions,
     /// Bound names.
     pub bound: Vec<(String, V)>,
-    /// Indices of sums.
-    pub indices: Vec<(String, i64)>,
+    /// Indices of sums, each with its place among the bound names.
+    indices: Vec<(String, i64, usize)>,
     /// The index of the series that the expression is a term of.
     series: Option<String>,
     depth: usize,
@@ -354,7 +354,8 @@ pub(super) fn integer<V>(scope: &Scope<V>, e: &Expr) -> Option<i64> {
     match e {
         Expr::Num(n) => n.parse().ok(),
         Expr::Sym(s) => {
-            let found = scope.indices.iter().rev().find(|b| b.0 == *s);
+            let place = scope.bound.iter().rposition(|b| b.0 == *s)?;
+            let found = scope.indices.iter().find(|index| index.2 == place);
             found.map(|b| b.1)
         }
         Expr::Neg(x) => Some(-integer(scope, x)?),
@@ -490,7 +491,8 @@ pub(super) fn finite_sum<D: Domain>(
     for k in from..=to {
         step(1)?;
         let value = d.constant(&Gauss::real(k));
-        scope.indices.push((bound.var.clone(), k));
+        let place = scope.bound.len();
+        scope.indices.push((bound.var.clone(), k, place));
         let x = scope.binding(&bound.var, value, |scope| walk(d, scope, &bound.body));
         scope.indices.pop();
         sum = d.add(&sum, &x?);

@@ -106,6 +106,10 @@ fn faults_have_their_place() {
             "line 1, column 12: the argument x is named twice",
         ),
         (
+            "(FPCore (x inf) x)",
+            "line 1, column 12: inf is infinity, and no name",
+        ),
+        (
             "(FPCore (x) (let ((a 1) (b a)) b))",
             "line 1, column 28: the name a is not bound",
         ),

@@ -75,6 +75,11 @@ fn sums_over_an_index() {
             "outside the algebra: the limits of a sum",
         ),
         ("a[2*k]", "outside the algebra: the index 2*k"),
+        // The index is another name's value there.
+        (
+            "sum(k, 1, 3, let(k, 5, a[k]))",
+            "outside the algebra: the index k",
+        ),
         (
             "sum(k, 1/2, 2, k)",
             "outside the algebra: the limits of a sum",

@@ -160,7 +160,7 @@ impl Theorem {
                 Some(proof) => proofs.push((measure, proof)),
             }
         }
-        let own = own_study(problem, solver, setting, outputs)?;
+        let own = own_study(problem, solver, setting, outputs, args.within)?;
         let mut found = Vec::new();
         for (measure, proof) in &proofs {
             let worst = worst(&own, *measure, proof, args)?;
