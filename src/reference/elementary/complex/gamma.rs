@@ -17,18 +17,21 @@
 //! below the axis.
 //!
 //! # Derivative
-//! `ψ(z) = ln z + ∫_0^∞ (1/t − 1/(1 − e^{−t})) e^{−tz} dt` (DLMF 5.9.13) with the bracket in [−1,
-//! 0]: `|ψ(z)| ≤ |ln |z|| + π/2 + 1/x` for Re z > 0. To the left of 1/2 `ψ(z) = ψ(1 − z) − π cot
-//! πz`, `|cot πz|² ≤ 1 + 1/|sin πz|²` and `|sin πz|² = sin² πx + sinh² πy`.
+//! `ψ(z) = ln z − ∫_0^∞ h(t) e^{−tz} dt` with `h(t) = 1/(1 − e^{−t}) − 1/t` for Re z > 0 (DLMF
+//! 5.9.13). h grows from 1/2 to 1, because `h' = 1/t² − 1/(4 sinh²(t/2)) > 0`: by parts the integral
+//! is `(1/2 + ∫ h' e^{−tz} dt)/z`, at most `1/|z|`. To the left of 1/2 `ψ(z) = ψ(1 − z) − π cot
+//! πz`, `|cot πz|² ≤ 1 + 1/|sin πz|²` and `|sin πz|² = sin² πx + sinh² πy`. ln Γ changes over a box
+//! of the half-widths r and s by at most `r |Re ψ| + s |Im ψ|` in its real part, and `r |Im ψ| +
+//! s |Re ψ|` in its imaginary part.
 
 use super::super::support::{BITS, exact};
 use super::super::{self as real, ComplexEvaluated, NoValue};
 use super::exponential::{exp, log};
-use super::{GUARD, REACH, clipped, f64_down, inner, is_across, widened};
+use super::{GUARD, REACH, clipped, f64_down, is_across, rounded};
 use crate::{Ball, ComplexBall, Mag};
 use rug::float::{Constant, Round};
 use rug::{Float, Integer, Rational};
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 use std::sync::{Arc, Mutex};
 
 /// `T_1 … T_n`, the tangent numbers: `tan x = Σ T_k x^{2k−1}/(2k − 1)!`.
@@ -237,7 +240,7 @@ fn no_pole(z: &ComplexBall, name: &'static str) -> Result<(), NoValue> {
 }
 
 /// ln Γ at the midpoint, and a bound on the change over the box.
-fn log_gamma(z: &ComplexBall, prec: u32) -> Result<(ComplexBall, Mag), NoValue> {
+fn log_gamma(z: &ComplexBall, prec: u32) -> Result<(ComplexBall, [Mag; 2]), NoValue> {
     let (m, rho) = clipped(z);
     if m.im.is_zero() && m.re.mid().is_integer() && *m.re.mid() <= 0 {
         return Err(NoValue::Undecided("a pole may be in the operand"));
@@ -250,30 +253,48 @@ fn log_gamma(z: &ComplexBall, prec: u32) -> Result<(ComplexBall, Mag), NoValue> 
         log_gamma_above(&m, p)?
     };
     if rho.is_zero() {
-        return Ok((value, rho));
+        return Ok((value, [rho; 2]));
     }
-    Ok((value, rho.mul(psi_above(z)?)))
+    // The box reaches from the operand to what it was clipped to.
+    let reach = |z: &Ball, m: &Ball| match z.mid() == m.mid() {
+        true => z.clone(),
+        false => m.widened(z.magnitude()),
+    };
+    let around = ComplexBall::new(reach(&z.re, &m.re), reach(&z.im, &m.im));
+    let [re, im] = psi_above(&around)?;
+    let (r, s) = (around.re.rad(), around.im.rad());
+    let change = [r.mul(re).add(s.mul(im)), r.mul(im).add(s.mul(re))];
+    Ok((value, change))
 }
 
-/// A bound on |ψ| over a box.
-fn psi_above(z: &ComplexBall) -> Result<Mag, NoValue> {
-    let right = |z: &ComplexBall| -> Result<Mag, NoValue> {
-        let size = inner(real::hypot(&z.re, &z.im, BITS))?;
-        let log = real::log(&size, BITS)?.magnitude();
-        let inverse = Mag::power_of_two(0).div(z.re.mignitude());
-        Ok(log.add(Mag::from_f64(FRAC_PI_2.next_up())).add(inverse))
+/// Bounds on |Re ψ| and |Im ψ| over a box.
+fn psi_above(z: &ComplexBall) -> Result<[Mag; 2], NoValue> {
+    let right = |z: &ComplexBall| -> Result<[Mag; 2], NoValue> {
+        let log = log(z, BITS)?;
+        let rest = Mag::power_of_two(0).div(super::below(z));
+        Ok([log.re, log.im].map(|x| x.magnitude().add(rest)))
     };
-    if *z.re.mid() >= 0.5 && z.re.is_positive() {
+    let [low, high] = real::support::ends(&z.re, BITS);
+    let part = |low: &Float, high: &Float| -> ComplexEvaluated {
+        Ok(ComplexBall::new(
+            real::support::hull(BITS, low, high)?,
+            z.im.clone(),
+        ))
+    };
+    // Each side of the imaginary axis by itself, the right one up to 1/2 where it may be.
+    let middle = Float::with_val(BITS, 0.5);
+    if low >= middle {
         return right(z);
     }
-    let other = ComplexBall::new(
-        real::sub(&exact(BITS, 1), &z.re, z.re.prec().max(BITS))?,
-        z.im.clone(),
-    );
-    if !other.re.is_positive() {
-        return Err(NoValue::Undecided("the operand is too wide"));
-    }
-    let s = real::sinpi(&z.re, BITS)?.mignitude();
+    let edge = if high <= middle {
+        high.clone()
+    } else {
+        Float::new(BITS).max(&low)
+    };
+    let left = part(&low, &edge)?;
+    let other = real::sub(&exact(BITS, 1), &left.re, z.re.prec().max(BITS))?;
+    let other = right(&ComplexBall::new(other, z.im.clone()))?;
+    let s = real::sinpi(&left.re, BITS)?.mignitude();
     // The double is below π.
     let y = z.im.mignitude().mul_below(Mag::from_f64(PI));
     let sine = real::trigonometric::root_below(s.mul_below(s).add_below(y.mul_below(y)));
@@ -282,7 +303,12 @@ fn psi_above(z: &ComplexBall) -> Result<Mag, NoValue> {
     }
     let one = Mag::power_of_two(0);
     let cot = one.add(one.div(sine)).mul(Mag::from_f64(PI.next_up()));
-    Ok(right(&other)?.add(cot))
+    let left = other.map(|x| x.add(cot));
+    if high == edge {
+        return Ok(left);
+    }
+    let right = right(&part(&edge, &high)?)?;
+    Ok([left[0].max(right[0]), left[1].max(right[1])])
 }
 
 /// ln Γ, analytic but for the cut x ≤ 0 on the real axis and real for x > 0.
@@ -296,24 +322,28 @@ pub fn lgamma(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
         return Err(NoValue::Undecided("the operand meets the cut of lgamma"));
     }
     let (value, change) = log_gamma(z, prec)?;
-    widened(&value, change, prec)
+    apart(&value, change, prec)
 }
 
-/// The gamma function: `|Γ(z) − Γ(m)| ≤ |Γ(m)| (e^δ − 1)` with `δ = ρ sup |ψ|`.
+/// Both parts widened by what is theirs.
+fn apart(z: &ComplexBall, [re, im]: [Mag; 2], prec: u32) -> ComplexEvaluated {
+    rounded(&ComplexBall::new(z.re.widened(re), z.im.widened(im)), prec)
+}
+
+/// The gamma function, `e^{ln Γ(z)}`.
 pub fn tgamma(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
     no_pole(z, "the gamma function at a pole")?;
     if z.im.is_zero() {
         let re = real::tgamma(&z.re, prec)?;
         return Ok(ComplexBall::new(re, exact(prec, 0)));
     }
-    let (value, delta) = log_gamma(z, prec + GUARD)?;
-    let value = exp(&value, prec + GUARD)?;
-    if delta.is_zero() {
-        return widened(&value, delta, prec);
-    }
-    if !(delta <= Mag::power_of_two(0)) {
-        return Err(NoValue::Undecided("the operand is too wide"));
-    }
-    let grown = real::exponential::expm1_above(delta);
-    widened(&value, value.magnitude().mul(grown), prec)
+    let (value, change) = log_gamma(z, prec + GUARD)?;
+    exp(&apart(&value, change, prec + GUARD)?, prec)
+}
+
+/// `1/Γ(z)`, which has no poles, where no pole of Γ is in the operand.
+pub fn inverse_gamma(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
+    no_pole(z, "the gamma function at a pole")?;
+    let (value, change) = log_gamma(z, prec + GUARD)?;
+    exp(&-&apart(&value, change, prec + GUARD)?, prec)
 }

@@ -20,7 +20,7 @@ use super::super::support::{BITS, WIDE, exact};
 use super::super::{self as real, ComplexEvaluated, NoValue};
 use super::{GUARD, Kept, bounded, middle, rounded, widened};
 use crate::{Ball, ComplexBall, Mag};
-use rug::Rational;
+use rug::{Float, Rational};
 use std::f64::consts::{LN_2, PI};
 use std::sync::Arc;
 
@@ -240,6 +240,13 @@ fn value(order: usize, s: &ComplexBall, prec: u32) -> ComplexEvaluated {
     let is_real = s.im.is_zero();
     if is_real && s.re.rad().is_zero() && *s.re.mid() == 1 {
         return Err(NoValue::Undefined("zeta at its pole"));
+    }
+    // The trivial zeros: −2, −4, …
+    if order == 0 && is_real && s.re.rad().is_zero() && s.re.is_negative() {
+        let half = Float::with_val(s.re.prec(), s.re.mid() >> 1u32);
+        if half.is_integer() {
+            return Ok(ComplexBall::new(exact(prec, 0), exact(prec, 0)));
+        }
     }
     let off = super::plus(s, -1, BITS)?;
     if super::below(&off).is_zero() {

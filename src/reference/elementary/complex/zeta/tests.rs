@@ -29,7 +29,17 @@ fn known_values() {
     let rational = |p: i32, q: i32| Ball::rational(200, &Rational::from((p, q)));
     assert!(of(-1.0, 0.0).re.overlaps(&rational(-1, 12)));
     assert!(of(-7.0, 0.0).re.overlaps(&rational(1, 240)));
-    assert!(of(-20.0, 0.0).re.contains_zero() && of(300.0, 2.0).re.overlaps(&Ball::integer(64, 1)));
+    assert!(of(300.0, 2.0).re.overlaps(&Ball::integer(64, 1)));
+    for n in [-2.0, -20.0, -1e6] {
+        assert!(of(n, 0.0).re.is_zero(), "{n}");
+    }
+    for (x, y) in [(-2.0, 1e-3), (-3.0, 0.0), (-2.5, 0.0), (0.0, 0.0)] {
+        assert!(!of(x, y).re.contains_zero(), "{x} {y}");
+    }
+    let slope = zetaderivative(&Ball::integer(64, 1), &point(-2.0, 0.0), 120).unwrap();
+    // ζ'(−2) = −ζ(3)/(4π²)
+    let due = -of(3.0, 0.0).re / Ball::pi(200).square().shift(2);
+    assert!(slope.re.overlaps(&due) && slope.re.is_negative());
     // ζ'(0) = −ln(2π)/2
     let slope = zetaderivative(&Ball::integer(64, 1), &point(0.0, 0.0), 120).unwrap();
     let due = -real::log(&Ball::pi(200).shift(1), 200).unwrap().shift(-1);
