@@ -300,13 +300,14 @@ pub fn pow(z: &ComplexBall, w: &ComplexBall, prec: u32) -> ComplexEvaluated {
         }
         return integer_power(z, n, prec);
     }
-    // A power of the root.
+    // A power of the root; of a wide box the logarithm has less to lose.
     let twice = w.re.shift(1);
     let exponent = twice.mid().to_integer().and_then(|n| n.to_i64());
     if let Some(n) = exponent.filter(|n| n.abs() <= MOST && w.im.is_zero())
         && twice.rad().is_zero()
         && twice.mid().is_integer()
         && !whole
+        && (n.abs() == 1 || is_narrow(z.radius(), below(z)))
     {
         let root = sqrt(z, prec + GUARD)?;
         let power = integer_power(&root, n.abs(), prec + GUARD)?;

@@ -24,14 +24,15 @@
 //! of the half-widths r and s by at most `r |Re ψ| + s |Im ψ|` in its real part, and `r |Im ψ| +
 //! s |Re ψ|` in its imaginary part.
 
+use super::super::coarse;
 use super::super::support::{BITS, exact};
 use super::super::{self as real, ComplexEvaluated, NoValue};
 use super::exponential::{exp, log};
-use super::{GUARD, REACH, clipped, f64_down, is_across, rounded};
+use super::{GUARD, Kept, REACH, clipped, f64_down, is_across, rounded};
 use crate::{Ball, ComplexBall, Mag};
-use rug::float::{Constant, Round};
+use rug::float::Constant;
 use rug::{Float, Integer, Rational};
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::{Arc, Mutex};
 
 /// `T_1 … T_n`, the tangent numbers: `tan x = Σ T_k x^{2k−1}/(2k − 1)!`.
@@ -71,6 +72,21 @@ pub(super) fn coefficients(n: usize) -> Arc<Vec<Rational>> {
     all
 }
 
+/// `ln(2π)/2` and at least n coefficients of Stirling's series in balls of at least `p` bits.
+fn stirling_constants(n: usize, p: u32) -> Result<Arc<(Ball, Vec<Ball>)>, NoValue> {
+    static KNOWN: Kept<(Ball, Vec<Ball>)> = Kept::new();
+    KNOWN.get(
+        p,
+        |known| known.1.len() >= n,
+        |p| {
+            let half_log = real::log(&Ball::pi(p).shift(1), p)?.shift(-1);
+            let all = coefficients(n);
+            let all = all.iter().map(|c| Ball::rational(p, c)).collect();
+            Ok((half_log, all))
+        },
+    )
+}
+
 /// About as many terms of Stirling's series as make its remainder less than 2^-p, or the least; the
 /// ratio of the bounds on R_{n+1} and R_n is nearly `2n (2n − 1) c/(4π² |z|²)`, c the factor of the
 /// sector.
@@ -105,10 +121,11 @@ fn stirling(z: &ComplexBall, p: u32) -> ComplexEvaluated {
     let due = Mag::power_of_two(-i64::from(p));
     let log_size = least.exponent().unwrap_or(0) as f64;
     let most = terms(log_size, sector.to_f64().max(1.0), p);
-    let all = coefficients(most + 1);
+    let known = stirling_constants(most + 1, p)?;
+    let (half_log, all) = &*known;
     let (mut power, mut turn, mut terms, mut rest) = (inverse, sector, 0, Mag::INFINITY);
     for c in all.iter() {
-        let size = Mag::above(&Float::with_val_round(53, c, Round::AwayZero).0);
+        let size = c.magnitude();
         // R_n with n = terms + 1.
         let bound = size.mul(power).mul(turn);
         let falls = bound < rest;
@@ -126,15 +143,14 @@ fn stirling(z: &ComplexBall, p: u32) -> ComplexEvaluated {
     let mut sum = ComplexBall::zero(p);
     for c in all[..terms].iter().rev() {
         sum = &sum * &v;
-        sum.re = &sum.re + &Ball::rational(p, c);
+        sum.re = &sum.re + c;
     }
     let sum = &sum * &u;
     let log_big = log(&big, p)?;
     let half = Ball::exact(53, 0.5);
     let less = ComplexBall::new(real::sub(&big.re, &half, p)?, big.im.clone());
     let lead = &(&less * &log_big) - &big;
-    let constant = real::log(&Ball::pi(p).shift(1), p)?.shift(-1);
-    let lead = ComplexBall::new(&lead.re + &constant, lead.im);
+    let lead = ComplexBall::new(&lead.re + half_log, lead.im);
     let value = (&lead + &sum).widened(rest);
     if n == 0 {
         return Ok(value);
@@ -149,15 +165,24 @@ fn shifted(z: &ComplexBall, n: u32) -> ComplexEvaluated {
     Ok(ComplexBall::new(re, z.im.clone()))
 }
 
+/// Angles of so many factors add up with an error below 2^−20.
+const MOST_FACTORS: u32 = 1 << 22;
+
 /// `Σ_{k<n} ln(z + k)`: the logarithm of the product, and the multiple of 2π by which the sum of
 /// the angles differs from its argument.
 fn log_of_product(z: &ComplexBall, n: u32, p: u32) -> ComplexEvaluated {
     let mut product = ComplexBall::new(exact(p, 1), exact(p, 0));
-    let mut angles = exact(BITS, 0);
+    // In doubles: the multiple of 2π is an integer.
+    let mut angles = 0.0;
     for k in 0..n {
         let factor = shifted(z, k)?;
-        let (re, im) = (factor.re.with_prec(BITS), factor.im.with_prec(BITS));
-        angles = real::add(&angles, &real::atan2(&im, &re, BITS)?, BITS)?;
+        let [re, im] = [&factor.re, &factor.im].map(|x| x.mid().to_f64());
+        let axis = if im.abs() > re {
+            FRAC_PI_2.copysign(im)
+        } else {
+            0.0
+        };
+        angles += coarse::atan2(im, re).unwrap_or(axis);
         let factor = ComplexBall::new(factor.re.with_prec(p), factor.im.with_prec(p));
         product = &product * &factor;
     }
@@ -168,13 +193,13 @@ fn log_of_product(z: &ComplexBall, n: u32, p: u32) -> ComplexEvaluated {
     } else {
         log(&product, p)?
     };
-    let turn = Ball::pi(BITS).shift(1);
-    let turns = real::div(&real::sub(&angles, &found.im, BITS)?, &turn, BITS)?;
-    let whole = real::round(&turns, BITS)?;
-    if !whole.rad().is_zero() {
+    let turns = (angles - found.im.mid().to_f64()) / (2.0 * PI);
+    let whole = turns.round_ties_even();
+    let is_sure = (turns - whole).abs() < 0.01 && found.im.rad() < Mag::from_f64(0.01);
+    if n > MOST_FACTORS || !is_sure {
         return Err(NoValue::Undecided("the branch of a logarithm"));
     }
-    let turned = real::mul(&whole, &Ball::pi(p).shift(1), p)?;
+    let turned = real::mul(&Ball::exact(64, whole), &Ball::pi(p).shift(1), p)?;
     Ok(ComplexBall::new(
         found.re,
         real::add(&found.im, &turned, p)?,

@@ -39,7 +39,7 @@ pub use exponential_integral::{ci, e1, ei, si};
 pub use gamma::{inverse_gamma, lgamma, tgamma};
 pub use inverse::{acos, acosh, asin, asinh, atan, atanh};
 pub use lambert::lambertw;
-pub use trigonometric::{cos, cosh, sin, sinh, tan, tanh};
+pub use trigonometric::{cos, cosh, sech, sin, sinh, tan, tanh};
 pub use weierstrass::{weierstrassp, weierstrasspprime};
 pub use zeta::{zeta, zetaderivative};
 

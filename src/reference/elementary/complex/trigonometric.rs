@@ -46,6 +46,24 @@ pub fn cosh(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
     cos(&turned(z), prec)
 }
 
+/// `1/cosh z`, at most `1/√(sinh² x + cos² y)`: the parts of cosh over a wide rectangle may hold
+/// zero each, and cosh not.
+pub fn sech(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
+    let (s, c) = (
+        sinh_cosh(&z.re, BITS).0?.mignitude(),
+        sin_cos(&z.im, BITS)?[1].mignitude(),
+    );
+    let least = real::trigonometric::root_below(s.mul_below(s).add_below(c.mul_below(c)));
+    if least.is_zero() {
+        return Err(NoValue::Undecided("a pole of 1/cosh may be in the operand"));
+    }
+    let most = Mag::power_of_two(0).div(least);
+    match super::recip(&cosh(z, prec)?, prec) {
+        Ok(found) if found.radius() <= most => Ok(found),
+        _ => Ok(ComplexBall::zero(prec).widened(most)),
+    }
+}
+
 /// Beyond this |y| tan z is ±i but for `4 e^{−2|y|}`.
 const FAR: f64 = 1e5;
 
