@@ -51,8 +51,8 @@ pub(super) struct Body<'e> {
     body: Id,
     /// Where the integrand is undefined on a whole interval.
     undefined: Option<Stop>,
-    /// A node that is zero at an end.
-    zero: Option<(Id, Ball)>,
+    /// Nodes with zeros that are ends.
+    zeros: Vec<(Id, Ball)>,
 }
 
 impl<'e> Body<'e> {
@@ -63,7 +63,7 @@ impl<'e> Body<'e> {
             binder,
             body,
             undefined: None,
-            zero: None,
+            zeros: Vec::new(),
         }
     }
 
@@ -118,21 +118,15 @@ impl Body<'_> {
         let Some((node, root)) = self.inner_root(a, b).filter(|_| poles > 0) else {
             return (None, found.hindrance);
         };
-        let mut parts = Vec::new();
-        for at in [
-            [from, &Limit::Finite(root.clone())],
-            [&Limit::Finite(root.clone()), to],
-        ] {
-            self.zero = Some((node, root.clone()));
-            parts.push(self.between(at[0], at[1], goal, poles - 1));
-        }
-        self.zero = None;
-        match (parts.pop(), parts.pop()) {
-            (Some((Some(right), after)), Some((Some(left), before))) => {
-                (Some(left + right), before.or(after))
-            }
-            _ => (None, found.hindrance),
-        }
+        self.zeros.push((node, root.clone()));
+        let middle = Limit::Finite(root);
+        let (Some(left), before) = self.between(from, &middle, goal, poles - 1) else {
+            return (None, found.hindrance);
+        };
+        let (Some(right), after) = self.between(&middle, to, goal, poles - 1) else {
+            return (None, found.hindrance);
+        };
+        (Some(left + right), before.or(after))
     }
 
     /// The sign of a part at a number.
@@ -240,14 +234,20 @@ impl Integrand for Body<'_> {
     }
 
     fn enclose_real(&mut self, x: &Ball, bits: u32) -> Option<Ball> {
-        self.real(x, bits)?.real().cloned()
+        match self.real(x, bits)? {
+            Value::Real(value) => Some(value),
+            other => other.real().cloned(),
+        }
     }
 
     fn growth(&mut self, end: &End, k: u32) -> Option<Growth> {
-        let zero = match (end, &self.zero) {
-            (End::Above(a) | End::Below(a), Some((id, root))) if a.mid() == root.mid() => Some(*id),
-            _ => None,
+        let zero = match end {
+            End::Above(a) | End::Below(a) => {
+                self.zeros.iter().find(|(_, root)| a.mid() == root.mid())
+            }
+            End::PlusInfinity | End::MinusInfinity => None,
         };
+        let zero = zero.map(|(id, _)| *id);
         let bits = self.evaluator.interpretation.prec;
         let graph = self.evaluator.graph().clone();
         let mut germs = Evaluator::new(graph.clone(), Germs { k, bits });
