@@ -204,17 +204,23 @@ impl Body<'_> {
         if !is_holomorphic {
             return None;
         }
-        loop {
-            let middle = Float::with_val(bits, &low + &high) >> 1u32;
-            if !(low < middle && middle < high) {
-                break;
+        // The middle may lie on the zero, and one of two other places is away from it.
+        'halved: loop {
+            for eighths in [3, 5] {
+                let width = Float::with_val(bits, &high - &low);
+                let place = Float::with_val(bits, &low + (width * eighths >> 3u32));
+                if !(low < place && place < high) {
+                    break 'halved;
+                }
+                match self.sign(node, &place) {
+                    Some(Ordering::Equal) => return Some(Ball::new(place, Mag::ZERO)),
+                    Some(sign) if sign == start => low = place,
+                    Some(_) => high = place,
+                    None => continue,
+                }
+                continue 'halved;
             }
-            match self.sign(node, &middle) {
-                Some(Ordering::Equal) => return Some(Ball::new(middle, Mag::ZERO)),
-                Some(sign) if sign == start => low = middle,
-                Some(_) => high = middle,
-                None => break,
-            }
+            break;
         }
         Some(Ball::between(bits, &low, &high))
     }
