@@ -204,10 +204,18 @@ impl Body<'_> {
         if !is_holomorphic {
             return None;
         }
+        let zero = Float::new(bits);
+        if low < 0 && high > 0 && self.sign(node, &zero) == Some(Ordering::Equal) {
+            return Some(Ball::new(zero, Mag::ZERO));
+        }
+        let least = Float::with_val(bits, 1) >> bits;
         // The middle may lie on the zero, and one of two other places is away from it.
         'halved: loop {
             for eighths in [3, 5] {
                 let width = Float::with_val(bits, &high - &low);
+                if width <= least {
+                    break 'halved;
+                }
                 let place = Float::with_val(bits, &low + (width * eighths >> 3u32));
                 if !(low < place && place < high) {
                     break 'halved;
