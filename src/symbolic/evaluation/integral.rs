@@ -216,7 +216,7 @@ impl Body<'_> {
                 if width <= least {
                     break 'halved;
                 }
-                let place = Float::with_val(bits, &low + (width * eighths >> 3u32));
+                let place = Float::with_val(bits, &low + ((width * eighths) >> 3u32));
                 if !(low < place && place < high) {
                     break 'halved;
                 }

@@ -418,14 +418,4 @@ fn what_hinders_is_named() {
     let found = integrate(&mut pole, &number(-1), &number(2), &goal);
     assert!(found.value.is_none());
     assert!(matches!(&found.hindrance, Some(Hindrance::Interval(a, b)) if *a <= 0 && *b >= 0));
-    // The place is one of x where distances from an end are what is divided.
-    let mut cube = Formula {
-        f: |z: &ComplexBall, _, bits| {
-            let w = z + &c::real(3, bits);
-            c::div(&c::real(1, bits), &(&(&w * &w) * &w))
-        },
-        growth: |x: &Germ| x.add(&Germ::constant(&Ball::integer(64, 3), 2))?.powi(-3),
-    };
-    let found = integrate(&mut cube, &Limit::MinusInfinity, &number(1), &goal);
-    assert!(matches!(&found.hindrance, Some(Hindrance::Interval(a, b)) if *a <= -3 && *b >= -3));
 }
