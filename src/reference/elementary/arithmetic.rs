@@ -1,8 +1,10 @@
 //! The four operations, powers with fixed exponents, roots and lengths.
 
 use super::support::{
-    BITS, NARROW, WIDE, directed, ends, exact, finish, hull, increasing, is_narrow, nearest, union,
+    BITS, NARROW, WIDE, directed, ends, exact, finish, float_above, hull, increasing, is_narrow,
+    nearest, union,
 };
+use super::trigonometric::root_below;
 use super::{Evaluated, NoValue};
 use crate::{Ball, Mag};
 use rug::Float;
@@ -257,8 +259,16 @@ pub fn hypot(x: &Ball, y: &Ball, prec: u32) -> Evaluated {
     let long = r.mul(r).add(s.mul(s)).sqrt();
     let low = x.mignitude().max(y.mignitude());
     let turned = x.magnitude().mul(r).add(y.magnitude().mul(s)).div(low);
-    let least = x.mignitude().max(y.mignitude());
-    or_overflow(finish(value, long.min(turned)), least, false)
+    // Of a wide box the least and the greatest length.
+    let (a, b) = (x.mignitude(), y.mignitude());
+    let is_in_range = low.exponent().is_none_or(|e| e > -(1 << 20));
+    if long > low.shift(NARROW) && long.is_finite() && is_in_range {
+        let least = root_below(a.mul_below(a).add_below(b.mul_below(b)));
+        let (a, b) = (x.magnitude(), y.magnitude());
+        let most = a.mul(a).add(b.mul(b)).sqrt();
+        return hull(prec, &least.to_float(), &float_above(most));
+    }
+    or_overflow(finish(value, long.min(turned)), low, false)
 }
 
 /// `|x|`; zero is its least value over a ball that holds zero.

@@ -1,10 +1,12 @@
 //! Exponentials, logarithms and powers.
 
 use super::arithmetic::{above_rounded, integer_power};
+use super::coarse;
 use super::support::{
-    BITS, Directed, NARROW, Rounded, directed, ends, exact, exp_above, f64_below, finish, hull,
-    increasing, is_narrow, nearest, off, one_more,
+    BITS, Directed, NARROW, Rounded, directed, doubles, ends, exact, exp_above, f64_below, finish,
+    hull, hull_of_doubles, increasing, is_narrow, nearest, off, one_more,
 };
+use super::trigonometric::outwards;
 use super::{Evaluated, NoValue};
 use crate::{Ball, Mag};
 use rug::Float;
@@ -50,6 +52,13 @@ fn exponential(
 pub fn exp(x: &Ball, prec: u32) -> Evaluated {
     let one = Mag::power_of_two(0);
     let at = |m: &Float| nearest(prec, m.exp_ref());
+    if x.rad() > Mag::power_of_two(NARROW) {
+        let [low, high] = doubles(&ends(x, prec));
+        if low >= -coarse::EXPONENTS && high <= coarse::EXPONENTS {
+            let range = [coarse::exp(low), coarse::exp(high)];
+            return hull_of_doubles(prec, outwards(range));
+        }
+    }
     exponential(x, prec, one, at, directed!(exp_ref))
 }
 
@@ -120,6 +129,14 @@ fn logarithm(
 /// `ln x`; radius `r/(m − r)` (mean value theorem).
 pub fn log(x: &Ball, prec: u32) -> Evaluated {
     let at = |m: &Float| nearest(prec, m.ln_ref());
+    if !is_narrow(x.rad(), x.mignitude()) {
+        let both = doubles(&ends(x, prec));
+        if both.iter().all(|x| *x > 0.0 && x.is_normal()) {
+            let [low, high] = both.map(coarse::ln);
+            let error = |x: f64| coarse::ERROR * x.abs().max(1.0);
+            return hull_of_doubles(prec, [low - error(low), high + error(high)]);
+        }
+    }
     logarithm(x, prec, 1.0, at, directed!(ln_ref))
 }
 

@@ -1,15 +1,18 @@
 //! Hyperbolic functions and their inverses.
 
 use super::arithmetic::above_rounded;
+use super::coarse;
 use super::exponential::expm1_above;
 use super::support::{
-    BITS, NARROW, directed, ends, exp_above, f64_below, finish, increasing, is_narrow, nearest,
-    off, one_more,
+    BITS, NARROW, directed, doubles, ends, exp_above, f64_below, finish, hull_of_doubles,
+    increasing, is_narrow, nearest, off, one_more,
 };
 use super::trigonometric::{inside, root_below};
 use super::{Evaluated, NoValue};
 use crate::{Ball, Mag};
 use rug::Float;
+use rug::float::Round;
+use rug::ops::AssignRound;
 
 /// `sinh x`: with `d = x − m`, `sinh x − sinh m = sinh m (cosh d − 1) + cosh m sinh d`, at most
 /// `cosh m (e^|d| − 1)`; `cosh m ≤ 1 + |sinh m|`.
@@ -25,7 +28,45 @@ pub fn sinh(x: &Ball, prec: u32) -> Evaluated {
             return finish(value, size.mul(expm1_above(r)));
         }
     }
-    increasing(directed!(sinh_ref), &ends(x, prec), prec)
+    match wide(x) {
+        Some([sinh, _]) => hull_of_doubles(prec, sinh),
+        None => increasing(directed!(sinh_ref), &ends(x, prec), prec),
+    }
+}
+
+/// The ranges of sinh and cosh over a wide ball, unless its ends are too large.
+fn wide(x: &Ball) -> Option<[[f64; 2]; 2]> {
+    let both = doubles(&ends(x, BITS));
+    if both.iter().any(|x| !(x.abs() <= coarse::EXPONENTS)) {
+        return None;
+    }
+    // Sum and difference of e^x and e^−x, each off by ERROR of itself, and three roundings.
+    let [a, b] = both.map(|x| {
+        let (up, down) = (coarse::exp(x), coarse::exp(-x));
+        let (sinh, cosh) = (0.5 * (up - down), 0.5 * (up + down));
+        (sinh, cosh, 2.0 * coarse::ERROR * cosh)
+    });
+    let least = match both[0] <= 0.0 && both[1] >= 0.0 {
+        true => 1.0,
+        false => (a.1 - a.2).min(b.1 - b.2),
+    };
+    Some([[a.0 - a.2, b.0 + b.2], [least, (a.1 + a.2).max(b.1 + b.2)]])
+}
+
+/// `sinh x` and `cosh x`, which share most of their work.
+pub(super) fn sinh_cosh(x: &Ball, prec: u32) -> (Evaluated, Evaluated) {
+    let r = x.rad();
+    if r > Mag::power_of_two(NARROW)
+        && let Some([sinh, cosh]) = wide(x)
+    {
+        return (hull_of_doubles(prec, sinh), hull_of_doubles(prec, cosh));
+    }
+    if !r.is_zero() {
+        return (sinh(x, prec), cosh(x, prec));
+    }
+    let (mut s, mut c) = (Float::new(prec), Float::new(prec));
+    let (a, b) = (&mut s, &mut c).assign_round(x.mid().sinh_cosh_ref(), Round::Nearest);
+    (finish((s, a), Mag::ZERO), finish((c, b), Mag::ZERO))
 }
 
 /// `cosh x`: with `d = x − m`, `cosh x − cosh m = cosh m (cosh d − 1) + sinh m sinh d`. For r ≤
@@ -49,6 +90,9 @@ pub fn cosh(x: &Ball, prec: u32) -> Evaluated {
             let curved = size.mul(r.mul(r)).add(slope.mul(expm1_above(r)));
             return finish(value, curved);
         }
+    }
+    if let Some([_, cosh]) = wide(x) {
+        return hull_of_doubles(prec, cosh);
     }
     let [low, high] = ends(x, prec);
     let size = if low >= 0 {

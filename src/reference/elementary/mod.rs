@@ -11,7 +11,8 @@
 //! # Radii
 //! For a narrow ball of midpoint m and radius r the radius is that of the rounding and a bound on
 //! `|f(x) − f(m)|` by the mean value theorem, which stands beside each function. For a wide one a
-//! monotone function is evaluated at both ends with directed rounding.
+//! monotone function is evaluated at both ends, in doubles where their errors are known (`coarse`),
+//! else with directed rounding.
 //!
 //! # Conventions
 //! Those of C99 where it gives a real number: `pow(x, 0) = 1`, `pow(0, y) = 0` for y > 0, a negative
@@ -20,6 +21,7 @@
 //! MPFR is [`NoValue::Overflow`]. A value that is too small for them is a ball around zero.
 
 mod arithmetic;
+mod coarse;
 pub mod complex;
 mod error;
 mod exponential;

@@ -162,6 +162,19 @@ pub(super) fn hull(prec: u32, low: &Float, high: &Float) -> Evaluated {
     }
 }
 
+/// The ends of an interval as doubles, rounded outwards.
+pub(super) fn doubles([low, high]: &[Float; 2]) -> [f64; 2] {
+    [low.to_f64_round(Round::Down), high.to_f64_round(Round::Up)]
+}
+
+/// The ball that holds `[low, high]`.
+pub(super) fn hull_of_doubles(prec: u32, [low, high]: [f64; 2]) -> Evaluated {
+    let mid = low / 2.0 + high / 2.0;
+    // Each difference is rounded to nearest.
+    let rad = (high - mid).max(mid - low).next_up();
+    finish(nearest(prec, mid), Mag::from_f64(rad))
+}
+
 /// A function that rounds as it is told.
 pub(super) trait Directed: Fn(&Float, u32, Round) -> Float {}
 impl<F: Fn(&Float, u32, Round) -> Float> Directed for F {}

@@ -1,14 +1,16 @@
 //! Circular functions and their inverses.
 
 use super::arithmetic::above_rounded;
+use super::coarse;
 use super::support::{
-    BITS, NARROW, Rounded, WIDE, decreasing, directed, down, ends, exact, f64_below, finish, hull,
-    increasing, is_narrow, nearest, one_more,
+    BITS, NARROW, Rounded, WIDE, decreasing, directed, doubles, down, ends, exact, f64_below,
+    finish, hull, hull_of_doubles, increasing, is_narrow, nearest, one_more,
 };
 use super::{Evaluated, NoValue};
 use crate::{Ball, Mag};
-use rug::Float;
 use rug::float::{Constant, Round};
+use rug::ops::AssignRound;
+use rug::{Assign, Float};
 use std::cmp::Ordering;
 
 /// Numbers beyond 2 to this power are not reduced by multiples of π: that many of its bits would be
@@ -30,7 +32,7 @@ fn unit(prec: u32) -> Evaluated {
 
 /// sin or cos from its rounded value: with `c` the other one at the midpoint, by Taylor's theorem
 /// `|f(x) − f(m)| ≤ |c| r + r²/2`, and `|c| = √(1 − f(m)²)`; near an extremum c is evaluated.
-fn wave(value: Rounded, r: Mag, other: impl Fn() -> Float) -> Evaluated {
+fn wave(value: Rounded, r: Mag, other: impl FnOnce() -> Float) -> Evaluated {
     if r.is_zero() {
         return finish(value, Mag::ZERO);
     }
@@ -57,11 +59,8 @@ pub fn sin(x: &Ball, prec: u32) -> Evaluated {
         let other = || Float::with_val(BITS, x.mid().cos_ref());
         return wave(nearest(prec, x.mid().sin_ref()), x.rad(), other);
     }
-    let pair = |x: &Float, round| {
-        let value = Float::with_val_round(prec + 8, x.sin_ref(), round).0;
-        (value, Float::with_val(BITS, x.cos_ref()))
-    };
-    wide_wave(x, 3.1, pair, prec)
+    let [sine, _] = wide_waves(x, 3.1, sine_cosine, prec);
+    hull_of_doubles(prec, sine)
 }
 
 /// `cos x`, as [`sin`].
@@ -73,44 +72,71 @@ pub fn cos(x: &Ball, prec: u32) -> Evaluated {
         let other = || Float::with_val(BITS, x.mid().sin_ref());
         return wave(nearest(prec, x.mid().cos_ref()), x.rad(), other);
     }
-    let pair = |x: &Float, round| {
-        let value = Float::with_val_round(prec + 8, x.cos_ref(), round).0;
-        (value, -Float::with_val(BITS, x.sin_ref()))
-    };
-    wide_wave(x, 3.1, pair, prec)
+    let [_, cosine] = wide_waves(x, 3.1, sine_cosine, prec);
+    hull_of_doubles(prec, cosine)
 }
 
-/// A wave over a ball: the values at both ends, and 1 or −1 if its derivative changes its sign. At
-/// most `width` is less than half a period. The pair is value and derivative.
-fn wide_wave(
+/// `sin x` and `cos x`, which share most of their work.
+pub(super) fn sin_cos(x: &Ball, prec: u32) -> Result<[Ball; 2], NoValue> {
+    if !is_reduced(x.mid()) {
+        return Ok([unit(prec)?, unit(prec)?]);
+    }
+    if x.rad() <= Mag::power_of_two(NARROW) {
+        let (mut s, mut c) = (Float::new(prec), Float::new(prec));
+        let (a, b) = (&mut s, &mut c).assign_round(x.mid().sin_cos_ref(), Round::Nearest);
+        let (of_cosine, of_sine) = (Float::with_val(BITS, &c), Float::with_val(BITS, &s));
+        let sine = wave((s, a), x.rad(), || of_cosine)?;
+        return Ok([sine, wave((c, b), x.rad(), || of_sine)?]);
+    }
+    let [sine, cosine] = wide_waves(x, 3.1, sine_cosine, prec);
+    Ok([hull_of_doubles(prec, sine)?, hull_of_doubles(prec, cosine)?])
+}
+
+/// Sine and cosine of a number that is rounded in a direction, off by less than
+/// [`coarse::ERROR`].
+fn sine_cosine(x: &Float, round: Round) -> (f64, f64) {
+    let near = x.to_f64_round(round);
+    if near.abs() <= coarse::TURNS {
+        return coarse::sine_cosine(near);
+    }
+    let (mut sine, mut cosine) = (Float::new(53), Float::new(53));
+    (&mut sine, &mut cosine).assign(x.sin_cos_ref());
+    (sine.to_f64(), cosine.to_f64())
+}
+
+/// The range of a wave between two ends less than half a period apart, whose derivative has the
+/// sign of the slopes: the values at both ends, and 1 or −1 if it may change its sign.
+fn range(values: [f64; 2], slopes: [f64; 2]) -> [f64; 2] {
+    let mut low = (values[0].min(values[1]) - coarse::ERROR).max(-1.0);
+    let mut high = (values[0].max(values[1]) + coarse::ERROR).min(1.0);
+    if slopes[0] > -coarse::ERROR && slopes[1] < coarse::ERROR {
+        high = 1.0;
+    }
+    if slopes[0] < coarse::ERROR && slopes[1] > -coarse::ERROR {
+        low = -1.0;
+    }
+    [low, high]
+}
+
+/// The ranges of a sine and a cosine over a ball, from their values at a number. At most `width` is
+/// less than half a period.
+fn wide_waves(
     x: &Ball,
     width: f64,
-    pair: impl Fn(&Float, Round) -> (Float, Float),
+    at: impl Fn(&Float, Round) -> (f64, f64),
     prec: u32,
-) -> Evaluated {
+) -> [[f64; 2]; 2] {
+    const WHOLE: [[f64; 2]; 2] = [[-1.0, 1.0]; 2];
     if x.rad() > Mag::from_f64(width / 2.0) {
-        return unit(prec);
+        return WHOLE;
     }
     let [a, b] = ends(x, prec);
     // The ends were rounded outwards.
     if down(BITS, &b - &a) > width + 0.01 || !is_reduced(&a) || !is_reduced(&b) {
-        return unit(prec);
+        return WHOLE;
     }
-    let ((mut low, start), (other, end)) = (pair(&a, Round::Down), pair(&b, Round::Down));
-    if other < low {
-        low = other;
-    }
-    let (mut high, other) = (pair(&a, Round::Up).0, pair(&b, Round::Up).0);
-    if other > high {
-        high = other;
-    }
-    if !(start < 0) && !(end > 0) {
-        high = Float::with_val(BITS, 1);
-    }
-    if !(start > 0) && !(end < 0) {
-        low = Float::with_val(BITS, -1);
-    }
-    hull(prec, &low, &high)
+    let ((s, c), (t, d)) = (at(&a, Round::Down), at(&b, Round::Up));
+    [range([s, t], [c, d]), range([c, d], [-s, -t])]
 }
 
 /// `tan x`. With `d = x − m` and `t = tan m`: `tan x − t = tan d (1 + t²)/(1 − t tan d)`, and
@@ -182,11 +208,7 @@ pub fn sinpi(x: &Ball, prec: u32) -> Evaluated {
         let other = || Float::with_val(BITS, x.mid().cos_pi_ref());
         return wave(nearest(prec, x.mid().sin_pi_ref()), r, other);
     }
-    let pair = |x: &Float, round| {
-        let value = Float::with_val_round(prec + 8, x.sin_pi_ref(), round).0;
-        (value, Float::with_val(BITS, x.cos_pi_ref()))
-    };
-    wide_wave(x, 0.98, pair, prec)
+    hull_of_doubles(prec, wide_waves(x, 0.98, sine_cosine_pi, prec)[0])
 }
 
 /// `cos πx`: as [`cos`] with the radius πr.
@@ -196,11 +218,16 @@ pub fn cospi(x: &Ball, prec: u32) -> Evaluated {
         let other = || Float::with_val(BITS, x.mid().sin_pi_ref());
         return wave(nearest(prec, x.mid().cos_pi_ref()), r, other);
     }
-    let pair = |x: &Float, round| {
-        let value = Float::with_val_round(prec + 8, x.cos_pi_ref(), round).0;
-        (value, -Float::with_val(BITS, x.sin_pi_ref()))
-    };
-    wide_wave(x, 0.98, pair, prec)
+    hull_of_doubles(prec, wide_waves(x, 0.98, sine_cosine_pi, prec)[1])
+}
+
+/// `sin πx` and `cos πx`, off by less than [`coarse::ERROR`].
+fn sine_cosine_pi(x: &Float, _: Round) -> (f64, f64) {
+    let of = |value: Float| value.to_f64();
+    (
+        of(Float::with_val(53, x.sin_pi_ref())),
+        of(Float::with_val(53, x.cos_pi_ref())),
+    )
 }
 
 /// `tan πx`: as [`tan`] with the radius πr; undefined at half-integers.
@@ -261,7 +288,7 @@ fn of_arc(x: &Ball) -> Option<Mag> {
 
 /// A lower bound on a root: `√x ≥ u (1 − 2^-50)` with `u` the upper bound on it.
 pub(super) fn root_below(x: Mag) -> Mag {
-    x.sqrt().mul_below(Mag::from_f64(1.0 - 2f64.powi(-50)))
+    x.sqrt().mul_below(Mag::from_f64(1.0 - 4.0 * f64::EPSILON))
 }
 
 /// `arcsin x`, in `[−π/2, π/2]`.
@@ -292,6 +319,14 @@ pub fn acos(x: &Ball, prec: u32) -> Evaluated {
     decreasing(directed!(acos_ref), &both, prec)
 }
 
+/// Widened by [`coarse::ERROR`] of each end.
+pub(super) fn outwards([low, high]: [f64; 2]) -> [f64; 2] {
+    [
+        low - coarse::ERROR * low.abs(),
+        high + coarse::ERROR * high.abs(),
+    ]
+}
+
 /// `arctan x`: the derivative is at most `1/(1 + a²)`, with `a` the least |x|.
 pub fn atan(x: &Ball, prec: u32) -> Evaluated {
     if x.rad().is_zero() {
@@ -299,7 +334,12 @@ pub fn atan(x: &Ball, prec: u32) -> Evaluated {
     }
     let scale = Mag::power_of_two(0).max(Mag::below(x.mid()));
     if !is_narrow(x.rad(), scale) {
-        return increasing(directed!(atan_ref), &ends(x, prec), prec);
+        let both = ends(x, prec);
+        let at = doubles(&both).map(|x| coarse::atan2(x, 1.0));
+        if let [Some(low), Some(high)] = at {
+            return hull_of_doubles(prec, outwards([low, high]));
+        }
+        return increasing(directed!(atan_ref), &both, prec);
     }
     let a = x.mignitude();
     let divisor = Mag::power_of_two(0).add_below(a.mul_below(a));
@@ -345,6 +385,18 @@ pub fn atan2(y: &Ball, x: &Ball, prec: u32) -> Evaluated {
         }
         if a <= 0 && b >= 0 && c <= 0 && d >= 0 {
             return Err(NoValue::Undecided("atan2 turns about the origin"));
+        }
+    }
+    let (xs, ys) = (
+        doubles(&[a.clone(), b.clone()]),
+        doubles(&[c.clone(), d.clone()]),
+    );
+    // Rounded outwards, a box that meets the cut from above may meet it from below.
+    if certain || ys[0] >= 0.0 {
+        let corners = [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(i, j)| coarse::atan2(ys[j], xs[i]));
+        if let [Some(p), Some(q), Some(r), Some(s)] = corners {
+            let range = [p.min(q).min(r.min(s)), p.max(q).max(r.max(s))];
+            return hull_of_doubles(prec, outwards(range));
         }
     }
     let mut found: Option<[Float; 2]> = None;

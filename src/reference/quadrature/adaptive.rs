@@ -199,9 +199,12 @@ enum Outcome<V> {
 }
 
 /// The sums `ρ` of half-axes that are tried.
-const ELLIPSES: [f64; 9] = [
+const ELLIPSES: [f64; 12] = [
     2.4,
+    3.0,
     3.75,
+    5.0,
+    6.4,
     8.0,
     24.0,
     128.0,
@@ -294,13 +297,16 @@ struct Hint {
     parted: bool,
     /// True if a larger one was worse.
     capped: bool,
+    /// Bits that the nodes of the last panel needed beyond those of its value.
+    more: u32,
 }
 
 impl Hint {
     const FIRST: Hint = Hint {
-        index: 1,
+        index: 2,
         parted: false,
         capped: false,
+        more: 0,
     };
 }
 
@@ -338,6 +344,7 @@ fn ellipse<P: Path>(
         index: i,
         parted,
         capped: lowered,
+        more: hint.more,
     };
     while let Some(size) = most {
         let rho = ELLIPSES[i];
@@ -374,6 +381,12 @@ fn ellipse<P: Path>(
     }
     best.ok_or(true)
 }
+
+/// Bits by which the rounding errors of a panel lie below its tolerance, once they are known.
+const SPARE: i64 = 12;
+
+/// Bits that are added at first at most.
+const MOST_MORE: u32 = 1 << 10;
 
 /// The most rounding errors may widen a sum before it is done again with more bits.
 const ATTEMPTS: u32 = 3;
@@ -415,6 +428,8 @@ fn gauss<P: Path>(
         return Outcome::Costly;
     };
     let mut bits = u32::try_from((top - bottom).max(8)).unwrap_or(u32::MAX / 4) + 16 + n.ilog2();
+    // What cancels in the integrand beside this panel cancels here, too.
+    bits += hint.more;
     for _ in 0..ATTEMPTS {
         let Some(rule) = nodes::rule(n, bits) else {
             return Outcome::Costly;
@@ -443,9 +458,13 @@ fn gauss<P: Path>(
         };
         let excess = sum.radius().exponent().unwrap_or(i64::MIN / 2) - bottom;
         if excess < 0 {
+            let spare = u32::try_from(-excess - SPARE).unwrap_or(0);
+            hint.more = hint.more.saturating_sub(spare);
             return Outcome::Done(sum.widened(error));
         }
-        bits += u32::try_from(excess + 4).unwrap_or(bits);
+        let lacking = u32::try_from(excess + SPARE).unwrap_or(bits);
+        hint.more = hint.more.saturating_add(lacking).min(MOST_MORE);
+        bits += lacking;
     }
     Outcome::Costly
 }

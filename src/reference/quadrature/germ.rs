@@ -98,6 +98,18 @@ impl Germ {
         self.bounds().is_some_and(|b| b.sign == Sign::Negative)
     }
 
+    /// The function, known to tend to zero.
+    pub fn vanishing(&self) -> Germ {
+        let mut germ = self.clone();
+        if let Form::Series(series) = &mut germ.form
+            && series.p == 0.0
+            && let Some(first) = series.c.first_mut()
+        {
+            *first = whole(first.prec(), 0);
+        }
+        germ
+    }
+
     /// `f + g`.
     pub fn add(&self, other: &Germ) -> Option<Germ> {
         let k = self.k.max(other.k);

@@ -33,6 +33,22 @@ impl<F: Integrand> Path for Line<'_, F> {
 }
 
 impl<F> Line<'_, F> {
+    /// An interval of t as one of x, next to the midpoint of the origin.
+    fn interval(&self, (from, to): (Float, Float)) -> (Float, Float) {
+        let place = |t: Float| {
+            let bits = t.prec();
+            let t = if self.negative { -t } else { t };
+            match &self.origin {
+                Some(a) => Float::with_val(bits.max(a.prec()), a.mid() + t),
+                None => t,
+            }
+        };
+        match self.negative {
+            true => (place(to), place(from)),
+            false => (place(from), place(to)),
+        }
+    }
+
     /// x, and the bits to work with: enough that t is known as well as by itself.
     fn place(&self, t: &Ball, bits: u32) -> (Ball, u32) {
         let Some(a) = &self.origin else {
@@ -154,7 +170,7 @@ fn between<F: Integrand>(
             let values = line.value(end, end.prec()).filter(Ball::is_finite);
             let Some(values) = values else {
                 let at = (end.lower(), end.upper());
-                run.hinder(Some(at));
+                run.hinder(Some(line.interval(at)));
                 return None;
             };
             beside = beside.add(values.magnitude().mul(end.rad()));
@@ -165,7 +181,7 @@ fn between<F: Integrand>(
     breaks.extend(within.cloned());
     breaks.push(b.mid().clone());
     let sum = adaptive(&mut line, &breaks, &mut run.tolerance, &mut run.budget);
-    run.hinder(sum.hindered);
+    run.hinder(sum.hindered.map(|at| line.interval(at)));
     Some(sum.value?.widened(beside))
 }
 

@@ -385,6 +385,10 @@ impl Interpretation for Balls {
         }
     }
 
+    fn inverse(&mut self, f: Func, x: &Value) -> Option<Value> {
+        complex::inverse(f, x, self.prec)
+    }
+
     fn flat(&mut self, f: Func, x: &Value) -> Found {
         // A sign, or a function of a complex number off its cut.
         let is_step = matches!(

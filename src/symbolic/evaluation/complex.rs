@@ -41,6 +41,23 @@ pub(super) fn power(z: &ComplexBall, k: i32, p: u32) -> ComplexEvaluated {
     Ok(product.unwrap_or(one))
 }
 
+/// The inverse of a function without zeros over a wide rectangle, whose parts may hold zero.
+pub(super) fn inverse(f: Func, x: &Value, p: u32) -> Option<Value> {
+    use real::complex as c;
+    let of = match f {
+        Func::Cosh => c::sech,
+        Func::Cos => |z: &ComplexBall, p| c::sech(&z.turned(), p),
+        Func::Tgamma => c::inverse_gamma,
+        _ => return None,
+    };
+    let is_wide = |z: &ComplexBall| z.radius() > Mag::power_of_two(-10);
+    match x {
+        Value::Continued(z) if is_wide(z) => of(z, p).ok().map(Value::Continued),
+        Value::Complex(z) if is_wide(z) => of(z, p).ok().map(Value::Complex),
+        _ => None,
+    }
+}
+
 /// A holomorphic function of one complex number, principal branches.
 fn holomorphic(f: Func, z: &ComplexBall, p: u32) -> Option<ComplexEvaluated> {
     use real::complex as c;

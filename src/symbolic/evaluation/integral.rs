@@ -3,10 +3,13 @@
 use super::ball::{Balls, Value};
 use super::germ::{Germs, Near};
 use super::{Evaluator, Stop};
+use crate::Func;
 use crate::graph::{Graph, Id, Node};
 use mechaudit_reference::elementary::NoValue;
 use mechaudit_reference::quadrature::{self, End, Goal, Growth, Hindrance, Integrand, Limit};
 use mechaudit_reference::{Ball, ComplexBall, Mag};
+use rug::Float;
+use std::cmp::Ordering;
 
 /// Bits to which an integral under another is enclosed beyond the goal of the outer one, whose sum
 /// is to reach it.
@@ -21,6 +24,9 @@ const INNER_SHARE: u32 = 5;
 /// Bits beyond the goal to which an integral is enclosed where a sum with it cancels: each costs
 /// nodes.
 const DEEPER: u32 = 1 << 10;
+
+/// Poles and the like between the limits of an integral.
+const MOST_POLES: u32 = 8;
 
 /// Bits and evaluations of an inner integral for an interval or a rectangle of the outer variable.
 const COARSE_BITS: u32 = 8;
@@ -45,6 +51,8 @@ pub(super) struct Body<'e> {
     body: Id,
     /// Where the integrand is undefined on a whole interval.
     undefined: Option<Stop>,
+    /// Nodes with zeros that are ends.
+    zeros: Vec<(Id, Ball)>,
 }
 
 impl<'e> Body<'e> {
@@ -55,6 +63,7 @@ impl<'e> Body<'e> {
             binder,
             body,
             undefined: None,
+            zeros: Vec::new(),
         }
     }
 
@@ -93,6 +102,138 @@ impl<'e> Body<'e> {
     }
 }
 
+impl Body<'_> {
+    /// The integral of a real body, whose parts may be zero at singularities between the limits.
+    fn between(
+        &mut self,
+        from: &Limit,
+        to: &Limit,
+        goal: &Goal,
+        poles: u32,
+    ) -> (Option<Ball>, Option<Hindrance>) {
+        let found = quadrature::integrate(self, from, to, goal);
+        let (None, Some(Hindrance::Interval(a, b))) = (&found.value, &found.hindrance) else {
+            return (found.value, found.hindrance);
+        };
+        let Some((node, root)) = self.inner_root(a, b).filter(|_| poles > 0) else {
+            return (None, found.hindrance);
+        };
+        self.zeros.push((node, root.clone()));
+        let middle = Limit::Finite(root);
+        let (Some(left), before) = self.between(from, &middle, goal, poles - 1) else {
+            return (None, found.hindrance);
+        };
+        let (Some(right), after) = self.between(&middle, to, goal, poles - 1) else {
+            return (None, found.hindrance);
+        };
+        (Some(left + right), before.or(after))
+    }
+
+    /// The sign of a part at a number.
+    fn sign(&mut self, node: Id, x: &Float) -> Option<Ordering> {
+        let bits = x.prec();
+        let body = std::mem::replace(&mut self.body, node);
+        let value = self.real(&Ball::new(x.clone(), Mag::ZERO), bits);
+        self.body = body;
+        let value = value?;
+        match value.real()? {
+            y if y.is_zero() => Some(Ordering::Equal),
+            y if y.is_positive() => Some(Ordering::Greater),
+            y if y.is_negative() => Some(Ordering::Less),
+            _ => None,
+        }
+    }
+
+    /// A part whose zeros are singularities, with a zero of it next to an interval: it changes its
+    /// sign there and is continuous, being holomorphic.
+    fn inner_root(&mut self, a: &Float, b: &Float) -> Option<(Id, Ball)> {
+        let graph = self.evaluator.graph().clone();
+        let parts = graph
+            .reach(self.body)
+            .into_iter()
+            .filter_map(|id| match graph.node(id) {
+                Node::Unary(Func::Log | Func::Log2 | Func::Log10 | Func::Abs | Func::Sqrt, x)
+                | Node::Binary(Func::Pow, x, _)
+                | Node::Div(_, x) => Some(x),
+                Node::Power(x, k) if k < 0 => Some(x),
+                _ => None,
+            });
+        let parts: Vec<Id> = parts
+            .filter(|id| graph.depends_on(*id, self.binder))
+            .collect();
+        let bits = self.evaluator.interpretation.prec.saturating_mul(4) + CLOSER;
+        // The rest of the body has to be known as closely as its zero.
+        for id in graph.reach(self.body) {
+            let is_given = matches!(
+                graph.node(id),
+                Node::Input(_) | Node::Variable(..) | Node::Bound(_) | Node::Last(..)
+            );
+            if !is_given && !graph.depends_on(id, self.binder) {
+                self.evaluator.known[id as usize] = None;
+            }
+        }
+        prepare(self.evaluator, self.binder, self.body, bits);
+        let middle = Float::with_val(bits, a + b) >> 1u32;
+        parts.into_iter().find_map(|node| {
+            [10, 20, 40, 80].into_iter().find_map(|k| {
+                let reach = Float::with_val(bits, 1) >> k as u32;
+                let ends = [
+                    Float::with_val(bits, &middle - &reach),
+                    middle.clone() + &reach,
+                ];
+                self.zero_between(node, ends).map(|root| (node, root))
+            })
+        })
+    }
+
+    /// A zero of a part between two numbers at which its signs differ.
+    fn zero_between(&mut self, node: Id, [mut low, mut high]: [Float; 2]) -> Option<Ball> {
+        let bits = low.prec();
+        let start = self.sign(node, &low)?;
+        let end = self.sign(node, &high)?;
+        if start == end || start == Ordering::Equal || end == Ordering::Equal {
+            return None;
+        }
+        let reach = Ball::between(bits, &low, &high);
+        let beside = Ball::integer(bits, 0).widened(reach.rad());
+        let body = std::mem::replace(&mut self.body, node);
+        let is_holomorphic = self
+            .enclose(&ComplexBall::new(reach, beside), true, 64)
+            .is_some();
+        self.body = body;
+        if !is_holomorphic {
+            return None;
+        }
+        let zero = Float::new(bits);
+        if low < 0 && high > 0 && self.sign(node, &zero) == Some(Ordering::Equal) {
+            return Some(Ball::new(zero, Mag::ZERO));
+        }
+        let least = Float::with_val(bits, 1) >> bits;
+        // The middle may lie on the zero, and one of two other places is away from it.
+        'halved: loop {
+            for eighths in [3, 5] {
+                let width = Float::with_val(bits, &high - &low);
+                if width <= least {
+                    break 'halved;
+                }
+                let place = Float::with_val(bits, &low + ((width * eighths) >> 3u32));
+                if !(low < place && place < high) {
+                    break 'halved;
+                }
+                match self.sign(node, &place) {
+                    Some(Ordering::Equal) => return Some(Ball::new(place, Mag::ZERO)),
+                    Some(sign) if sign == start => low = place,
+                    Some(_) => high = place,
+                    None => continue,
+                }
+                continue 'halved;
+            }
+            break;
+        }
+        Some(Ball::between(bits, &low, &high))
+    }
+}
+
 impl Integrand for Body<'_> {
     fn enclose(&mut self, z: &ComplexBall, holomorphic: bool, bits: u32) -> Option<ComplexBall> {
         if z.im.is_zero() && (!holomorphic || z.re.rad().is_zero()) {
@@ -107,10 +248,20 @@ impl Integrand for Body<'_> {
     }
 
     fn enclose_real(&mut self, x: &Ball, bits: u32) -> Option<Ball> {
-        self.real(x, bits)?.real().cloned()
+        match self.real(x, bits)? {
+            Value::Real(value) => Some(value),
+            other => other.real().cloned(),
+        }
     }
 
     fn growth(&mut self, end: &End, k: u32) -> Option<Growth> {
+        let zero = match end {
+            End::Above(a) | End::Below(a) => {
+                self.zeros.iter().find(|(_, root)| a.mid() == root.mid())
+            }
+            End::PlusInfinity | End::MinusInfinity => None,
+        };
+        let zero = zero.map(|(id, _)| *id);
         let bits = self.evaluator.interpretation.prec;
         let graph = self.evaluator.graph().clone();
         let mut germs = Evaluator::new(graph.clone(), Germs { k, bits });
@@ -122,6 +273,10 @@ impl Integrand for Body<'_> {
         }
         let variable = quadrature::Germ::variable(end, k, bits);
         germs.set_variables(self.binder, [Near::varying(variable)]);
+        if let Some(id) = zero {
+            let vanishing = germs.value(id).ok()?.germ().vanishing();
+            germs.set(id, Near::varying(vanishing));
+        }
         germs.value(self.body).ok()?.germ().growth()
     }
 }
@@ -179,10 +334,10 @@ const CLOSER: u32 = 64;
 
 /// Gives parts of a body that do not depend on the variable their values, to more bits: what is
 /// uncertain in them is so on every panel.
-fn prepare(evaluator: &mut Evaluator<Balls>, binder: u32, body: Id) {
+fn prepare(evaluator: &mut Evaluator<Balls>, binder: u32, body: Id, more: u32) {
     let graph = evaluator.graph().clone();
     let outside = evaluator.interpretation.prec;
-    evaluator.interpretation.prec = outside.saturating_add(CLOSER);
+    evaluator.interpretation.prec = outside.saturating_add(more);
     super::system::prepare(evaluator, &graph, &[body]);
     for id in leaves(&graph, body, binder) {
         if graph.node(id) != Node::Infinity {
@@ -201,7 +356,7 @@ pub(super) fn integral(
     [from, to, body]: [Id; 3],
 ) -> Result<Value, Stop> {
     let limits = [limit(evaluator, from)?, limit(evaluator, to)?];
-    prepare(evaluator, binder, body);
+    prepare(evaluator, binder, body, CLOSER);
     let balls = &evaluator.interpretation;
     let (prec, asked, is_continued) = (balls.prec, balls.goal, balls.holomorphic);
     // Under another integral a bound serves where no more is to be had: for many values of its
@@ -240,8 +395,8 @@ pub(super) fn integral(
         };
         (found.value.map(kind), found.hindrance)
     } else {
-        let found = quadrature::integrate(&mut integrand, from, to, &goal);
-        (found.value.map(Value::Real), found.hindrance)
+        let (value, hindrance) = integrand.between(from, to, &goal, MOST_POLES);
+        (value.map(Value::Real), hindrance)
     };
     let is_spent = integrand.evaluator.evaluations == 0;
     if let Some(stop) = integrand.undefined.filter(|_| hindrance.is_some()) {

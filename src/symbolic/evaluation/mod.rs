@@ -74,6 +74,10 @@ pub trait Interpretation: Sized {
     fn power(&mut self, a: &Self::V, k: i32) -> Result<Self::V, NoValue>;
     /// A function.
     fn call(&mut self, f: Func, x: &[&Self::V]) -> Result<Self::V, NoValue>;
+    /// `1/f(x)`, where that is more than the inverse of what is known of `f(x)`.
+    fn inverse(&mut self, _: Func, _: &Self::V) -> Option<Self::V> {
+        None
+    }
     /// Zero where a step function is constant.
     fn flat(&mut self, f: Func, x: &Self::V) -> Result<Self::V, NoValue>;
     /// A comparison.
@@ -405,6 +409,11 @@ impl<I: Interpretation> Evaluator<I> {
             self.truths[id as usize] = truth;
             return Ok(());
         }
+        let inverse = match node {
+            Node::Div(_, b) => self.inverse(b, 1),
+            Node::Power(b, k) if k < 0 => self.inverse(b, k.unsigned_abs()),
+            _ => None,
+        };
         let known = &self.known;
         let get = |id: Id| known[id as usize].as_ref().ok_or(NOT_A_NUMBER);
         let i = &mut self.interpretation;
@@ -417,8 +426,14 @@ impl<I: Interpretation> Evaluator<I> {
             Node::Add(a, b) => i.add(get(a)?, get(b)?),
             Node::Sub(a, b) => i.sub(get(a)?, get(b)?),
             Node::Mul(a, b) => i.mul(get(a)?, get(b)?),
-            Node::Div(a, b) => i.div(get(a)?, get(b)?),
-            Node::Power(a, k) => i.power(get(a)?, k),
+            Node::Div(a, b) => match inverse {
+                Some(inverse) => i.mul(get(a)?, &inverse),
+                None => i.div(get(a)?, get(b)?),
+            },
+            Node::Power(a, k) => match inverse {
+                Some(inverse) => Ok(inverse),
+                None => i.power(get(a)?, k),
+            },
             Node::Unary(f, a) => i.call(f, &[get(a)?]),
             Node::Binary(f, a, b) => i.call(f, &[get(a)?, get(b)?]),
             Node::Ternary(f, a, b, c) => i.call(f, &[get(a)?, get(b)?, get(c)?]),
@@ -427,6 +442,27 @@ impl<I: Interpretation> Evaluator<I> {
         })();
         self.known[id as usize] = Some(value.map_err(stop)?);
         Ok(())
+    }
+
+    /// The inverse of a power of a function, where the interpretation has one.
+    fn inverse(&mut self, id: Id, power: u32) -> Option<I::V> {
+        let (id, power) = match self.graph.node(id) {
+            Node::Power(id, k) if k > 0 => (id, power.checked_mul(k.unsigned_abs())?),
+            _ => (id, power),
+        };
+        let Node::Unary(f, x) = self.graph.node(id) else {
+            return None;
+        };
+        let inverse = self
+            .interpretation
+            .inverse(f, self.known[x as usize].as_ref()?)?;
+        match power {
+            1 => Some(inverse),
+            _ => self
+                .interpretation
+                .power(&inverse, power.try_into().ok()?)
+                .ok(),
+        }
     }
 
     /// Counts a round of a loop or a term of a sum.

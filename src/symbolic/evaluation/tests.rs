@@ -567,3 +567,48 @@ fn integrals_are_cut_at_jumps() {
         assert!(found.starts_with(due), "{text}: {found}");
     }
 }
+
+/// Singularities at zeros between the limits of an integral; values by mpmath.
+#[test]
+fn integrals_across_singularities() {
+    for (text, due) in [
+        (
+            "int(t, 0, 1, log(abs(t - 0.3)))",
+            "-1.610864302054893463025671",
+        ),
+        (
+            "int(t, 0, 1, 1/sqrt(abs(t - 0.3)))",
+            "2.768765168078483322870284",
+        ),
+        (
+            "int(t, 0, 2, log(abs(sin(3*t) - 0.3)))",
+            "-1.372727628504118500424428",
+        ),
+        (
+            "int(t, -1, 1, log(abs(t))*exp(t))",
+            "-2.114501750751457029143685",
+        ),
+        (
+            "int(t, 0, 1, log(abs(t^2 - t + 0.2))/(1 + t))",
+            "-2.187221220779856597628555",
+        ),
+        // A part that is zero inside is not so at the end.
+        (
+            "int(t, 0, 1, sqrt(abs(t - 0.3))*log(abs(t - 0.3))/t^0.75)",
+            "-2.623011242198388074846757",
+        ),
+        (
+            "int(t, 0, 1, abs(t - 0.3)^(-0.25))",
+            "1.560860834923300960051109",
+        ),
+    ] {
+        assert_eq!(value(text, (1, 1), 25), due, "{text}");
+    }
+    for text in [
+        "int(t, 0, 1, 1/(t - 0.3))",
+        "int(t, 0, 1, 1/abs(t - 0.3))",
+        "int(t, 0, 1, abs(t - 0.3)^(-1.25))",
+    ] {
+        assert!(value(text, (1, 1), 25).starts_with("undecided"), "{text}");
+    }
+}

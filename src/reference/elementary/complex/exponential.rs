@@ -1,6 +1,7 @@
 //! Quotients, exponentials, logarithms and powers.
 
-use super::super::support::{BITS, exact};
+use super::super::support::{BITS, doubles, ends, exact, hull_of_doubles, is_narrow};
+use super::super::trigonometric::{outwards, sin_cos};
 use super::super::{self as real, ComplexEvaluated, NoValue};
 use super::{GUARD, below, inner, is_across, middle, rounded, widened};
 use crate::{Ball, ComplexBall, Mag};
@@ -15,6 +16,51 @@ pub fn recip(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
     div(&one, z, prec)
 }
 
+/// Doubles of these sizes have squares far from the ends of their exponents.
+const MODERATE: std::ops::Range<f64> = 1e-140..1e140;
+
+/// Both ends of each part of a rectangle, if they are zero or of moderate size.
+fn moderate(z: &ComplexBall) -> Option<[[f64; 2]; 2]> {
+    let parts = [&z.re, &z.im].map(|x| doubles(&ends(x, BITS)));
+    let is_moderate = |x: &f64| *x == 0.0 || MODERATE.contains(&x.abs());
+    parts
+        .as_flattened()
+        .iter()
+        .all(is_moderate)
+        .then_some(parts)
+}
+
+/// The least and the greatest absolute value.
+fn sizes([low, high]: [f64; 2]) -> [f64; 2] {
+    [low.max(-high).max(0.0), high.max(-low)]
+}
+
+/// The inverse of a wide rectangle that does not hold zero, part by part.
+///
+/// `x/(x² + y²)` for x > 0 falls with |y|, and with x grows up to |y| and falls beyond. `−y/(x² +
+/// y²)` is the same with the parts changed.
+fn wide_inverse(z: &ComplexBall, prec: u32) -> Option<ComplexBall> {
+    let [x, y] = moderate(z)?;
+    let part = |[low, high]: [f64; 2], [near, far]: [f64; 2]| {
+        let at = |x: f64, y: f64| x / (x * x + y * y);
+        let top = |low: f64, high: f64| {
+            let x = near.clamp(low, high);
+            at(x, near)
+        };
+        let bottom = |low: f64, high: f64| at(low, far).min(at(high, far));
+        let greatest = match high > 0.0 {
+            true => top(low.max(0.0), high),
+            false => -bottom(-high, -low),
+        };
+        let least = match low < 0.0 {
+            true => -top((-high).max(0.0), -low),
+            false => bottom(low, high),
+        };
+        hull_of_doubles(prec, outwards([least, greatest])).ok()
+    };
+    Some(ComplexBall::new(part(x, sizes(y))?, -part(y, sizes(x))?))
+}
+
 /// `z/w`: with the midpoints m and n, `z/w − m/n = ((z − m) − (m/n)(w − n))/w`, at most
 /// `(ρ_z + |m/n| ρ_w)/|w|`.
 pub fn div(z: &ComplexBall, w: &ComplexBall, prec: u32) -> ComplexEvaluated {
@@ -26,6 +72,19 @@ pub fn div(z: &ComplexBall, w: &ComplexBall, prec: u32) -> ComplexEvaluated {
         return Err(NoValue::Undecided("the divisor may be zero"));
     }
     let p = prec + GUARD;
+    if !is_narrow(w.radius(), least)
+        && let Some(inverse) = wide_inverse(w, p)
+    {
+        let product = |x: &Ball, y: &Ball| real::mul(x, y, prec);
+        let re = product(&z.re, &inverse.re)?;
+        let im = product(&z.re, &inverse.im)?;
+        if z.im.is_zero() {
+            return Ok(ComplexBall::new(re, im));
+        }
+        let re = real::sub(&re, &product(&z.im, &inverse.im)?, prec)?;
+        let im = real::add(&im, &product(&z.im, &inverse.re)?, prec)?;
+        return Ok(ComplexBall::new(re, im));
+    }
     let (m, n) = (middle(z), middle(w));
     let size = inner(real::hypot(&n.re, &n.im, p))?;
     // Divided by the modulus twice, which overflows only where the quotient does.
@@ -47,8 +106,8 @@ pub fn exp(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
     if z.im.is_zero() {
         return Ok(ComplexBall::new(of(&exact(BITS, 1))?, exact(prec, 0)));
     }
-    let (re, im) = (real::cos(&z.im, p)?, real::sin(&z.im, p)?);
-    Ok(ComplexBall::new(of(&re)?, of(&im)?))
+    let [sin, cos] = sin_cos(&z.im, p)?;
+    Ok(ComplexBall::new(of(&cos)?, of(&sin)?))
 }
 
 /// `e^z − 1 = (e^x − 1) cos y − 2 sin²(y/2) + i e^x sin y`.
@@ -147,12 +206,40 @@ pub(super) fn sqrt_above(m: &ComplexBall, p: u32) -> ComplexEvaluated {
     })
 }
 
+/// The root of a wide rectangle that does not cross its cut, part by part: the real part grows with
+/// x and |y|, the modulus of the imaginary part with −x and |y|, and is the real part of √−z.
+fn wide_root(z: &ComplexBall, prec: u32) -> Option<ComplexBall> {
+    let [[left, right], y] = moderate(z)?;
+    let at = |x: f64, y: f64| {
+        let size = (x * x + y * y).sqrt();
+        match x >= 0.0 {
+            true => ((size + x) / 2.0).sqrt(),
+            false => y / (2.0 * (size - x)).sqrt(),
+        }
+    };
+    let [near, far] = sizes(y);
+    let re = [at(left, near), at(right, far)];
+    let im = match y {
+        [low, _] if low >= 0.0 => [at(-right, near), at(-left, far)],
+        [_, high] if high < 0.0 => [-at(-left, far), -at(-right, near)],
+        [low, high] => [-at(-left, -low), at(-left, high)],
+    };
+    let hull = |range| hull_of_doubles(prec, outwards(range)).ok();
+    Some(ComplexBall::new(hull(re)?, hull(im)?))
+}
+
 /// The principal square root, with its real part not negative: the derivative is `1/(2√z)`.
 pub fn sqrt(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
     if z.im.is_zero() && z.re.is_positive() {
         return Ok(ComplexBall::new(real::sqrt(&z.re, prec)?, exact(prec, 0)));
     }
     off_cut(z)?;
+    let rho = z.radius();
+    if !is_narrow(rho, below(z))
+        && let Some(root) = wide_root(z, prec)
+    {
+        return Ok(root);
+    }
     let p = prec + GUARD;
     let m = middle(z);
     let root = if m.im.mid().is_sign_negative() {
@@ -160,7 +247,6 @@ pub fn sqrt(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
     } else {
         sqrt_above(&m, p)?
     };
-    let rho = z.radius();
     let change = rho.div(real::trigonometric::root_below(below(z))).shift(-1);
     widened(&root, change, prec)
 }
@@ -213,6 +299,22 @@ pub fn pow(z: &ComplexBall, w: &ComplexBall, prec: u32) -> ComplexEvaluated {
             return recip(&integer_power(z, -n, prec + GUARD)?, prec);
         }
         return integer_power(z, n, prec);
+    }
+    // A power of the root; of a wide box the logarithm has less to lose.
+    let twice = w.re.shift(1);
+    let exponent = twice.mid().to_integer().and_then(|n| n.to_i64());
+    if let Some(n) = exponent.filter(|n| n.abs() <= MOST && w.im.is_zero())
+        && twice.rad().is_zero()
+        && twice.mid().is_integer()
+        && !whole
+        && (n.abs() == 1 || is_narrow(z.radius(), below(z)))
+    {
+        let root = sqrt(z, prec + GUARD)?;
+        let power = integer_power(&root, n.abs(), prec + GUARD)?;
+        return match n < 0 {
+            true => recip(&power, prec),
+            false => rounded(&power, prec),
+        };
     }
     // The logarithm is multiplied by w: as many bits more as that is long.
     let long = |x: &Ball| x.mid().get_exp().unwrap_or(0).clamp(0, 1 << 12) as u32;

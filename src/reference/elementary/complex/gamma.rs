@@ -17,16 +17,20 @@
 //! below the axis.
 //!
 //! # Derivative
-//! `ψ(z) = ln z + ∫_0^∞ (1/t − 1/(1 − e^{−t})) e^{−tz} dt` (DLMF 5.9.13) with the bracket in [−1,
-//! 0]: `|ψ(z)| ≤ |ln |z|| + π/2 + 1/x` for Re z > 0. To the left of 1/2 `ψ(z) = ψ(1 − z) − π cot
-//! πz`, `|cot πz|² ≤ 1 + 1/|sin πz|²` and `|sin πz|² = sin² πx + sinh² πy`.
+//! `ψ(z) = ln z − ∫_0^∞ h(t) e^{−tz} dt` with `h(t) = 1/(1 − e^{−t}) − 1/t` for Re z > 0 (DLMF
+//! 5.9.13). h grows from 1/2 to 1, because `h' = 1/t² − 1/(4 sinh²(t/2)) > 0`: by parts the integral
+//! is `(1/2 + ∫ h' e^{−tz} dt)/z`, at most `1/|z|`. To the left of 1/2 `ψ(z) = ψ(1 − z) − π cot
+//! πz`, `|cot πz|² ≤ 1 + 1/|sin πz|²` and `|sin πz|² = sin² πx + sinh² πy`. ln Γ changes over a box
+//! of the half-widths r and s by at most `r |Re ψ| + s |Im ψ|` in its real part, and `r |Im ψ| +
+//! s |Re ψ|` in its imaginary part.
 
+use super::super::coarse;
 use super::super::support::{BITS, exact};
 use super::super::{self as real, ComplexEvaluated, NoValue};
 use super::exponential::{exp, log};
-use super::{GUARD, REACH, clipped, f64_down, inner, is_across, widened};
+use super::{GUARD, Kept, REACH, clipped, f64_down, is_across, rounded};
 use crate::{Ball, ComplexBall, Mag};
-use rug::float::{Constant, Round};
+use rug::float::Constant;
 use rug::{Float, Integer, Rational};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::{Arc, Mutex};
@@ -68,6 +72,21 @@ pub(super) fn coefficients(n: usize) -> Arc<Vec<Rational>> {
     all
 }
 
+/// `ln(2π)/2` and at least n coefficients of Stirling's series in balls of at least `p` bits.
+fn stirling_constants(n: usize, p: u32) -> Result<Arc<(Ball, Vec<Ball>)>, NoValue> {
+    static KNOWN: Kept<(Ball, Vec<Ball>)> = Kept::new();
+    KNOWN.get(
+        p,
+        |known| known.1.len() >= n,
+        |p| {
+            let half_log = real::log(&Ball::pi(p).shift(1), p)?.shift(-1);
+            let all = coefficients(n);
+            let all = all.iter().map(|c| Ball::rational(p, c)).collect();
+            Ok((half_log, all))
+        },
+    )
+}
+
 /// About as many terms of Stirling's series as make its remainder less than 2^-p, or the least; the
 /// ratio of the bounds on R_{n+1} and R_n is nearly `2n (2n − 1) c/(4π² |z|²)`, c the factor of the
 /// sector.
@@ -102,10 +121,11 @@ fn stirling(z: &ComplexBall, p: u32) -> ComplexEvaluated {
     let due = Mag::power_of_two(-i64::from(p));
     let log_size = least.exponent().unwrap_or(0) as f64;
     let most = terms(log_size, sector.to_f64().max(1.0), p);
-    let all = coefficients(most + 1);
+    let known = stirling_constants(most + 1, p)?;
+    let (half_log, all) = &*known;
     let (mut power, mut turn, mut terms, mut rest) = (inverse, sector, 0, Mag::INFINITY);
     for c in all.iter() {
-        let size = Mag::above(&Float::with_val_round(53, c, Round::AwayZero).0);
+        let size = c.magnitude();
         // R_n with n = terms + 1.
         let bound = size.mul(power).mul(turn);
         let falls = bound < rest;
@@ -123,15 +143,14 @@ fn stirling(z: &ComplexBall, p: u32) -> ComplexEvaluated {
     let mut sum = ComplexBall::zero(p);
     for c in all[..terms].iter().rev() {
         sum = &sum * &v;
-        sum.re = &sum.re + &Ball::rational(p, c);
+        sum.re = &sum.re + c;
     }
     let sum = &sum * &u;
     let log_big = log(&big, p)?;
     let half = Ball::exact(53, 0.5);
     let less = ComplexBall::new(real::sub(&big.re, &half, p)?, big.im.clone());
     let lead = &(&less * &log_big) - &big;
-    let constant = real::log(&Ball::pi(p).shift(1), p)?.shift(-1);
-    let lead = ComplexBall::new(&lead.re + &constant, lead.im);
+    let lead = ComplexBall::new(&lead.re + half_log, lead.im);
     let value = (&lead + &sum).widened(rest);
     if n == 0 {
         return Ok(value);
@@ -146,15 +165,24 @@ fn shifted(z: &ComplexBall, n: u32) -> ComplexEvaluated {
     Ok(ComplexBall::new(re, z.im.clone()))
 }
 
+/// Angles of so many factors add up with an error below 2^−20.
+const MOST_FACTORS: u32 = 1 << 22;
+
 /// `Σ_{k<n} ln(z + k)`: the logarithm of the product, and the multiple of 2π by which the sum of
 /// the angles differs from its argument.
 fn log_of_product(z: &ComplexBall, n: u32, p: u32) -> ComplexEvaluated {
     let mut product = ComplexBall::new(exact(p, 1), exact(p, 0));
-    let mut angles = exact(BITS, 0);
+    // In doubles: the multiple of 2π is an integer.
+    let mut angles = 0.0;
     for k in 0..n {
         let factor = shifted(z, k)?;
-        let (re, im) = (factor.re.with_prec(BITS), factor.im.with_prec(BITS));
-        angles = real::add(&angles, &real::atan2(&im, &re, BITS)?, BITS)?;
+        let [re, im] = [&factor.re, &factor.im].map(|x| x.mid().to_f64());
+        let axis = if im.abs() > re {
+            FRAC_PI_2.copysign(im)
+        } else {
+            0.0
+        };
+        angles += coarse::atan2(im, re).unwrap_or(axis);
         let factor = ComplexBall::new(factor.re.with_prec(p), factor.im.with_prec(p));
         product = &product * &factor;
     }
@@ -165,13 +193,13 @@ fn log_of_product(z: &ComplexBall, n: u32, p: u32) -> ComplexEvaluated {
     } else {
         log(&product, p)?
     };
-    let turn = Ball::pi(BITS).shift(1);
-    let turns = real::div(&real::sub(&angles, &found.im, BITS)?, &turn, BITS)?;
-    let whole = real::round(&turns, BITS)?;
-    if !whole.rad().is_zero() {
+    let turns = (angles - found.im.mid().to_f64()) / (2.0 * PI);
+    let whole = turns.round_ties_even();
+    let is_sure = (turns - whole).abs() < 0.01 && found.im.rad() < Mag::from_f64(0.01);
+    if n > MOST_FACTORS || !is_sure {
         return Err(NoValue::Undecided("the branch of a logarithm"));
     }
-    let turned = real::mul(&whole, &Ball::pi(p).shift(1), p)?;
+    let turned = real::mul(&Ball::exact(64, whole), &Ball::pi(p).shift(1), p)?;
     Ok(ComplexBall::new(
         found.re,
         real::add(&found.im, &turned, p)?,
@@ -237,7 +265,7 @@ fn no_pole(z: &ComplexBall, name: &'static str) -> Result<(), NoValue> {
 }
 
 /// ln Γ at the midpoint, and a bound on the change over the box.
-fn log_gamma(z: &ComplexBall, prec: u32) -> Result<(ComplexBall, Mag), NoValue> {
+fn log_gamma(z: &ComplexBall, prec: u32) -> Result<(ComplexBall, [Mag; 2]), NoValue> {
     let (m, rho) = clipped(z);
     if m.im.is_zero() && m.re.mid().is_integer() && *m.re.mid() <= 0 {
         return Err(NoValue::Undecided("a pole may be in the operand"));
@@ -250,30 +278,48 @@ fn log_gamma(z: &ComplexBall, prec: u32) -> Result<(ComplexBall, Mag), NoValue> 
         log_gamma_above(&m, p)?
     };
     if rho.is_zero() {
-        return Ok((value, rho));
+        return Ok((value, [rho; 2]));
     }
-    Ok((value, rho.mul(psi_above(z)?)))
+    // The box reaches from the operand to what it was clipped to.
+    let reach = |z: &Ball, m: &Ball| match z.mid() == m.mid() {
+        true => z.clone(),
+        false => m.widened(z.magnitude()),
+    };
+    let around = ComplexBall::new(reach(&z.re, &m.re), reach(&z.im, &m.im));
+    let [re, im] = psi_above(&around)?;
+    let (r, s) = (around.re.rad(), around.im.rad());
+    let change = [r.mul(re).add(s.mul(im)), r.mul(im).add(s.mul(re))];
+    Ok((value, change))
 }
 
-/// A bound on |ψ| over a box.
-fn psi_above(z: &ComplexBall) -> Result<Mag, NoValue> {
-    let right = |z: &ComplexBall| -> Result<Mag, NoValue> {
-        let size = inner(real::hypot(&z.re, &z.im, BITS))?;
-        let log = real::log(&size, BITS)?.magnitude();
-        let inverse = Mag::power_of_two(0).div(z.re.mignitude());
-        Ok(log.add(Mag::from_f64(FRAC_PI_2.next_up())).add(inverse))
+/// Bounds on |Re ψ| and |Im ψ| over a box.
+fn psi_above(z: &ComplexBall) -> Result<[Mag; 2], NoValue> {
+    let right = |z: &ComplexBall| -> Result<[Mag; 2], NoValue> {
+        let log = log(z, BITS)?;
+        let rest = Mag::power_of_two(0).div(super::below(z));
+        Ok([log.re, log.im].map(|x| x.magnitude().add(rest)))
     };
-    if *z.re.mid() >= 0.5 && z.re.is_positive() {
+    let [low, high] = real::support::ends(&z.re, BITS);
+    let part = |low: &Float, high: &Float| -> ComplexEvaluated {
+        Ok(ComplexBall::new(
+            real::support::hull(BITS, low, high)?,
+            z.im.clone(),
+        ))
+    };
+    // Each side of the imaginary axis by itself, the right one up to 1/2 where it may be.
+    let middle = Float::with_val(BITS, 0.5);
+    if low >= middle {
         return right(z);
     }
-    let other = ComplexBall::new(
-        real::sub(&exact(BITS, 1), &z.re, z.re.prec().max(BITS))?,
-        z.im.clone(),
-    );
-    if !other.re.is_positive() {
-        return Err(NoValue::Undecided("the operand is too wide"));
-    }
-    let s = real::sinpi(&z.re, BITS)?.mignitude();
+    let edge = if high <= middle {
+        high.clone()
+    } else {
+        Float::new(BITS).max(&low)
+    };
+    let left = part(&low, &edge)?;
+    let other = real::sub(&exact(BITS, 1), &left.re, z.re.prec().max(BITS))?;
+    let other = right(&ComplexBall::new(other, z.im.clone()))?;
+    let s = real::sinpi(&left.re, BITS)?.mignitude();
     // The double is below π.
     let y = z.im.mignitude().mul_below(Mag::from_f64(PI));
     let sine = real::trigonometric::root_below(s.mul_below(s).add_below(y.mul_below(y)));
@@ -282,7 +328,12 @@ fn psi_above(z: &ComplexBall) -> Result<Mag, NoValue> {
     }
     let one = Mag::power_of_two(0);
     let cot = one.add(one.div(sine)).mul(Mag::from_f64(PI.next_up()));
-    Ok(right(&other)?.add(cot))
+    let left = other.map(|x| x.add(cot));
+    if high == edge {
+        return Ok(left);
+    }
+    let right = right(&part(&edge, &high)?)?;
+    Ok([left[0].max(right[0]), left[1].max(right[1])])
 }
 
 /// ln Γ, analytic but for the cut x ≤ 0 on the real axis and real for x > 0.
@@ -296,24 +347,28 @@ pub fn lgamma(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
         return Err(NoValue::Undecided("the operand meets the cut of lgamma"));
     }
     let (value, change) = log_gamma(z, prec)?;
-    widened(&value, change, prec)
+    apart(&value, change, prec)
 }
 
-/// The gamma function: `|Γ(z) − Γ(m)| ≤ |Γ(m)| (e^δ − 1)` with `δ = ρ sup |ψ|`.
+/// Both parts widened by what is theirs.
+fn apart(z: &ComplexBall, [re, im]: [Mag; 2], prec: u32) -> ComplexEvaluated {
+    rounded(&ComplexBall::new(z.re.widened(re), z.im.widened(im)), prec)
+}
+
+/// The gamma function, `e^{ln Γ(z)}`.
 pub fn tgamma(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
     no_pole(z, "the gamma function at a pole")?;
     if z.im.is_zero() {
         let re = real::tgamma(&z.re, prec)?;
         return Ok(ComplexBall::new(re, exact(prec, 0)));
     }
-    let (value, delta) = log_gamma(z, prec + GUARD)?;
-    let value = exp(&value, prec + GUARD)?;
-    if delta.is_zero() {
-        return widened(&value, delta, prec);
-    }
-    if !(delta <= Mag::power_of_two(0)) {
-        return Err(NoValue::Undecided("the operand is too wide"));
-    }
-    let grown = real::exponential::expm1_above(delta);
-    widened(&value, value.magnitude().mul(grown), prec)
+    let (value, change) = log_gamma(z, prec + GUARD)?;
+    exp(&apart(&value, change, prec + GUARD)?, prec)
+}
+
+/// `1/Γ(z)`, which has no poles, where no pole of Γ is in the operand.
+pub fn inverse_gamma(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
+    no_pole(z, "the gamma function at a pole")?;
+    let (value, change) = log_gamma(z, prec + GUARD)?;
+    exp(&-&apart(&value, change, prec + GUARD)?, prec)
 }

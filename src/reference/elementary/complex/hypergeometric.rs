@@ -60,29 +60,23 @@ impl Sum {
 /// Terms of a sum at most.
 const MOST: u64 = 1 << 17;
 
-/// A bound on `2^k`; infinite beyond the doubles, not zero below them.
-fn power_of_two(k: i64) -> f64 {
-    Mag::power_of_two(k.max(-1000)).to_f64()
-}
-
 /// A bound on the modulus of a number of these parts, in units of `2^-bits`.
-fn size([re, im]: &[Integer; 2], bits: i64) -> f64 {
+fn size([re, im]: &[Integer; 2], bits: i64) -> Mag {
     let longest = i64::from(re.significant_bits().max(im.significant_bits()));
-    if im.is_zero() || re.is_zero() {
-        return power_of_two(longest - bits);
+    let longest = Mag::power_of_two(longest - bits);
+    match im.is_zero() || re.is_zero() {
+        true => longest,
+        false => longest.mul(Mag::from_f64(DIAGONAL)),
     }
-    power_of_two(longest - bits) * DIAGONAL
 }
 
 /// Above √2.
 const DIAGONAL: f64 = 1.41421357;
 
-/// More than rounding may have taken from the bounds, in fewer than 2^21 operations.
-const ROUNDING: f64 = 1.0 + 1e-9;
+/// More than rounding may have taken from a quotient of two integers and a product with it.
+const ROUNDING: f64 = 1.0 + 1e-15;
 
-/// The sum with `bits` binary places.
-///
-/// Errors are counted in units of the last place, in doubles.
+/// The sum with `bits` binary places. Errors are counted in units of the last place.
 pub(super) fn sum(
     w: &ComplexBall,
     bits: u32,
@@ -102,23 +96,25 @@ pub(super) fn sum(
     };
     let is_real = q.is_zero() && w.im.is_zero();
     // Rounded to nearest, each part by half a unit at most.
-    let off = w.radius().shift(places).to_f64() + 1.0;
-    let unit = power_of_two(-places);
+    let off = w.radius().shift(places).add(Mag::power_of_two(0));
+    let unit = Mag::power_of_two(-places);
     let reach = w.magnitude().to_f64();
-    let about = reach + unit;
+    let about = w.magnitude().add(unit);
+    let step = Mag::from_f64(DIAGONAL);
     let mut t = [Integer::from(1) << bits, Integer::new()];
     let mut other = Integer::new();
     let mut parts: [[Integer; 2]; 4] = Default::default();
-    let (mut error, mut total, mut k) = (0.0, 0.0, 0_u64);
+    let (mut error, mut total, mut k) = (Mag::ZERO, Mag::ZERO, 0_u64);
     loop {
         for (sum, part) in parts[k as usize % 4].iter_mut().zip(&t) {
             *sum += part;
         }
-        total += error;
+        total = total.add(error);
         let (a, b) = ratio(k);
-        let factor = a.unsigned_abs() as f64 / b as f64;
-        let turned = (size(&t, places) + error * unit) * off;
-        error = (about * error + turned + DIAGONAL) * factor + DIAGONAL;
+        let quotient = a.unsigned_abs() as f64 / b as f64 * ROUNDING;
+        let factor = Mag::from_f64(quotient);
+        let turned = size(&t, places).add(error.mul(unit)).mul(off);
+        error = about.mul(error).add(turned).add(step).mul(factor).add(step);
         if is_real {
             t[0] *= &p;
         } else {
@@ -138,7 +134,7 @@ pub(super) fn sum(
             *part /= b;
         }
         k += 1;
-        let quotient = reach * factor * ROUNDING;
+        let quotient = reach * quotient;
         let is_small = t.iter().all(|part| part.significant_bits() <= 4);
         let ends = match kind {
             Kind::Convergent => is_small && quotient <= 0.5,
@@ -147,15 +143,13 @@ pub(super) fn sum(
         if ends {
             break;
         }
-        if k >= MOST || !error.is_finite() {
+        if k >= MOST {
             return Err(NoValue::Undecided("a series takes too many terms"));
         }
     }
     let longest = t[0].significant_bits().max(t[1].significant_bits());
-    let next = Mag::from_f64(error * ROUNDING)
-        .add(Mag::from_f64(DIAGONAL).shift(longest.into()))
-        .shift(-places);
-    let total = Mag::from_f64(total * ROUNDING).shift(-places);
+    let next = error.add(step.shift(longest.into())).shift(-places);
+    let total = total.shift(-places);
     let ball = |x: &Integer| {
         let exact = Float::with_val(x.significant_bits().max(bits), x);
         Ball::new(exact >> bits, Mag::ZERO)

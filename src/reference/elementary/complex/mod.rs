@@ -36,10 +36,10 @@ pub use bessel::{Bessel, bessel, besseli, besselie, besselj};
 pub use error::{dawson, erf, erfc, erfcx, erfi, w};
 pub use exponential::{cbrt, div, exp, expm1, log, log1p, pow, recip, sqrt};
 pub use exponential_integral::{ci, e1, ei, si};
-pub use gamma::{lgamma, tgamma};
+pub use gamma::{inverse_gamma, lgamma, tgamma};
 pub use inverse::{acos, acosh, asin, asinh, atan, atanh};
 pub use lambert::lambertw;
-pub use trigonometric::{cos, cosh, sin, sinh, tan, tanh};
+pub use trigonometric::{cos, cosh, sech, sin, sinh, tan, tanh};
 pub use weierstrass::{weierstrassp, weierstrasspprime};
 pub use zeta::{zeta, zetaderivative};
 

@@ -8,7 +8,7 @@ type Complex = fn(&ComplexBall, u32) -> ComplexEvaluated;
 
 /// Functions, and the share of the radius of a small box that is used at least, away from their
 /// singularities.
-const ALL: [(&str, Complex, f64); 36] = [
+const ALL: [(&str, Complex, f64); 38] = [
     ("exp", exp, 0.5),
     ("expm1", expm1, 0.5),
     ("log", log, 0.5),
@@ -21,6 +21,7 @@ const ALL: [(&str, Complex, f64); 36] = [
     ("tan", tan, 0.4),
     ("sinh", sinh, 0.5),
     ("cosh", cosh, 0.5),
+    ("sech", sech, 0.4),
     ("tanh", tanh, 0.4),
     ("asin", asin, 0.5),
     ("acos", acos, 0.5),
@@ -35,6 +36,7 @@ const ALL: [(&str, Complex, f64); 36] = [
     ("w", w, 0.02),
     ("dawson", dawson, 0.05),
     ("tgamma", tgamma, 0.1),
+    ("inverse_gamma", inverse_gamma, 0.1),
     ("lgamma", lgamma, 0.05),
     ("airyai", airyai, 0.2),
     ("airyaiprime", airyaiprime, 0.05),
@@ -159,8 +161,11 @@ fn wide_boxes_hold_values() {
             (2.5, -0.4),
             (-0.2, -2.5),
             (0.0, 0.0),
+            (1.7, 4.5),
+            (-3.3, 9.0),
+            (6.0, 0.1),
         ] {
-            for r in [1e-3, 0.03, 0.2, 1.0] {
+            for r in [1e-3, 0.03, 0.2, 1.0, 3.0] {
                 let z = about(x, y, r);
                 let Ok(found) = f(&z, P) else {
                     continue;

@@ -1,6 +1,8 @@
 //! Circular and hyperbolic functions.
 
+use super::super::hyperbolic::sinh_cosh;
 use super::super::support::{BITS, exact};
+use super::super::trigonometric::sin_cos;
 use super::super::{self as real, ComplexEvaluated, NoValue};
 use super::{GUARD, inner, middle, turned, turned_back, widened};
 use crate::{Ball, ComplexBall, Mag};
@@ -16,17 +18,21 @@ fn product(a: real::Evaluated, b: real::Evaluated, prec: u32) -> real::Evaluated
 
 /// `sin z = sin x cosh y + i cos x sinh y`.
 pub fn sin(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
-    let (x, y, p) = (&z.re, &z.im, prec + GUARD);
-    let re = product(real::sin(x, p), real::cosh(y, p), prec)?;
-    let im = product(real::sinh(y, p), real::cos(x, p), prec)?;
+    let p = prec + GUARD;
+    let [sin, cos] = sin_cos(&z.re, p)?;
+    let (sinh, cosh) = sinh_cosh(&z.im, p);
+    let re = product(Ok(sin), cosh, prec)?;
+    let im = product(sinh, Ok(cos), prec)?;
     Ok(ComplexBall::new(re, im))
 }
 
 /// `cos z = cos x cosh y − i sin x sinh y`.
 pub fn cos(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
-    let (x, y, p) = (&z.re, &z.im, prec + GUARD);
-    let re = product(real::cos(x, p), real::cosh(y, p), prec)?;
-    let im = product(real::sin(x, p), real::sinh(y, p), prec)?;
+    let p = prec + GUARD;
+    let [sin, cos] = sin_cos(&z.re, p)?;
+    let (sinh, cosh) = sinh_cosh(&z.im, p);
+    let re = product(Ok(cos), cosh, prec)?;
+    let im = product(Ok(sin), sinh, prec)?;
     Ok(ComplexBall::new(re, -im))
 }
 
@@ -38,6 +44,24 @@ pub fn sinh(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
 /// `cosh z = cos iz`.
 pub fn cosh(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
     cos(&turned(z), prec)
+}
+
+/// `1/cosh z`, at most `1/√(sinh² x + cos² y)`: the parts of cosh over a wide rectangle may hold
+/// zero each, and cosh not.
+pub fn sech(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
+    let (s, c) = (
+        sinh_cosh(&z.re, BITS).0?.mignitude(),
+        sin_cos(&z.im, BITS)?[1].mignitude(),
+    );
+    let least = real::trigonometric::root_below(s.mul_below(s).add_below(c.mul_below(c)));
+    if least.is_zero() {
+        return Err(NoValue::Undecided("a pole of 1/cosh may be in the operand"));
+    }
+    let most = Mag::power_of_two(0).div(least);
+    match super::recip(&cosh(z, prec)?, prec) {
+        Ok(found) if found.radius() <= most => Ok(found),
+        _ => Ok(ComplexBall::zero(prec).widened(most)),
+    }
 }
 
 /// Beyond this |y| tan z is ±i but for `4 e^{−2|y|}`.

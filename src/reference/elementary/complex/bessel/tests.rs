@@ -66,3 +66,21 @@ fn boxes_hold_values() {
     assert!(besselj(&half, &across, 64).is_err());
     assert!(besselj(&half.widened(Mag::from_f64(1e-9)), &point(1.0, 0.0), 64).is_err());
 }
+
+/// Between the powers of a modest order and its sums, where terms of the series exceed the range of
+/// doubles: values by mpmath.
+#[test]
+fn large_terms_of_the_series() {
+    for (x, due) in [
+        (900.0, -0.000_989_701_313_047_769),
+        (1000.0, 0.013_889_378_035_385_042),
+        (1590.0, 0.019_961_329_044_690_75),
+    ] {
+        let found = besselj(&Ball::integer(64, 40), &point(x, 0.0), 80).unwrap();
+        let error = (found.re.mid().to_f64() - due).abs();
+        assert!(
+            error < 1e-15 && found.re.rad() < Mag::power_of_two(-70),
+            "{x}: {found:?}"
+        );
+    }
+}

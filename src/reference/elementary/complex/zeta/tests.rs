@@ -31,9 +31,16 @@ fn known_values() {
     assert!(of(-7.0, 0.0).re.overlaps(&rational(1, 240)));
     assert!(of(300.0, 2.0).re.overlaps(&Ball::integer(64, 1)));
     // Exactly zero, and so at no neighbour.
-    for x in [-2.0f64, -20.0] {
+    for x in [-2.0f64, -20.0, -1e6] {
         assert!(of(x, 0.0).re.is_zero() && !of(x.next_up(), 0.0).re.contains_zero());
     }
+    for (x, y) in [(-2.0, 1e-3), (-3.0, 0.0), (-2.5, 0.0), (0.0, 0.0)] {
+        assert!(!of(x, y).re.contains_zero(), "{x} {y}");
+    }
+    let slope = zetaderivative(&Ball::integer(64, 1), &point(-2.0, 0.0), 120).unwrap();
+    // ζ'(−2) = −ζ(3)/(4π²)
+    let due = -of(3.0, 0.0).re / Ball::pi(200).square().shift(2);
+    assert!(slope.re.overlaps(&due) && slope.re.is_negative());
     // ζ'(0) = −ln(2π)/2
     let slope = zetaderivative(&Ball::integer(64, 1), &point(0.0, 0.0), 120).unwrap();
     let due = -real::log(&Ball::pi(200).shift(1), 200).unwrap().shift(-1);
