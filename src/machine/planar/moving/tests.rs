@@ -525,7 +525,7 @@ fn a_resistance_holds_and_stops_the_crank_of_a_four_bar() {
         "-6.88505742",
         "-24.4894070",
         "6.88505742",
-        "53.9193970",
+        "53.9194070",
     ];
     assert_eq!(held[6..], statics);
 }
