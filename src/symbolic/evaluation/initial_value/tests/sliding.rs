@@ -118,7 +118,11 @@ fn quantity(text: &str, quantity: &str, times: &[(i64, i64)]) -> Vec<Option<Ball
     let mut motion = problem.trajectory(&[], limited()).unwrap();
     let value = |time: &(i64, i64)| {
         let time = Rational::from(*time);
-        let states = motion.enclosed(&time, 64).unwrap();
+        // All states are zero at the start, exactly.
+        let states = match time.is_zero() {
+            true => vec![Ball::integer(64, 0); 2],
+            false => motion.enclosed(&time, 64).unwrap(),
+        };
         motion.quantities(&time, &states, 64).unwrap().remove(0)
     };
     times.iter().map(value).collect()
