@@ -15,7 +15,7 @@ use crate::Mag;
 #[derive(Clone, Debug)]
 pub(super) struct ErrorSet {
     basis: Enclosed,
-    boxes: Vec<Vec<Mag>>,
+    pub boxes: Vec<Vec<Mag>>,
 }
 
 impl ErrorSet {
@@ -57,7 +57,7 @@ impl ErrorSet {
 
     /// The image in the basis `D Q`: `x = W e + (I − W D Q) x` with `W = Qᵀ D^{−1}`, and `|x| ≤ |W
     /// e| + κ/(1 − κ) max |W e|` for `κ = ‖I − W D Q‖_∞`.
-    fn in_basis(
+    pub fn in_basis(
         &self,
         image: &Enclosed,
         extra: &[Vec<Mag>],

@@ -247,7 +247,10 @@ impl Setting<'_> {
         defect: &[Mag],
     ) -> Result<Step, Failure> {
         let sizes = sizes(p, h);
-        let weights: Vec<f64> = sizes.iter().map(|s| weight(*s)).collect();
+        let largest = sizes.iter().fold(Mag::ZERO, |m, s| m.max(*s));
+        // In units of a state that is nothing but rounding, rounded slopes by others are not small.
+        let least = largest.shift(-40);
+        let weights: Vec<f64> = sizes.iter().map(|s| weight(s.max(least))).collect();
         let start = place.errors.radii();
         let all: Vec<Mag> = start.iter().zip(defect).map(|(a, d)| a.add(*d)).collect();
         // Narrower tubes would not make the Jacobian's doubles any better.

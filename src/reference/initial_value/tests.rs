@@ -282,6 +282,27 @@ fn sets_hold_the_images_of_their_errors() {
     }
 }
 
+/// The coordinates of the corners of a square, in a basis that is not quite orthogonal; a basis
+/// that is far from it is refused.
+#[test]
+fn coordinates_hold_in_bases_that_are_nearly_orthogonal() {
+    let one = Mag::from_f64(1.0);
+    let square = ErrorSet::of_boxes(&[vec![one; 2]], &[1.0; 2]);
+    let image = Enclosed::exact(2, vec![1.0, 0.0, 0.0, 1.0]);
+    let turned = |q: [f64; 4]| {
+        let none = [vec![Mag::ZERO; 2]];
+        square.in_basis(&image, &none, &[1.0; 2], q.to_vec())
+    };
+    // x_1 = e_1 − e_2/10, x_2 = e_2.
+    let boxes = turned([1.0, 0.1, 0.0, 1.0]).unwrap().boxes;
+    let least = [1.1, 1.0].map(Mag::from_f64);
+    assert!(
+        boxes[0].iter().zip(least).all(|(r, least)| *r >= least),
+        "{boxes:?}"
+    );
+    assert!(turned([1.0, 1.0, 1.0, 1.0]).is_none());
+}
+
 /// A rotation does not make a set larger, however often it is applied.
 #[test]
 fn sets_turn_without_wrapping() {
@@ -440,6 +461,53 @@ fn a_tube_that_is_left_proves_nothing() {
         let exact = Rational::from((4 * start, 4000 - start));
         assert!(end.contains(&exact), "{end:?}");
     }
+}
+
+/// `y′ = atan2(y, x)` with `x′ = x²` has a smooth Jacobian across the cut, but no smooth rates.
+#[test]
+fn rates_that_jump_in_the_tube_prove_nothing() {
+    let mut rates = Program::new();
+    let [y, x] = [0, 1].map(|i| rates.push(Operation::State(i)));
+    let slopes = |program: &mut Program, [y, x]: [Slot; 2]| {
+        let squares = [y, x].map(|a| program.push(Operation::Square(a)));
+        let sum = program.push(Operation::Add(squares[0], squares[1]));
+        let [by_y, to_x] = [x, y].map(|a| program.push(Operation::Div(a, sum)));
+        [by_y, program.push(Operation::Neg(to_x))]
+    };
+    let [by_y, by_x] = slopes(&mut rates, [y, x]);
+    let parts = vec![(y, by_y), (x, by_x)];
+    let angle = rates.push(Operation::Primitive(Primitive::Atan2, parts));
+    let square = rates.push(Operation::Square(x));
+    let mut jacobian = Program::new();
+    let [y, x] = [0, 1].map(|i| jacobian.push(Operation::State(i)));
+    let [by_y, by_x] = slopes(&mut jacobian, [y, x]);
+    let double = jacobian.push(Operation::Add(x, x));
+    let entries = vec![(0, 0, by_y), (0, 1, by_x), (1, 1, double)];
+    let field = Field::new(rates, vec![angle, square], jacobian, entries);
+    let constants = Constants {
+        rates: Vec::new(),
+        jacobian: Vec::new(),
+    };
+    let setting = Setting {
+        field: &field,
+        constants: &constants,
+        bits: BITS,
+        order: 20,
+    };
+    let place = |radius: f64| Place {
+        time: Rational::from(0),
+        mid: [0.01, -2.0].map(|x| Float::with_val(BITS, x)).into(),
+        errors: ErrorSet::of_boxes(&[vec![Mag::from_f64(radius); 2]], &[1.0; 2]),
+        carried: None,
+    };
+    let (expansion, p) = setting.expand(&place(0.0)).unwrap();
+    let defect = [Mag::from_f64(1e-9); 2];
+    let proved = |radius| {
+        let of = (&expansion, &p[..]);
+        setting.proved(&place(radius), of, 1.0 / 1024.0, &defect)
+    };
+    assert!(proved(1e-6).is_ok());
+    assert_eq!(proved(1e-3).err(), Some(Failure::Wide));
 }
 
 /// `1/(1 − t)` at many times, before and after the start.

@@ -7,9 +7,7 @@ use super::{Moving, MovingError, Row};
 use crate::reference::{Ball, Decimal};
 use crate::study::StudySystem;
 use mechaudit_symbolic::SymbolicError;
-use mechaudit_symbolic::evaluation::{
-    Balls, Evaluator, InitialValueProblem, Limits, Trajectory, Value,
-};
+use mechaudit_symbolic::evaluation::{Balls, Evaluator, InitialValueProblem, Limits, Trajectory};
 use mechaudit_symbolic::graph::{Graph, Id};
 use rug::{Complete, Float, Integer, Rational};
 use std::sync::Arc;
@@ -19,8 +17,9 @@ const RAISED: u32 = 3;
 
 /// Certified values of a motion.
 pub struct Certified {
+    /// The graph of the starts.
     graph: Arc<Graph>,
-    /// The quantities of a row: states, or expressions of them.
+    /// The quantities of a row: states, or quantities of the trajectory.
     outputs: Vec<Output>,
     trajectory: Trajectory,
     digits: u32,
@@ -28,13 +27,11 @@ pub struct Certified {
     until: Option<usize>,
     outside: Option<usize>,
     starts: Vec<Id>,
-    /// True if a resistance may hold the drive at rest; formulas take it to go forward.
-    holds: bool,
 }
 
 enum Output {
     State(usize),
-    Expression(Id),
+    Quantity(usize),
 }
 
 /// Certified digits at a moment.
@@ -73,18 +70,15 @@ impl Certified {
         let mut posed = graph.clone();
         let zero = posed.number(0);
         let problem = InitialValueProblem::of_graph(posed, zero, &nodes).map_err(fault)?;
-        let problem = problem.without_slides();
+        let problem = problem.with_quantities(outputs);
         let trajectory = problem.trajectory(&[], Limits::default()).map_err(fault)?;
         let state = |name: &str| equations.states.iter().position(|s| s.name == *name);
-        let output = |(id, name): (Id, &String)| match state(name) {
-            Some(k) => Output::State(k),
-            None => Output::Expression(id),
-        };
-        let outputs = outputs.into_iter().zip(&equations.outputs);
+        let outputs = equations.outputs.iter().enumerate();
+        let outputs =
+            outputs.map(|(k, name)| state(name).map_or(Output::Quantity(k), Output::State));
         Ok(Certified {
-            outputs: outputs.map(output).collect(),
+            outputs: outputs.collect(),
             starts: nodes.iter().map(|n| n.0).collect(),
-            holds: moving.holds && matches!(row, Row::RunUp { .. }),
             until: state(UNTIL),
             outside: state(OUTSIDE),
             graph: Arc::new(graph),
@@ -128,19 +122,19 @@ impl Certified {
             Some(starts) => starts,
             None => self.states(time, bits)?,
         };
-        let mut when = Ball::rational(bits + 64, time);
-        match self.passed(time, &states, bits)? {
+        let quantities = match self.passed(time, &states, bits)? {
             Passed::Open => return Ok(()),
-            Passed::Not => {}
+            Passed::Not => self.trajectory.quantities(time, &states, bits),
             Passed::End(end, at_end) => {
                 let decimal = end.to_decimal(self.digits as usize);
                 let Some(decimal) = decimal.and_then(|d| Decimal::parse(&d).ok()) else {
                     return Ok(());
                 };
                 found.ended = Some(decimal.value);
-                (when, states) = (end, at_end);
+                states = at_end;
+                Ok(self.trajectory.quantities_across(&end, &states))
             }
-        }
+        };
         if let Some(k) = self.outside {
             if states[k].is_positive() {
                 return Err("the speed has left the motor's table".into());
@@ -149,20 +143,16 @@ impl Certified {
                 return Ok(());
             }
         }
-        let mut values = self.values(&when, &states, bits + 64);
-        if let [_, Some(speed), acceleration] = &mut values[..]
-            && self.holds
-            && speed.contains_zero()
-            && !acceleration.as_ref().is_some_and(Ball::is_positive)
-        {
-            *acceleration = None;
-        }
-        for (found, value) in found.digits.iter_mut().zip(values) {
+        for (found, output) in found.digits.iter_mut().zip(&self.outputs) {
+            let value = match output {
+                Output::State(k) => Some(&states[*k]),
+                Output::Quantity(k) => quantities.as_ref().ok().and_then(|all| all[*k].as_ref()),
+            };
             if found.is_none() {
-                *found = value.and_then(|v| self.decimal(&v));
+                *found = value.and_then(|value| self.decimal(value));
             }
         }
-        Ok(())
+        quantities.map(drop).map_err(|e| e.to_string())
     }
 
     /// The states at the start.
@@ -223,20 +213,6 @@ impl Certified {
             true => Some("0".into()),
             false => value.to_decimal(self.digits as usize),
         }
-    }
-
-    /// The quantities about enclosed states.
-    fn values(&self, time: &Ball, states: &[Ball], bits: u32) -> Vec<Option<Ball>> {
-        let mut evaluator = Evaluator::new(self.graph.clone(), Balls::new(bits));
-        evaluator.set_input(0, Value::Real(time.clone()));
-        for (k, state) in states.iter().enumerate() {
-            evaluator.set_input(k + 1, Value::Real(state.clone()));
-        }
-        let value = |output: &Output| match output {
-            Output::State(k) => Some(states[*k].clone()),
-            Output::Expression(id) => evaluator.value(*id).ok()?.real().cloned(),
-        };
-        self.outputs.iter().map(value).collect()
     }
 }
 

@@ -77,8 +77,6 @@ pub(super) struct Writer<'a> {
     /// Names of these coordinates and of their rates.
     pub q: Vec<[String; 2]>,
     pub out: Equations,
-    /// True where a body that a resistance holds at rest is taken to go forward from there.
-    pub is_forward: bool,
     /// Definitions by their texts.
     pub known: HashMap<String, String>,
 }
@@ -125,7 +123,6 @@ impl Moving {
             linear,
             free,
             out: Equations::default(),
-            is_forward: matches!(row, Row::RunUp { .. }),
             known: HashMap::new(),
         };
         writer.name();

@@ -38,10 +38,7 @@ impl Writer<'_> {
                 let speed = self.turning(*body, *from);
                 let mut torque = formulas.torque.replace("speed", &speed);
                 if let Some(size) = &formulas.friction {
-                    torque += &match self.is_forward {
-                        true => format!(" + if({speed} < 0, {size}, -{size})"),
-                        false => format!(" - copysign({size}, {speed})"),
-                    };
+                    torque += &format!(" - copysign({size}, {speed})");
                 }
                 let torque = format!("({torque})");
                 let torque = self.define(torque);

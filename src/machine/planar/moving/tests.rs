@@ -413,3 +413,119 @@ fn the_end_of_a_motion_is_certified() {
     let mut motion = Certified::new(&moving, 15, &row).unwrap();
     assert_eq!(motion.at(&early).ended, None);
 }
+
+/// The digits of all quantities at a time.
+fn digits_at(motion: &mut Certified, time: (i32, i32)) -> Vec<String> {
+    let found = motion.at(&rug::Rational::from(time));
+    assert_eq!(found.reason, None, "{time:?}");
+    let digits = found.digits.iter().map(|d| d.as_deref().unwrap());
+    digits.map(String::from).collect()
+}
+
+/// A wheel that a resistance of 2 N m holds until a torque of 8 N m/s times t overcomes it, and
+/// again after the torque has ended: `0.5 ω̇ = 8 t − 2` from 1/4 s to 1 s, `14 − 8 t` to 2 s, and −2
+/// to 33/8 s.
+#[test]
+fn a_resistance_holds_a_wheel_frees_and_stops_it() {
+    let text = |end: &str| {
+        format!(
+            r#"
+        type = "planar"
+        [ground]
+        points = {{ O = ["0 m", "0 m"] }}
+        [[body]]
+        name = "wheel"
+        ends = ["O", "A"]
+        length = "10 cm"
+        mass = "1 kg"
+        inertia = "0.5 kg m^2"
+        centre = ["0 cm", "0 cm"]
+        [[joint]]
+        kind = "pin"
+        point = "O"
+        [drive]
+        body = "wheel"
+        [motor]
+        kind = "table"
+        points = [["0 s", "0 N m"], ["1 s", "8 N m"], ["2 s", "0 N m"]]
+        [load]
+        constant = "2 N m"
+        [motion]
+        {end}
+        [motion.start]
+        wheel = {{ at = "0 deg", speed = "0 rad/s" }}
+    "#
+        )
+    };
+    let run = Row::RunUp { target: None };
+    let mut motion = Certified::new(&read(&text("")), 12, &run).unwrap();
+    for (time, due) in [
+        ((0, 1), ["0", "0", "0"]),
+        ((1, 5), ["0", "0", "0"]),
+        // The moment at which it is freed, and a corner of the torque.
+        ((1, 4), ["0", "0", "0"]),
+        ((1, 1), ["64.4577519522", "4.50000000000", "12.0000000000"]),
+        ((2, 1), ["513.274691471", "8.50000000000", "-4.00000000000"]),
+        (
+            (4, 1),
+            ["1028.93670709", "0.500000000000", "-4.00000000000"],
+        ),
+        ((5, 1), ["1030.72720020", "0", "0"]),
+    ] {
+        assert_eq!(digits_at(&mut motion, time), due, "{time:?}");
+    }
+    // Where it stops the acceleration jumps.
+    let found = motion.at(&rug::Rational::from((33, 8)));
+    assert_eq!(found.digits[1..], [Some("0".into()), None]);
+    let forces = Row::Motion { reactions: true };
+    let mut motion = Certified::new(&read(&text("")), 12, &forces).unwrap();
+    let held = ["0", "0", "0", "9.80665000000"].map(String::from);
+    assert_eq!(digits_at(&mut motion, (0, 1)), held);
+    assert_eq!(digits_at(&mut motion, (1, 5)), held);
+    // The motion may end where the wheel stops.
+    let until = read(&text("until = \"omega_wheel - (1/2)\""));
+    let mut motion = Certified::new(&until, 12, &Row::Motion { reactions: false }).unwrap();
+    let found = motion.at(&rug::Rational::from(3));
+    assert_eq!(found.reason, None);
+    assert_eq!(found.ended.unwrap().to_f64(), 0.5);
+}
+
+/// A four-bar whose crank a resistance holds, until the torque grows, and stops at the end: values of
+/// scipy's DOP853 from one event to the next, and of the statics of coupler and rocker.
+#[test]
+fn a_resistance_holds_and_stops_the_crank_of_a_four_bar() {
+    let text = include_str!("../../../../examples/four-bar-run-up.toml");
+    let (before, after) = text.split_once("[motor]").unwrap();
+    let (_, load) = after.split_once("[load]").unwrap();
+    let motor = r#"[motor]
+        kind = "table"
+        points = [["0 s", "3 N m"], ["0.5 s", "6 N m"], ["0.7 s", "2 N m"]]
+        rotor_inertia = "0.02 kg m^2"
+        [load]"#;
+    let text = [before, motor, load].concat().replace("0 deg", "40 deg");
+    let moving = read(&text);
+    let mut motion = Certified::new(&moving, 9, &Row::RunUp { target: None }).unwrap();
+    for (time, due) in [
+        ((1, 10), ["40.0000000", "0", "0"]),
+        ((1, 5), ["40.1671821", "0.160072137", "5.83163135"]),
+        ((2, 5), ["55.8135451", "3.07113933", "20.5839157"]),
+        ((9, 5), ["717.157701", "4.48938856", "-11.6631860"]),
+        ((2, 1), ["744.055145", "0", "0"]),
+    ] {
+        assert_eq!(digits_at(&mut motion, time), due, "{time:?}");
+    }
+    let mut motion = Certified::new(&moving, 9, &Row::Motion { reactions: true }).unwrap();
+    let held = digits_at(&mut motion, (1, 20));
+    assert_eq!(digits_at(&mut motion, (0, 1))[6..], held[6..]);
+    let statics = [
+        "-6.88505742",
+        "24.5605930",
+        "-6.88505742",
+        "14.7505930",
+        "-6.88505742",
+        "-24.4894070",
+        "6.88505742",
+        "53.9194070",
+    ];
+    assert_eq!(held[6..], statics);
+}

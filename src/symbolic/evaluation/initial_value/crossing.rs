@@ -33,6 +33,28 @@ pub(super) struct Crossing {
     pub states: Vec<Ball>,
     /// True if the motion is on the switch then, and stays there.
     pub slides: bool,
+    /// True if the rates on the way are those before and after it.
+    pub has_two_sides: bool,
+}
+
+impl Crossing {
+    /// The way from a time and states on, by boxes of the states on it and at its end.
+    pub fn new(
+        (time, states): (&Rational, &[Ball]),
+        after: Rational,
+        (hull, end): (Vec<Ball>, Vec<Ball>),
+        slides: bool,
+    ) -> Crossing {
+        Crossing {
+            before: time.clone(),
+            starts: states.to_vec(),
+            after,
+            hull,
+            states: end,
+            slides,
+            has_two_sides: true,
+        }
+    }
 }
 
 pub(super) const TOUCHES: &str = "the motion may touch a switch without crossing it, or stay at it";
@@ -73,6 +95,7 @@ pub(super) fn cross(
     bits: u32,
 ) -> Result<Crossing, Uncrossed> {
     let last = pieces.last().ok_or(Uncrossed::Open(TOUCHES))?;
+    let has_two_sides = pieces.len() == 2;
     for _ in 0..4 * bits {
         let after = match is_backward {
             true => Rational::from(time - &width),
@@ -114,13 +137,10 @@ pub(super) fn cross(
             let reached = one.min(*other).mul(way.mignitude()).shift(-1);
             match off {
                 Some(off) if off < reached => {
+                    let crossing = Crossing::new((time, states), after, (hull, end), true);
                     return Ok(Crossing {
-                        before: time.clone(),
-                        starts: states.to_vec(),
-                        after,
-                        hull,
-                        states: end,
-                        slides: true,
+                        has_two_sides,
+                        ..crossing
                     });
                 }
                 _ => continue,
@@ -129,13 +149,10 @@ pub(super) fn cross(
         let at_end = Ball::rational(bits, &after);
         let past = last.guards(&at_end, &end);
         if past.is_ok_and(|guards| guards.iter().all(Guarded::holds)) {
+            let crossing = Crossing::new((time, states), after, (hull, end), false);
             return Ok(Crossing {
-                before: time.clone(),
-                starts: states.to_vec(),
-                after,
-                hull,
-                states: end,
-                slides: false,
+                has_two_sides,
+                ..crossing
             });
         }
     }

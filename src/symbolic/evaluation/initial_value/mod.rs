@@ -25,6 +25,7 @@ mod field;
 mod motion;
 mod piece;
 mod problem;
+mod quantities;
 mod sliding;
 mod trajectory;
 

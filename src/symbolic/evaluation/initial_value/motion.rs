@@ -3,6 +3,7 @@
 use super::crossing::{cross, jumped, times, whole};
 use super::field::{AT_SWITCH, Sides, Smooth, set, side};
 use super::piece::{MOST, Piece, at_rate, carrying, fields_on, gradients};
+use super::quantities::Quantities;
 use super::sliding::Sliding;
 use super::{InitialValueProblem, MotionError};
 use crate::evaluation::ball::unary;
@@ -78,6 +79,7 @@ impl Motion {
             None => Piece {
                 slides: None,
                 leaves: None,
+                quantities: None,
                 field: Smooth::new(problem, &mut evaluator, &Sides::new())
                     .map_err(|fault| at_rate(fault, &start))?,
                 solution: carrying(Solution::new(start.clone(), &starts, bits), &variation),
@@ -163,8 +165,9 @@ impl Motion {
     /// Enclosures of the switching times and of the states then.
     pub fn switches(&self) -> impl Iterator<Item = (Ball, Vec<Ball>)> {
         self.pieces.iter().filter_map(|piece| {
-            let (before, states) = piece.entry.as_ref()?;
-            Some((times(self.bits, before, &piece.start), states.clone()))
+            let entry = piece.entry.as_ref()?;
+            let time = times(self.bits, &entry.before, &piece.start);
+            Some((time, entry.hull.clone()))
         })
     }
 
@@ -197,36 +200,75 @@ impl Motion {
                 }
             }
         }
-        let (mut k, mut states) = (self.pieces.len() - 1, None);
-        loop {
-            if self.is_past(time, &self.pieces[k].start) {
-                break;
-            }
-            if let Some((before, hull)) = &self.pieces[k].entry
-                && self.is_past(time, before)
-            {
-                states = Some(hull.clone());
-                break;
-            }
-            if k == 0 {
-                break;
-            }
-            k -= 1;
-        }
-        if let Some(mut states) = states {
-            let unknown = problem.variation.as_ref().map_or(0, |s| s.start.len());
-            states.extend((0..unknown).map(|_| whole()));
-            return Ok(states);
-        }
+        let (k, is_across) = self.place(time);
         let piece = &mut self.pieces[k];
+        if let Some(entry) = piece.entry.as_ref().filter(|_| is_across) {
+            let unknown = problem.variation.as_ref().map_or(0, |s| s.start.len());
+            let unknown = (0..unknown).map(|_| whole());
+            return Ok(entry.hull.iter().cloned().chain(unknown).collect());
+        }
         let mut states = piece.at(time, steps)?;
         states.extend(piece.carried(time, steps)?);
         Ok(states)
     }
 
+    /// The piece of a time; true for a time on the way across the switch that leads to the piece.
+    fn place(&self, time: &Rational) -> (usize, bool) {
+        for (k, piece) in self.pieces.iter().enumerate().rev() {
+            if self.is_past(time, &piece.start) {
+                return (k, false);
+            }
+            let entry = piece.entry.as_ref();
+            if entry.is_some_and(|entry| self.is_past(time, &entry.before)) {
+                return (k, true);
+            }
+        }
+        (0, false)
+    }
+
+    /// The values of the quantities at a time and the states then, as far as the motion is known:
+    /// at a start at switches those on the sides to which it goes, on the way from one piece to
+    /// another those of both.
+    pub fn quantities(
+        &mut self,
+        problem: &InitialValueProblem,
+        time: &Rational,
+        (when, states): (&Ball, &[Ball]),
+    ) -> Vec<Option<Ball>> {
+        let (k, is_across) = self.place(time);
+        let piece = &self.pieces[k];
+        let mut first = k;
+        let mut at = (when, states.to_vec());
+        if let Some(entry) = piece.entry.as_ref().filter(|_| is_across) {
+            match k {
+                0 if entry.before == *time && piece.departs(when, states) => {}
+                1.. if entry.has_two_sides => (first, at.1) = (k - 1, entry.hull.clone()),
+                _ => {
+                    let quantities = Quantities::on(problem, &Sides::new());
+                    // A start at a switch is not on the side to which the motion goes.
+                    let span = times(self.bits, &entry.before, &piece.start);
+                    let when = if k == 0 { &span } else { when };
+                    let at = (when, entry.hull.as_slice());
+                    return quantities.values(problem, &mut self.evaluator, at);
+                }
+            }
+        }
+        let mut found: Option<Vec<Option<Ball>>> = None;
+        for piece in &mut self.pieces[first..=k] {
+            let quantities = piece.quantities(problem);
+            let values = quantities.values(problem, &mut self.evaluator, (at.0, &at.1));
+            let union = |(a, b): (Option<Ball>, Option<Ball>)| Some(a?.union(&b?));
+            found = Some(match found {
+                None => values,
+                Some(found) => found.into_iter().zip(values).map(union).collect(),
+            });
+        }
+        found.unwrap_or_default()
+    }
+
     /// Proves the guards of the last piece over the next step, or enters the next piece. Those of a
-    /// motion that slides, whose steps may be far longer than its guards have bounds, are proved up
-    /// to a time at most.
+    /// motion that slides, whose steps may be far longer than its guards have bounds, are proved at
+    /// most as far beyond a time as it is from where they are proved.
     fn extend(
         &mut self,
         problem: &InitialValueProblem,
@@ -241,8 +283,9 @@ impl Motion {
             .end_of_step(field, constants, &piece.verified, is_backward, steps)
             .map_err(Halt::Stopped)?;
         let length = Rational::from(&end - &piece.verified).abs();
-        if piece.slides.is_some() && end > *time {
-            end.clone_from(time);
+        let most = Rational::from(time * 2u32) - &piece.verified;
+        if piece.slides.is_some() && end > most {
+            end = most;
         }
         if let Some((sliding, exit)) = piece.leaves.clone() {
             let mut evaluator = sliding.evaluator(&mut self.evaluator);

@@ -4,6 +4,7 @@ use super::crossing::{Crossing, TOUCHES, Uncrossed, cross, jumped, times, whole}
 use super::field::{Guarded, Sides, Smooth, set, set_again};
 use super::motion::Halt;
 use super::problem::InitialValueProblem;
+use super::quantities::Quantities;
 use super::sliding::{Exit, Sliding, values_at};
 use crate::evaluation::taylor::{Side, Switch};
 use crate::evaluation::{Balls, Evaluator};
@@ -18,8 +19,8 @@ use std::sync::Arc;
 pub(super) struct Piece {
     pub field: Smooth,
     pub solution: Solution,
-    /// The time and the states before the switch that leads here, with those on the way.
-    pub entry: Option<(Rational, Vec<Ball>)>,
+    /// The way across the switch that leads here.
+    pub entry: Option<Entry>,
     pub start: Rational,
     /// All guards hold from the start to this time.
     pub verified: Rational,
@@ -27,6 +28,18 @@ pub(super) struct Piece {
     pub slides: Option<Arc<Sliding>>,
     /// A switch that the motion leaves at the start of the piece, and the number of the exit.
     pub leaves: Option<(Arc<Sliding>, usize)>,
+    /// The quantities on the sides of the piece, once they are asked for.
+    pub quantities: Option<Quantities>,
+}
+
+/// The way across a switch to a piece.
+pub(super) struct Entry {
+    /// The time before the switch.
+    pub before: Rational,
+    /// The states on the way.
+    pub hull: Vec<Ball>,
+    /// True if the rates on the way are those of the two pieces.
+    pub has_two_sides: bool,
 }
 
 /// Parts of a step are halved so often before a guard is given up.
@@ -41,9 +54,14 @@ impl Piece {
         Piece {
             field,
             solution: carrying(solution, variation),
-            entry: Some((crossing.before, crossing.hull)),
+            entry: Some(Entry {
+                before: crossing.before,
+                hull: crossing.hull,
+                has_two_sides: crossing.has_two_sides,
+            }),
             slides: None,
             leaves: None,
+            quantities: None,
             verified: crossing.after.clone(),
             start: crossing.after,
         }
@@ -124,10 +142,8 @@ impl Piece {
                 ),
                 Some(_) => None,
             };
-            let reason = match problem.slides {
-                true => "the motion may slide along two switches at once, or with rates of its own",
-                false => TOUCHES,
-            };
+            let reason =
+                "the motion may slide along two switches at once, or with rates of its own";
             return piece.ok_or_else(|| halt(reason));
         }
         if problem.variation.is_some() {
@@ -140,6 +156,24 @@ impl Piece {
         Ok(Piece {
             slides,
             ..Piece::after(field, crossing, &s, bits)
+        })
+    }
+
+    /// Returns true if a motion certainly goes to the sides of the piece from a time and states,
+    /// which may be at switches.
+    pub fn departs(&self, time: &Ball, states: &[Ball]) -> bool {
+        let goes = |guard: &Guarded| {
+            guard.holds() || guard.value.is_zero() && guard.rises() == Some(guard.positive)
+        };
+        let guards = self.field.guards(time, states);
+        guards.is_ok_and(|guards| guards.iter().all(goes))
+    }
+
+    /// The quantities of the problem on the sides of the piece.
+    pub fn quantities(&mut self, problem: &InitialValueProblem) -> &Quantities {
+        self.quantities.get_or_insert_with(|| {
+            let problem = self.slides.as_ref().map_or(problem, |along| &along.problem);
+            Quantities::on(problem, &self.field.active())
         })
     }
 
@@ -158,9 +192,6 @@ impl Piece {
         known: &mut Vec<Arc<Sliding>>,
         is_start: bool,
     ) -> Option<Piece> {
-        if !problem.slides {
-            return None;
-        }
         let sliding = match known.iter().find(|sliding| sliding.switch == switch) {
             Some(sliding) => sliding.clone(),
             None => {

@@ -80,8 +80,8 @@ pub struct InitialValueProblem {
     pub(super) switches: Vec<(Switch, Option<Id>)>,
     /// Switches that are guarded, although the rates do not need them.
     pub(super) margins: Vec<Switch>,
-    /// True if motions are followed along switches.
-    pub(super) slides: bool,
+    /// Nodes whose values are asked for along the motion.
+    pub(super) quantities: Vec<Id>,
     /// The derivatives that are carried along.
     pub(super) variation: Option<Variation>,
     /// The problem that carries derivatives along, once it is asked for.
@@ -207,7 +207,7 @@ impl InitialValueProblem {
         Ok(InitialValueProblem {
             switches,
             margins: Vec::new(),
-            slides: true,
+            quantities: Vec::new(),
             inputs,
             time,
             start,
@@ -258,11 +258,11 @@ impl InitialValueProblem {
         problem.by_inputs(start)
     }
 
-    /// The problem whose motions are undecided where they slide along a switch: for rates of which
-    /// other quantities depend on the sides, too.
+    /// The problem with quantities, nodes of its graph, for [`Trajectory::quantities`]. What jumps
+    /// in a quantity at a switch has to be a linear function of what jumps in the rates there.
     #[must_use]
-    pub fn without_slides(mut self) -> InitialValueProblem {
-        self.slides = false;
+    pub fn with_quantities(mut self, quantities: Vec<Id>) -> InitialValueProblem {
+        self.quantities = quantities;
         self
     }
 

@@ -77,13 +77,15 @@ impl Sliding {
             });
         let value = value_of_switch(&mut graph, switch);
         let mut sides = Vec::new();
+        let n = problem.rates.len();
+        let all = [problem.rates.as_slice(), &problem.quantities].concat();
         for is_above in [false, true] {
-            let map = choices(&mut graph, &problem.rates, switch, is_above);
-            let rates = problem.rates.iter().map(|rate| graph.replaced(*rate, &map));
-            let rates: Vec<Id> = rates.collect::<Result<_, _>>()?;
-            let first = rate_of_value(&mut graph, value, problem.inputs, &rates)?;
-            let second = rate_of_value(&mut graph, first, problem.inputs, &rates)?;
-            sides.push((rates, first, second));
+            let map = choices(&mut graph, &all, switch, is_above);
+            let nodes = all.iter().map(|node| graph.replaced(*node, &map));
+            let nodes: Vec<Id> = nodes.collect::<Result<_, _>>()?;
+            let first = rate_of_value(&mut graph, value, problem.inputs, &nodes[..n])?;
+            let second = rate_of_value(&mut graph, first, problem.inputs, &nodes[..n])?;
+            sides.push((nodes, first, second));
         }
         let [(below, fall, _), (above, rise, _)] = &sides[..] else {
             unreachable!("two sides")
@@ -94,7 +96,7 @@ impl Sliding {
             Some(k) => HashMap::from([(graph.input(problem.inputs + 1 + k), zero)]),
             None => HashMap::new(),
         };
-        let mut states = Vec::new();
+        let mut means = Vec::new();
         for (k, (below, above)) in below.iter().zip(above).enumerate() {
             let mean = match () {
                 () if rest == Some(k) => zero,
@@ -105,8 +107,10 @@ impl Sliding {
                     graph.push(Node::Add(*below, part))
                 }
             };
-            states.push((zero, graph.replaced(mean, &on_surface)?));
+            means.push(graph.replaced(mean, &on_surface)?);
         }
+        let quantities = means.split_off(n);
+        let states: Vec<(Id, Id)> = means.into_iter().map(|mean| (zero, mean)).collect();
         let mut margins = Vec::new();
         for side in &sides {
             margins.push(Switch::SignOf(graph.replaced(side.1, &on_surface)?));
@@ -123,7 +127,8 @@ impl Sliding {
         let fault = |e: ProblemError| SymbolicError::Unsupported(e.to_string());
         let mut posed = InitialValueProblem::of_graph(graph, zero, &states)
             .map_err(fault)?
-            .guarded(margins);
+            .guarded(margins)
+            .with_quantities(quantities);
         if problem.variation.is_some() {
             posed = posed.by_inputs(Vec::new()).map_err(fault)?;
         }
@@ -202,14 +207,7 @@ impl Sliding {
             let past =
                 |guard: &Guarded| guard.switch != self.switch || guard.rises() == Some(is_up);
             if at_end.is_ok_and(|guards| guards.iter().all(past)) {
-                return Ok(Crossing {
-                    before: time.clone(),
-                    starts: states.to_vec(),
-                    after,
-                    hull,
-                    states: end,
-                    slides: false,
-                });
+                return Ok(Crossing::new((time, states), after, (hull, end), false));
             }
         }
         Err(Uncrossed::Open(TOUCHES))
@@ -258,7 +256,12 @@ pub(super) fn values_at(
 }
 
 /// The nodes that become others on one side of a switch.
-fn choices(graph: &mut Graph, roots: &[Id], switch: Switch, is_above: bool) -> HashMap<Id, Id> {
+pub(super) fn choices(
+    graph: &mut Graph,
+    roots: &[Id],
+    switch: Switch,
+    is_above: bool,
+) -> HashMap<Id, Id> {
     let mut map = HashMap::new();
     let all: Vec<Id> = roots.iter().flat_map(|root| graph.reach(*root)).collect();
     for id in all {

@@ -1,7 +1,9 @@
 //! The solution of an initial value problem, as far as it is asked for.
 
 use super::InitialValueProblem;
+use super::field::Sides;
 use super::motion::{Halt, Motion};
+use super::quantities::Quantities;
 use crate::evaluation::adaptive::lacking;
 use crate::evaluation::{Balls, Evaluator, Goal, Stop, Value};
 use crate::graph::Id;
@@ -205,6 +207,35 @@ impl Trajectory {
         self.until(time, bits, |_| 0)
     }
 
+    /// The values of the problem's quantities at a time up to which the motion is known, and the
+    /// states then; `None` for one that has no value or is not enclosed. At a switch they are those
+    /// on the side of the motion, or the mean along which it slides.
+    ///
+    /// # Errors
+    /// See [`MotionError`]: the motion does not begin.
+    pub fn quantities(
+        &mut self,
+        time: &Rational,
+        states: &[Ball],
+        bits: u32,
+    ) -> Result<Vec<Option<Ball>>, MotionError> {
+        let side = usize::from(*time < self.start);
+        if let Err(halt) = self.begin(side, bits) {
+            return Err(self.error(halt, side));
+        }
+        let run = self.run[side].as_mut().expect("a run");
+        let when = Ball::rational(bits + SPARE, time);
+        Ok(run.quantities(&self.problem, time, (&when, states)))
+    }
+
+    /// The values of the problem's quantities at all times and states of some balls, whatever the
+    /// sides of its switches there are.
+    pub fn quantities_across(&self, time: &Ball, states: &[Ball]) -> Vec<Option<Ball>> {
+        let mut evaluator = self.evaluator(time.prec(), false);
+        let quantities = Quantities::on(&self.problem, &Sides::new());
+        quantities.values(&self.problem, &mut evaluator, (time, states))
+    }
+
     /// The states at a time, at precisions that are raised by the bits that are lacking.
     fn until(
         &mut self,
@@ -248,6 +279,13 @@ impl Trajectory {
                 .map(|found| found.concat())
                 .map_err(Halt::Error);
         }
+        self.begin(side, bits)?;
+        let run = self.run[side].as_mut().expect("a run");
+        run.at(&self.problem, time, &mut self.steps)
+    }
+
+    /// Begins a run of at least `bits` bits before or after the start, if there is none yet.
+    fn begin(&mut self, side: usize, bits: u32) -> Result<(), Halt> {
         if self.run[side].as_ref().is_none_or(|run| run.bits() < bits) {
             // Starts and constants are rounded once more than anything else.
             let [starts, variation] = self.starts(bits + 16).map_err(Halt::Error)?;
@@ -258,8 +296,7 @@ impl Trajectory {
             let motion = Motion::new(&self.problem, evaluator, start, starts, (bits, side == 1));
             self.run[side] = Some(motion?);
         }
-        let run = self.run[side].as_mut().expect("a run");
-        run.at(&self.problem, time, &mut self.steps)
+        Ok(())
     }
 
     fn error(&self, halt: Halt, side: usize) -> MotionError {
