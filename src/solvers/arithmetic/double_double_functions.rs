@@ -36,9 +36,9 @@ fn series<R: Real, const N: usize>(x: Dd<R>, dd: usize, c: impl Fn(usize) -> Dd<
     p
 }
 
-/// `e^x = m · 2^k` as `m` and `ROUND + k`; `x` within ±1500.
+/// `e^x = m · 2^k` as `m` and `ROUND + k`; `x` within ±1500. To about 2⁻⁷⁰ if it is to be `SHORT`.
 #[inline(always)]
-fn exp<R: Real>(x: Dd<R>) -> (Dd<R>, R) {
+fn exp<R: Real, const SHORT: bool>(x: Dd<R>) -> (Dd<R>, R) {
     let like = |c: f64| x.hi.like(c);
     let n = x.hi.fma(like(std::f64::consts::LOG2_E), like(ROUND));
     // e^r = (e^{r/8})^8.
@@ -47,7 +47,7 @@ fn exp<R: Real>(x: Dd<R>) -> (Dd<R>, R) {
     // e^r − 1 keeps the bits that squaring would take.
     let mut m = r * series::<R, 16>(
         r,
-        8,
+        if SHORT { 3 } else { 8 },
         #[inline(always)]
         |j| {
             Dd::new(
@@ -83,7 +83,7 @@ pub(crate) struct Factors<R> {
 
 /// The factors of two phases, reduced already, and two exponents.
 #[inline(always)]
-fn factors<N: Numbers>(
+fn factors<N: Numbers, const SHORT: bool>(
     numbers: N,
     phases: [(Dd<N::Number>, N::Number); 2],
     exponents: [Dd<N::Number>; 2],
@@ -97,7 +97,7 @@ fn factors<N: Numbers>(
     );
     let sum = series::<N::Quad, 14>(
         r * r,
-        8,
+        if SHORT { 4 } else { 8 },
         #[inline(always)]
         |j| {
             let sign = if j % 2 == 0 { 1.0 } else { -1.0 };
@@ -122,7 +122,7 @@ fn factors<N: Numbers>(
         numbers.quad([e.hi, g.hi, e.hi, g.hi]),
         numbers.quad([e.lo, g.lo, e.lo, g.lo]),
     );
-    let (v, k) = exp(x);
+    let (v, k) = exp::<_, SHORT>(x);
     let (vh, vl) = (numbers.quarters(v.hi), numbers.quarters(v.lo));
     let k = numbers.quarters(k);
     Factors {
@@ -149,6 +149,18 @@ pub(crate) fn exp_minus_square<N: Numbers>(
     other_phase: Dd<N::Number>,
     other_exponent: Dd<N::Number>,
 ) -> WithOthers<N::Number> {
+    exp_minus_square_to::<N, false>(numbers, a, b, other_phase, other_exponent)
+}
+
+/// [`exp_minus_square`]; to about 2⁻⁷⁰ if it is to be `SHORT`.
+#[inline(always)]
+pub(crate) fn exp_minus_square_to<N: Numbers, const SHORT: bool>(
+    numbers: N,
+    a: N::Number,
+    b: N::Number,
+    other_phase: Dd<N::Number>,
+    other_exponent: Dd<N::Number>,
+) -> WithOthers<N::Number> {
     let theta = phase(a, -b);
     let (r, n) = reduce(theta);
     let small = theta.hi.magnitude().below(a.like(LARGE_PHASE));
@@ -156,7 +168,7 @@ pub(crate) fn exp_minus_square<N: Numbers>(
         let (r, n) = payne_hanek::reduce(a, -b);
         [r.hi, r.lo, n]
     });
-    let f = factors(
+    let f = factors::<N, SHORT>(
         numbers,
         [(Dd::new(hi, lo), n), reduce(other_phase)],
         [exponent(a, -b), other_exponent],
@@ -173,7 +185,7 @@ pub(crate) fn circles_and_exponential<N: Numbers>(
     exponent: Dd<N::Number>,
 ) -> ([Circle<N::Number>; 2], Dd<N::Number>) {
     let zero = exponent.hi.like(0.0);
-    let f = factors(
+    let f = factors::<N, false>(
         numbers,
         [reduce(phases[0]), reduce(phases[1])],
         [exponent, Dd::new(zero, zero)],

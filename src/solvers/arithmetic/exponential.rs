@@ -72,11 +72,15 @@ const fn reciprocals<const N: usize>(first: u32, step: u32, sign: f64) -> [f64; 
 
 const EXP: [f64; 12] = reciprocals(2, 1, 1.0);
 const EXP_FROM_CUBE: [f64; 11] = reciprocals(3, 1, 1.0);
+const EXP_FROM_FOURTH: [f64; 11] = reciprocals(4, 1, 1.0);
 const SIN: [f64; 8] = reciprocals(3, 2, -1.0);
 const SIN_FROM_FIFTH: [f64; 7] = reciprocals(5, 2, -1.0);
 /// 1/6.
 const SIXTH: Dd = Dd::new(INVERSE_FACTORIAL[3][0], INVERSE_FACTORIAL[3][1]);
 const COS: [f64; 7] = reciprocals(4, 2, -1.0);
+const COS_FROM_SIXTH: [f64; 7] = reciprocals(6, 2, -1.0);
+/// 1/3.
+const THIRD: Dd = Dd::new(2.0 * INVERSE_FACTORIAL[3][0], 2.0 * INVERSE_FACTORIAL[3][1]);
 
 /// `Σ c_k x^k` by even and odd terms: half the length of the chain of dependent operations.
 #[inline(always)]
@@ -106,6 +110,12 @@ pub(crate) fn binary_exponent<R: Real>(x: R) -> (R, R) {
 /// `e^x = (hi + lo) 2^k`, with `hi` between 0.7 and 1.42, and `ROUND + k`.
 #[inline(always)]
 pub(crate) fn exp<R: Real>(x: Dd<R>) -> (Dd<R>, R) {
+    exp_to::<R, false>(x)
+}
+
+/// [`exp`]; if it is to be `LONG`, with an exact product in the term of third order, too.
+#[inline(always)]
+fn exp_to<R: Real, const LONG: bool>(x: Dd<R>) -> (Dd<R>, R) {
     let like = |c: f64| x.hi.like(c);
     let (h, n) = binary_exponent(x.hi);
     let k = n - like(ROUND);
@@ -118,6 +128,15 @@ pub(crate) fn exp<R: Real>(x: Dd<R>) -> (Dd<R>, R) {
     let h = two_prod(r.hi, like(0.5) * r.hi);
     let p = fast_two_sum(like(1.0), r.hi);
     let q = fast_two_sum(p.hi, h.hi);
+    if LONG {
+        let t = by_constant(times(h, r.hi), THIRD);
+        let s = fast_two_sum(q.hi, t.hi);
+        let fourth = like(4.0) * h.hi * h.hi;
+        let low = r.lo.fma(r.hi + h.hi, r.lo) + t.lo;
+        let tail = fourth.fma(paired(&EXP_FROM_FOURTH, r.hi), low);
+        let lo = p.lo + q.lo + s.lo + (h.lo + tail);
+        return (fast_two_sum(s.hi, lo), n);
+    }
     let cube = r.hi * r.hi * r.hi;
     let tail = cube.fma(paired(&EXP_FROM_CUBE, r.hi), r.lo.fma(r.hi, r.lo));
     (fast_two_sum(q.hi, p.lo + q.lo + (h.lo + tail)), n)
@@ -214,15 +233,48 @@ pub(crate) fn sin_cos_reduced<R: Real>(r: Dd<R>) -> (Dd<R>, Dd<R>) {
     (sin, cos)
 }
 
+/// `t x` of a pair that need not be normal, which the product is not either.
+#[inline(always)]
+fn times<R: Real>(t: Dd<R>, x: R) -> Dd<R> {
+    let p = two_prod(t.hi, x);
+    Dd::new(p.hi, t.lo.fma(x, p.lo))
+}
+
+/// The same with a pair of constants.
+#[inline(always)]
+fn by_constant<R: Real>(t: Dd<R>, c: Dd) -> Dd<R> {
+    let p = times(t, t.hi.like(c.hi));
+    Dd::new(p.hi, t.hi.fma(t.hi.like(c.lo), p.lo))
+}
+
 /// The same with exact products up to the third power.
 #[inline(always)]
 pub(crate) fn sin_cos_accurate<R: Real>(r: Dd<R>) -> (Dd<R>, Dd<R>) {
+    sin_cos_to::<R, false>(r)
+}
+
+/// [`sin_cos_accurate`]; if it is to be `LONG`, with exact products in the term of fourth order,
+/// too.
+#[inline(always)]
+fn sin_cos_to<R: Real, const LONG: bool>(r: Dd<R>) -> (Dd<R>, Dd<R>) {
     let (x, xx) = (r.hi, r.hi * r.hi);
     let like = |c: f64| x.like(c);
     let h = two_prod(x, like(0.5) * x);
     let c = fast_two_sum(like(1.0), -h.hi);
-    let cos_lo = (xx * xx).fma(paired(&COS, xx), (c.lo - h.lo) - x * r.lo);
-    let cos = fast_two_sum(c.hi, cos_lo);
+    let cos = if LONG {
+        // x⁴/24 = h²/6.
+        let square = times(h, h.hi);
+        let square = Dd::new(square.hi, h.hi.fma(h.lo, square.lo));
+        let t = by_constant(square, SIXTH);
+        let s = fast_two_sum(c.hi, t.hi);
+        let down = x * r.lo;
+        let low = (c.lo + s.lo) - h.lo + (t.lo - (xx * down).fma(like(-SIXTH.hi), down));
+        let sixth = like(4.0) * square.hi * xx;
+        fast_two_sum(s.hi, (-sixth).fma(paired(&COS_FROM_SIXTH, xx), low))
+    } else {
+        let cos_lo = (xx * xx).fma(paired(&COS, xx), (c.lo - h.lo) - x * r.lo);
+        fast_two_sum(c.hi, cos_lo)
+    };
 
     let cube = two_prod(xx, x);
     // x² = xx + 2 (h − xx/2).
@@ -272,7 +324,7 @@ pub(crate) fn turn<R: Real>(sin: Dd<R>, cos: Dd<R>, n: R) -> (Dd<R>, Dd<R>) {
 )]
 #[inline(always)]
 pub(crate) fn exp_minus_square<R: Real>(a: R, y: R) -> (Dd<R>, Dd<R>, R) {
-    product(exp(exponent(a, y)), reduce(phase(a, y)))
+    product::<R, false>(exp(exponent(a, y)), reduce(phase(a, y)))
 }
 
 /// The same as one number each, for phases below 2³⁰: to about two units in the last place.
@@ -335,7 +387,7 @@ fn reduce_any(a: f64, y: f64) -> (Dd, f64) {
 /// [`exp_minus_square`] for a phase of any size.
 #[inline(always)]
 pub(crate) fn exp_minus_square_any(a: f64, y: f64) -> (Dd, Dd, f64) {
-    product(exp(exponent(a, y)), reduce_any(a, y))
+    product::<f64, false>(exp(exponent(a, y)), reduce_any(a, y))
 }
 
 /// Both parts of `t 2^k`, `n = ROUND + k`, `k` below 1000.
@@ -373,15 +425,21 @@ pub(crate) fn circle(a: f64, y: f64) -> (Dd, Dd) {
 /// `2^{-1074} e^t`.
 #[inline(always)]
 pub(crate) fn exp_wide<R: Masked>(t: Dd<R>) -> (Dd<R>, R) {
+    exp_wide_to::<R, false>(t)
+}
+
+/// [`exp_wide`], as accurate as [`product`] if it is to be `LONG`.
+#[inline(always)]
+pub(crate) fn exp_wide_to<R: Masked, const LONG: bool>(t: Dd<R>) -> (Dd<R>, R) {
     let like = |c: f64| t.hi.like(c);
     let usual = t.hi.magnitude().below(like(1000.0));
     if t.hi.all(usual) {
-        return exp(t);
+        return exp_to::<R, LONG>(t);
     }
     let k = like(1024.0).with_sign_of(t.hi);
     let less = t - Dd::new(like(tables::LN_2[0]) * k, like(tables::LN_2[1]) * k);
     let pick = |yes: R, no: R| t.hi.pick(usual, yes, no);
-    let (e, n) = exp(Dd::new(pick(t.hi, less.hi), pick(t.lo, less.lo)));
+    let (e, n) = exp_to::<R, LONG>(Dd::new(pick(t.hi, less.hi), pick(t.lo, less.lo)));
     (e, n + pick(like(0.0), k))
 }
 
@@ -397,10 +455,14 @@ pub(crate) fn gaussian(a: f64, y: f64) -> (Dd, Dd, f64) {
     (e * c, -(e * s), n)
 }
 
-/// `e^{−z²}` from `e^{Re −z²}` and the reduced phase, with their power of two and quadrant.
+/// `e^{−z²}` from `e^{Re −z²}` and the reduced phase, with their power of two and quadrant; its
+/// error is a tenth if it is to be `LONG`.
 #[inline(always)]
-pub(crate) fn product<R: Real>((e, n): (Dd<R>, R), (r, quadrant): (Dd<R>, R)) -> (Dd<R>, Dd<R>, R) {
-    let (sin, cos) = sin_cos_accurate(r);
+pub(crate) fn product<R: Real, const LONG: bool>(
+    (e, n): (Dd<R>, R),
+    (r, quadrant): (Dd<R>, R),
+) -> (Dd<R>, Dd<R>, R) {
+    let (sin, cos) = sin_cos_to::<R, LONG>(r);
     let (s, c) = turn(sin, cos, quadrant);
     (short_product(e, c), -short_product(e, s), n)
 }

@@ -82,7 +82,7 @@ impl<S: Wide> Numbers for Several<S> {
         if any.all(mask) {
             return values;
         }
-        let kept = any.pick(mask, any.like(1.0), any.like(0.0)).array();
+        let kept = any.flags(mask);
         let arguments = arguments.map(Pack::array);
         let mut values = values.map(Pack::array);
         for m in 0..S::WIDTH {

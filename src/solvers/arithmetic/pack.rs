@@ -216,6 +216,12 @@ impl<S: Wide> Pack<S> {
         v
     }
 
+    /// 1 where the mask is true, else 0.
+    #[inline(always)]
+    pub(crate) fn flags(self, mask: S::m64s) -> [f64; 8] {
+        self.pick(mask, self.like(1.0), self.like(0.0)).array()
+    }
+
     /// Returns whether all numbers, none of them negative, are zero.
     #[inline(always)]
     pub(crate) fn is_zero(self) -> bool {

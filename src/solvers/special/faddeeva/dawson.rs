@@ -21,11 +21,11 @@ use super::odd_series::{self, odd};
 use super::pairs::{self, Formulas};
 use super::places::{Mask, Number, Places};
 use super::quadrant::{
-    IN_PAIRS, VANISHING, circle, dawson_in_strip, gaussian, gaussian_exact, gaussian_in_pairs,
-    lifted, pair_times_power, times_power, w_exact,
+    IN_PAIRS, VANISHING, both_exact, circle, dawson_in_strip, gaussian, lifted, pair_times_power,
+    times_power,
 };
 use super::relatives_tables::{MAXIMUM_OF_DAWSON as MAXIMUM, MINUS_INVERSE_MAXIMUM};
-use super::trapezoidal::upper;
+use super::trapezoidal::upper_short;
 use crate::double_double::{Dd, two_prod, two_sum};
 use crate::exponential::exponent;
 use crate::lanes::{Lanes, Task};
@@ -118,8 +118,7 @@ impl Task for Exact {
             }
             return ((q * HALF_SQRT_PI).value(), (p * HALF_SQRT_PI).value());
         }
-        let (c, s, n) = gaussian_exact(lanes, x, y);
-        let (u, v) = w_exact(lanes, x, y);
+        let ((u, v), (c, s, n)) = both_exact(lanes, x, y);
         let (re, im) = difference((c, s, n), (u, v));
         let (part, e) = (vanishing_part(x, y), scaled(1.0, n.max(ROUND - 2040.0)));
         let least = |w: Dd, e: f64| part * e.max(w.hi.abs());
@@ -213,7 +212,7 @@ fn quadrant<P: Places>(places: P, x: Number<P>, y: Number<P>) -> ([Number<P>; 2]
     ([re, im], kept)
 }
 
-/// The same in double-double, where it holds: as [`Exact`] away from zeros of components.
+/// The same by more accurate sums, where it holds: away from zeros of components.
 #[inline(always)]
 fn in_pairs<P: Places>(places: P, x: Number<P>, y: Number<P>) -> ([Number<P>; 2], Mask<P>) {
     let like = |c: f64| x.like(c);
@@ -222,8 +221,7 @@ fn in_pairs<P: Places>(places: P, x: Number<P>, y: Number<P>) -> ([Number<P>; 2]
         a.at_least(b).below(like(IN_PAIRS[0])),
         exponent(a, b).hi.magnitude().below(like(IN_PAIRS[1] / 4.0)),
     );
-    let (c, s, n) = gaussian_in_pairs(places, a, b);
-    let (u, v) = upper(places, a, b);
+    let ((u, v), (c, s, n)) = upper_short(places, a, b);
     let (p, q) = difference((c, s, n), (u, v));
     let e = scaled(like(VANISHING), n);
     let beside = x.or(p.hi.magnitude().below(e), q.hi.magnitude().below(e));
@@ -293,7 +291,7 @@ impl Dawson {
     }
 }
 
-impl Function<2, 2> for Dawson {
+impl Function for Dawson {
     #[inline(always)]
     fn class<R: Masked>(self, [x, y]: [R; 2]) -> R {
         let (a, b) = (x.magnitude(), y.magnitude());
@@ -329,8 +327,8 @@ impl Function<2, 2> for Dawson {
 /// # Accuracy
 /// Worst found against the certified reference in 8.1·10⁶ cases of `mechaudit audit dawson`
 /// (`reference/campaigns`): norm 2.36 u (u = 2⁻⁵³), Re 2.40 and Im 2.80 units in the last place,
-/// beside the axes and beside the zero 0.924… of F′, where Im F changes sign, too; at |z|² < ½
-/// values have other last bits since. Next to its zeros and to the zero curves of its components as
+/// beside the axes and beside the zero 0.924… of F′, where Im F changes sign, too; values have
+/// other last bits since. Next to its zeros and to the zero curves of its components as
 /// [`erf`](super::erf()).
 ///
 /// # Special values

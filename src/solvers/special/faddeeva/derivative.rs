@@ -18,11 +18,11 @@ use super::long_w::turned;
 use super::pairs::Formulas;
 use super::places::{Choose, Mask, Number, Places};
 use super::quadrant::{
-    IN_PAIRS, VANISHING, circle, exp_wide, gaussian, gaussian_exact, gaussian_in_pairs, lifted,
+    IN_PAIRS, VANISHING, circle, exp_wide, gaussian, gaussian_exact, lifted, lost,
     pair_times_power, product, times_power, w_exact,
 };
 use super::slope::{derivative, far_derivative, series_derivative};
-use super::trapezoidal::upper;
+use super::trapezoidal::upper_short;
 use crate::double_double::{Dd, two_prod};
 use crate::exponential::exponent;
 use crate::hex::hex;
@@ -154,7 +154,8 @@ fn half_plane<P: Places>(
     if a.any(lower) {
         let (c, s, k) = gaussian(places, a, -b);
         let zero = like(0.0);
-        let (p, q, any) = product((c, s), (Dd::new(-a, zero), Dd::new(b, zero)));
+        let (p, q, [p_term, q_term]) = product((c, s), (Dd::new(-a, zero), Dd::new(b, zero)));
+        let any = a.or(lost(p, p_term), lost(q, q_term));
         let k = k + like(2.0);
         let alone = a.both(lower, like(ROUND + 500.0).below(k));
         let within = k.at_most(like(ROUND + 900.0));
@@ -172,7 +173,7 @@ fn half_plane<P: Places>(
     ([times_power(re, n - down), im], kept)
 }
 
-/// The same in double-double, where it holds: as [`Exact`] away from zeros of components.
+/// The same by more accurate sums, where it holds: away from zeros of components.
 #[inline(always)]
 fn in_pairs<P: Places>(
     places: P,
@@ -190,14 +191,13 @@ fn in_pairs<P: Places>(
     );
     let (a, down) = lifted(a, b);
     let zero = like(0.0);
-    let (p, q) = upper(places, a, b);
+    let ((p, q), (c, s, n)) = upper_short(places, a, b);
     let minus = (Dd::new(like(-2.0) * a, zero), Dd::new(like(-2.0) * b, zero));
     let (re, im, _) = product((p, q), minus);
     let (mut re, mut im) = (re, im + TWO_OVER_SQRT_PI.like(a));
     let mut least = like(VANISHING);
     if a.any(lower) {
-        let (c, s, n) = gaussian_in_pairs(places, a, -b);
-        let (p, q, _) = product((c, s), (Dd::new(-a, zero), Dd::new(b, zero)));
+        let (p, q, _) = product((c, -s), (Dd::new(-a, zero), Dd::new(b, zero)));
         let n = n + like(2.0);
         let below = (pair_times_power(p, n) - re, pair_times_power(q, n) + im);
         (re, im) = below.or_else(lower, (re, im));
@@ -275,7 +275,7 @@ impl Derivative {
     }
 }
 
-impl Function<2, 2> for Derivative {
+impl Function for Derivative {
     #[inline(always)]
     fn class<R: Masked>(self, [x, y]: [R; 2]) -> R {
         let class = Formulas::class(x.magnitude(), y.magnitude());

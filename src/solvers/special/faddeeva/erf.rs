@@ -14,16 +14,16 @@
 
 use super::branch::{HUGE, STRIP, modulus_squared};
 use super::constants::TWO_OVER_SQRT_PI;
-use super::erf_exact::{LINEAR, Which, alone, shifted};
+use super::erf_exact::{LINEAR, Which, alone, cancels, shifted};
 use super::groups::{Function, at_all, at_one};
 use super::lengths::{LengthMismatch, same_length};
 use super::odd_series::{self, odd};
 use super::pairs::{self, Formulas};
 use super::places::{Choose, Mask, Number, Places};
 use super::quadrant::{
-    IN_PAIRS, VANISHING, dawson_in_strip, gaussian, gaussian_in_pairs, lifted, product, times_power,
+    IN_PAIRS, VANISHING, dawson_in_strip, gaussian, lifted, mirrored, product, times_power,
 };
-use super::trapezoidal::upper;
+use super::trapezoidal::upper_short;
 use crate::double_double::Dd;
 use crate::exponential::exponent;
 use crate::lanes::Lanes;
@@ -32,6 +32,9 @@ use num_complex::Complex;
 
 /// Re z from which erfc is not computed as 1 − erf.
 pub(super) const COMPLEMENT: f64 = 0.25;
+
+/// A component smaller than this part of its terms is computed again.
+const CANCELLED: f64 = 1.0 / 8.0;
 
 /// `(offset, sign)` for erf and for erfc, as [`Which`] has them, at several points, which may differ.
 #[derive(Clone, Copy)]
@@ -98,28 +101,34 @@ fn quadrant<P: Places>(
             factor = pairs::w(places, y, x, away).or_else(away, factor);
         }
         let (c, s, n) = gaussian(places, x, y);
-        let (a, b, lost) = product((c, s), (factor.0, -factor.1));
+        let (a, b, terms) = product((c, s), (factor.0, -factor.1));
         let (p, q) = (-b, a).or_else(strip, (a, b));
+        let p_term = x.pick(strip, terms[1], terms[0]);
+        let q_term = x.pick(strip, terms[0], terms[1]);
         let form = (
             x.pick(strip, forms.of_erf.0, forms.of_erfc.0),
             x.pick(strip, forms.of_erf.1, forms.of_erfc.1),
         );
-        let (value, cancelled) = shifted(form, p, n - x_down);
-        re = value;
+        re = shifted(form, p, n - x_down);
         im = times_power(form.1 * q.value(), n - y_down);
-        kept = x.except(finite, x.both(among, x.or(lost, cancelled)));
+        let part = like(CANCELLED);
+        let lost = x.or(
+            cancels((re, part), form.0, (p, p_term, n - x_down)),
+            q.hi.magnitude().below(part * q_term),
+        );
+        kept = x.except(finite, x.both(among, lost));
     }
     if x.any(near) {
         let (p, q) = odd(odd_series::ERF, x, y);
         let factor = TWO_OVER_SQRT_PI.like(x);
-        let (value, _) = shifted(forms.of_erf, p * factor, like(ROUND));
+        let value = shifted(forms.of_erf, p * factor, like(ROUND));
         re = x.pick(near, value, re);
         im = x.pick(near, forms.of_erf.1 * (q * factor).value(), im);
     }
     ([re, im], kept)
 }
 
-/// The same in double-double, where it holds: as [`alone`] away from zeros of components.
+/// The same by more accurate sums, where it holds: away from zeros of components.
 #[inline(always)]
 fn in_pairs<P: Places>(
     places: P,
@@ -134,11 +143,11 @@ fn in_pairs<P: Places>(
         exponent(x, y).hi.magnitude().below(like(IN_PAIRS[1])),
     );
     let linear = x.both(x.below(like(STRIP)), (x * y).below(like(LINEAR)));
-    let (c, s, n) = gaussian_in_pairs(places, x, y);
-    let (u, v) = upper(places, y, x);
+    let ((u, v), e) = upper_short(places, y, x);
+    let (c, s, n) = mirrored(e);
     let (p, q, _) = product((c, s), (u, -v));
     let (offset, sign) = forms.of_erfc;
-    let (re, _) = shifted((offset, sign), p, n - x_down);
+    let re = shifted((offset, sign), p, n - x_down);
     let im = times_power(sign * q.value(), n - y_down);
     let e = c.hi.magnitude().at_least(s.hi.magnitude());
     let terms = like(VANISHING) * e * (u.hi.magnitude() + v.hi.magnitude());
@@ -161,7 +170,7 @@ fn in_pairs<P: Places>(
     )
 }
 
-impl Function<2, 2> for ErrorFunction {
+impl Function for ErrorFunction {
     #[inline(always)]
     fn class<R: Masked>(self, [x, y]: [R; 2]) -> R {
         let (a, b) = (x.magnitude(), y.magnitude());
@@ -220,7 +229,7 @@ pub(super) const ERFC: ErrorFunction = ErrorFunction { complement: true };
 #[derive(Clone, Copy)]
 pub(super) struct Turned;
 
-impl Function<2, 2> for Turned {
+impl Function for Turned {
     #[inline(always)]
     fn class<R: Masked>(self, [x, y]: [R; 2]) -> R {
         ERF.class([y, x])
@@ -245,8 +254,8 @@ impl Function<2, 2> for Turned {
 /// The error function `erf z = (2/√π) ∫₀^z e^{−t²} dt` (DLMF 7.2.1), on the whole plane.
 ///
 /// # Accuracy
-/// Worst found against the certified reference in the 135 055 cases of `mechaudit audit erf --cases
-/// 5000`: norm 1.36 u (u = 2⁻⁵³), Re 0.98 and Im 0.96 units in the last place. Both components keep
+/// Worst found against Arb at 60 000 points, random in squares and beside the axes and diagonals:
+/// norm 1.0 u (u = 2⁻⁵³), Re 0.74 and Im 0.87 units in the last place. Both components keep
 /// their relative accuracy next to zero, beside the axes, next to zeros and next to the curves on
 /// which they are zero, there by sums in 256 bits.
 ///
@@ -300,8 +309,8 @@ pub fn erf_batch(z: &[Complex<f64>], f: &mut [Complex<f64>]) -> Result<(), Lengt
 ///
 /// # Accuracy
 /// Worst found against the certified reference in 1.08·10⁷ cases of `mechaudit audit erfc`
-/// (`reference/campaigns`): norm 1.89 u (u = 2⁻⁵³), Re 1.24 and Im 1.47 units in the last place.
-/// Next to zeros and zero curves as [`erf`].
+/// (`reference/campaigns`): norm 1.89 u (u = 2⁻⁵³), Re 1.24 and Im 1.47 units in the last place;
+/// values have other last bits since. Next to zeros and zero curves as [`erf`].
 ///
 /// # Special values
 /// `1 − erf z`, with the table of [`erf`]: Im is ∓0 at `x ± 0i`, `+0 ∓ 0i` at `+∞ ± iy`, `2 ∓ 0i`

@@ -8,7 +8,7 @@ use super::long::Long;
 use super::long_relatives;
 use super::long_w::{turned, vanishing_part};
 use super::quadrant::{
-    circle, gaussian_exact, lifted, pair_times_power, product, times_power, w_exact,
+    both_exact, circle, gaussian_exact, lifted, mirrored, pair_times_power, product, times_power,
 };
 use crate::double_double::Dd;
 use crate::hex::hex;
@@ -52,9 +52,9 @@ impl Which {
     }
 }
 
-/// `offset + sign · t 2^k`, `n = ROUND + k`; `true` where the two cancel.
+/// `offset + sign · t 2^k`, `n = ROUND + k`.
 #[inline(always)]
-pub(super) fn shifted<R: Masked>((offset, sign): (R, R), t: Dd<R>, n: R) -> (R, R::Mask) {
+pub(super) fn shifted<R: Masked>((offset, sign): (R, R), t: Dd<R>, n: R) -> R {
     let like = |c: f64| t.hi.like(c);
     let alone = times_power(sign * t.value(), n);
     let beside = t.hi.both(
@@ -64,10 +64,26 @@ pub(super) fn shifted<R: Masked>((offset, sign): (R, R), t: Dd<R>, n: R) -> (R, 
     let alone = t.hi.pick(is_zero(t.hi), offset, alone);
     let p = pair_times_power(t, n.at_most(like(ROUND + 2040.0)));
     let sum = Dd::new(sign * p.hi, sign * p.lo).add_f(offset);
-    // The terms of t may have cancelled to a sixth before.
-    let cancelled = sum.hi.magnitude().below(like(0.5) * offset);
-    let value = t.hi.pick(beside, sum.value(), alone);
-    (value, t.hi.both(beside, cancelled))
+    t.hi.pick(beside, sum.value(), alone)
+}
+
+/// Returns whether a value of [`shifted`] is below a part of the larger one of the offset and the
+/// terms of `t`, of size `term`.
+#[inline(always)]
+pub(super) fn cancels<R: Masked>(
+    (value, part): (R, R),
+    offset: R,
+    (t, term, n): (Dd<R>, R, R),
+) -> R::Mask {
+    let like = |c: f64| value.like(c);
+    let beside = value.both(
+        like(0.0).below(offset),
+        value.magnitude().below(like(LARGE)),
+    );
+    let term_here = scaled(term, n.raised(ROUND - 2040.0).at_most(like(ROUND + 2040.0)));
+    let sum = value.magnitude().below(part * offset.at_least(term_here));
+    let alone = t.hi.magnitude().below(part * term);
+    value.or(value.both(beside, sum), value.except(alone, beside))
 }
 
 /// `e^{−z²} (u − i v)` in double-double.
@@ -89,8 +105,8 @@ impl Task for Exact {
             Which::Erfc => None,
             Which::Erfcm => erf_zeros::near_zero_of_erfc(x, y),
         };
-        let (c, s, n) = gaussian_exact(lanes, x, y);
         if let Some((u, v)) = zero {
+            let (c, s, n) = gaussian_exact(lanes, x, y);
             let (re, im, _) = product((c, s), (u, v));
             let (p, q) = (re.hi.abs(), im.hi.abs());
             if p.min(q) < vanishing_part(x, y) * p.max(q) {
@@ -98,7 +114,8 @@ impl Task for Exact {
             }
             return (times_power(re.value(), n), times_power(im.value(), n));
         }
-        let (u, v) = w_exact(lanes, y, x);
+        let ((u, v), e) = both_exact(lanes, y, x);
+        let (c, s, n) = mirrored(e);
         let (product_re, im, _) = product((c, s), (u, -v));
         let (offset, sign) = which.of_erfc();
         let linear = x < STRIP && x * y < LINEAR;
@@ -108,9 +125,9 @@ impl Task for Exact {
             let linear = (c * TWO_OVER_SQRT_PI).mul_f(x);
             let second = 2.0 / 3.0 * (x * x) * (2.0 * y).mul_add(y, 1.0);
             let linear = linear.add_f(linear.hi * second);
-            shifted(which.of_erf(), linear, n - down.0).0
+            shifted(which.of_erf(), linear, n - down.0)
         } else {
-            shifted((offset, sign), product_re, n - down.0).0
+            shifted((offset, sign), product_re, n - down.0)
         };
         let (part, t) = (vanishing_part(x, y), turned(x, y));
         let (u, v, e) = (u.hi.abs(), v.hi.abs(), c.hi.abs().max(s.hi.abs()));

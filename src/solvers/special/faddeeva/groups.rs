@@ -6,31 +6,45 @@ use crate::lanes::{Lanes, Task, with_best};
 use crate::real::Masked;
 use num_complex::Complex;
 
-/// A function of N numbers with a value of M numbers.
+/// A function of two numbers with a value of two.
 #[cfg_attr(
     not(all(target_arch = "x86_64", feature = "vectors")),
     allow(dead_code)
 )]
-pub(super) trait Function<const N: usize, const M: usize>: Copy {
+pub(super) trait Function: Copy {
     /// `ROUND` plus a number below 30: places that have it in common need the same formulas, mostly.
-    fn class<R: Masked>(self, at: [R; N]) -> R;
+    fn class<R: Masked>(self, at: [R; 2]) -> R;
     /// The value, and where it holds.
-    fn value<P: Places>(self, places: P, at: [Number<P>; N]) -> ([Number<P>; M], Mask<P>);
-    /// The value where [`value`](Function::value) does not hold, and where this one does. Where it
-    /// holds it has the bits of [`alone`](Function::alone).
-    fn again<P: Places>(self, places: P, at: [Number<P>; N]) -> ([Number<P>; M], Mask<P>);
-    /// The value at one place where [`value`](Function::value) does not hold.
-    fn alone<L: Lanes>(self, lanes: L, at: [f64; N]) -> [f64; M];
+    fn value<P: Places>(self, places: P, at: [Number<P>; 2]) -> ([Number<P>; 2], Mask<P>);
+    /// The value where [`value`](Function::value) does not hold, and where this one does.
+    fn again<P: Places>(self, places: P, at: [Number<P>; 2]) -> ([Number<P>; 2], Mask<P>);
+    /// The value at one place where [`again`](Function::again) does not hold.
+    fn alone<L: Lanes>(self, lanes: L, at: [f64; 2]) -> [f64; 2];
 }
 
 /// One place.
-struct At<F, const N: usize, const M: usize>(F, [f64; N]);
+struct At<F>(F, [f64; 2]);
 
-impl<F: Function<N, M>, const N: usize, const M: usize> Task for At<F, N, M> {
-    type Output = [f64; M];
+impl<F: Function> Task for At<F> {
+    type Output = [f64; 2];
     #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L) -> [f64; M] {
+    fn run<L: Lanes>(self, lanes: L) -> [f64; 2] {
         let (value, kept) = self.0.value(One(lanes), self.1);
+        match kept {
+            true => value,
+            false => lanes.call(OnceMore(self.0, self.1)),
+        }
+    }
+}
+
+/// One place where [`Function::value`] does not hold: a function of its own, because it is long.
+struct OnceMore<F>(F, [f64; 2]);
+
+impl<F: Function> Task for OnceMore<F> {
+    type Output = [f64; 2];
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) -> [f64; 2] {
+        let (value, kept) = self.0.again(One(lanes), self.1);
         match kept {
             true => value,
             false => lanes.call(Alone(self.0, self.1)),
@@ -38,26 +52,26 @@ impl<F: Function<N, M>, const N: usize, const M: usize> Task for At<F, N, M> {
     }
 }
 
-/// One place where [`Function::value`] does not hold: a function of its own, because it is long.
-struct Alone<F, const N: usize, const M: usize>(F, [f64; N]);
+/// One place where [`Function::again`] does not hold, likewise.
+struct Alone<F>(F, [f64; 2]);
 
-impl<F: Function<N, M>, const N: usize, const M: usize> Task for Alone<F, N, M> {
-    type Output = [f64; M];
+impl<F: Function> Task for Alone<F> {
+    type Output = [f64; 2];
     #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L) -> [f64; M] {
+    fn run<L: Lanes>(self, lanes: L) -> [f64; 2] {
         self.0.alone(lanes, self.1)
     }
 }
 
 /// A complex function at one point.
 #[inline(always)]
-pub(super) fn at_one(f: impl Function<2, 2>, z: Complex<f64>) -> Complex<f64> {
+pub(super) fn at_one(f: impl Function, z: Complex<f64>) -> Complex<f64> {
     let [re, im] = with_best(At(f, [z.re, z.im]));
     Complex::new(re, im)
 }
 
 /// A complex function at all points; the slices have one length.
-pub(super) fn at_all<F: Function<2, 2>>(f: F, z: &[Complex<f64>], w: &mut [Complex<f64>]) {
+pub(super) fn at_all<F: Function>(f: F, z: &[Complex<f64>], w: &mut [Complex<f64>]) {
     #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
     if z.len() >= vectors::FEW
         && crate::pack::with_widest(vectors::Many { f, z, w: &mut *w }).is_ok()
@@ -70,7 +84,7 @@ pub(super) fn at_all<F: Function<2, 2>>(f: F, z: &[Complex<f64>], w: &mut [Compl
 /// All points, one after the other.
 struct OneByOne<'a, F>(F, &'a [Complex<f64>], &'a mut [Complex<f64>]);
 
-impl<F: Function<2, 2>> Task for OneByOne<'_, F> {
+impl<F: Function> Task for OneByOne<'_, F> {
     type Output = ();
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) {
@@ -83,14 +97,14 @@ impl<F: Function<2, 2>> Task for OneByOne<'_, F> {
 
 /// A complex function at all points with every set of vectors that this processor has.
 #[cfg(all(test, target_arch = "x86_64", feature = "vectors"))]
-pub(super) fn every_way<F: Function<2, 2>>(f: F, z: &[Complex<f64>]) -> Vec<Vec<Complex<f64>>> {
+pub(super) fn every_way<F: Function>(f: F, z: &[Complex<f64>]) -> Vec<Vec<Complex<f64>>> {
     use crate::pack::{Wide, WideTask};
     use pulp::x86::{V3, V4};
 
     fn with<S: Wide>(
         simd: S,
         lanes: impl Lanes,
-        f: impl Function<2, 2>,
+        f: impl Function,
         z: &[Complex<f64>],
     ) -> Vec<Complex<f64>> {
         let mut w = vec![Complex::new(7.0, 7.0); z.len()];
@@ -127,67 +141,83 @@ mod vectors {
         pub w: &'a mut [Complex<f64>],
     }
 
-    impl<F: Function<2, 2>> WideTask for Many<'_, F> {
+    impl<F: Function> WideTask for Many<'_, F> {
         type Output = ();
         #[inline(always)]
         fn run<S: Wide, L: Lanes>(self, simd: S, lanes: L) {
             let Many { f, z, w } = self;
             let mut at = [[0.0; ROOM]; 2];
-            let mut values = [[0.0; CHUNK]; 2];
             let mut order = Order::new();
-            for (z, w) in z.chunks(CHUNK).zip(w.chunks_mut(CHUNK)) {
+            // Most short arrays need none of it.
+            let mut left = None;
+            let mut start = 0;
+            while start < z.len() {
+                let n = CHUNK.min(z.len() - start);
                 let [x, y] = &mut at;
-                for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
+                for ((x, y), z) in x.iter_mut().zip(y).zip(&z[start..][..n]) {
                     (*x, *y) = (z.re, z.im);
                 }
-                let n = z.len();
                 simd.outlined(Chunk {
                     simd,
-                    lanes,
                     f,
-                    n,
                     at: &at,
-                    values: &mut values,
+                    w: &mut w[start..][..n],
                     order: &mut order,
+                    left: &mut left,
+                    start,
                 });
-                let [re, im] = &values;
-                for (w, (re, im)) in w.iter_mut().zip(re.iter().zip(im)) {
-                    *w = Complex::new(*re, *im);
+                start += n;
+                let last = start == z.len();
+                if let Some(left) = &mut left
+                    && (last || left.len >= S::WIDTH)
+                {
+                    simd.outlined(Again {
+                        simd,
+                        lanes,
+                        f,
+                        left,
+                        w,
+                        last,
+                    });
                 }
             }
         }
     }
 
-    /// A function at the first n places of a chunk. A function of its own: it is long, and its
-    /// registers are.
-    struct Chunk<'a, S, L, F, const N: usize, const M: usize> {
-        simd: S,
-        lanes: L,
-        f: F,
-        n: usize,
-        at: &'a [[f64; ROOM]; N],
-        values: &'a mut [[f64; CHUNK]; M],
-        order: &'a mut Order,
+    /// Points where the value does not hold.
+    struct Left {
+        at: [[f64; ROOM]; 2],
+        index: [usize; ROOM],
+        len: usize,
     }
 
-    impl<S, L, F, const N: usize, const M: usize> NullaryFnOnce for Chunk<'_, S, L, F, N, M>
-    where
-        S: Wide,
-        L: Lanes,
-        F: Function<N, M>,
-    {
+    /// A function at the places of a chunk, as many as there are values, and where it does not
+    /// hold. A function of its own: it is long, and its registers are.
+    struct Chunk<'a, S, F> {
+        simd: S,
+        f: F,
+        at: &'a [[f64; ROOM]; 2],
+        w: &'a mut [Complex<f64>],
+        order: &'a mut Order,
+        left: &'a mut Option<Left>,
+        /// The index of the first place.
+        start: usize,
+    }
+
+    impl<S: Wide, F: Function> NullaryFnOnce for Chunk<'_, S, F> {
         type Output = ();
         #[inline(always)]
         fn call(self) {
             let Chunk {
                 simd,
-                lanes,
                 f,
-                n,
                 at,
-                values,
+                w,
                 order,
+                left,
+                start,
             } = self;
+            let n = w.len();
             let mut present = 0;
             let mut i = 0;
             while i < n {
@@ -204,64 +234,112 @@ mod vectors {
             for code in &order.codes[..n] {
                 present |= 1 << (code & 31);
             }
-            order.sort(simd, n, present, 0);
-            // The places where the value does not hold.
-            let (mut left, mut lost) = ([0_u8; ROOM], 0);
-            while present != 0 {
-                let class = present.trailing_zeros() as usize;
-                present &= present - 1;
-                let len = order.len(class);
-                let mut k = 0;
-                while k < len {
-                    let numbers = *order.numbers(class, k);
-                    let (value, kept) = f.value(Several(simd), gather(simd, at, &numbers));
-                    scatter(&numbers, value, values);
-                    mark(
-                        &numbers[..S::WIDTH.min(len - k)],
-                        value[0],
-                        kept,
-                        &mut left,
-                        &mut lost,
-                    );
-                    k += S::WIDTH;
-                }
-            }
-            if lost == 0 {
-                return;
-            }
-            let last = left[lost - 1];
-            left[lost..][..GROUPS].fill(last);
+            // Without gaps: a group may have points of two classes, and the formulas of both.
+            order.sort(simd, n, present, (0, 0));
+            let first = present.trailing_zeros() as usize;
             let mut k = 0;
-            while k < lost {
-                let numbers: [u8; GROUPS] = *left[k..].first_chunk().expect("there is room");
-                let (value, kept) = f.again(Several(simd), gather(simd, at, &numbers));
-                scatter(&numbers, value, values);
-                let (mut alone, mut len) = ([0_u8; ROOM], 0);
-                mark(
-                    &numbers[..S::WIDTH.min(lost - k)],
-                    value[0],
-                    kept,
-                    &mut alone,
-                    &mut len,
-                );
-                for i in alone[..len].iter().map(|i| *i as usize) {
-                    let value = lanes.call(Alone(f, at.each_ref().map(|column| column[i])));
-                    for (values, value) in values.iter_mut().zip(value) {
-                        values[i] = value;
-                    }
+            while k < n {
+                let numbers = order.numbers(first, k);
+                let place = gather(simd, at, numbers);
+                let (value, kept) = f.value(Several(simd), place);
+                let [re, im] = value.map(Pack::array);
+                let numbers = &numbers[..S::WIDTH.min(n - k)];
+                for (m, i) in numbers.iter().enumerate() {
+                    w[*i as usize] = Complex::new(re[m], im[m]);
+                }
+                if !value[0].all(kept) {
+                    let left = left.get_or_insert_with(|| Left {
+                        at: [[0.0; ROOM]; 2],
+                        index: [0; ROOM],
+                        len: 0,
+                    });
+                    left.add(numbers, place, value[0].flags(kept), start);
                 }
                 k += S::WIDTH;
             }
         }
     }
 
+    impl Left {
+        /// Takes the places whose flag is zero.
+        #[inline(always)]
+        fn add<S: Wide>(
+            &mut self,
+            numbers: &[u8],
+            place: [Pack<S>; 2],
+            flags: [f64; 8],
+            start: usize,
+        ) {
+            let place = place.map(Pack::array);
+            for (m, i) in numbers.iter().enumerate() {
+                let len = self.len.min(ROOM - 1);
+                for (column, place) in self.at.iter_mut().zip(place) {
+                    column[len] = place[m];
+                }
+                self.index[len] = start + *i as usize;
+                self.len += usize::from(flags[m] == 0.0);
+            }
+        }
+    }
+
+    /// The values at those points: of as many as make whole groups, or of all.
+    struct Again<'a, S, L, F> {
+        simd: S,
+        lanes: L,
+        f: F,
+        left: &'a mut Left,
+        w: &'a mut [Complex<f64>],
+        last: bool,
+    }
+
+    impl<S: Wide, L: Lanes, F: Function> NullaryFnOnce for Again<'_, S, L, F> {
+        type Output = ();
+        #[inline(always)]
+        fn call(self) {
+            let Again {
+                simd,
+                lanes,
+                f,
+                left: Left { at, index, len },
+                w,
+                last,
+            } = self;
+            if last && *len > 0 {
+                for column in at.iter_mut() {
+                    let last = column[*len - 1];
+                    column[*len..][..8].fill(last);
+                }
+            }
+            let mut k = 0;
+            while k + S::WIDTH <= *len || last && k < *len {
+                let place = at.each_ref().map(
+                    #[inline(always)]
+                    |column| Pack::load(simd, column, k),
+                );
+                let (value, kept) = f.again(Several(simd), place);
+                let kept = value[0].flags(kept);
+                let [re, im] = value.map(Pack::array);
+                for m in 0..S::WIDTH.min(*len - k) {
+                    let [re, im] = match kept[m] == 0.0 {
+                        true => lanes.call(Alone(f, at.each_ref().map(|column| column[k + m]))),
+                        false => [re[m], im[m]],
+                    };
+                    w[index[k + m]] = Complex::new(re, im);
+                }
+                k += S::WIDTH;
+            }
+            let done = k.min(*len);
+            for column in at {
+                column.copy_within(done..*len, 0);
+            }
+            index.copy_within(done..*len, 0);
+            *len -= done;
+        }
+    }
+
     /// The places with these numbers.
     #[inline(always)]
-    fn gather<S: Wide, const N: usize>(
-        simd: S,
-        at: &[[f64; ROOM]; N],
-        numbers: &[u8; GROUPS],
-    ) -> [Pack<S>; N] {
+    fn gather<S: Wide>(simd: S, at: &[[f64; ROOM]; 2], numbers: &[u8; GROUPS]) -> [Pack<S>; 2] {
         at.each_ref().map(
             #[inline(always)]
             |column| {
@@ -272,39 +350,5 @@ mod vectors {
                 Pack::load(simd, &group, 0)
             },
         )
-    }
-
-    /// Takes the values of a group.
-    #[inline(always)]
-    fn scatter<S: Wide, const M: usize>(
-        numbers: &[u8; GROUPS],
-        group: [Pack<S>; M],
-        values: &mut [[f64; CHUNK]; M],
-    ) {
-        for (values, group) in values.iter_mut().zip(group) {
-            let group = group.array();
-            for m in 0..S::WIDTH {
-                values[numbers[m] as usize] = group[m];
-            }
-        }
-    }
-
-    /// Lists the numbers where the mask is false.
-    #[inline(always)]
-    fn mark<S: Wide>(
-        numbers: &[u8],
-        any: Pack<S>,
-        kept: S::m64s,
-        left: &mut [u8; ROOM],
-        len: &mut usize,
-    ) {
-        if any.all(kept) {
-            return;
-        }
-        let kept = any.pick(kept, any.like(1.0), any.like(0.0)).array();
-        for (number, kept) in numbers.iter().zip(kept) {
-            left[*len & (CHUNK - 1)] = *number;
-            *len += usize::from(kept == 0.0);
-        }
     }
 }

@@ -7,15 +7,15 @@ use super::pairs::{self, Parts};
 use super::places::{Choose, Mask, Number, One, Places};
 use super::rows::on_real_axis;
 use super::trapezoidal;
-use crate::double_double::Dd;
-use crate::double_double_functions as exact;
-use crate::exponential::{LARGE_PHASE, exponent, phase, product as by_phase, reduce};
+use crate::double_double::{Dd, two_prod, two_sum};
+use crate::double_double_functions::{Gaussian, exp_minus_square};
+use crate::exponential::{LARGE_PHASE, exp_wide_to, exponent, phase, product as by_phase, reduce};
 pub(super) use crate::exponential::{circle, exp_wide, pair_times_power, times_power};
 use crate::hex::hex;
 use crate::lanes::{Lanes, Task};
 use crate::numbers::Numbers;
 use crate::payne_hanek;
-use crate::real::{Masked, Real};
+use crate::real::{Masked, ROUND, Real};
 
 /// A sum smaller than this part of its terms is computed again in double-double.
 pub(super) const CANCELLED: f64 = 1.0 / 6.0;
@@ -29,20 +29,30 @@ pub(super) const VANISHING: f64 = 1.0 / 1024.0;
 
 /// Returns whether a sum has lost digits against one of its two terms.
 #[inline(always)]
-pub(super) fn lost<R: Real>(sum: Dd<R>, term: Dd<R>) -> R::Mask {
-    let part = sum.hi.like(CANCELLED) * term.hi.magnitude();
+pub(super) fn lost<R: Real>(sum: Dd<R>, term: R) -> R::Mask {
+    let part = sum.hi.like(CANCELLED) * term;
     sum.hi.magnitude().below(part)
 }
 
-/// The product of two complex numbers; `true` if the terms of a component cancel.
+/// The product of two complex numbers, and the size of a term of each component.
 #[inline(always)]
 pub(super) fn product<R: Real>(
     (a, b): (Dd<R>, Dd<R>),
     (c, d): (Dd<R>, Dd<R>),
-) -> (Dd<R>, Dd<R>, R::Mask) {
-    let (ac, ad) = (a * c, a * d);
-    let (re, im) = (ac - b * d, ad + b * c);
-    (re, im, re.hi.or(lost(re, ac), lost(im, ad)))
+) -> (Dd<R>, Dd<R>, [R; 2]) {
+    let (re, re_term) = sum_of_products((a, c), (-b, d));
+    let (im, im_term) = sum_of_products((a, d), (b, c));
+    (re, im, [re_term, im_term])
+}
+
+/// `a b + c d` to about 2⁻¹⁰⁴ of the terms, and the size of one.
+#[inline(always)]
+fn sum_of_products<R: Real>((a, b): (Dd<R>, Dd<R>), (c, d): (Dd<R>, Dd<R>)) -> (Dd<R>, R) {
+    let (p, q) = (two_prod(a.hi, b.hi), two_prod(c.hi, d.hi));
+    let s = two_sum(p.hi, q.hi);
+    let p_lo = a.hi.fma(b.lo, a.lo.fma(b.hi, p.lo));
+    let q_lo = c.hi.fma(d.lo, c.lo.fma(d.hi, q.lo));
+    (two_sum(s.hi, s.lo + (p_lo + q_lo)), p.hi.magnitude())
 }
 
 /// A coordinate so small that a function is linear in it, raised by 2³⁰⁰ so that its products keep
@@ -81,7 +91,8 @@ pub(super) fn gaussian<N: Numbers>(
         let (r, quadrant) = payne_hanek::reduce(a, y);
         [r.hi, r.lo, quadrant]
     });
-    by_phase(exp_wide(exponent(a, y)), (Dd::new(hi, lo), quadrant))
+    let e = exp_wide_to::<_, true>(exponent(a, y));
+    by_phase::<_, true>(e, (Dd::new(hi, lo), quadrant))
 }
 
 /// `(2/√π) F(t + i b)`, `F` Dawson's function: real part, and imaginary part, `½ ≤ t < 10¹⁰⁰`,
@@ -113,24 +124,29 @@ pub(super) fn dawson_in_strip<P: Places>(
 /// w at `a + i b`, `a, b ≥ 0`, `|z| < 10¹⁰⁰`, in double-double; to about 2⁻¹⁰⁰ of the larger
 /// component, from 4096 on to 2⁻⁷⁷.
 #[inline(always)]
-pub(super) fn w_exact<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
+pub(super) fn w_exact<L: Lanes>(lanes: L, a: f64, b: f64) -> Parts<f64> {
     if a.max(b) < 4096.0 {
-        lanes.call(trapezoidal::Upper { a, b })
+        lanes.call(trapezoidal::Upper { a, b }).0
     } else {
         four_terms(a, b)
     }
 }
 
-/// `e^{−z²}` at `a + i y` in double-double, as mantissas and `ROUND` plus the exponent, `|Re z²|`
-/// below 1400.
+/// [`w_exact`] and [`gaussian_exact`] at `a + i b`.
 #[inline(always)]
-pub(super) fn gaussian_in_pairs<N: Numbers>(
-    numbers: N,
-    a: N::Number,
-    y: N::Number,
-) -> exact::Gaussian<N::Number> {
-    let zero = Dd::ZERO.like(a);
-    exact::exp_minus_square(numbers, a, -y, zero, zero).0
+pub(super) fn both_exact<L: Lanes>(lanes: L, a: f64, b: f64) -> (Parts<f64>, Gaussian) {
+    if a.max(b) < 4096.0 && exponent(a, b).hi.abs() < 1400.0 {
+        lanes.call(trapezoidal::Upper { a, b })
+    } else {
+        (w_exact(lanes, a, b), gaussian_exact(lanes, a, b))
+    }
+}
+
+/// `e^{−z²}` at `b + i a` from that at `a + i b`: the inverse of its conjugate.
+#[inline(always)]
+pub(super) fn mirrored<R: Real>((c, s, n): Gaussian<R>) -> Gaussian<R> {
+    let square = c.square() + s.square();
+    (c.div(square), s.div(square), n.like(2.0 * ROUND) - n)
 }
 
 /// `e^{−z²}` at `a + i y` in double-double. A function of its own, as [`trapezoidal::Upper`].
@@ -140,10 +156,10 @@ struct ExpMinusSquare {
 }
 
 impl Task for ExpMinusSquare {
-    type Output = exact::Gaussian;
+    type Output = Gaussian;
     #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L) -> exact::Gaussian {
-        gaussian_in_pairs(One(lanes), self.a, self.y)
+    fn run<L: Lanes>(self, lanes: L) -> Gaussian {
+        exp_minus_square(One(lanes), self.a, -self.y, Dd::ZERO, Dd::ZERO).0
     }
 }
 

@@ -18,10 +18,11 @@
 //! M = (r² − τ)² + 4τy²,   τ = t²,   a = (2h/π) e^{−τ}
 //! ```
 
+use super::pairs::Parts;
 use super::places::Choose;
 use super::tables::{TRAPEZOIDAL_NODES, TRAPEZOIDAL_WEIGHTS};
 use crate::double_double::{Dd, two_prod};
-use crate::double_double_functions::exp_minus_square;
+use crate::double_double_functions::{Gaussian, exp_minus_square, exp_minus_square_to};
 use crate::hex::hex;
 use crate::lanes::{Lanes, Task};
 use crate::numbers::{Numbers, One};
@@ -30,6 +31,8 @@ use crate::real::{ROUND, Real, scaled};
 /// Nodes of each rule.
 pub(super) const NODES: usize = 24;
 const LANES: usize = 8;
+/// Where 2⁻⁶⁶ is enough, the nodes whose terms are computed in double-double, and those that count.
+const SHORT: [usize; 2] = [12, 20];
 
 const TWO_PI: Dd = Dd::new(2.0 * Dd::PI.hi, 2.0 * Dd::PI.lo);
 /// 2π/23.
@@ -58,17 +61,17 @@ fn total<R: Real>(parts: [Dd<R>; LANES]) -> Dd<R> {
 }
 
 /// The sums over the nodes of the second rule where the mask is true, else of the first, without
-/// the factors `y` and `x`.
+/// the factors `y` and `x`; all of them in double-double, or those that count as [`SHORT`] says.
 #[inline(always)]
-fn sums<R: Real>(second: R::Mask, r2: Dd<R>, y2: Dd<R>) -> (Dd<R>, Dd<R>) {
+fn sums<R: Real, const PAIRS: usize>(second: R::Mask, r2: Dd<R>, y2: Dd<R>) -> (Dd<R>, Dd<R>) {
     let x = r2.hi;
     let ([t0, t1], [w0, w1]) = (&TRAPEZOIDAL_NODES, &TRAPEZOIDAL_WEIGHTS);
     let zero = Dd::ZERO.like(x);
     let mut plus = [zero; LANES];
     let mut minus = [zero; LANES];
-    for chunk in 0..NODES / LANES {
-        for j in 0..LANES {
-            let k = chunk * LANES + j;
+    // Sum by sum: those of vectors have no registers side by side.
+    for j in 0..LANES {
+        for k in (j..PAIRS).step_by(LANES) {
             let t = either(second, x, [t0[k], t1[k]]);
             let high = either(second, x, [w0[0][k], w1[0][k]]);
             let low = either(second, x, [w0[1][k], w1[1][k]]);
@@ -79,7 +82,20 @@ fn sums<R: Real>(second: R::Mask, r2: Dd<R>, y2: Dd<R>) -> (Dd<R>, Dd<R>) {
             minus[j] = minus[j] + q * less;
         }
     }
-    (total(plus), total(minus))
+    let (plus, minus) = (total(plus), total(minus));
+    if PAIRS == NODES {
+        return (plus, minus);
+    }
+    let (mut p, mut q) = (x.like(0.0), x.like(0.0));
+    for k in PAIRS..SHORT[1] {
+        let t = either(second, x, [t0[k], t1[k]]);
+        let less = (r2.hi - t) + r2.lo;
+        let m = less.fma(less, x.like(4.0) * t * y2.hi);
+        let a = either(second, x, [w0[0][k], w1[0][k]]) / m;
+        p = a.fma(r2.hi + t, p);
+        q = a.fma(less, q);
+    }
+    (plus.add_f(p), minus.add_f(q))
 }
 
 /// Where `cos 2θ > 0`, which takes the second rule, and `|cos 2θ|`, and `sin 2θ` with the sign that
@@ -135,7 +151,7 @@ pub(super) fn lower<N: Numbers>(
     );
     let (rule, kappa, sine) = chosen(sine, cosine);
     let (xx, yy) = (two_prod(a, a), two_prod(b, b));
-    let (plus, minus) = sums(rule, xx + yy, yy);
+    let (plus, minus) = sums::<_, NODES>(rule, xx + yy, yy);
     // Tiny parts are lifted, lest the low halves become subnormal.
     let lift = a.pick(b.below(like(1e-200)), like(200.0), like(0.0));
     let (re, im) = (plus.mul_f(-scaled(b, like(ROUND) + lift)), minus.mul_f(a));
@@ -151,30 +167,50 @@ pub(super) fn lower<N: Numbers>(
 }
 
 /// The value at `a + i b`, `a, b ≥ 0`, `|z| < 2²⁴`; relative error of each component about 2⁻¹⁰⁰ of
-/// the larger of the two terms it is the sum of.
+/// the larger of the two terms it is the sum of. After it `e^{−z²}`, where `|Re z²|` is below 1500.
 #[inline(always)]
-pub(super) fn upper<N: Numbers>(
+fn upper<N: Numbers>(numbers: N, a: N::Number, b: N::Number) -> WithGaussian<N::Number> {
+    upper_to::<N, NODES>(numbers, a, b)
+}
+
+/// The same to about 2⁻⁶⁶.
+#[inline(always)]
+pub(super) fn upper_short<N: Numbers>(
     numbers: N,
     a: N::Number,
     b: N::Number,
-) -> (Dd<N::Number>, Dd<N::Number>) {
+) -> WithGaussian<N::Number> {
+    upper_to::<N, { SHORT[0] }>(numbers, a, b)
+}
+
+/// W and `e^{−z²}`.
+type WithGaussian<R> = (Parts<R>, Gaussian<R>);
+
+#[inline(always)]
+fn upper_to<N: Numbers, const PAIRS: usize>(
+    numbers: N,
+    a: N::Number,
+    b: N::Number,
+) -> WithGaussian<N::Number> {
     let like = |c: f64| a.like(c);
     // Beyond, what is left of the residue is below the error of the rule.
     let outside = a.or(like(8.0).below(b), like(30.0).below(a));
-    let (x, y) = (a.pick(outside, like(0.0), a), a.pick(outside, like(0.0), b));
-    let ((c, s, k), (sine, cosine), (g, gk)) = exp_minus_square(
-        numbers,
-        x,
-        -y,
+    let y = a.pick(outside, like(0.0), b);
+    let others = (
         phase_of_nodes(a),
         two_prod(y, like(-STEPS)) * TWO_PI_OVER_PER.like(a),
     );
+    let (gaussian, (sine, cosine), (g, gk)) = match PAIRS {
+        NODES => exp_minus_square(numbers, a, -b, others.0, others.1),
+        _ => exp_minus_square_to::<N, true>(numbers, a, -b, others.0, others.1),
+    };
+    let (c, s, k) = gaussian;
     let (rule, kappa, sine) = chosen(sine, cosine);
     let (xx, yy) = (two_prod(a, a), two_prod(b, b));
-    let (plus, minus) = sums(rule, xx + yy, yy);
+    let (plus, minus) = sums::<_, PAIRS>(rule, xx + yy, yy);
     let (re, im) = (plus.mul_f(b), minus.mul_f(a));
     if a.all(outside) {
-        return (re, im);
+        return ((re, im), gaussian);
     }
     // 2 e^{−z²} (g² + κg − i g sin 2θ)/(1 + g² + 2κg), g = e^{−2πb/h}.
     let g = times(g, scaled(like(1.0), gk));
@@ -182,10 +218,11 @@ pub(super) fn upper<N: Numbers>(
     let (p, q) = (g * (g + kappa), -(g * sine));
     let (c, s) = ((c * p - s * q).div(den), (c * q + s * p).div(den));
     let k = k + like(1.0);
-    (
+    let parts = (
         re.or_else(outside, re + by(c, k)),
         im.or_else(outside, im + by(s, k)),
-    )
+    );
+    (parts, gaussian)
 }
 
 /// [`upper`] at one point, as a function of its own: each relative has a use for it.
@@ -195,9 +232,9 @@ pub(super) struct Upper {
 }
 
 impl Task for Upper {
-    type Output = (Dd, Dd);
+    type Output = WithGaussian<f64>;
     #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L) -> (Dd, Dd) {
+    fn run<L: Lanes>(self, lanes: L) -> WithGaussian<f64> {
         upper(One(lanes), self.a, self.b)
     }
 }

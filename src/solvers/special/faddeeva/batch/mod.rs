@@ -140,7 +140,7 @@ impl<S: Wide, L: Lanes> NullaryFnOnce for Compute<'_, S, L> {
             present,
             room,
         } = self;
-        chunk.buffers.order.sort(simd, n, present, room);
+        chunk.buffers.order.sort(simd, n, present, (room, GROUPS));
         chunk.run(simd, lanes);
     }
 }

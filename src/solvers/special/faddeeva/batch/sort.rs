@@ -62,9 +62,15 @@ impl Chunk<'_> {
 impl Order {
     /// Sorts the first `n` points into the buckets: each bucket collects its own, so that no count
     /// waits for the one before. Buckets with few points leave them for later, as long as there is
-    /// room.
+    /// room. After each bucket its last point stands again `apart` times.
     #[inline(always)]
-    pub(in super::super) fn sort<S: Wide>(&mut self, simd: S, n: usize, present: u32, room: usize) {
+    pub(in super::super) fn sort<S: Wide>(
+        &mut self,
+        simd: S,
+        n: usize,
+        present: u32,
+        (room, apart): (usize, usize),
+    ) {
         let (mut present, mut room) = (present, room);
         let buffers = self;
         buffers.codes[n..].fill(NONE);
@@ -95,7 +101,7 @@ impl Order {
             // The last one again, so that groups are whole.
             let last = order[(start + len - 1) & (ORDERED - 1)];
             place(order, start + len, [last; GROUPS]);
-            start += len + GROUPS;
+            start += len + apart;
         }
         let len = later.iter().map(|x| x.count_ones() as usize).sum();
         if len > 0 {
