@@ -8,14 +8,14 @@ use rug::Float;
 use rug::ops::CompleteRound;
 
 /// A real function of the distance t from an origin, `x = origin ± t`.
-struct Line<'a, F> {
-    f: &'a mut F,
+struct Line<'a> {
+    f: &'a mut dyn Integrand,
     /// None for zero.
     origin: Option<Ball>,
     negative: bool,
 }
 
-impl<F: Integrand> Path for Line<'_, F> {
+impl Path for Line<'_> {
     type Value = Ball;
     const MIRRORS: bool = true;
 
@@ -32,7 +32,7 @@ impl<F: Integrand> Path for Line<'_, F> {
     }
 }
 
-impl<F> Line<'_, F> {
+impl Line<'_> {
     /// An interval of t as one of x, next to the midpoint of the origin.
     fn interval(&self, (from, to): (Float, Float)) -> (Float, Float) {
         let place = |t: Float| {
@@ -80,7 +80,7 @@ fn name(end: &End) -> &'static str {
 
 /// The integral, as far as it is known.
 pub(super) fn integral(
-    f: &mut impl Integrand,
+    f: &mut dyn Integrand,
     from: &Limit,
     to: &Limit,
     run: &mut Run,
@@ -142,7 +142,7 @@ pub(super) fn integral(
 }
 
 /// Returns true if the integrand is not enclosed in a neighbourhood of an end.
-fn is_singular(f: &mut impl Integrand, end: &End) -> bool {
+fn is_singular(f: &mut dyn Integrand, end: &End) -> bool {
     let (a, sign) = match end {
         End::Above(a) => (a, 1),
         End::Below(a) => (a, -1),
@@ -157,8 +157,8 @@ fn is_singular(f: &mut impl Integrand, end: &End) -> bool {
 
 /// Between two limits in the coordinate of a line; their midpoints are exact, and their radii widen
 /// the result.
-fn between<F: Integrand>(
-    mut line: Line<F>,
+fn between(
+    mut line: Line,
     a: &Ball,
     b: &Ball,
     inner: &[Float],
@@ -186,7 +186,7 @@ fn between<F: Integrand>(
 }
 
 /// The integral between an ordinary point and an end, taken upwards.
-fn towards(f: &mut impl Integrand, from: &Ball, end: &End, run: &mut Run) -> Option<Ball> {
+fn towards(f: &mut dyn Integrand, from: &Ball, end: &End, run: &mut Run) -> Option<Ball> {
     let zero = Ball::integer(64, 0);
     // The coordinate grows away from a finite end, and towards an infinite one.
     let (origin, negative, start) = match end {
@@ -251,7 +251,7 @@ fn geometric(start: &Float, last: &Float, bits: u32) -> Vec<Float> {
 }
 
 /// A bound that the integrand proves at some distance of at most `2^−nearest`.
-fn proved_growth(f: &mut impl Integrand, end: &End, nearest: i64) -> Option<(Growth, u32)> {
+fn proved_growth(f: &mut dyn Integrand, end: &End, nearest: i64) -> Option<(Growth, u32)> {
     let nearest = u32::try_from(nearest.max(2)).ok()?;
     let near = DISTANCES.iter().copied().filter(|k| *k > nearest);
     let mut all = std::iter::once(nearest).chain(near);

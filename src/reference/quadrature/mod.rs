@@ -161,13 +161,13 @@ pub struct Integral<V> {
 
 /// The integral of a real function along the real line; the limits may be infinite, and the
 /// function singular there.
-pub fn integrate(f: &mut impl Integrand, from: &Limit, to: &Limit, goal: &Goal) -> Integral<Ball> {
+pub fn integrate(f: &mut dyn Integrand, from: &Limit, to: &Limit, goal: &Goal) -> Integral<Ball> {
     repeated(goal, |run| improper::integral(f, from, to, run))
 }
 
 /// The integral along the straight line between two points of the complex plane.
 pub fn integrate_segment(
-    f: &mut impl Integrand,
+    f: &mut dyn Integrand,
     from: &ComplexBall,
     to: &ComplexBall,
     goal: &Goal,
@@ -268,13 +268,13 @@ fn repeated<V: Value>(goal: &Goal, mut run: impl FnMut(&mut Run) -> Option<V>) -
 }
 
 /// The line `origin + t · direction`, times the direction.
-struct Segment<'a, F> {
-    f: &'a mut F,
+struct Segment<'a> {
+    f: &'a mut dyn Integrand,
     origin: ComplexBall,
     direction: ComplexBall,
 }
 
-impl<F: Integrand> Path for Segment<'_, F> {
+impl Path for Segment<'_> {
     type Value = ComplexBall;
     const MIRRORS: bool = false;
 
