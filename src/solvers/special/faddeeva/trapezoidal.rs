@@ -69,9 +69,19 @@ fn sums<R: Real, const PAIRS: usize>(second: R::Mask, r2: Dd<R>, y2: Dd<R>) -> (
     let zero = Dd::ZERO.like(x);
     let mut plus = [zero; LANES];
     let mut minus = [zero; LANES];
-    // Sum by sum: those of vectors have no registers side by side.
-    for j in 0..LANES {
-        for k in (j..PAIRS).step_by(LANES) {
+    // Few nodes are taken sum by sum: sums side by side would leave their registers.
+    let blocks = PAIRS.div_ceil(LANES);
+    let [outer, inner] = match PAIRS {
+        NODES => [blocks, LANES],
+        _ => [LANES, blocks],
+    };
+    for m in 0..outer {
+        for n in 0..inner {
+            let (block, j) = if PAIRS == NODES { (m, n) } else { (n, m) };
+            let k = block * LANES + j;
+            if k >= PAIRS {
+                continue;
+            }
             let t = either(second, x, [t0[k], t1[k]]);
             let high = either(second, x, [w0[0][k], w1[0][k]]);
             let low = either(second, x, [w0[1][k], w1[1][k]]);
