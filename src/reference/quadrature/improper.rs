@@ -157,13 +157,7 @@ fn is_singular(f: &mut dyn Integrand, end: &End) -> bool {
 
 /// Between two limits in the coordinate of a line; their midpoints are exact, and their radii widen
 /// the result.
-fn between(
-    mut line: Line,
-    a: &Ball,
-    b: &Ball,
-    inner: &[Float],
-    run: &mut Run,
-) -> Option<Ball> {
+fn between(mut line: Line, a: &Ball, b: &Ball, inner: &[Float], run: &mut Run) -> Option<Ball> {
     let mut beside = Mag::ZERO;
     for end in [a, b] {
         if !end.rad().is_zero() {
