@@ -3,17 +3,18 @@
 use std::path::PathBuf;
 use std::process::Command;
 
-/// The library that these tests are linked with, the last that was built, and the folder of those
-/// it needs.
+/// The library that these tests are linked with, the last that was built before them, and the folder
+/// of those it needs.
 fn library() -> (PathBuf, PathBuf) {
     let own = std::env::current_exe().unwrap();
     let folder = own.parent().unwrap().to_path_buf();
+    let linked = own.metadata().unwrap().modified().unwrap();
     let built = std::fs::read_dir(&folder).unwrap().filter_map(|entry| {
         let path = entry.ok()?.path();
         let name = path.file_name()?.to_str()?;
         let is_it = name.starts_with("libmechaudit-") && name.ends_with(".rlib");
         let modified = path.metadata().ok()?.modified().ok()?;
-        is_it.then_some((modified, path))
+        (is_it && modified <= linked).then_some((modified, path))
     });
     let (_, path) = built.max().expect("the library is built");
     (path, folder)
