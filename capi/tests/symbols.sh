@@ -3,7 +3,7 @@
 #
 #     capi/tests/symbols.sh [--lean] PREFIX
 set -euo pipefail
-most=3900000
+most=4100000
 [ "$1" != --lean ] || { most=2800000 && shift; }
 prefix=$1
 lib=$prefix/lib/libmechaudit.so
