@@ -425,27 +425,33 @@ fn quadratic() -> Field {
     Field::new(rates, vec![square], jacobian, vec![(0, 0, double)])
 }
 
+const NO_CONSTANTS: Constants = Constants {
+    rates: Vec::new(),
+    jacobian: Vec::new(),
+};
+
+/// All states within a radius of some at time zero.
+fn about<const N: usize>(states: [f64; N], radius: f64) -> Place {
+    Place {
+        time: Rational::from(0),
+        mid: states.map(|x| Float::with_val(BITS, x)).into(),
+        errors: ErrorSet::of_boxes(&[vec![Mag::from_f64(radius); N]], &[1.0; N]),
+        carried: None,
+    }
+}
+
 /// A start from which some solutions end within the step is refused, and one from which none does
 /// is not.
 #[test]
 fn a_tube_that_is_left_proves_nothing() {
     let field = quadratic();
-    let constants = Constants {
-        rates: Vec::new(),
-        jacobian: Vec::new(),
-    };
     let setting = Setting {
         field: &field,
-        constants: &constants,
+        constants: &NO_CONSTANTS,
         bits: BITS,
         order: 30,
     };
-    let place = |radius: f64| Place {
-        time: Rational::from(0),
-        mid: vec![Float::with_val(BITS, 1)],
-        errors: ErrorSet::of_boxes(&[vec![Mag::from_f64(radius)]], &[1.0]),
-        carried: None,
-    };
+    let place = |radius| about([1.0], radius);
     let (expansion, p) = setting.expand(&place(0.0)).unwrap();
     // Every coefficient is 1.
     assert!(p[0].iter().all(|c| *c == 1));
@@ -484,22 +490,13 @@ fn rates_that_jump_in_the_tube_prove_nothing() {
     let double = jacobian.push(Operation::Add(x, x));
     let entries = vec![(0, 0, by_y), (0, 1, by_x), (1, 1, double)];
     let field = Field::new(rates, vec![angle, square], jacobian, entries);
-    let constants = Constants {
-        rates: Vec::new(),
-        jacobian: Vec::new(),
-    };
     let setting = Setting {
         field: &field,
-        constants: &constants,
+        constants: &NO_CONSTANTS,
         bits: BITS,
         order: 20,
     };
-    let place = |radius: f64| Place {
-        time: Rational::from(0),
-        mid: [0.01, -2.0].map(|x| Float::with_val(BITS, x)).into(),
-        errors: ErrorSet::of_boxes(&[vec![Mag::from_f64(radius); 2]], &[1.0; 2]),
-        carried: None,
-    };
+    let place = |radius| about([0.01, -2.0], radius);
     let (expansion, p) = setting.expand(&place(0.0)).unwrap();
     let defect = [Mag::from_f64(1e-9); 2];
     let proved = |radius| {

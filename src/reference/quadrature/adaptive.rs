@@ -428,7 +428,7 @@ fn gauss<P: Path>(
         return Outcome::Costly;
     };
     let mut bits = u32::try_from((top - bottom).max(8)).unwrap_or(u32::MAX / 4) + 16 + n.ilog2();
-    // What cancels in the integrand beside this panel cancels here, too.
+    // The integrand loses about as many bits to cancellation here as in the panel beside this one.
     bits += hint.more;
     for _ in 0..ATTEMPTS {
         let Some(rule) = nodes::rule(n, bits) else {

@@ -36,7 +36,7 @@ fn series<R: Real, const N: usize>(x: Dd<R>, dd: usize, c: impl Fn(usize) -> Dd<
     p
 }
 
-/// `e^x = m · 2^k` as `m` and `ROUND + k`; `x` within ±1500. To about 2⁻⁷⁰ if it is to be `SHORT`.
+/// `e^x = m · 2^k` as `m` and `ROUND + k`; `x` within ±1500. `SHORT` gives it to about 2⁻⁷⁰.
 #[inline(always)]
 fn exp<R: Real, const SHORT: bool>(x: Dd<R>) -> (Dd<R>, R) {
     let like = |c: f64| x.hi.like(c);
@@ -152,7 +152,7 @@ pub(crate) fn exp_minus_square<N: Numbers>(
     exp_minus_square_to::<N, false>(numbers, a, b, other_phase, other_exponent)
 }
 
-/// [`exp_minus_square`]; to about 2⁻⁷⁰ if it is to be `SHORT`.
+/// Computes [`exp_minus_square`]; `SHORT` gives it to about 2⁻⁷⁰.
 #[inline(always)]
 pub(crate) fn exp_minus_square_to<N: Numbers, const SHORT: bool>(
     numbers: N,

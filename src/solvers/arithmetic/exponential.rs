@@ -113,7 +113,7 @@ pub(crate) fn exp<R: Real>(x: Dd<R>) -> (Dd<R>, R) {
     exp_to::<R, false>(x)
 }
 
-/// [`exp`]; if it is to be `LONG`, with an exact product in the term of third order, too.
+/// Computes [`exp`]; `LONG` takes an exact product in the term of third order, too.
 #[inline(always)]
 fn exp_to<R: Real, const LONG: bool>(x: Dd<R>) -> (Dd<R>, R) {
     let like = |c: f64| x.hi.like(c);
@@ -253,8 +253,7 @@ pub(crate) fn sin_cos_accurate<R: Real>(r: Dd<R>) -> (Dd<R>, Dd<R>) {
     sin_cos_to::<R, false>(r)
 }
 
-/// [`sin_cos_accurate`]; if it is to be `LONG`, with exact products in the term of fourth order,
-/// too.
+/// Computes [`sin_cos_accurate`]; `LONG` takes exact products in the term of fourth order, too.
 #[inline(always)]
 fn sin_cos_to<R: Real, const LONG: bool>(r: Dd<R>) -> (Dd<R>, Dd<R>) {
     let (x, xx) = (r.hi, r.hi * r.hi);
@@ -428,7 +427,7 @@ pub(crate) fn exp_wide<R: Masked>(t: Dd<R>) -> (Dd<R>, R) {
     exp_wide_to::<R, false>(t)
 }
 
-/// [`exp_wide`], as accurate as [`product`] if it is to be `LONG`.
+/// Computes [`exp_wide`]; `LONG` makes it as accurate as [`product`] with `LONG`.
 #[inline(always)]
 pub(crate) fn exp_wide_to<R: Masked, const LONG: bool>(t: Dd<R>) -> (Dd<R>, R) {
     let like = |c: f64| t.hi.like(c);
@@ -455,8 +454,8 @@ pub(crate) fn gaussian(a: f64, y: f64) -> (Dd, Dd, f64) {
     (e * c, -(e * s), n)
 }
 
-/// `e^{−z²}` from `e^{Re −z²}` and the reduced phase, with their power of two and quadrant; its
-/// error is a tenth if it is to be `LONG`.
+/// `e^{−z²}` from `e^{Re −z²}` and the reduced phase, with their power of two and quadrant;
+/// `LONG` reduces its error to a tenth.
 #[inline(always)]
 pub(crate) fn product<R: Real, const LONG: bool>(
     (e, n): (Dd<R>, R),

@@ -165,7 +165,7 @@ fn shifted(z: &ComplexBall, n: u32) -> ComplexEvaluated {
     Ok(ComplexBall::new(re, z.im.clone()))
 }
 
-/// Angles of so many factors add up with an error below 2^−20.
+/// The most factors whose angles are added; their sum has an error below 2^−20.
 const MOST_FACTORS: u32 = 1 << 22;
 
 /// `Σ_{k<n} ln(z + k)`: the logarithm of the product, and the multiple of 2π by which the sum of

@@ -314,7 +314,7 @@ impl Function for Derivative {
 /// # Accuracy
 /// Worst found against the certified reference in 1.35·10⁷ cases of `mechaudit audit
 /// faddeeva-derivative` (`reference/campaigns`): norm 1.87 u (u = 2⁻⁵³), Re 2.00 and Im 1.37 units
-/// in the last place. Next to zeros, and to curves on which a component is zero, sums in 256 bits:
+/// in the last place; values have other last bits since. Next to zeros, and to curves on which a component is zero, sums in 256 bits:
 /// 1.2 units the worst of 5000 points in each region of the audit.
 ///
 /// # Special values

@@ -254,8 +254,8 @@ impl Function for Turned {
 /// The error function `erf z = (2/√π) ∫₀^z e^{−t²} dt` (DLMF 7.2.1), on the whole plane.
 ///
 /// # Accuracy
-/// Worst found against Arb at 60 000 points, random in squares and beside the axes and diagonals:
-/// norm 1.0 u (u = 2⁻⁵³), Re 0.74 and Im 0.87 units in the last place. Both components keep
+/// Worst found against the certified reference in the 135 055 cases of `mechaudit audit erf --cases
+/// 5000`: norm 1.36 u (u = 2⁻⁵³), Re 0.98 and Im 1.16 units in the last place. Both components keep
 /// their relative accuracy next to zero, beside the axes, next to zeros and next to the curves on
 /// which they are zero, there by sums in 256 bits.
 ///
@@ -352,7 +352,8 @@ pub fn erfc_batch(z: &[Complex<f64>], f: &mut [Complex<f64>]) -> Result<(), Leng
 /// whole plane.
 ///
 /// # Accuracy
-/// That of [`erf`]; `mechaudit audit erfi` judges it. Special values: those of [`erf`] at `iz`.
+/// Worst found in the 135 055 cases of `mechaudit audit erfi --cases 5000`: norm 1.39 u, Re 1.03 and
+/// Im 0.96 units in the last place. Special values: those of [`erf`] at `iz`.
 ///
 /// ```
 /// use mechaudit_solvers::faddeeva::erfi;

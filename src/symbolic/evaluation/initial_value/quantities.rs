@@ -29,7 +29,7 @@ impl Quantities {
             nodes: problem.quantities.iter().copied().map(Some).collect(),
         };
         let mut sides: Vec<(&Switch, &Side)> = sides.iter().collect();
-        // What the value of a switch depends on is chosen after the switch itself.
+        // A switch is replaced before the switches that its value depends on.
         sides.sort_by_key(|(switch, _)| {
             let (a, b) = switch.parts();
             std::cmp::Reverse(b.unwrap_or(a).max(a))

@@ -306,7 +306,7 @@ mod tests {
         assert_eq!(of(&input, "x + z - z", own), Same::Undecided(why.into()));
     }
 
-    /// What the algebra calls by a name is not what an input of that name is.
+    /// An input that has the name of a constant of the algebra is not that constant.
     #[test]
     fn inputs_are_no_constants_of_the_algebra() {
         let found = of(PI, "cos(pi)^2 + sin(pi)^2", "y = \"1 + 0*pi\"");
