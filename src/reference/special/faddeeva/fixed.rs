@@ -19,6 +19,10 @@
 //! quotients by one machine word. As many terms as fit are brought to one denominator `Π b_k` of a
 //! word, so that one quotient serves them all.
 //!
+//! Where p and q² are exact and have few digits, powers cost products by these, and m is larger. A
+//! block of m terms from index k on enters the sum times `t_k`: it is summed with as many digits
+//! fewer as `t_k` is small, in units of `2^-(bits − depth)`.
+//!
 //! # Error
 //! Every rounding (a shift to the left integer, or a quotient truncated) is an error of at most one
 //! unit in r or in s. Let `(E, F)` bound the errors of the two parts and D the modulus of the
@@ -33,24 +37,29 @@
 //!            D' = D + (E_m |R| + G_m |S| + 1) + |q| (F_m |R| + E_m |S| + 1)
 //! ```
 //!
-//! (R, S the two parts of the partial sum, G_m the error of q² s_m.) E may be replaced by D and F
-//! by D/|q| at any time. The first form is good for small q, the second for large q. The bounds are
+//! (R, S the two parts of the partial sum, G_m the error of q² s_m, which is rounded twice.) A power
+//! of which fewer digits are taken has `2^-depth` of its error in the larger units, and one rounding
+//! more; the errors of a partial sum are multiplied by the ratio of the units of two blocks. E may
+//! be replaced by D and F by D/|q| at any time. The first form is good for small q, the second for large q. The bounds are
 //! evaluated in `f64` (rescaled where they would overflow): all operands are non-negative, fewer
 //! than 2^40 operations are made, each with a relative error of 2^-53, and the stored numbers
 //! differ from the exact ones by a relative 10^-5 at most (checked: all errors stay below 10^-5 ·
 //! 2^bits), so the final factor 1.001 covers both.
 
+mod depths;
 mod errors;
 
 use crate::{Ball, Mag};
-use errors::{Errors, Point};
+use depths::depths;
+use errors::{Bound, Errors, Point};
 use rug::{Assign, Float, Integer};
 
 /// Terms with a common denominator, at most.
 const GROUP: usize = 12;
 
-/// Error bounds beyond this are kept as multiples of it.
-const STEP: i64 = 512;
+/// A product by a short number costs as much less than a full one as these numbers of bits go into
+/// the digits.
+const CHEAP: f64 = 2600.0;
 
 /// A number as real part and imaginary part divided by q.
 struct Pair {
@@ -66,6 +75,113 @@ fn fixed(x: &Ball, bits: u32) -> Option<(Integer, f64)> {
     Some((scaled.to_integer()?, error * 1.0001))
 }
 
+/// The numbers p and q² in units of `2^-bits`, with what is wrong with them.
+struct Factors {
+    p: Integer,
+    q2: Integer,
+    bits: u32,
+    errors: [f64; 2],
+}
+
+impl Factors {
+    /// Returns the exact numbers where they have at most half of `most` bits, and numbers rounded
+    /// to `most` bits otherwise.
+    fn new(p: &Ball, q2: &Ball, most: u32) -> Option<Factors> {
+        let exact = |x: &Ball| match x.rad().is_zero() {
+            true => x.mid().to_integer_exp(),
+            false => None,
+        };
+        if most >= MANY
+            && let (Some((p, i)), Some((q2, j))) = (exact(p), exact(q2))
+        {
+            let (i, j) = (trimmed(p, i), trimmed(q2, j));
+            let bits = u32::try_from(-i.1.min(j.1).min(0)).ok()?;
+            if bits <= most / 2 {
+                let [p, q2] = [i, j].map(|(x, e)| x << (e + bits as i32));
+                let errors = [0.0; 2];
+                return Some(Factors {
+                    p,
+                    q2,
+                    bits,
+                    errors,
+                });
+            }
+        }
+        let ((p, a), (q2, b)) = (fixed(p, most)?, fixed(q2, most)?);
+        Some(Factors {
+            p,
+            q2,
+            bits: most,
+            errors: [a, b],
+        })
+    }
+
+    fn are_short(&self) -> bool {
+        self.errors == [0.0; 2]
+    }
+}
+
+/// The number `x 2^exponent` with an odd x.
+fn trimmed(x: Integer, exponent: i32) -> (Integer, i32) {
+    match x.find_one(0) {
+        Some(zeros) => (x >> zeros, exponent + zeros as i32),
+        None => (x, 0),
+    }
+}
+
+/// A partial sum in units of `2^-(bits − depth)`.
+struct Partial {
+    re: Integer,
+    im: Integer,
+    depth: u32,
+    bound: Bound,
+    /// Memory for products.
+    products: [Integer; 2],
+}
+
+impl Partial {
+    /// Multiplies by `v^m`, which is `top`; `q2s` is q² times its imaginary part.
+    fn times_power(&mut self, top: &Pair, q2s: &Integer, m: u64, bits: u32, v: &Point) {
+        let bits = bits - self.depth;
+        let parts = [&self.re, &self.im];
+        let sizes = parts.map(|x| size(x, i64::from(bits) + self.bound.shift));
+        let cut;
+        let (top_re, top_im, q2s) = match self.depth {
+            0 => (&top.re, &top.im, q2s),
+            depth => {
+                cut = [&top.re, &top.im, q2s].map(|x| Integer::from(x >> depth));
+                (&cut[0], &cut[1], &cut[2])
+            }
+        };
+        let [t, u] = &mut self.products;
+        t.assign(top_re * &self.re);
+        *t -= q2s * &self.im;
+        u.assign(top_re * &self.im);
+        *u += top_im * &self.re;
+        self.re.assign(&*t >> bits);
+        self.im.assign(&*u >> bits);
+        let errors = top.errors.cut(self.depth, v);
+        let roundings = if self.depth == 0 { 1.0 } else { 2.0 };
+        let unit = self.bound.unit;
+        let bound = self
+            .bound
+            .e
+            .times_power(errors, roundings, m, sizes, v, unit);
+        self.bound.set(bound.least(v));
+    }
+
+    /// Makes the units smaller.
+    fn refine(&mut self, depth: u32) {
+        let bits = self.depth - depth;
+        self.re <<= bits;
+        self.im <<= bits;
+        self.depth = depth;
+        self.bound.refine(bits);
+    }
+}
+
+/// Below as many bits a full product is cheap.
+pub(super) const MANY: u32 = 1500;
 /// `|x| 2^-bits` from above.
 fn size(x: &Integer, bits: i64) -> f64 {
     pow2(i64::from(x.significant_bits()) - bits)
@@ -99,12 +215,15 @@ fn sum_checked(
     n: u64,
     ratio: impl Fn(u64) -> (u64, u64),
 ) -> Option<(Ball, Ball)> {
-    let (pf, ep) = fixed(p, bits)?;
-    let (qf, eq) = fixed(q2, bits)?;
-    let v = Point::new(p, q2, [ep, eq])?;
+    let factors = Factors::new(p, q2, bits)?;
+    let v = Point::new(p, q2, factors.errors)?;
 
-    // Powers.
-    let m = (n as f64 * 1.4).sqrt() as u64;
+    // Powers. Where they are cheap, there are more of them.
+    let spread = match factors.are_short() {
+        true => 1.4 + f64::from(bits) / CHEAP,
+        false => 1.4,
+    };
+    let m = ((n as f64 * spread).sqrt() as u64).max(1);
     let one = Integer::from(1) << bits;
     let mut powers = vec![Pair {
         re: one.clone(),
@@ -113,11 +232,11 @@ fn sum_checked(
     }];
     for j in 0..m {
         let last = &powers[j as usize];
-        let mut re = Integer::from(&pf * &last.re);
-        re -= &qf * &last.im;
-        re >>= bits;
-        let mut im = Integer::from(&pf * &last.im);
-        im >>= bits;
+        let mut re = Integer::from(&factors.p * &last.re);
+        re -= &factors.q2 * &last.im;
+        re >>= factors.bits;
+        let mut im = Integer::from(&factors.p * &last.im);
+        im >>= factors.bits;
         im += &last.re;
         let errors = last.errors.next_power(&v, j);
         // Stored powers are near the exact ones.
@@ -131,30 +250,33 @@ fn sum_checked(
         });
     }
     let top = powers.pop()?;
-    let q2s = Integer::from(&qf * &top.im) >> bits;
+    let q2s = Integer::from(&factors.q2 * &top.im) >> factors.bits;
+    let depths = depths(bits, n, m, &ratio);
 
     // Terms, from the last one down, in groups that share one quotient.
-    let mut re = Integer::new();
-    let mut im = Integer::new();
-    let mut e = Errors::default();
-    // Bounds are multiples of 2^shift, one unit is `unit` of them.
-    let (mut shift, mut unit) = (0i64, 1.0f64);
-    let (mut t, mut u) = (Integer::new(), Integer::new());
+    let mut sum = Partial {
+        re: Integer::new(),
+        im: Integer::new(),
+        depth: depths.last().copied().unwrap_or(0),
+        bound: Bound::zero(),
+        products: [Integer::new(), Integer::new()],
+    };
+    let (mut t, mut u, mut cut) = (Integer::new(), Integer::new(), Integer::new());
     let mut end = n;
     while end > 0 {
         if end < n && end.is_multiple_of(m) {
-            let r = size(&re, i64::from(bits) + shift);
-            let s = size(&im, i64::from(bits) + shift);
-            t.assign(&top.re * &re);
-            t -= &q2s * &im;
-            u.assign(&top.re * &im);
-            u += &top.im * &re;
-            re.assign(&t >> bits);
-            im.assign(&u >> bits);
-            e = e.times_power(top.errors, m, [r, s], &v, unit).least(&v);
+            sum.times_power(&top, &q2s, m, bits, &v);
+            sum.refine(depths[(end / m) as usize - 1]);
         }
         // Terms start..end: their coefficients over the common denominator.
         let floor = (end - 1) / m * m;
+        // A power of which fewer digits are taken is rounded.
+        let (depth, unit) = (sum.depth, sum.bound.unit);
+        let units = match depth {
+            0 => [1.0; 2],
+            _ => [pow2(-i64::from(depth)), 2.0],
+        };
+        let mut e = sum.bound.e;
         let mut group: [(u64, u64); GROUP] = Default::default();
         let (mut len, mut denominator, mut largest_factor) = (0, 1u64, 1u64);
         while len < GROUP && end - len as u64 > floor {
@@ -167,25 +289,30 @@ fn sum_checked(
             (denominator, largest_factor) = (y, x.max(y));
             group[len] = (a, y);
             len += 1;
-            e = e.times(a as f64 / b as f64);
-            if e.largest() > pow2(STEP) {
-                e = e.times(pow2(-STEP));
-                shift += STEP;
-                unit = pow2(-shift);
-            }
-            e = e.plus(powers[(k % m) as usize].errors, &v, unit);
+            let power = powers[(k % m) as usize].errors;
+            e = e.times(a as f64 / b as f64).plus(power, &v, unit, units);
         }
+        // The ratios of a group multiply to less than 2^64.
+        sum.bound.set(e);
         // S_start D = Σ_j (Π_{i<j} a_i) (Π_{i≥j} b_i) v^j + (Π a_i) S_end
         let mut product = 1u64;
         t.assign(0);
         u.assign(0);
         for (i, (a, below)) in group[..len].iter().enumerate().rev() {
             let power = &powers[((end - 1 - i as u64) % m) as usize];
-            t += &power.re * (product * below);
-            u += &power.im * (product * below);
+            let factor = product * below;
+            if depth == 0 {
+                t += &power.re * factor;
+                u += &power.im * factor;
+            } else {
+                cut.assign(&power.re >> depth);
+                t += &cut * factor;
+                cut.assign(&power.im >> depth);
+                u += &cut * factor;
+            }
             product *= a;
         }
-        for (s, t) in [(&mut re, &t), (&mut im, &u)] {
+        for (s, t) in [(&mut sum.re, &t), (&mut sum.im, &u)] {
             *s *= product;
             *s += t;
             if denominator.is_power_of_two() {
@@ -196,9 +323,9 @@ fn sum_checked(
         }
         end -= len as u64;
     }
-    let e = e.least(&v);
-    let ball = |x: &Integer, error: f64| enclosed(x, bits, error, shift);
-    Some((ball(&re, e.re), ball(&im, e.im)))
+    let e = sum.bound.e.least(&v);
+    let ball = |x: &Integer, error: f64| enclosed(x, bits, error, sum.bound.shift);
+    Some((ball(&sum.re, e.re), ball(&sum.im, e.im)))
 }
 
 /// Returns the ball around `x` units of 2^-bits, computed with an error of `error 2^shift` units.
@@ -238,6 +365,30 @@ mod tests {
         sums
     }
 
+    /// The same by balls, term by term.
+    fn by_balls(
+        p: &Rational,
+        q2: &Rational,
+        n: u64,
+        bits: u32,
+        ratio: impl Fn(u64) -> (u64, u64),
+    ) -> [Ball; 2] {
+        let [p, q2] = [p, q2].map(|x| Ball::rational(bits, x));
+        let integer = |k: u64| Ball::integer(bits, k as i64);
+        let mut power = [integer(1), integer(0)];
+        let (mut term, mut sums) = (integer(1), [integer(0), integer(0)]);
+        for k in 0..n {
+            for (sum, power) in sums.iter_mut().zip(&power) {
+                *sum = &*sum + &(&term * power);
+            }
+            let next = &(&p * &power[0]) - &(&q2 * &power[1]);
+            power = [next, &(&p * &power[1]) + &power[0]];
+            let (a, b) = ratio(k);
+            term = &(&term * &integer(a)) / &integer(b);
+        }
+        sums
+    }
+
     proptest! {
         #[test]
         fn balls_hold_the_exact_sum(
@@ -259,6 +410,39 @@ mod tests {
                 let growth = (f64::from(top as u32) / 2.0) * std::f64::consts::LOG2_E;
                 let most = Mag::power_of_two(growth as i64 + 24 - i64::from(bits));
                 prop_assert!(a.rad() <= most && b.rad() <= most, "{a:?} {b:?}");
+            }
+        }
+    }
+
+    /// Blocks with fewer digits, short factors and rounded ones: the sums hold, to a few units.
+    #[test]
+    fn many_digits_are_held() {
+        let bits = MANY + 700;
+        for (r, turn) in [(0.9, 0.7), (0.999, 0.0), (0.6, 1.5), (0.99, 3.0)] {
+            let (p, q) = (r * f64::cos(turn), r * f64::sin(turn));
+            let (p, q2) = (rational(p), rational(q).square());
+            let third = Rational::from((1, 3));
+            for (top, down, n) in [
+                (5u64, 0u32, 330u64),
+                (60, 0, 330),
+                (1, 4, 150),
+                (1 << 40, 41, 200),
+            ] {
+                let ratio = |k: u64| (top, (2 * k + 3) << down);
+                for (p, q2) in [
+                    (&p, &q2),
+                    (&Rational::from(&p * &third), &Rational::from(&q2 * &third)),
+                ] {
+                    let [re, im] = by_balls(p, q2, n, bits + 400, ratio);
+                    let given = |x: &Rational| Ball::rational(bits + 20, x);
+                    let (a, b) = sum(&given(p), &given(q2), bits, n, ratio);
+                    assert!(
+                        a.contains_ball(&re) && b.contains_ball(&im),
+                        "{p} {n} {top}"
+                    );
+                    let most = Mag::power_of_two(90 - i64::from(bits));
+                    assert!(a.rad() <= most && b.rad() <= most, "{a:?} {b:?}");
+                }
             }
         }
     }

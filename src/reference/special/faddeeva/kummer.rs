@@ -21,9 +21,13 @@
 //! `T_{k+1}/T_k = C (k+1)/(k (2k+3)) ≤ 1/2` for all k ≥ n both tails are at most `2 T_n`. Where
 //! that ratio is more than one half at n, `C > n (2n+3)/(2n+2) > n` and `T_n > 5/12`: that is so of
 //! n = 1, and `n^{n+1}/(2n+1)!!` grows from 8/15 on. So `2 T_n ≤ 1/2` says that it is not, there
-//! and, as it falls, from there on. `T_n` is bounded through `(2n+1)!! = 2^{n+1} Γ(n+3/2)/√π` and
-//! `ln Γ(s) ≥ (s − 1/2) ln s − s + ln(2π)/2` (DLMF 5.11.1 with its first omitted term positive, s >
-//! 0).
+//! and, as it falls, from there on. Any larger C serves for the sum: with `|v'| ≤ c ≤ C < 2c` the
+//! terms of P are below `c^k/(2k+1)!!` as well, and those of S, `k C^k |v|^{k−1}/(2k+1)!!`, below
+//! `2k` times that. A power of two makes p and q² short; partial sums grow to `e^{C/2}` in place of
+//! `e^{|z|²}`, for which digits are added.
+//!
+//! `T_n` is bounded through `(2n+1)!! = 2^{n+1} Γ(n+3/2)/√π` and `ln Γ(s) ≥ (s − 1/2) ln s − s +
+//! ln(2π)/2` (DLMF 5.11.1 with its first omitted term positive, s > 0).
 //!
 //! # Working precision
 //! Both P and the exponential reach `e^{|z|²}` while w is of the order 1/|z| in the upper
@@ -78,6 +82,22 @@ fn scale(size: f64) -> (u64, u32) {
     }
 }
 
+/// The number `c/2^s`.
+fn ratio((c, s): (u64, u32)) -> f64 {
+    c as f64 / f64::from(s).exp2()
+}
+
+/// Returns the power of two from `c/2^s` on, with which p and q² have as few digits as z², unless
+/// full products are cheap or more than an eighth of `bits` digits would be lost to larger terms.
+fn short_scale((c, s): (u64, u32), bits: u32) -> (u64, u32) {
+    let power = c.next_power_of_two();
+    let more = ratio((power - c, s)) / 2.0 * std::f64::consts::LOG2_E;
+    match bits >= fixed::MANY && more < f64::from(bits) / 8.0 {
+        true => (power, s),
+        false => (c, s),
+    }
+}
+
 /// w, or w − e^{−z²}, at relative precision about 2^-prec of its modulus in the upper half-plane.
 /// `|z|²` has to be below 2^31.
 pub(super) fn parts(z: &Argument, member: Member, prec: u32) -> ComplexBall {
@@ -88,12 +108,18 @@ pub(super) fn parts(z: &Argument, member: Member, prec: u32) -> ComplexBall {
     let inner = target + 16;
     let (x, y) = (z.x.ball(inner), z.y.ball(inner));
 
-    let (c_top, c_down) = scale(2.0 * size);
-    let c = c_top as f64 / (c_down as f64).exp2();
-    let n = terms(c, f64::from(target));
-    let bits = target + 2 * (64 - n.leading_zeros()) / 2 + 4;
-    let inverse =
-        (&Ball::integer(inner, 1) / &Ball::integer(inner, c_top as i64)).shift(c_down as i32);
+    let least = scale(2.0 * size);
+    let (c_top, c_down) = short_scale(least, target);
+    let doubled = u32::from((c_top, c_down) != least);
+    let n = terms(ratio(least), f64::from(target + doubled));
+    let growth = (ratio((c_top, c_down)) - ratio(least)) / 2.0 * std::f64::consts::LOG2_E;
+    let bits = target + growth.ceil() as u32 + 2 * (64 - n.leading_zeros()) / 2 + 4;
+    // Exact if C is a power of two.
+    let inverse = match c_top.is_power_of_two() {
+        true => Ball::integer(inner, 1).shift(-(c_top.trailing_zeros() as i32)),
+        false => &Ball::integer(inner, 1) / &Ball::integer(inner, c_top as i64),
+    };
+    let inverse = inverse.shift(c_down as i32);
     let (xx, yy) = (x.square(), y.square());
     let p = (&(&yy - &xx) * &inverse).shift(1);
     let (x2, y2) = ((&xx * &inverse).shift(2), (&yy * &inverse).shift(2));

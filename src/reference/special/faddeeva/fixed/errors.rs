@@ -1,6 +1,14 @@
 //! The recurrences of the error bounds, in units of the last place.
 
+use super::pow2;
 use crate::Ball;
+
+/// Error bounds beyond this are kept as multiples of it.
+const STEP: i64 = 512;
+/// `2^STEP`.
+const LARGE: f64 = f64::from_bits(((1023 + STEP) as u64) << 52);
+/// `2^-(STEP/2)`
+const SMALL: f64 = f64::from_bits(((1023 - STEP / 2) as u64) << 52);
 
 /// Error bounds of one number: of its real part, of its imaginary part divided by q, of its
 /// modulus.
@@ -111,21 +119,33 @@ impl Errors {
         }
     }
 
-    /// With a power added and both parts rounded; one unit is `unit` of those the bounds are in.
+    /// With a power added and both parts rounded; one unit is `unit` of those the bounds are in. The
+    /// power was stored in units of which `less` is one of these, and `roundings` are made.
     #[inline]
-    pub fn plus(self, power: Errors, v: &Point, unit: f64) -> Errors {
+    pub fn plus(self, power: Errors, v: &Point, unit: f64, [less, roundings]: [f64; 2]) -> Errors {
         Errors {
-            re: self.re + (power.re + 1.0) * unit,
-            im: self.im + (power.im + 1.0) * unit,
-            both: self.both + (power.both + 1.0 + v.q) * unit,
+            re: self.re + (power.re * less + roundings) * unit,
+            im: self.im + (power.im * less + roundings) * unit,
+            both: self.both + (power.both * less + roundings + v.q * roundings) * unit,
         }
     }
 
-    /// Of a partial sum with parts of these sizes times `v^m`, whose errors are `top`.
+    /// Of a number of which the last `depth` bits are cut off, in the units that are left.
+    #[inline]
+    pub fn cut(self, depth: u32, v: &Point) -> Errors {
+        match depth {
+            0 => self,
+            _ => Errors::default().plus(self, v, 1.0, [pow2(-i64::from(depth)), 1.0]),
+        }
+    }
+
+    /// Of a partial sum with parts of these sizes times `v^m`, whose errors are `top`; its product
+    /// with q² was rounded `roundings` times.
     #[inline]
     pub fn times_power(
         self,
         top: Errors,
+        roundings: f64,
         m: u64,
         [r, s]: [f64; 2],
         v: &Point,
@@ -133,7 +153,7 @@ impl Errors {
     ) -> Errors {
         let s_m = v.s(m);
         // Of q² s_m, and its size: |q| |Im v^m|.
-        let g_m = v.q2 * top.im + v.error_q2 * s_m + 1.0;
+        let g_m = v.q2 * top.im + v.error_q2 * s_m + roundings;
         let size = (v.q2 * s_m).min(v.q);
         let a = top.re * r + g_m * s + unit;
         let b = top.im * r + top.re * s + unit;
@@ -141,6 +161,50 @@ impl Errors {
             re: self.re + size * self.im + a,
             im: self.im + s_m * self.re + b,
             both: self.both + a + v.q * b,
+        }
+    }
+}
+
+/// A bound of an error: a multiple of `2^shift` units, so that it stays a number.
+pub(super) struct Bound {
+    pub e: Errors,
+    pub shift: i64,
+    /// One unit in these multiples.
+    pub unit: f64,
+}
+
+impl Bound {
+    /// The bound of an exact number.
+    pub fn zero() -> Bound {
+        Bound {
+            e: Errors::default(),
+            shift: 0,
+            unit: 1.0,
+        }
+    }
+
+    /// Sets the bound, in the multiples that stay in the range of numbers.
+    pub fn set(&mut self, e: Errors) {
+        self.e = e;
+        let largest = e.largest();
+        if largest > LARGE {
+            self.scale(STEP);
+        } else if self.shift > 0 && largest < SMALL {
+            self.scale(-STEP);
+        }
+    }
+
+    fn scale(&mut self, by: i64) {
+        self.e = self.e.times(pow2(-by));
+        self.shift += by;
+        self.unit = pow2(-self.shift);
+    }
+
+    /// Units become smaller by `2^bits`.
+    pub fn refine(&mut self, bits: u32) {
+        for done in (0..bits).step_by(STEP as usize / 2) {
+            let step = (bits - done).min(STEP as u32 / 2);
+            self.set(self.e.times(pow2(i64::from(step))));
         }
     }
 }
@@ -195,11 +259,12 @@ mod tests {
             im: 2.0,
             both: 4.0,
         };
-        is(E.plus(power, &V, 1.0), 10.0, 19.0, 37.25);
-        is(E.plus(power, &V, 0.5), 9.0, 17.5, 34.625);
+        is(E.plus(power, &V, 1.0, [1.0; 2]), 10.0, 19.0, 37.25);
+        is(E.plus(power, &V, 0.5, [1.0; 2]), 9.0, 17.5, 34.625);
+        is(E.plus(power, &V, 1.0, [0.5, 2.0]), 10.5, 19.0, 36.5);
     }
 
-    /// s_4 = 4; G_4 = q² F_4 + e_q s_4 + 1 = 21.125; |q² s_4| = 0.25, which is |q|.
+    /// s_4 = 4; G_4 = q² F_4 + e_q s_4 + 2 = 22.125; |q² s_4| = 0.25, which is |q|.
     #[test]
     fn times_the_highest_power() {
         let top = Errors {
@@ -207,9 +272,9 @@ mod tests {
             im: 2.0,
             both: 4.0,
         };
-        let (a, b) = (10.0 + 21.125 * 100.0 + 1.0, 20.0 + 100.0 + 1.0);
+        let (a, b) = (10.0 + 22.125 * 100.0 + 1.0, 20.0 + 100.0 + 1.0);
         is(
-            E.times_power(top, 4, [10.0, 100.0], &V, 1.0),
+            E.times_power(top, 2.0, 4, [10.0, 100.0], &V, 1.0),
             8.0 + 4.0 + a,
             16.0 + 32.0 + b,
             32.0 + a + 0.25 * b,
@@ -217,13 +282,13 @@ mod tests {
         // s_2 = 2, |q² s_2| = 0.125; s_8 = 8, |q² s_8| is no more than |q|.
         let none = Errors::default();
         is(
-            E.times_power(none, 2, [0.0, 1.0], &V, 0.5),
+            E.times_power(none, 1.0, 2, [0.0, 1.0], &V, 0.5),
             10.0 + 11.5,
             32.5,
             32.0 + 11.5 + 0.125,
         );
         is(
-            E.times_power(none, 8, [0.0; 2], &V, 0.5),
+            E.times_power(none, 1.0, 8, [0.0; 2], &V, 0.5),
             12.5,
             80.5,
             32.625,
