@@ -22,8 +22,8 @@ import time
 import flint
 from flint import acb, arb, ctx
 
-DIGITS = (30, 100, 1000)
-POINTS = {30: 100, 100: 60, 1000: 8}
+DIGITS = (30, 100, 1000, 10000)
+POINTS = {30: 100, 100: 60, 1000: 8, 10000: 2}
 ROUNDS = 5
 
 

@@ -296,6 +296,28 @@ mod tests {
     }
 
     #[test]
+    fn of_fewer_digits() {
+        is(E.cut(3, &V), 2.0, 3.0, 5.25);
+        is(E.cut(0, &V), 8.0, 16.0, 32.0);
+    }
+
+    /// Bounds stay within the range of numbers when units become smaller, and so do the multiples
+    /// when the bounds fall again.
+    #[test]
+    fn in_smaller_units() {
+        let mut bound = Bound::zero();
+        bound.set(E);
+        bound.refine(1700);
+        assert_eq!((bound.shift, bound.unit), (1536, pow2(-1536)));
+        is(bound.e.times(pow2(-164)), 8.0, 16.0, 32.0);
+        for (shift, unit) in [(1024, pow2(-1024)), (512, pow2(-512)), (0, 1.0), (0, 1.0)] {
+            bound.set(bound.e.times(pow2(-500)));
+            assert_eq!((bound.shift, bound.unit), (shift, unit));
+        }
+        is(bound.e.times(pow2(300)), 8.0, 16.0, 32.0);
+    }
+
+    #[test]
     fn the_better_of_two_forms() {
         // D bounds E, and D/|q| bounds F.
         let e = |re, im, both| Errors { re, im, both }.least(&V);
