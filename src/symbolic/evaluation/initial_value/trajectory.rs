@@ -249,6 +249,8 @@ impl Trajectory {
         let mut bits = first.min(self.limits.bits);
         let mut doublings = 0;
         let side = usize::from(*time < self.start);
+        // Where a run has served other times, later ones are likely to follow.
+        let is_row = self.run[side].is_some();
         loop {
             let found = self.at_bits(time, bits);
             let done = self.run[side].as_ref().map_or(bits, Motion::bits);
@@ -261,7 +263,11 @@ impl Trajectory {
                         doublings += 1;
                         done.saturating_mul(2)
                     }
-                    lacks => done.saturating_add(lacks + 16).next_multiple_of(32),
+                    lacks => {
+                        let carried = done.saturating_sub(first) + SPARE;
+                        let more = (lacks + 16).max(if is_row { carried } else { 0 });
+                        done.saturating_add(more).next_multiple_of(32)
+                    }
                 },
                 Err(halt) if halt.is_precision() && !is_last => done.saturating_mul(2),
                 Err(halt) => return Err(self.error(halt, side)),
