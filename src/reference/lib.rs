@@ -50,7 +50,7 @@ pub mod roots;
 mod special;
 mod splines;
 
-use arithmetic::{ball, complex, decimal, gauss_legendre, hex_float, mag, taylor_model};
+use arithmetic::{ball, complex, decimal, dot, gauss_legendre, hex_float, mag, taylor_model};
 use linear::lu;
 
 #[cfg(feature = "cams")]

@@ -5,6 +5,7 @@ pub(crate) mod ball;
 pub(crate) mod ball128;
 pub(crate) mod complex;
 pub(crate) mod decimal;
+pub(crate) mod dot;
 pub(crate) mod elementary;
 pub(crate) mod gauss_legendre;
 pub(crate) mod hex_float;

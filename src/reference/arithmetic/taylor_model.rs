@@ -16,8 +16,9 @@
 //! Makino, Berz, *Int. J. Pure Appl. Math.* 4 (2003) 379–456, describe the arithmetic.
 
 use super::ball::Ball;
+use super::dot;
 use super::mag::Mag;
-use rug::{Assign, Float};
+use rug::Float;
 
 /// A polynomial in one variable, `|x| ≤ 1`, and a bound on the distance to the function.
 #[derive(Clone, Debug)]
@@ -46,19 +47,12 @@ pub(crate) fn convolution(
     to: usize,
     bits: u32,
 ) -> Float {
-    let mut sum = Float::new(bits);
-    let low = from.max((k + 1).saturating_sub(b.len()));
-    let high = to.min(k).min(a.len().wrapping_sub(1));
     if a.is_empty() || b.is_empty() {
-        return sum;
+        return Float::new(bits);
     }
-    // Two short roundings cost less than one fused product, which is exact inside.
-    let mut product = Float::new(bits);
-    for i in low..=high {
-        product.assign(&a[i] * &b[k - i]);
-        sum += &product;
-    }
-    sum
+    let low = from.max((k + 1).saturating_sub(b.len()));
+    let high = to.min(k).min(a.len() - 1);
+    dot::convolution([a, b], k, [low, high], |_| 1, bits)
 }
 
 impl TaylorModel {
@@ -345,18 +339,8 @@ impl TaylorModel {
 
 fn square_coefficient(a: &[Float], k: usize, bits: u32) -> Float {
     let low = (k + 1).saturating_sub(a.len());
-    let mut sum = Float::new(bits);
-    let mut product = Float::new(bits);
-    for i in low..k.div_ceil(2) {
-        product.assign(&a[i] * &a[k - i]);
-        sum += &product;
-    }
-    sum <<= 1u32;
-    if k.is_multiple_of(2) {
-        product.assign(a[k / 2].square_ref());
-        sum += &product;
-    }
-    sum
+    let weight = |i: usize| if 2 * i == k { 1 } else { 2 };
+    dot::convolution([a, a], k, [low, k / 2], weight, bits)
 }
 
 /// `Σ_{i+j>order} |a_i||b_j|`, rounded up.

@@ -1,9 +1,9 @@
 //! Coefficients of power series: multiple-precision and double numbers with one analysis of their
 //! rounding.
 
-use crate::{Ball, Mag};
+use crate::{Ball, Mag, dot};
 use rug::Float;
-use rug::{Assign, float::Round};
+use rug::float::Round;
 
 /// A coefficient of a power series. Every operation rounds to nearest: its result is off by at most
 /// `u |result|` with `u = 2^−bits`, unless it underflows.
@@ -110,13 +110,7 @@ impl Coefficient for Float {
         high: usize,
         bits: u32,
     ) -> Float {
-        // Two short roundings cost less than one fused product, which is exact inside.
-        let (mut sum, mut product) = (Float::new(bits), Float::new(bits));
-        for i in low..=high {
-            product.assign(&a[i] * &b[k - i]);
-            sum += &product;
-        }
-        sum
+        dot::convolution([a, b], k, [low, high], |_| 1, bits)
     }
 
     fn weighted(
@@ -127,13 +121,7 @@ impl Coefficient for Float {
         weight: impl Fn(usize) -> i64,
         bits: u32,
     ) -> Float {
-        let (mut sum, mut product) = (Float::new(bits), Float::new(bits));
-        for i in low..=high {
-            product.assign(&a[i] * &b[k - i]);
-            product *= weight(i);
-            sum += &product;
-        }
-        sum
+        dot::convolution([a, b], k, [low, high], weight, bits)
     }
 }
 

@@ -198,20 +198,12 @@ impl<'p, C: Coefficient> Expansion<'p, C> {
 
     /// `Σ a_j a_{k−j}` over `low ≤ j ≤ k − low`.
     fn square(&self, a: &[C], k: usize, low: usize) -> C {
-        let Some((low, high)) = terms(a.len(), a.len(), k, low) else {
+        let Some((low, _)) = terms(a.len(), a.len(), k, low) else {
             return C::zero(self.bits);
         };
         // The terms of j and k − j are equal.
-        let high = high.min(k - low);
-        let half = k.div_ceil(2);
-        let sum = match low < half {
-            true => C::convolution(a, a, k, low, half - 1, self.bits).doubled(),
-            false => C::zero(self.bits),
-        };
-        match k.is_multiple_of(2) && k / 2 <= high && low <= k / 2 {
-            true => sum.plus(&C::convolution(a, a, k, k / 2, k / 2, self.bits)),
-            false => sum,
-        }
+        let weight = |j: usize| if 2 * j == k { 1 } else { 2 };
+        C::weighted(a, a, k, [low, k / 2], weight, self.bits)
     }
 
     /// Coefficient k of an operation, the others being known.

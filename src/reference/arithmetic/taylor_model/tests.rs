@@ -410,9 +410,9 @@ fn models_bit_by_bit() {
     });
     pin(
         &[
-            "53: 392b05d5, -8 to 6 bits",
-            "64: f4659d9d, -9 to 3 bits",
-            "120: 50373deb, -9 to 5 bits",
+            "53: 106104ad, -8 to 6 bits",
+            "64: 474068ad, -9 to 3 bits",
+            "120: 0e9f245e, -9 to 5 bits",
         ],
         lines,
     );

@@ -411,8 +411,8 @@ fn closed_forms_bit_by_bit() {
     pin(
         &[
             "30: 3906e61d, -81 to 20 bits",
-            "64: 01e7e7ef, -140 to 54 bits",
-            "160: 89e2ee86, -212 to 149 bits",
+            "64: dd123a6e, -140 to 54 bits",
+            "160: 64ad2416, -212 to 149 bits",
         ],
         lines,
     );

@@ -214,9 +214,9 @@ mod tests {
         });
         pin(
             &[
-                "48: 99a02ca4, -2 to 25 bits",
-                "64: a7405009, -2 to 25 bits",
-                "120: a58cf545, -2 to 24 bits",
+                "48: a2ded9b4, -2 to 25 bits",
+                "64: 5cbe8023, -2 to 25 bits",
+                "120: f2b97414, -2 to 24 bits",
             ],
             lines,
         );

@@ -364,9 +364,9 @@ fn steps_bit_by_bit() {
     });
     pin(
         &[
-            "56: d0c2cb3b, 1 to 22 bits",
-            "100: 77340758, 10 to 22 bits",
-            "160: e8221fc8, 8 to 21 bits",
+            "56: 34d2d9e3, 1 to 22 bits",
+            "100: 7ff40b55, 10 to 22 bits",
+            "160: 6cc28dda, 8 to 21 bits",
         ],
         lines,
     );
