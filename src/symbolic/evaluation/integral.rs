@@ -2,12 +2,13 @@
 
 use super::ball::{Balls, Value};
 use super::germ::{Germs, Near};
+use super::short::Pointwise;
 use super::{Evaluator, Stop};
 use crate::Func;
 use crate::graph::{Graph, Id, Node};
 use mechaudit_reference::elementary::NoValue;
 use mechaudit_reference::quadrature::{self, End, Goal, Growth, Hindrance, Integrand, Limit};
-use mechaudit_reference::{Ball, ComplexBall, Mag};
+use mechaudit_reference::{Ball, Ball128, ComplexBall, Mag};
 use rug::Float;
 use std::cmp::Ordering;
 
@@ -53,6 +54,8 @@ pub(super) struct Body<'e> {
     undefined: Option<Stop>,
     /// Nodes with zeros that are ends.
     zeros: Vec<(Id, Ball)>,
+    /// The body in machine words, once it was asked for.
+    short: Option<Pointwise>,
 }
 
 impl<'e> Body<'e> {
@@ -64,6 +67,7 @@ impl<'e> Body<'e> {
             body,
             undefined: None,
             zeros: Vec::new(),
+            short: None,
         }
     }
 
@@ -252,6 +256,15 @@ impl Integrand for Body<'_> {
             Value::Real(value) => Some(value),
             other => other.real().cloned(),
         }
+    }
+
+    fn enclose_short(&mut self, x: &Ball128) -> Option<Ball128> {
+        let (binder, body) = (self.binder, self.body);
+        let short = self
+            .short
+            .get_or_insert_with(|| Pointwise::new(self.evaluator, binder, body));
+        self.evaluator.evaluations = self.evaluator.evaluations.checked_sub(1)?;
+        short.value(x, &mut self.evaluator.rounds)
     }
 
     fn growth(&mut self, end: &End, k: u32) -> Option<Growth> {

@@ -4,12 +4,14 @@
 //! [`Balls`].
 
 use super::adaptive::{Answer, FIRST, Goal};
+use super::angle::Angles;
 use super::ball::{Balls, Value, ball_of};
+use super::integral::leaves;
 use super::tuning::{Passes, Size};
 use super::{Evaluator, Interpretation, Stop};
 use crate::graph::{Binding, Graph, Id, Node};
 use crate::{Constant, Func, Relation};
-use mechaudit_reference::Ball128;
+use mechaudit_reference::{Ball, Ball128};
 use mechaudit_reference::elementary::NoValue;
 use rug::Rational;
 use std::cmp::Ordering;
@@ -165,6 +167,44 @@ impl Interpretation for Short {
     }
 }
 
+/// The body of a binder of one variable as a function of numbers in these balls.
+pub(super) struct Pointwise {
+    evaluator: Evaluator<Short>,
+    binder: u32,
+    body: Id,
+}
+
+impl Pointwise {
+    /// Takes the values of what does not depend on the variable from another evaluator.
+    pub fn new(balls: &Evaluator<Balls>, binder: u32, body: Id) -> Pointwise {
+        let meaning = Short {
+            balls: Balls::new(128),
+            has_called: false,
+        };
+        let mut evaluator = Evaluator::new(balls.graph().clone(), meaning);
+        for id in leaves(balls.graph(), body, binder) {
+            let known = balls.known[id as usize].as_ref().and_then(Value::real);
+            if let Some(value) = known.and_then(Ball128::of_ball) {
+                evaluator.set(id, value);
+            }
+        }
+        Pointwise {
+            evaluator,
+            binder,
+            body,
+        }
+    }
+
+    /// The value at a number; it takes from the rounds of loops that are left.
+    pub fn value(&mut self, x: &Ball128, rounds: &mut u64) -> Option<Ball128> {
+        self.evaluator.rounds = *rounds;
+        self.evaluator.set_variables(self.binder, [*x]);
+        let found = self.evaluator.value(self.body).ok().copied();
+        *rounds = self.evaluator.rounds;
+        found
+    }
+}
+
 /// Values of the nodes of a graph in these balls, for as far as they decide.
 pub(super) struct FirstPass {
     evaluator: Evaluator<Short>,
@@ -234,6 +274,7 @@ impl FirstPass {
     pub fn answers(
         &mut self,
         inputs: &[Rational],
+        angles: &Angles,
         nodes: &[Id],
         goal: Goal,
     ) -> Vec<Option<Answer>> {
@@ -244,7 +285,7 @@ impl FirstPass {
         };
         self.next = FIRST;
         for prec in precisions {
-            if prec > FirstPass::MOST || !self.begin(inputs, prec) {
+            if prec > FirstPass::MOST || !self.begin(inputs, angles, prec) {
                 break;
             }
             // More bits of functions may help.
@@ -284,13 +325,15 @@ impl FirstPass {
     }
 
     /// Prepares an evaluation with functions at a precision; false if the inputs are no such balls.
-    fn begin(&mut self, inputs: &[Rational], prec: u32) -> bool {
+    fn begin(&mut self, inputs: &[Rational], angles: &Angles, prec: u32) -> bool {
         let short = &mut self.evaluator.interpretation;
         let is_other = short.balls.prec != prec;
         short.balls.prec = prec;
         short.balls.hint = 0;
-        short.has_called = false;
         self.evaluator.reset(is_other);
+        let of_ball = |x: Ball| Ball128::of_ball(&x);
+        let has_angles = angles.set(&mut self.evaluator, |_| prec, of_ball);
+        self.evaluator.interpretation.has_called = has_angles;
         inputs.iter().enumerate().all(|(k, input)| {
             let value = self.evaluator.interpretation.rational(input);
             value.map(|x| self.evaluator.set_input(k, x)).is_ok()
