@@ -448,12 +448,12 @@ fn gauss<P: Path>(
     if hint.short
         && top - bottom <= i64::from(WORDS)
         && let Some(rule) = nodes::rule(n, WORDS)
-        && let Some(sum) = path.short_sum(&rule, [&mid_of(WORDS), &half_of(WORDS)])
+        && let Some(words) = path.short_sum(&rule, [&mid_of(WORDS), &half_of(WORDS)])
     {
         budget.spent += u64::from(n);
-        hint.short = sum.radius() <= tolerance.max(sum.magnitude().shift(ROUNDING - relative));
+        hint.short = words.radius() <= tolerance.max(words.magnitude().shift(ROUNDING - relative));
         if hint.short {
-            return Outcome::Done(sum.widened(error));
+            return Outcome::Done(words.widened(error));
         }
     }
     let mut bits = u32::try_from((top - bottom).max(8)).unwrap_or(u32::MAX / 4) + 16 + n.ilog2();

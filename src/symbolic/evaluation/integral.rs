@@ -92,6 +92,17 @@ impl<'e> Body<'e> {
         value
     }
 
+    /// The body in machine words and the rounds that it may take, for one evaluation.
+    fn pointwise(&mut self) -> Option<(&mut Pointwise, &mut u64)> {
+        let (binder, body) = (self.binder, self.body);
+        self.evaluator.evaluations = self.evaluator.evaluations.checked_sub(1)?;
+        self.short.take_if(|known| !known.is_of(body));
+        let pointwise = self
+            .short
+            .get_or_insert_with(|| Pointwise::new(self.evaluator, binder, body));
+        Some((pointwise, &mut self.evaluator.rounds))
+    }
+
     fn real(&mut self, x: &Ball, bits: u32) -> Option<Value> {
         let is_wide = !x.rad().is_zero();
         match self.value(Value::Real(x.clone()), false, bits) {
@@ -246,6 +257,12 @@ impl Integrand for Body<'_> {
         if !holomorphic {
             return None;
         }
+        let (pointwise, rounds) = self.pointwise()?;
+        if let Some(found) = pointwise.continuation(z, rounds) {
+            return Some(found);
+        }
+        // It counts once.
+        self.evaluator.evaluations += 1;
         self.value(Value::Continued(z.clone()), true, bits)
             .ok()?
             .to_complex()
@@ -259,12 +276,8 @@ impl Integrand for Body<'_> {
     }
 
     fn enclose_short(&mut self, x: &Ball128) -> Option<Ball128> {
-        let (binder, body) = (self.binder, self.body);
-        let short = self
-            .short
-            .get_or_insert_with(|| Pointwise::new(self.evaluator, binder, body));
-        self.evaluator.evaluations = self.evaluator.evaluations.checked_sub(1)?;
-        short.value(x, &mut self.evaluator.rounds)
+        let (pointwise, rounds) = self.pointwise()?;
+        pointwise.value(x, rounds)
     }
 
     fn growth(&mut self, end: &End, k: u32) -> Option<Growth> {
