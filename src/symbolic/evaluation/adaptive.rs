@@ -403,9 +403,9 @@ impl Certified {
         self.angles.set(
             &mut self.evaluator,
             |id| precisions.get(id as usize).copied().unwrap_or(prec),
-            |x| match x.mid().to_rational().filter(|_| is_exact && x.rad().is_zero()) {
-                Some(number) => Some(Value::rational(prec, number)),
-                None => Some(Value::Real(x)),
+            |x| match is_exact && x.rad().is_zero() {
+                true => Some(Value::rational(prec, x.mid().to_rational()?)),
+                false => Some(Value::Real(x)),
             },
         );
         self.evaluator.interpretation.precisions = precisions;

@@ -7,6 +7,7 @@ use super::{Evaluator, Interpretation};
 use crate::graph::{Graph, Id, Node};
 use crate::{Constant, Func};
 use mechaudit_reference::Ball;
+use rug::ops::Pow;
 use rug::{Integer, Rational};
 
 /// Operations in a multiple of π.
@@ -55,6 +56,7 @@ impl Exactly<'_> {
             Node::Sub(a, b) => self.number(a)? - self.number(b)?,
             Node::Mul(a, b) => self.number(a)? * self.number(b)?,
             Node::Div(a, b) => self.number(a)? / self.divisor(b)?,
+            Node::Power(a, k @ 0..=8) => self.number(a)?.pow(k),
             _ => return None,
         };
         short(found)

@@ -33,6 +33,9 @@ const MOST_POLES: u32 = 8;
 const COARSE_BITS: u32 = 8;
 const COARSE_EVALUATIONS: u64 = 1 << 7;
 
+/// Bits of a rectangle up to which doubles are tried.
+const TOLD_APART: u32 = 64 + 40;
+
 /// Bits to which a variable is known, relative to its size or to 1.
 fn known_bits(variable: &Value) -> i64 {
     let of = |x: &Ball| {
@@ -90,6 +93,17 @@ impl<'e> Body<'e> {
         let balls = &mut self.evaluator.interpretation;
         (balls.prec, balls.holomorphic, balls.wide, balls.known) = outside;
         value
+    }
+
+    /// The exponent of a bound on the integral of the absolute value between finite limits, where the
+    /// values are real.
+    fn size(&mut self, limits: &[Limit; 2]) -> Option<i64> {
+        let [Limit::Finite(a), Limit::Finite(b)] = limits else {
+            return None;
+        };
+        let value = self.enclose_real(&a.union(b), a.prec())?;
+        let most = value.magnitude().mul((b - a).magnitude());
+        most.exponent()
     }
 
     /// The body in machine words and the rounds that it may take, for one evaluation.
@@ -257,12 +271,15 @@ impl Integrand for Body<'_> {
         if !holomorphic {
             return None;
         }
-        let (pointwise, rounds) = self.pointwise()?;
-        if let Some(found) = pointwise.continuation(z, rounds) {
-            return Some(found);
+        // Doubles do not tell the parts of a short panel apart.
+        if bits <= TOLD_APART {
+            let (pointwise, rounds) = self.pointwise()?;
+            if let Some(found) = pointwise.continuation(z, rounds) {
+                return Some(found);
+            }
+            // It counts once.
+            self.evaluator.evaluations += 1;
         }
-        // It counts once.
-        self.evaluator.evaluations += 1;
         self.value(Value::Continued(z.clone()), true, bits)
             .ok()?
             .to_complex()
@@ -399,9 +416,14 @@ pub(super) fn integral(
     let places = prec.min(balls.places);
     let is_complex = evaluator.graph().is_complex(body) || is_continued;
     let mut integrand = Body::new(evaluator, binder, body);
-    // An integral next to zero gets its relative accuracy as the working precision is raised.
+    // An integral next to zero gets its relative accuracy as the working precision is raised; one of
+    // small values has it at once.
+    let small = match is_inner || places < prec {
+        true => 0,
+        false => integrand.size(&limits).map_or(0, |e| e.min(0)),
+    };
     let goal = Goal {
-        absolute: Mag::power_of_two(-i64::from(places)),
+        absolute: Mag::power_of_two(small - i64::from(places)),
         evaluations,
         ..Goal::bits(bits)
     };
