@@ -360,8 +360,8 @@ fn no_box_panics_or_runs_without_end() {
 fn both_sides_of_a_cut_have_their_values() {
     let bessel = |which| move |z: &ComplexBall, p| bessel(which, &(1, 2).into(), z, p);
     let [first, modified] = [Bessel::First, Bessel::Modified].map(bessel);
-    let functions: [&dyn Fn(&ComplexBall, u32) -> ComplexEvaluated; 5] =
-        [&lgamma, &first, &modified, &log, &e1];
+    type Function<'a> = &'a dyn Fn(&ComplexBall, u32) -> ComplexEvaluated;
+    let functions: [Function; 5] = [&lgamma, &first, &modified, &log, &e1];
     for (k, f) in functions.into_iter().enumerate() {
         let [above, below] = [1, -1].map(|sign| {
             let im = Float::with_val(53, sign) >> 5000u32;
