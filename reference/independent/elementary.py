@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Functions of balls against balls of Arb (python-flint).
 
-    python3 reference/independent/elementary.py [--balls 300] [--seed 1] [--function sin,tgamma] [--binary PROGRAM]
+    python3 reference/independent/elementary.py [--balls 300] [--seed 1] [--function sin,tgamma] [--rectangles]
+        [--binary PROGRAM]
 
 The example `elementary` of the references answers random operands: narrow balls and wide ones, exact numbers, poles,
 zeros, ends of domains, integers and halves, huge and tiny numbers. At the midpoint and at other exact points of the
@@ -10,10 +11,14 @@ beside the answer's. A function said to be undefined has to be undefined at each
 to be beyond 2^(2^30 - 2) with that sign, and an exact operand is undecided only where it is huge. Prints JSON with what
 does not hold and, for narrow balls, how much wider the answer is than the values are apart and rounding allows. Exits
 with 1 if anything does not hold.
+
+With `--rectangles` the operands are wide, thin, tiny and huge rectangles of numbers of 53 bits, and the points are their
+corners, points of their edges and others inside. `of_arb` is the answer's width over that of Arb's own enclosure.
 """
 
 import argparse
 import collections
+import itertools
 import json
 import math
 import random
@@ -257,8 +262,9 @@ FUNCTIONS = {
     ),
 }
 
-#: Beside a cut, on the side to which its values belong.
-NUDGE = Dyadic(1, -3000)
+def nudge(x):
+    """A distance from a cut on the side to which its values belong, far below the place on it."""
+    return Dyadic(1, min(-3000, 2 * x.top() - 3000))
 
 
 def beside(f, real=lambda x: False, imaginary=lambda y: False):
@@ -266,9 +272,9 @@ def beside(f, real=lambda x: False, imaginary=lambda y: False):
 
     def value(x, y):
         if y.m == 0 and real(x):
-            y = NUDGE
+            y = nudge(x)
         if x.m == 0 and imaginary(y):
-            x = NUDGE
+            x = nudge(y)
         return f(acb(x.arb(), y.arb()))
 
     return value
@@ -360,7 +366,7 @@ def f_bessel(name):
 
     def value(order, x, y=Dyadic(0)):
         if y.m == 0 and x.m < 0 and not order.is_integer():
-            y = NUDGE
+            y = nudge(x)
         z, n = acb(x.arb(), y.arb()), acb(order.arb())
         if name == "j":
             return z.bessel_j(n)
@@ -457,6 +463,16 @@ FUNCTIONS |= {
     "complex_weierstrasspprime": (f_pe_prime, off_lattice, [*UNIT, [0], [0]]),
 }
 
+#: Operations on rectangles between doubles, which are undecided where doubles do not bound them.
+RECTANGLES = {
+    "inverse": FUNCTIONS["complex_recip"],
+    "mul": (lambda a, b, c, d: acb(a.arb(), b.arb()) * acb(c.arb(), d.arb()), always, UNIT + UNIT),
+    "cube": (beside(lambda z: z**3), always, UNIT),
+    "sech": (plane("sech"), always, WAVES),
+    "sec": (plane("sec"), always, WAVES),
+} | {name: FUNCTIONS[f"complex_{name}"] for name in ("sqrt", "exp", "sinh", "cosh", "sin", "cos")}
+FUNCTIONS |= {f"rectangle_{name}": of for name, of in RECTANGLES.items()}
+
 #: Operands that are drawn from a list, by their place.
 PICKED = {name: {0: ORDERS} for name in FUNCTIONS if "bessel" in name}
 PICKED |= {name: {0: [0, 1, 2, 5]} for name in FUNCTIONS if "zetaderivative" in name}
@@ -505,6 +521,47 @@ def radius(rng, x):
     if kind == 6:
         return Dyadic(m, min(top, 40) - 52 - rng.randrange(-1, 12))
     return Dyadic(m, -52 - rng.randrange(-6, 70))
+
+
+def side(rng, places):
+    """A midpoint of 53 bits and a radius: a wide, a thin, a tiny or a huge side of a rectangle."""
+    if rng.randrange(3) == 0:
+        x = Dyadic(round(math.ldexp(rng.choice(places), 53)), -53)
+    else:
+        reach = rng.choice([2, 6, 6, 12, 300])
+        x = Dyadic(rng.randrange(-(1 << 53), 1 << 53), -53 + rng.randrange(-reach, reach + 1))
+    size = max(x.top(), -2) if rng.randrange(2) else x.top()
+    below = rng.choice([rng.randrange(-2, 10), rng.randrange(-2, 10), rng.randrange(10, 60)])
+    return max(53, x.m.bit_length()), x, Dyadic(rng.randrange(1 << 52, 1 << 53), size - 53 - below)
+
+
+def rectangle_points(rng, operands):
+    """Corners, points of edges and inner points."""
+    ends = [(x + -r, x + r) for _, x, r in operands]
+
+    def inside(x, r):
+        t = rng.randrange(-(1 << 20), (1 << 20) + 1)
+        return x + Dyadic(r.m * t, r.e - 20)
+
+    points = list(itertools.product(*ends))
+    for k in range(24):
+        point = [inside(x, r) for _, x, r in operands]
+        if k < 16:
+            place = rng.randrange(len(point))
+            point[place] = rng.choice(ends[place])
+        points.append(tuple(point))
+    return points
+
+
+class Interval(Dyadic):
+    """A midpoint with the operand's whole ball as its value in Arb."""
+
+    def __init__(self, x, r):
+        super().__init__(x.m, x.e)
+        self.r = r
+
+    def arb(self):
+        return super().arb() + arb(0, self.r.arb())
 
 
 def draws(rng, x, r):
@@ -562,7 +619,7 @@ def written(bits, x, r):
     return f"{bits} {x.m} {x.e} {r.m} {r.e}"
 
 
-def check(name, count, seed, program):
+def check(name, count, seed, program, rectangles=False):
     f, defined, places = FUNCTIONS[name]
     rng = random.Random(f"{seed}/{name}")
     exact = name in EXACT
@@ -575,21 +632,27 @@ def check(name, count, seed, program):
                 x = Dyadic(round(math.ldexp(rng.choice(picked), 60)), -60)
                 operands.append((64, x, Dyadic(0)))
                 continue
+            if rectangles:
+                operands.append(side(rng, p))
+                continue
             bits, x = number(rng, p, exact)
             operands.append((bits, x, radius(rng, x)))
-        prec = rng.choice([2, 24, 53, 64, 100, 128, 256, 300])
+        prec = rng.choice([53, 64, 128] if rectangles else [2, 24, 53, 64, 100, 128, 256, 300])
         cases.append((prec, operands))
     lines = [f"{name} {prec} " + " ".join(written(*o) for o in operands) for prec, operands in cases]
     run = subprocess.run([program], input="\n".join(lines) + "\n", capture_output=True, text=True, check=False)
     answers = run.stdout.splitlines()
     tally = collections.Counter()
-    wrong, ratios = [], []
+    wrong, ratios, of_arb = [], [], []
     if len(answers) != len(lines):
-        return tally, [[lines[min(len(answers), len(lines) - 1)], run.stderr[-300:]]], ratios
+        return tally, [[lines[min(len(answers), len(lines) - 1)], run.stderr[-300:]]], ratios, of_arb
     for line, (prec, operands), answer in zip(lines, cases, answers, strict=True):
-        drawn = [draws(rng, x, r) for _, x, r in operands]
-        size = max(map(len, drawn))
-        all_points = [tuple(d[k] if k < len(d) else rng.choice(d) for d in drawn) for k in range(size)]
+        if rectangles:
+            all_points = rectangle_points(rng, operands)
+        else:
+            drawn = [draws(rng, x, r) for _, x, r in operands]
+            size = max(map(len, drawn))
+            all_points = [tuple(d[k] if k < len(d) else rng.choice(d) for d in drawn) for k in range(size)]
         words = answer.split()
         tally[words[0] if words[0].isalpha() else "ball"] += 1
         bits = prec + 64 + max(0, *(min(abs(x.top()), 4000) for _, x, _ in operands))
@@ -597,7 +660,7 @@ def check(name, count, seed, program):
             wrong += [[line, "defined", str(p[0].arb())] for p in all_points if defined(*p)]
             continue
         if words[0] == "undecided":
-            if all(r.m == 0 for _, _, r in operands):
+            if all(r.m == 0 for _, _, r in operands) and not name.startswith("rectangle_"):
                 reach = REACH.get(name, 4000 if name.startswith("complex_") else 10000)
                 huge = max(abs(x.top()) for _, x, _ in operands) > reach
                 tally["exact and undecided"] += 1
@@ -632,6 +695,15 @@ def check(name, count, seed, program):
             tally["open"] += found is None
             if found is False:
                 wrong.append([line, answer, "outside", k, *(str(x.arb()) for x in p)])
+        if rectangles:
+            ctx.prec = prec
+            try:
+                theirs = parts_of(f(*(Interval(x, r) for _, x, r in operands)))
+                widths = [rad / their.rad() for their, (_, rad) in zip(theirs, balls, strict=True) if their.is_finite()]
+                of_arb += [float(w.mid()) for w in widths if w < 1e300]
+            except (ValueError, ZeroDivisionError, OverflowError):
+                pass
+            continue
         narrow = all(r.m == 0 or (r.top() < -12 and r.top() < x.top() - 12) for _, x, r in operands)
         if name not in HULLS and narrow and len(all_points) > 1 and max(abs(x.top()) for _, x, _ in operands) < 300:
             ctx.prec = 2000
@@ -645,7 +717,7 @@ def check(name, count, seed, program):
                     ratios.append((float((rad / due).mid()), line))
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass
-    return tally, wrong, ratios
+    return tally, wrong, ratios, of_arb
 
 
 def main():
@@ -653,15 +725,19 @@ def main():
     parser.add_argument("--balls", type=lambda t: int(float(t)), default=300)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--function", default=",".join(FUNCTIONS))
+    parser.add_argument("--rectangles", action="store_true")
     parser.add_argument("--binary", default="target/debug/examples/elementary")
     args = parser.parse_args()
     failed, summary = False, {}
     for name in args.function.split(","):
-        tally, wrong, ratios = check(name, args.balls, args.seed, args.binary)
+        tally, wrong, ratios, of_arb = check(name, args.balls, args.seed, args.binary, args.rectangles)
         ratios.sort()
         found = dict(tally)
         if ratios:
             found["wider"] = {"median": round(ratios[len(ratios) // 2][0], 2), "worst": round(ratios[-1][0], 2), "at": ratios[-1][1]}
+        if of_arb:
+            of_arb.sort()
+            found["of_arb"] = {"median": round(of_arb[len(of_arb) // 2], 3), "90 %": float(f"{of_arb[len(of_arb) * 9 // 10]:.3g}")}
         if wrong:
             found["wrong"], found["first"] = len(wrong), wrong[:5]
             failed = True

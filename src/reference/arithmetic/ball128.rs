@@ -27,6 +27,9 @@ const HIGHEST: u128 = 1 << 127;
 /// The largest radius in units of the last place; it is beyond the midpoint.
 const WIDEST: f64 = 1e60;
 
+/// Radii up to this one have doubles in units of any exponent that is neither tiny nor huge.
+const HUGE: f64 = 1e48;
+
 /// The least radius but zero, so that no product of it underflows.
 const LEAST: f64 = 1e-30;
 
@@ -230,6 +233,22 @@ impl Ball128 {
     fn is_off_zero(&self) -> bool {
         // Rounded down.
         self.m != 0 && self.r < (self.m >> 64) as u64 as f64 * (power_of_two(64) / UP)
+    }
+
+    /// Doubles below and above the number; none where it is tiny or huge.
+    pub fn doubles(&self) -> Option<[f64; 2]> {
+        if self.is_zero() {
+            return Some([0.0; 2]);
+        }
+        if !(-900..=700).contains(&self.e) || self.r > HUGE {
+            return None;
+        }
+        let unit = power_of_two(self.e);
+        let size = (self.m >> 64) as u64 as f64 * power_of_two(64) * unit;
+        // The rounding of the leading 64 bits and what is cut off them.
+        let off = (size * f64::EPSILON + self.r * unit) * UP;
+        let mid = if self.negative { -size } else { size };
+        Some([(mid - off).next_down(), (mid + off).next_up()])
     }
 
     /// The sign of the number: zero if it is exactly zero, none if it is not known.

@@ -36,7 +36,11 @@ pub fn sinh(x: &Ball, prec: u32) -> Evaluated {
 
 /// The ranges of sinh and cosh over a wide ball, unless its ends are too large.
 fn wide(x: &Ball) -> Option<[[f64; 2]; 2]> {
-    let both = doubles(&ends(x, BITS));
+    ranges(doubles(&ends(x, BITS)))
+}
+
+/// The same between two ends.
+pub(super) fn ranges(both: [f64; 2]) -> Option<[[f64; 2]; 2]> {
     if both.iter().any(|x| !(x.abs() <= coarse::EXPONENTS)) {
         return None;
     }

@@ -118,6 +118,18 @@ fn range(values: [f64; 2], slopes: [f64; 2]) -> [f64; 2] {
     [low, high]
 }
 
+/// The ranges of sine and cosine between two ends; none where they are far from zero.
+pub(super) fn waves([a, b]: [f64; 2]) -> Option<[[f64; 2]; 2]> {
+    if !(a.abs() <= coarse::TURNS && b.abs() <= coarse::TURNS) {
+        return None;
+    }
+    if b - a > 3.1 {
+        return Some([[-1.0, 1.0]; 2]);
+    }
+    let [(s, c), (t, d)] = [a, b].map(coarse::sine_cosine);
+    Some([range([s, t], [c, d]), range([c, d], [-s, -t])])
+}
+
 /// The ranges of a sine and a cosine over a ball, from their values at a number. At most `width` is
 /// less than half a period.
 fn wide_waves(

@@ -2,10 +2,12 @@
 //!
 //! A line is a name, the precision of the result and the operands, each `bits m e r s` for the ball
 //! `m 2^e ± r 2^s` with a midpoint of `bits` bits. A complex function has the prefix `complex_`,
-//! and its operands and its answer consist of two balls. The answer is `m e r s`, or `undefined`,
+//! and its operands and its answer consist of two balls; so has an operation on rectangles between
+//! doubles, with the prefix `rectangle_`. The answer is `m e r s`, or `undefined`,
 //! `undecided` or `overflow` with a sign.
 
-use mechaudit_reference::elementary::{self, NoValue, complex};
+use mechaudit_reference::elementary::complex::{self, Rectangle};
+use mechaudit_reference::elementary::{self, NoValue};
 use mechaudit_reference::{Ball, ComplexBall, Mag};
 use rug::{Float, Integer};
 use std::io::{BufRead, BufWriter, Write};
@@ -53,9 +55,20 @@ fn of_complex(found: Result<ComplexBall, NoValue>) -> Answer {
 
 macro_rules! table {
     (one: $($one:ident)*; two: $($two:ident)*; three: $($three:ident)*;
-        ordered: $($ordered:ident)*; complex: $($complex:ident)*; complex_two: $($pair:ident)*;) => {
+        ordered: $($ordered:ident)*; rectangle: $($rectangle:ident)*; complex: $($complex:ident)*; complex_two: $($pair:ident)*;) => {
         fn value(name: &str, prec: u32, words: &mut Word) -> Option<Answer> {
             let b = ball;
+            if let Some(name) = name.strip_prefix("rectangle_") {
+                let z = Rectangle::of_ball(&box_of(words)?);
+                let found = z.and_then(|z| match name {
+                    $(stringify!($rectangle) => z.$rectangle(),)*
+                    "mul" => z.mul(&Rectangle::of_ball(&box_of(words)?)?),
+                    "cube" => z.power(3),
+                    _ => None,
+                });
+                let undecided = NoValue::Undecided("left to balls");
+                return Some(of_complex(found.and_then(|z| z.to_ball()).ok_or(undecided)));
+            }
             if let Some(name) = name.strip_prefix("complex_") {
                 return match name {
                     $(stringify!($complex) => Some(of_complex(complex::$complex(&box_of(words)?, prec))),)*
@@ -91,6 +104,7 @@ table! {
     two: hypot pow atan2 fmin fmax fdim fmod remainder copysign add sub mul div;
     three: fma voigt;
     ordered: besselj besseli besselie zetaderivative;
+    rectangle: inverse sqrt exp sinh cosh sech sin cos sec;
     complex: exp log sqrt sin cos tan sinh cosh tanh asin acos atan asinh acosh atanh expm1 log1p
         cbrt recip erf erfc erfcx erfi dawson w tgamma lgamma airyai airyaiprime airybi
         airybiprime si ci e1 lambertw zeta;

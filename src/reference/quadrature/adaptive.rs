@@ -62,6 +62,10 @@ pub(super) trait Path {
     type Value: Value;
     /// Encloses the values for all parameters in a ball.
     fn value(&mut self, t: &Ball, bits: u32) -> Option<Self::Value>;
+    /// The sum of a rule around a middle with half a width, in machine words where these decide.
+    fn short_sum(&mut self, _: &nodes::Rule, _: [&Ball; 2]) -> Option<Self::Value> {
+        None
+    }
     /// True if values are real: the part of an ellipse above the real line is then enough, because
     /// the integrand continues by reflection (Schwarz) to a function that agrees with it on the
     /// line.
@@ -71,7 +75,7 @@ pub(super) trait Path {
 }
 
 /// The error that a panel may have.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Tolerance {
     /// The error allowed now.
     pub now: Mag,
@@ -299,6 +303,8 @@ struct Hint {
     capped: bool,
     /// Bits that the nodes of the last panel needed beyond those of its value.
     more: u32,
+    /// True if machine words have been accurate enough.
+    short: bool,
 }
 
 impl Hint {
@@ -307,6 +313,7 @@ impl Hint {
         parted: false,
         capped: false,
         more: 0,
+        short: true,
     };
 }
 
@@ -345,6 +352,7 @@ fn ellipse<P: Path>(
         parted,
         capped: lowered,
         more: hint.more,
+        short: hint.short,
     };
     while let Some(size) = most {
         let rho = ELLIPSES[i];
@@ -391,10 +399,20 @@ const MOST_MORE: u32 = 1 << 10;
 /// The most rounding errors may widen a sum before it is done again with more bits.
 const ATTEMPTS: u32 = 3;
 
+/// Bits by which rounding errors may lie above the share of a panel of its own size: they are small
+/// beside their panels, and their sum beside the integral, however many there are.
+const ROUNDING: i64 = 4;
+
+/// Bits of the error of a panel below its size that machine words are tried for.
+const WORDS: u32 = 124;
+
 fn gauss<P: Path>(
     path: &mut P,
     panel: &Panel<P::Value>,
-    tolerance: Mag,
+    Tolerance {
+        now: tolerance,
+        relative,
+    }: Tolerance,
     greatest: u32,
     hint: &mut Hint,
     budget: &mut Budget,
@@ -427,6 +445,17 @@ fn gauss<P: Path>(
     let (Some(top), Some(bottom)) = (direct.magnitude().exponent(), tolerance.exponent()) else {
         return Outcome::Costly;
     };
+    if hint.short
+        && top - bottom <= i64::from(WORDS)
+        && let Some(rule) = nodes::rule(n, WORDS)
+        && let Some(words) = path.short_sum(&rule, [&mid_of(WORDS), &half_of(WORDS)])
+    {
+        budget.spent += u64::from(n);
+        hint.short = words.radius() <= tolerance.max(words.magnitude().shift(ROUNDING - relative));
+        if hint.short {
+            return Outcome::Done(words.widened(error));
+        }
+    }
     let mut bits = u32::try_from((top - bottom).max(8)).unwrap_or(u32::MAX / 4) + 16 + n.ilog2();
     // The integrand loses about as many bits to cancellation here as in the panel beside this one.
     bits += hint.more;
@@ -497,7 +526,7 @@ pub(super) fn adaptive<P: Path>(
             continue;
         }
         if budget.spent < budget.limit {
-            match gauss(path, &top, tolerance.now, greatest, &mut hint, budget) {
+            match gauss(path, &top, *tolerance, greatest, &mut hint, budget) {
                 Outcome::Done(value) => {
                     tolerance.see(value.mignitude());
                     total = total.plus(&value);

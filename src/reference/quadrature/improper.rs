@@ -2,6 +2,7 @@
 //! cut off.
 
 use super::adaptive::{Path, adaptive};
+use super::nodes::Rule;
 use super::{End, Growth, Hindrance, Integrand, Limit, Run};
 use crate::{Ball, ComplexBall, Mag};
 use rug::Float;
@@ -22,6 +23,17 @@ impl Path for Line<'_> {
     fn value(&mut self, t: &Ball, bits: u32) -> Option<Ball> {
         let (x, bits) = self.place(t, bits);
         self.f.enclose_real(&x, bits)
+    }
+
+    fn short_sum(&mut self, rule: &Rule, around: [&Ball; 2]) -> Option<Ball> {
+        // The distance from an origin may need more bits.
+        if self.origin.is_some() {
+            return None;
+        }
+        rule.short_sum(around, |t| match self.negative {
+            true => self.f.enclose_short(&t.negative()),
+            false => self.f.enclose_short(t),
+        })
     }
 
     fn bound(&mut self, t: &ComplexBall, bits: u32) -> Option<Mag> {

@@ -30,7 +30,7 @@ mod series;
 pub use germ::Germ;
 pub use growth::Growth;
 
-use crate::{Ball, ComplexBall, Mag};
+use crate::{Ball, Ball128, ComplexBall, Mag};
 use adaptive::{Budget, Path, Tolerance, Value, adaptive};
 use rug::Float;
 use std::fmt;
@@ -50,6 +50,11 @@ pub trait Integrand {
         let z = ComplexBall::new(x.clone(), Ball::integer(bits, 0));
         let value = self.enclose(&z, false, bits)?;
         value.im.is_zero().then_some(value.re)
+    }
+
+    /// Encloses the value at a number in machine words, where these decide.
+    fn enclose_short(&mut self, _: &Ball128) -> Option<Ball128> {
+        None
     }
 
     /// Bounds the absolute value next to an end where [`Integrand::enclose_real`] fails or that is

@@ -1,9 +1,9 @@
 //! Gauss–Legendre rules of any degree at any precision, each node and weight enclosed, and their
 //! error.
 
-use crate::{Ball, Mag};
+use crate::{Ball, Ball128, Mag};
 use rug::Float;
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 use std::collections::HashMap;
 use std::rc::Rc;
 
@@ -14,6 +14,14 @@ pub(super) struct Rule {
     pub centre: Option<Ball>,
     /// The positive nodes with their weights, descending.
     pub positive: Vec<(Ball, Ball)>,
+    short: OnceCell<Option<ShortRule>>,
+}
+
+/// A rule in machine words.
+#[derive(Debug)]
+struct ShortRule {
+    centre: Option<Ball128>,
+    positive: Vec<(Ball128, Ball128)>,
 }
 
 /// The numbers of nodes in use: `2^(k/4)`, rounded, so that no more than 1.25 times the nodes
@@ -178,7 +186,43 @@ impl Rule {
                 Ball::new(before, legendre_error(n, work)) * Ball::integer(work, i64::from(n));
             (Ball::integer(work, 2) / rate.square()).with_prec(bits)
         });
-        Some(Rule { centre, positive })
+        let short = OnceCell::new();
+        Some(Rule {
+            centre,
+            positive,
+            short,
+        })
+    }
+
+    /// The sum over the nodes between `mid ± half` in machine words.
+    pub fn short_sum(
+        &self,
+        [mid, half]: [&Ball; 2],
+        mut at: impl FnMut(&Ball128) -> Option<Ball128>,
+    ) -> Option<Ball> {
+        let of = Ball128::of_ball;
+        let make = || {
+            let positive = self.positive.iter().map(|(x, w)| Some((of(x)?, of(w)?)));
+            Some(ShortRule {
+                centre: match &self.centre {
+                    Some(weight) => Some(of(weight)?),
+                    None => None,
+                },
+                positive: positive.collect::<Option<_>>()?,
+            })
+        };
+        let rule = self.short.get_or_init(make).as_ref()?;
+        let [mid, half] = [of(mid)?, of(half)?];
+        let mut sum = match &rule.centre {
+            Some(weight) => at(&mid)?.mul(weight)?,
+            None => Ball128::ZERO,
+        };
+        for (x, weight) in &rule.positive {
+            let off = x.mul(&half)?;
+            let both = at(&mid.sub(&off)?)?.add(&at(&mid.add(&off)?)?)?;
+            sum = sum.add(&both.mul(weight)?)?;
+        }
+        sum.mul(&half)?.to_ball()
     }
 }
 

@@ -1,5 +1,6 @@
 //! Certified values of graphs: the working precision is raised until they are accurate enough.
 
+use super::angle::Angles;
 use super::ball::{Balls, MAY_BE_EQUAL, Value, ball_of, bessel};
 use super::short::FirstPass;
 use super::tuning::{Passes, Size};
@@ -92,6 +93,8 @@ pub struct Certified {
     evaluator: Evaluator<Balls>,
     /// Balls of machine words, which are tried first.
     first: Option<FirstPass>,
+    /// Circular functions whose arguments are reduced exactly.
+    angles: Angles,
     /// The highest working precision.
     limit: u32,
     /// Values of constants at this precision are at hand, and whether they are exact.
@@ -153,6 +156,7 @@ impl Certified {
         Certified {
             exact: (0..graph.len() as Id).any(of_order),
             first: FirstPass::new(&graph),
+            angles: Angles::new(&graph),
             evaluator: Evaluator::new(graph, Balls::new(FIRST)),
             limit: limit.max(64),
             constants: (0, false),
@@ -172,8 +176,9 @@ impl Certified {
 
     /// The values of nodes at exact inputs.
     pub fn values(&mut self, inputs: &[Rational], nodes: &[Id], goal: Goal) -> Vec<Answer> {
+        self.angles.reduce(self.evaluator.graph(), inputs);
         let mut answers: Vec<Option<Answer>> = match &mut self.first {
-            Some(first) => first.answers(inputs, nodes, goal),
+            Some(first) => first.answers(inputs, &self.angles, nodes, goal),
             None => vec![None; nodes.len()],
         };
         if answers.iter().all(Option::is_some) {
@@ -393,6 +398,17 @@ impl Certified {
             };
             self.evaluator.set_input(k, value);
         }
+        let precisions = std::mem::take(&mut self.evaluator.interpretation.precisions);
+        let is_exact = self.evaluator.interpretation.exact;
+        self.angles.set(
+            &mut self.evaluator,
+            |id| precisions.get(id as usize).copied().unwrap_or(prec),
+            |x| match is_exact && x.rad().is_zero() {
+                true => Some(Value::rational(prec, x.mid().to_rational()?)),
+                false => Some(Value::Real(x)),
+            },
+        );
+        self.evaluator.interpretation.precisions = precisions;
         for proved in &self.proved {
             match proved {
                 Proved::Zero(node) => {

@@ -2,12 +2,13 @@
 
 use super::ball::{Balls, Value};
 use super::germ::{Germs, Near};
+use super::short::Pointwise;
 use super::{Evaluator, Stop};
 use crate::Func;
 use crate::graph::{Graph, Id, Node};
 use mechaudit_reference::elementary::NoValue;
 use mechaudit_reference::quadrature::{self, End, Goal, Growth, Hindrance, Integrand, Limit};
-use mechaudit_reference::{Ball, ComplexBall, Mag};
+use mechaudit_reference::{Ball, Ball128, ComplexBall, Mag};
 use rug::Float;
 use std::cmp::Ordering;
 
@@ -32,6 +33,9 @@ const MOST_POLES: u32 = 8;
 const COARSE_BITS: u32 = 8;
 const COARSE_EVALUATIONS: u64 = 1 << 7;
 
+/// Bits of a rectangle up to which doubles are tried.
+const TOLD_APART: u32 = 64 + 40;
+
 /// Bits to which a variable is known, relative to its size or to 1.
 fn known_bits(variable: &Value) -> i64 {
     let of = |x: &Ball| {
@@ -53,6 +57,8 @@ pub(super) struct Body<'e> {
     undefined: Option<Stop>,
     /// Nodes with zeros that are ends.
     zeros: Vec<(Id, Ball)>,
+    /// The body in machine words, once it was asked for.
+    short: Option<Pointwise>,
 }
 
 impl<'e> Body<'e> {
@@ -64,6 +70,7 @@ impl<'e> Body<'e> {
             body,
             undefined: None,
             zeros: Vec::new(),
+            short: None,
         }
     }
 
@@ -86,6 +93,28 @@ impl<'e> Body<'e> {
         let balls = &mut self.evaluator.interpretation;
         (balls.prec, balls.holomorphic, balls.wide, balls.known) = outside;
         value
+    }
+
+    /// The exponent of a bound on the integral of the absolute value between finite limits, where the
+    /// values are real.
+    fn size(&mut self, limits: &[Limit; 2]) -> Option<i64> {
+        let [Limit::Finite(a), Limit::Finite(b)] = limits else {
+            return None;
+        };
+        let value = self.enclose_real(&a.union(b), a.prec())?;
+        let most = value.magnitude().mul((b - a).magnitude());
+        most.exponent()
+    }
+
+    /// The body in machine words and the rounds that it may take, for one evaluation.
+    fn pointwise(&mut self) -> Option<(&mut Pointwise, &mut u64)> {
+        let (binder, body) = (self.binder, self.body);
+        self.evaluator.evaluations = self.evaluator.evaluations.checked_sub(1)?;
+        self.short.take_if(|known| !known.is_of(body));
+        let pointwise = self
+            .short
+            .get_or_insert_with(|| Pointwise::new(self.evaluator, binder, body));
+        Some((pointwise, &mut self.evaluator.rounds))
     }
 
     fn real(&mut self, x: &Ball, bits: u32) -> Option<Value> {
@@ -242,6 +271,15 @@ impl Integrand for Body<'_> {
         if !holomorphic {
             return None;
         }
+        // Doubles do not tell the parts of a short panel apart.
+        if bits <= TOLD_APART {
+            let (pointwise, rounds) = self.pointwise()?;
+            if let Some(found) = pointwise.continuation(z, rounds) {
+                return Some(found);
+            }
+            // It counts once.
+            self.evaluator.evaluations += 1;
+        }
         self.value(Value::Continued(z.clone()), true, bits)
             .ok()?
             .to_complex()
@@ -252,6 +290,11 @@ impl Integrand for Body<'_> {
             Value::Real(value) => Some(value),
             other => other.real().cloned(),
         }
+    }
+
+    fn enclose_short(&mut self, x: &Ball128) -> Option<Ball128> {
+        let (pointwise, rounds) = self.pointwise()?;
+        pointwise.value(x, rounds)
     }
 
     fn growth(&mut self, end: &End, k: u32) -> Option<Growth> {
@@ -373,9 +416,14 @@ pub(super) fn integral(
     let places = prec.min(balls.places);
     let is_complex = evaluator.graph().is_complex(body) || is_continued;
     let mut integrand = Body::new(evaluator, binder, body);
-    // An integral next to zero gets its relative accuracy as the working precision is raised.
+    // An integral next to zero gets its relative accuracy as the working precision is raised; one of
+    // small values has it at once.
+    let small = match is_inner || places < prec {
+        true => 0,
+        false => integrand.size(&limits).map_or(0, |e| e.min(0)),
+    };
     let goal = Goal {
-        absolute: Mag::power_of_two(-i64::from(places)),
+        absolute: Mag::power_of_two(small - i64::from(places)),
         evaluations,
         ..Goal::bits(bits)
     };

@@ -6,6 +6,7 @@
 //! second condition where the first holds.
 
 mod adaptive;
+mod angle;
 mod ball;
 mod complex;
 mod float;
@@ -249,7 +250,7 @@ impl<I: Interpretation> Evaluator<I> {
 
     /// Gives the variables of a binder values and forgets what depends on the old ones.
     pub fn set_variables(&mut self, binder: u32, values: impl IntoIterator<Item = I::V>) {
-        for id in &self.graph.clone().binder(binder).members {
+        for id in &self.graph.binder(binder).members {
             self.known[*id as usize] = None;
             self.truths[*id as usize] = None;
         }

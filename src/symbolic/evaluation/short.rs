@@ -1,21 +1,56 @@
-//! Graphs in balls of machine words: a first pass, of which most values are accurate enough.
+//! Graphs in machine words: real numbers in balls of 128 bits, a first pass, of which most values
+//! are accurate enough; and continuations to rectangles of a complex variable, which are bounded.
 //!
-//! Values that these balls do not decide, undefined and complex ones among them, are left to
-//! [`Balls`].
+//! Values that these do not decide, undefined and complex ones among them, are left to [`Balls`].
 
 use super::adaptive::{Answer, FIRST, Goal};
+use super::angle::Angles;
 use super::ball::{Balls, Value, ball_of};
+use super::integral::leaves;
 use super::tuning::{Passes, Size};
 use super::{Evaluator, Interpretation, Stop};
 use crate::graph::{Binding, Graph, Id, Node};
 use crate::{Constant, Func, Relation};
-use mechaudit_reference::Ball128;
 use mechaudit_reference::elementary::NoValue;
+use mechaudit_reference::elementary::complex::Rectangle;
+use mechaudit_reference::{Ball, Ball128, ComplexBall};
 use rug::Rational;
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-/// The interpretation in balls of 128 bits.
+/// A value in machine words.
+#[derive(Clone, Copy)]
+enum Words {
+    Real(Ball128),
+    /// As [`Value::Continued`].
+    Continued(Rectangle),
+}
+
+impl Words {
+    fn real(&self) -> Option<&Ball128> {
+        match self {
+            Words::Real(x) => Some(x),
+            Words::Continued(_) => None,
+        }
+    }
+
+    fn rectangle(&self) -> Option<Rectangle> {
+        match self {
+            Words::Real(x) => Rectangle::real(x.doubles()?),
+            Words::Continued(z) => Some(*z),
+        }
+    }
+
+    /// The same in the balls that functions take.
+    fn to_value(self) -> Option<Value> {
+        Some(match self {
+            Words::Real(x) => Value::Real(x.to_ball()?),
+            Words::Continued(z) => Value::Continued(z.to_ball()?),
+        })
+    }
+}
+
+/// The interpretation in machine words.
 struct Short {
     /// MPFR, for the functions: its precision is theirs.
     balls: Balls,
@@ -23,19 +58,40 @@ struct Short {
     has_called: bool,
 }
 
-/// The answer where these balls do not decide.
+/// The answer where they do not decide.
 const LEFT: NoValue = NoValue::Undecided("left to balls of more bits");
 
-type Found = Result<Ball128, NoValue>;
+type Found = Result<Words, NoValue>;
 
 fn decided(found: Option<Ball128>) -> Found {
-    found.ok_or(LEFT)
+    found.map(Words::Real).ok_or(LEFT)
+}
+
+fn continued(found: Option<Rectangle>) -> Found {
+    found.map(Words::Continued).ok_or(LEFT)
 }
 
 fn short(value: &Value) -> Found {
     match value {
         Value::Real(x) => decided(Ball128::of_ball(x)),
+        Value::Continued(z) => continued(Rectangle::of_ball(z)),
         _ => Err(LEFT),
+    }
+}
+
+/// An operation on two numbers, of which one may be continued.
+fn pair(
+    a: &Words,
+    b: &Words,
+    real: fn(&Ball128, &Ball128) -> Option<Ball128>,
+    other: fn(&Rectangle, &Rectangle) -> Option<Rectangle>,
+) -> Found {
+    match (a, b) {
+        (Words::Real(a), Words::Real(b)) => decided(real(a, b)),
+        _ => {
+            let both = a.rectangle().zip(b.rectangle());
+            continued(both.and_then(|(a, b)| other(&a, &b)))
+        }
     }
 }
 
@@ -60,23 +116,50 @@ impl Short {
     }
 
     /// A rational number.
-    fn rational(&self, q: &Rational) -> Found {
-        match Ball128::dyadic(q) {
-            Some(x) => Ok(x),
-            None => decided(Ball128::of_ball(&ball_of(128, q))),
-        }
+    fn rational(&self, q: &Rational) -> Option<Ball128> {
+        Ball128::dyadic(q).or_else(|| Ball128::of_ball(&ball_of(128, q)))
+    }
+}
+
+/// A function of real numbers that takes no more than arithmetic; none for others.
+fn arithmetic(f: Func, x: &[&Ball128]) -> Option<Option<Ball128>> {
+    Some(match (f, x) {
+        (Func::Sqrt, [x]) => x.sqrt(),
+        (Func::Abs, [x]) => x.sign().map(|sign| match sign {
+            Ordering::Less => x.negative(),
+            _ => **x,
+        }),
+        (Func::Fma, [x, y, z]) => x.mul(y).and_then(|product| product.add(z)),
+        (Func::Fmin | Func::Fmax, [x, y]) => x.sub(y).and_then(|d| d.sign()).map(|order| {
+            let is_first = (order == Ordering::Less) == (f == Func::Fmin);
+            if is_first { **x } else { **y }
+        }),
+        _ => return None,
+    })
+}
+
+/// A function over a rectangle that doubles bound; none for others.
+fn bounded(f: Func, z: &Rectangle) -> Option<Rectangle> {
+    match f {
+        Func::Exp => z.exp(),
+        Func::Sin => z.sin(),
+        Func::Cos => z.cos(),
+        Func::Sinh => z.sinh(),
+        Func::Cosh => z.cosh(),
+        Func::Sqrt => z.sqrt(),
+        _ => None,
     }
 }
 
 impl Interpretation for Short {
-    type V = Ball128;
+    type V = Words;
 
     fn number(&mut self, graph: &Graph, place: u32) -> Found {
-        self.rational(graph.rational(place))
+        decided(self.rational(graph.rational(place)))
     }
 
-    fn integer(&mut self, n: i64) -> Ball128 {
-        Ball128::integer(n)
+    fn integer(&mut self, n: i64) -> Words {
+        Words::Real(Ball128::integer(n))
     }
 
     fn constant(&mut self, c: Constant) -> Found {
@@ -91,77 +174,153 @@ impl Interpretation for Short {
         Err(LEFT)
     }
 
-    fn neg(&mut self, a: &Ball128) -> Found {
-        Ok(a.negative())
+    fn neg(&mut self, a: &Words) -> Found {
+        Ok(match a {
+            Words::Real(x) => Words::Real(x.negative()),
+            Words::Continued(z) => Words::Continued(z.negative()),
+        })
     }
 
-    fn add(&mut self, a: &Ball128, b: &Ball128) -> Found {
-        decided(a.add(b))
+    fn add(&mut self, a: &Words, b: &Words) -> Found {
+        pair(a, b, Ball128::add, Rectangle::add)
     }
 
-    fn sub(&mut self, a: &Ball128, b: &Ball128) -> Found {
-        decided(a.sub(b))
+    fn sub(&mut self, a: &Words, b: &Words) -> Found {
+        pair(a, b, Ball128::sub, |a, b| a.add(&b.negative()))
     }
 
-    fn mul(&mut self, a: &Ball128, b: &Ball128) -> Found {
-        decided(a.mul(b))
+    fn mul(&mut self, a: &Words, b: &Words) -> Found {
+        pair(a, b, Ball128::mul, Rectangle::mul)
     }
 
-    fn div(&mut self, a: &Ball128, b: &Ball128) -> Found {
-        decided(a.div(b))
+    fn div(&mut self, a: &Words, b: &Words) -> Found {
+        pair(a, b, Ball128::div, |a, b| a.mul(&b.inverse()?))
     }
 
-    fn power(&mut self, a: &Ball128, k: i32) -> Found {
-        match a.is_zero() {
+    fn power(&mut self, a: &Words, k: i32) -> Found {
+        match a {
             // Zero to the power of zero is for the others to define.
-            true => Err(LEFT),
-            false => decided(a.power(k)),
+            Words::Real(x) if x.is_zero() => Err(LEFT),
+            Words::Real(x) => decided(x.power(k)),
+            Words::Continued(z) => continued(z.power(k)),
         }
     }
 
-    fn call(&mut self, f: Func, x: &[&Ball128]) -> Found {
-        match (f, x) {
-            (Func::Sqrt, [x]) => decided(x.sqrt()),
-            (Func::Abs, [x]) => match x.sign() {
-                Some(Ordering::Less) => Ok(x.negative()),
-                Some(_) => Ok(**x),
-                None => Err(LEFT),
+    fn call(&mut self, f: Func, x: &[&Words]) -> Found {
+        let found = match x {
+            [Words::Real(a)] => arithmetic(f, &[a]),
+            [Words::Real(a), Words::Real(b)] => arithmetic(f, &[a, b]),
+            [Words::Real(a), Words::Real(b), Words::Real(c)] => arithmetic(f, &[a, b, c]),
+            [Words::Continued(z)] => match bounded(f, z) {
+                Some(found) => return Ok(Words::Continued(found)),
+                None => None,
             },
-            (Func::Fma, [x, y, z]) => decided(x.mul(y).and_then(|product| product.add(z))),
-            (Func::Fmin | Func::Fmax, [x, y]) => {
-                let order = x.sub(y).and_then(|d| d.sign()).ok_or(LEFT)?;
-                let is_first = (order == Ordering::Less) == (f == Func::Fmin);
-                Ok(if is_first { **x } else { **y })
+            _ => None,
+        };
+        if let Some(found) = found {
+            return decided(found);
+        }
+        self.has_called = true;
+        let values: Option<Vec<Value>> = x.iter().map(|x| x.to_value()).collect();
+        let values = values.ok_or(LEFT)?;
+        let operands: Vec<&Value> = values.iter().collect();
+        short(&self.balls.call(f, &operands)?)
+    }
+
+    fn inverse(&mut self, f: Func, x: &Words) -> Option<Words> {
+        match (f, x) {
+            (Func::Cosh, Words::Continued(z)) => z.sech().map(Words::Continued),
+            (Func::Cos, Words::Continued(z)) => z.sec().map(Words::Continued),
+            (Func::Tgamma, Words::Continued(_)) => {
+                short(&self.balls.inverse(f, &x.to_value()?)?).ok()
             }
-            (_, x) => {
-                self.has_called = true;
-                let mut values = Vec::with_capacity(x.len());
-                for x in x {
-                    values.push(Value::Real(x.to_ball().ok_or(LEFT)?));
-                }
-                let operands: Vec<&Value> = values.iter().collect();
-                short(&self.balls.call(f, &operands)?)
-            }
+            _ => None,
         }
     }
 
-    fn flat(&mut self, _: Func, _: &Ball128) -> Found {
+    fn flat(&mut self, _: Func, _: &Words) -> Found {
         Err(LEFT)
     }
 
-    fn compare(&mut self, relation: Relation, a: &Ball128, b: &Ball128) -> Result<bool, NoValue> {
-        let order = a.sub(b).and_then(|d| d.sign()).ok_or(LEFT)?;
-        Ok(relation.holds(order))
+    fn compare(&mut self, relation: Relation, a: &Words, b: &Words) -> Result<bool, NoValue> {
+        let order = match (a, b) {
+            (Words::Real(a), Words::Real(b)) => a.sub(b).and_then(|d| d.sign()),
+            _ => {
+                let parts = a.rectangle().zip(b.rectangle());
+                parts.and_then(|(a, b)| {
+                    let ([a, b], [c, d]) = (a.real_part(), b.real_part());
+                    match () {
+                        () if b < c => Some(Ordering::Less),
+                        () if d < a => Some(Ordering::Greater),
+                        () => None,
+                    }
+                })
+            }
+        };
+        Ok(relation.holds(order.ok_or(LEFT)?))
     }
 
-    fn to_integer(&self, a: &Ball128) -> Option<i64> {
-        let x = a.to_ball()?;
+    fn to_integer(&self, a: &Words) -> Option<i64> {
+        let x = a.real()?.to_ball()?;
         self.balls.to_integer(&Value::Real(x))
     }
 
-    fn bound(evaluator: &mut Evaluator<Short>, binder: u32) -> Result<Ball128, Stop> {
+    fn bound(evaluator: &mut Evaluator<Short>, binder: u32) -> Result<Words, Stop> {
         let node = evaluator.graph().find(Node::Bound(binder)).unwrap_or(0);
         Err(Stop { node, reason: LEFT })
+    }
+}
+
+/// The body of a binder of one variable as a function of numbers in these balls.
+pub(super) struct Pointwise {
+    evaluator: Evaluator<Short>,
+    binder: u32,
+    body: Id,
+}
+
+impl Pointwise {
+    /// Takes the values of what does not depend on the variable from another evaluator.
+    pub fn new(balls: &Evaluator<Balls>, binder: u32, body: Id) -> Pointwise {
+        let meaning = Short {
+            balls: Balls::new(128),
+            has_called: false,
+        };
+        let mut evaluator = Evaluator::new(balls.graph().clone(), meaning);
+        for id in leaves(balls.graph(), body, binder) {
+            let known = balls.known[id as usize].as_ref().and_then(Value::real);
+            if let Some(value) = known.and_then(Ball128::of_ball) {
+                evaluator.set(id, Words::Real(value));
+            }
+        }
+        Pointwise {
+            evaluator,
+            binder,
+            body,
+        }
+    }
+
+    /// Returns true if this is the body.
+    pub fn is_of(&self, body: Id) -> bool {
+        self.body == body
+    }
+
+    fn at(&mut self, x: Words, rounds: &mut u64) -> Option<Words> {
+        self.evaluator.rounds = *rounds;
+        self.evaluator.set_variables(self.binder, [x]);
+        let found = self.evaluator.value(self.body).ok().copied();
+        *rounds = self.evaluator.rounds;
+        found
+    }
+
+    /// The value at a number; it takes from the rounds of loops that are left.
+    pub fn value(&mut self, x: &Ball128, rounds: &mut u64) -> Option<Ball128> {
+        self.at(Words::Real(*x), rounds)?.real().copied()
+    }
+
+    /// Encloses the continuation on a rectangle on which it is holomorphic.
+    pub fn continuation(&mut self, z: &ComplexBall, rounds: &mut u64) -> Option<ComplexBall> {
+        let z = Words::Continued(Rectangle::of_ball(z)?);
+        self.at(z, rounds)?.to_value()?.to_complex()
     }
 }
 
@@ -222,7 +381,10 @@ impl FirstPass {
         let evaluator = &self.evaluator;
         let passes = Passes {
             graph: evaluator.graph(),
-            size: |id: Id| evaluator.known[id as usize].as_ref().map(Size::of_short),
+            size: |id: Id| {
+                let value = evaluator.known[id as usize].as_ref();
+                value.and_then(Words::real).map(Size::of_short)
+            },
             before: evaluator.interpretation.balls.prec,
             most,
             wanted: bits,
@@ -234,6 +396,7 @@ impl FirstPass {
     pub fn answers(
         &mut self,
         inputs: &[Rational],
+        angles: &Angles,
         nodes: &[Id],
         goal: Goal,
     ) -> Vec<Option<Answer>> {
@@ -244,7 +407,7 @@ impl FirstPass {
         };
         self.next = FIRST;
         for prec in precisions {
-            if prec > FirstPass::MOST || !self.begin(inputs, prec) {
+            if prec > FirstPass::MOST || !self.begin(inputs, angles, prec) {
                 break;
             }
             // More bits of functions may help.
@@ -258,6 +421,7 @@ impl FirstPass {
                     self.next = self.next.max(256);
                     continue;
                 };
+                let Some(value) = value.real() else { continue };
                 *answer = accepted(value, goal);
                 if answer.is_some() {
                     continue;
@@ -284,16 +448,20 @@ impl FirstPass {
     }
 
     /// Prepares an evaluation with functions at a precision; false if the inputs are no such balls.
-    fn begin(&mut self, inputs: &[Rational], prec: u32) -> bool {
+    fn begin(&mut self, inputs: &[Rational], angles: &Angles, prec: u32) -> bool {
         let short = &mut self.evaluator.interpretation;
         let is_other = short.balls.prec != prec;
         short.balls.prec = prec;
         short.balls.hint = 0;
-        short.has_called = false;
         self.evaluator.reset(is_other);
+        let of_ball = |x: Ball| Ball128::of_ball(&x).map(Words::Real);
+        let has_angles = angles.set(&mut self.evaluator, |_| prec, of_ball);
+        self.evaluator.interpretation.has_called = has_angles;
         inputs.iter().enumerate().all(|(k, input)| {
             let value = self.evaluator.interpretation.rational(input);
-            value.map(|x| self.evaluator.set_input(k, x)).is_ok()
+            value
+                .map(|x| self.evaluator.set_input(k, Words::Real(x)))
+                .is_some()
         })
     }
 }

@@ -19,9 +19,13 @@ pub fn recip(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
 /// Doubles of these sizes have squares far from the ends of their exponents.
 const MODERATE: std::ops::Range<f64> = 1e-140..1e140;
 
-/// Both ends of each part of a rectangle, if they are zero or of moderate size.
-fn moderate(z: &ComplexBall) -> Option<[[f64; 2]; 2]> {
-    let parts = [&z.re, &z.im].map(|x| doubles(&ends(x, BITS)));
+/// Both ends of each part of a rectangle.
+fn parts_of(z: &ComplexBall) -> [[f64; 2]; 2] {
+    [&z.re, &z.im].map(|x| doubles(&ends(x, BITS)))
+}
+
+/// Leaves out a rectangle with ends that are neither zero nor of moderate size.
+fn moderate(parts: [[f64; 2]; 2]) -> Option<[[f64; 2]; 2]> {
     let is_moderate = |x: &f64| *x == 0.0 || MODERATE.contains(&x.abs());
     parts
         .as_flattened()
@@ -39,8 +43,8 @@ fn sizes([low, high]: [f64; 2]) -> [f64; 2] {
 ///
 /// `x/(x² + y²)` for x > 0 falls with |y|, and with x grows up to |y| and falls beyond. `−y/(x² +
 /// y²)` is the same with the parts changed.
-fn wide_inverse(z: &ComplexBall, prec: u32) -> Option<ComplexBall> {
-    let [x, y] = moderate(z)?;
+pub(super) fn inverse_of_doubles(parts: [[f64; 2]; 2]) -> Option<[[f64; 2]; 2]> {
+    let [x, y] = moderate(parts)?;
     let part = |[low, high]: [f64; 2], [near, far]: [f64; 2]| {
         let at = |x: f64, y: f64| x / (x * x + y * y);
         let top = |low: f64, high: f64| {
@@ -56,9 +60,16 @@ fn wide_inverse(z: &ComplexBall, prec: u32) -> Option<ComplexBall> {
             true => -top((-high).max(0.0), -low),
             false => bottom(low, high),
         };
-        hull_of_doubles(prec, outwards([least, greatest])).ok()
+        outwards([least, greatest])
     };
-    Some(ComplexBall::new(part(x, sizes(y))?, -part(y, sizes(x))?))
+    let [low, high] = part(y, sizes(x));
+    Some([part(x, sizes(y)), [-high, -low]])
+}
+
+/// The ball around a rectangle between doubles.
+fn around([re, im]: [[f64; 2]; 2], prec: u32) -> Option<ComplexBall> {
+    let hull = |range| hull_of_doubles(prec, range).ok();
+    Some(ComplexBall::new(hull(re)?, hull(im)?))
 }
 
 /// `z/w`: with the midpoints m and n, `z/w − m/n = ((z − m) − (m/n)(w − n))/w`, at most
@@ -73,7 +84,7 @@ pub fn div(z: &ComplexBall, w: &ComplexBall, prec: u32) -> ComplexEvaluated {
     }
     let p = prec + GUARD;
     if !is_narrow(w.radius(), least)
-        && let Some(inverse) = wide_inverse(w, p)
+        && let Some(inverse) = inverse_of_doubles(parts_of(w)).and_then(|parts| around(parts, p))
     {
         let product = |x: &Ball, y: &Ball| real::mul(x, y, prec);
         let re = product(&z.re, &inverse.re)?;
@@ -208,8 +219,8 @@ pub(super) fn sqrt_above(m: &ComplexBall, p: u32) -> ComplexEvaluated {
 
 /// The root of a wide rectangle that does not cross its cut, part by part: the real part grows with
 /// x and |y|, the modulus of the imaginary part with −x and |y|, and is the real part of √−z.
-fn wide_root(z: &ComplexBall, prec: u32) -> Option<ComplexBall> {
-    let [[left, right], y] = moderate(z)?;
+pub(super) fn root_of_doubles(parts: [[f64; 2]; 2]) -> Option<[[f64; 2]; 2]> {
+    let [[left, right], y] = moderate(parts)?;
     let at = |x: f64, y: f64| {
         let size = (x * x + y * y).sqrt();
         match x >= 0.0 {
@@ -224,8 +235,7 @@ fn wide_root(z: &ComplexBall, prec: u32) -> Option<ComplexBall> {
         [_, high] if high < 0.0 => [-at(-left, far), -at(-right, near)],
         [low, high] => [-at(-left, -low), at(-left, high)],
     };
-    let hull = |range| hull_of_doubles(prec, outwards(range)).ok();
-    Some(ComplexBall::new(hull(re)?, hull(im)?))
+    Some([outwards(re), outwards(im)])
 }
 
 /// The principal square root, with its real part not negative: the derivative is `1/(2√z)`.
@@ -236,7 +246,7 @@ pub fn sqrt(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
     off_cut(z)?;
     let rho = z.radius();
     if !is_narrow(rho, below(z))
-        && let Some(root) = wide_root(z, prec)
+        && let Some(root) = root_of_doubles(parts_of(z)).and_then(|parts| around(parts, prec))
     {
         return Ok(root);
     }

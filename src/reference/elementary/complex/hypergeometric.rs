@@ -126,8 +126,11 @@ pub(super) fn sum(
             *im *= &p;
             *im += &other;
         }
+        // A negative number that is shifted out stays −1, and its multiples by `a` grow.
+        let mut has_vanished = true;
         for part in &mut t {
             *part >>= bits;
+            has_vanished &= part.significant_bits() <= 1;
             if a != 1 {
                 *part *= a;
             }
@@ -138,7 +141,7 @@ pub(super) fn sum(
         let is_small = t.iter().all(|part| part.significant_bits() <= 4);
         let ends = match kind {
             Kind::Convergent => is_small && quotient <= 0.5,
-            Kind::Asymptotic => is_small || (quotient >= 1.0 && k > 1),
+            Kind::Asymptotic => is_small || has_vanished || (quotient >= 1.0 && k > 1),
         };
         if ends {
             break;

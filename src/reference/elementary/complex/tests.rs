@@ -354,3 +354,21 @@ fn no_box_panics_or_runs_without_end() {
         }
     }
 }
+
+/// Next to a cut, closer than any double.
+#[test]
+fn both_sides_of_a_cut_have_their_values() {
+    let bessel = |which| move |z: &ComplexBall, p| bessel(which, &(1, 2).into(), z, p);
+    let [first, modified] = [Bessel::First, Bessel::Modified].map(bessel);
+    type Function<'a> = &'a dyn Fn(&ComplexBall, u32) -> ComplexEvaluated;
+    let functions: [Function; 5] = [&lgamma, &first, &modified, &log, &e1];
+    for (k, f) in functions.into_iter().enumerate() {
+        let [above, below] = [1, -1].map(|sign| {
+            let im = Float::with_val(53, sign) >> 5000u32;
+            let re = Float::with_val(53, -1.5);
+            let [re, im] = [re, im].map(|x| Ball::new(x, Mag::ZERO));
+            f(&ComplexBall::new(re, im), 64).unwrap().im
+        });
+        assert!(below.overlaps(&-&above) && !below.overlaps(&above), "{k}");
+    }
+}

@@ -156,3 +156,60 @@ fn a_narrow_step_is_not_overlooked() {
     assert!(found.hindrance.is_none());
     assert!(found.value.unwrap().contains(&(1, 1i64 << 40).into()));
 }
+
+/// An integrand that has values in machine words as well.
+struct Words<I> {
+    other: I,
+    short: fn(&Ball128) -> Option<Ball128>,
+}
+
+impl<I: Integrand> Integrand for Words<I> {
+    fn enclose(&mut self, z: &ComplexBall, holomorphic: bool, bits: u32) -> Option<ComplexBall> {
+        self.other.enclose(z, holomorphic, bits)
+    }
+
+    fn enclose_short(&mut self, x: &Ball128) -> Option<Ball128> {
+        (self.short)(x)
+    }
+
+    fn growth(&mut self, end: &End, k: u32) -> Option<Growth> {
+        self.other.growth(end, k)
+    }
+}
+
+/// Few digits, so that the error of a rule counts beside those of its nodes; and an end at one, from
+/// which machine words do not measure.
+#[test]
+fn sums_in_machine_words_have_the_error_of_their_rule() {
+    for bits in [6, 11, 30, 60, 110] {
+        let goal = Goal::bits(bits);
+        let mut lorentz = Words {
+            other: smooth(|z, _, bits| c::div(&c::real(4, bits), &(&c::real(1, bits) + &(z * z)))),
+            short: |x| Ball128::integer(4).div(&x.mul(x)?.add(&Ball128::integer(1))?),
+        };
+        for [from, to] in [[0, 1], [-1, 0]] {
+            let found = integrate(&mut lorentz, &number(from), &number(to), &goal);
+            reached(
+                &found,
+                &Ball::pi(300),
+                i64::from(bits) * 3 / 10,
+                "4/(1+x^2)",
+            );
+        }
+        // x/√(x − 1): 8/3.
+        let mut root = Words {
+            other: Formula {
+                f: |z: &ComplexBall, _, bits| c::div(z, &c::sqrt(&(z - &c::real(1, bits)))?),
+                growth: |x: &Germ| x.div(&x.vanishing().sqrt()?),
+            },
+            short: |x| {
+                let beside = x.sub(&Ball128::integer(1))?;
+                let size = beside.mul(&beside)?.sqrt()?.sqrt()?;
+                x.div(&size)
+            },
+        };
+        let found = integrate(&mut root, &number(1), &number(2), &goal);
+        let due = Ball::integer(300, 8) / Ball::integer(300, 3);
+        reached(&found, &due, i64::from(bits) * 3 / 10, "x/sqrt(x-1)");
+    }
+}

@@ -45,6 +45,13 @@ fn the_integrals_are_related() {
             .im
             .overlaps(&Ball::pi(200))
     );
+    // Far to the right, where all terms have one sign: x e^{−x} Ei(x), by mpmath.
+    let due = Float::parse("1.00000095367613540085773613683561648432290468379334220663675");
+    let due = Ball::new(Float::with_val(220, due.unwrap()), Mag::power_of_two(-190));
+    let x = Ball::integer(64, 1 << 20);
+    let value = ei(&ComplexBall::new(x.clone(), exact(64, 0)), 300).unwrap();
+    let scaled = &value.re * &x * real::exp(&-&x, 300).unwrap();
+    assert!(scaled.overlaps(&due) && scaled.rad() < Mag::power_of_two(-290));
     assert!(ei(&point(0.0, 0.0), 64).is_err() && ci(&point(0.0, 0.0), 64).is_err());
 }
 
