@@ -48,7 +48,7 @@ pub(super) fn of(node: Node, prec: u32) -> u64 {
         }
         // Sums whose terms grow in number and in length.
         Zeta | ZetaDerivative | WeierstrassP | WeierstrassPPrime => {
-            200_000 + 5_000 * square + 200 * square * words
+            200_000 + 5_000 * square + 1_000 * square * words
         }
     }
 }
