@@ -635,7 +635,7 @@ enum mechaudit_status mechaudit_cyclic_tridiagonal_solve(size_t n,
 /**
  * Solves m tridiagonal systems of n equations each, which lie one after the other, n numbers each in all
  * arrays; of each system the first number of `lower` and the last one of `upper` are not used. `x` may be `d`.
- * Several systems are solved side by side: for many small ones.
+ * Several systems are solved side by side: for many small ones. Of no system, m = 0, no array is touched.
  *
  * Errors: as `mechaudit_tridiagonal_solve` with the place in the whole array, and `SIZE` where m n numbers
  * do not fit in memory; what `x` holds then is unspecified.

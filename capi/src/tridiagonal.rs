@@ -172,7 +172,7 @@ pub unsafe extern "C" fn mechaudit_cyclic_tridiagonal_solve(
 
 /// Solves m tridiagonal systems of n equations each, which lie one after the other, n numbers each in all
 /// arrays; of each system the first number of `lower` and the last one of `upper` are not used. `x` may be `d`.
-/// Several systems are solved side by side: for many small ones.
+/// Several systems are solved side by side: for many small ones. Of no system, m = 0, no array is touched.
 ///
 /// Errors: as `mechaudit_tridiagonal_solve` with the place in the whole array, and `SIZE` where m n numbers
 /// do not fit in memory; what `x` holds then is unspecified.
@@ -192,6 +192,9 @@ pub unsafe extern "C" fn mechaudit_tridiagonal_solve_batch(
     error: *mut Error,
 ) -> Status {
     let run = || {
+        if m == 0 && n > 0 {
+            return Ok(());
+        }
         let all = m.saturating_mul(n);
         // SAFETY: the caller promises arrays of m n numbers.
         let [lower, diagonal, upper] = unsafe {

@@ -256,6 +256,7 @@ static void systems(void) {
     CHECK(mechaudit_tridiagonal_solve_batch(2, 3, bands, fours, bands, two, two, &e) == MECHAUDIT_STATUS_OK);
     for (int k = 0; k < 6; k++) CHECK(fabs(two[k] - 1) < 1e-15);
     CHECK(mechaudit_tridiagonal_solve_batch(SIZE_MAX, 3, bands, fours, bands, two, two, &e) == MECHAUDIT_STATUS_SIZE);
+    CHECK(mechaudit_tridiagonal_solve_batch(0, 3, NULL, NULL, NULL, NULL, NULL, &e) == MECHAUDIT_STATUS_OK);
     CHECK(mechaudit_tridiagonal_solve_batch(2, 0, bands, fours, bands, two, two, &e) == MECHAUDIT_STATUS_SIZE);
     /* A matrix that elimination without pivoting cannot be trusted with says so. */
     const double tiny[2] = {1e-20, 1}, one[1] = {1}, right[2] = {1, 2};

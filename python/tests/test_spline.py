@@ -105,6 +105,9 @@ def test_refusals():
             CubicSpline(**{"x": x, "y": y, **bad})
     with pytest.raises(TypeError):
         CubicSpline(x, ["a", "b", "c", "d"])
+    for neither in (None, 2, iter("nc")):
+        with pytest.raises(TypeError, match="`bc_type` must be a name or two conditions"):
+            CubicSpline(x, y, bc_type=neither)
     with pytest.raises(TypeError):
         CubicSpline(x, y)(1j)
 

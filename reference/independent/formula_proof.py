@@ -242,6 +242,8 @@ def main():
         box = [tuple(float.fromhex(row[f"{n}_{end}"]) for end in ("from", "to")) for n in names]
         bound = float("inf") if row["bound"] == "inf" else float.fromhex(row["bound"])
         rows.setdefault(row["measure"], []).append((box, bound))
+    if not rows:
+        sys.exit("no boxes")
     draw = random.Random(args.seed)
     domain = ends_of(pre, names)
     worst = {}
@@ -273,7 +275,8 @@ def main():
                 parts = [arb(value(body, dict(zip(names, x)), kind)) - e for body, e in zip(bodies, exact)]
                 size = lambda parts: abs(parts[0]) if len(parts) == 1 else sum(p * p for p in parts).sqrt()
                 error = size(parts)
-                if measure == "relative":
+                # A value of zero is computed without an error, or has no relative one.
+                if measure == "relative" and error != 0:
                     error = error / size(exact)
                 if measure == "ulps":
                     most = abs(float(exact[0].mid()))

@@ -1,5 +1,7 @@
 //! Proofs of rounding-error bounds of the solvers that studies state.
 
+pub mod same;
+
 use super::error::StudyError;
 use super::problem::{Problem, StudyInput, StudySolver};
 use crate::audit::{Limit, rounded_up};

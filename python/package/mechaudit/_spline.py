@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sized
 from fractions import Fraction
 from typing import Any
 
@@ -99,6 +100,8 @@ class CubicSpline:
     ) -> None:
         if certified and not _mechaudit.HAS_ORACLE:
             raise ValueError("certified=True needs references, which this build of mechaudit is without")
+        if not isinstance(bc_type, (str, Sized)):
+            raise TypeError(f"`bc_type` must be a name or two conditions, one of each end, got {bc_type!r}")
         x = _real_array("x", x)
         y = np.asarray(y)
         if y.dtype.kind not in "fiubc":

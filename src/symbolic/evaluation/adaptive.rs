@@ -4,13 +4,14 @@ use super::angle::Angles;
 use super::ball::{Balls, MAY_BE_EQUAL, Value, ball_of, bessel};
 use super::short::FirstPass;
 use super::tuning::{Passes, Size};
-use super::{Evaluator, Interpretation, Stop};
+use super::{Evaluator, Stop, cost, huge};
 use crate::exact::proves_zero;
 use crate::graph::{Graph, Id, Node};
-use crate::{Definitions, Expr};
+use crate::{Definitions, Expr, Func};
 use mechaudit_reference::elementary::NoValue;
 use mechaudit_reference::{Ball, Mag};
 use rug::Rational;
+use rug::float::Round;
 use std::sync::Arc;
 
 /// How accurate a value has to be.
@@ -75,6 +76,7 @@ impl Balls {
             known: i64::MAX,
             precisions: Vec::new(),
             hint: 0,
+            work: u64::MAX,
         }
     }
 }
@@ -108,14 +110,16 @@ pub struct Certified {
     /// True if rational numbers are exact from the start: orders of Bessel functions that no binary
     /// number holds.
     exact: bool,
+    /// True if there are functions that jump at rational numbers.
+    has_steps: bool,
     /// Inputs in a row at which it was asked and proved nothing.
     in_vain: u32,
 }
 
 /// A fact that the symbolic algebra proves of a node at the inputs.
 enum Proved {
-    /// It is zero.
-    Zero(Id),
+    /// It is a multiple of 1/2, next to which functions have their zeros, poles and steps.
+    Value(Id, Rational),
     /// It is a comparison of two equal numbers.
     Equal(Id),
 }
@@ -137,6 +141,9 @@ const PATIENCE: u32 = 4;
 /// Reason that exact rational numbers may settle.
 const MAY_BE_ZERO: &str = "the divisor may be zero";
 
+/// Reason of a value with fewer digits than are asked for.
+const INACCURATE: &str = "a value that is not accurate enough";
+
 /// Evaluations of an integrand before an integral is given up, unless another limit is set.
 const EVALUATIONS: u64 = 1 << 18;
 
@@ -153,8 +160,22 @@ impl Certified {
             },
             _ => false,
         };
+        let is_step = |id| match graph.node(id) {
+            Node::Unary(f, _) | Node::Binary(f, ..) => matches!(
+                f,
+                Func::Floor
+                    | Func::Ceil
+                    | Func::Round
+                    | Func::Trunc
+                    | Func::Nearbyint
+                    | Func::Fmod
+                    | Func::Remainder
+            ),
+            _ => false,
+        };
         Certified {
             exact: (0..graph.len() as Id).any(of_order),
+            has_steps: (0..graph.len() as Id).any(is_step),
             first: FirstPass::new(&graph),
             angles: Angles::new(&graph),
             evaluator: Evaluator::new(graph, Balls::new(FIRST)),
@@ -185,6 +206,7 @@ impl Certified {
             return answers.into_iter().flatten().collect();
         }
         let mut asked = vec![false; nodes.len()];
+        let mut work = vec![cost::allowed(goal); nodes.len()];
         self.asked.clear();
         self.proved.clear();
         // Bits that an output is to have for as long as it is not accurate enough.
@@ -227,12 +249,27 @@ impl Certified {
                     continue;
                 }
                 self.evaluator.evaluations = super::ALL_EVALUATIONS;
-                let found = self.evaluator.value(*node);
+                self.evaluator.interpretation.work = work[k];
+                let found = self.evaluator.value(*node).cloned();
+                work[k] = self.evaluator.interpretation.work;
                 let (reason, lacking) = match found {
+                    Err(_) if work[k] == 0 => {
+                        open.push((k, *node, cost::REASON));
+                        continue;
+                    }
+                    // Digits are those of a number that is not beyond all that have any.
+                    Ok(Value::Huge { exponent, .. })
+                        if matches!(goal, Goal::Bits(_)) && exponent < huge::ENDLESS =>
+                    {
+                        answers[k] = Some(Answer::Undecided(Undecided {
+                            reason: "a number that may be within 2^(2^30)",
+                            place: self.evaluator.graph().text(*node),
+                            bits: prec,
+                        }));
+                        continue;
+                    }
                     Ok(Value::Huge { negative, .. }) => {
-                        answers[k] = Some(Answer::Huge {
-                            negative: *negative,
-                        });
+                        answers[k] = Some(Answer::Huge { negative });
                         continue;
                     }
                     Ok(value) => match value.real() {
@@ -249,7 +286,7 @@ impl Certified {
                                 answers[k] = Some(Answer::Number(ball.clone()));
                                 continue;
                             }
-                            lacking => ("a value that is not accurate enough", lacking),
+                            lacking => (INACCURATE, lacking),
                         },
                     },
                     Err(Stop {
@@ -287,7 +324,12 @@ impl Certified {
             }
             // More precision shortens neither a loop nor an integral.
             open.retain(|(k, node, reason)| {
-                let is_open = ![super::ROUNDS_REASON, super::EVALUATIONS_REASON].contains(reason);
+                let finals = [
+                    super::ROUNDS_REASON,
+                    super::EVALUATIONS_REASON,
+                    cost::REASON,
+                ];
+                let is_open = !finals.contains(reason);
                 if !is_open {
                     let place = self.evaluator.graph().text(*node);
                     let bits = prec;
@@ -305,9 +347,14 @@ impl Certified {
             // Rational numbers that are equal are seen to be so where they are exact.
             let is_exact = self.evaluator.interpretation.exact;
             let graph = self.evaluator.graph();
+            let has_steps = self.has_steps;
             let may_help = |o: &(usize, Id, &str)| {
+                // A step, a pole or an end of the domain may be at a rational number.
+                let mut operands = graph.operands(graph.node(o.1)).into_iter();
+                let is_next_to_it = o.2 != INACCURATE && operands.all(|id| graph.is_rational(id));
                 let is_compared = [MAY_BE_EQUAL, MAY_BE_ZERO].contains(&o.2);
-                graph.is_rational(nodes[o.0]) || (is_compared && prec >= 128)
+                let is_split = has_steps || is_compared || is_next_to_it;
+                graph.is_rational(nodes[o.0]) || (is_split && prec >= 128)
             };
             if !is_exact && open.iter().any(may_help) {
                 self.evaluator.interpretation.exact = true;
@@ -411,9 +458,12 @@ impl Certified {
         self.evaluator.interpretation.precisions = precisions;
         for proved in &self.proved {
             match proved {
-                Proved::Zero(node) => {
-                    let zero = self.evaluator.interpretation.integer(0);
-                    self.evaluator.set(*node, zero);
+                Proved::Value(node, q) => {
+                    let value = match self.evaluator.interpretation.exact {
+                        true => Value::rational(prec, q.clone()),
+                        false => Value::Real(ball_of(prec, q)),
+                    };
+                    self.evaluator.set(*node, value);
                 }
                 Proved::Equal(node) => self.evaluator.set_equal(*node),
             }
@@ -440,14 +490,18 @@ impl Certified {
             return;
         }
         for operand in graph.operands(graph.node(node)) {
-            let may_be_zero = match self.evaluator.known[operand as usize].as_ref() {
-                Some(value) => value
-                    .real()
-                    .is_some_and(|x| x.contains_zero() && !x.is_zero()),
-                None => false,
+            let known = self.evaluator.known[operand as usize].as_ref();
+            let Some(half) = known.and_then(Value::real).and_then(only_half) else {
+                continue;
             };
-            if may_be_zero && is_zero(expression(operand)) {
-                self.proved.push(Proved::Zero(operand));
+            let size = Expr::Num(half.clone().abs().to_string());
+            let minus = match half > 0 {
+                true => Expr::Neg(Box::new(size)),
+                false => size,
+            };
+            let off = expression(operand).map(|e| Expr::Add(vec![e, minus]));
+            if is_zero(off) {
+                self.proved.push(Proved::Value(operand, half));
             }
         }
     }
@@ -471,6 +525,17 @@ impl Certified {
         expression
             .is_some_and(|e| proves_zero(definitions, e, self.evaluator.graph().inputs(), inputs))
     }
+}
+
+/// The only multiple of 1/2 in a ball that is no exact number.
+fn only_half(x: &Ball) -> Option<Rational> {
+    if x.rad().is_zero() || x.rad() >= Mag::power_of_two(-4) {
+        return None;
+    }
+    let half = Rational::from((x.shift(1).mid().to_integer_round(Round::Nearest)?.0, 2));
+    (x - &Ball::rational(x.prec(), &half))
+        .contains_zero()
+        .then_some(half)
 }
 
 /// Bits that a ball lacks to its goal; the largest number where nothing is known of it.

@@ -1,8 +1,7 @@
 //! Graphs in balls at a working precision.
 
-use super::complex;
-use super::huge;
 use super::{Evaluator, Interpretation, Stop};
+use super::{complex, cost, huge};
 use crate::graph::{Binding, Graph, Id, Node};
 use crate::{Constant, Func, Relation};
 use mechaudit_reference::elementary as real;
@@ -108,6 +107,8 @@ pub struct Balls {
     pub precisions: Vec<u32>,
     /// The precision at which the wide arguments of trigonometric functions are narrow ones.
     pub hint: u32,
+    /// The work that is left, in units of some nanoseconds.
+    pub work: u64,
 }
 
 /// A value of a real function; one that is too large for MPFR is huge.
@@ -181,10 +182,20 @@ impl Balls {
 impl Interpretation for Balls {
     type V = Value;
 
-    fn at(&mut self, node: Id) {
-        if let Some(prec) = self.precisions.get(node as usize) {
+    fn at(&mut self, id: Id, node: Node) -> Result<(), NoValue> {
+        if let Some(prec) = self.precisions.get(id as usize) {
             self.prec = *prec;
         }
+        let cost = cost::of(node, self.prec);
+        match self.work.checked_sub(cost) {
+            Some(left) => self.work = left,
+            // Nothing else is tried in its place.
+            None => {
+                self.work = 0;
+                return Err(NoValue::Undecided(cost::REASON));
+            }
+        }
+        Ok(())
     }
 
     fn number(&mut self, graph: &Graph, place: u32) -> Found {
@@ -230,7 +241,7 @@ impl Interpretation for Balls {
     }
 
     fn infinity(&mut self) -> Found {
-        Ok(huge::overflow(false))
+        Ok(huge::infinity())
     }
 
     fn neg(&mut self, a: &Value) -> Found {
@@ -425,15 +436,7 @@ impl Interpretation for Balls {
     fn compare(&mut self, relation: Relation, a: &Value, b: &Value) -> Result<bool, NoValue> {
         let order = match (a, b) {
             (Value::Exact(x), Value::Exact(y)) => Some(x.number.cmp(&y.number)),
-            (Value::Huge { negative: x, .. }, Value::Huge { negative: y, .. }) if x == y => None,
-            (Value::Huge { negative, .. }, _) => Some(match negative {
-                true => Ordering::Less,
-                false => Ordering::Greater,
-            }),
-            (_, Value::Huge { negative, .. }) => Some(match negative {
-                true => Ordering::Greater,
-                false => Ordering::Less,
-            }),
+            (Value::Huge { .. }, _) | (_, Value::Huge { .. }) => huge::order(a, b),
             _ => {
                 let part = |v: &Value| match v {
                     Value::Real(x) => Some(x.clone()),

@@ -219,6 +219,7 @@ fn off_cuts(f: Func, x: &[&Value], must_be_holomorphic: bool, p: u32) -> Found {
             Func::Im => Ok(Value::Real(z.im)),
             Func::Conj => Ok(Value::Complex(z.conj())),
             Func::Abs => real::hypot(&z.re, &z.im, p).map(Value::Real),
+            Func::Arg if z.re.is_zero() && z.im.is_zero() => unary(f, &z.re, p),
             Func::Arg => real::atan2(&z.im, &z.re, p).map(Value::Real),
             _ if z.im.is_zero() => unary(f, &z.re, p),
             _ => Err(NO_REAL_FUNCTION),

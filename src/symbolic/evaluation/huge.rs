@@ -7,12 +7,20 @@ use super::ball::{Value, unary, wrap};
 use crate::Func;
 use mechaudit_reference::elementary::NoValue;
 use mechaudit_reference::{Ball, Mag};
+use std::cmp::Ordering;
 
 /// The smallest exponent of a huge number.
 pub(super) const LEAST: i64 = 1 << 20;
 
 /// The exponent of a number that overflows: see [`NoValue::Overflow`].
 const OVERFLOW: i64 = (1 << 30) - 2;
+
+/// The exponent from which on a number has more than 323 million digits: a little below that of one
+/// that overflows, of which a sum may take a bit.
+pub(super) const ENDLESS: i64 = OVERFLOW - (1 << 10);
+
+/// The exponent of infinity itself, above all that numbers may have.
+const INFINITE: i64 = 1 << 61;
 
 /// The answer where the lower bound does not decide.
 pub(super) const UNDECIDED: NoValue = NoValue::Undecided("a number beyond 2^(2^30)");
@@ -24,6 +32,14 @@ pub(super) fn overflow(negative: bool) -> Value {
     Value::Huge {
         negative,
         exponent: OVERFLOW,
+    }
+}
+
+/// Infinity, with which numbers are compared.
+pub(super) fn infinity() -> Value {
+    Value::Huge {
+        negative: false,
+        exponent: INFINITE,
     }
 }
 
@@ -85,6 +101,40 @@ pub(super) fn add(a: &Value, b: &Value) -> Found {
     }
 }
 
+/// The order of two numbers, one of which is huge.
+pub(super) fn order(a: &Value, b: &Value) -> Option<Ordering> {
+    let above_it = |negative: bool| match negative {
+        true => Ordering::Less,
+        false => Ordering::Greater,
+    };
+    match (a, b) {
+        (
+            Value::Huge {
+                negative: x,
+                exponent: e,
+            },
+            Value::Huge {
+                negative: y,
+                exponent: f,
+            },
+        ) => match (*e == INFINITE, *f == INFINITE) {
+            (false, true) => Some(above_it(!y)),
+            (true, false) => Some(above_it(*x)),
+            _ => (x != y).then(|| above_it(*x)),
+        },
+        (Value::Huge { negative, exponent }, x) => {
+            let x = match x {
+                Value::Continued(z) => &z.re,
+                x => x.real()?,
+            };
+            let is_beyond =
+                is_negative(x) == Some(!negative) || above(x).is_some_and(|size| size < *exponent);
+            is_beyond.then(|| above_it(*negative))
+        }
+        _ => order(b, a).map(Ordering::reverse),
+    }
+}
+
 fn is_negative(x: &Ball) -> Option<bool> {
     match (x.is_negative(), x.is_positive()) {
         (true, _) => Some(true),
@@ -106,10 +156,14 @@ pub(super) fn mul(a: &Value, b: &Value) -> Found {
                 exponent: f,
             },
         ) => huge(x != y, e + f),
-        (Value::Huge { .. }, Value::Real(x)) | (Value::Real(x), Value::Huge { .. })
+        (Value::Huge { exponent, .. }, Value::Real(x))
+        | (Value::Real(x), Value::Huge { exponent, .. })
             if x.is_zero() =>
         {
-            Ok(Value::Real(x.clone()))
+            match *exponent {
+                INFINITE => Err(NoValue::Undefined("zero times infinity")),
+                _ => Ok(Value::Real(x.clone())),
+            }
         }
         (Value::Huge { negative, exponent }, Value::Real(x))
         | (Value::Real(x), Value::Huge { negative, exponent }) => {
@@ -220,26 +274,11 @@ fn two(f: Func, a: &Value, b: &Value, p: u32) -> Found {
         Value::Real(x) => is_negative(x),
         _ => None,
     };
-    let is_huge = |x: &Value| matches!(x, Value::Huge { .. });
     match f {
-        // The other is smaller than a huge positive one, larger than a huge negative one.
         Func::Fmin | Func::Fmax => {
-            let (large, other) = if is_huge(a) { (a, b) } else { (b, a) };
-            match (is_huge(other), negative(large)) {
-                (false, Some(below)) => Ok(match (f == Func::Fmin) == below {
-                    true => large.clone(),
-                    false => other.clone(),
-                }),
-                (true, Some(below)) if negative(other) == Some(!below) => {
-                    let wants_negative = f == Func::Fmin;
-                    Ok(if below == wants_negative {
-                        large.clone()
-                    } else {
-                        other.clone()
-                    })
-                }
-                _ => Err(UNDECIDED),
-            }
+            let first_is_less = order(a, b).ok_or(UNDECIDED)? == Ordering::Less;
+            let takes_first = first_is_less == (f == Func::Fmin);
+            Ok(if takes_first { a } else { b }.clone())
         }
         Func::Hypot => {
             let exponents = [a, b].into_iter().filter_map(|x| match x {

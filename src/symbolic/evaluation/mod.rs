@@ -9,6 +9,7 @@ mod adaptive;
 mod angle;
 mod ball;
 mod complex;
+mod cost;
 mod float;
 mod germ;
 mod huge;
@@ -49,8 +50,10 @@ pub struct Stop {
 pub trait Interpretation: Sized {
     /// The values of numbers.
     type V: Clone;
-    /// Prepares the operation of a node.
-    fn at(&mut self, _node: Id) {}
+    /// Prepares the operation of a node, and counts its work.
+    fn at(&mut self, _id: Id, _node: Node) -> Result<(), NoValue> {
+        Ok(())
+    }
     /// A number of the graph's table.
     fn number(&mut self, graph: &Graph, place: u32) -> Result<Self::V, NoValue>;
     /// A small integer.
@@ -340,7 +343,8 @@ impl<I: Interpretation> Evaluator<I> {
         for id in self.order(root).iter() {
             let place = *id as usize;
             if self.known[place].is_none() && self.truths[place].is_none() {
-                self.interpretation.at(*id);
+                let counted = self.interpretation.at(*id, self.graph.node(*id));
+                counted.map_err(|reason| Stop { node: *id, reason })?;
                 self.compute(*id)?;
             }
         }

@@ -325,7 +325,13 @@ impl Domain for Builder<'_> {
             return unsupported(format!("a derivative by {by}, which has a value here"));
         }
         let body = walk(self, scope, body)?;
-        self.graph.derivative(body, leaf)
+        let slope = self.graph.derivative(body, leaf)?;
+        let is_real = self.graph.is_real_function;
+        let nothing = is_real.then(|| self.graph.nothing(body)).flatten();
+        Ok(match nothing {
+            Some(nothing) => self.graph.push(Node::Add(slope, nothing)),
+            None => slope,
+        })
     }
 
     fn at(&mut self, scope: &mut Scope<Id>, body: &Expr, symbol: &str, value: Id) -> Built {

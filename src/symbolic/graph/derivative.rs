@@ -48,6 +48,30 @@ impl Graph {
         Ok(slope.unwrap_or_else(|| self.number(0)))
     }
 
+    /// Zero where a node has a value: elsewhere it has no derivative, though that of a logarithm is
+    /// `1/x` and that of a part without the variable is gone. Integrals are not computed for that,
+    /// and of a choice one part need not have a value.
+    pub(super) fn nothing(&mut self, root: Id) -> Slope {
+        let (mut sum, mut open) = (None, vec![root]);
+        while let Some(id) = open.pop() {
+            let node = self.node(id);
+            let operands = self.operands(node);
+            let is_bound = |part: &Id| matches!(self.node(*part), Node::Bound(_));
+            let is_plain = !self.reach(id).iter().any(is_bound);
+            if operands.is_empty() || !self.is_finite(id) && is_plain {
+                continue;
+            }
+            if is_plain && self.facts[id as usize].binders.is_empty() && !self.is_condition(id) {
+                let zero = self.number(0);
+                let part = self.product(zero, id);
+                sum = self.plus(sum, Some(part));
+            } else if !matches!(node, Node::If(..) | Node::Last(..)) {
+                open.extend(operands);
+            }
+        }
+        sum
+    }
+
     /// The derivative of a node, given those of the leaves.
     pub(super) fn slope(
         &mut self,
@@ -300,13 +324,16 @@ impl Graph {
                 return Ok(Some(self.ratio(slope, root)));
             }
             Func::Acosh => {
-                // √(a − 1) √(a + 1).
+                // √(a − 1) √(a + 1): the root of the product has the other sign left of the
+                // imaginary axis.
                 let one = self.number(1);
-                let below = self.push(Node::Sub(a, one));
-                let above = self.push(Node::Add(a, one));
+                let parts = [Node::Sub(a, one), Node::Add(a, one)];
+                let [below, above] = parts.map(|part| {
+                    let part = self.push(part);
+                    self.of(Func::Sqrt, part)
+                });
                 let product = self.product(below, above);
-                let root = self.of(Func::Sqrt, product);
-                return Ok(Some(self.ratio(slope, root)));
+                return Ok(Some(self.ratio(slope, product)));
             }
             Func::Atanh => {
                 let below = self.one_and_square(-1, a);
@@ -338,6 +365,9 @@ impl Graph {
                 let unit = self.push(Node::ImaginaryUnit);
                 let first = self.product(c, unit);
                 self.push(Node::Sub(first, second))
+            }
+            Func::Tgamma | Func::Lgamma if self.is_complex(a) => {
+                return unsupported(format!("the derivative of {} of complex numbers", f.name()));
             }
             Func::Tgamma => {
                 let psi = self.of(Func::Digamma, a);

@@ -6,9 +6,10 @@ use crate::{Constant, Func};
 impl Graph {
     /// The same real function without some differences that cancel: `e^x − 1` is `expm1(x)`,
     /// `log(1 + x)` is `log1p(x)`, `1 − 1/(1 + x)` is `x/(1 + x)`, and `1 − cos x` is `2 sin²(x/2)`.
-    /// `pow` with a small integer is a power, and of Euler's number the exponential. Of a bound
-    /// variable, whose values are wide, `a/x^k` is `a x^{−k}`: a power of a rectangle holds zero
-    /// where its base does not.
+    /// `a − a` is `0 a`, which has a value where a has one, and `a < a` compares such zeros. `pow`
+    /// with a small integer is a power, and of Euler's number the exponential. Of a bound variable,
+    /// whose values are wide, `a/x^k` is `a x^{−k}`: a power of a rectangle holds zero where its
+    /// base does not.
     ///
     /// This is for definitions, which are meant over the reals; a formula in floating point would
     /// be another one.
@@ -22,6 +23,11 @@ impl Graph {
             _ => None,
         };
         match node {
+            Node::Sub(a, b) if a == b && self.is_finite(a) => Node::Mul(self.number(0), a),
+            Node::Compare(relation, a, b) if a == b && !self.is_complex(a) && self.is_finite(a) => {
+                let zero = self.push(Node::Sub(a, a));
+                Node::Compare(relation, zero, zero)
+            }
             Node::Sub(a, b) if one(self, b) => match unary(self, a, Func::Exp) {
                 Some(x) => Node::Unary(Func::Expm1, x),
                 None => node,
@@ -80,6 +86,13 @@ impl Graph {
             node => node,
         }
     }
+
+    /// Returns true if infinity is no part of a node.
+    pub(super) fn is_finite(&self, id: Id) -> bool {
+        let parts = self.reach(id);
+        parts.iter().all(|part| self.node(*part) != Node::Infinity)
+    }
+
     /// The exponent that a node is, if a few products give the power.
     fn small_integer(&self, id: Id) -> Option<i32> {
         let Node::Number(place) = self.node(id) else {

@@ -10,12 +10,13 @@ use mechaudit::audit::{Limit, Method, hex_float};
 use mechaudit::proof::ProofError;
 use mechaudit::proof::program::{Interval, Limits, Measure, Proof, Setting, prove as bound};
 use mechaudit::report::text::style::{BAD, BOLD, DIM, paint};
+use mechaudit::study::proof::same::{Same, own_study, same};
 use mechaudit::study::{Problem, Study, StudySolver};
 use mechaudit::symbolic::evaluation::{Elementary, Format};
 use serde_json::{Map, Value, json};
 use std::io::Write;
 use std::time::Instant;
-use witness::{Found, Same, own_study, same, worst};
+use witness::{Found, worst};
 
 /// The measures in the order of the report.
 const MEASURES: [Measure; 3] = [Measure::Absolute, Measure::Relative, Measure::Ulps];
@@ -160,7 +161,8 @@ impl Theorem {
                 Some(proof) => proofs.push((measure, proof)),
             }
         }
-        let own = own_study(problem, solver, setting, outputs, args.within)?;
+        let own = own_study(problem, solver, setting, outputs, args.within);
+        let own = own.map_err(Failure::caused)?;
         let mut found = Vec::new();
         for (measure, proof) in &proofs {
             let worst = worst(&own, *measure, proof, args)?;
