@@ -9,7 +9,8 @@ use crate::graph::Node;
 /// Reason of a value that takes more work than is allowed.
 pub(super) const REASON: &str = "the limit on the work for one value";
 
-/// Units, some nanoseconds each, for a value of few digits: some ten seconds.
+/// Units, some nanoseconds each, for a value of few digits. Sums of plain functions take some ten
+/// seconds; the nodes of integrals cost more than is counted.
 const ALL: u64 = 10_000_000_000;
 
 /// Bits of a goal from which on more is allowed.
