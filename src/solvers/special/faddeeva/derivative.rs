@@ -64,7 +64,7 @@ impl Task for Exact {
             let (re, im, _) = product((p, q), (Dd::from(-2.0 * a), Dd::from(-2.0 * b)));
             (re, im + TWO_OVER_SQRT_PI)
         } else {
-            series_derivative::<_, 3>(a, b)
+            series_derivative::<_, 4>(a, b)
         };
         // The lost part of the upper half-plane's terms, by its size, and the terms of the other
         // one.

@@ -143,6 +143,70 @@ pub(super) fn complex_row<L: Vectors>(
     complex_sum(first_eight(dx, c), (dx, dy), d2, q)
 }
 
+/// `c + x t`, whose parts need not be normal, and those of `c` and `t` neither.
+#[inline(always)]
+fn plus_times<R: Real>(c: (Dd<R>, Dd<R>), (x, y): (R, R), (u, v): (Dd<R>, Dd<R>)) -> (Dd<R>, Dd<R>) {
+    (plus_products(c.0, (x, u), (-y, v)), plus_products(c.1, (x, v), (y, u)))
+}
+
+/// `c + x u + y v` likewise.
+#[inline(always)]
+fn plus_products<R: Real>(c: Dd<R>, (x, u): (R, Dd<R>), (y, v): (R, Dd<R>)) -> Dd<R> {
+    let (p, q) = (two_prod(x, u.hi), two_prod(y, v.hi));
+    let s = two_sum(p.hi, q.hi);
+    let t = two_sum(c.hi, s.hi);
+    let low = x.fma(u.lo, y.fma(v.lo, c.lo));
+    Dd::new(t.hi, t.lo + (s.lo + (p.lo + q.lo) + low))
+}
+
+/// Columns of a [`ComplexRow`]: the first eight, and `c₃`, `c₄` and `c₅`.
+type Leading<R> = ([R; 8], [(R, R); 3]);
+
+/// `w′(c + δ)`. With `z = c + δ` and the equation `w′ = −2zw + 2i/√π`
+///
+/// ```text
+/// w′(z) = c₁ − 2δ (e₁ + δ (e₂ − δ (2c₄ − δ (c₃ + z (c₄ + c₅δ + δ²r))))),
+/// e₁ = c₀ + c c₁ = −c₂,   e₂ = c₁ − c e₁ = −(3/2) c₃,   r = c₆ + c₇δ + …
+/// ```
+///
+/// where the terms up to that of second order are unevaluated sums.
+#[inline(always)]
+fn slope_sum<R: Real>(
+    (c, [c3, c4, c5]): Leading<R>,
+    centre: (R, R),
+    delta: (R, R),
+    d2: (R, R),
+    r: (R, R),
+) -> (Dd<R>, Dd<R>) {
+    let c0 = (Dd::new(c[0], c[1]), Dd::new(c[2], c[3]));
+    let c1 = (Dd::new(c[4], c[5]), Dd::new(c[6], c[7]));
+    let e1 = plus_times(c0, centre, c1);
+    let (mut p, mut q) = plus_times(c1, (-centre.0, -centre.1), e1);
+    let z = (centre.0 + delta.0, centre.1 + delta.1);
+    let back = (-delta.0, -delta.1);
+    let fifth = plus(plus(c4, delta, c5), d2, r);
+    let (u, v) = plus((c4.0 + c4.0, c4.1 + c4.1), back, plus(c3, z, fifth));
+    (p.lo, q.lo) = plus((p.lo, q.lo), back, (u, v));
+    let (u, v) = plus_times(c1, (back.0 + back.0, back.1 + back.1), plus_times(e1, delta, (p, q)));
+    (u.normal(), v.normal())
+}
+
+/// Real and imaginary part of `w′(c + δ)`, unevaluated.
+#[inline(always)]
+pub(super) fn complex_slope<L: Vectors>(
+    lanes: L,
+    row: &ComplexRow,
+    centre: (L::Scalar, L::Scalar),
+    delta: (L::Scalar, L::Scalar),
+) -> (Dd<L::Scalar>, Dd<L::Scalar>) {
+    let c = &row.0;
+    let d2 = square(delta.0, delta.1);
+    let r = polynomial(lanes, c, (16, 32), delta, d2);
+    let at = |k: usize| (d2.0.like(c[k]), d2.0.like(c[k + 4]));
+    let next = [at(9), at(10), at(11)];
+    slope_sum((first_eight(d2.0, c), next), centre, delta, d2, r)
+}
+
 /// The powers of `δ = t + i b` up to the fourth: real parts, and imaginary parts divided by `b`.
 #[inline(always)]
 fn real_powers<R: Real>(t: R, bb: R) -> ([R; 5], [R; 5]) {
@@ -178,18 +242,49 @@ pub(super) fn real_row<L: Vectors>(
     t: L::Scalar,
     b: L::Scalar,
 ) -> (Dd<L::Scalar>, Dd<L::Scalar>) {
-    let (c, bb, powers, q) = real_polynomial(lanes, row, t, b);
+    let (c, bb, powers, q) = real_polynomial(lanes, row, 4, t, b);
     real_sum(c, (t, bb), powers, q)
+}
+
+/// `w′` at `b + i (c + t)` from the row of erfcx about `c`: in `w(iζ) = erfcx ζ` the coefficients
+/// are those of w times powers of i, and what is zero stays zero.
+#[inline(always)]
+fn slope_beside_imaginary_axis<R: Real>(
+    (c, [c3, c4, c5]): ([R; 4], [R; 3]),
+    centre: R,
+    (t, b): (R, R),
+    (qr, qs): (R, R),
+) -> (Dd<R>, Dd<R>) {
+    let zero = t.like(0.0);
+    let leading = [c[0], c[1], zero, zero, zero, zero, -c[2], -c[3]];
+    let next = [(zero, c3), (c4, zero), (zero, -c5)];
+    let r = (-qr, b * qs);
+    slope_sum((leading, next), (zero, centre), (b, t), square(b, t), r)
+}
+
+/// Real and imaginary part of `w′(b + i (c + t))` from the row of erfcx about `c`, unevaluated.
+#[inline(always)]
+pub(super) fn real_slope<L: Vectors>(
+    lanes: L,
+    row: &[f64; 20],
+    centre: L::Scalar,
+    (t, b): (L::Scalar, L::Scalar),
+) -> (Dd<L::Scalar>, Dd<L::Scalar>) {
+    let (c, _, _, r) = real_polynomial(lanes, row, 8, t, b);
+    let next = [t.like(row[5]), t.like(row[6]), t.like(row[7])];
+    slope_beside_imaginary_axis((c, next), centre, (t, b), r)
 }
 
 /// The first four numbers of a [`RealRow`], b², δ², and what is left.
 type RealPolynomial<R> = ([R; 4], R, (R, R), (R, R));
 
-/// The first four numbers of the row, b², δ² and `q₀ + q₁δ + …`, imaginary parts divided by `b`.
+/// The first four numbers of the row, b², δ² and the polynomial in δ whose coefficients stand from
+/// `first` on, imaginary parts divided by `b`.
 #[inline(always)]
 fn real_polynomial<L: Vectors>(
     lanes: L,
     c: &[f64; 20],
+    first: usize,
     t: L::Scalar,
     b: L::Scalar,
 ) -> RealPolynomial<L::Scalar> {
@@ -200,7 +295,9 @@ fn real_polynomial<L: Vectors>(
     let mut re = lanes.entries(block(c, 16));
     let mut im = lanes.mul(s4, re);
     re = lanes.mul_add(p4, re, lanes.entries(block(c, 12)));
-    for at in [8, 4] {
+    let mut at = 12;
+    while at > first {
+        at -= 4;
         let v = lanes.entries(block(c, at));
         let r = lanes.mul_add(p4, re, lanes.neg_mul_add(bs4, im, v));
         im = lanes.mul_add(p4, im, lanes.mul(s4, re));
@@ -280,6 +377,35 @@ pub(super) fn real_rows<S: Wide>(
     t: Pack<S>,
     b: Pack<S>,
 ) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
+    let (bb, powers, q) = real_polynomials(simd, rows, 4, t, b);
+    real_sum(columns(simd, rows, 0), (t, bb), powers, q)
+}
+
+/// [`real_slope`] for several points with a row each.
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
+#[inline(always)]
+pub(super) fn real_slopes<S: Wide>(
+    simd: S,
+    rows: &[&[f64; 20]; 8],
+    centre: Pack<S>,
+    (t, b): (Pack<S>, Pack<S>),
+) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
+    let (_, _, r) = real_polynomials(simd, rows, 8, t, b);
+    let [_, c3, c4, c5] = columns(simd, rows, 4);
+    let leading = (columns(simd, rows, 0), [c3, c4, c5]);
+    slope_beside_imaginary_axis(leading, centre, (t, b), r)
+}
+
+/// b², δ² and the polynomial as [`real_polynomial`] has them.
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
+#[inline(always)]
+fn real_polynomials<S: Wide>(
+    simd: S,
+    rows: &[&[f64; 20]; 8],
+    first: usize,
+    t: Pack<S>,
+    b: Pack<S>,
+) -> (Pack<S>, (Pack<S>, Pack<S>), (Pack<S>, Pack<S>)) {
     let bb = b * b;
     let (p, s) = real_powers(t, bb);
     let bs4 = -(bb * s[4]);
@@ -289,7 +415,9 @@ pub(super) fn real_rows<S: Wide>(
     for m in 0..4 {
         re[m] = p[4].fma(re[m], c[m]);
     }
-    for at in [8, 4] {
+    let mut at = 12;
+    while at > first {
+        at -= 4;
         let c = columns(simd, rows, at);
         for m in 0..4 {
             let r = p[4].fma(re[m], bs4.fma(im[m], c[m]));
@@ -301,7 +429,7 @@ pub(super) fn real_rows<S: Wide>(
     let slope = |m: usize| p[m].fma(im[m], s[m] * re[m]);
     let qr = (re[0] + part(2)) + (part(1) + part(3));
     let qs = (im[0] + slope(2)) + (slope(1) + slope(3));
-    real_sum(columns(simd, rows, 0), (t, bb), (p[2], s[2]), (qr, qs))
+    (bb, (p[2], s[2]), (qr, qs))
 }
 
 /// [`polynomial`] for several points with a row each.
@@ -340,6 +468,17 @@ impl<S: Wide> OnRows<'_, S> {
     pub(super) fn rounded(&self, simd: S) -> (Pack<S>, Pack<S>) {
         let [d2, q] = self.polynomials(simd);
         complex_sum_rounded(self.leading(simd), (self.dx, self.dy), d2, q)
+    }
+
+    /// [`complex_slope`]
+    #[inline(always)]
+    pub(super) fn slope(&self, simd: S, centre: (Pack<S>, Pack<S>)) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
+        let delta = (self.dx, self.dy);
+        let d2 = square(self.dx, self.dy);
+        let r = polynomials(simd, &self.rows, (16, 32), delta, d2);
+        let (re, im) = (columns(simd, &self.rows, 8), columns(simd, &self.rows, 12));
+        let next = [(re[1], im[1]), (re[2], im[2]), (re[3], im[3])];
+        slope_sum((self.leading(simd), next), centre, delta, d2, r)
     }
 
     /// δ² and `q₀ + q₁δ + …`
