@@ -30,14 +30,6 @@ use crate::lanes::{Lanes, Task};
 use crate::real::{Masked, ROUND, Real, is_zero, scaled};
 use num_complex::Complex;
 
-/// As `lost`, for the sums of Taylor terms here, whose slope is rounded.
-#[inline(always)]
-fn cancelled<R: Real>(sum: Dd<R>, term: Dd<R>) -> R::Mask {
-    sum.hi
-        .magnitude()
-        .below(sum.hi.like(0.4) * term.hi.magnitude())
-}
-
 /// Sizes below which a component is computed again in 256 bits: double-double is within 2⁻⁹⁸ for
 /// |z| < 4096, beyond within `2⁻⁵¹/|z|⁴`, and next to the diagonal within `2⁻⁴⁹/|z|⁶` of the
 /// imaginary part.
@@ -119,7 +111,7 @@ fn underflowing(a: f64, b: f64, lower: bool) -> (f64, f64) {
     let (e, n) = exp_wide(exponent(a, 0.0));
     let on_axis = pair_times_power(e * Dd::from(-a), n + 301.0);
     let re = if lower { on_axis - u } else { on_axis + u };
-    if cancelled(re, u) {
+    if lost(re, u.hi.abs()) {
         let down = 0.0;
         return vanishing(Exact { a, b, lower, down });
     }
@@ -155,7 +147,6 @@ fn half_plane<P: Places>(
         let (c, s, k) = gaussian(places, a, -b);
         let zero = like(0.0);
         let (p, q, [p_term, q_term]) = product((c, s), (Dd::new(-a, zero), Dd::new(b, zero)));
-        let any = a.or(lost(p, p_term), lost(q, q_term));
         let k = k + like(2.0);
         let alone = a.both(lower, like(ROUND + 500.0).below(k));
         let within = k.at_most(like(ROUND + 900.0));
@@ -163,8 +154,11 @@ fn half_plane<P: Places>(
             pair_times_power(p, within) - u,
             pair_times_power(q, within) + v,
         );
-        let lost = a.except(a.or(cancelled(re_sum, u), cancelled(im_sum, v)), alone);
-        kept = a.except(kept, a.both(lower, a.or(any, lost)));
+        let lost = a.or(
+            lost(re_sum, scaled(p_term, within).at_least(u.hi.magnitude())),
+            lost(im_sum, scaled(q_term, within).at_least(v.hi.magnitude())),
+        );
+        kept = a.except(kept, a.both(lower, lost));
         re = a.pick(alone, p.value(), a.pick(lower, re_sum.value(), re));
         im = a.pick(alone, q.value(), a.pick(lower, im_sum.value(), im));
         n = a.pick(alone, k, n);

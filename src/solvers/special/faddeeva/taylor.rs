@@ -145,8 +145,15 @@ pub(super) fn complex_row<L: Vectors>(
 
 /// `c + x t`, whose parts need not be normal, and those of `c` and `t` neither.
 #[inline(always)]
-fn plus_times<R: Real>(c: (Dd<R>, Dd<R>), (x, y): (R, R), (u, v): (Dd<R>, Dd<R>)) -> (Dd<R>, Dd<R>) {
-    (plus_products(c.0, (x, u), (-y, v)), plus_products(c.1, (x, v), (y, u)))
+fn plus_times<R: Real>(
+    c: (Dd<R>, Dd<R>),
+    (x, y): (R, R),
+    (u, v): (Dd<R>, Dd<R>),
+) -> (Dd<R>, Dd<R>) {
+    (
+        plus_products(c.0, (x, u), (-y, v)),
+        plus_products(c.1, (x, v), (y, u)),
+    )
 }
 
 /// `c + x u + y v` likewise.
@@ -187,8 +194,23 @@ fn slope_sum<R: Real>(
     let fifth = plus(plus(c4, delta, c5), d2, r);
     let (u, v) = plus((c4.0 + c4.0, c4.1 + c4.1), back, plus(c3, z, fifth));
     (p.lo, q.lo) = plus((p.lo, q.lo), back, (u, v));
-    let (u, v) = plus_times(c1, (back.0 + back.0, back.1 + back.1), plus_times(e1, delta, (p, q)));
+    let (u, v) = plus_times(
+        c1,
+        (back.0 + back.0, back.1 + back.1),
+        plus_times(e1, delta, (p, q)),
+    );
     (u.normal(), v.normal())
+}
+
+/// `r + c₁₈δ¹²`, `c₁₈ = −(c c₁₇ + c₁₆)/9`: its term of w is multiplied by `2z`.
+#[inline(always)]
+fn with_next<R: Real>(r: (R, R), centre: (R, R), d2: (R, R), [c16, c17]: [(R, R); 2]) -> (R, R) {
+    let zero = r.0.like(0.0);
+    let d4 = square(d2.0, d2.1);
+    let d12 = plus((zero, zero), d4, square(d4.0, d4.1));
+    let sum = plus(c16, centre, c17);
+    let ninth = r.0.like(-1.0 / 9.0);
+    plus(r, d12, (sum.0 * ninth, sum.1 * ninth))
 }
 
 /// Real and imaginary part of `w′(c + δ)`, unevaluated.
@@ -204,6 +226,7 @@ pub(super) fn complex_slope<L: Vectors>(
     let r = polynomial(lanes, c, (16, 32), delta, d2);
     let at = |k: usize| (d2.0.like(c[k]), d2.0.like(c[k + 4]));
     let next = [at(9), at(10), at(11)];
+    let r = with_next(r, centre, d2, [at(34), at(35)]);
     slope_sum((first_eight(d2.0, c), next), centre, delta, d2, r)
 }
 
@@ -478,6 +501,8 @@ impl<S: Wide> OnRows<'_, S> {
         let r = polynomials(simd, &self.rows, (16, 32), delta, d2);
         let (re, im) = (columns(simd, &self.rows, 8), columns(simd, &self.rows, 12));
         let next = [(re[1], im[1]), (re[2], im[2]), (re[3], im[3])];
+        let (re, im) = (columns(simd, &self.rows, 32), columns(simd, &self.rows, 36));
+        let r = with_next(r, centre, d2, [(re[2], im[2]), (re[3], im[3])]);
         slope_sum((self.leading(simd), next), centre, delta, d2, r)
     }
 
