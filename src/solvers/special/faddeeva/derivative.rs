@@ -149,7 +149,7 @@ fn half_plane<P: Places>(
         let (p, q, [p_term, q_term]) = product((c, s), (Dd::new(-a, zero), Dd::new(b, zero)));
         let k = k + like(2.0);
         let alone = a.both(lower, like(ROUND + 500.0).below(k));
-        let within = k.at_most(like(ROUND + 900.0));
+        let within = k.raised(ROUND - 2040.0).at_most(like(ROUND + 900.0));
         let (re_sum, im_sum) = (
             pair_times_power(p, within) - u,
             pair_times_power(q, within) + v,

@@ -45,11 +45,26 @@ struct Forms<R> {
     reach: R,
 }
 
-/// erf, or erfc.
+/// erf, erfc, or erfi: one type, so that there is one compiled function for all of them.
 #[derive(Clone, Copy)]
 pub(super) struct ErrorFunction {
     complement: bool,
+    /// `erfi z = −i erf(iz)`.
+    turned: bool,
 }
+
+pub(super) const ERF: ErrorFunction = ErrorFunction {
+    complement: false,
+    turned: false,
+};
+pub(super) const ERFC: ErrorFunction = ErrorFunction {
+    complement: true,
+    ..ERF
+};
+pub(super) const ERFI: ErrorFunction = ErrorFunction {
+    turned: true,
+    ..ERF
+};
 
 impl ErrorFunction {
     #[inline(always)]
@@ -172,40 +187,51 @@ fn in_pairs<P: Places>(
 
 impl Function for ErrorFunction {
     #[inline(always)]
-    fn class<R: Masked>(self, [x, y]: [R; 2]) -> R {
-        let (a, b) = (x.magnitude(), y.magnitude());
-        let near = a.fma(a, b * b).below(x.like(odd_series::REACH));
-        x.pick(near, x.like(ROUND + 15.0), Formulas::class(b, a))
+    fn class<R: Masked>(self, at: [R; 2]) -> R {
+        let [a, b] = self.argument(at).map(
+            #[inline(always)]
+            |x| x.magnitude(),
+        );
+        let near = a.fma(a, b * b).below(a.like(odd_series::REACH));
+        a.pick(near, a.like(ROUND + 15.0), Formulas::class(b, a))
     }
 
     #[inline(always)]
-    fn value<P: Places>(self, places: P, [x, y]: [Number<P>; 2]) -> ([Number<P>; 2], Mask<P>) {
+    fn value<P: Places>(self, places: P, at: [Number<P>; 2]) -> ([Number<P>; 2], Mask<P>) {
+        let [x, y] = self.argument(at);
         let forms = self.forms(x);
         let (parts, kept) = quadrant(places, forms, x.magnitude(), y.magnitude());
         (self.anywhere(forms, [x, y], parts), kept)
     }
 
     #[inline(always)]
-    fn again<P: Places>(self, places: P, [x, y]: [Number<P>; 2]) -> ([Number<P>; 2], Mask<P>) {
+    fn again<P: Places>(self, places: P, at: [Number<P>; 2]) -> ([Number<P>; 2], Mask<P>) {
+        let [x, y] = self.argument(at);
         let forms = self.forms(x);
         let (parts, kept) = in_pairs(places, forms, x.magnitude(), y.magnitude());
         (self.anywhere(forms, [x, y], parts), kept)
     }
 
     #[inline(always)]
-    fn alone<L: Lanes>(self, lanes: L, [x, y]: [f64; 2]) -> [f64; 2] {
-        let (a, b) = (x.abs(), y.abs());
+    fn alone<L: Lanes>(self, lanes: L, at: [f64; 2]) -> [f64; 2] {
+        let [x, y] = self.argument(at);
         let which = match (self.complement, x.is_sign_negative()) {
             (false, _) => Which::Erf,
             (true, false) => Which::Erfc,
             (true, true) => Which::Erfcm,
         };
-        let (re, im) = alone(lanes, which, a, b);
+        let (re, im) = alone(lanes, which, x.abs(), y.abs());
         self.anywhere(self.forms(x), [x, y], [re, im])
     }
 }
 
 impl ErrorFunction {
+    /// Where erf or erfc is to be computed.
+    #[inline(always)]
+    fn argument<R: Real>(self, [x, y]: [R; 2]) -> [R; 2] {
+        if self.turned { [-y, x] } else { [x, y] }
+    }
+
     /// The value at any point from that in the first quadrant. On an axis erf is real or imaginary,
     /// and there its slope is positive, so that the zero has the sign of the other part.
     #[inline(always)]
@@ -215,39 +241,10 @@ impl ErrorFunction {
         let im = x.pick(is_zero(y), sign * x.like(0.0), im);
         if self.complement {
             // erfc(−z) = 1 + erf z.
-            [re, im.with_sign_of(x).with_sign_of(y)]
-        } else {
-            [re.with_sign_of(x), im.with_sign_of(y)]
+            return [re, im.with_sign_of(x).with_sign_of(y)];
         }
-    }
-}
-
-pub(super) const ERF: ErrorFunction = ErrorFunction { complement: false };
-pub(super) const ERFC: ErrorFunction = ErrorFunction { complement: true };
-
-/// erfi.
-#[derive(Clone, Copy)]
-pub(super) struct Turned;
-
-impl Function for Turned {
-    #[inline(always)]
-    fn class<R: Masked>(self, [x, y]: [R; 2]) -> R {
-        ERF.class([y, x])
-    }
-    #[inline(always)]
-    fn value<P: Places>(self, places: P, [x, y]: [Number<P>; 2]) -> ([Number<P>; 2], Mask<P>) {
-        let ([re, im], kept) = ERF.value(places, [-y, x]);
-        ([im, -re], kept)
-    }
-    #[inline(always)]
-    fn again<P: Places>(self, places: P, [x, y]: [Number<P>; 2]) -> ([Number<P>; 2], Mask<P>) {
-        let ([re, im], kept) = ERF.again(places, [-y, x]);
-        ([im, -re], kept)
-    }
-    #[inline(always)]
-    fn alone<L: Lanes>(self, lanes: L, [x, y]: [f64; 2]) -> [f64; 2] {
-        let [re, im] = ERF.alone(lanes, [-y, x]);
-        [im, -re]
+        let (re, im) = (re.with_sign_of(x), im.with_sign_of(y));
+        if self.turned { [im, -re] } else { [re, im] }
     }
 }
 
@@ -363,7 +360,7 @@ pub fn erfc_batch(z: &[Complex<f64>], f: &mut [Complex<f64>]) -> Result<(), Leng
 /// assert!((f.re / 1.6504257587975428 - 1.0).abs() < 1e-15 && f.im == 0.0);
 /// ```
 pub fn erfi(z: Complex<f64>) -> Complex<f64> {
-    at_one(Turned, z)
+    at_one(ERFI, z)
 }
 
 /// [`erfi`] at many points, several times as fast; the values have the same bits.
@@ -383,6 +380,6 @@ pub fn erfi(z: Complex<f64>) -> Complex<f64> {
 /// ```
 pub fn erfi_batch(z: &[Complex<f64>], f: &mut [Complex<f64>]) -> Result<(), LengthMismatch> {
     same_length(z.len(), [f.len()])?;
-    at_all(Turned, z, f);
+    at_all(ERFI, z, f);
     Ok(())
 }
