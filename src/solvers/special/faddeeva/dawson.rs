@@ -33,7 +33,7 @@ use crate::real::{Masked, ROUND, Real, is_zero, scaled};
 use num_complex::Complex;
 
 /// A component smaller than this part of its terms is computed again in double-double.
-const CANCELLED: f64 = 0.25;
+const CANCELLED: f64 = 1.0 / 32.0;
 /// Distance from the maximum up to which the expansion about it is used.
 pub(super) const BESIDE_MAXIMUM: f64 = 0.1875;
 /// Im z from which the sum there may have to be computed again.

@@ -88,7 +88,7 @@ pub(super) fn derivative<P: Places>(
     let mut less = a.except(among, among);
     if a.any(formulas.in_cell) {
         let [n, dx, dy] = cell(a, b);
-        let (u, v) = places.complex_slopes(cell_row, n, (a - dx, b - dy), (dx, dy));
+        let (u, v) = places.long_rows::<true>(cell_row, n, (a - dx, b - dy), (dx, dy));
         let part = like(CANCELLED);
         let (p, q) = (u.hi.magnitude(), v.hi.magnitude());
         let lost = a.or(p.below(part * q), q.below(part * p));
@@ -97,12 +97,12 @@ pub(super) fn derivative<P: Places>(
     }
     if a.any(formulas.on_imaginary) {
         let (n, t) = on_axis(b);
-        let parts = places.real_slopes(imaginary_axis_row, n, b - t, (t, a));
+        let parts = places.long_real_rows::<true>(imaginary_axis_row, n, b - t, (t, a));
         value = parts.or_else(formulas.on_imaginary, value);
     }
     if a.any(formulas.on_real) {
         let (n, t) = on_real_axis(a);
-        let parts = places.complex_slopes(real_axis_row, n, (a - t, like(0.0)), (t, b));
+        let parts = places.long_rows::<true>(real_axis_row, n, (a - t, like(0.0)), (t, b));
         value = parts.or_else(formulas.on_real, value);
     }
     if a.any(formulas.beyond) {

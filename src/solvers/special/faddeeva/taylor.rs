@@ -169,16 +169,17 @@ fn plus_products<R: Real>(c: Dd<R>, (x, u): (R, Dd<R>), (y, v): (R, Dd<R>)) -> D
 /// Columns of a [`ComplexRow`]: the first eight, and `c₃`, `c₄` and `c₅`.
 type Leading<R> = ([R; 8], [(R, R); 3]);
 
-/// `w′(c + δ)`. With `z = c + δ` and the equation `w′ = −2zw + 2i/√π`
+/// `w(c + δ)`, or `w′(c + δ)`. With `z = c + δ`, `e₁ = c₀ + c c₁ = −c₂` and `e₂ = c₁ − c e₁ = −(3/2) c₃`
+/// from the equation `w′ = −2zw + 2i/√π`
 ///
 /// ```text
-/// w′(z) = c₁ − 2δ (e₁ + δ (e₂ − δ (2c₄ − δ (c₃ + z (c₄ + c₅δ + δ²r))))),
-/// e₁ = c₀ + c c₁ = −c₂,   e₂ = c₁ − c e₁ = −(3/2) c₃,   r = c₆ + c₇δ + …
+/// w(z) = c₀ + δ (c₁ + δ (−e₁ + δ (c₃ + δp))),   p = c₄ + c₅δ + δ²r,   r = c₆ + c₇δ + …
+/// w′(z) = c₁ − 2δ (e₁ + δ (e₂ − δ (2c₄ − δ (c₃ + zp))))
 /// ```
 ///
 /// where the terms up to that of second order are unevaluated sums.
 #[inline(always)]
-fn slope_sum<R: Real>(
+fn long_sum<R: Real, const SLOPE: bool>(
     (c, [c3, c4, c5]): Leading<R>,
     centre: (R, R),
     delta: (R, R),
@@ -188,17 +189,20 @@ fn slope_sum<R: Real>(
     let c0 = (Dd::new(c[0], c[1]), Dd::new(c[2], c[3]));
     let c1 = (Dd::new(c[4], c[5]), Dd::new(c[6], c[7]));
     let e1 = plus_times(c0, centre, c1);
-    let (mut p, mut q) = plus_times(c1, (-centre.0, -centre.1), e1);
-    let z = (centre.0 + delta.0, centre.1 + delta.1);
-    let back = (-delta.0, -delta.1);
-    let fifth = plus(plus(c4, delta, c5), d2, r);
-    let (u, v) = plus((c4.0 + c4.0, c4.1 + c4.1), back, plus(c3, z, fifth));
-    (p.lo, q.lo) = plus((p.lo, q.lo), back, (u, v));
-    let (u, v) = plus_times(
-        c1,
-        (back.0 + back.0, back.1 + back.1),
-        plus_times(e1, delta, (p, q)),
-    );
+    let p = plus(plus(c4, delta, c5), d2, r);
+    let (u, v) = if SLOPE {
+        let (mut u, mut v) = plus_times(c1, (-centre.0, -centre.1), e1);
+        let z = (centre.0 + delta.0, centre.1 + delta.1);
+        let back = (-delta.0, -delta.1);
+        let rest = plus((c4.0 + c4.0, c4.1 + c4.1), back, plus(c3, z, p));
+        (u.lo, v.lo) = plus((u.lo, v.lo), back, rest);
+        let twice = (back.0 + back.0, back.1 + back.1);
+        plus_times(c1, twice, plus_times(e1, delta, (u, v)))
+    } else {
+        let (mut u, mut v) = (-e1.0, -e1.1);
+        (u.lo, v.lo) = plus((u.lo, v.lo), delta, plus(c3, delta, p));
+        plus_times(c0, delta, plus_times(c1, delta, (u, v)))
+    };
     (u.normal(), v.normal())
 }
 
@@ -213,9 +217,10 @@ fn with_next<R: Real>(r: (R, R), centre: (R, R), d2: (R, R), [c16, c17]: [(R, R)
     plus(r, d12, (sum.0 * ninth, sum.1 * ninth))
 }
 
-/// Real and imaginary part of `w′(c + δ)`, unevaluated.
+/// Real and imaginary part of `w(c + δ)`, or of `w′(c + δ)`, unevaluated, in which only terms from
+/// the third order on are rounded.
 #[inline(always)]
-pub(super) fn complex_slope<L: Vectors>(
+pub(super) fn long_row<L: Vectors, const SLOPE: bool>(
     lanes: L,
     row: &ComplexRow,
     centre: (L::Scalar, L::Scalar),
@@ -223,11 +228,13 @@ pub(super) fn complex_slope<L: Vectors>(
 ) -> (Dd<L::Scalar>, Dd<L::Scalar>) {
     let c = &row.0;
     let d2 = square(delta.0, delta.1);
-    let r = polynomial(lanes, c, (16, 32), delta, d2);
+    let mut r = polynomial(lanes, c, (16, 32), delta, d2);
     let at = |k: usize| (d2.0.like(c[k]), d2.0.like(c[k + 4]));
-    let next = [at(9), at(10), at(11)];
-    let r = with_next(r, centre, d2, [at(34), at(35)]);
-    slope_sum((first_eight(d2.0, c), next), centre, delta, d2, r)
+    if SLOPE {
+        r = with_next(r, centre, d2, [at(34), at(35)]);
+    }
+    let leading = (first_eight(d2.0, c), [at(9), at(10), at(11)]);
+    long_sum::<_, SLOPE>(leading, centre, delta, d2, r)
 }
 
 /// The powers of `δ = t + i b` up to the fourth: real parts, and imaginary parts divided by `b`.
@@ -269,10 +276,10 @@ pub(super) fn real_row<L: Vectors>(
     real_sum(c, (t, bb), powers, q)
 }
 
-/// `w′` at `b + i (c + t)` from the row of erfcx about `c`: in `w(iζ) = erfcx ζ` the coefficients
+/// [`long_sum`] at `b + i (c + t)` from the row of erfcx about `c`: in `w(iζ) = erfcx ζ` the coefficients
 /// are those of w times powers of i, and what is zero stays zero.
 #[inline(always)]
-fn slope_beside_imaginary_axis<R: Real>(
+fn beside_imaginary_axis<R: Real, const SLOPE: bool>(
     (c, [c3, c4, c5]): ([R; 4], [R; 3]),
     centre: R,
     (t, b): (R, R),
@@ -282,12 +289,12 @@ fn slope_beside_imaginary_axis<R: Real>(
     let leading = [c[0], c[1], zero, zero, zero, zero, -c[2], -c[3]];
     let next = [(zero, c3), (c4, zero), (zero, -c5)];
     let r = (-qr, b * qs);
-    slope_sum((leading, next), (zero, centre), (b, t), square(b, t), r)
+    long_sum::<_, SLOPE>((leading, next), (zero, centre), (b, t), square(b, t), r)
 }
 
-/// Real and imaginary part of `w′(b + i (c + t))` from the row of erfcx about `c`, unevaluated.
+/// [`long_row`] at `b + i (c + t)` from the row of erfcx about `c`.
 #[inline(always)]
-pub(super) fn real_slope<L: Vectors>(
+pub(super) fn long_real_row<L: Vectors, const SLOPE: bool>(
     lanes: L,
     row: &[f64; 20],
     centre: L::Scalar,
@@ -295,7 +302,7 @@ pub(super) fn real_slope<L: Vectors>(
 ) -> (Dd<L::Scalar>, Dd<L::Scalar>) {
     let (c, _, _, r) = real_polynomial(lanes, row, 8, t, b);
     let next = [t.like(row[5]), t.like(row[6]), t.like(row[7])];
-    slope_beside_imaginary_axis((c, next), centre, (t, b), r)
+    beside_imaginary_axis::<_, SLOPE>((c, next), centre, (t, b), r)
 }
 
 /// The first four numbers of a [`RealRow`], b², δ², and what is left.
@@ -404,10 +411,10 @@ pub(super) fn real_rows<S: Wide>(
     real_sum(columns(simd, rows, 0), (t, bb), powers, q)
 }
 
-/// [`real_slope`] for several points with a row each.
+/// [`long_real_row`] for several points with a row each.
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 #[inline(always)]
-pub(super) fn real_slopes<S: Wide>(
+pub(super) fn long_real_rows<S: Wide, const SLOPE: bool>(
     simd: S,
     rows: &[&[f64; 20]; 8],
     centre: Pack<S>,
@@ -416,7 +423,7 @@ pub(super) fn real_slopes<S: Wide>(
     let (_, _, r) = real_polynomials(simd, rows, 8, t, b);
     let [_, c3, c4, c5] = columns(simd, rows, 4);
     let leading = (columns(simd, rows, 0), [c3, c4, c5]);
-    slope_beside_imaginary_axis(leading, centre, (t, b), r)
+    beside_imaginary_axis::<_, SLOPE>(leading, centre, (t, b), r)
 }
 
 /// b², δ² and the polynomial as [`real_polynomial`] has them.
@@ -493,17 +500,30 @@ impl<S: Wide> OnRows<'_, S> {
         complex_sum_rounded(self.leading(simd), (self.dx, self.dy), d2, q)
     }
 
-    /// [`complex_slope`]
+    /// [`long_row`]
     #[inline(always)]
-    pub(super) fn slope(&self, simd: S, centre: (Pack<S>, Pack<S>)) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
+    pub(super) fn long<const SLOPE: bool>(
+        &self,
+        simd: S,
+        centre: (Pack<S>, Pack<S>),
+    ) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
         let delta = (self.dx, self.dy);
         let d2 = square(self.dx, self.dy);
-        let r = polynomials(simd, &self.rows, (16, 32), delta, d2);
-        let (re, im) = (columns(simd, &self.rows, 8), columns(simd, &self.rows, 12));
-        let next = [(re[1], im[1]), (re[2], im[2]), (re[3], im[3])];
-        let (re, im) = (columns(simd, &self.rows, 32), columns(simd, &self.rows, 36));
-        let r = with_next(r, centre, d2, [(re[2], im[2]), (re[3], im[3])]);
-        slope_sum((self.leading(simd), next), centre, delta, d2, r)
+        let mut r = polynomials(simd, &self.rows, (16, 32), delta, d2);
+        if SLOPE {
+            let [_, _, c16, c17] = self.block(simd, 32);
+            r = with_next(r, centre, d2, [c16, c17]);
+        }
+        let [_, c3, c4, c5] = self.block(simd, 8);
+        long_sum::<_, SLOPE>((self.leading(simd), [c3, c4, c5]), centre, delta, d2, r)
+    }
+
+    /// Four complex coefficients.
+    #[inline(always)]
+    fn block(&self, simd: S, at: usize) -> [(Pack<S>, Pack<S>); 4] {
+        let [a, b, c, d] = columns(simd, &self.rows, at);
+        let [p, q, r, s] = columns(simd, &self.rows, at + 4);
+        [(a, p), (b, q), (c, r), (d, s)]
     }
 
     /// δ² and `q₀ + q₁δ + …`
