@@ -169,8 +169,8 @@ fn plus_products<R: Real>(c: Dd<R>, (x, u): (R, Dd<R>), (y, v): (R, Dd<R>)) -> D
 /// Columns of a [`ComplexRow`]: the first eight, and `c₃`, `c₄` and `c₅`.
 type Leading<R> = ([R; 8], [(R, R); 3]);
 
-/// `w(c + δ)`, or `w′(c + δ)`. With `z = c + δ`, `e₁ = c₀ + c c₁ = −c₂` and `e₂ = c₁ − c e₁ = −(3/2) c₃`
-/// from the equation `w′ = −2zw + 2i/√π`
+/// `w(c + δ)`, or `w′(c + δ)`. With `z = c + δ` and, from the equation `w′ = −2zw + 2i/√π`,
+/// `e₁ = c₀ + c c₁ = −c₂` and `e₂ = c₁ − c e₁ = −(3/2) c₃`
 ///
 /// ```text
 /// w(z) = c₀ + δ (c₁ + δ (−e₁ + δ (c₃ + δp))),   p = c₄ + c₅δ + δ²r,   r = c₆ + c₇δ + …
@@ -276,8 +276,8 @@ pub(super) fn real_row<L: Vectors>(
     real_sum(c, (t, bb), powers, q)
 }
 
-/// [`long_sum`] at `b + i (c + t)` from the row of erfcx about `c`: in `w(iζ) = erfcx ζ` the coefficients
-/// are those of w times powers of i, and what is zero stays zero.
+/// [`long_sum`] at `b + i (c + t)` from the row of erfcx about `c`: as `w(iζ) = erfcx ζ`, its
+/// coefficients are those of w times powers of i, and what is zero stays zero.
 #[inline(always)]
 fn beside_imaginary_axis<R: Real, const SLOPE: bool>(
     (c, [c3, c4, c5]): ([R; 4], [R; 3]),
@@ -407,8 +407,8 @@ pub(super) fn real_rows<S: Wide>(
     t: Pack<S>,
     b: Pack<S>,
 ) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
-    let (bb, powers, q) = real_polynomials(simd, rows, 4, t, b);
-    real_sum(columns(simd, rows, 0), (t, bb), powers, q)
+    let (c, bb, powers, q) = real_polynomials(simd, rows, 4, t, b);
+    real_sum(c, (t, bb), powers, q)
 }
 
 /// [`long_real_row`] for several points with a row each.
@@ -420,13 +420,13 @@ pub(super) fn long_real_rows<S: Wide, const SLOPE: bool>(
     centre: Pack<S>,
     (t, b): (Pack<S>, Pack<S>),
 ) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
-    let (_, _, r) = real_polynomials(simd, rows, 8, t, b);
+    let (c, _, _, r) = real_polynomials(simd, rows, 8, t, b);
     let [_, c3, c4, c5] = columns(simd, rows, 4);
-    let leading = (columns(simd, rows, 0), [c3, c4, c5]);
+    let leading = (c, [c3, c4, c5]);
     beside_imaginary_axis::<_, SLOPE>(leading, centre, (t, b), r)
 }
 
-/// b², δ² and the polynomial as [`real_polynomial`] has them.
+/// [`real_polynomial`] for several points with a row each.
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 #[inline(always)]
 fn real_polynomials<S: Wide>(
@@ -435,7 +435,7 @@ fn real_polynomials<S: Wide>(
     first: usize,
     t: Pack<S>,
     b: Pack<S>,
-) -> (Pack<S>, (Pack<S>, Pack<S>), (Pack<S>, Pack<S>)) {
+) -> RealPolynomial<Pack<S>> {
     let bb = b * b;
     let (p, s) = real_powers(t, bb);
     let bs4 = -(bb * s[4]);
@@ -459,7 +459,7 @@ fn real_polynomials<S: Wide>(
     let slope = |m: usize| p[m].fma(im[m], s[m] * re[m]);
     let qr = (re[0] + part(2)) + (part(1) + part(3));
     let qs = (im[0] + slope(2)) + (slope(1) + slope(3));
-    (bb, (p[2], s[2]), (qr, qs))
+    (columns(simd, rows, 0), bb, (p[2], s[2]), (qr, qs))
 }
 
 /// [`polynomial`] for several points with a row each.
