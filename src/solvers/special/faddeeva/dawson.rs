@@ -327,8 +327,8 @@ impl Function for Dawson {
 /// # Accuracy
 /// Worst found against the certified reference in the 1 080 056 cases of `mechaudit audit dawson
 /// --cases 40000`: Re 2.13 and Im 2.58 units in the last place, beside the axes and beside the zero
-/// 0.924… of F′, where Im F changes sign, too. Next to its zeros and to the zero curves of its components as
-/// [`erf`](super::erf()).
+/// 0.924… of F′, where Im F changes sign, too. Next to its zeros and to the zero curves of its
+/// components as [`erf`](super::erf()).
 ///
 /// # Special values
 /// | z | F(z) |

@@ -1,7 +1,7 @@
 //! The derivative `w′(z) = −2z w(z) + 2i/√π` (DLMF 7.10.2) without its cancellation.
 //!
-//! In the upper half-plane it is summed from w's Taylor expansions with this equation put in, so that
-//! nothing cancels but what is exact, and, from |z|² = 48 on, from
+//! In the upper half-plane it is summed from w's Taylor expansions with this equation put in, so
+//! that nothing cancels but what is exact, and, from |z|² = 48 on, from
 //!
 //! ```text
 //! w′(z) ~ −(i/√π) (1/z² + 3 a₁/z⁴ + 5 a₂/z⁶ + …),   a_n = (2n − 1)!!/2ⁿ       (DLMF 7.12.1)
