@@ -25,6 +25,7 @@ use super::quadrant::{
     times_power,
 };
 use super::relatives_tables::{MAXIMUM_OF_DAWSON as MAXIMUM, MINUS_INVERSE_MAXIMUM};
+use super::taylor::LONG;
 use super::trapezoidal::upper_short;
 use crate::double_double::{Dd, two_prod, two_sum};
 use crate::exponential::exponent;
@@ -176,7 +177,7 @@ fn quadrant<P: Places>(places: P, x: Number<P>, y: Number<P>) -> ([Number<P>; 2]
     let (mut re, mut im, mut kept) = (x, y, finite);
     let ((a, x_down), (b, y_down)) = (lifted(x, y), lifted(y, x));
     if x.any(away) {
-        let (u, v) = pairs::w(places, a, b, away);
+        let (u, v) = pairs::w::<_, LONG>(places, a, b, away);
         let (c, s, n) = gaussian(places, a, b);
         let (p, q) = difference((c, s, n.at_most(like(ROUND + 900.0))), (u, v));
         let alone = like(ROUND + 200.0).below(n);

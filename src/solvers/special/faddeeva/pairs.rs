@@ -113,9 +113,9 @@ impl<M: Copy> Formulas<M> {
 }
 
 /// `(Re w, Im w)` at `a + i b`, `a, b ≥ 0`, `|z| < 10¹⁰⁰`, in the places `among`; elsewhere
-/// anything.
+/// anything. Rows are summed by `SUM`.
 #[inline(always)]
-pub(super) fn w<P: Places>(
+pub(super) fn w<P: Places, const SUM: u8>(
     places: P,
     a: Number<P>,
     b: Number<P>,
@@ -126,19 +126,19 @@ pub(super) fn w<P: Places>(
     if a.any(formulas.in_cell) {
         let [n, dx, dy] = cell(a, b);
         value = places
-            .long_rows::<false>(cell_row, n, (a - dx, b - dy), (dx, dy))
+            .summed_rows::<SUM>(cell_row, n, (a - dx, b - dy), (dx, dy))
             .or_else(formulas.in_cell, value);
     }
     if a.any(formulas.on_imaginary) {
         let (n, t) = on_axis(b);
         value = places
-            .long_real_rows::<false>(imaginary_axis_row, n, b - t, (t, a))
+            .summed_real_rows::<SUM>(imaginary_axis_row, n, b - t, (t, a))
             .or_else(formulas.on_imaginary, value);
     }
     if a.any(formulas.on_real) {
         let (n, t) = on_real_axis(a);
         value = places
-            .long_rows::<false>(real_axis_row, n, (a - t, a.like(0.0)), (t, b))
+            .summed_rows::<SUM>(real_axis_row, n, (a - t, a.like(0.0)), (t, b))
             .or_else(formulas.on_real, value);
     }
     if a.any(formulas.beyond) {

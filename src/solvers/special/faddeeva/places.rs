@@ -1,6 +1,6 @@
 //! One point, or several side by side: how formulas that are written for both find rows of tables.
 
-use super::taylor::{ComplexRow, axis_row, long_real_row, long_row, real_row};
+use super::taylor::{ComplexRow, axis_row, real_row, summed_real_row, summed_row};
 use crate::double_double::Dd;
 use crate::lanes::Lanes;
 use crate::numbers::Numbers;
@@ -8,7 +8,7 @@ pub(super) use crate::numbers::One;
 use crate::real::Real;
 
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
-use super::taylor::{OnRows, axis_rows, long_real_rows, real_rows};
+use super::taylor::{OnRows, axis_rows, real_rows, summed_real_rows};
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 pub(super) use crate::numbers::Several;
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
@@ -32,16 +32,16 @@ pub(super) trait Places: Numbers {
         n: Self::Number,
         delta: (Self::Number, Self::Number),
     ) -> (Dd<Self::Number>, Dd<Self::Number>);
-    /// [`long_row`] likewise, from the centre and the distance to it.
-    fn long_rows<const SLOPE: bool>(
+    /// [`summed_row`] likewise, from the centre and the distance to it.
+    fn summed_rows<const SUM: u8>(
         self,
         row: impl Fn(f64) -> &'static ComplexRow,
         n: Self::Number,
         centre: (Self::Number, Self::Number),
         delta: (Self::Number, Self::Number),
     ) -> (Dd<Self::Number>, Dd<Self::Number>);
-    /// [`long_real_row`] likewise.
-    fn long_real_rows<const SLOPE: bool>(
+    /// [`summed_real_row`] likewise.
+    fn summed_real_rows<const SUM: u8>(
         self,
         row: impl Fn(f64) -> &'static [f64; 20],
         n: Self::Number,
@@ -132,24 +132,24 @@ impl<L: Lanes> Places for One<L> {
         real_row(self.0, row(n), t, b)
     }
     #[inline(always)]
-    fn long_rows<const SLOPE: bool>(
+    fn summed_rows<const SUM: u8>(
         self,
         row: impl Fn(f64) -> &'static ComplexRow,
         n: f64,
         centre: (f64, f64),
         delta: (f64, f64),
     ) -> (Dd, Dd) {
-        long_row::<_, SLOPE>(self.0, row(n), centre, delta)
+        summed_row::<_, SUM>(self.0, row(n), centre, delta)
     }
     #[inline(always)]
-    fn long_real_rows<const SLOPE: bool>(
+    fn summed_real_rows<const SUM: u8>(
         self,
         row: impl Fn(f64) -> &'static [f64; 20],
         n: f64,
         centre: f64,
         delta: (f64, f64),
     ) -> (Dd, Dd) {
-        long_real_row::<_, SLOPE>(self.0, row(n), centre, delta)
+        summed_real_row::<_, SUM>(self.0, row(n), centre, delta)
     }
 }
 
@@ -190,7 +190,7 @@ impl<S: Wide> Places for Several<S> {
         real_rows(self.0, &rows_of(n, row), t, b)
     }
     #[inline(always)]
-    fn long_rows<const SLOPE: bool>(
+    fn summed_rows<const SUM: u8>(
         self,
         row: impl Fn(f64) -> &'static ComplexRow,
         n: Pack<S>,
@@ -198,16 +198,16 @@ impl<S: Wide> Places for Several<S> {
         (dx, dy): (Pack<S>, Pack<S>),
     ) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
         let rows = rows_of(n, row).map(|r| &r.0);
-        OnRows { rows, dx, dy }.long::<SLOPE>(self.0, centre)
+        OnRows { rows, dx, dy }.summed::<SUM>(self.0, centre)
     }
     #[inline(always)]
-    fn long_real_rows<const SLOPE: bool>(
+    fn summed_real_rows<const SUM: u8>(
         self,
         row: impl Fn(f64) -> &'static [f64; 20],
         n: Pack<S>,
         centre: Pack<S>,
         delta: (Pack<S>, Pack<S>),
     ) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
-        long_real_rows::<_, SLOPE>(self.0, &rows_of(n, row), centre, delta)
+        summed_real_rows::<_, SUM>(self.0, &rows_of(n, row), centre, delta)
     }
 }

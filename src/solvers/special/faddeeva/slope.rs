@@ -7,6 +7,7 @@ use super::pairs::{Formulas, Parts};
 use super::places::{Choose, Mask, Number, Places, by_ends};
 use super::quadrant::product;
 use super::rows::{cell, cell_row, imaginary_axis_row, on_axis, on_real_axis, real_axis_row};
+use super::taylor::SLOPE;
 use crate::double_double::{Dd, two_prod};
 use crate::exponential::{exp_minus_square, exponent, pair_times_power};
 use crate::real::{Masked, Real};
@@ -22,7 +23,7 @@ const TERMS: usize = 37;
 /// `3a₁`, `a_n = (2n − 1)!!/2ⁿ`.
 const FIRST: f64 = 1.5;
 /// `(2n + 1) a_n` from the second on.
-const SLOPE: [f64; TERMS] = {
+const COEFFICIENTS: [f64; TERMS] = {
     let mut c = [0.0; TERMS];
     let (mut a, mut n) = (1.0, 1);
     while n < TERMS {
@@ -49,7 +50,7 @@ pub(super) fn series_derivative<R: Real, const N: usize>(a: R, b: R) -> Parts<R>
     let qi = two_prod(like(-2.0) * a, b) * t2 * t2;
     let t = t2.hi * t2.hi;
     let s = like(2.0) * qr.hi;
-    let (b1, b2) = polynomial::<R, N>(&SLOPE, s, t);
+    let (b1, b2) = polynomial::<R, N>(&COEFFICIENTS, s, t);
     // The sum is 1 + 3a₁q + p + i Im(q) b1; 3a₁q² is formed with all digits, because the real
     // part of q is as small next to the diagonal.
     let p = qr.hi.fma(b1, -(t * b2));
@@ -88,7 +89,7 @@ pub(super) fn derivative<P: Places>(
     let mut less = a.except(among, among);
     if a.any(formulas.in_cell) {
         let [n, dx, dy] = cell(a, b);
-        let (u, v) = places.long_rows::<true>(cell_row, n, (a - dx, b - dy), (dx, dy));
+        let (u, v) = places.summed_rows::<SLOPE>(cell_row, n, (a - dx, b - dy), (dx, dy));
         let part = like(CANCELLED);
         let (p, q) = (u.hi.magnitude(), v.hi.magnitude());
         let lost = a.or(p.below(part * q), q.below(part * p));
@@ -97,12 +98,12 @@ pub(super) fn derivative<P: Places>(
     }
     if a.any(formulas.on_imaginary) {
         let (n, t) = on_axis(b);
-        let parts = places.long_real_rows::<true>(imaginary_axis_row, n, b - t, (t, a));
+        let parts = places.summed_real_rows::<SLOPE>(imaginary_axis_row, n, b - t, (t, a));
         value = parts.or_else(formulas.on_imaginary, value);
     }
     if a.any(formulas.on_real) {
         let (n, t) = on_real_axis(a);
-        let parts = places.long_rows::<true>(real_axis_row, n, (a - t, like(0.0)), (t, b));
+        let parts = places.summed_rows::<SLOPE>(real_axis_row, n, (a - t, like(0.0)), (t, b));
         value = parts.or_else(formulas.on_real, value);
     }
     if a.any(formulas.beyond) {

@@ -166,6 +166,13 @@ fn plus_products<R: Real>(c: Dd<R>, (x, u): (R, Dd<R>), (y, v): (R, Dd<R>)) -> D
     Dd::new(t.hi, t.lo + (s.lo + (p.lo + q.lo) + low))
 }
 
+/// w by [`complex_sum`] or [`real_sum`]: terms from the second order on are rounded.
+pub(super) const SHORT: u8 = 0;
+/// w by [`long_sum`]: terms from the third order on are rounded.
+pub(super) const LONG: u8 = 1;
+/// w′ likewise.
+pub(super) const SLOPE: u8 = 2;
+
 /// Columns of a [`ComplexRow`]: the first eight, and `c₃`, `c₄` and `c₅`.
 type Leading<R> = ([R; 8], [(R, R); 3]);
 
@@ -179,7 +186,7 @@ type Leading<R> = ([R; 8], [(R, R); 3]);
 ///
 /// where the terms up to that of second order are unevaluated sums.
 #[inline(always)]
-fn long_sum<R: Real, const SLOPE: bool>(
+fn long_sum<R: Real, const SUM: u8>(
     (c, [c3, c4, c5]): Leading<R>,
     centre: (R, R),
     delta: (R, R),
@@ -190,7 +197,7 @@ fn long_sum<R: Real, const SLOPE: bool>(
     let c1 = (Dd::new(c[4], c[5]), Dd::new(c[6], c[7]));
     let e1 = plus_times(c0, centre, c1);
     let p = plus(plus(c4, delta, c5), d2, r);
-    let (u, v) = if SLOPE {
+    let (u, v) = if SUM == SLOPE {
         let (mut u, mut v) = plus_times(c1, (-centre.0, -centre.1), e1);
         let z = (centre.0 + delta.0, centre.1 + delta.1);
         let back = (-delta.0, -delta.1);
@@ -217,24 +224,26 @@ fn with_next<R: Real>(r: (R, R), centre: (R, R), d2: (R, R), [c16, c17]: [(R, R)
     plus(r, d12, (sum.0 * ninth, sum.1 * ninth))
 }
 
-/// Real and imaginary part of `w(c + δ)`, or of `w′(c + δ)`, unevaluated, in which only terms from
-/// the third order on are rounded.
+/// Real and imaginary part of `w(c + δ)`, or of `w′(c + δ)`, unevaluated, by the sum `SUM`.
 #[inline(always)]
-pub(super) fn long_row<L: Vectors, const SLOPE: bool>(
+pub(super) fn summed_row<L: Vectors, const SUM: u8>(
     lanes: L,
     row: &ComplexRow,
     centre: (L::Scalar, L::Scalar),
     delta: (L::Scalar, L::Scalar),
 ) -> (Dd<L::Scalar>, Dd<L::Scalar>) {
+    if SUM == SHORT {
+        return complex_row(lanes, row, delta.0, delta.1);
+    }
     let c = &row.0;
     let d2 = square(delta.0, delta.1);
     let mut r = polynomial(lanes, c, (16, 32), delta, d2);
     let at = |k: usize| (d2.0.like(c[k]), d2.0.like(c[k + 4]));
-    if SLOPE {
+    if SUM == SLOPE {
         r = with_next(r, centre, d2, [at(34), at(35)]);
     }
     let leading = (first_eight(d2.0, c), [at(9), at(10), at(11)]);
-    long_sum::<_, SLOPE>(leading, centre, delta, d2, r)
+    long_sum::<_, SUM>(leading, centre, delta, d2, r)
 }
 
 /// The powers of `δ = t + i b` up to the fourth: real parts, and imaginary parts divided by `b`.
@@ -276,10 +285,18 @@ pub(super) fn real_row<L: Vectors>(
     real_sum(c, (t, bb), powers, q)
 }
 
+/// `(Re w, Im w)` from the expansion of `w(i s) = erfcx s` about a real centre.
+#[inline(always)]
+fn from_erfcx<R: Real>(a: R, (p, s): (Dd<R>, Dd<R>)) -> (Dd<R>, Dd<R>) {
+    let minus = -a;
+    let m = minus * s.hi;
+    (p, fast_two_sum(m, minus.fma(s.lo, minus.fma(s.hi, -m))))
+}
+
 /// [`long_sum`] at `b + i (c + t)` from the row of erfcx about `c`: as `w(iζ) = erfcx ζ`, its
 /// coefficients are those of w times powers of i, and what is zero stays zero.
 #[inline(always)]
-fn beside_imaginary_axis<R: Real, const SLOPE: bool>(
+fn beside_imaginary_axis<R: Real, const SUM: u8>(
     (c, [c3, c4, c5]): ([R; 4], [R; 3]),
     centre: R,
     (t, b): (R, R),
@@ -289,20 +306,23 @@ fn beside_imaginary_axis<R: Real, const SLOPE: bool>(
     let leading = [c[0], c[1], zero, zero, zero, zero, -c[2], -c[3]];
     let next = [(zero, c3), (c4, zero), (zero, -c5)];
     let r = (-qr, b * qs);
-    long_sum::<_, SLOPE>((leading, next), (zero, centre), (b, t), square(b, t), r)
+    long_sum::<_, SUM>((leading, next), (zero, centre), (b, t), square(b, t), r)
 }
 
-/// [`long_row`] at `b + i (c + t)` from the row of erfcx about `c`.
+/// [`summed_row`] at `b + i (c + t)` from the row of erfcx about `c`.
 #[inline(always)]
-pub(super) fn long_real_row<L: Vectors, const SLOPE: bool>(
+pub(super) fn summed_real_row<L: Vectors, const SUM: u8>(
     lanes: L,
     row: &[f64; 20],
     centre: L::Scalar,
     (t, b): (L::Scalar, L::Scalar),
 ) -> (Dd<L::Scalar>, Dd<L::Scalar>) {
+    if SUM == SHORT {
+        return from_erfcx(b, real_row(lanes, row, t, b));
+    }
     let (c, _, _, r) = real_polynomial(lanes, row, 8, t, b);
     let next = [t.like(row[5]), t.like(row[6]), t.like(row[7])];
-    beside_imaginary_axis::<_, SLOPE>((c, next), centre, (t, b), r)
+    beside_imaginary_axis::<_, SUM>((c, next), centre, (t, b), r)
 }
 
 /// The first four numbers of a [`RealRow`], b², δ², and what is left.
@@ -411,19 +431,22 @@ pub(super) fn real_rows<S: Wide>(
     real_sum(c, (t, bb), powers, q)
 }
 
-/// [`long_real_row`] for several points with a row each.
+/// [`summed_real_row`] for several points with a row each.
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 #[inline(always)]
-pub(super) fn long_real_rows<S: Wide, const SLOPE: bool>(
+pub(super) fn summed_real_rows<S: Wide, const SUM: u8>(
     simd: S,
     rows: &[&[f64; 20]; 8],
     centre: Pack<S>,
     (t, b): (Pack<S>, Pack<S>),
 ) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
+    if SUM == SHORT {
+        return from_erfcx(b, real_rows(simd, rows, t, b));
+    }
     let (c, _, _, r) = real_polynomials(simd, rows, 8, t, b);
     let [_, c3, c4, c5] = columns(simd, rows, 4);
     let leading = (c, [c3, c4, c5]);
-    beside_imaginary_axis::<_, SLOPE>(leading, centre, (t, b), r)
+    beside_imaginary_axis::<_, SUM>(leading, centre, (t, b), r)
 }
 
 /// [`real_polynomial`] for several points with a row each.
@@ -500,22 +523,25 @@ impl<S: Wide> OnRows<'_, S> {
         complex_sum_rounded(self.leading(simd), (self.dx, self.dy), d2, q)
     }
 
-    /// [`long_row`]
+    /// [`summed_row`]
     #[inline(always)]
-    pub(super) fn long<const SLOPE: bool>(
+    pub(super) fn summed<const SUM: u8>(
         &self,
         simd: S,
         centre: (Pack<S>, Pack<S>),
     ) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
+        if SUM == SHORT {
+            return self.unevaluated(simd);
+        }
         let delta = (self.dx, self.dy);
         let d2 = square(self.dx, self.dy);
         let mut r = polynomials(simd, &self.rows, (16, 32), delta, d2);
-        if SLOPE {
+        if SUM == SLOPE {
             let [_, _, c16, c17] = self.block(simd, 32);
             r = with_next(r, centre, d2, [c16, c17]);
         }
         let [_, c3, c4, c5] = self.block(simd, 8);
-        long_sum::<_, SLOPE>((self.leading(simd), [c3, c4, c5]), centre, delta, d2, r)
+        long_sum::<_, SUM>((self.leading(simd), [c3, c4, c5]), centre, delta, d2, r)
     }
 
     /// Four complex coefficients.
