@@ -35,7 +35,7 @@ use num_complex::Complex;
 pub(super) const COMPLEMENT: f64 = 0.25;
 
 /// A component smaller than this part of its terms is computed again.
-const CANCELLED: f64 = 1.0 / 16.0;
+const CANCELLED: f64 = 1.0 / 8.0;
 
 /// `(offset, sign)` for erf and for erfc, as [`Which`] has them, at several points, which may differ.
 #[derive(Clone, Copy)]
