@@ -23,7 +23,7 @@ use super::places::{Choose, Mask, Number, Places};
 use super::quadrant::{
     IN_PAIRS, VANISHING, dawson_in_strip, gaussian, lifted, mirrored, product, times_power,
 };
-use super::taylor::LONG;
+use super::taylor::SHORT;
 use super::trapezoidal::upper_short;
 use crate::double_double::Dd;
 use crate::exponential::exponent;
@@ -114,7 +114,7 @@ fn quadrant<P: Places>(
             factor = dawson_in_strip(places, y, x, strip);
         }
         if x.any(away) {
-            factor = pairs::w::<_, LONG>(places, y, x, away).or_else(away, factor);
+            factor = pairs::w::<_, SHORT>(places, y, x, away).or_else(away, factor);
         }
         let (c, s, n) = gaussian(places, x, y);
         let (a, b, terms) = product((c, s), (factor.0, -factor.1));
