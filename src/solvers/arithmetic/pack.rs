@@ -12,6 +12,9 @@ use std::sync::OnceLock;
 pub(crate) trait Wide: Simd {
     /// Points side by side.
     const WIDTH: usize;
+    /// Four points side by side: for what is long and rare, compiled for one width only.
+    type Four: Wide;
+    fn four(self) -> Self::Four;
     /// Runs the task as a function of its own, compiled for these instructions.
     fn outlined<T: NullaryFnOnce>(self, task: T) -> T::Output;
     /// `(x + add) << 52`
@@ -139,6 +142,11 @@ impl Wide for V3 {
         4, wrapping_add_u64x4, shl_const_u64x4, shr_const_u64x4,
         avx: _mm256_max_pd, _mm256_min_pd, _mm256_unpacklo_pd, _mm256_unpackhi_pd, [0, 2]
     );
+    type Four = V3;
+    #[inline(always)]
+    fn four(self) -> V3 {
+        self
+    }
     #[inline(always)]
     fn equal(self, bytes: &[u8; 32], k: u8) -> u32 {
         let equal = self.avx2._mm256_cmpeq_epi8(cast(*bytes), cast([k; 32]));
@@ -165,6 +173,11 @@ impl Wide for V4 {
         8, wrapping_add_u64x8, shl_const_u64x8, shr_const_u64x8,
         avx512f: _mm512_max_pd, _mm512_min_pd, _mm512_unpacklo_pd, _mm512_unpackhi_pd, [0, 2, 4, 6]
     );
+    type Four = V3;
+    #[inline(always)]
+    fn four(self) -> V3 {
+        *self
+    }
     #[inline(always)]
     fn equal(self, bytes: &[u8; 32], k: u8) -> u32 {
         let v: V3 = *self;

@@ -40,28 +40,29 @@ fn part<R: Real>(x: R, g: R, hi: R, lo: R) -> Dd<R> {
     fast_two_sum(m.hi, g.fma(m.hi, x.fma(lo, m.lo)))
 }
 
-/// `(B, C)` with `a₁q + … + a_N q^N = B q − C t`, where `q² = s q − t` and `N` is even.
+/// `(B, C)` with `a₁q + … + a_N q^N = B q − C t`, where `q² = s q − t`, `N` is even and `c` holds
+/// the coefficients.
 ///
 /// Odd and even terms apart, both as polynomials in `q² = ζ`, `ζ² = s₂ζ − t₂`: half the chain of
 /// dependent operations.
 #[inline(always)]
-fn polynomial<R: Real, const N: usize>(s: R, t: R) -> (R, R) {
-    let like = |c: f64| s.like(c);
+pub(super) fn polynomial<R: Real, const N: usize>(c: &[f64], s: R, t: R) -> (R, R) {
+    let like = |x: f64| s.like(x);
     let (s2, t2) = (s.fma(s, -(t + t)), t * t);
     let minus = -t2;
-    let (mut o1, mut o2) = (like(A[N - 1]), like(0.0));
-    let (mut e1, mut e2) = (like(A[N]), like(0.0));
+    let (mut o1, mut o2) = (like(c[N - 1]), like(0.0));
+    let (mut e1, mut e2) = (like(c[N]), like(0.0));
     let mut k = N - 2;
     while k > 2 {
-        let o = s2.fma(o1, minus.fma(o2, like(A[k - 1])));
-        let e = s2.fma(e1, minus.fma(e2, like(A[k])));
+        let o = s2.fma(o1, minus.fma(o2, like(c[k - 1])));
+        let e = s2.fma(e1, minus.fma(e2, like(c[k])));
         (o2, e2) = (o1, e1);
         (o1, e1) = (o, e);
         k -= 2;
     }
     // a₁ + a₃ζ + … = α + βζ, and the same with the even ones.
     let (oa, ob, ea, eb) = if N > 2 {
-        (minus.fma(o2, like(A[1])), o1, minus.fma(e2, like(A[2])), e1)
+        (minus.fma(o2, like(c[1])), o1, minus.fma(e2, like(c[2])), e1)
     } else {
         (o1, o2, e1, e2)
     };
@@ -211,7 +212,7 @@ fn factors<R: Real, const N: usize>(a: R, b: R) -> [R; 4] {
 fn corrections<R: Real, const N: usize>(xx: R, yy: R, t: R) -> [R; 2] {
     // q = z̄²/r⁴ satisfies q² = s q − t.
     let s = t.like(2.0) * (xx - yy) * t;
-    let (b1, b2) = polynomial::<R, N>(s, t);
+    let (b1, b2) = polynomial::<R, N>(&A, s, t);
     let three = t.like(3.0);
     [
         t * (three * xx - yy).fma(b1, -b2),

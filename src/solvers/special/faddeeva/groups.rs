@@ -169,8 +169,9 @@ mod vectors {
                 start += n;
                 let last = start == z.len();
                 if let Some(left) = &mut left
-                    && (last || left.len >= S::WIDTH)
+                    && (last || left.len >= S::Four::WIDTH)
                 {
+                    let simd = simd.four();
                     simd.outlined(Again {
                         simd,
                         lanes,

@@ -6,7 +6,6 @@ use super::branch::{
     ENDS_OF_PAIRS, FINE, HUGE, ROWS_ON_REAL_AXIS, STRIP, STRIP_ENDS, modulus_squared,
 };
 use super::places::{Choose, Mask, Number, Places, by_ends};
-use super::plane::from_erfcx;
 use super::rows::{cell, cell_row, imaginary_axis_row, on_axis, on_real_axis, real_axis_row};
 use crate::double_double::Dd;
 use crate::exponential::{exp_minus_square, pair_times_power};
@@ -114,9 +113,9 @@ impl<M: Copy> Formulas<M> {
 }
 
 /// `(Re w, Im w)` at `a + i b`, `a, b ≥ 0`, `|z| < 10¹⁰⁰`, in the places `among`; elsewhere
-/// anything.
+/// anything. Rows are summed by `SUM`.
 #[inline(always)]
-pub(super) fn w<P: Places>(
+pub(super) fn w<P: Places, const SUM: u8>(
     places: P,
     a: Number<P>,
     b: Number<P>,
@@ -127,18 +126,19 @@ pub(super) fn w<P: Places>(
     if a.any(formulas.in_cell) {
         let [n, dx, dy] = cell(a, b);
         value = places
-            .complex_rows(cell_row, n, (dx, dy))
+            .summed_rows::<SUM>(cell_row, n, (a - dx, b - dy), (dx, dy))
             .or_else(formulas.in_cell, value);
     }
     if a.any(formulas.on_imaginary) {
         let (n, t) = on_axis(b);
-        let parts = from_erfcx(a, places.real_rows(imaginary_axis_row, n, (t, a)));
-        value = parts.or_else(formulas.on_imaginary, value);
+        value = places
+            .summed_real_rows::<SUM>(imaginary_axis_row, n, b - t, (t, a))
+            .or_else(formulas.on_imaginary, value);
     }
     if a.any(formulas.on_real) {
         let (n, t) = on_real_axis(a);
         value = places
-            .complex_rows(real_axis_row, n, (t, b))
+            .summed_rows::<SUM>(real_axis_row, n, (a - t, a.like(0.0)), (t, b))
             .or_else(formulas.on_real, value);
     }
     if a.any(formulas.beyond) {

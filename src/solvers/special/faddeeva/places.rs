@@ -1,7 +1,6 @@
 //! One point, or several side by side: how formulas that are written for both find rows of tables.
 
-use super::slope::{derived, derived_real};
-use super::taylor::{ComplexRow, axis_row, complex_row, real_row};
+use super::taylor::{ComplexRow, axis_row, real_row, summed_real_row, summed_row};
 use crate::double_double::Dd;
 use crate::lanes::Lanes;
 use crate::numbers::Numbers;
@@ -9,7 +8,7 @@ pub(super) use crate::numbers::One;
 use crate::real::Real;
 
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
-use super::taylor::{OnRows, axis_rows, real_rows};
+use super::taylor::{OnRows, axis_rows, real_rows, summed_real_rows};
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
 pub(super) use crate::numbers::Several;
 #[cfg(all(target_arch = "x86_64", feature = "vectors"))]
@@ -33,24 +32,16 @@ pub(super) trait Places: Numbers {
         n: Self::Number,
         delta: (Self::Number, Self::Number),
     ) -> (Dd<Self::Number>, Dd<Self::Number>);
-    /// [`complex_row`] likewise.
-    fn complex_rows(
-        self,
-        row: impl Fn(f64) -> &'static ComplexRow,
-        n: Self::Number,
-        delta: (Self::Number, Self::Number),
-    ) -> (Dd<Self::Number>, Dd<Self::Number>);
-    /// The derivatives of [`complex_rows`](Places::complex_rows) as far as its rows go, from the
-    /// distance to the centre and this, and the next coefficients.
-    fn complex_slopes(
+    /// [`summed_row`] likewise, from the centre and the distance to it.
+    fn summed_rows<const SUM: u8>(
         self,
         row: impl Fn(f64) -> &'static ComplexRow,
         n: Self::Number,
         centre: (Self::Number, Self::Number),
         delta: (Self::Number, Self::Number),
-    ) -> Slopes<Self::Number>;
-    /// The derivatives of [`real_rows`](Places::real_rows).
-    fn real_slopes(
+    ) -> (Dd<Self::Number>, Dd<Self::Number>);
+    /// [`summed_real_row`] likewise.
+    fn summed_real_rows<const SUM: u8>(
         self,
         row: impl Fn(f64) -> &'static [f64; 20],
         n: Self::Number,
@@ -58,9 +49,6 @@ pub(super) trait Places: Numbers {
         delta: (Self::Number, Self::Number),
     ) -> (Dd<Self::Number>, Dd<Self::Number>);
 }
-
-/// Real and imaginary part, and three coefficients.
-type Slopes<R> = ((Dd<R>, Dd<R>), [(R, R); 3]);
 
 /// The number at one point or several.
 pub(super) type Number<P> = <P as Numbers>::Number;
@@ -144,34 +132,24 @@ impl<L: Lanes> Places for One<L> {
         real_row(self.0, row(n), t, b)
     }
     #[inline(always)]
-    fn complex_rows(
-        self,
-        row: impl Fn(f64) -> &'static ComplexRow,
-        n: f64,
-        (dx, dy): (f64, f64),
-    ) -> (Dd, Dd) {
-        complex_row(self.0, row(n), dx, dy)
-    }
-    #[inline(always)]
-    fn complex_slopes(
+    fn summed_rows<const SUM: u8>(
         self,
         row: impl Fn(f64) -> &'static ComplexRow,
         n: f64,
         centre: (f64, f64),
-        (dx, dy): (f64, f64),
-    ) -> Slopes<f64> {
-        let (row, next) = derived(row(n), centre);
-        (complex_row(self.0, &row, dx, dy), next)
+        delta: (f64, f64),
+    ) -> (Dd, Dd) {
+        summed_row::<_, SUM>(self.0, row(n), centre, delta)
     }
     #[inline(always)]
-    fn real_slopes(
+    fn summed_real_rows<const SUM: u8>(
         self,
         row: impl Fn(f64) -> &'static [f64; 20],
         n: f64,
         centre: f64,
-        (t, b): (f64, f64),
+        delta: (f64, f64),
     ) -> (Dd, Dd) {
-        real_row(self.0, &derived_real(row(n), centre), t, b)
+        summed_real_row::<_, SUM>(self.0, row(n), centre, delta)
     }
 }
 
@@ -212,51 +190,24 @@ impl<S: Wide> Places for Several<S> {
         real_rows(self.0, &rows_of(n, row), t, b)
     }
     #[inline(always)]
-    fn complex_rows(
-        self,
-        row: impl Fn(f64) -> &'static ComplexRow,
-        n: Pack<S>,
-        (dx, dy): (Pack<S>, Pack<S>),
-    ) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
-        let rows = rows_of(n, row).map(|r| &r.0);
-        OnRows { rows, dx, dy }.unevaluated(self.0)
-    }
-    #[inline(always)]
-    fn complex_slopes(
+    fn summed_rows<const SUM: u8>(
         self,
         row: impl Fn(f64) -> &'static ComplexRow,
         n: Pack<S>,
         centre: (Pack<S>, Pack<S>),
         (dx, dy): (Pack<S>, Pack<S>),
-    ) -> Slopes<Pack<S>> {
-        let (rows, x, y) = (rows_of(n, row), centre.0.array(), centre.1.array());
-        let mut slopes = [const { ComplexRow([0.0; 40]) }; 8];
-        let mut next = [[[0.0; 8]; 2]; 3];
-        for m in 0..S::WIDTH {
-            let (row, more) = derived(rows[m], (x[m], y[m]));
-            slopes[m] = row;
-            for (next, (re, im)) in next.iter_mut().zip(more) {
-                (next[0][m], next[1][m]) = (re, im);
-            }
-        }
-        let rows = slopes.each_ref().map(|r| &r.0);
-        let parts = OnRows { rows, dx, dy }.unevaluated(self.0);
-        let load = |x: &[f64; 8]| Pack::load(self.0, x, 0);
-        (parts, next.map(|[re, im]| (load(&re), load(&im))))
+    ) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
+        let rows = rows_of(n, row).map(|r| &r.0);
+        OnRows { rows, dx, dy }.summed::<SUM>(self.0, centre)
     }
     #[inline(always)]
-    fn real_slopes(
+    fn summed_real_rows<const SUM: u8>(
         self,
         row: impl Fn(f64) -> &'static [f64; 20],
         n: Pack<S>,
         centre: Pack<S>,
-        (t, b): (Pack<S>, Pack<S>),
+        delta: (Pack<S>, Pack<S>),
     ) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
-        let (rows, centre) = (rows_of(n, row), centre.array());
-        let mut slopes = [[0.0; 20]; 8];
-        for m in 0..S::WIDTH {
-            slopes[m] = derived_real(rows[m], centre[m]);
-        }
-        real_rows(self.0, &slopes.each_ref(), t, b)
+        summed_real_rows::<_, SUM>(self.0, &rows_of(n, row), centre, delta)
     }
 }

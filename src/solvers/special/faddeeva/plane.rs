@@ -21,7 +21,7 @@ use super::rows::{
 };
 use super::taylor::{axis_row, complex_row, complex_row_rounded};
 use super::{special, trapezoidal, zeros};
-use crate::double_double::{Dd, fast_two_sum, two_prod};
+use crate::double_double::{Dd, two_prod};
 use crate::exponential::{
     exp_minus_square_any, exp_rounded, exponent_in_strip, gaussian, times_power,
 };
@@ -49,14 +49,6 @@ const OVERFLOWS: f64 = 1200.0;
 pub(super) fn cancels_beside_real_axis<R: Real>(a: R, y: R, re: R, im: R) -> R::Mask {
     let part = -y * im * a.like(CANCELLED_BESIDE);
     (re.magnitude() * a).below(part)
-}
-
-/// `(Re w, Im w)` from the expansion of `w(i s) = erfcx s` about a real centre.
-#[inline(always)]
-pub(super) fn from_erfcx<R: Real>(a: R, (p, s): (Dd<R>, Dd<R>)) -> (Dd<R>, Dd<R>) {
-    let minus = -a;
-    let m = minus * s.hi;
-    (p, fast_two_sum(m, minus.fma(s.lo, minus.fma(s.hi, -m))))
 }
 
 /// w in the strip beside the real axis from the asymptotic series and `e^{y² − a²} cos 2ay`, which

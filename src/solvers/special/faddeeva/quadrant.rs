@@ -18,7 +18,7 @@ use crate::payne_hanek;
 use crate::real::{Masked, ROUND, Real};
 
 /// A sum smaller than this part of its terms is computed again in double-double.
-pub(super) const CANCELLED: f64 = 1.0 / 6.0;
+const CANCELLED: f64 = 1.0 / 24.0;
 
 /// The larger coordinate and `|Re z²|` below which functions are computed in double-double side by
 /// side.

@@ -143,6 +143,109 @@ pub(super) fn complex_row<L: Vectors>(
     complex_sum(first_eight(dx, c), (dx, dy), d2, q)
 }
 
+/// `c + x t`, whose parts need not be normal, and those of `c` and `t` neither.
+#[inline(always)]
+fn plus_times<R: Real>(
+    c: (Dd<R>, Dd<R>),
+    (x, y): (R, R),
+    (u, v): (Dd<R>, Dd<R>),
+) -> (Dd<R>, Dd<R>) {
+    (
+        plus_products(c.0, (x, u), (-y, v)),
+        plus_products(c.1, (x, v), (y, u)),
+    )
+}
+
+/// `c + x u + y v` likewise.
+#[inline(always)]
+fn plus_products<R: Real>(c: Dd<R>, (x, u): (R, Dd<R>), (y, v): (R, Dd<R>)) -> Dd<R> {
+    let (p, q) = (two_prod(x, u.hi), two_prod(y, v.hi));
+    let s = two_sum(p.hi, q.hi);
+    let t = two_sum(c.hi, s.hi);
+    let low = x.fma(u.lo, y.fma(v.lo, c.lo));
+    Dd::new(t.hi, t.lo + (s.lo + (p.lo + q.lo) + low))
+}
+
+/// w by [`complex_sum`] or [`real_sum`]: terms from the second order on are rounded.
+pub(super) const SHORT: u8 = 0;
+/// w by [`long_sum`]: terms from the third order on are rounded.
+pub(super) const LONG: u8 = 1;
+/// w′ likewise.
+pub(super) const SLOPE: u8 = 2;
+
+/// Columns of a [`ComplexRow`]: the first eight, and `c₃`, `c₄` and `c₅`.
+type Leading<R> = ([R; 8], [(R, R); 3]);
+
+/// `w(c + δ)`, or `w′(c + δ)`. With `z = c + δ` and, from the equation `w′ = −2zw + 2i/√π`,
+/// `e₁ = c₀ + c c₁ = −c₂` and `e₂ = c₁ − c e₁ = −(3/2) c₃`
+///
+/// ```text
+/// w(z) = c₀ + δ (c₁ + δ (−e₁ + δ (c₃ + δp))),   p = c₄ + c₅δ + δ²r,   r = c₆ + c₇δ + …
+/// w′(z) = c₁ − 2δ (e₁ + δ (e₂ − δ (2c₄ − δ (c₃ + zp))))
+/// ```
+///
+/// where the terms up to that of second order are unevaluated sums.
+#[inline(always)]
+fn long_sum<R: Real, const SUM: u8>(
+    (c, [c3, c4, c5]): Leading<R>,
+    centre: (R, R),
+    delta: (R, R),
+    d2: (R, R),
+    r: (R, R),
+) -> (Dd<R>, Dd<R>) {
+    let c0 = (Dd::new(c[0], c[1]), Dd::new(c[2], c[3]));
+    let c1 = (Dd::new(c[4], c[5]), Dd::new(c[6], c[7]));
+    let e1 = plus_times(c0, centre, c1);
+    let p = plus(plus(c4, delta, c5), d2, r);
+    let (u, v) = if SUM == SLOPE {
+        let (mut u, mut v) = plus_times(c1, (-centre.0, -centre.1), e1);
+        let z = (centre.0 + delta.0, centre.1 + delta.1);
+        let back = (-delta.0, -delta.1);
+        let rest = plus((c4.0 + c4.0, c4.1 + c4.1), back, plus(c3, z, p));
+        (u.lo, v.lo) = plus((u.lo, v.lo), back, rest);
+        let twice = (back.0 + back.0, back.1 + back.1);
+        plus_times(c1, twice, plus_times(e1, delta, (u, v)))
+    } else {
+        let (mut u, mut v) = (-e1.0, -e1.1);
+        (u.lo, v.lo) = plus((u.lo, v.lo), delta, plus(c3, delta, p));
+        plus_times(c0, delta, plus_times(c1, delta, (u, v)))
+    };
+    (u.normal(), v.normal())
+}
+
+/// `r + c₁₈δ¹²`, `c₁₈ = −(c c₁₇ + c₁₆)/9`: its term of w is multiplied by `2z`.
+#[inline(always)]
+fn with_next<R: Real>(r: (R, R), centre: (R, R), d2: (R, R), [c16, c17]: [(R, R); 2]) -> (R, R) {
+    let zero = r.0.like(0.0);
+    let d4 = square(d2.0, d2.1);
+    let d12 = plus((zero, zero), d4, square(d4.0, d4.1));
+    let sum = plus(c16, centre, c17);
+    let ninth = r.0.like(-1.0 / 9.0);
+    plus(r, d12, (sum.0 * ninth, sum.1 * ninth))
+}
+
+/// Real and imaginary part of `w(c + δ)`, or of `w′(c + δ)`, unevaluated, by the sum `SUM`.
+#[inline(always)]
+pub(super) fn summed_row<L: Vectors, const SUM: u8>(
+    lanes: L,
+    row: &ComplexRow,
+    centre: (L::Scalar, L::Scalar),
+    delta: (L::Scalar, L::Scalar),
+) -> (Dd<L::Scalar>, Dd<L::Scalar>) {
+    if SUM == SHORT {
+        return complex_row(lanes, row, delta.0, delta.1);
+    }
+    let c = &row.0;
+    let d2 = square(delta.0, delta.1);
+    let mut r = polynomial(lanes, c, (16, 32), delta, d2);
+    let at = |k: usize| (d2.0.like(c[k]), d2.0.like(c[k + 4]));
+    if SUM == SLOPE {
+        r = with_next(r, centre, d2, [at(34), at(35)]);
+    }
+    let leading = (first_eight(d2.0, c), [at(9), at(10), at(11)]);
+    long_sum::<_, SUM>(leading, centre, delta, d2, r)
+}
+
 /// The powers of `δ = t + i b` up to the fourth: real parts, and imaginary parts divided by `b`.
 #[inline(always)]
 fn real_powers<R: Real>(t: R, bb: R) -> ([R; 5], [R; 5]) {
@@ -178,18 +281,60 @@ pub(super) fn real_row<L: Vectors>(
     t: L::Scalar,
     b: L::Scalar,
 ) -> (Dd<L::Scalar>, Dd<L::Scalar>) {
-    let (c, bb, powers, q) = real_polynomial(lanes, row, t, b);
+    let (c, bb, powers, q) = real_polynomial(lanes, row, 4, t, b);
     real_sum(c, (t, bb), powers, q)
+}
+
+/// `(Re w, Im w)` from the expansion of `w(i s) = erfcx s` about a real centre.
+#[inline(always)]
+fn from_erfcx<R: Real>(a: R, (p, s): (Dd<R>, Dd<R>)) -> (Dd<R>, Dd<R>) {
+    let minus = -a;
+    let m = minus * s.hi;
+    (p, fast_two_sum(m, minus.fma(s.lo, minus.fma(s.hi, -m))))
+}
+
+/// [`long_sum`] at `b + i (c + t)` from the row of erfcx about `c`: as `w(iζ) = erfcx ζ`, its
+/// coefficients are those of w times powers of i, and what is zero stays zero.
+#[inline(always)]
+fn beside_imaginary_axis<R: Real, const SUM: u8>(
+    (c, [c3, c4, c5]): ([R; 4], [R; 3]),
+    centre: R,
+    (t, b): (R, R),
+    (qr, qs): (R, R),
+) -> (Dd<R>, Dd<R>) {
+    let zero = t.like(0.0);
+    let leading = [c[0], c[1], zero, zero, zero, zero, -c[2], -c[3]];
+    let next = [(zero, c3), (c4, zero), (zero, -c5)];
+    let r = (-qr, b * qs);
+    long_sum::<_, SUM>((leading, next), (zero, centre), (b, t), square(b, t), r)
+}
+
+/// [`summed_row`] at `b + i (c + t)` from the row of erfcx about `c`.
+#[inline(always)]
+pub(super) fn summed_real_row<L: Vectors, const SUM: u8>(
+    lanes: L,
+    row: &[f64; 20],
+    centre: L::Scalar,
+    (t, b): (L::Scalar, L::Scalar),
+) -> (Dd<L::Scalar>, Dd<L::Scalar>) {
+    if SUM == SHORT {
+        return from_erfcx(b, real_row(lanes, row, t, b));
+    }
+    let (c, _, _, r) = real_polynomial(lanes, row, 8, t, b);
+    let next = [t.like(row[5]), t.like(row[6]), t.like(row[7])];
+    beside_imaginary_axis::<_, SUM>((c, next), centre, (t, b), r)
 }
 
 /// The first four numbers of a [`RealRow`], b², δ², and what is left.
 type RealPolynomial<R> = ([R; 4], R, (R, R), (R, R));
 
-/// The first four numbers of the row, b², δ² and `q₀ + q₁δ + …`, imaginary parts divided by `b`.
+/// The first four numbers of the row, b², δ² and the polynomial in δ whose coefficients stand from
+/// `first` on, imaginary parts divided by `b`.
 #[inline(always)]
 fn real_polynomial<L: Vectors>(
     lanes: L,
     c: &[f64; 20],
+    first: usize,
     t: L::Scalar,
     b: L::Scalar,
 ) -> RealPolynomial<L::Scalar> {
@@ -200,7 +345,9 @@ fn real_polynomial<L: Vectors>(
     let mut re = lanes.entries(block(c, 16));
     let mut im = lanes.mul(s4, re);
     re = lanes.mul_add(p4, re, lanes.entries(block(c, 12)));
-    for at in [8, 4] {
+    let mut at = 12;
+    while at > first {
+        at -= 4;
         let v = lanes.entries(block(c, at));
         let r = lanes.mul_add(p4, re, lanes.neg_mul_add(bs4, im, v));
         im = lanes.mul_add(p4, im, lanes.mul(s4, re));
@@ -280,6 +427,38 @@ pub(super) fn real_rows<S: Wide>(
     t: Pack<S>,
     b: Pack<S>,
 ) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
+    let (c, bb, powers, q) = real_polynomials(simd, rows, 4, t, b);
+    real_sum(c, (t, bb), powers, q)
+}
+
+/// [`summed_real_row`] for several points with a row each.
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
+#[inline(always)]
+pub(super) fn summed_real_rows<S: Wide, const SUM: u8>(
+    simd: S,
+    rows: &[&[f64; 20]; 8],
+    centre: Pack<S>,
+    (t, b): (Pack<S>, Pack<S>),
+) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
+    if SUM == SHORT {
+        return from_erfcx(b, real_rows(simd, rows, t, b));
+    }
+    let (c, _, _, r) = real_polynomials(simd, rows, 8, t, b);
+    let [_, c3, c4, c5] = columns(simd, rows, 4);
+    let leading = (c, [c3, c4, c5]);
+    beside_imaginary_axis::<_, SUM>(leading, centre, (t, b), r)
+}
+
+/// [`real_polynomial`] for several points with a row each.
+#[cfg(all(target_arch = "x86_64", feature = "vectors"))]
+#[inline(always)]
+fn real_polynomials<S: Wide>(
+    simd: S,
+    rows: &[&[f64; 20]; 8],
+    first: usize,
+    t: Pack<S>,
+    b: Pack<S>,
+) -> RealPolynomial<Pack<S>> {
     let bb = b * b;
     let (p, s) = real_powers(t, bb);
     let bs4 = -(bb * s[4]);
@@ -289,7 +468,9 @@ pub(super) fn real_rows<S: Wide>(
     for m in 0..4 {
         re[m] = p[4].fma(re[m], c[m]);
     }
-    for at in [8, 4] {
+    let mut at = 12;
+    while at > first {
+        at -= 4;
         let c = columns(simd, rows, at);
         for m in 0..4 {
             let r = p[4].fma(re[m], bs4.fma(im[m], c[m]));
@@ -301,7 +482,7 @@ pub(super) fn real_rows<S: Wide>(
     let slope = |m: usize| p[m].fma(im[m], s[m] * re[m]);
     let qr = (re[0] + part(2)) + (part(1) + part(3));
     let qs = (im[0] + slope(2)) + (slope(1) + slope(3));
-    real_sum(columns(simd, rows, 0), (t, bb), (p[2], s[2]), (qr, qs))
+    (columns(simd, rows, 0), bb, (p[2], s[2]), (qr, qs))
 }
 
 /// [`polynomial`] for several points with a row each.
@@ -340,6 +521,35 @@ impl<S: Wide> OnRows<'_, S> {
     pub(super) fn rounded(&self, simd: S) -> (Pack<S>, Pack<S>) {
         let [d2, q] = self.polynomials(simd);
         complex_sum_rounded(self.leading(simd), (self.dx, self.dy), d2, q)
+    }
+
+    /// [`summed_row`]
+    #[inline(always)]
+    pub(super) fn summed<const SUM: u8>(
+        &self,
+        simd: S,
+        centre: (Pack<S>, Pack<S>),
+    ) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
+        if SUM == SHORT {
+            return self.unevaluated(simd);
+        }
+        let delta = (self.dx, self.dy);
+        let d2 = square(self.dx, self.dy);
+        let mut r = polynomials(simd, &self.rows, (16, 32), delta, d2);
+        if SUM == SLOPE {
+            let [_, _, c16, c17] = self.block(simd, 32);
+            r = with_next(r, centre, d2, [c16, c17]);
+        }
+        let [_, c3, c4, c5] = self.block(simd, 8);
+        long_sum::<_, SUM>((self.leading(simd), [c3, c4, c5]), centre, delta, d2, r)
+    }
+
+    /// Four complex coefficients.
+    #[inline(always)]
+    fn block(&self, simd: S, at: usize) -> [(Pack<S>, Pack<S>); 4] {
+        let [a, b, c, d] = columns(simd, &self.rows, at);
+        let [p, q, r, s] = columns(simd, &self.rows, at + 4);
+        [(a, p), (b, q), (c, r), (d, s)]
     }
 
     /// δ² and `q₀ + q₁δ + …`

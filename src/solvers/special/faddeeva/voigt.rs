@@ -6,6 +6,7 @@ use super::pairs;
 use super::places::{Number, One, Places};
 use super::quadrant::{exp_wide, times_power};
 use super::slope::derivative;
+use super::taylor::SHORT;
 use crate::double_double::{Dd, two_prod};
 use crate::hex::hex;
 use crate::lanes::{Lanes, Task, with_best};
@@ -96,7 +97,7 @@ fn profile<P: Places>(places: P, [x, sigma, gamma]: [Number<P>; 3]) -> Number<P>
     let kept = x.except(kept, q.hi.below(like(LINEAR)));
     let mut value = a;
     if x.any(kept) {
-        let (u, v) = pairs::w(places, p.hi, q.hi, kept);
+        let (u, v) = pairs::w::<_, SHORT>(places, p.hi, q.hi, kept);
         // By the low parts of the argument, with w′ = −2zw + 2i/√π.
         let re = (v.mul_f(q.hi) + -u.mul_f(p.hi)).hi;
         let im = (TWO_OVER_SQRT_PI.like(x) + twice(-(v.mul_f(p.hi) + u.mul_f(q.hi)))).hi;
@@ -161,7 +162,7 @@ impl Task for Anywhere {
             let t = t.div(two_prod(ms, ms)).value();
             return gauss(p, (ms, es)) + times_power(t, ROUND + (eg - 2.0 * es));
         }
-        let (u, _) = pairs::w(One(lanes), p.hi, q.hi, true);
+        let (u, _) = pairs::w::<_, SHORT>(One(lanes), p.hi, q.hi, true);
         let ((du, dv), _) = derivative(One(lanes), p.hi, q.hi, true);
         let u = u.add_f(du.hi * p.lo - dv.hi * q.lo);
         times_power((u * INV_SQRT_2_PI).div(Dd::from(ms)).value(), ROUND - es)

@@ -22,6 +22,7 @@ use super::constants::{INV_SQRT_2, SQRT_LN_2, TWO_OVER_SQRT_PI};
 use super::pairs::w;
 use super::places::One;
 use super::quadrant::times_power;
+use super::taylor::SHORT;
 use super::voigt::split;
 use crate::double_double::{Dd, fast_two_sum};
 use crate::hex::hex;
@@ -42,7 +43,7 @@ struct Width {
 /// w, Re w′ and Im w′ at `t + iy`, the derivatives as single numbers.
 #[inline(always)]
 fn with_slope<L: Lanes>(lanes: L, t: f64, y: f64) -> (Dd, f64, f64) {
-    let (u, v) = w(One(lanes), t, y, true);
+    let (u, v) = w::<_, SHORT>(One(lanes), t, y, true);
     // Re w′ = 2(yv − tu) is as small as 1/y² beside its terms.
     let re = (v.mul_f(y) - u.mul_f(t)).value() * 2.0;
     let im = TWO_OVER_SQRT_PI.hi - 2.0 * (t * v.hi + y * u.hi);
@@ -54,7 +55,7 @@ fn with_slope<L: Lanes>(lanes: L, t: f64, y: f64) -> (Dd, f64, f64) {
 fn solved<L: Lanes>(lanes: L, y: Dd) -> Dd {
     let h = y.hi;
     let t = 0.5 * 1.06868f64.mul_add(h, 0.86743f64.mul_add(h * h, 4.0 * LN_2).sqrt());
-    let half = w(One(lanes), 0.0, h, true).0.scale(0.5);
+    let half = w::<_, SHORT>(One(lanes), 0.0, h, true).0.scale(0.5);
 
     let (u, re, im) = with_slope(lanes, t, h);
     let f = (u - half).value();

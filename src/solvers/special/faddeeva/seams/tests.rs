@@ -4,6 +4,7 @@ use super::super::pairs::w;
 use super::super::places::One;
 use super::super::rows::{cell, cell_number, nearest_zero, on_real_axis};
 use super::super::slope::derivative;
+use super::super::taylor::LONG;
 use super::super::tests::Random;
 use super::super::{Branch, branch};
 use super::*;
@@ -126,7 +127,10 @@ fn circles_of_the_relatives_are_told_apart() {
     assert!(circles.windows(2).all(|pair| pair[0] < pair[1]));
     let values = |a: f64, b: f64| {
         let places = One(Plain);
-        let ((p, q), ((r, s), _)) = (w(places, a, b, true), derivative(places, a, b, true));
+        let ((p, q), ((r, s), _)) = (
+            w::<_, LONG>(places, a, b, true),
+            derivative(places, a, b, true),
+        );
         [p, q, r, s].map(|part| part.value())
     };
     for (r2, part) in circles[1..]

@@ -167,7 +167,7 @@ fn relatives() {
     }
     check("erf", erf::erf, erf_batch, erf::ERF);
     check("erfc", erf::erfc, erfc_batch, erf::ERFC);
-    check("erfi", erf::erfi, erfi_batch, erf::Turned);
+    check("erfi", erf::erfi, erfi_batch, erf::ERFI);
     check("dawson", dawson::dawson, dawson_batch, dawson::Dawson);
     check(
         "w_derivative",

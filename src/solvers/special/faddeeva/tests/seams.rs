@@ -1,9 +1,10 @@
 //! Both sides of every seam between formulas and cells, and the seams themselves.
 
-use super::super::{SEAMS, faddeeva};
+use super::super::{SEAMS, faddeeva, w_derivative};
 use super::exact::{float, w};
 use num_complex::Complex;
 use rug::Float;
+use rug::float::Constant;
 
 /// The error by the modulus, in units of ε.
 fn off(x: f64, y: f64) -> f64 {
@@ -40,6 +41,27 @@ fn check(points: impl IntoIterator<Item = (f64, f64)>) {
 fn cells() {
     let lattice = |n: usize| (0..n).map(|k| k as f64 / 16.0);
     check(lattice(118).flat_map(|x| lattice(118).map(move |y| (x, y))));
+}
+
+/// W′ next to the corners of the cells, where the Taylor series leave out the most: each component.
+#[test]
+fn slopes_in_corners() {
+    let lattice = || (2..110).map(|k| f64::from(k) / 16.0 + 0.003);
+    for (x, y) in lattice().flat_map(|x| lattice().map(move |y| (x, y))) {
+        let got = w_derivative(Complex::new(x, y));
+        let (u, v) = w(x, y);
+        let times = |w: &Float, x: f64| Float::with_val(300, w * x);
+        let root = Float::with_val(300, Constant::Pi).sqrt();
+        let re = (times(&v, y) - times(&u, x)) * 2u32;
+        let im = (root.recip() - times(&v, x) - times(&u, y)) * 2u32;
+        for (got, exact) in [(got.re, re), (got.im, im)] {
+            let off = (float(got) - &exact).abs().to_f64() / (got.abs() * f64::EPSILON);
+            assert!(
+                off <= 1.0,
+                "w′({x} + {y} i) is {off} ε off: {got:e}, {exact:e}"
+            );
+        }
+    }
 }
 
 /// Neighbours of the straight seams.
