@@ -66,7 +66,7 @@ proptest! {
         prop_assert!(found <= most, "{bits}: {found}");
     }
 
-    /// What cancels leaves what was cut off at most: nothing here, where all words fit.
+    /// Terms that cancel leave no more than what was cut off: nothing here, where all words fit.
     #[test]
     fn terms_that_cancel_leave_nothing(terms in proptest::collection::vec((number(128), number(128)), 1..20)) {
         let twice = terms.iter().map(|(a, b)| (a.clone(), b.clone(), 1i64));

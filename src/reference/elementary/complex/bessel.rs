@@ -346,7 +346,7 @@ fn bounds(which: Bessel, order: Order, z: &ComplexBall) -> (Mag, Mag) {
 
 /// The function of an order ν ≥ 0, or an integer.
 pub fn bessel(which: Bessel, order: &Rational, z: &ComplexBall, prec: u32) -> ComplexEvaluated {
-    // What is clipped to the axis belongs to the side above it.
+    // A part that is clipped to the axis belongs to the side above it.
     if z.im.is_negative() {
         return Ok(bessel(which, order, &z.conj(), prec)?.conj());
     }

@@ -346,7 +346,7 @@ pub fn lgamma(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
     if is_across(z) && real::support::ends(&z.re, BITS)[0] <= 0 {
         return Err(NoValue::Undecided("the operand meets the cut of lgamma"));
     }
-    // What is clipped to the axis belongs to the side above it.
+    // A part that is clipped to the axis belongs to the side above it.
     if z.im.is_negative() {
         return Ok(lgamma(&z.conj(), prec)?.conj());
     }
