@@ -31,7 +31,7 @@ fn error(terms: &[(Float, Float, i64)], bits: u32) -> f64 {
         assert_eq!(off, 0);
         return 0.0;
     }
-    (Rational::from(off / norm) << bits).to_f64()
+    ((off / norm) << bits).to_f64()
 }
 
 fn number(bits: u32) -> impl Strategy<Value = Float> {
