@@ -220,10 +220,12 @@ fn sum_checked(
     let factors = Factors::new(p, q2, bits)?;
     let v = Point::new(p, q2, factors.errors)?;
 
-    // Powers. Where they are cheap, there are more of them.
-    let spread = match factors.are_short() {
-        true => 1.4 + f64::from(bits) / CHEAP,
-        false => 1.4,
+    // Powers: as many of m full products as cost as much as those of n/m blocks, which have fewer
+    // digits where there are many. Where powers are cheap, there are more of them.
+    let spread = match (factors.are_short(), bits >= MANY) {
+        (true, _) => 1.4 + f64::from(bits) / CHEAP,
+        (false, true) => 0.6,
+        (false, false) => 1.4,
     };
     let m = ((n as f64 * spread).sqrt() as u64).max(1);
     let one = Integer::from(1) << bits;
