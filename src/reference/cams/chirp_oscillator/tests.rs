@@ -412,7 +412,7 @@ fn closed_forms_bit_by_bit() {
         &[
             "30: 3906e61d, -81 to 20 bits",
             "64: dd123a6e, -140 to 54 bits",
-            "160: 64ad2416, -212 to 149 bits",
+            "160: 499cf5ef, -212 to 149 bits",
         ],
         lines,
     );
