@@ -465,3 +465,19 @@ fn bounded_loops_are_unrolled() {
     let endless = of("x + while(1 < 2, k, 0, k, k)").tried().unwrap_err();
     assert!(endless.to_string().contains("rounds"), "{endless}");
 }
+
+/// A comparison of numbers without errors picks the branch of the exact value, one of rounded
+/// numbers may pick the other.
+#[test]
+fn exact_comparisons_pick_the_branch_of_the_value() {
+    let domain = [[0.0, 1.0]];
+    let exact = kernel("if(x > 0.25 and not (2*x < 0.5), x + 1, x/3)", &domain);
+    let bound = exact.bound(Measure::Absolute);
+    assert!(bound <= 2f64.powi(-53), "{bound:e}");
+    let rounded = kernel("if(x*x > 0.1, x + 1, x/3)", &domain);
+    let bound = rounded.bound(Measure::Absolute);
+    assert!(bound > 0.5, "{bound:e}");
+    let both = kernel("if(x > 0.25 and x*x > 0.1, x + 1, x/3)", &domain);
+    let bound = both.bound(Measure::Absolute);
+    assert!(bound > 0.5, "{bound:e}");
+}

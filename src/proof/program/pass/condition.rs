@@ -42,6 +42,19 @@ impl Pass {
         }
     }
 
+    /// Returns whether a condition compares numbers without errors alone: the execution then takes
+    /// the branch of the exact value.
+    fn is_exact(&self, tape: &Tape, condition: usize) -> bool {
+        match tape.conditions[condition] {
+            Condition::Truth(_) => true,
+            Condition::Not(a) => self.is_exact(tape, a),
+            Condition::And(a, b) | Condition::Or(a, b) => {
+                self.is_exact(tape, a) && self.is_exact(tape, b)
+            }
+            Condition::Compare(_, a, b) => self.error[a] == 0.0 && self.error[b] == 0.0,
+        }
+    }
+
     /// The branch of the exact value, and what the other one differs by where the execution may
     /// take it.
     pub(super) fn choose(
@@ -52,6 +65,7 @@ impl Pass {
         b: Place,
         picks: &[bool],
     ) -> Result<(), Stop> {
+        let mut float = None;
         let (taken, jump, value) = match self.holds(tape, condition) {
             Some(true) => (a, 0.0, self.value[a]),
             Some(false) => (b, 0.0, self.value[b]),
@@ -68,25 +82,26 @@ impl Pass {
                     Some(_) => self.value[taken],
                     None => self.value[a].hull(self.value[b]),
                 };
-                let jump = match a == b {
+                let follows = self.is_exact(tape, condition);
+                let jump = match a == b || follows {
                     true => 0.0,
                     false => (self.float[a] - self.float[b]).magnitude(),
                 };
+                if pick.is_none() || !follows {
+                    float = Some(self.float[a].hull(self.float[b]));
+                }
                 if !jump.is_finite() {
                     return stop("a jump without a bound");
                 }
                 (taken, jump, value)
             }
         };
-        let (f, grain) = match jump > 0.0 {
-            true => (
-                self.float[a].hull(self.float[b]),
-                self.grain[a].min(self.grain[b]),
-            ),
-            false => (self.float[taken], self.grain[taken]),
+        let (float, grain) = match float {
+            Some(either) => (either, self.grain[a].min(self.grain[b])),
+            None => (self.float[taken], self.grain[taken]),
         };
         let error = sum_up(self.error[taken], jump);
-        self.push(f, value, jump, grain, error);
+        self.push(float, value, jump, grain, error);
         let last = self.partial.len() - 1;
         let side = usize::from(taken == b && a != b);
         self.partial[last][side] = one();
