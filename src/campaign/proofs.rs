@@ -328,7 +328,7 @@ impl Units {
         let solver = problem
             .solvers
             .first()
-            .ok_or("the study states no solver: nothing rounds")?;
+            .ok_or("the study has no solver that rounds to one format, binary64 or binary32")?;
         let outputs = problem.outputs.iter().enumerate().map(|(k, output)| {
             let program = problem.program(solver, &[k], solver.setting(), part.within);
             let named = program.map(|p| (output.name.clone(), p));

@@ -114,7 +114,9 @@ fn solver(problem: &Problem, name: Option<&str>, study: &Study) -> Result<StudyS
             .ok_or_else(|| Failure::new("there is no such solver"));
     }
     let first = problem.solvers.first().cloned();
-    first.ok_or_else(|| Failure::new("the study states no solver: nothing rounds"))
+    first.ok_or_else(|| {
+        Failure::new("the study has no solver that rounds to one format, binary64 or binary32")
+    })
 }
 
 impl Theorem {
