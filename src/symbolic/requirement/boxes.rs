@@ -6,7 +6,7 @@ use crate::{Definitions, Expr, SymbolicError};
 use mechaudit_reference::Ball;
 use rug::float::{OrdFloat, Special};
 use rug::{Float, Rational};
-use std::collections::BinaryHeap;
+use std::collections::{BinaryHeap, VecDeque};
 use std::sync::Arc;
 
 /// A box: names with their ends.
@@ -66,9 +66,12 @@ impl Function {
     /// Returns true if the function is proved to be positive everywhere.
     pub fn is_positive(&self) -> bool {
         let mut evaluator = self.evaluator();
-        let mut open = vec![self.region.clone()];
+        // The largest come first: in a box next to a zero the sign stays open at every size.
+        let mut open = VecDeque::from([self.region.clone()]);
         for _ in 0..MOST {
-            let Some(ends) = open.pop() else { return true };
+            let Some(ends) = open.pop_front() else {
+                return true;
+            };
             match self.over(&mut evaluator, &ends) {
                 Some(value) if value.is_positive() => {}
                 Some(value) if value.is_negative() => return false,

@@ -60,16 +60,17 @@ fn a_domain_has_its_negative_part() {
     }
 }
 
+fn over(text: &str, names: &[&str], ends: &[Rational; 2]) -> Function {
+    let region = names.iter().map(|n| (n.to_string(), ends.clone()));
+    let region: Region = region.collect();
+    let none = Definitions::default();
+    Function::new(&none, &parse(text).unwrap(), &region).unwrap()
+}
+
 /// A cubic with its extremes inside, and a product of two variables at a corner; by hand.
 #[test]
 fn the_largest_value_over_a_box_is_enclosed() {
-    let unit = [Rational::new(), Rational::from(1)];
-    let over = |text: &str, names: &[&str], ends: &[Rational; 2]| {
-        let region = names.iter().map(|n| (n.to_string(), ends.clone()));
-        let region: Region = region.collect();
-        let none = Definitions::default();
-        Function::new(&none, &parse(text).unwrap(), &region).unwrap()
-    };
+    let unit = [0, 1].map(Rational::from);
     for (text, names, [above, below]) in [
         ("x*(1 - x)", &["x"][..], [1, 4]),
         ("x - x^3/3", &["x"], [2, 3]),
@@ -86,6 +87,11 @@ fn the_largest_value_over_a_box_is_enclosed() {
     let far = [Rational::new(), Rational::from(1) << 1100u32];
     let found = over("x", &["x"], &far).largest(1e300).unwrap();
     assert!(found.contains(&far[1]));
+}
+
+#[test]
+fn a_function_is_positive_over_a_whole_box() {
+    let unit = [0, 1].map(Rational::from);
     // Negative next to 1/2 alone.
     let dip = over("0.24999 - x*(1 - x)", &["x"], &unit);
     assert!(!dip.is_positive() && over("x + 1", &["x"], &unit).is_positive());
