@@ -466,3 +466,6 @@ pub(super) fn integral(
         reason: NoValue::Undecided("an integral that is not enclosed within its limits"),
     })
 }
+
+#[cfg(test)]
+mod tests;
