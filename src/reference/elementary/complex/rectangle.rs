@@ -4,6 +4,8 @@
 //! operands. Sums and products of ends are rounded to nearest and moved to the next double
 //! outwards; functions are off by what stands at them in `coarse`.
 
+mod special;
+
 use super::super::support::{BITS, doubles, ends, hull_of_doubles};
 use super::super::trigonometric::{outwards, waves};
 use super::super::{coarse, hyperbolic};
@@ -317,12 +319,36 @@ mod tests {
         holds("cos", Rectangle::cos, |z| c::cos(z, p));
         holds("sech", Rectangle::sech, |z| c::recip(&c::cosh(z, p)?, p));
         holds("sec", Rectangle::sec, |z| c::recip(&c::cos(z, p)?, p));
+        holds("log", Rectangle::log, |z| c::log(z, p));
+        holds("tgamma", Rectangle::tgamma, |z| c::tgamma(z, p));
+        // Zero at poles.
+        let due = |z: &ComplexBall| c::inverse_gamma(z, p).or(Ok(ComplexBall::zero(p)));
+        holds("1/tgamma", Rectangle::inverse_gamma, due);
+        holds("lambertw", Rectangle::lambertw, |z| c::lambertw(z, p));
+        let far = |z: &Rectangle| z.mul(&Rectangle::real([16.0; 2])?);
+        let of = |z: &ComplexBall| z.scaled(&Ball::exact(53, 16.0));
+        holds(
+            "far lambertw",
+            |z| far(z)?.lambertw(),
+            |z| c::lambertw(&of(z), p),
+        );
+        holds("far tgamma", |z| far(z)?.tgamma(), |z| c::tgamma(&of(z), p));
+        let inverse = |z: &Rectangle| far(z)?.inverse_gamma();
+        holds("far 1/tgamma", inverse, |z| due(&of(z)));
         holds("cube", |z| z.power(3), |z| Ok(&(z * z) * z));
         holds(
             "z − z²",
             |z| z.add(&z.mul(z)?.negative()),
             |z| Ok(z - &(z * z)),
         );
+    }
+
+    #[test]
+    fn rectangles_across_cuts_have_no_values() {
+        for (re, im) in [([-2.0, -1.0], [-1.0, 1.0]), ([-0.5, 1.0], [0.0, 1.0])] {
+            let z = Rectangle::new(re, im).unwrap();
+            assert!(z.lambertw().is_none() && z.log().is_none() && z.tgamma().is_none());
+        }
     }
 
     /// A bound is near the greatest value.
@@ -332,6 +358,8 @@ mod tests {
         let size = |z: Option<Rectangle>| z.unwrap().magnitude().to_f64();
         assert!(size(z.exp()) < 1.5_f64.exp() * 1.13);
         assert!(size(z.inverse()) < 1.13);
+        assert!(size(z.log()) < 0.7 && size(z.lambertw()) < 2.6);
+        assert!(size(z.tgamma()) < 1.5 && size(z.inverse_gamma()) < 2.7);
         assert!(size(z.power(2)) < 3.0);
         assert!(size(z.sqrt()) < 1.31);
         assert!(
