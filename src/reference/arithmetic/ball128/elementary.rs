@@ -115,7 +115,7 @@ fn multiple(n: u64, (high, low): Long) -> Fixed {
     let n = u128::from(n);
     let (above, below) = (
         (high >> 64) * n,
-        (high & LOW) * n + (u128::from(low) * n >> 64),
+        (high & LOW) * n + ((u128::from(low) * n) >> 64),
     );
     let middle = above + (below >> 64);
     ((middle >> 64) as u64, middle << 64 | below & LOW)
@@ -125,7 +125,7 @@ impl Ball128 {
     /// A finite binary64 of moderate size, exactly; zero for others.
     pub fn exact(x: f64) -> Ball128 {
         let bits = x.abs().to_bits();
-        let (m, e) = ((bits & (1 << 52) - 1) | 1 << 52, (bits >> 52) as i64);
+        let (m, e) = ((bits & ((1 << 52) - 1)) | 1 << 52, (bits >> 52) as i64);
         match e {
             1..=2046 => Ball128::normal(x < 0.0, m.into(), e - 1075, 0.0),
             _ => None,
@@ -216,7 +216,7 @@ impl Ball128 {
             f
         };
         let [sine, rest] = *tables.waves.get((f >> 120) as usize)?;
-        let s = f & (HIGHEST >> 7) - 1;
+        let s = f & ((HIGHEST >> 7) - 1);
         let square = times(s, s);
         let c = &tables.inverse_factorials;
         let series = |last: usize| {

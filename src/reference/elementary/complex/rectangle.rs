@@ -285,13 +285,13 @@ mod tests {
 
     /// Corners, points of edges and inner points of rectangles of all shapes have values inside.
     fn holds(
+        draws: u32,
         name: &str,
         rectangle: impl Fn(&Rectangle) -> Option<Rectangle>,
         ball: impl Fn(&ComplexBall) -> ComplexEvaluated,
     ) {
-        let mut draws = Draws(1);
-        let mut found = 0;
-        for _ in 0..2000 {
+        let (number, mut draws, mut found) = (draws, Draws(1), 0);
+        for _ in 0..number {
             let z = Rectangle::new(draws.side(), draws.side()).unwrap();
             let Some(value) = rectangle(&z).and_then(|z| z.to_ball()) else {
                 continue;
@@ -304,43 +304,57 @@ mod tests {
                 assert!(is_inside, "{name}: {z:?} at {x} {y}: {value:?}");
             }
         }
-        assert!(found > 500, "{name}: {found}");
+        assert!(found > number / 4, "{name}: {found}");
     }
 
     #[test]
     fn rectangles_hold_all_values() {
         let p = 100;
-        holds("inverse", Rectangle::inverse, |z| c::recip(z, p));
-        holds("sqrt", Rectangle::sqrt, |z| c::sqrt(z, p));
-        holds("exp", Rectangle::exp, |z| c::exp(z, p));
-        holds("sinh", Rectangle::sinh, |z| c::sinh(z, p));
-        holds("cosh", Rectangle::cosh, |z| c::cosh(z, p));
-        holds("sin", Rectangle::sin, |z| c::sin(z, p));
-        holds("cos", Rectangle::cos, |z| c::cos(z, p));
-        holds("sech", Rectangle::sech, |z| c::recip(&c::cosh(z, p)?, p));
-        holds("sec", Rectangle::sec, |z| c::recip(&c::cos(z, p)?, p));
-        holds("log", Rectangle::log, |z| c::log(z, p));
-        holds("tgamma", Rectangle::tgamma, |z| c::tgamma(z, p));
-        // Zero at poles.
-        let due = |z: &ComplexBall| c::inverse_gamma(z, p).or(Ok(ComplexBall::zero(p)));
-        holds("1/tgamma", Rectangle::inverse_gamma, due);
-        holds("lambertw", Rectangle::lambertw, |z| c::lambertw(z, p));
-        let far = |z: &Rectangle| z.mul(&Rectangle::real([16.0; 2])?);
-        let of = |z: &ComplexBall| z.scaled(&Ball::exact(53, 16.0));
+        holds(2000, "inverse", Rectangle::inverse, |z| c::recip(z, p));
+        holds(2000, "sqrt", Rectangle::sqrt, |z| c::sqrt(z, p));
+        holds(2000, "exp", Rectangle::exp, |z| c::exp(z, p));
+        holds(2000, "sinh", Rectangle::sinh, |z| c::sinh(z, p));
+        holds(2000, "cosh", Rectangle::cosh, |z| c::cosh(z, p));
+        holds(2000, "sin", Rectangle::sin, |z| c::sin(z, p));
+        holds(2000, "cos", Rectangle::cos, |z| c::cos(z, p));
+        holds(2000, "sech", Rectangle::sech, |z| {
+            c::recip(&c::cosh(z, p)?, p)
+        });
+        holds(2000, "sec", Rectangle::sec, |z| c::recip(&c::cos(z, p)?, p));
+        holds(2000, "cube", |z| z.power(3), |z| Ok(&(z * z) * z));
         holds(
-            "far lambertw",
-            |z| far(z)?.lambertw(),
-            |z| c::lambertw(&of(z), p),
-        );
-        holds("far tgamma", |z| far(z)?.tgamma(), |z| c::tgamma(&of(z), p));
-        let inverse = |z: &Rectangle| far(z)?.inverse_gamma();
-        holds("far 1/tgamma", inverse, |z| due(&of(z)));
-        holds("cube", |z| z.power(3), |z| Ok(&(z * z) * z));
-        holds(
+            2000,
             "z − z²",
             |z| z.add(&z.mul(z)?.negative()),
             |z| Ok(z - &(z * z)),
         );
+    }
+
+    #[test]
+    fn special_functions_are_inside() {
+        let p = 64;
+        holds(300, "log", Rectangle::log, |z| c::log(z, p));
+        holds(300, "tgamma", Rectangle::tgamma, |z| c::tgamma(z, p));
+        // Zero at poles.
+        let due = |z: &ComplexBall| c::inverse_gamma(z, p).or(Ok(ComplexBall::zero(p)));
+        holds(300, "1/tgamma", Rectangle::inverse_gamma, due);
+        holds(300, "lambertw", Rectangle::lambertw, |z| c::lambertw(z, p));
+        let far = |z: &Rectangle| z.mul(&Rectangle::real([16.0; 2])?);
+        let of = |z: &ComplexBall| z.scaled(&Ball::exact(53, 16.0));
+        holds(
+            300,
+            "far lambertw",
+            |z| far(z)?.lambertw(),
+            |z| c::lambertw(&of(z), p),
+        );
+        holds(
+            300,
+            "far tgamma",
+            |z| far(z)?.tgamma(),
+            |z| c::tgamma(&of(z), p),
+        );
+        let inverse = |z: &Rectangle| far(z)?.inverse_gamma();
+        holds(300, "far 1/tgamma", inverse, |z| due(&of(z)));
     }
 
     #[test]
