@@ -128,8 +128,8 @@ impl Rectangle {
         }
         // A bound on h, its square, and a number above it.
         let (height, square, above, least) = match low >= 0.0 {
-            true => (1.571, 2.4675, 2.0, 0.0),
-            false => (3.1416, 9.8697, 3.3, -1.0),
+            true => (FRAC_PI_2.next_up(), 2.4675, 2.0, 0.0),
+            false => (PI.next_up(), 9.8697, 3.3, -1.0),
         };
         let log = coarse::ln(most.max(3.0));
         let root = |r: f64| (r * r - square).sqrt();
