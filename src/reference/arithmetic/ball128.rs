@@ -5,6 +5,8 @@
 //! one unit in the last place. Every value is of one size and on the stack: an operation takes
 //! between a tenth and a third of the time that it takes in MPFR with as many bits.
 
+mod elementary;
+
 use crate::{Ball, Mag};
 use gmp_mpfr_sys::gmp::LIMB_BITS;
 use rug::{Float, Rational};

@@ -32,6 +32,7 @@ mod steps;
 mod support;
 mod trigonometric;
 mod voigt;
+pub mod words;
 
 use crate::{Ball, ComplexBall};
 

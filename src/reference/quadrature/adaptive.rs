@@ -303,7 +303,7 @@ struct Hint {
     capped: bool,
     /// Bits that the nodes of the last panel needed beyond those of its value.
     more: u32,
-    /// True if machine words have been accurate enough.
+    /// True if machine words have been accurate enough, or lacked a few bits.
     short: bool,
 }
 
@@ -401,9 +401,13 @@ const ATTEMPTS: u32 = 3;
 
 /// Bits by which rounding errors may lie above the share of a panel of its own size: they are small
 /// beside their panels, and their sum beside the integral, however many there are.
-const ROUNDING: i64 = 4;
+const ROUNDING: i64 = 6;
 
-/// Bits of the error of a panel below its size that machine words are tried for.
+/// Bits that machine words may lack on a panel and are tried again on the next one.
+const LITTLE: i64 = 3;
+
+/// Bits of the error of a panel below its size that machine words are tried for; its size may be
+/// known badly, and the bits below the greatest panel serve as well.
 const WORDS: u32 = 124;
 
 fn gauss<P: Path>(
@@ -446,15 +450,16 @@ fn gauss<P: Path>(
         return Outcome::Costly;
     };
     if hint.short
-        && top - bottom <= i64::from(WORDS)
+        && relative.min(top - bottom) <= i64::from(WORDS)
         && let Some(rule) = nodes::rule(n, WORDS)
         && let Some(words) = path.short_sum(&rule, [&mid_of(WORDS), &half_of(WORDS)])
     {
         budget.spent += u64::from(n);
-        hint.short = words.radius() <= tolerance.max(words.magnitude().shift(ROUNDING - relative));
-        if hint.short {
+        let enough = tolerance.max(words.magnitude().shift(ROUNDING - relative));
+        if words.radius() <= enough {
             return Outcome::Done(words.widened(error));
         }
+        hint.short = words.radius() <= enough.shift(LITTLE);
     }
     let mut bits = u32::try_from((top - bottom).max(8)).unwrap_or(u32::MAX / 4) + 16 + n.ilog2();
     // The integrand loses about as many bits to cancellation here as in the panel beside this one.

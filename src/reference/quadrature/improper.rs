@@ -136,8 +136,14 @@ pub(super) fn integral(
             };
             between(line, a, b, &[], run)
         }
-        (Limit::Finite(a), _, [false, true]) => towards(f, a, &upper, run),
-        (_, Limit::Finite(b), [true, false]) => towards(f, b, &lower, run),
+        (Limit::Finite(a), _, [false, true]) => {
+            let rest = rest(f, a, &upper, run)?;
+            towards(f, a, &upper, rest, run)
+        }
+        (_, Limit::Finite(b), [true, false]) => {
+            let rest = rest(f, b, &lower, run)?;
+            towards(f, b, &lower, rest, run)
+        }
         _ => {
             let middle = match (a, b) {
                 (Limit::Finite(a), Limit::Finite(b)) => (a + b).shift(-1).mid().clone(),
@@ -147,8 +153,11 @@ pub(super) fn integral(
             };
             // A break at a short number keeps the panels short ones.
             let middle = Ball::new(middle, Mag::ZERO);
-            let left = towards(f, &middle, &lower, run)?;
-            Some(left + towards(f, &middle, &upper, run)?)
+            // Nothing is summed unless both ends are known to be integrable.
+            let below = rest(f, &middle, &lower, run)?;
+            let above = rest(f, &middle, &upper, run)?;
+            let left = towards(f, &middle, &lower, below, run)?;
+            Some(left + towards(f, &middle, &upper, above, run)?)
         }
     }
 }
@@ -191,30 +200,48 @@ fn between(mut line: Line, a: &Ball, b: &Ball, inner: &[Float], run: &mut Run) -
     Some(sum.value?.widened(beside))
 }
 
-/// The integral between an ordinary point and an end, taken upwards.
-fn towards(f: &mut dyn Integrand, from: &Ball, end: &End, run: &mut Run) -> Option<Ball> {
-    let zero = Ball::integer(64, 0);
-    // The coordinate grows away from a finite end, and towards an infinite one.
-    let (origin, negative, start) = match end {
-        End::Above(a) => (a, false, from - a),
-        End::Below(a) => (a, true, a - from),
-        End::PlusInfinity => (&zero, false, from.clone()),
-        End::MinusInfinity => (&zero, true, -from),
-    };
-    let infinite = matches!(end, End::PlusInfinity | End::MinusInfinity);
+/// The distance from an end, `2^−k` or `2^k`, at which an integral from an ordinary point is cut
+/// off, and a bound on the rest.
+fn rest(f: &mut dyn Integrand, from: &Ball, end: &End, run: &mut Run) -> Option<(u32, Mag)> {
+    let size = distance(from, end).magnitude().exponent().unwrap_or(0);
+    let is_infinite = matches!(end, End::PlusInfinity | End::MinusInfinity);
     // The bound has to hold up to a place short of the start.
-    let size = start.magnitude().exponent().unwrap_or(0);
-    let nearest = if infinite { size + 2 } else { 2 - size };
-    let hindered = |run: &mut Run| {
+    let nearest = if is_infinite { size + 2 } else { 2 - size };
+    let found = proved_growth(f, end, nearest)
+        .and_then(|(growth, k)| cut(&growth, is_infinite, k, run.tail));
+    if found.is_none() {
         run.hindrance.get_or_insert(Hindrance::End(name(end)));
-        None
+    }
+    found
+}
+
+/// The coordinate of a point: it grows away from a finite end, and towards an infinite one.
+fn distance(from: &Ball, end: &End) -> Ball {
+    match end {
+        End::Above(a) => from - a,
+        End::Below(a) => a - from,
+        End::PlusInfinity => from.clone(),
+        End::MinusInfinity => -from,
+    }
+}
+
+/// The integral between an ordinary point and an end, taken upwards.
+fn towards(
+    f: &mut dyn Integrand,
+    from: &Ball,
+    end: &End,
+    (k, rest): (u32, Mag),
+    run: &mut Run,
+) -> Option<Ball> {
+    let zero = Ball::integer(64, 0);
+    let (origin, negative) = match end {
+        End::Above(a) => (a, false),
+        End::Below(a) => (a, true),
+        End::PlusInfinity => (&zero, false),
+        End::MinusInfinity => (&zero, true),
     };
-    let Some((growth, k)) = proved_growth(f, end, nearest) else {
-        return hindered(run);
-    };
-    let Some((k, rest)) = cut(&growth, infinite, k, run.tail) else {
-        return hindered(run);
-    };
+    let start = distance(from, end);
+    let infinite = matches!(end, End::PlusInfinity | End::MinusInfinity);
     let line = Line {
         f,
         origin: (!origin.is_zero()).then(|| origin.clone()),

@@ -77,6 +77,7 @@ impl Balls {
             precisions: Vec::new(),
             hint: 0,
             work: u64::MAX,
+            poles: Vec::new(),
         }
     }
 }
@@ -198,6 +199,7 @@ impl Certified {
     /// The values of nodes at exact inputs.
     pub fn values(&mut self, inputs: &[Rational], nodes: &[Id], goal: Goal) -> Vec<Answer> {
         self.angles.reduce(self.evaluator.graph(), inputs);
+        self.evaluator.interpretation.poles = self.angles.poles();
         let mut answers: Vec<Option<Answer>> = match &mut self.first {
             Some(first) => first.answers(inputs, &self.angles, nodes, goal),
             None => vec![None; nodes.len()],

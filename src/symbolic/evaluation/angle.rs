@@ -155,6 +155,15 @@ impl Angles {
         }
     }
 
+    /// The tangents of odd multiples of a right angle: they have no value.
+    pub fn poles(&self) -> Vec<Id> {
+        let is_pole = |angle: &&Angle| angle.rest.is_zero() && angle.quarters % 2 == 1;
+        let at_poles = self.known.iter().filter(is_pole);
+        let functions = at_poles.flat_map(|angle| &self.arguments[angle.place].functions);
+        let tangents = functions.filter(|(f, _)| *f == Func::Tan);
+        tangents.map(|(_, id)| *id).collect()
+    }
+
     /// Gives the functions their values in an evaluator. Returns true if there are any.
     ///
     /// At `x = t π/2` with `|x| ≤ π/4` neither rounding error is large beside the function: `|sin x|`
@@ -187,7 +196,8 @@ impl Angles {
                 let ball = match f {
                     Func::Sin => sin.clone(),
                     Func::Cos => cos.clone(),
-                    _ if cos.contains_zero() => continue,
+                    // The cosine is zero.
+                    _ if cos.is_zero() => continue,
                     _ => &sin / &cos,
                 };
                 if let Some(value) = value(ball) {
@@ -198,3 +208,6 @@ impl Angles {
         !self.known.is_empty()
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -109,6 +109,8 @@ pub struct Balls {
     pub hint: u32,
     /// The work that is left, in units of some nanoseconds.
     pub work: u64,
+    /// Tangents at poles.
+    pub poles: Vec<Id>,
 }
 
 /// A value of a real function; one that is too large for MPFR is huge.
@@ -183,6 +185,9 @@ impl Interpretation for Balls {
     type V = Value;
 
     fn at(&mut self, id: Id, node: Node) -> Result<(), NoValue> {
+        if self.poles.contains(&id) {
+            return Err(NoValue::Undefined("the tangent of a right angle"));
+        }
         if let Some(prec) = self.precisions.get(id as usize) {
             self.prec = *prec;
         }

@@ -78,19 +78,25 @@ fn below(x: &Ball) -> Option<i64> {
         .map(|e| e - 1)
 }
 
+/// The signs and exponents of two huge numbers: true for one below zero.
+fn both(a: &Value, b: &Value) -> Option<[(bool, i64); 2]> {
+    let of = |x: &Value| match x {
+        Value::Huge { negative, exponent } => Some((*negative, *exponent)),
+        _ => None,
+    };
+    Some([of(a)?, of(b)?])
+}
+
 /// `a + b`, one of which is huge.
 pub(super) fn add(a: &Value, b: &Value) -> Found {
+    if let Some([(x, e), (y, f)]) = both(a, b) {
+        return if x == y {
+            huge(x, e.max(f))
+        } else {
+            Err(UNDECIDED)
+        };
+    }
     match (a, b) {
-        (
-            Value::Huge {
-                negative: x,
-                exponent: e,
-            },
-            Value::Huge {
-                negative: y,
-                exponent: f,
-            },
-        ) if x == y => huge(*x, *e.max(f)),
         (Value::Huge { negative, exponent }, Value::Real(x))
         | (Value::Real(x), Value::Huge { negative, exponent })
             if above(x).is_some_and(|size| size < *exponent) =>
@@ -107,21 +113,14 @@ pub(super) fn order(a: &Value, b: &Value) -> Option<Ordering> {
         true => Ordering::Less,
         false => Ordering::Greater,
     };
-    match (a, b) {
-        (
-            Value::Huge {
-                negative: x,
-                exponent: e,
-            },
-            Value::Huge {
-                negative: y,
-                exponent: f,
-            },
-        ) => match (*e == INFINITE, *f == INFINITE) {
+    if let Some([(x, e), (y, f)]) = both(a, b) {
+        return match (e == INFINITE, f == INFINITE) {
             (false, true) => Some(above_it(!y)),
-            (true, false) => Some(above_it(*x)),
-            _ => (x != y).then(|| above_it(*x)),
-        },
+            (true, false) => Some(above_it(x)),
+            _ => (x != y).then(|| above_it(x)),
+        };
+    }
+    match (a, b) {
         (Value::Huge { negative, exponent }, x) => {
             let x = match x {
                 Value::Continued(z) => &z.re,
@@ -145,17 +144,10 @@ fn is_negative(x: &Ball) -> Option<bool> {
 
 /// `a b`, one of which is huge.
 pub(super) fn mul(a: &Value, b: &Value) -> Found {
+    if let Some([(x, e), (y, f)]) = both(a, b) {
+        return huge(x != y, e + f);
+    }
     match (a, b) {
-        (
-            Value::Huge {
-                negative: x,
-                exponent: e,
-            },
-            Value::Huge {
-                negative: y,
-                exponent: f,
-            },
-        ) => huge(x != y, e + f),
         (Value::Huge { exponent, .. }, Value::Real(x))
         | (Value::Real(x), Value::Huge { exponent, .. })
             if x.is_zero() =>
@@ -326,3 +318,6 @@ fn two(f: Func, a: &Value, b: &Value, p: u32) -> Found {
         _ => Err(UNDECIDED),
     }
 }
+
+#[cfg(test)]
+mod tests;

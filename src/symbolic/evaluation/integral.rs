@@ -26,6 +26,9 @@ const INNER_SHARE: u32 = 5;
 /// nodes.
 const DEEPER: u32 = 1 << 10;
 
+/// Bits beyond those that an integral next to zero may lose to cancellation within it.
+const CANCELLED: u32 = 1 << 11;
+
 /// Poles and the like between the limits of an integral.
 const MOST_POLES: u32 = 8;
 
@@ -422,6 +425,8 @@ pub(super) fn integral(
         true => 0,
         false => integrand.size(&limits).map_or(0, |e| e.min(0)),
     };
+    // Rules of thousands of bits cost seconds.
+    let places = places.min(bits.saturating_add(CANCELLED));
     let goal = Goal {
         absolute: Mag::power_of_two(small - i64::from(places)),
         evaluations,
@@ -466,3 +471,6 @@ pub(super) fn integral(
         reason: NoValue::Undecided("an integral that is not enclosed within its limits"),
     })
 }
+
+#[cfg(test)]
+mod tests;

@@ -86,8 +86,19 @@ pub(super) fn root(
             "an interval whose ends are in the wrong order",
         ))),
         Err(RootError::Function { error, .. }) => Err(error),
-        Err(RootError::Undecided { .. }) => Err(stop(NoValue::Undecided(
-            "a root that is not proved to be the only one",
-        ))),
+        Err(RootError::Undecided { .. }) => {
+            // A body that is undefined on the whole interval has no root there.
+            let evaluator = evaluator.into_inner();
+            let whole = low.union(&high);
+            evaluator.set_variables(binder, [Value::Real(whole)]);
+            match evaluator.value(body) {
+                Err(undefined) if matches!(undefined.reason, NoValue::Undefined(_)) => {
+                    Err(undefined)
+                }
+                _ => Err(stop(NoValue::Undecided(
+                    "a root that is not proved to be the only one",
+                ))),
+            }
+        }
     }
 }

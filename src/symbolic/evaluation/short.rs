@@ -13,6 +13,7 @@ use crate::graph::{Binding, Graph, Id, Node};
 use crate::{Constant, Func, Relation};
 use mechaudit_reference::elementary::NoValue;
 use mechaudit_reference::elementary::complex::Rectangle;
+use mechaudit_reference::elementary::words;
 use mechaudit_reference::{Ball, Ball128, ComplexBall};
 use rug::Rational;
 use std::cmp::Ordering;
@@ -138,6 +139,25 @@ fn arithmetic(f: Func, x: &[&Ball128]) -> Option<Option<Ball128>> {
     })
 }
 
+/// A function of real numbers in machine words; none for others, and where these do not serve.
+fn in_words(f: Func, x: &[&Words]) -> Option<Ball128> {
+    match (f, x) {
+        (Func::Exp, [Words::Real(x)]) => words::exp(x),
+        (Func::Log, [Words::Real(x)]) => words::log(x),
+        (Func::Sin, [Words::Real(x)]) => words::sin(x),
+        (Func::Cos, [Words::Real(x)]) => words::cos(x),
+        (Func::Tan, [Words::Real(x)]) => words::tan(x),
+        (Func::Sinh, [Words::Real(x)]) => words::sinh(x),
+        (Func::Cosh, [Words::Real(x)]) => words::cosh(x),
+        (Func::Tanh, [Words::Real(x)]) => words::tanh(x),
+        (Func::LambertW, [Words::Real(x)]) => words::lambertw(x),
+        // MPFR sees values that are exact.
+        (Func::Tgamma, [Words::Real(x)]) if !x.is_exact() => words::tgamma(x),
+        (Func::Pow, [Words::Real(x), Words::Real(y)]) if !x.is_exact() => words::pow(x, y),
+        _ => None,
+    }
+}
+
 /// A function over a rectangle that doubles bound; none for others.
 fn bounded(f: Func, z: &Rectangle) -> Option<Rectangle> {
     match f {
@@ -147,6 +167,9 @@ fn bounded(f: Func, z: &Rectangle) -> Option<Rectangle> {
         Func::Sinh => z.sinh(),
         Func::Cosh => z.cosh(),
         Func::Sqrt => z.sqrt(),
+        Func::Log => z.log(),
+        Func::Tgamma => z.tgamma(),
+        Func::LambertW => z.lambertw(),
         _ => None,
     }
 }
@@ -211,6 +234,13 @@ impl Interpretation for Short {
             [Words::Real(a)] => arithmetic(f, &[a]),
             [Words::Real(a), Words::Real(b)] => arithmetic(f, &[a, b]),
             [Words::Real(a), Words::Real(b), Words::Real(c)] => arithmetic(f, &[a, b, c]),
+            [Words::Continued(z), Words::Real(y)] if f == Func::Pow => {
+                let power = || z.log()?.mul(&Rectangle::real(y.doubles()?)?)?.exp();
+                match power() {
+                    Some(found) => return Ok(Words::Continued(found)),
+                    None => None,
+                }
+            }
             [Words::Continued(z)] => match bounded(f, z) {
                 Some(found) => return Ok(Words::Continued(found)),
                 None => None,
@@ -221,6 +251,9 @@ impl Interpretation for Short {
             return decided(found);
         }
         self.has_called = true;
+        if let Some(found) = in_words(f, x) {
+            return decided(Some(found));
+        }
         let values: Option<Vec<Value>> = x.iter().map(|x| x.to_value()).collect();
         let values = values.ok_or(LEFT)?;
         let operands: Vec<&Value> = values.iter().collect();
@@ -231,9 +264,10 @@ impl Interpretation for Short {
         match (f, x) {
             (Func::Cosh, Words::Continued(z)) => z.sech().map(Words::Continued),
             (Func::Cos, Words::Continued(z)) => z.sec().map(Words::Continued),
-            (Func::Tgamma, Words::Continued(_)) => {
-                short(&self.balls.inverse(f, &x.to_value()?)?).ok()
-            }
+            (Func::Tgamma, Words::Continued(z)) => match z.inverse_gamma() {
+                Some(found) => Some(Words::Continued(found)),
+                None => short(&self.balls.inverse(f, &x.to_value()?)?).ok(),
+            },
             _ => None,
         }
     }

@@ -1,5 +1,6 @@
 //! Derivatives of nodes.
 
+mod bessel;
 mod jumps;
 
 use super::{Binding, Graph, Id, Node};
@@ -516,24 +517,8 @@ impl Graph {
                 let slope = self.push(Node::Binary(f, next, b));
                 self.times(db, slope)
             }
-            // (f_{ν−1} ∓ f_{ν+1})/2, less f for e^{−x} I_ν.
             Func::BesselJ | Func::BesselI | Func::BesselIe if da.is_none() => {
-                let one = self.number(1);
-                let orders = [Node::Sub(a, one), Node::Add(a, one)];
-                let [low, high] = orders.map(|order| {
-                    let order = self.push(order);
-                    self.push(Node::Binary(f, order, b))
-                });
-                let sum = self.push(match f {
-                    Func::BesselJ => Node::Sub(low, high),
-                    _ => Node::Add(low, high),
-                });
-                let two = self.number(2);
-                let half = self.ratio(sum, two);
-                let slope = match f {
-                    Func::BesselIe => self.push(Node::Sub(half, id)),
-                    _ => half,
-                };
+                let slope = self.bessel_slope(f, [a, b], id);
                 self.times(db, slope)
             }
             f => return unsupported(format!("the derivative of {}", f.name())),

@@ -53,7 +53,7 @@ fn tangent_numbers(n: usize) -> Vec<Integer> {
 }
 
 /// `B_2k/(2k (2k − 1))` for k = 1 … n, with `B_2k = (−1)^{k−1} 2k T_k/(4^k (4^k − 1))`.
-pub(super) fn coefficients(n: usize) -> Arc<Vec<Rational>> {
+pub(in crate::elementary) fn coefficients(n: usize) -> Arc<Vec<Rational>> {
     static KNOWN: Mutex<Option<Arc<Vec<Rational>>>> = Mutex::new(None);
     let mut known = KNOWN.lock().unwrap_or_else(|broken| broken.into_inner());
     if let Some(all) = known.as_ref().filter(|all| all.len() >= n) {
@@ -267,6 +267,13 @@ fn no_pole(z: &ComplexBall, name: &'static str) -> Result<(), NoValue> {
 /// ln Γ at the midpoint, and a bound on the change over the box.
 fn log_gamma(z: &ComplexBall, prec: u32) -> Result<(ComplexBall, [Mag; 2]), NoValue> {
     let (m, rho) = clipped(z);
+    if z.im.contains_zero() {
+        let [low, high] = real::support::ends(&z.re, BITS);
+        let last = Float::with_val(BITS, high.min(&Float::new(BITS)).floor_ref());
+        if last >= low {
+            return Err(NoValue::Undecided("a pole may be in the operand"));
+        }
+    }
     if m.im.is_zero() && m.re.mid().is_integer() && *m.re.mid() <= 0 {
         return Err(NoValue::Undecided("a pole may be in the operand"));
     }

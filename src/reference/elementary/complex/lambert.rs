@@ -18,7 +18,7 @@
 use super::super::support::{BITS, WIDE, exact, exp_above};
 use super::super::{self as real, ComplexEvaluated, Evaluated, NoValue};
 use super::{GUARD, below, bounded, middle, rounded, widened};
-use crate::{Ball, ComplexBall, Mag};
+use crate::{Ball, Ball128, ComplexBall, Mag};
 
 /// `2 (1 + e z)`, about the square of W(z) + 1 next to the branch point.
 fn branch_distance(z: &ComplexBall) -> ComplexEvaluated {
@@ -171,8 +171,14 @@ pub fn lambertw(z: &ComplexBall, prec: u32) -> ComplexEvaluated {
         let re = real_branch(&z.re, false, prec)?;
         return Ok(ComplexBall::new(re, exact(prec, 0)));
     }
-    // The disc that is found does not show on which side of the cut z is.
-    if super::is_across(z) && of_branch_point(&z.re) != Some(true) {
+    // The disc that is found does not show on which side of the cut z is, and there is none around
+    // the branch point.
+    let place = if z.im.contains_zero() {
+        of_branch_point(&z.re)
+    } else {
+        Some(true)
+    };
+    if place.is_none() || super::is_across(z) && place != Some(true) {
         return Err(NoValue::Undecided(
             "the operand meets the cut of Lambert's function",
         ));
@@ -202,6 +208,24 @@ fn of_branch_point(x: &Ball) -> Option<bool> {
     }
 }
 
+/// Bits of a number for which machine words serve.
+const WORDS: u32 = 100;
+
+/// A real branch at a number or next to one.
+fn of_number(x: &Ball, lower: bool, prec: u32) -> Evaluated {
+    if x.is_zero() {
+        return Ok(exact(prec, 0));
+    }
+    if !lower && prec <= WORDS && x.rad().is_zero() {
+        let word = Ball128::of_ball(x).and_then(|x| real::words::lambertw(&x)?.to_ball());
+        if let Some(found) = word {
+            return Ok(found.with_prec(prec));
+        }
+    }
+    let z = ComplexBall::new(x.clone(), exact(BITS, 0));
+    Ok(value(&z, lower, prec)?.re)
+}
+
 /// A real branch: from −1 upwards, or downwards if `lower`. Both are monotonic.
 pub(in super::super) fn real_branch(x: &Ball, lower: bool, prec: u32) -> Evaluated {
     if lower && (x.is_zero() || x.is_positive()) {
@@ -217,17 +241,15 @@ pub(in super::super) fn real_branch(x: &Ball, lower: bool, prec: u32) -> Evaluat
     if lower && !x.is_negative() {
         return Err(NoValue::Undecided("the operand may be zero"));
     }
-    let of = |x: &Ball, prec: u32| -> Evaluated {
-        let z = ComplexBall::new(x.clone(), exact(BITS, 0));
-        if x.is_zero() {
-            return Ok(exact(prec, 0));
-        }
-        Ok(value(&z, lower, prec)?.re)
+    let is_wide = x.rad() > x.mignitude().shift(-4);
+    let whole = match is_wide && x.is_finite() {
+        true => Err(WIDE),
+        false => of_number(x, lower, prec),
     };
-    match of(x, prec) {
+    match whole {
         Err(NoValue::Undecided(_)) if !x.rad().is_zero() && x.is_finite() => {
-            let [low, high] =
-                real::support::ends(x, prec).map(|e| of(&Ball::new(e, Mag::ZERO), prec + 8));
+            let at = |e| of_number(&Ball::new(e, Mag::ZERO), lower, prec + 8);
+            let [low, high] = real::support::ends(x, prec).map(at);
             let (low, high) = if lower { (high?, low?) } else { (low?, high?) };
             real::support::union(prec, &[&low, &high])
         }

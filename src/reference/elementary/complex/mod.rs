@@ -37,6 +37,7 @@ pub use bessel::{Bessel, bessel, besseli, besselie, besselj};
 pub use error::{dawson, erf, erfc, erfcx, erfi, w};
 pub use exponential::{cbrt, div, exp, expm1, log, log1p, pow, recip, sqrt};
 pub use exponential_integral::{ci, e1, ei, si};
+pub(super) use gamma::coefficients as stirling_coefficients;
 pub use gamma::{inverse_gamma, lgamma, tgamma};
 pub use inverse::{acos, acosh, asin, asinh, atan, atanh};
 pub use lambert::lambertw;

@@ -11,6 +11,14 @@
 //! series in x about s give the derivatives; R is analytic, so that on the disc |x| ≤ 1 its
 //! coefficients are at most the greatest |R(s + x)|, by Cauchy's inequality.
 //!
+//! # Left of zero
+//! ```text
+//! ζ(s) = F sin(πs/2) ζ(1 − s),  F = 2 (2π)^{s−1} Γ(1 − s)
+//! ζ'(s) = F ((π/2) cos(πs/2) ζ(1 − s) + sin(πs/2) ((ln 2π − ψ(1 − s)) ζ(1 − s) − ζ'(1 − s)))
+//! ```
+//!
+//! (DLMF 25.4.2 and its derivative), the latter for real s.
+//!
 //! # Radii
 //! All of it is evaluated in balls. Where that is wider, the midpoint is, and the next derivative
 //! in balls of 64 bits bounds the change. For σ ≥ p + 2 `|ζ(s) − 1| ≤ 2^{−σ} (1 + 2/(σ − 1))`, and
@@ -213,6 +221,9 @@ fn remainder(s: &ComplexBall, n: usize, m: usize, r: i32) -> Result<Mag, NoValue
 
 /// The n-th derivative in balls.
 fn direct(order: usize, s: &ComplexBall, p: u32) -> ComplexEvaluated {
+    if is_reflected(order, s) {
+        return reflected(order, s, p);
+    }
     let mut factorial = Ball::integer(p, 1);
     for j in 1..=order as i64 {
         factorial = factorial * Ball::integer(p, j);
@@ -235,6 +246,41 @@ fn direct(order: usize, s: &ComplexBall, p: u32) -> ComplexEvaluated {
     Ok(all[order].scaled(&factorial))
 }
 
+/// Left of this number the sums have large terms, and the function is reflected.
+const REFLECTED: i32 = -8;
+
+/// Returns true for the derivatives that are known by values right of one.
+fn is_reflected(order: usize, s: &ComplexBall) -> bool {
+    let is_left = real::support::ends(&s.re, BITS)[1] < REFLECTED;
+    is_left && (order == 0 || order == 1 && s.im.is_zero())
+}
+
+/// The function or its derivative by its values right of one.
+fn reflected(order: usize, s: &ComplexBall, p: u32) -> ComplexEvaluated {
+    let other = super::plus(&-s, 1, s.re.prec().max(p))?;
+    let turn = Ball::pi(p).shift(1);
+    let log = real::log(&turn, p)?;
+    let power = super::exp(&-&other.scaled(&log), p)?;
+    let factor = &power.scaled(&exact(p, 2)) * &super::tgamma(&other, p)?;
+    let angle = s.scaled(&turn.shift(-2));
+    let sine = super::sin(&angle, p)?;
+    let value = direct(0, &other, p)?;
+    if order == 0 {
+        return Ok(&(&factor * &sine) * &value);
+    }
+    let psi = real::digamma(&other.re, p)?;
+    let rate = value.scaled(&real::sub(&log, &psi, p)?);
+    let along = &sine * &(&rate - &direct(1, &other, p)?);
+    let across = &super::cos(&angle, p)?.scaled(&turn.shift(-2)) * &value;
+    Ok(&factor * &(&along + &across))
+}
+
+/// Numbers left of zero up to this size have values.
+const FARTHEST: f64 = 1e6;
+
+/// Numbers left of zero up to this size have values by sums.
+const FARTHEST_SUM: f64 = 100.0;
+
 fn value(order: usize, s: &ComplexBall, prec: u32) -> ComplexEvaluated {
     bounded(s)?;
     let is_real = s.im.is_zero();
@@ -250,16 +296,28 @@ fn value(order: usize, s: &ComplexBall, prec: u32) -> ComplexEvaluated {
     if super::below(&off).is_zero() {
         return Err(NoValue::Undecided("the pole of zeta may be in the operand"));
     }
-    // Left of zero the terms of the sum are large; a phase t ln N is reduced.
+    // A phase t ln N is reduced.
     let left = (-s.re.mid().to_f64()).max(0.0);
     let t = s.im.magnitude().to_f64();
-    if left > 1000.0 || t > 2e5 {
+    let is_near = left <= FARTHEST_SUM;
+    let farthest = if is_reflected(order, s) {
+        FARTHEST
+    } else {
+        FARTHEST_SUM
+    };
+    if left > farthest || t > 2e5 {
         return Err(NoValue::Undecided(
             "zeta far from the real axis or left of zero",
         ));
     }
+    // The terms of the sum are large left of zero.
     let size = left + t + 10.0;
-    let more = 2 * GUARD + (left * size.log2() * 1.5 + size.log2()) as u32;
+    let large = if is_reflected(order + 1, s) {
+        2.0
+    } else {
+        left.min(FARTHEST_SUM) * 1.5
+    };
+    let more = 2 * GUARD + (large * size.log2() + size.log2()) as u32;
     let p = prec + more;
     let whole = |z: ComplexBall| match is_real {
         true => ComplexBall::new(z.re, exact(prec, 0)),
@@ -274,7 +332,7 @@ fn value(order: usize, s: &ComplexBall, prec: u32) -> ComplexEvaluated {
         .unwrap_or(4)
         .max(4);
     let p = p.min(known.saturating_add(more + 16));
-    if rho > Mag::power_of_two(-12) {
+    if rho > Mag::power_of_two(-12) || !(is_near || is_reflected(order + 1, s)) {
         return rounded(&whole(direct(order, s, p)?), prec);
     }
     let slope = direct(order + 1, s, BITS + more)?.magnitude();

@@ -54,6 +54,31 @@ fn known_values() {
     assert!(broken.is_err());
 }
 
+/// Both ways agree left of zero, at zeros as well.
+#[test]
+fn reflection_agrees_with_sums() {
+    for (x, y) in [(-8.5, 0.0), (-10.0, 0.0), (-23.25, 0.0), (-14.75, 6.5)] {
+        let s = point(x, y);
+        let orders = if y == 0.0 { 2 } else { 1 };
+        let due = jet(&s, orders, [90, 60], 500).unwrap();
+        for (order, due) in due.iter().enumerate() {
+            let found = reflected(order, &s, 200).unwrap();
+            let small = found.magnitude().shift(-150).max(Mag::power_of_two(-150));
+            assert!(
+                found.overlaps(due) && found.radius() < small,
+                "{s:?}: {found:?} {due:?}"
+            );
+            assert!(due.radius() < small, "{due:?}");
+        }
+    }
+    // By mpmath.
+    let far = zeta(&point(-745.5, 0.0), 120).unwrap().re;
+    assert_eq!(
+        far.to_decimal(20).as_deref(),
+        Some("-6.1346634283986648182e1223")
+    );
+}
+
 #[test]
 fn boxes_hold_values() {
     let middles = [
@@ -62,6 +87,8 @@ fn boxes_hold_values() {
         (-1.5, 3.0),
         (30.0, 5.0),
         (200.0, 0.0),
+        (-9.5, 0.0),
+        (-12.0, 4.0),
     ];
     for order in [0, 1].map(|n| Ball::integer(64, n)) {
         let f = |s: &ComplexBall, bits| zetaderivative(&order, s, bits);
