@@ -29,6 +29,7 @@ HALF_ROOT = (0.886226925452758, -3.8332932499128993e-17)
 INVERSE_ROOT = (0.5641895835477563, 7.66772980658294e-18)
 THIRD_LOW = -float.fromhex("0x1.5555555555555p-56")
 EXP = [1.0 / math.factorial(n) for n in range(3, 14)]
+FEW_OF_EXP = [1.0 / math.factorial(n) for n in range(2, 10)]
 
 
 def coefficients(count, step):
@@ -72,12 +73,6 @@ def times(x, y):
 def times_number(x, b):
     p, q = two_prod(x[0], b)
     return fast_two_sum(p, fma(x[1], b, q))
-
-
-def minus(x, y):
-    s, t = two_sum(x[0], -y[0]), two_sum(x[1], -y[1])
-    v = fast_two_sum(s[0], s[1] + t[0])
-    return fast_two_sum(v[0], v[1] + t[1])
 
 
 def over(x, b):
@@ -210,15 +205,12 @@ def row(function, centre):
     twice = (2.0 * centre, 0.0)
     if function == "erf":
         value, slope = plus((1.0, 0.0), negative(split_product(e, erfcx))), split_product(e, TWO_OVER_ROOT)
-    elif function == "erfcx":
-        value, slope = erfcx, plus(split_product(erfcx, twice), negative(TWO_OVER_ROOT))
     else:
         value, slope = dawson, plus(TWO_OVER_ROOT, negative(split_product(dawson, twice)))
-    sign = 2.0 if function == "erfcx" else -2.0
     c = [value[0], slope[0]]
     for n in range(8):
         part = n * c[n] / (n + 1) if function == "erf" else c[n]
-        c.append(sign * (centre * c[n + 1] + part) / (n + 2))
+        c.append(-2.0 * (centre * c[n + 1] + part) / (n + 2))
     return [*value, *slope, *c[2:]]
 
 
@@ -228,10 +220,14 @@ def about(function, x):
     return centre, axis_row(row(function, centre), x - centre)
 
 
+def quotient(x, y):
+    q = x[0] / y[0]
+    rest = plus(x, negative(split_product(y, (q, 0.0))))
+    return fast_two_sum(q, rest[0] / y[0])
+
+
 def part(x, n):
-    q = x[0] / n
-    rest = plus(x, negative(split_product((q, 0.0), (n, 0.0))))
-    return fast_two_sum(q, rest[0] / n)
+    return quotient(x, (n, 0.0))
 
 
 @functools.cache
@@ -255,7 +251,7 @@ def erfc_terms(k, first, count):
     return [1.0 / (math.factorial(k) * math.factorial(m) * (m + 2 * k + 1)) for m in range(first, first + count)]
 
 
-ERFC_TERMS = [erfc_terms(0, 1, 8), erfc_terms(1, 0, 7), erfc_terms(2, 0, 5), erfc_terms(3, 0, 2)]
+ERFC_TERMS = [erfc_terms(0, 1, 8), erfc_terms(1, 0, 7), erfc_terms(2, 0, 4), erfc_terms(3, 0, 1)]
 
 
 def horner(u, c):
@@ -265,27 +261,41 @@ def horner(u, c):
     return value
 
 
-def erfc_right(x):
-    """Centre and value of erfc from value and slope at the centre."""
-    c = nearest(x, 64 if x < 4.0 else 128)
-    t = x - c
-    value, low, slope, slope_low = erfc_row(c)
+def about_centre(row, c, t):
+    """Value at distance t from value and slope at a centre."""
+    value, low, slope, slope_low = row
     u, v = (c + c) * -t, t * t
     k0, k1, k2, k3 = (horner(u, terms) for terms in ERFC_TERMS)
     p = fma(u, k0, -(v * fma(-v, fma(-v, k3, k2), k1)))
     a = two_prod(slope, t)
     s = two_sum(value, a[0])
-    return c, fast_two_sum(s[0], s[1] + fma(a[0], p, a[1] + fma(slope_low, t, low)))
+    return fast_two_sum(s[0], s[1] + fma(a[0], p, a[1] + fma(slope_low, t, low)))
+
+
+def erfc_right(x):
+    """Centre and value of erfc from value and slope at the centre."""
+    c = nearest(x, 128)
+    return c, about_centre(erfc_row(c), c, x - c)
+
+
+def erfcx_about(x):
+    """Centre and value of erfcx from that at a centre of the same sign."""
+    c = math.copysign(nearest(abs(x), 128), x)
+    value, slope = erfc_row(abs(c))[:2], erfc_row(abs(c))[2:]
+    if math.copysign(1.0, x) < 0.0:
+        value = plus((2.0, 0.0), negative(value))
+    at = split_product(value, quotient(negative(TWO_OVER_ROOT), slope))
+    t = x - c
+    hi, lo = about_centre([*at, *negative(TWO_OVER_ROOT)], c, t)
+    w = fma(c + c, t, t * t)
+    growth = fma(w * w, paired(FEW_OF_EXP, w), w)
+    return c, hi + fma(hi, growth, lo)
 
 
 def erfcx_right(x):
-    """Centre or terms, and the sum."""
-    r2 = square_of(x)
-    if r2 < 112.0:
-        centre, value = about("erfcx", x)
-        return centre, None, value
-    n = terms_at(r2)
-    return None, n, series(0.0, x, n, True)
+    """Terms, and the sum."""
+    n = terms_at(square_of(x))
+    return n, series(0.0, x, n, True)
 
 
 def scaled(x, k):
@@ -293,14 +303,9 @@ def scaled(x, k):
     return math.ldexp(math.ldexp(x, half), k - half)
 
 
-def pair_scaled(x, k):
-    return scaled(x[0], k), scaled(x[1], k)
-
-
 def product(x):
     e, k = exp_square(x, -1.0)
-    centre, n, right = erfcx_right(x)
-    return times(e, right), k, centre, n
+    return times(e, erfcx_right(x)[1]), k
 
 
 def computed(function, x):
@@ -324,9 +329,8 @@ def computed(function, x):
             return "2", None, 2.0
         if b >= 30.0:
             return "0", None, 0.0
-        t, k, centre, n = product(b)
-        kind = "asymptotic" if n else "Taylor"
-        return f"exp(-x^2) erfcx x {kind}", centre, scaled(sum(t), k)
+        t, k = product(b)
+        return "exp(-x^2) erfcx x asymptotic", None, scaled(sum(t), k)
     huge = b > 2e100 or not square_of(b) < 1e200
     if function == "dawson":
         if b < 0.5:
@@ -339,22 +343,21 @@ def computed(function, x):
             return "Taylor series", centre, sum(times(v, HALF_ROOT))
         n = terms_at(r2)
         return f"asymptotic {n} terms", None, sum(times(series(x, 0.0, n, False), HALF_ROOT))
+    if b < 8.0 - 1.0 / 256.0:
+        return "Taylor series", *erfcx_about(x)
     if math.copysign(1.0, x) > 0.0:
         if huge:
             k = math.frexp(x)[1] - 1
             return "1/(sqrt(pi) x) scaled", None, scaled(over(INVERSE_ROOT, math.ldexp(x, -k))[0], -k)
-        centre, n, right = erfcx_right(x)
-        return (f"asymptotic {n} terms" if n else "Taylor series"), centre, sum(right)
+        n, right = erfcx_right(x)
+        return f"asymptotic {n} terms", None, sum(right)
     if b > 30.0:
         return "infinity", None, math.inf
     e, k = exp_square(b, 1.0)
-    if k > 200:
-        try:
-            return "2 exp(x^2)", None, scaled(sum(e), k + 1)
-        except OverflowError:
-            return "infinity", None, math.inf
-    centre, _, right = erfcx_right(b)
-    return "2 exp(x^2) - erfcx |x|", centre, sum(minus(pair_scaled(e, k + 1), right))
+    try:
+        return "2 exp(x^2)", None, scaled(sum(e), k + 1)
+    except OverflowError:
+        return "infinity", None, math.inf
 
 
 def exact(function, x):

@@ -8,7 +8,7 @@ use mechaudit_solvers::faddeeva::proof::real_line::{self as code, OfRows};
 pub enum Inner {
     /// Taylor series.
     Row {
-        /// About this centre.
+        /// About this centre, which of erfcx has the sign of x.
         centre: f64,
     },
     /// Asymptotic series.
@@ -27,7 +27,7 @@ pub enum Formula {
     Value(Inner),
     /// `e^{−x²}` erfcx x.
     Product(Inner),
-    /// 2 less erfc; `2e^{x²}` less erfcx.
+    /// 2 less erfc.
     Difference(Inner),
     /// `2e^{x²}`.
     Exponential,
@@ -42,7 +42,7 @@ pub enum Formula {
 impl Formula {
     /// Its name in tables, without the centre.
     pub fn name(self, function: Function, negative: bool) -> &'static str {
-        use Function::{Dawson, Erf, Erfc};
+        use Function::{Dawson, Erf};
         use Inner::{Row, Series};
         match self {
             Formula::Near => "Maclaurin series",
@@ -51,10 +51,8 @@ impl Formula {
             Formula::Value(Series { terms: 14 }) => "asymptotic, 14 terms",
             Formula::Value(Series { terms: 6 }) => "asymptotic, 6 terms",
             Formula::Value(Series { .. }) => "asymptotic, 2 terms",
-            Formula::Product(Row { .. }) => "exp(-x^2) erfcx x, Taylor",
-            Formula::Product(Series { .. }) => "exp(-x^2) erfcx x, asymptotic",
-            Formula::Difference(_) if function == Erfc => "2 - erfc |x|",
-            Formula::Difference(_) => "2 exp(x^2) - erfcx |x|",
+            Formula::Product(_) => "exp(-x^2) erfcx x, asymptotic",
+            Formula::Difference(_) => "2 - erfc |x|",
             Formula::Exponential => "2 exp(x^2)",
             Formula::Far if function == Dawson => "1/(2x)",
             Formula::Far => "1/(sqrt(pi) x), scaled",
@@ -89,7 +87,9 @@ fn inner(of: OfRows, x: f64, terms: Option<u32>) -> Inner {
 }
 
 fn of_erfcx(x: f64) -> Inner {
-    inner(OfRows::Erfcx, x, code::erfcx_terms(x))
+    Inner::Series {
+        terms: code::erfcx_terms(x),
+    }
 }
 
 /// The formula of the solver at x or −x, `x ≥ 0`. Its choices are comparisons of x with constants,
@@ -108,13 +108,15 @@ pub fn choice(function: Function, negative: bool, x: f64) -> Formula {
         }
         Function::Erfc if negative || x >= far => Formula::Constant,
         Function::Erfc => Formula::Product(of_erfcx(x)),
+        Function::Erfcx if x < beyond => {
+            let (_, centre) = code::erfc_row(x);
+            let centre = if negative { -centre } else { centre };
+            Formula::Value(Inner::Row { centre })
+        }
         Function::Erfcx if code::is_huge(x) && !negative => Formula::Far,
         Function::Erfcx if !negative => Formula::Value(of_erfcx(x)),
         Function::Erfcx if x > far => Formula::Overflow,
-        Function::Erfcx => match code::alone(code::exponential(x).1) {
-            true => Formula::Exponential,
-            false => Formula::Difference(of_erfcx(x)),
-        },
+        Function::Erfcx => Formula::Exponential,
         Function::Dawson if x < series => Formula::Near,
         Function::Dawson if code::is_huge(x) => Formula::Far,
         Function::Dawson => Formula::Value(inner(OfRows::Dawson, x, code::dawson_terms(x))),

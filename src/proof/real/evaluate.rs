@@ -60,8 +60,8 @@ impl<'a> Operand<'a> {
     ) -> Result<Operand<'a>, &'static str> {
         Ok(match inner {
             Inner::Row { centre } => {
-                let t = offsets(ends, centre)?;
-                if function == Function::Erfc && centre < 8.0 {
+                let t = offsets(ends, centre.abs())?;
+                if matches!(function, Function::Erfc | Function::Erfcx) {
                     let row = tables.complement(centre)?;
                     return Ok(Operand {
                         function,
@@ -109,7 +109,13 @@ impl<'a> Operand<'a> {
             }
             By::ErfcRow(at, grain) => {
                 let [row, [c, ..]] = [at.row, [at.centre; 4]].map(|r| r.map(Tracked::entry));
-                return code::erfc_value(row, c, distance(at.centre, grain));
+                let t = distance(at.centre.abs(), grain);
+                let [hi, lo, ..] = row;
+                return match (at.scaled, at.centre.is_sign_negative()) {
+                    (false, _) => code::erfc_value(row, c, t),
+                    (true, false) => code::erfcx_value([hi, lo], c, t),
+                    (true, true) => code::erfcx_value([hi, lo], c, -t),
+                };
             }
             By::Series(terms) => terms,
         };
@@ -227,8 +233,7 @@ pub(super) fn bound(
                         let (t, n) = code::erfc_right(x, w);
                         (t, n.constant().map(|n| n - ROUND))
                     }
-                    _ if function == Function::Erfc => (code::erfc_left(w), None),
-                    _ => (code::erfcx_left(code::exponential(x), w), None),
+                    _ => (code::erfc_left(w), None),
                 };
                 let sum = sum_of(sum);
                 Way {
@@ -237,11 +242,9 @@ pub(super) fn bound(
                     exponent: n,
                 }
             });
-            // erfc x is less than what it is taken from leaves; erfcx x is less than that, and
-            // 2e^{x²} less than twice.
-            let exponential = match (function, formula) {
-                (Function::Erfcx, _) => 2.0 * exponential,
-                (_, Formula::Product(_)) => exponential,
+            // erfc x is less than what it is taken from leaves.
+            let exponential = match formula {
+                Formula::Product(_) => exponential,
                 _ => 0.0,
             };
             one(ways, &|way| {

@@ -15,7 +15,7 @@ use std::ops::RangeInclusive;
 pub struct Tables {
     /// By the bits of the centre.
     pub(super) rows: HashMap<u64, (Vec<f64>, RowErrors)>,
-    /// The rows of erfc, likewise.
+    /// The rows of erfc or erfcx, likewise.
     pub(super) complement: HashMap<u64, ErfcRow>,
     /// Holds what is wrong without rounding, as a part of the value: the exponential, the Maclaurin
     /// series of Dawson's function, and 2/√π, √π/2 and 1/√π.
@@ -45,9 +45,17 @@ fn points(function: Function) -> Vec<(OfRows, f64)> {
     match function {
         Function::Dawson => sixteenths(OfRows::Dawson, 8..=144).collect(),
         Function::Erf => sixteenths(OfRows::Erf, 0..=95).collect(),
-        Function::Erfcx => sixteenths(OfRows::Erfcx, 0..=169).collect(),
-        // Beyond its own rows.
-        Function::Erfc => sixteenths(OfRows::Erfcx, 128..=169).collect(),
+        Function::Erfc | Function::Erfcx => Vec::new(),
+    }
+}
+
+/// erfcx at a centre of either sign, and −2/√π.
+fn erfcx_row(centre: f64) -> [f64; 4] {
+    let [hi, lo, left_hi, left_lo] = *code::erfcx_row(centre.abs());
+    let [slope, slope_low] = code::constants()[0].map(|c| -c);
+    match centre.is_sign_negative() {
+        true => [left_hi, left_lo, slope, slope_low],
+        false => [hi, lo, slope, slope_low],
     }
 }
 
@@ -56,7 +64,6 @@ pub(super) fn errors(of: OfRows, row: &[f64], centre: f64) -> Result<RowErrors, 
     match of {
         OfRows::Dawson => RowErrors::of_dawson(row, centre),
         OfRows::Erf => RowErrors::of_erf(row, centre),
-        OfRows::Erfcx => RowErrors::on_axis(row, centre),
     }
 }
 
@@ -74,14 +81,21 @@ impl Tables {
             Ok((centre.to_bits(), (row.to_vec(), errors)))
         });
         let rows = rows.collect::<Result<HashMap<_, _>, ProofError>>()?;
-        let centres = match function {
-            Function::Erfc => (0..2048).map(|k| f64::from(k) / 256.0).collect(),
-            _ => Vec::new(),
+        let signs: &[f64] = match function {
+            Function::Erfc => &[1.0],
+            Function::Erfcx => &[1.0, -1.0],
+            _ => &[],
         };
-        let complement = centres.into_par_iter().filter_map(|x| {
-            let (row, centre) = code::erfc_row(x);
-            let made = || Ok((centre.to_bits(), ErfcRow::new(*row, centre)?));
-            (centre == x).then(made)
+        let centres: Vec<f64> = (0..1024)
+            .flat_map(|k| signs.iter().map(move |s| s * (f64::from(k) / 128.0)))
+            .collect();
+        let complement = centres.into_par_iter().map(|centre| {
+            let row = match function {
+                Function::Erfc => *code::erfc_row(centre).0,
+                _ => erfcx_row(centre),
+            };
+            let row = ErfcRow::new(function == Function::Erfcx, row, centre)?;
+            Ok((centre.to_bits(), row))
         });
         let complement = complement.collect::<Result<HashMap<_, _>, ProofError>>()?;
         let (coefficients, ln_2) = exponential_coefficients();
@@ -107,7 +121,7 @@ impl Tables {
 
     pub(super) fn complement(&self, centre: f64) -> Result<&ErfcRow, &'static str> {
         let row = self.complement.get(&centre.to_bits());
-        row.ok_or("no such centre of erfc")
+        row.ok_or("no such centre of erfc or erfcx")
     }
 }
 

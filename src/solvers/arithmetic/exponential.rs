@@ -71,6 +71,7 @@ const fn reciprocals<const N: usize>(first: u32, step: u32, sign: f64) -> [f64; 
 }
 
 const EXP: [f64; 12] = reciprocals(2, 1, 1.0);
+const FEW_OF_EXP: [f64; 8] = reciprocals(2, 1, 1.0);
 const EXP_FROM_CUBE: [f64; 11] = reciprocals(3, 1, 1.0);
 const EXP_FROM_FOURTH: [f64; 11] = reciprocals(4, 1, 1.0);
 const SIN: [f64; 8] = reciprocals(3, 2, -1.0);
@@ -166,6 +167,12 @@ pub(crate) fn of_rounded() -> (&'static [f64; 12], [f64; 2]) {
 #[cfg(feature = "proof")]
 pub(crate) fn of_pairs() -> (&'static [f64; 11], [f64; 2]) {
     (&EXP_FROM_CUBE, LN_2)
+}
+
+/// The constants of [`exp_minus_one`].
+#[cfg(feature = "proof")]
+pub(crate) fn of_few() -> &'static [f64; 8] {
+    &FEW_OF_EXP
 }
 
 /// The coefficients of `e^s` from s³ on, of the sine from s³ and from s⁵ on, and of the cosine from
@@ -347,6 +354,12 @@ pub(crate) fn exp_minus_square_short<R: Real>(a: R, y: R) -> (R, R, R) {
     let (sin, cos) = sin_cos_short(theta, q - a.like(ROUND));
     let (s, c) = turned(sin, cos, q);
     (e * c, -(e * s), n)
+}
+
+/// `e^x − 1` for |x| up to 1/15.
+#[inline(always)]
+pub(crate) fn exp_minus_one<R: Real>(x: R) -> R {
+    (x * x).fma(paired(&FEW_OF_EXP, x), x)
 }
 
 /// `e^t = m 2^k` and `ROUND + k`.

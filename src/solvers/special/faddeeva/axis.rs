@@ -1,12 +1,10 @@
-//! Taylor rows of erf, erfcx and `(2/√π) F`, F Dawson's function, about `k/16` on the real
-//! axis.
+//! Taylor rows of erf and `(2/√π) F`, F Dawson's function, about `k/16` on the real axis.
 //!
 //! Each function is a solution of a linear equation, so that all coefficients follow from two
 //! (DLMF 7.10.1, 7.10.3):
 //!
 //! ```text
 //! erf         y″ = −2x y′            (n + 2) c_{n+2} = −2 (x c_{n+1} + c_n n/(n + 1))
-//! erfcx       y′ = 2x y − 2/√π       (n + 2) c_{n+2} =  2 (x c_{n+1} + c_n)
 //! (2/√π) F    y′ = 2/√π − 2x y       (n + 2) c_{n+2} = −2 (x c_{n+1} + c_n)
 //! ```
 //!
@@ -19,8 +17,6 @@ use super::tables::ON_THE_AXIS;
 use crate::double_double::Dd;
 
 static ERF: Rows<12, 96> = Rows::of(Function::Erf);
-/// Up to where the asymptotic series has few terms.
-static ERFCX: Rows<12, { ON_THE_AXIS.len() }> = Rows::of(Function::Erfcx);
 /// As many coefficients as serve beside the axis, up to [`STRIP`](super::branch::STRIP).
 static DAWSON: Rows<20, 145> = Rows::of(Function::Dawson);
 
@@ -29,12 +25,6 @@ static DAWSON: Rows<20, 145> = Rows::of(Function::Dawson);
 #[inline(always)]
 pub(super) fn erf_row(n: f64) -> &'static [f64; 12] {
     ERF.about(n)
-}
-
-/// The row of erfcx about centre `n`.
-#[inline(always)]
-pub(super) fn erfcx_row(n: f64) -> &'static [f64; 12] {
-    ERFCX.about(n)
 }
 
 /// The row of `(2/√π) F` about centre `n` on the axis.
@@ -73,7 +63,6 @@ impl<const N: usize, const K: usize> Rows<N, K> {
 #[derive(Clone, Copy)]
 enum Function {
     Erf,
-    Erfcx,
     Dawson,
 }
 
@@ -90,13 +79,7 @@ const fn row<const N: usize>(f: Function, k: usize) -> [f64; N] {
     let (value, slope) = match f {
         // e^{−x²} erfcx x = erfc x.
         Function::Erf => (sum(Dd::from(1.0), minus(product(e, erfcx))), slope),
-        Function::Erfcx => (erfcx, sum(product(erfcx, twice), minus(TWO_OVER_SQRT_PI))),
         Function::Dawson => (dawson, sum(TWO_OVER_SQRT_PI, minus(product(dawson, twice)))),
-    };
-    let sign = if matches!(f, Function::Erfcx) {
-        2.0
-    } else {
-        -2.0
     };
     let mut d = [0.0; N];
     [d[0], d[1], d[2], d[3]] = [value.hi, value.lo, slope.hi, slope.lo];
@@ -107,7 +90,7 @@ const fn row<const N: usize>(f: Function, k: usize) -> [f64; N] {
             Function::Erf => n as f64 * before / (n + 1) as f64,
             _ => before,
         };
-        let next = sign * (x * last + part) / (n + 2) as f64;
+        let next = -2.0 * (x * last + part) / (n + 2) as f64;
         d[n + 4] = next;
         (before, last) = (last, next);
         n += 1;

@@ -34,7 +34,12 @@ const fn normal(hi: f64, lo: f64) -> Dd {
 
 /// `a/n` of a small integer.
 pub(super) const fn over(a: Dd, n: f64) -> Dd {
-    let q = a.hi / n;
-    let rest = sum(a, minus(product(Dd::from(q), Dd::from(n))));
-    normal(q, rest.hi / n)
+    quotient(a, Dd::from(n))
+}
+
+/// `a/b`
+pub(super) const fn quotient(a: Dd, b: Dd) -> Dd {
+    let q = a.hi / b.hi;
+    let rest = sum(a, minus(product(b, Dd::from(q))));
+    normal(q, rest.hi / b.hi)
 }

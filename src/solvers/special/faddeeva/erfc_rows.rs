@@ -1,41 +1,52 @@
-//! erfc of a positive argument from its value and slope at a centre.
+//! erfc of a positive argument from its value and slope at a centre, and erfcx likewise.
 //!
 //! ```text
 //! erfc(c + t) = erfc c − (2/√π) e^{−c²} t (1 + p)
+//! erfcx(c + t) = e^{2ct + t²} (erfcx c − (2/√π) t (1 + p))
 //! 1 + p = ∫₀¹ e^{us − vs²} ds = Σ_k (−v)^k/k! Σ_m u^m/(m! (m + 2k + 1)),   u = −2ct, v = t²
 //! ```
 //!
 //! With centres as close as here |u| is at most 1/16, and four sums of a few terms give p.
 
-use super::constant_pairs::{minus, over, product, sum};
+use super::constant_pairs::{minus, over, product, quotient, sum};
 use super::constants::TWO_OVER_SQRT_PI;
 use super::rows::{REAL_AXIS_PITCH, entry};
 use super::tables::ON_THE_AXIS;
-use crate::double_double::{Dd, fast_two_sum, two_prod, two_sum};
+use crate::double_double::{Dd, fast_two_sum, two_prod};
+use crate::exponential::exp_minus_one;
 use crate::real::{ROUND, Real};
 
-/// The distance between centres, and x from which it is half as large.
-const PITCH: f64 = 1.0 / 64.0;
-const SPLIT: f64 = 4.0;
+/// The distance between centres.
+const PITCH: f64 = 1.0 / 128.0;
 /// x up to which there are rows: half a distance before 8.
-pub(super) const END: f64 = 8.0 - 0.25 * PITCH;
-/// Centres before the split, and all of them.
-const COARSE: usize = 256;
-const ALL: usize = 768;
+pub(super) const END: f64 = 8.0 - 0.5 * PITCH;
+const ALL: usize = 1024;
 
-/// erfc c (hi, lo) and `−(2/√π) e^{−c²}` (hi, lo).
 #[repr(align(64))]
 struct Rows([[f64; 4]; ALL]);
 
+/// erfc c (hi, lo) and `−(2/√π) e^{−c²}` (hi, lo).
 static ROWS: Rows = {
     let mut rows = [[0.0; 4]; ALL];
     let mut k = 0;
     while k < ALL {
-        let c = match k < COARSE {
-            true => k as f64 * PITCH,
-            false => (k + COARSE) as f64 * (0.5 * PITCH),
-        };
-        rows[k] = row(c);
+        rows[k] = row(k as f64 * PITCH);
+        k += 1;
+    }
+    Rows(rows)
+};
+
+/// erfcx c (hi, lo) and erfcx −c (hi, lo): erfc by `e^{c²}`.
+static OF_ERFCX: Rows = {
+    let mut rows = ROWS.0;
+    let mut k = 0;
+    while k < ALL {
+        let [value, low, slope, slope_low] = rows[k];
+        let value = Dd::new(value, low);
+        let growth = quotient(minus(TWO_OVER_SQRT_PI), Dd::new(slope, slope_low));
+        let right = product(value, growth);
+        let left = product(sum(Dd::from(2.0), minus(value)), growth);
+        rows[k] = [right.hi, right.lo, left.hi, left.lo];
         k += 1;
     }
     Rows(rows)
@@ -71,14 +82,10 @@ const fn row(c: f64) -> [f64; 4] {
 /// from it.
 #[inline(always)]
 pub(super) fn centre<R: Real>(x: R) -> (R, R, R) {
-    let like = |c: f64| x.like(c);
-    let coarse = x.below(like(SPLIT));
-    let pitch = x.pick(coarse, like(PITCH), like(0.5 * PITCH));
-    let step = x.pick(coarse, like(1.0 / PITCH), like(2.0 / PITCH));
-    let first = x.pick(coarse, like(ROUND), like(ROUND - COARSE as f64));
-    let k = x.fma(step, like(ROUND)) - like(ROUND);
-    let c = k * pitch;
-    (k + first, c, x - c)
+    let round = x.like(ROUND);
+    let n = x.fma(x.like(1.0 / PITCH), round);
+    let c = (n - round) * x.like(PITCH);
+    (n, c, x - c)
 }
 
 /// The row of centre `n`.
@@ -87,8 +94,14 @@ pub(super) fn erfc_row(n: f64) -> &'static [f64; 4] {
     entry(&ROWS.0, n.to_bits() as usize & 1023)
 }
 
+/// The row of erfcx about centre `n` and about its negative.
+#[inline(always)]
+pub(super) fn erfcx_row(n: f64) -> &'static [f64; 4] {
+    entry(&OF_ERFCX.0, n.to_bits() as usize & 1023)
+}
+
 /// `1/(m! (m + 2k + 1) k!)`, m rising; of k = 0 without m = 0, which is one.
-pub(super) const TERMS: (&[f64; 8], &[f64; 7], &[f64; 5], &[f64; 2]) =
+pub(super) const TERMS: (&[f64; 8], &[f64; 7], &[f64; 4], &[f64; 1]) =
     (&terms(0, 1), &terms(1, 0), &terms(2, 0), &terms(3, 0));
 
 const fn terms<const N: usize>(k: usize, first: usize) -> [f64; N] {
@@ -132,7 +145,18 @@ pub(super) fn value<R: Real>([value, low, slope, slope_low]: [R; 4], c: R, t: R)
     let inner = (-v).fma(inner, polynomial(u, k1));
     let p = u.fma(polynomial(u, k0), -(v * inner));
     let a = two_prod(slope, t);
-    let s = two_sum(value, a.hi);
+    let s = fast_two_sum(value, a.hi);
     let rest = a.lo + slope_low.fma(t, low);
     fast_two_sum(s.hi, s.lo + a.hi.fma(p, rest))
+}
+
+/// erfcx at distance t from a centre c of either sign, from erfcx c: the sum of two numbers whose
+/// second one need not be small.
+#[inline(always)]
+pub(super) fn erfcx_value<R: Real>([hi, lo]: [R; 2], c: R, t: R) -> Dd<R> {
+    let slope = -TWO_OVER_SQRT_PI;
+    let row = [hi, lo, hi.like(slope.hi), hi.like(slope.lo)];
+    let sum = value(row, c, t);
+    let growth = exp_minus_one((c + c).fma(t, t * t));
+    Dd::new(sum.hi, sum.hi.fma(growth, sum.lo))
 }

@@ -1,7 +1,7 @@
 //! W in the closed first quadrant as pairs of numbers, at one point or at several side by side.
 
 use super::asymptotic::series;
-use super::axis::{dawson_row, erfcx_row};
+use super::axis::dawson_row;
 use super::branch::{
     ENDS_OF_PAIRS, FINE, HUGE, ROWS_ON_REAL_AXIS, STRIP, STRIP_ENDS, modulus_squared,
 };
@@ -14,18 +14,12 @@ use crate::real::{Masked, ROUND, Real};
 /// Real and imaginary part.
 pub(super) type Parts<R> = (Dd<R>, Dd<R>);
 
-/// |x|² below which erfcx x has rows.
-pub(super) const END_OF_ERFCX_ROWS: f64 = ENDS_OF_PAIRS[1];
-
-/// `e^{x²} erfc x` for `0 ≤ x < 10¹⁰⁰`, in the places `among`.
+/// `e^{x²} erfc x` for `x < 10¹⁰⁰` from where its rows end, in the places `among`.
 #[inline(always)]
-pub(super) fn erfcx_right<P: Places>(places: P, x: Number<P>, among: Mask<P>) -> Dd<Number<P>> {
+pub(super) fn erfcx_right<R: Masked>(x: R, among: R::Mask) -> Dd<R> {
     let zero = x.like(0.0);
     by_ends!(modulus_squared(zero, x), among;
-        END_OF_ERFCX_ROWS => {
-            let (n, t) = on_real_axis(x);
-            places.axis_rows(erfcx_row, n, t)
-        },
+        ENDS_OF_PAIRS[1] => series::<_, 26>(zero, x).0,
         ENDS_OF_PAIRS[2] => series::<_, 14>(zero, x).0,
         ENDS_OF_PAIRS[3] => series::<_, 6>(zero, x).0,
         ENDS_OF_PAIRS[4] => series::<_, 2>(zero, x).0

@@ -5,13 +5,12 @@
 
 use super::axis::erf_row;
 use super::branch::{HUGE, modulus_squared};
-use super::erfc_rows::{self, erfc_row};
+use super::erfc_rows::{self, erfc_row, erfcx_row};
 use super::lengths::{LengthMismatch, same_length};
 use super::pairs::{dawson_right, erfcx_right};
 use super::places::{Number, One, Places};
 use super::real_line::{
-    BEYOND, FAR, ONE, SERIES, alone, dawson_beyond, dawson_near, erfc_left, erfc_right, erfcx_left,
-    erfi_near, growth,
+    BEYOND, FAR, ONE, SERIES, dawson_beyond, dawson_near, erfc_left, erfc_right, erfi_near, growth,
 };
 use super::rows::on_real_axis;
 use super::special;
@@ -68,7 +67,7 @@ impl Function for Erfc {
             value = x.pick(among, x.pick(positive, sum.hi, left), value);
         }
         if x.any(right) {
-            let (t, n) = erfc_right(b, erfcx_right(places, b, right));
+            let (t, n) = erfc_right(b, erfcx_right(b, right));
             value = x.pick(right, scaled(t.value(), n), value);
         }
         value
@@ -84,22 +83,28 @@ impl Function for Erfcx {
     fn at<P: Places>(self, places: P, x: Number<P>) -> Number<P> {
         let like = |c: f64| x.like(c);
         let b = x.magnitude();
-        let finite = modulus_squared(like(0.0), b).below(like(HUGE));
         let negative = x.below(like(0.0));
-        let beyond = x.both(like(FAR).below(b), negative);
-        let among = x.except(finite, beyond);
-        let w = erfcx_right(places, b, among);
-        let mut value = x.pick(beyond, like(f64::INFINITY), w.value());
-        let left = x.both(among, negative);
+        let among = b.below(like(BEYOND));
+        let mut value = like(f64::INFINITY);
+        if x.any(among) {
+            let (n, c, t) = erfc_rows::centre(b);
+            let [hi, lo, left_hi, left_lo] = places.rows(erfcx_row, n);
+            let row = [x.pick(negative, left_hi, hi), x.pick(negative, left_lo, lo)];
+            let sum = erfc_rows::erfcx_value(row, c.with_sign_of(x), t.with_sign_of(x));
+            value = x.pick(among, sum.value(), value);
+        }
+        if x.all(among) {
+            return value;
+        }
+        let finite = modulus_squared(like(0.0), b).below(like(HUGE));
+        let right = x.except(finite, x.or(among, negative));
+        if x.any(right) {
+            value = x.pick(right, erfcx_right(b, right).value(), value);
+        }
+        let left = x.except(x.both(b.below(like(FAR)), negative), among);
         if x.any(left) {
-            // 2 e^{x²} − erfcx |x|.
             let (e, n) = growth(b);
-            let alone = x.both(left, alone(n));
-            let difference = erfcx_left((e, n), w).value();
-            value = x.pick(left, difference, value);
-            if x.any(alone) {
-                value = x.pick(alone, scaled(e.value(), n + like(1.0)), value);
-            }
+            value = x.pick(left, scaled(e.value(), n + like(1.0)), value);
         }
         let [value] = places.replaced(finite, [value], [x], |at| [limit_of_erfcx(at)]);
         value

@@ -6,19 +6,18 @@ use super::erfc_rows;
 use super::odd_series::{DAWSON, ERFI, odd_real};
 use super::rows::REAL_AXIS_PITCH;
 use crate::double_double::{Dd, fast_two_sum, two_prod};
-use crate::exponential::{exp, pair_times_power};
+use crate::exponential::exp;
 use crate::real::{ROUND, Real};
 
 /// |x| below which erfi x and Dawson's function are Maclaurin series.
 pub(super) const SERIES: f64 = 0.5;
 /// |x| from which |erf x| rounds to 1.
 pub(super) const ONE: f64 = 6.0 - 0.5 * REAL_AXIS_PITCH;
-/// |x| from which erfc x is computed from erfcx x, and erfc −|x| rounds to 2.
+/// |x| from which erfc x is computed from erfcx x, erfc −|x| rounds to 2, and erfcx −|x| is
+/// `2e^{x²}`.
 pub(super) const BEYOND: f64 = erfc_rows::END;
 /// |x| from which erfc x rounds to 0 or 2; beyond it `e^{x²}` overflows.
 pub(super) const FAR: f64 = 30.0;
-/// The binary exponent of `e^{x²}` above which erfcx |x| is nothing beside it.
-const ALONE: f64 = 200.0;
 
 /// erfi x for `|x| <` [`SERIES`].
 #[inline(always)]
@@ -45,20 +44,6 @@ pub(super) fn erfc_left<R: Real>(right: Dd<R>) -> Dd<R> {
 pub(super) fn erfc_right<R: Real>(x: R, w: Dd<R>) -> (Dd<R>, R) {
     let (e, n) = exp(-two_prod(x, x));
     (e * w, n)
-}
-
-/// Returns whether erfcx −x is `2e^{x²}` to the last place, from `ROUND` plus the exponent of
-/// `e^{x²}`.
-#[inline(always)]
-pub(super) fn alone<R: Real>(n: R) -> R::Mask {
-    n.like(ROUND + ALONE).below(n)
-}
-
-/// erfcx −x = `2e^{x²}` − erfcx x, from mantissa and `ROUND` plus the exponent of `e^{x²}` and
-/// erfcx x.
-#[inline(always)]
-pub(super) fn erfcx_left<R: Real>((e, n): (Dd<R>, R), w: Dd<R>) -> Dd<R> {
-    pair_times_power(e, n + n.like(1.0)) - w
 }
 
 /// `1/(√π x)`, erfcx x for `x ≥ 10¹⁰⁰`, at an x scaled to about one.

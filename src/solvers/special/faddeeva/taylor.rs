@@ -393,7 +393,7 @@ fn axis_sum<R: Real>(c: [R; 4], t: R, p: [R; 4]) -> Dd<R> {
     let t2 = t * t;
     let q = (p[0] + t2 * p[2]) + (t * p[1] + (t * t2) * p[3]);
     let a = two_prod(c[2], t);
-    let h = two_sum(c[0], a.hi);
+    let h = fast_two_sum(c[0], a.hi);
     fast_two_sum(h.hi, h.lo + (a.lo + c[3].fma(t, c[1]) + t2 * q))
 }
 

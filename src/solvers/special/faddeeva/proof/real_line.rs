@@ -9,14 +9,13 @@ use crate::faddeeva::asymptotic::series;
 use crate::faddeeva::branch::{Branch, ROWS_ON_REAL_AXIS, modulus_squared, series_of_pairs};
 use crate::faddeeva::constants::{HALF_SQRT_PI, INV_SQRT_PI, TWO_OVER_SQRT_PI};
 use crate::faddeeva::odd_series;
-use crate::faddeeva::pairs::END_OF_ERFCX_ROWS;
 use crate::faddeeva::rows::on_real_axis;
 use crate::faddeeva::taylor::axis_row;
 use crate::faddeeva::{axis, branch, erfc_rows, real_line as formulas};
 
 /// |x| below which Dawson's function is a Maclaurin series; from which |erf x| is 1; from which erfc
-/// x is computed from erfcx x, and erfc −|x| is 2; from which erfc x is 0, and beyond which erfcx −x
-/// is infinite.
+/// x is computed from erfcx x, erfc −|x| is 2, and erfcx −|x| is `2e^{x²}`; from which erfc x is 0,
+/// and beyond which erfcx −x is infinite.
 pub const LIMITS: [f64; 4] = [
     formulas::SERIES,
     formulas::ONE,
@@ -29,8 +28,6 @@ pub const LIMITS: [f64; 4] = [
 pub enum OfRows {
     /// erf.
     Erf,
-    /// erfcx.
-    Erfcx,
     /// `(2/√π) F`, F Dawson's function.
     Dawson,
 }
@@ -40,7 +37,6 @@ pub fn row(function: OfRows, x: f64) -> (&'static [f64], f64) {
     let (n, t) = on_real_axis(x);
     let row: &[f64] = match function {
         OfRows::Erf => axis::erf_row(n),
-        OfRows::Erfcx => axis::erfcx_row(n),
         OfRows::Dawson => axis::dawson_row(n),
     };
     (row, t)
@@ -69,6 +65,21 @@ pub fn erfc_value<R: Real>(row: [R; 4], c: R, t: R) -> Pair<R> {
     of(erfc_rows::value(row, c, t))
 }
 
+/// erfcx c and erfcx −c, each in two parts, for the centre c next to `x ≥ 0`.
+pub fn erfcx_row(x: f64) -> &'static [f64; 4] {
+    erfc_rows::erfcx_row(erfc_rows::centre(x).0)
+}
+
+/// erfcx at distance t from a centre c of either sign, from erfcx c.
+pub fn erfcx_value<R: Real>(at_centre: Pair<R>, c: R, t: R) -> Pair<R> {
+    of(erfc_rows::erfcx_value(at_centre, c, t))
+}
+
+/// `1/n!` from n = 2 on in the polynomial for `e^s − 1` of [`erfcx_value`].
+pub fn exponential_beside_one() -> &'static [f64; 8] {
+    crate::exponential::of_few()
+}
+
 /// The coefficients `1/(m! (m + 2k + 1) k!)` of [`erfc_value`], by k; those of k = 0 begin with
 /// m = 1.
 pub fn erfc_terms() -> [&'static [f64]; 4] {
@@ -92,9 +103,9 @@ pub fn is_huge(x: f64) -> bool {
     branch::is_huge(0.0, x)
 }
 
-/// The terms of the asymptotic series for erfcx x, `0 ≤ x`, not huge; `None` where it has rows.
-pub fn erfcx_terms(x: f64) -> Option<u32> {
-    terms(0.0, x, END_OF_ERFCX_ROWS)
+/// The terms of the asymptotic series for erfcx x from [`LIMITS`]`[2]` on, not huge.
+pub fn erfcx_terms(x: f64) -> u32 {
+    terms(0.0, x, 0.0).unwrap_or(26)
 }
 
 /// erfcx x by the asymptotic series.
@@ -111,16 +122,6 @@ pub fn erfcx_far<R: Real>(x: R) -> Pair<R> {
 pub fn exponential<R: Real>(x: R) -> (Pair<R>, R) {
     let (e, n) = formulas::growth(x);
     (of(e), n)
-}
-
-/// Returns whether erfcx −x is `2e^{x²}` alone.
-pub fn alone(n: f64) -> bool {
-    formulas::alone(n)
-}
-
-/// erfcx −x from `e^{x²}` and erfcx x.
-pub fn erfcx_left<R: Real>((e, n): (Pair<R>, R), w: Pair<R>) -> Pair<R> {
-    of(formulas::erfcx_left((dd(e), n), dd(w)))
 }
 
 /// erfc x from erfcx x, as a mantissa and `ROUND` plus the exponent.
