@@ -226,14 +226,14 @@ fn a_dropped_term_shows() {
     }
 }
 
-/// A constant in the row about zero has no part that falls with x, so that nothing is known of erf as
-/// a part of itself.
+/// A constant in the row about zero has no part that falls with x: beside zero it is a part of erf
+/// that counts.
 #[test]
 fn a_value_of_erf_at_zero_shows() {
     let at = at(false, 1e-10, 2e-10);
     let sound = solvers(Function::Erf);
     assert!(worst(&sound, Function::Erf, &at) < 0.6);
-    let faulty = with_rows(Function::Erf, |row| row[1] += 1e-40);
+    let faulty = with_rows(Function::Erf, |row| row[1] += 1e-26);
     assert_eq!(worst(&faulty, Function::Erf, &at), f64::INFINITY);
 }
 
@@ -524,13 +524,13 @@ fn leaves_bit_by_bit() {
     found.push(counted("halves", halves));
     let due = [
         ("erf", 0x41629ab6772ff74c, 416.0),
-        ("leaves", 0x6ea7d8b6302b4c35, 419.0),
+        ("leaves", 0x17fec860765feb20, 419.0),
         ("erfc", 0xe5aa223a44fbb462, 2219.0),
-        ("leaves", 0x5a5f940755e4b11c, 419.0),
+        ("leaves", 0xfe197c0e815441c7, 419.0),
         ("erfcx", 0xa47ec3f116e47a92, 985.0),
-        ("leaves", 0x948a5bc6e3a58499, 1019.0),
+        ("leaves", 0x76e48ee437cbcd1a, 1019.0),
         ("dawson", 0x194ca11ff4c22286, 461.0),
-        ("leaves", 0x8e9e0ee85100ccb7, 719.0),
+        ("leaves", 0x6cff277590c197d7, 719.0),
         ("many", 0x4d86ab98c48ea699, 6.0),
         ("binades", 0x748c9d56f0a44b5f, 8.0),
         ("halves", 0x622a5dfaf7dbe33f, 4.0),
