@@ -7,7 +7,7 @@ use super::odd_series::{DAWSON, ERFI, odd_real};
 use super::rows::REAL_AXIS_PITCH;
 use crate::double_double::{Dd, fast_two_sum, two_prod};
 use crate::exponential::exp;
-use crate::real::{ROUND, Real};
+use crate::real::Real;
 
 /// |x| below which erfi x and Dawson's function are Maclaurin series.
 pub(super) const SERIES: f64 = 0.5;
