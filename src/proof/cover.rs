@@ -1,6 +1,6 @@
 //! Rectangles of `f64`s, and whether they cover the quadrant.
 
-use crate::form::{exponent, power_of_two};
+use crate::grid::{exponent, power_of_two};
 use mechaudit_solvers::faddeeva::SEAMS;
 use std::ops::RangeInclusive;
 

@@ -1,13 +1,17 @@
 //! An evaluation of the solver's code over a box: the numbers met so far, and the operations on
 //! them.
 //!
-//! The forms of one evaluation live beside the thread that does it. A decision that is not the same
+//! The code is written on a tape as it runs, with one [`Pass`] over it. Both live beside the thread
+//! that does it. A decision that is not the same
 //! all over the box is taken both ways, one evaluation after the other: every point of the box
 //! follows one of them.
 
 use crate::exact::Exact;
-use crate::form::{Form, exponent, mapped, product, quotient, regrained, rounded, rounding, sum};
-use crate::interval::{Interval, product_up, sum_up};
+use crate::grid::{TINIEST, grain_of_point};
+use crate::interval::{Interval, sum_up};
+use crate::program;
+use crate::program::pass::{Pass, Solver, joined};
+use crate::program::tape::{Op, Place, Tape};
 use mechaudit_solvers::faddeeva::proof::ROUND;
 use std::cell::RefCell;
 
@@ -55,14 +59,11 @@ impl<'a> Setting<'a> {
 }
 
 /// The evaluation of this thread.
-#[derive(Default)]
 pub(crate) struct Evaluation {
-    pub sigma: Exact,
-    pub constants: Vec<Constant>,
+    constants: Vec<Constant>,
     pub rounding: Rounding,
-    forms: Vec<Form>,
-    /// Operations that rounded; number 0 is the difference of the constants.
-    operations: u32,
+    tape: Tape,
+    pub pass: Pass,
     /// The decisions to take, and between how many ways.
     script: Vec<(usize, usize)>,
     taken: usize,
@@ -70,8 +71,32 @@ pub(crate) struct Evaluation {
     failure: Option<&'static str>,
     /// Numbers that are others times a power of two: which, and the power.
     multiples: Vec<(u32, (u32, f64))>,
-    /// Products of two numbers that were rounded: of which, the product and what it lost.
-    products: Vec<([u32; 2], [Tracked; 2])>,
+    /// Products of two numbers that were rounded: of which, and the product.
+    products: Vec<([u32; 2], Tracked)>,
+    /// Products that are others times a power of two: which, and the power.
+    shared: Vec<(Tracked, Tracked, Tracked)>,
+    /// What operations lost.
+    losses: Vec<(Place, Tracked)>,
+}
+
+impl Default for Evaluation {
+    fn default() -> Evaluation {
+        let mut pass = Pass::new(program::Setting::default(), 0);
+        pass.solver = Some(Solver::default());
+        Evaluation {
+            constants: Vec::new(),
+            rounding: Rounding::default(),
+            tape: Tape::default(),
+            pass,
+            script: Vec::new(),
+            taken: 0,
+            failure: None,
+            multiples: Vec::new(),
+            products: Vec::new(),
+            shared: Vec::new(),
+            losses: Vec::new(),
+        }
+    }
 }
 
 thread_local! {
@@ -82,14 +107,43 @@ thread_local! {
 const WAYS: usize = 4096;
 
 impl Evaluation {
-    pub fn push(&mut self, form: Form) -> Tracked {
-        self.forms.push(form);
-        Tracked(self.forms.len() as u32 - 1)
+    /// Carries an operation out.
+    pub fn push(&mut self, op: Op) -> Tracked {
+        self.tape.ops.push(op);
+        if let Err(stop) = self.pass.step(&self.tape, op, &[], false, &[]) {
+            self.tape.ops.pop();
+            return self.fail(stop.reason);
+        }
+        Tracked(self.tape.ops.len() as u32 - 1)
+    }
+
+    /// Any number without an error, a multiple of `2^grain`.
+    pub fn enter(&mut self, exact: Exact, grain: i32, small: bool) -> Tracked {
+        self.tape.ops.push(Op::Input(0));
+        self.pass.enter(exact, grain, small);
+        Tracked(self.tape.ops.len() as u32 - 1)
+    }
+
+    /// One number, which is known exactly.
+    pub fn point(&mut self, x: f64) -> Tracked {
+        self.enter(Exact::point(x), grain_of_point(x), false)
+    }
+
+    /// A constant of the code, which may stand for another one.
+    pub fn stored(&mut self, x: f64) -> Tracked {
+        let known = self.constants.iter().find(|c| c.stored.abs() == x.abs());
+        match known.copied() {
+            None => self.point(x),
+            Some(c) => {
+                let sign = |v: Interval| if c.stored == x { v } else { -v };
+                self.push(Op::Constant(sign(c.exact), x, sign(c.error)))
+            }
+        }
     }
 
     pub fn fail(&mut self, why: &'static str) -> Tracked {
         self.failure.get_or_insert(why);
-        self.push(Form::point(0.0))
+        self.point(0.0)
     }
 
     fn choose(&mut self, ways: usize) -> usize {
@@ -102,209 +156,254 @@ impl Evaluation {
         chosen
     }
 
-    pub fn form(&self, x: Tracked) -> &Form {
-        &self.forms[x.0 as usize]
+    /// What is known of the numbers.
+    pub fn solver(&self) -> &Solver {
+        self.pass.solver.as_ref().expect("a solver's pass")
     }
 
-    /// The number rounded, and its error with the sign reversed.
-    pub fn round(&mut self, form: Form) -> (Tracked, Tracked) {
-        let factor = match self.rounding.truncates {
-            Some(k) if k == self.operations + 1 => 2.0,
-            _ => 1.0,
-        };
-        match rounding(&form, self.sigma, factor) {
-            None => {
-                let form = regrained(form, self.sigma);
-                (self.push(form), self.push(Form::point(0.0)))
-            }
-            Some((error, absolute)) => {
-                self.operations += 1;
-                let k = self.operations;
-                let mut lost = Form::exact(Exact::ZERO, form.grain);
-                (lost.small, lost.tiny) = (form.small, absolute);
-                if error != 0.0 {
-                    lost.terms.push((k, Interval::point(-error)));
-                }
-                let form = rounded(form, self.sigma, (error, absolute), factor, k);
-                (self.push(form), self.push(lost.summed()))
-            }
+    /// The number all over the box.
+    pub fn range(&self, x: Tracked) -> Interval {
+        self.pass.float[x.place()]
+    }
+
+    pub fn constant(&self, x: Tracked) -> Option<f64> {
+        self.pass.constant(x.place())
+    }
+
+    fn is_zero(&self, x: Tracked) -> bool {
+        self.pass.is_zero(x.place())
+    }
+
+    fn is_small(&self, x: Tracked) -> bool {
+        self.solver().small[x.place()]
+    }
+
+    fn tiny(&self, x: Tracked) -> f64 {
+        self.solver().tiny[x.place()]
+    }
+
+    /// The same number with `s = 1`.
+    pub fn plain(&mut self, x: Tracked) -> Tracked {
+        match self.is_small(x) {
+            true => self.push(Op::Plain(x.place())),
+            false => x,
         }
     }
 
     /// Both with the same s.
-    fn alike(&self, x: Tracked, y: Tracked) -> (Form, Form) {
-        let (x, y) = (self.form(x), self.form(y));
-        match x.small == y.small {
-            true => (x.clone(), y.clone()),
-            // Zero has no size.
-            false if x.is_zero() || y.is_zero() => (x.clone(), y.clone()),
-            false => (x.plain(self.sigma), y.plain(self.sigma)),
+    fn alike(&mut self, x: Tracked, y: Tracked) -> (Tracked, Tracked) {
+        match self.is_small(x) == self.is_small(y) {
+            true => (x, y),
+            false => (self.plain(x), self.plain(y)),
         }
     }
 
-    /// `x + y` before rounding.
-    pub fn sum(&self, x: Tracked, y: Tracked) -> Form {
-        if x == y {
-            return self.form(x).doubled();
-        }
-        let (x, y) = self.alike(x, y);
-        match (x.is_zero(), y.is_zero()) {
-            (true, _) => y,
-            (_, true) => x,
-            _ => sum(&x, &y),
+    /// At most one of both with s = σ.
+    fn factors(&mut self, x: Tracked, y: Tracked) -> (Tracked, Tracked) {
+        match (self.is_small(x) && self.is_small(y), x == y) {
+            (true, true) => (x, self.plain(x)),
+            (true, false) => (x, self.plain(y)),
+            _ => (x, y),
         }
     }
 
-    /// `x y` before rounding.
-    fn product(&self, x: Tracked, y: Tracked) -> Form {
-        let (p, q) = (self.form(x), self.form(y));
-        if p.is_zero() || q.is_zero() {
-            return Form::point(0.0);
+    /// What a sum or a product lost, with the sign reversed; zero of one that was there already.
+    fn lost(&mut self, x: Tracked, already: usize) -> Tracked {
+        if x.place() < already {
+            return self.point(0.0);
         }
-        match p.small && q.small {
-            true => product(p, &q.plain(self.sigma), self.sigma, false),
-            false => product(p, q, self.sigma, x == y),
+        let shared = self.shared.iter().find(|s| s.0 == x).copied();
+        if let Some((_, r, factor)) = shared {
+            let lost = self.lost(r, 0);
+            return self.push(Op::Mul(lost.place(), factor.place()));
         }
+        let place = match self.tape.ops[x.place()] {
+            Op::Near(a, _) => a,
+            _ => x.place(),
+        };
+        let exact = self.pass.noise[place] == 0.0 && self.solver().absolute[place] == 0.0;
+        if exact {
+            return self.point(0.0);
+        }
+        if let Some(&(_, lost)) = self.losses.iter().find(|l| l.0 == place) {
+            return lost;
+        }
+        let lost = self.push(Op::Lost(place));
+        self.losses.push((place, lost));
+        lost
+    }
+
+    /// Far out what underflowed is multiplied by |z|² again and again: its unit would overflow.
+    fn settled(&mut self, x: Tracked) -> Tracked {
+        match self.tiny(x) > 1e100 && !self.is_small(x) {
+            true => self.push(Op::Near(x.place(), 0.0)),
+            false => x,
+        }
+    }
+
+    fn round(&mut self, op: Op) -> Tracked {
+        let rounded = self.push(op);
+        self.settled(rounded)
     }
 
     /// `x y` where one of them is a power of two and nothing is rounded, or below the normal
     /// numbers only; of which number, and by what.
-    fn scaled(&self, x: Tracked, y: Tracked) -> Option<(Form, (Tracked, f64))> {
-        let power = |t: Tracked| self.form(t).constant().filter(|c| is_power_of_two(*c));
-        let (of, by) = match (power(x), power(y)) {
-            (_, Some(c)) => (x, c),
-            (Some(c), _) => (y, c),
-            _ => return None,
-        };
-        let mut form = self.form(of).clone();
-        let k = exponent(by.abs());
-        let times = |c: Interval| {
-            let c = if by < 0.0 { -c } else { c };
-            let by = by.abs();
-            let (lo, hi) = (c.lo * by, c.hi * by);
-            // Exact unless it underflows or overflows.
-            let exact = |x: f64, y: f64| y / by == x;
-            let lo = if exact(c.lo, lo) { lo } else { lo.next_down() };
-            let hi = if exact(c.hi, hi) { hi } else { hi.next_up() };
-            Interval::new(lo, hi)
-        };
-        form.main = form.main.scaled(by, times(form.main.range));
-        form.terms = mapped(&form.terms, times);
-        form.rest = product_up(form.rest, by.abs());
-        form.tiny = product_up(form.tiny, by.abs());
-        form.grain = form.grain.saturating_add(k);
-        let mut form = form.summed();
-        let range = form.range(self.sigma);
-        if exponent(range.magnitude().max(f64::MIN_POSITIVE)) >= 1023 {
-            return None;
+    fn power_of(&self, x: Tracked, y: Tracked) -> Option<(Tracked, f64)> {
+        let power = |t: Tracked| self.constant(t).filter(|c| is_power_of_two(*c));
+        match (power(x), power(y)) {
+            (_, Some(c)) => Some((x, c)),
+            (Some(c), _) => Some((y, c)),
+            _ => None,
         }
-        if form.grain < -1074 && range.mignitude() < f64::MIN_POSITIVE {
-            form.tiny = sum_up(form.tiny, 1.0);
-        }
-        form.grain = form.grain.max(-1074);
-        Some((form, (of, by)))
     }
 
-    pub fn multiply(&mut self, x: Tracked, y: Tracked) -> (Tracked, Tracked) {
-        if let (Some(a), Some(b)) = (self.form(x).constant(), self.form(y).constant())
+    pub fn multiply(&mut self, x: Tracked, y: Tracked) -> Tracked {
+        if self.is_zero(x) || self.is_zero(y) {
+            return self.point(0.0);
+        }
+        if let (Some(a), Some(b)) = (self.constant(x), self.constant(y))
             && exact_product(a, b)
         {
-            let zero = self.push(Form::point(0.0));
-            return (self.push(Form::point(a * b)), zero);
+            return self.point(a * b);
         }
-        if let Some((form, (of, by))) = self.scaled(x, y) {
-            let mut lost = Form::point(0.0);
-            let exact = form.tiny == 0.0;
-            lost.tiny = form.tiny;
-            let lost = self.push(lost);
-            let p = self.push(regrained(form, self.sigma));
-            if exact {
-                self.multiples.push((p.0, (of.0, by)));
+        if let Some(of) = self.power_of(x, y) {
+            let p = self.round(Op::Mul(x.place(), y.place()));
+            if self.tiny(p) == 0.0 {
+                self.multiples.push((p.0, (of.0.0, of.1)));
             }
-            return (p, lost);
+            return p;
         }
         self.rounded_product(x, y)
     }
 
     /// `x y` rounded. Of `x` and `2^k x` as factors the rounded products have the ratio `2^k`, if
     /// neither may be below the normal numbers: they share their ε.
-    fn rounded_product(&mut self, x: Tracked, y: Tracked) -> (Tracked, Tracked) {
+    fn rounded_product(&mut self, x: Tracked, y: Tracked) -> Tracked {
         let multiple = |t: Tracked| {
             let found = self.multiples.iter().find(|m| m.0 == t.0);
             found.map_or((t.0, 1.0), |m| m.1)
         };
         let ((p, s), (q, t)) = (multiple(x), multiple(y));
         let (of, by) = ([p.min(q), p.max(q)], s * t);
-        let form = self.product(x, y);
-        let normal = form.range(self.sigma).mignitude() > 1e-250 && (1e-9..1e9).contains(&by.abs());
-        if normal && let Some(&(_, [r, lost])) = self.products.iter().find(|k| k.0 == of) {
-            let factor = self.push(Form::point(by));
-            let both = [r, lost].map(|t| self.scaled(t, factor));
-            if let [Some((r, _)), Some((lost, _))] = both
-                && r.tiny == 0.0
-                && lost.tiny == 0.0
-            {
-                let r = self.push(regrained(r, self.sigma));
-                return (r, self.push(lost));
-            }
+        let least = (self.range(x) * self.range(y)).mignitude();
+        let normal = least > 1e-250 && (1e-9..1e9).contains(&by.abs());
+        if normal
+            && let Some(&(_, r)) = self.products.iter().find(|k| k.0 == of)
+            && self.tiny(r) == 0.0
+        {
+            let factor = self.point(by);
+            let product = self.push(Op::Mul(r.place(), factor.place()));
+            self.shared.push((product, r, factor));
+            return product;
         }
-        let (r, lost) = self.round(form);
+        let (x, y) = self.factors(x, y);
+        let r = self.round(Op::Mul(x.place(), y.place()));
         if normal && by == 1.0 {
-            self.products.push((of, [r, lost]));
+            self.products.push((of, r));
         }
-        (r, lost)
+        r
     }
 
-    pub fn add(&mut self, x: Tracked, y: Tracked) -> (Tracked, Tracked) {
-        if self.form(x).is_zero() || self.form(y).is_zero() {
-            let sum = if self.form(x).is_zero() { y } else { x };
-            return (sum, self.push(Form::point(0.0)));
+    pub fn add(&mut self, x: Tracked, y: Tracked) -> Tracked {
+        if self.is_zero(x) || self.is_zero(y) {
+            return if self.is_zero(x) { y } else { x };
         }
-        if let (Some(a), Some(b)) = (self.form(x).constant(), self.form(y).constant())
+        if x == y {
+            let two = self.point(2.0);
+            return self.multiply(x, two);
+        }
+        if let (Some(a), Some(b)) = (self.constant(x), self.constant(y))
             && exact_sum(a, b)
         {
-            let zero = self.push(Form::point(0.0));
-            return (self.push(Form::point(a + b)), zero);
+            return self.point(a + b);
         }
-        let form = self.sum(x, y);
-        self.round(form)
+        let (x, y) = self.alike(x, y);
+        self.round(Op::Add(x.place(), y.place()))
+    }
+
+    /// `x + y` rounded, and what it lost.
+    pub fn two_sum(&mut self, x: Tracked, y: Tracked) -> (Tracked, Tracked) {
+        let already = self.tape.ops.len();
+        let sum = self.add(x, y);
+        (sum, self.lost(sum, already))
+    }
+
+    /// An operation whose result is not rounded.
+    fn unrounded(&mut self, op: Op) -> Tracked {
+        let set = |e: &mut Evaluation, is: bool| {
+            if let Some(solver) = &mut e.pass.solver {
+                solver.is_unrounded = is;
+            }
+        };
+        set(self, true);
+        let result = self.push(op);
+        set(self, false);
+        result
+    }
+
+    /// The sum of two numbers, not rounded.
+    pub fn exact_sum(&mut self, x: Tracked, y: Tracked) -> Tracked {
+        match (self.is_zero(x), self.is_zero(y)) {
+            (true, _) => y,
+            (_, true) => x,
+            _ => {
+                let (x, y) = self.alike(x, y);
+                self.unrounded(Op::Add(x.place(), y.place()))
+            }
+        }
+    }
+
+    /// `x y` rounded, and what it lost, which is itself rounded to a multiple of 2⁻¹⁰⁷⁴.
+    pub fn two_prod(&mut self, x: Tracked, y: Tracked) -> (Tracked, Tracked) {
+        let grain = |t: Tracked| self.pass.grain[t.place()];
+        let grain = grain(x).saturating_add(grain(y));
+        let already = self.tape.ops.len();
+        let p = self.multiply(x, y);
+        let lost = self.lost(p, already);
+        if grain < -1074
+            && !self.is_zero(lost)
+            && let Some(solver) = &mut self.pass.solver
+        {
+            let tiny = &mut solver.tiny[lost.place()];
+            *tiny = sum_up(*tiny, 1.0);
+            let range = &mut self.pass.float[lost.place()];
+            *range = range.widened(TINIEST);
+        }
+        (p, lost)
     }
 
     pub fn divide(&mut self, x: Tracked, y: Tracked) -> Tracked {
-        let y = self.form(y).plain(self.sigma);
-        match quotient(self.form(x), &y) {
-            Some(form) => self.round(form).0,
-            None => self.fail("a divisor may be zero"),
-        }
+        let y = self.plain(y);
+        self.round(Op::Div(x.place(), y.place()))
     }
 
     pub fn fma(&mut self, x: Tracked, y: Tracked, z: Tracked) -> Tracked {
-        if self.form(z).constant() == Some(ROUND) {
+        if self.constant(z) == Some(ROUND) {
             return self.integer(x, y);
         }
-        if self.form(z).is_zero() {
-            return self.multiply(x, y).0;
+        if self.is_zero(z) {
+            return self.multiply(x, y);
         }
-        if self.form(x).is_zero() || self.form(y).is_zero() {
+        if self.is_zero(x) || self.is_zero(y) {
             return z;
         }
         if self.rounding.fma_rounds_twice {
-            let p = self.multiply(x, y).0;
-            return self.add(p, z).0;
+            let p = self.multiply(x, y);
+            return self.add(p, z);
         }
-        let form = match self.scaled(x, y) {
-            // Not rounded before the sum.
-            Some((form, _)) if form.tiny == 0.0 => form,
-            _ => self.product(x, y),
-        };
-        let p = self.push(form);
-        let form = self.sum(p, z);
-        self.round(form).0
+        let (mut x, mut y) = self.factors(x, y);
+        let mut z = z;
+        if (self.is_small(x) || self.is_small(y)) != self.is_small(z) {
+            [x, y, z] = [x, y, z].map(|t| self.plain(t));
+        }
+        self.round(Op::Fma(x.place(), y.place(), z.place()))
     }
 
     /// `x y + ROUND`: one number for each integer that `x y` may be rounded to.
     fn integer(&mut self, x: Tracked, y: Tracked) -> Tracked {
-        let range = self.product(x, y).range(self.sigma);
+        let (x, y) = self.factors(x, y);
+        let product = self.unrounded(Op::Mul(x.place(), y.place()));
+        let range = self.range(product);
         if !(range.magnitude() < 1e9) {
             return self.fail("an integer beyond 10⁹");
         }
@@ -315,12 +414,12 @@ impl Evaluation {
             return self.fail("too many integers");
         }
         let k = if ways == 1 { 0 } else { self.choose(ways) };
-        self.push(Form::point(ROUND + (least + k as f64)))
+        self.point(ROUND + (least + k as f64))
     }
 
     /// Returns whether `x < y`.
     pub fn below(&mut self, x: Tracked, y: Tracked) -> bool {
-        let [p, q] = [x, y].map(|t| self.form(t).range(self.sigma));
+        let [p, q] = [x, y].map(|t| self.range(t));
         if p.hi < q.lo {
             return true;
         }
@@ -329,6 +428,81 @@ impl Evaluation {
         }
         self.choose(2) == 0
     }
+
+    /// The error of a number in which those of operations may cancel.
+    fn deviation(&mut self, x: Tracked) -> f64 {
+        self.pass.backward(&self.tape, x.place(), false);
+        self.pass.total(&self.tape, x.place())
+    }
+
+    /// The error of a number as a part of it, where a sum of positive numbers is wrong by no larger
+    /// a part than one of them.
+    fn part(&mut self, x: Tracked) -> f64 {
+        let place = x.place();
+        let op = self.tape.ops[place];
+        let at = |place: Place| Tracked(place as u32);
+        let operands: &[Place] = match op {
+            Op::Add(a, b) | Op::Mul(a, b) => &[a, b],
+            Op::Fma(a, b, c) => &[a, b, c],
+            _ => &[],
+        };
+        let positive = |p: &Place| self.solver().exact[*p].range.lo >= 0.0;
+        let of = |parts: &[f64]| match (op, parts) {
+            (Op::Add(..), [p, q]) => p.max(*q),
+            (Op::Mul(..), [p, q]) => joined(*p, *q),
+            (Op::Fma(..), [p, q, r]) => joined(*p, *q).max(*r),
+            _ => f64::INFINITY,
+        };
+        // A share is known of what is no subnormal number.
+        if operands.iter().all(positive) && self.solver().share[place].is_finite() {
+            let power = matches!(op, Op::Mul(..)) && self.pass.noise[place] == 0.0;
+            let parts = operands.iter().map(|p| match power {
+                true => self.part(at(*p)),
+                false => {
+                    let error = self.deviation(at(*p));
+                    self.pass.relative(*p, error)
+                }
+            });
+            let parts: Vec<f64> = parts.collect();
+            let unit = if power { 0.0 } else { 0.5 * f64::EPSILON };
+            return joined(of(&parts), unit);
+        }
+        let error = self.deviation(x);
+        self.pass.relative(place, error)
+    }
+
+    /// The number's exact value, and what rounding makes of it.
+    pub fn result(&mut self, x: Tracked) -> Result {
+        let place = x.place();
+        let error = self.deviation(x);
+        let mut relative = self.pass.relative(place, error);
+        if relative > 2.0 * f64::EPSILON {
+            relative = relative.min(self.part(x));
+        }
+        let solver = self.solver();
+        Result {
+            exact: solver.exact[place].range,
+            error,
+            tiny: solver.tiny[place],
+            small: solver.small[place],
+            relative,
+        }
+    }
+}
+
+/// Describes what is known of a result.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Result {
+    /// Its value in exact arithmetic, divided by σ if it is small.
+    pub exact: Interval,
+    /// The largest distance of the number computed from it, divided by σ if it is small.
+    pub error: f64,
+    /// Added to it, in units of 2⁻¹⁰⁷⁵.
+    pub tiny: f64,
+    /// Tells whether σ is a factor.
+    pub small: bool,
+    /// The further error as a part of the value.
+    pub relative: f64,
 }
 
 fn is_power_of_two(x: f64) -> bool {
@@ -353,6 +527,12 @@ fn exact_sum(a: f64, b: f64) -> bool {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Tracked(u32);
 
+impl Tracked {
+    pub fn place(self) -> Place {
+        self.0 as usize
+    }
+}
+
 pub(crate) fn here<T>(f: impl FnOnce(&mut Evaluation) -> T) -> T {
     HERE.with_borrow_mut(f)
 }
@@ -366,19 +546,24 @@ pub(crate) fn evaluate<T>(
     mut f: impl FnMut() -> T,
 ) -> std::result::Result<Vec<T>, &'static str> {
     here(|e| {
-        e.sigma = setting.sigma;
         e.constants.clear();
         e.constants.extend_from_slice(setting.constants);
         e.rounding = setting.rounding;
         e.script.clear();
+        if let Some(solver) = &mut e.pass.solver {
+            (solver.sigma, solver.truncates) = (setting.sigma, setting.rounding.truncates);
+        }
     });
     let mut all = Vec::new();
     loop {
         here(|e| {
-            e.forms.clear();
+            e.tape.ops.clear();
+            e.pass.clear();
             e.multiples.clear();
             e.products.clear();
-            (e.operations, e.taken, e.failure) = (0, 0, None);
+            e.shared.clear();
+            e.losses.clear();
+            (e.taken, e.failure) = (0, None);
         });
         all.push(f());
         let more = here(|e| {

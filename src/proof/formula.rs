@@ -4,7 +4,7 @@ use crate::bound::Bound;
 use crate::constants::{ASYMPTOTIC, MACLAURIN};
 use crate::cover::Rectangle;
 use crate::exact::Exact;
-use crate::form::{TINIEST, exponent, grain_of, power_of_two};
+use crate::grid::{TINIEST, exponent, grain_of, power_of_two};
 use crate::interval::{Interval, hypot_down, hypot_up, larger, product_up, quotient_up, sum_up};
 use crate::tables::Tables;
 use crate::tracked::{Result as Tracks, Rounding, Setting, Tracked, Tracking, evaluate};

@@ -23,8 +23,8 @@ mod cover;
 mod error;
 mod evaluation;
 mod exact;
-mod form;
 mod formula;
+mod grid;
 mod interval;
 pub mod lower;
 #[cfg(test)]

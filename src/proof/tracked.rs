@@ -1,39 +1,13 @@
-//! A type of number for the solver's generic code: each operation is applied to [`Form`]s.
+//! A type of number for the solver's generic code: each operation is written on a tape.
 
 use crate::evaluation::here;
-pub(crate) use crate::evaluation::{Constant, Rounding, Setting, Tracked, evaluate};
+pub(crate) use crate::evaluation::{Constant, Result, Rounding, Setting, Tracked, evaluate};
 use crate::exact::Exact;
-use crate::form::{Form, grain_of, power_of_two};
+use crate::grid::{grain_of, power_of_two};
 use crate::interval::{Interval, sum_up};
+use crate::program::tape::Op;
 use mechaudit_solvers::faddeeva::proof::{ROUND, Real, Vectors};
 use std::ops::{Add, Div, Mul, Neg, Sub};
-
-/// Describes what is known of a result.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Result {
-    /// Its value in exact arithmetic, divided by σ if it is small.
-    pub exact: Interval,
-    /// The largest distance of the number computed from it, divided by σ if it is small.
-    pub error: f64,
-    /// Added to it, in units of 2⁻¹⁰⁷⁵.
-    pub tiny: f64,
-    /// Tells whether σ is a factor.
-    pub small: bool,
-    /// The further error as a part of the value.
-    pub relative: f64,
-}
-
-impl Result {
-    fn of(form: &Form) -> Result {
-        Result {
-            exact: form.main.range,
-            error: form.deviation,
-            tiny: form.tiny,
-            small: form.small,
-            relative: form.relative(),
-        }
-    }
-}
 
 impl Tracked {
     /// Coordinate `i` of the rectangle, any `f64` between the ends.
@@ -48,15 +22,14 @@ impl Tracked {
             true => Exact::point(lo),
             false => Exact::coordinate(Interval::new(lo, hi), i),
         };
-        here(|e| e.push(Form::exact(exact, grain)))
+        Tracked::any(exact, grain)
     }
 
     /// The small coordinate.
     pub fn sigma() -> Tracked {
         here(|e| {
-            let mut form = Form::exact(Exact::point(1.0), grain_of(e.sigma.range.lo));
-            form.small = true;
-            e.push(form)
+            let grain = grain_of(e.solver().sigma.range.lo);
+            e.enter(Exact::point(1.0), grain, true)
         })
     }
 
@@ -64,50 +37,50 @@ impl Tracked {
     /// of `2^grain`.
     pub fn offset(self, centre: f64, grain: i32) -> Tracked {
         here(|e| {
-            let main = e.form(self).main + Exact::point(-centre);
-            e.push(Form::exact(main, grain))
+            let exact = e.solver().exact[self.place()] + Exact::point(-centre);
+            e.enter(exact, grain, false)
         })
     }
 
     /// A table's entry, which stands for itself.
     pub fn entry(x: f64) -> Tracked {
-        here(|e| e.push(Form::point(x)))
+        here(|e| e.point(x))
     }
 
-    /// Any number that a form describes.
-    pub fn of(form: Form) -> Tracked {
-        here(|e| e.push(form))
+    /// Any multiple of `2^grain` that is enclosed.
+    pub fn any(exact: Exact, grain: i32) -> Tracked {
+        here(|e| e.enter(exact, grain, false))
     }
 
     pub fn result(self) -> Result {
-        here(|e| Result::of(e.form(self)))
+        here(|e| e.result(self))
     }
 
     /// The sum of two numbers, not rounded.
     pub fn exact_sum(self, other: Tracked) -> Result {
-        here(|e| Result::of(&e.sum(self, other)))
+        here(|e| {
+            let sum = e.exact_sum(self, other);
+            e.result(sum)
+        })
     }
 
     /// The number, if it is the same all over the box.
     pub fn constant(self) -> Option<f64> {
-        here(|e| e.form(self).constant())
+        here(|e| e.constant(self))
     }
 }
 
 impl Add for Tracked {
     type Output = Tracked;
     fn add(self, other: Tracked) -> Tracked {
-        here(|e| e.add(self, other).0)
+        here(|e| e.add(self, other))
     }
 }
 
 impl Neg for Tracked {
     type Output = Tracked;
     fn neg(self) -> Tracked {
-        here(|e| {
-            let form = e.form(self).negative();
-            e.push(form)
-        })
+        here(|e| e.push(Op::Neg(self.place())))
     }
 }
 
@@ -121,7 +94,7 @@ impl Sub for Tracked {
 impl Mul for Tracked {
     type Output = Tracked;
     fn mul(self, other: Tracked) -> Tracked {
-        here(|e| e.multiply(self, other).0)
+        here(|e| e.multiply(self, other))
     }
 }
 
@@ -136,20 +109,7 @@ impl Real for Tracked {
     type Mask = bool;
 
     fn like(self, x: f64) -> Tracked {
-        here(|e| {
-            let known = e.constants.iter().find(|c| c.stored.abs() == x.abs());
-            let form = match known {
-                None => Form::point(x),
-                Some(c) => {
-                    let sign = |v: Interval| if c.stored == x { v } else { -v };
-                    let exact = Exact::within(sign(c.exact));
-                    let mut form = Form::exact(exact, grain_of(x.abs()));
-                    form.terms.push((0, sign(c.error)));
-                    form.summed()
-                }
-            };
-            e.push(form)
-        })
+        here(|e| e.stored(x))
     }
 
     fn fma(self, b: Tracked, c: Tracked) -> Tracked {
@@ -157,12 +117,12 @@ impl Real for Tracked {
     }
 
     fn two_sum(self, b: Tracked) -> (Tracked, Tracked) {
-        here(|e| e.add(self, b))
+        here(|e| e.two_sum(self, b))
     }
 
     fn fast_two_sum(self, b: Tracked) -> (Tracked, Tracked) {
         let exact = here(|e| {
-            let (p, q) = (e.form(self).range(e.sigma), e.form(b).range(e.sigma));
+            let (p, q) = (e.range(self), e.range(b));
             p.is_zero() || p.mignitude() >= q.magnitude()
         });
         if exact {
@@ -177,34 +137,18 @@ impl Real for Tracked {
             let p = self * b;
             return (p, self.fma(b, -p));
         }
-        here(|e| {
-            let grain = e.form(self).grain.saturating_add(e.form(b).grain);
-            let (p, lost) = e.multiply(self, b);
-            let mut form = e.form(lost).clone();
-            if grain < -1074 && !form.is_zero() {
-                // The error itself is rounded to a multiple of 2⁻¹⁰⁷⁴.
-                form.tiny = sum_up(form.tiny, 1.0);
-            }
-            (p, e.push(form))
-        })
+        here(|e| e.two_prod(self, b))
     }
 
     fn magnitude(self) -> Tracked {
         let sign = here(|e| {
-            let range = e.form(self).range(e.sigma);
+            let range = e.range(self);
             (range.lo >= 0.0, range.hi <= 0.0)
         });
         match sign {
             (true, _) => self,
             (_, true) => -self,
-            _ => here(|e| {
-                let mut form = e.form(self).clone();
-                form.main = Exact::within(Interval::new(0.0, form.main.range.magnitude()));
-                form.rest = form.deviation;
-                form.share = f64::INFINITY;
-                form.terms.clear();
-                e.push(form)
-            }),
+            _ => here(|e| e.push(Op::Abs(self.place()))),
         }
     }
 
@@ -218,16 +162,13 @@ impl Real for Tracked {
 
     fn raised(self, least: f64) -> Tracked {
         here(|e| {
-            let mut form = e.form(self).plain(e.sigma);
-            let lo = form.range(e.sigma).lo;
-            if lo < least {
-                // Between 0 and `least − lo` is added; nothing is rounded.
-                form.rest = sum_up(form.rest, sum_up(least, (-lo).max(0.0)));
-                form.share = f64::INFINITY;
-                form.grain = form.grain.min(grain_of(least));
-                form = form.summed();
+            let lo = e.range(self).lo;
+            if lo >= least {
+                return self;
             }
-            e.push(form)
+            // Between 0 and `least − lo` is added; nothing is rounded.
+            let plain = e.plain(self);
+            e.push(Op::Near(plain.place(), sum_up(least, (-lo).max(0.0))))
         })
     }
 

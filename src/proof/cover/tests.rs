@@ -112,7 +112,7 @@ fn scaled_rectangles_hold_the_quotients() {
             b: [3e-10, 7e-10],
         },
     ] {
-        let k = crate::form::exponent(r.a[1].max(r.b[1]));
+        let k = crate::grid::exponent(r.a[1].max(r.b[1]));
         let scaled = r.scaled().expect("one power of two");
         for ([lo, hi], [p, q]) in [(scaled.a, r.a), (scaled.b, r.b)] {
             let [p, q] = [p, q].map(|x| exact(x) >> k);

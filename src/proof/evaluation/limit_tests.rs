@@ -2,7 +2,7 @@
 
 use super::tests::{only, setting, ways, x_of};
 use super::*;
-use crate::form::power_of_two;
+use crate::grid::power_of_two;
 use crate::pinned::{bit_by_bit, counted, digest};
 use mechaudit_solvers::faddeeva::proof::Real;
 

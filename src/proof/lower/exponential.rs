@@ -22,7 +22,7 @@
 
 use super::phase::{self, Phase, U, around_zero};
 use crate::ProofError;
-use crate::form::{exponent, power_of_two};
+use crate::grid::{exponent, power_of_two};
 use crate::interval::{Interval, hypot_up, larger, product_up, quotient_up, sum_up, up};
 use crate::tracked::{Rounding, Setting, Tracked, evaluate};
 use crate::truncation::exponential_error;

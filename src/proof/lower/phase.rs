@@ -14,7 +14,7 @@
 use crate::ProofError;
 use crate::bounds::{above, power_up, rational};
 use crate::exact::Exact;
-use crate::form::{Form, power_of_two};
+use crate::grid::power_of_two;
 use crate::interval::{Interval, hypot_up, larger, product_up, sum_up, up};
 use crate::tracked::{Rounding, Setting, Tracked, evaluate};
 use mechaudit_reference::Ball;
@@ -42,7 +42,7 @@ pub(super) struct Phase {
 /// Returns any number within `r` of zero.
 pub(super) fn around_zero(r: f64) -> Tracked {
     let any = Exact::within(Interval::new(-r, r));
-    Tracked::of(Form::exact(any, i32::MIN / 4))
+    Tracked::any(any, i32::MIN / 4)
 }
 
 /// `|π/2 − Σ parts|`.
@@ -71,8 +71,8 @@ fn grain(k: f64) -> i32 {
 fn reducible(h0: f64, k: [f64; 2], r: [f64; 2]) -> ((Tracked, Tracked), Tracked) {
     let [theta, whole] = quarters_and_rest(h0, k, r);
     let low = around_zero(up(theta.range.magnitude() * U));
-    let theta = Tracked::of(Form::exact(theta, grain(k[0])));
-    ((theta, low), Tracked::of(Form::exact(whole, 0)))
+    let theta = Tracked::any(theta, grain(k[0]));
+    ((theta, low), Tracked::any(whole, 0))
 }
 
 /// The reduced phases.

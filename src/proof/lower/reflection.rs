@@ -3,8 +3,8 @@
 use super::exponential::LEAST;
 use crate::bounds::{above, exp_up};
 use crate::cover::Rectangle;
-use crate::form::TINIEST;
 use crate::formula::TWO_52;
+use crate::grid::TINIEST;
 use crate::interval::{
     Interval, down, hypot_down, hypot_up, larger, product_up, quotient_up, sum_up, up,
 };

@@ -219,7 +219,7 @@ impl<'a> Bounds<'a> {
         }
         self.wide.backward(tape, root, false);
         let value = self.wide.value[root];
-        Ok((self.measured(self.wide.total(root), value), value))
+        Ok((self.measured(self.wide.total(tape, root), value), value))
     }
 
     fn within(&mut self, at: &[Interval]) -> Found {
@@ -245,7 +245,7 @@ impl<'a> Bounds<'a> {
             };
         }
         self.wide.backward(tape, root, true);
-        let mut error = self.wide.total(root);
+        let mut error = self.wide.total(tape, root);
         let mut value = self.wide.value[root];
         let mut bound = self.measured(error, value);
         if self.wide.is_narrowed() {
@@ -266,7 +266,7 @@ impl<'a> Bounds<'a> {
         let points: Vec<Interval> = at.iter().map(|x| Interval::point(centre_of(*x))).collect();
         if self.centre.forward(tape, &points, false, &[]).is_ok() && self.centre.open.is_empty() {
             self.centre.backward(tape, root, false);
-            let own = self.centre.total(root);
+            let own = self.centre.total(tape, root);
             let there = self.centre.value[root];
             lower = self.measured(own, there);
             sign = if there.lo > 0.0 {

@@ -12,9 +12,9 @@
 mod accuracy;
 mod bound;
 mod elementary;
-mod pass;
+pub(crate) mod pass;
 mod search;
-mod tape;
+pub(crate) mod tape;
 #[cfg(test)]
 mod tests;
 

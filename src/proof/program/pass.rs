@@ -18,14 +18,17 @@ mod condition;
 mod derivative;
 mod narrowing;
 mod operation;
+mod solver;
 
+use derivative::Combination;
 pub(crate) use narrowing::Narrowing;
 use operation::Ends;
+pub(crate) use solver::{Solver, joined};
 
 use super::Setting;
 use super::elementary::{pi, power, range};
 use super::tape::{Op, Place, Tape};
-use crate::form::{exponent, grain_of_point, power_of_two};
+use crate::grid::{exponent, grain_of_point, power_of_two};
 use crate::interval::{Interval, down, product_up, sum_up, up};
 use mechaudit_symbolic::Func;
 
@@ -51,7 +54,7 @@ pub(crate) struct Pass {
     /// Values on the path from exact to computed.
     pub value: Vec<Interval>,
     /// Computed values are multiples of `2^grain`.
-    grain: Vec<i32>,
+    pub grain: Vec<i32>,
     /// Bounds of `|δ_i|`.
     pub noise: Vec<f64>,
     /// Bounds of the difference between computed and exact values, operation by operation.
@@ -62,8 +65,11 @@ pub(crate) struct Pass {
     pub slope: Vec<Interval>,
     /// Derivatives of the partial ones by the inputs.
     curve: Vec<Interval>,
-    /// `∂f/∂δ_i`.
+    /// `∂f/∂δ_i`, but for what [`Op::Lost`] takes back.
     pub adjoint: Vec<Interval>,
+    /// Which of them are sums of others; and the derivatives by what is taken back.
+    adjoint_of: Vec<Combination>,
+    taken_of: Vec<Combination>,
     /// Derivatives of these by the inputs.
     pub adjoint_slope: Vec<Interval>,
     /// Operations whose error counts: their own or that of an operand is not zero.
@@ -78,6 +84,8 @@ pub(crate) struct Pass {
     is_narrowed: Vec<bool>,
     /// Operations whose derivatives by the inputs hold only there.
     is_bent: Vec<bool>,
+    /// More of the numbers of a solver.
+    pub solver: Option<Solver>,
 }
 
 fn one() -> Interval {
@@ -99,6 +107,8 @@ impl Pass {
             slope: Vec::new(),
             curve: Vec::new(),
             adjoint: Vec::new(),
+            adjoint_of: Vec::new(),
+            taken_of: Vec::new(),
             adjoint_slope: Vec::new(),
             noisy: Vec::new(),
             open: Vec::new(),
@@ -106,6 +116,7 @@ impl Pass {
             narrowing: None,
             is_narrowed: Vec::new(),
             is_bent: Vec::new(),
+            solver: None,
         }
     }
 
@@ -130,12 +141,17 @@ impl Pass {
     }
 
     /// Half a unit in the last place of the largest result.
-    fn half_ulp(&self, most: f64, beyond: bool) -> f64 {
-        let e = exponent(most);
-        let whole = e >= -1022 && most == power_of_two(e);
-        let e = if whole && !beyond { e - 1 } else { e };
-        let last = (e + 1 - self.setting.bits()).max(self.setting.lowest());
-        power_of_two((last - 1).max(-1074))
+    fn half_ulp(&self, ends: Ends) -> f64 {
+        let least = self.setting.lowest() - 1;
+        power_of_two(self.half_exponent(ends).max(least).max(-1074))
+    }
+
+    /// Its exponent, if that is no subnormal number.
+    fn half_exponent(&self, ends: Ends) -> i32 {
+        let e = exponent(ends.most);
+        let whole = e >= -1022 && ends.most == power_of_two(e);
+        let e = if whole && !ends.beyond { e - 1 } else { e };
+        e - self.setting.bits()
     }
 
     /// The format's numbers next to the ends, which rounding does not leave.
@@ -164,7 +180,8 @@ impl Pass {
         Ok(())
     }
 
-    fn clear(&mut self) {
+    /// Begins with nothing.
+    pub fn clear(&mut self) {
         self.float.clear();
         self.value.clear();
         self.grain.clear();
@@ -177,6 +194,9 @@ impl Pass {
         self.open.clear();
         self.is_narrowed.clear();
         self.is_bent.clear();
+        if let Some(solver) = &mut self.solver {
+            solver.clear();
+        }
     }
 
     /// Computes ranges of all operations, also behind one that has no value: everything.
@@ -234,6 +254,10 @@ impl Pass {
         };
         // Rounding gives a multiple of the last bit of the smallest result, and keeps the grain.
         let grain = grain.max(self.last_bit(float.mignitude()));
+        self.record(float, value, noise, grain, error);
+    }
+
+    fn record(&mut self, float: Interval, value: Interval, noise: f64, grain: i32, error: f64) {
         self.float.push(float);
         self.value.push(value);
         self.noise.push(noise);
@@ -243,7 +267,8 @@ impl Pass {
         self.noisy.push(noise > 0.0);
     }
 
-    fn step(
+    /// Adds the result of an operation and its derivatives.
+    pub fn step(
         &mut self,
         tape: &Tape,
         op: Op,
@@ -253,6 +278,12 @@ impl Pass {
     ) -> Result<(), Stop> {
         let lowest = self.setting.lowest();
         match op {
+            Op::Add(a, b) => self.sum(op, a, b)?,
+            Op::Sub(a, b) => self.sum(op, a, b)?,
+            Op::Mul(a, b) => self.product(op, a, b)?,
+            Op::Div(a, b) => self.quotient(op, a, b)?,
+            Op::Fma(a, b, c) => self.fused(op, a, b, c)?,
+            _ if self.solver.is_some() => self.unrounded(tape, op)?,
             Op::Input(k) => {
                 let x = at[k];
                 match self.setting.round_inputs {
@@ -270,7 +301,8 @@ impl Pass {
                     }
                 }
             }
-            Op::Constant(real, nearest, noise) => {
+            Op::Constant(real, nearest, off) => {
+                let noise = off.magnitude();
                 let point = Interval::point(nearest);
                 if !(nearest.abs() <= self.setting.largest()) {
                     return stop("a constant overflows");
@@ -286,12 +318,7 @@ impl Pass {
                 let (f, v) = (of(self.float[a]), of(self.value[a]));
                 self.push(f, v, 0.0, self.grain[a], self.error[a]);
             }
-            Op::Add(a, b) => self.sum(a, b, false)?,
-            Op::Sub(a, b) => self.sum(a, b, true)?,
-            Op::Mul(a, b) => self.product(a, b)?,
-            Op::Div(a, b) => self.quotient(a, b)?,
-            Op::Sqrt(a) => self.root(a)?,
-            Op::Fma(a, b, c) => self.fused(a, b, c)?,
+            Op::Sqrt(a) => self.root(op, a)?,
             Op::Smooth(f, a, accuracy) => {
                 let value = range(f, self.value[a]);
                 let [first, _] = super::elementary::slopes(f, self.value[a], value);
@@ -371,6 +398,7 @@ impl Pass {
                 self.push(value, value, 0.0, grain_of_point(from), 0.0);
             }
             Op::If(condition, a, b) => self.choose(tape, condition, a, b, picks)?,
+            Op::Plain(_) | Op::Lost(_) | Op::Near(..) => return stop("no number of a solver"),
         }
         self.link(op, slopes);
         if slopes {
@@ -387,7 +415,7 @@ impl Pass {
         }
         let noise = match exact.is_zero() {
             true => 0.0,
-            false => product_up(2.0 * ulps, self.half_ulp(most, false)),
+            false => product_up(2.0 * ulps, self.half_ulp(Ends::at(most))),
         };
         let computed = exact.widened(noise);
         if !(computed.magnitude() <= self.setting.largest()) {
@@ -406,11 +434,19 @@ impl Pass {
     }
 
     /// `Σ |δ_i| |∂f/∂δ_i|`, and not more than the error carried forward.
-    pub fn total(&self, root: Place) -> f64 {
-        let mut sum = 0.0;
+    ///
+    /// What a solver's constants are off is known: these errors may cancel.
+    pub fn total(&self, tape: &Tape, root: Place) -> f64 {
+        let (mut sum, mut known) = (0.0, Interval::ZERO);
         for i in 0..=root {
-            sum = sum_up(sum, product_up(self.noise[i], self.adjoint[i].magnitude()));
+            let noise = self.noise[i];
+            let slope = self.coefficient(i);
+            match tape.ops[i] {
+                Op::Constant(_, _, off) => known = known + off * slope,
+                _ => sum = sum_up(sum, product_up(noise, slope.magnitude())),
+            }
         }
+        sum = sum_up(sum, known.magnitude());
         let carried = self.error[root];
         match sum <= carried {
             true => sum,

@@ -22,9 +22,9 @@ pub(crate) type Place = usize;
 pub(crate) enum Op {
     /// An input.
     Input(usize),
-    /// A constant: an enclosure of its value, the number that stands for it, and how far that is
-    /// off.
-    Constant(Interval, f64, f64),
+    /// A constant: an enclosure of its value, the number that stands for it, and what that is more
+    /// than the value.
+    Constant(Interval, f64, Interval),
     /// `−a`.
     Neg(Place),
     /// `|a|`.
@@ -59,6 +59,12 @@ pub(crate) enum Op {
     Step(Func, Place),
     /// The second where the condition holds, else the third.
     If(usize, Place, Place),
+    /// A solver's number with its factor σ multiplied out.
+    Plain(Place),
+    /// The rounding error of a solver's operation with its sign reversed, which code takes back.
+    Lost(Place),
+    /// A solver's number and any more that is at most this and what underflowed.
+    Near(Place, f64),
 }
 
 /// A condition.
@@ -94,12 +100,14 @@ impl Op {
     /// The operands.
     pub fn operands(self) -> ([Place; 3], usize) {
         match self {
-            Op::Input(_) | Op::Constant(..) => ([0; 3], 0),
+            Op::Input(_) | Op::Constant(..) | Op::Lost(_) => ([0; 3], 0),
             Op::Neg(a)
             | Op::Abs(a)
             | Op::Sqrt(a)
             | Op::Smooth(_, a, _)
             | Op::Power(a, ..)
+            | Op::Plain(a)
+            | Op::Near(a, _)
             | Op::Step(_, a) => ([a, 0, 0], 1),
             Op::Add(a, b)
             | Op::Sub(a, b)
@@ -114,6 +122,11 @@ impl Op {
             Op::Fma(a, b, c) => ([a, b, c], 3),
         }
     }
+}
+
+/// Numbers of either sign that are at most `off`.
+fn within(off: f64) -> Interval {
+    Interval::new(-off, off)
 }
 
 /// Writes nodes of a graph on a tape.
@@ -170,7 +183,11 @@ impl<'a> Writer<'a> {
             None => return refused("a constant overflows"),
         };
         let off = Float::with_val_round(53, &off, Round::Up).0;
-        self.push(Op::Constant(real, nearest, off.to_f64_round(Round::Up)))
+        self.push(Op::Constant(
+            real,
+            nearest,
+            within(off.to_f64_round(Round::Up)),
+        ))
     }
 
     fn integer(&mut self, k: i64) -> Written<Place> {
@@ -278,7 +295,7 @@ impl<'a> Writer<'a> {
         let half = Float::with_val(128, ball.mid() - nearest).abs();
         let half = Float::with_val_round(53, &half, Round::Up).0.to_f64();
         let off = off.min(up(half + ball.rad().to_f64()));
-        self.push(Op::Constant(real, nearest, up(off)))
+        self.push(Op::Constant(real, nearest, within(up(off))))
     }
 
     /// Writes a condition; returns its number.

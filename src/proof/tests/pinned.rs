@@ -4,7 +4,7 @@
 //! test of inclusion. [`bit_by_bit`] notices every change of a number of terms, a working
 //! precision, a slack or a start.
 
-use crate::form::power_of_two;
+use crate::grid::power_of_two;
 use std::fmt::Debug;
 
 /// A name, a digest of what was found under it, and a figure to read: the worst of it, or how much

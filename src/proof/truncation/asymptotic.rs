@@ -3,7 +3,7 @@
 use super::{OfSum, Truncation};
 use crate::bounds::{HALF_PI, above, exp_up, rational, remainder, remainder_slope};
 use crate::cover::Rectangle;
-use crate::form::TINIEST;
+use crate::grid::TINIEST;
 use crate::interval::{hypot_down, hypot_up, product_up, quotient_up, sum_up, up};
 use mechaudit_reference::Ball;
 use rug::Rational;

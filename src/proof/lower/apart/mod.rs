@@ -75,7 +75,7 @@ fn last(b: f64) -> u64 {
 
 /// The exponent of 1 in units of the last place of b, or of half of them.
 fn last_place(b: f64) -> i32 {
-    52 - crate::form::exponent(down(b * 0.999))
+    52 - crate::grid::exponent(down(b * 0.999))
 }
 
 /// Above |b| within a quarter of m of zero m: `|ζ| ≤ 8m + 13` there.

@@ -1,6 +1,6 @@
 use super::*;
 use crate::at_points::{pieces_hold_what_is_due, square};
-use crate::form::power_of_two;
+use crate::grid::power_of_two;
 use crate::interval::sum_up;
 use crate::lower::phase::U;
 use crate::pinned::{bit_by_bit, counted, of_binades, units};

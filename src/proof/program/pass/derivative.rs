@@ -7,6 +7,53 @@ use super::{Pass, one};
 use crate::interval::Interval;
 use mechaudit_symbolic::Func;
 
+/// The most terms of a [`Combination`].
+const MOST: usize = 4;
+
+/// A derivative as a sum of a few others, each a whole number of times, and a rest.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Combination {
+    terms: [(Place, f64); MOST],
+    count: usize,
+    rest: Interval,
+}
+
+impl Combination {
+    fn of(place: Place) -> Combination {
+        let mut one = Combination::default();
+        one.terms[0] = (place, 1.0);
+        one.count = 1;
+        one
+    }
+
+    fn terms(&self) -> &[(Place, f64)] {
+        &self.terms[..self.count]
+    }
+
+    /// Adds a whole number of times another one.
+    fn add(&mut self, other: &Combination, factor: f64, adjoint: &[Interval]) {
+        self.rest = self.rest + other.rest * Interval::point(factor);
+        for (place, times) in other.terms() {
+            let times = times * factor;
+            let known = self.terms().iter().position(|t| t.0 == *place);
+            match known.unwrap_or(self.count) {
+                MOST => self.rest = self.rest + adjoint[*place] * Interval::point(times),
+                at => {
+                    self.terms[at] = (*place, self.terms[at].1 + times);
+                    self.count = self.count.max(at + 1);
+                }
+            }
+        }
+    }
+
+    fn sum(&self, adjoint: &[Interval]) -> Interval {
+        let terms = self.terms().iter().filter(|t| t.1 != 0.0);
+        terms.fold(self.rest, |sum, (place, times)| {
+            sum + adjoint[*place] * Interval::point(*times)
+        })
+    }
+}
+
 impl Pass {
     /// Derivatives of the last operation.
     pub(super) fn link(&mut self, op: Op, with_slopes: bool) {
@@ -20,9 +67,11 @@ impl Pass {
         // First derivatives, and the second ones by pairs of operands: aa, ab, bb.
         let mut second = [constant; 3];
         let first = match op {
-            Op::Input(_) | Op::Constant(..) | Op::Step(..) => [constant; 3],
+            Op::Input(_) | Op::Constant(..) | Op::Step(..) | Op::Lost(_) => [constant; 3],
             Op::If(..) => self.partial[last],
             Op::Neg(_) => [-one(), constant, constant],
+            Op::Near(..) => [one(), constant, constant],
+            Op::Plain(_) => [self.sigma(), constant, constant],
             Op::Add(..) => [one(), one(), constant],
             Op::Sub(..) => [one(), -one(), constant],
             Op::Abs(_) => {
@@ -72,7 +121,9 @@ impl Pass {
                 let square = y.square();
                 second[1] = -(one() / square);
                 second[2] = Interval::point(2.0) * x / (square * y);
-                [one() / y, -(x / square), constant]
+                // The square may overflow.
+                let slope = (x / square).meet(here / y);
+                [one() / y, -slope, constant]
             }
             Op::Sqrt(_) => {
                 let root = v(0).sqrt();
@@ -152,13 +203,27 @@ impl Pass {
         let (n, len) = (self.inputs, tape.ops.len());
         self.adjoint.clear();
         self.adjoint.resize(len, Interval::ZERO);
+        for all in [&mut self.adjoint_of, &mut self.taken_of] {
+            all.clear();
+            all.resize(
+                if self.solver.is_some() { len } else { 0 },
+                Combination::default(),
+            );
+        }
         self.adjoint_slope.clear();
         self.adjoint_slope
             .resize(if with_slopes { len * n } else { 0 }, Interval::ZERO);
         self.adjoint[root] = one();
+        if let Some(of) = self.adjoint_of.get_mut(root) {
+            of.rest = one();
+        }
         for i in (0..=root).rev() {
             let (operands, count) = tape.ops[i].operands();
+            let passed = self.passed(i);
             let above = self.adjoint[i];
+            if let Op::Lost(a) = tape.ops[i] {
+                self.taken_of[a] = passed;
+            }
             let flat = !with_slopes
                 || self.adjoint_slope[i * n..(i + 1) * n]
                     .iter()
@@ -172,6 +237,15 @@ impl Pass {
                     continue;
                 }
                 self.adjoint[a] = self.adjoint[a] + above * partial;
+                if self.solver.is_some() {
+                    match partial.is_point() && partial.lo.abs() == 1.0 {
+                        true => self.adjoint_of[a].add(&passed, partial.lo, &self.adjoint),
+                        false => {
+                            let of = &mut self.adjoint_of[a];
+                            of.rest = of.rest + above * partial;
+                        }
+                    }
+                }
                 if !with_slopes {
                     continue;
                 }
@@ -183,6 +257,30 @@ impl Pass {
                     let add = self.adjoint_slope[i * n + j] * partial + above * curve;
                     self.adjoint_slope[a * n + j] = self.adjoint_slope[a * n + j] + add;
                 }
+            }
+        }
+    }
+
+    /// A derivative for operands: a sum of others, or else one of its own.
+    fn passed(&mut self, i: Place) -> Combination {
+        match self.adjoint_of.get(i) {
+            Some(of) if of.count > 0 && of.rest.is_zero() => {
+                self.adjoint[i] = of.sum(&self.adjoint);
+                *of
+            }
+            _ => Combination::of(i),
+        }
+    }
+
+    /// `∂f/∂δ_i`, less by what is taken back of the error: of a pair of which both parts go into
+    /// one sum nothing is left.
+    pub fn coefficient(&self, i: Place) -> Interval {
+        match self.taken_of.get(i).filter(|t| t.count > 0) {
+            None => self.adjoint[i],
+            Some(taken) => {
+                let mut left = self.adjoint_of[i];
+                left.add(taken, -1.0, &self.adjoint);
+                left.sum(&self.adjoint)
             }
         }
     }

@@ -1,8 +1,8 @@
 //! Operations that round once, and what rounding costs.
 
-use super::super::tape::Place;
+use super::super::tape::{Op, Place};
 use super::{Pass, Stop, stop};
-use crate::form::{exponent, power_of_two};
+use crate::grid::{exponent, power_of_two};
 use crate::interval::{Interval, product_up, quotient_up, sqrt_up, sum_up};
 
 /// Candidates for the end of a range: a rounded result, and whether the exact one is larger in
@@ -11,8 +11,23 @@ use crate::interval::{Interval, product_up, quotient_up, sqrt_up, sum_up};
 pub(super) struct Ends {
     pub lo: f64,
     pub hi: f64,
-    most: f64,
-    beyond: bool,
+    pub most: f64,
+    pub beyond: bool,
+}
+
+/// A result before its rounding.
+pub(super) struct Unrounded {
+    pub ends: Ends,
+    /// All values on the path.
+    pub value: Interval,
+    /// Its exact value is a multiple of `2^grain`.
+    pub grain: i32,
+    /// The error that operands bring.
+    pub error: f64,
+    /// Known to be a number of the format.
+    pub is_exact: bool,
+    /// The exponent of the last bit of an operand that is multiplied by a power of two.
+    pub shift: Option<i32>,
 }
 
 impl Ends {
@@ -23,6 +38,34 @@ impl Ends {
             most: 0.0,
             beyond: false,
         }
+    }
+
+    /// One result, which is not larger before its rounding.
+    pub fn at(most: f64) -> Ends {
+        Ends {
+            lo: most,
+            hi: most,
+            most,
+            beyond: false,
+        }
+    }
+
+    /// Results that are in an interval before their rounding.
+    pub fn within(mut self, range: Interval) -> Ends {
+        let (lo, hi) = (self.lo.max(range.lo), self.hi.min(range.hi));
+        if lo <= hi {
+            (self.lo, self.hi) = (lo, hi);
+        }
+        let most = range.magnitude();
+        if most < self.most {
+            (self.most, self.beyond) = (most, true);
+        }
+        self
+    }
+
+    /// The least absolute value after the rounding.
+    pub fn least(self) -> f64 {
+        Interval::new(self.lo, self.hi).mignitude()
     }
 
     /// Takes in a result with the sign of exact less rounded.
@@ -66,21 +109,25 @@ fn quotient(a: f64, b: f64) -> (f64, f64) {
 }
 
 impl Pass {
-    /// The error of rounding results between ends that are multiples of `2^grain` before rounding.
-    pub(super) fn rounding(&self, ends: Ends, grain: i32) -> Result<f64, Stop> {
+    /// Returns whether results between ends that are multiples of `2^grain` before rounding are
+    /// numbers of the format.
+    pub(super) fn is_on_grid(&self, ends: Ends, grain: i32) -> Result<bool, Stop> {
         if !(ends.most <= self.setting.largest()) {
             return stop("may overflow");
         }
-        let exact = grain >= self.setting.lowest()
+        Ok(grain >= self.setting.lowest()
             && (ends.most == 0.0 || {
                 let e = exponent(ends.most);
                 // Below 2^{grain + bits} every multiple of 2^grain is a number of the format.
                 e < grain.saturating_add(self.setting.bits())
-            });
-        Ok(if exact {
-            0.0
-        } else {
-            self.half_ulp(ends.most, ends.beyond)
+            }))
+    }
+
+    /// The error of rounding them.
+    pub(super) fn rounding(&self, ends: Ends, grain: i32) -> Result<f64, Stop> {
+        Ok(match self.is_on_grid(ends, grain)? {
+            true => 0.0,
+            false => self.half_ulp(ends),
         })
     }
 
@@ -88,7 +135,8 @@ impl Pass {
         Interval::new(self.rounded(ends.lo), self.rounded(ends.hi))
     }
 
-    pub(super) fn sum(&mut self, a: Place, b: Place, negated: bool) -> Result<(), Stop> {
+    pub(super) fn sum(&mut self, op: Op, a: Place, b: Place) -> Result<(), Stop> {
+        let negated = matches!(op, Op::Sub(..));
         let (x, y) = (self.float[a], self.float[b]);
         let y = if negated { -y } else { y };
         let mut ends = Ends::new();
@@ -107,39 +155,56 @@ impl Pass {
             let (s, rest) = two_sum(x.lo, y.lo);
             rest == 0.0 && s.is_finite() && self.rounded(s) == s
         };
-        let exact = known || x.is_zero() || y.is_zero() || near(x, opposite) || near(-x, -opposite);
-        let noise = if exact {
-            0.0
-        } else {
-            self.rounding(ends, grain)?
-        };
+        let is_exact =
+            known || x.is_zero() || y.is_zero() || near(x, opposite) || near(-x, -opposite);
         let (v, w) = (self.value[a], self.value[b]);
         let value = match (negated, a == b) {
             (true, true) => Interval::ZERO,
             (true, false) => v - w,
             (false, _) => v + w,
         };
-        let error = sum_up(sum_up(self.error[a], self.error[b]), noise);
-        self.push_result(ends, value, noise, grain, error);
-        Ok(())
+        let error = sum_up(self.error[a], self.error[b]);
+        self.finish(
+            op,
+            Unrounded {
+                ends,
+                value,
+                grain,
+                error,
+                is_exact,
+                shift: None,
+            },
+        )
     }
 
     /// Adds a result that is rounded once.
-    fn push_result(&mut self, ends: Ends, value: Interval, noise: f64, grain: i32, error: f64) {
+    fn finish(&mut self, op: Op, u: Unrounded) -> Result<(), Stop> {
+        if self.solver.is_some() {
+            return self.finish_of_solver(op, u);
+        }
+        let noise = match u.is_exact {
+            true => 0.0,
+            false => self.rounding(u.ends, u.grain)?,
+        };
+        let noise = self.scaled(noise, u.shift);
+        let error = sum_up(u.error, noise);
         let rounding = (noise, self.unit());
-        self.push_rounded(self.rounded_ends(ends), value, rounding, grain, error);
+        // A quotient or a root is a multiple of nothing but what every number is.
+        let grain = u.grain.max(self.setting.lowest());
+        self.push_rounded(self.rounded_ends(u.ends), u.value, rounding, grain, error);
+        Ok(())
     }
 
     /// The exponent of a power of two that an operand is everywhere.
-    fn power_of_two(&self, a: Place) -> Option<i32> {
+    pub(super) fn power_of_two(&self, a: Place) -> Option<i32> {
         let x = self.float[a];
-        let known = x.is_point() && self.noise[a] == 0.0 && self.error[a] == 0.0;
+        let known = x.is_point() && self.error[a] == 0.0;
         let size = x.lo.abs();
         let normal = known && (f64::MIN_POSITIVE..f64::INFINITY).contains(&size);
         (normal && size == power_of_two(exponent(size))).then(|| exponent(size))
     }
 
-    pub(super) fn product(&mut self, a: Place, b: Place) -> Result<(), Stop> {
+    pub(super) fn product(&mut self, op: Op, a: Place, b: Place) -> Result<(), Stop> {
         let (x, y) = (self.float[a], self.float[b]);
         let mut ends = Ends::new();
         if a == b {
@@ -159,21 +224,27 @@ impl Pass {
             (_, Some(k)) => Some(self.grain[a] + k),
             _ => None,
         };
-        let mut noise = self.rounding(ends, grain)?;
-        noise = self.scaled(noise, shift);
         let (v, w) = (self.value[a], self.value[b]);
         let value = if a == b { v.square() } else { v * w };
         let error = sum_up(
             product_up(v.magnitude(), self.error[b]),
             product_up(w.magnitude(), self.error[a]),
         );
-        let error = sum_up(error, noise);
-        self.push_result(ends, value, noise, grain, error);
-        Ok(())
+        self.finish(
+            op,
+            Unrounded {
+                ends,
+                value,
+                grain,
+                error,
+                is_exact: false,
+                shift,
+            },
+        )
     }
 
     /// The error of a multiplication by a power of two: none but below the normal numbers.
-    pub(super) fn scaled(&self, noise: f64, grain: Option<i32>) -> f64 {
+    fn scaled(&self, noise: f64, grain: Option<i32>) -> f64 {
         match grain {
             None => noise,
             Some(grain) if grain >= self.setting.lowest() => 0.0,
@@ -181,7 +252,7 @@ impl Pass {
         }
     }
 
-    pub(super) fn quotient(&mut self, a: Place, b: Place) -> Result<(), Stop> {
+    pub(super) fn quotient(&mut self, op: Op, a: Place, b: Place) -> Result<(), Stop> {
         let (x, y) = (self.float[a], self.float[b]);
         let (v, w) = (self.value[a], self.value[b]);
         if w.mignitude() == 0.0 || y.mignitude() == 0.0 {
@@ -195,23 +266,25 @@ impl Pass {
         let shift = self
             .power_of_two(b)
             .map(|k| self.grain[a].saturating_sub(k));
-        let mut noise = match x.is_zero() {
-            true => 0.0,
-            false => self.rounding(ends, i32::MIN)?,
-        };
-        noise = self.scaled(noise, shift);
         let value = v / w;
         let error = quotient_up(
             sum_up(self.error[a], product_up(value.magnitude(), self.error[b])),
             w.mignitude(),
         );
-        let error = sum_up(error, noise);
-        let grain = self.setting.lowest();
-        self.push_result(ends, value, noise, grain, error);
-        Ok(())
+        self.finish(
+            op,
+            Unrounded {
+                ends,
+                value,
+                grain: i32::MIN,
+                error,
+                is_exact: x.is_zero(),
+                shift,
+            },
+        )
     }
 
-    pub(super) fn root(&mut self, a: Place) -> Result<(), Stop> {
+    pub(super) fn root(&mut self, op: Op, a: Place) -> Result<(), Stop> {
         let (x, v) = (self.float[a], self.value[a]);
         if x.lo < 0.0 || v.lo < 0.0 {
             return stop("the square root of a number that may be negative");
@@ -221,21 +294,24 @@ impl Pass {
             let root = p.sqrt();
             ends.take(root, (-root).mul_add(root, p));
         }
-        let noise = match x.is_zero() {
-            true => 0.0,
-            false => self.rounding(ends, i32::MIN)?,
-        };
         let value = v.sqrt();
         // |√x − √y| = |x − y|/(√x + √y), and at most √|x − y|.
         let e = self.error[a];
-        let carried = quotient_up(e, 2.0 * value.lo).min(sqrt_up(e));
-        let error = sum_up(carried, noise);
-        let lowest = self.setting.lowest();
-        self.push_result(ends, value, noise, lowest, error);
-        Ok(())
+        let error = quotient_up(e, 2.0 * value.lo).min(sqrt_up(e));
+        self.finish(
+            op,
+            Unrounded {
+                ends,
+                value,
+                grain: i32::MIN,
+                error,
+                is_exact: x.is_zero(),
+                shift: None,
+            },
+        )
     }
 
-    pub(super) fn fused(&mut self, a: Place, b: Place, c: Place) -> Result<(), Stop> {
+    pub(super) fn fused(&mut self, op: Op, a: Place, b: Place, c: Place) -> Result<(), Stop> {
         let (x, y, z) = (self.float[a], self.float[b], self.float[c]);
         let mut ends = Ends::new();
         for (p, q) in [(x.lo, y.lo), (x.lo, y.hi), (x.hi, y.lo), (x.hi, y.hi)] {
@@ -250,16 +326,22 @@ impl Pass {
         let grain = self.grain[a]
             .saturating_add(self.grain[b])
             .min(self.grain[c]);
-        let noise = self.rounding(ends, grain)?;
         let (v, w, u) = (self.value[a], self.value[b], self.value[c]);
         let both = if a == b { v.square() } else { v * w };
         let error = sum_up(
             product_up(v.magnitude(), self.error[b]),
             product_up(w.magnitude(), self.error[a]),
         );
-        let error = sum_up(sum_up(error, self.error[c]), noise);
-        let value = both + u;
-        self.push_result(ends, value, noise, grain, error);
-        Ok(())
+        self.finish(
+            op,
+            Unrounded {
+                ends,
+                value: both + u,
+                grain,
+                error: sum_up(error, self.error[c]),
+                is_exact: false,
+                shift: None,
+            },
+        )
     }
 }
