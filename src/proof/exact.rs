@@ -107,6 +107,13 @@ impl Exact {
         }
     }
 
+    /// All values within `r` of it.
+    pub fn widened(mut self, r: f64) -> Exact {
+        self.range = self.range.widened(r);
+        self.radius = sum_up(self.radius, r);
+        self
+    }
+
     fn spread(&self) -> f64 {
         sum_up(self.slopes[0].abs(), self.slopes[1].abs())
     }

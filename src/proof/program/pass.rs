@@ -28,6 +28,7 @@ pub(crate) use solver::{Solver, joined};
 use super::Setting;
 use super::elementary::{pi, power, range};
 use super::tape::{Op, Place, Tape};
+use crate::exact::Exact;
 use crate::grid::{exponent, grain_of_point, power_of_two};
 use crate::interval::{Interval, down, product_up, sum_up, up};
 use mechaudit_symbolic::Func;
@@ -68,6 +69,7 @@ pub(crate) struct Pass {
     /// `∂f/∂δ_i`, but for what [`Op::Lost`] takes back.
     pub adjoint: Vec<Interval>,
     /// Which of them are sums of others; and the derivatives by what is taken back.
+    exact_adjoint: Vec<Exact>,
     adjoint_of: Vec<Combination>,
     taken_of: Vec<Combination>,
     /// Derivatives of these by the inputs.
@@ -107,6 +109,7 @@ impl Pass {
             slope: Vec::new(),
             curve: Vec::new(),
             adjoint: Vec::new(),
+            exact_adjoint: Vec::new(),
             adjoint_of: Vec::new(),
             taken_of: Vec::new(),
             adjoint_slope: Vec::new(),

@@ -4,6 +4,7 @@
 use super::super::elementary::{power, range, slopes};
 use super::super::tape::{Op, Place, Tape};
 use super::{Pass, one};
+use crate::exact::Exact;
 use crate::interval::Interval;
 use mechaudit_symbolic::Func;
 
@@ -15,7 +16,7 @@ const MOST: usize = 4;
 pub(super) struct Combination {
     terms: [(Place, f64); MOST],
     count: usize,
-    rest: Interval,
+    rest: Exact,
 }
 
 impl Combination {
@@ -31,13 +32,13 @@ impl Combination {
     }
 
     /// Adds a whole number of times another one.
-    fn add(&mut self, other: &Combination, factor: f64, adjoint: &[Interval]) {
-        self.rest = self.rest + other.rest * Interval::point(factor);
+    fn add(&mut self, other: &Combination, factor: f64, adjoint: &[Exact]) {
+        self.rest = self.rest + other.rest * Exact::point(factor);
         for (place, times) in other.terms() {
             let times = times * factor;
             let known = self.terms().iter().position(|t| t.0 == *place);
             match known.unwrap_or(self.count) {
-                MOST => self.rest = self.rest + adjoint[*place] * Interval::point(times),
+                MOST => self.rest = self.rest + adjoint[*place] * Exact::point(times),
                 at => {
                     self.terms[at] = (*place, self.terms[at].1 + times);
                     self.count = self.count.max(at + 1);
@@ -46,10 +47,10 @@ impl Combination {
         }
     }
 
-    fn sum(&self, adjoint: &[Interval]) -> Interval {
+    fn sum(&self, adjoint: &[Exact]) -> Exact {
         let terms = self.terms().iter().filter(|t| t.1 != 0.0);
         terms.fold(self.rest, |sum, (place, times)| {
-            sum + adjoint[*place] * Interval::point(*times)
+            sum + adjoint[*place] * Exact::point(*times)
         })
     }
 }
@@ -213,14 +214,22 @@ impl Pass {
         self.adjoint_slope.clear();
         self.adjoint_slope
             .resize(if with_slopes { len * n } else { 0 }, Interval::ZERO);
+        self.exact_adjoint.clear();
+        if self.solver.is_some() {
+            self.exact_adjoint.resize(len, Exact::ZERO);
+            self.exact_adjoint[root] = Exact::point(1.0);
+        }
         self.adjoint[root] = one();
         if let Some(of) = self.adjoint_of.get_mut(root) {
-            of.rest = one();
+            of.rest = Exact::point(1.0);
         }
         for i in (0..=root).rev() {
             let (operands, count) = tape.ops[i].operands();
             let passed = self.passed(i);
-            let above = self.adjoint[i];
+            let above = match self.exact_adjoint.get(i) {
+                Some(exact) => exact.range,
+                None => self.adjoint[i],
+            };
             if let Op::Lost(a) = tape.ops[i] {
                 self.taken_of[a] = passed;
             }
@@ -236,16 +245,23 @@ impl Pass {
                 if !self.noisy[a] {
                     continue;
                 }
-                self.adjoint[a] = self.adjoint[a] + above * partial;
                 if self.solver.is_some() {
-                    match partial.is_point() && partial.lo.abs() == 1.0 {
-                        true => self.adjoint_of[a].add(&passed, partial.lo, &self.adjoint),
+                    let partial = self.exact_partial(tape.ops[i], i, k);
+                    let product = self.exact_adjoint[i] * partial;
+                    self.exact_adjoint[a] = self.exact_adjoint[a] + product;
+                    match partial.range.is_point() && partial.range.lo.abs() == 1.0 {
+                        true => {
+                            let by = partial.range.lo;
+                            self.adjoint_of[a].add(&passed, by, &self.exact_adjoint);
+                        }
                         false => {
                             let of = &mut self.adjoint_of[a];
-                            of.rest = of.rest + above * partial;
+                            of.rest = of.rest + product;
                         }
                     }
+                    continue;
                 }
+                self.adjoint[a] = self.adjoint[a] + above * partial;
                 if !with_slopes {
                     continue;
                 }
@@ -261,11 +277,29 @@ impl Pass {
         }
     }
 
+    /// A derivative of a solver's operation by an operand on the path.
+    fn exact_partial(&self, op: Op, i: Place, k: usize) -> Exact {
+        let Some(s) = &self.solver else {
+            return Exact::ZERO;
+        };
+        let x = |a: Place| s.exact[a].widened(self.error[a]);
+        match (op, k) {
+            (Op::Mul(a, b) | Op::Fma(a, b, _), 0) if a == b => x(a) + x(a),
+            (Op::Mul(a, b) | Op::Fma(a, b, _), 1) if a == b => Exact::ZERO,
+            (Op::Mul(_, b) | Op::Fma(_, b, _), 0) => x(b),
+            (Op::Mul(a, _) | Op::Fma(a, ..), 1) => x(a),
+            (Op::Div(_, b), 0) => Exact::point(1.0).over(x(b)),
+            (Op::Div(_, b), 1) => -(x(i).over(x(b))),
+            (Op::Plain(_), _) => s.sigma,
+            _ => Exact::within(self.partial[i][k]),
+        }
+    }
+
     /// A derivative for operands: a sum of others, or else one of its own.
     fn passed(&mut self, i: Place) -> Combination {
         match self.adjoint_of.get(i) {
             Some(of) if of.count > 0 && of.rest.is_zero() => {
-                self.adjoint[i] = of.sum(&self.adjoint);
+                self.exact_adjoint[i] = of.sum(&self.exact_adjoint);
                 *of
             }
             _ => Combination::of(i),
@@ -274,13 +308,14 @@ impl Pass {
 
     /// `∂f/∂δ_i`, less by what is taken back of the error: of a pair of which both parts go into
     /// one sum nothing is left.
-    pub fn coefficient(&self, i: Place) -> Interval {
+    pub(super) fn coefficient(&self, i: Place) -> Interval {
         match self.taken_of.get(i).filter(|t| t.count > 0) {
+            None if self.solver.is_some() => self.exact_adjoint[i].range,
             None => self.adjoint[i],
             Some(taken) => {
                 let mut left = self.adjoint_of[i];
-                left.add(taken, -1.0, &self.adjoint);
-                left.sum(&self.adjoint)
+                left.add(taken, -1.0, &self.exact_adjoint);
+                left.sum(&self.exact_adjoint).range
             }
         }
     }
