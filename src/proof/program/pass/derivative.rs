@@ -72,7 +72,7 @@ impl Pass {
             Op::If(..) => self.partial[last],
             Op::Neg(_) => [-one(), constant, constant],
             Op::Near(..) => [one(), constant, constant],
-            Op::Plain(_) => [self.sigma(), constant, constant],
+            Op::Plain(_) => [self.sigma().range, constant, constant],
             Op::Add(..) => [one(), one(), constant],
             Op::Sub(..) => [one(), -one(), constant],
             Op::Abs(_) => {
@@ -246,12 +246,25 @@ impl Pass {
                     continue;
                 }
                 if self.solver.is_some() {
-                    let partial = self.exact_partial(tape.ops[i], i, k);
-                    let product = self.exact_adjoint[i] * partial;
+                    let above = self.exact_adjoint[i];
+                    let on_path = |a: Place| self.on_path(a);
+                    // Far out derivatives of quotients underflow, but not these products.
+                    let product = match (tape.ops[i], k) {
+                        (Op::Mul(a, b) | Op::Fma(a, b, _), 0) if a == b => {
+                            above * (on_path(a) + on_path(a))
+                        }
+                        (Op::Mul(a, b) | Op::Fma(a, b, _), 1) if a == b => Exact::ZERO,
+                        (Op::Mul(_, b) | Op::Fma(_, b, _), 0) => above * on_path(b),
+                        (Op::Mul(a, _) | Op::Fma(a, ..), 1) => above * on_path(a),
+                        (Op::Div(_, b), 0) => above.over(on_path(b)),
+                        (Op::Div(_, b), 1) => -(above * on_path(i)).over(on_path(b)),
+                        (Op::Plain(_), _) => above * self.sigma(),
+                        _ => above * Exact::within(partial),
+                    };
                     self.exact_adjoint[a] = self.exact_adjoint[a] + product;
-                    match partial.range.is_point() && partial.range.lo.abs() == 1.0 {
+                    match partial.is_point() && partial.lo.abs() == 1.0 {
                         true => {
-                            let by = partial.range.lo;
+                            let by = partial.lo;
                             self.adjoint_of[a].add(&passed, by, &self.exact_adjoint);
                         }
                         false => {
@@ -277,22 +290,10 @@ impl Pass {
         }
     }
 
-    /// A derivative of a solver's operation by an operand on the path.
-    fn exact_partial(&self, op: Op, i: Place, k: usize) -> Exact {
-        let Some(s) = &self.solver else {
-            return Exact::ZERO;
-        };
-        let x = |a: Place| s.exact[a].widened(self.error[a]);
-        match (op, k) {
-            (Op::Mul(a, b) | Op::Fma(a, b, _), 0) if a == b => x(a) + x(a),
-            (Op::Mul(a, b) | Op::Fma(a, b, _), 1) if a == b => Exact::ZERO,
-            (Op::Mul(_, b) | Op::Fma(_, b, _), 0) => x(b),
-            (Op::Mul(a, _) | Op::Fma(a, ..), 1) => x(a),
-            (Op::Div(_, b), 0) => Exact::point(1.0).over(x(b)),
-            (Op::Div(_, b), 1) => -(x(i).over(x(b))),
-            (Op::Plain(_), _) => s.sigma,
-            _ => Exact::within(self.partial[i][k]),
-        }
+    /// A solver's number on the path.
+    fn on_path(&self, a: Place) -> Exact {
+        let exact = self.solver.as_ref().map_or(Exact::ZERO, |s| s.exact[a]);
+        exact.widened(self.error[a])
     }
 
     /// A derivative for operands: a sum of others, or else one of its own.

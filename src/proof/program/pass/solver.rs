@@ -65,10 +65,8 @@ impl Solver {
 
 impl Pass {
     /// The range of the small input.
-    pub(super) fn sigma(&self) -> Interval {
-        self.solver
-            .as_ref()
-            .map_or(Interval::ALL, |s| s.sigma.range)
+    pub(super) fn sigma(&self) -> Exact {
+        self.solver.as_ref().map_or(Exact::ZERO, |s| s.sigma)
     }
 
     fn of_solver(&self) -> &Solver {
