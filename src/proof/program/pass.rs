@@ -30,7 +30,7 @@ use super::elementary::{pi, power, range};
 use super::tape::{Op, Place, Tape};
 use crate::exact::Exact;
 use crate::grid::{exponent, grain_of_point, power_of_two};
-use crate::interval::{Interval, down, product_up, sum_up, up};
+use crate::interval::{Interval, down, product_up, quotient_up, sum_up, up};
 use mechaudit_symbolic::Func;
 
 /// Why an operation has no bound over a box.
@@ -449,7 +449,8 @@ impl Pass {
                 _ => sum = sum_up(sum, product_up(noise, slope.magnitude())),
             }
         }
-        sum = sum_up(sum, known.magnitude());
+        // A power of two, and more than the sum where that underflows.
+        sum = quotient_up(sum_up(sum, known.magnitude()), self.unit_of_adjoints(root));
         let carried = self.error[root];
         match sum <= carried {
             true => sum,

@@ -5,6 +5,7 @@ use super::super::elementary::{power, range, slopes};
 use super::super::tape::{Op, Place, Tape};
 use super::{Pass, one};
 use crate::exact::Exact;
+use crate::grid::{exponent, power_of_two};
 use crate::interval::Interval;
 use mechaudit_symbolic::Func;
 
@@ -217,12 +218,10 @@ impl Pass {
         self.exact_adjoint.clear();
         if self.solver.is_some() {
             self.exact_adjoint.resize(len, Exact::ZERO);
-            self.exact_adjoint[root] = Exact::point(1.0);
+            let one = Exact::point(self.unit_of_adjoints(root));
+            (self.exact_adjoint[root], self.adjoint_of[root].rest) = (one, one);
         }
         self.adjoint[root] = one();
-        if let Some(of) = self.adjoint_of.get_mut(root) {
-            of.rest = Exact::point(1.0);
-        }
         for i in (0..=root).rev() {
             let (operands, count) = tape.ops[i].operands();
             let passed = self.passed(i);
@@ -288,6 +287,14 @@ impl Pass {
                 }
             }
         }
+    }
+
+    /// What stands for one in derivatives of a number: as it is tiny far out and others are large
+    /// there, they would underflow.
+    pub(super) fn unit_of_adjoints(&self, root: Place) -> f64 {
+        let size = self.value[root].magnitude();
+        let known = self.solver.is_some() && size.is_normal();
+        power_of_two(if known { -exponent(size) } else { 0 }.clamp(-500, 900))
     }
 
     /// A solver's number on the path.
