@@ -431,7 +431,7 @@ impl Evaluation {
 
     /// The error of a number in which those of operations may cancel.
     fn deviation(&mut self, x: Tracked) -> f64 {
-        self.pass.backward(&self.tape, x.place(), false);
+        self.pass.look_back(&self.tape, x.place());
         self.pass.total(&self.tape, x.place())
     }
 

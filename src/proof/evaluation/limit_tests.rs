@@ -76,8 +76,18 @@ fn evaluations_are_apart() {
     );
 }
 
-fn form_of(x: Tracked) -> Form {
-    here(|e| e.form(x).clone())
+/// All that is known of a number without a look back.
+fn known(x: Tracked) -> String {
+    here(|e| {
+        let (pass, solver, i) = (&e.pass, e.solver(), x.place());
+        let ranges = (solver.exact[i], pass.float[i], pass.value[i]);
+        let errors = (pass.noise[i], pass.error[i], solver.share[i]);
+        let tiny = (solver.tiny[i], solver.absolute[i]);
+        format!(
+            "{ranges:?} {errors:?} {tiny:?} {} {}",
+            solver.small[i], pass.grain[i]
+        )
+    })
 }
 
 /// Numbers of every kind: zero and other constants, of few and many binades, small, with errors,
@@ -133,7 +143,7 @@ fn operations_bit_by_bit() {
             constants: &constants,
             rounding: Rounding::default(),
         };
-        let mut forms = Vec::new();
+        let mut numbers = Vec::new();
         let ended = evaluate(setting, || {
             let all = pool();
             let zero = all[0];
@@ -146,27 +156,27 @@ fn operations_bit_by_bit() {
                     x.raised(1e-300),
                     x.raised(0.5),
                 ];
-                forms.extend(one.map(form_of));
+                numbers.extend(one.map(known));
                 for (j, y) in all.iter().enumerate() {
                     let ((p, q), (s, t)) = (x.two_prod(*y), x.two_sum(*y));
-                    forms.extend([p, q, s, t, x.fma(*y, zero)].map(form_of));
+                    numbers.extend([p, q, s, t, x.fma(*y, zero)].map(known));
                     if (i + j) % 3 == 0 {
                         let (s, t) = x.fast_two_sum(*y);
-                        forms.extend([s, t, x.fma(*y, all[(i * j) % all.len()])].map(form_of));
+                        numbers.extend([s, t, x.fma(*y, all[(i * j) % all.len()])].map(known));
                     }
                 }
             }
-            forms.len()
+            numbers.len()
         });
-        let count = forms.len() as f64;
-        found.push(("forms", digest(forms), count));
+        let count = numbers.len() as f64;
+        found.push(("numbers", digest(numbers), count));
         let mut quotients = Vec::new();
         let number = evaluate(setting, || pool().len()).expect("no division")[0];
         for (i, j) in (0..number).flat_map(|i| (0..number).map(move |j| (i, j))) {
             if (i + j) % 4 == 1 {
                 quotients.push(evaluate(setting, || {
                     let all = pool();
-                    form_of(all[i] / all[j])
+                    known(all[i] / all[j])
                 }));
             }
         }
@@ -178,13 +188,13 @@ fn operations_bit_by_bit() {
         found.push(counted("end", [ended]));
     }
     let due = [
-        ("forms", 0xd6c01225de2f15d1, 4536.0),
+        ("numbers", 0xd6c01225de2f15d1, 4536.0),
         ("quotients", 0x7bdeedf0e789d739, 134.0),
         ("end", 0xdacece55bb22c1b7, 1.0),
-        ("forms", 0x9704ec41b223f42c, 4536.0),
+        ("numbers", 0x9704ec41b223f42c, 4536.0),
         ("quotients", 0xd2e4318646679a51, 120.0),
         ("end", 0xdacece55bb22c1b7, 1.0),
-        ("forms", 0xecbb1c52968f558e, 4536.0),
+        ("numbers", 0xecbb1c52968f558e, 4536.0),
         ("quotients", 0x2b9fb7406fe50829, 134.0),
         ("end", 0xdacece55bb22c1b7, 1.0),
     ];
@@ -201,17 +211,14 @@ fn powers_of_two_bit_by_bit() {
     let powers = [
         -1074, -1022, -1021, -1000, -500, -30, -1, 0, 1, 30, 500, 1000, 1022, 1023,
     ];
-    let scaled = evaluate(setting, || {
-        let mut out = Vec::new();
+    let mut scaled = Vec::new();
+    let ended = evaluate(setting, || {
         let fine = Tracked::input_on_grid(0, [1.0, 1.9], -60);
         for x in pool().into_iter().chain([fine]) {
             for k in powers {
-                for by in [power_of_two(k), -power_of_two(k)].map(x_of) {
-                    out.push(here(|e| e.scaled(x, by)));
-                }
+                scaled.extend([power_of_two(k), -power_of_two(k)].map(|by| known(x * x_of(by))));
             }
         }
-        out
     });
     let mut shared = Vec::new();
     for size in [0.7e-250, 1e-250, 1.5e-250, 0.7e-9, 1.0] {
@@ -225,7 +232,7 @@ fn powers_of_two_bit_by_bit() {
                         let multiple = x * x_of(sign * power_of_two(k));
                         let (r, s) = multiple.two_prod(c);
                         let (t, _) = c.two_prod(multiple * x_of(2.0));
-                        [p, q, r, s, t].map(form_of)
+                        [p, q, r, s, t].map(|x| (known(x), x.result()))
                     }));
                 }
             }
@@ -237,16 +244,12 @@ fn powers_of_two_bit_by_bit() {
             let (p, q) = x.two_prod(Tracked::input(1, [1.0, 1.1].map(|c| c * power_of_two(k))));
             let subnormal =
                 Tracked::input(0, [power_of_two(k), power_of_two(k)]) * x_of(power_of_two(-53));
-            [p, q, subnormal].map(form_of)
+            [p, q, subnormal].map(known)
         })
     });
-    let scaled = scaled.expect("no division");
     let found = [
-        (
-            "scaled",
-            digest(&scaled),
-            scaled[0].iter().flatten().count() as f64,
-        ),
+        counted("scaled", scaled),
+        counted("end", [ended]),
         counted("shared", shared),
         counted("grids", grids),
     ];
@@ -264,7 +267,12 @@ fn powers_of_two_bit_by_bit() {
 fn decisions_bit_by_bit() {
     let of = |lo: f64, hi: f64| {
         let x = || Tracked::input(0, [lo, hi]);
-        let all = ways(|| form_of(x().fma(x_of(1.0), x_of(ROUND))).main.range.lo - ROUND);
+        let all = ways(|| {
+            x().fma(x_of(1.0), x_of(ROUND))
+                .constant()
+                .expect("a number")
+                - ROUND
+        });
         all.map(|w| (w[0], w.len()))
     };
     let integers = [
@@ -288,7 +296,7 @@ fn decisions_bit_by_bit() {
     let failed = ways(|| {
         let x = Tracked::input(0, [1.0, 2.0]);
         let y = here(|e| e.fail("planted"));
-        seen.push((form_of(y), x.is_odd(), x_of(3.0).is_odd()));
+        seen.push((known(y), x.is_odd(), x_of(3.0).is_odd()));
     });
     let below = [
         [1.0, 2.0],
@@ -312,7 +320,7 @@ fn decisions_bit_by_bit() {
         ];
         let pairs = all.iter().flat_map(|x| all.map(|y| (*x, y)));
         let both =
-            |(x, y)| here(|e: &mut Evaluation| (e.alike(x, y), e.product(x, y), e.sum(x, y)));
+            |(x, y)| here(|e: &mut Evaluation| (e.alike(x, y), e.factors(x, y), e.exact_sum(x, y)));
         pairs.map(both).collect::<Vec<_>>()
     });
     let twice = Setting {
@@ -322,11 +330,12 @@ fn decisions_bit_by_bit() {
         },
         ..mixed
     };
-    let twice = evaluate(twice, || {
+    let mut faults = Vec::new();
+    let ended = evaluate(twice, || {
         let all = pool();
         let three = all.iter().zip(&all[3..]).zip(&all[7..]);
         let f = |((x, y), z): ((&Tracked, &Tracked), &Tracked)| [x.fma(*y, *z), x.two_prod(*y).1];
-        three.flat_map(f).map(form_of).collect::<Vec<_>>()
+        faults.extend(three.flat_map(f).map(known));
     });
     let found = [
         counted("integers", integers),
@@ -336,7 +345,8 @@ fn decisions_bit_by_bit() {
         counted("failed", [format!("{failed:?} {seen:?}")]),
         counted("below", below),
         counted("alike", alike.expect("no division").into_iter().flatten()),
-        counted("faults", twice.expect("no division").into_iter().flatten()),
+        counted("faults", faults),
+        counted("end", [ended]),
     ];
     let due = [
         ("integers", 0x3868790eca762a39, 6.0),

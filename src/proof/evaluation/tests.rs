@@ -456,6 +456,53 @@ fn grids_are_those_of_the_least_numbers() {
         (Interval::new(0.5f64.next_down(), 0.75f64.next_up()), 0.0)
     );
     assert!(raised.relative > 0.5);
+    // From 2 on the last bit of numbers from 1 on is lost.
+    let error = only(|| (Tracked::input(0, [1.0, 1.9]) + x_of(1.0)).result().error);
+    assert_eq!(error, 2f64.powi(-52));
+}
+
+/// The error of one operand meets what the other one is with its own.
+#[test]
+fn errors_of_second_order_count() {
+    let constant = |stored: f64, exact: f64| Constant {
+        stored,
+        exact: Interval::point(exact),
+        error: Interval::point(stored - exact),
+    };
+    let constants = [constant(1.25, 1.0), constant(0.75, 0.875)];
+    let with = Setting {
+        constants: &constants,
+        ..setting(Rounding::default())
+    };
+    let found = evaluate(with, || {
+        let x = x_of(1.0);
+        let (p, q) = (x.like(1.25), x.like(0.75));
+        [p * p, p / q].map(Tracked::result)
+    });
+    let found = found.expect("a bound")[0];
+    let off = [1.25 * 1.25 - 1.0, 1.25 / 0.75 - 1.0 / 0.875];
+    for (found, off) in found.into_iter().zip(off) {
+        assert!((off..1.2 * off).contains(&found.error), "{found:?} {off}");
+    }
+}
+
+/// What a sum lost is in five products, more than are kept apart.
+#[test]
+fn all_uses_of_an_error_count() {
+    let error = only(|| {
+        let x = Tracked::input(0, [1.0, 1.001]);
+        let (_, lost) = x.two_sum(Tracked::input(1, [1.5, 1.501]));
+        let beside = [1.0, 2.0, 3.0, 4.0, 5.0].map(|k| x_of(k * 1e-12));
+        let products = beside.map(|c| (lost + c) * x_of(3.0));
+        products
+            .into_iter()
+            .reduce(|a, b| a + b)
+            .expect("five")
+            .result()
+            .error
+    });
+    let due = 15.0 * 2f64.powi(-52);
+    assert!((due..1.001 * due).contains(&error), "{error:e} {due:e}");
 }
 
 /// The sum of two numbers and what is lost of it is exact only if the first one is the larger one

@@ -14,13 +14,13 @@
 //! over which derivatives are taken. So no term of second order is left to be added: it is in the
 //! width of the path.
 
+mod adjoint;
 mod condition;
 mod derivative;
 mod narrowing;
 mod operation;
 mod solver;
 
-use derivative::Combination;
 pub(crate) use narrowing::Narrowing;
 use operation::Ends;
 pub(crate) use solver::{Solver, joined};
@@ -28,9 +28,8 @@ pub(crate) use solver::{Solver, joined};
 use super::Setting;
 use super::elementary::{pi, power, range};
 use super::tape::{Op, Place, Tape};
-use crate::exact::Exact;
 use crate::grid::{exponent, grain_of_point, power_of_two};
-use crate::interval::{Interval, down, product_up, quotient_up, sum_up, up};
+use crate::interval::{Interval, down, product_up, sum_up, up};
 use mechaudit_symbolic::Func;
 
 /// Why an operation has no bound over a box.
@@ -66,12 +65,8 @@ pub(crate) struct Pass {
     pub slope: Vec<Interval>,
     /// Derivatives of the partial ones by the inputs.
     curve: Vec<Interval>,
-    /// `∂f/∂δ_i`, but for what [`Op::Lost`] takes back.
+    /// `∂f/∂δ_i`, where there is no solver.
     pub adjoint: Vec<Interval>,
-    /// Which of them are sums of others; and the derivatives by what is taken back.
-    exact_adjoint: Vec<Exact>,
-    adjoint_of: Vec<Combination>,
-    taken_of: Vec<Combination>,
     /// Derivatives of these by the inputs.
     pub adjoint_slope: Vec<Interval>,
     /// Operations whose error counts: their own or that of an operand is not zero.
@@ -109,9 +104,6 @@ impl Pass {
             slope: Vec::new(),
             curve: Vec::new(),
             adjoint: Vec::new(),
-            exact_adjoint: Vec::new(),
-            adjoint_of: Vec::new(),
-            taken_of: Vec::new(),
             adjoint_slope: Vec::new(),
             noisy: Vec::new(),
             open: Vec::new(),
@@ -449,8 +441,13 @@ impl Pass {
                 _ => sum = sum_up(sum, product_up(noise, slope.magnitude())),
             }
         }
-        // A power of two, and more than the sum where that underflows.
-        sum = quotient_up(sum_up(sum, known.magnitude()), self.unit_of_adjoints(root));
+        sum = sum_up(sum, known.magnitude());
+        // A power of two divides exactly but where the quotient underflows.
+        let unit = self.unit_of_adjoints(root);
+        sum = match sum / unit {
+            exact if exact * unit == sum => exact,
+            less => up(less),
+        };
         let carried = self.error[root];
         match sum <= carried {
             true => sum,

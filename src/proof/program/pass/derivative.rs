@@ -4,57 +4,8 @@
 use super::super::elementary::{power, range, slopes};
 use super::super::tape::{Op, Place, Tape};
 use super::{Pass, one};
-use crate::exact::Exact;
-use crate::grid::{exponent, power_of_two};
 use crate::interval::Interval;
 use mechaudit_symbolic::Func;
-
-/// The most terms of a [`Combination`].
-const MOST: usize = 4;
-
-/// A derivative as a sum of a few others, each a whole number of times, and a rest.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Combination {
-    terms: [(Place, f64); MOST],
-    count: usize,
-    rest: Exact,
-}
-
-impl Combination {
-    fn of(place: Place) -> Combination {
-        let mut one = Combination::default();
-        one.terms[0] = (place, 1.0);
-        one.count = 1;
-        one
-    }
-
-    fn terms(&self) -> &[(Place, f64)] {
-        &self.terms[..self.count]
-    }
-
-    /// Adds a whole number of times another one.
-    fn add(&mut self, other: &Combination, factor: f64, adjoint: &[Exact]) {
-        self.rest = self.rest + other.rest * Exact::point(factor);
-        for (place, times) in other.terms() {
-            let times = times * factor;
-            let known = self.terms().iter().position(|t| t.0 == *place);
-            match known.unwrap_or(self.count) {
-                MOST => self.rest = self.rest + adjoint[*place] * Exact::point(times),
-                at => {
-                    self.terms[at] = (*place, self.terms[at].1 + times);
-                    self.count = self.count.max(at + 1);
-                }
-            }
-        }
-    }
-
-    fn sum(&self, adjoint: &[Exact]) -> Exact {
-        let terms = self.terms().iter().filter(|t| t.1 != 0.0);
-        terms.fold(self.rest, |sum, (place, times)| {
-            sum + adjoint[*place] * Exact::point(*times)
-        })
-    }
-}
 
 impl Pass {
     /// Derivatives of the last operation.
@@ -73,7 +24,8 @@ impl Pass {
             Op::If(..) => self.partial[last],
             Op::Neg(_) => [-one(), constant, constant],
             Op::Near(..) => [one(), constant, constant],
-            Op::Plain(_) => [self.sigma().range, constant, constant],
+            // The small input itself is the derivative, of which more is known.
+            Op::Plain(_) => [Interval::ALL, constant, constant],
             Op::Add(..) => [one(), one(), constant],
             Op::Sub(..) => [one(), -one(), constant],
             Op::Abs(_) => {
@@ -205,33 +157,13 @@ impl Pass {
         let (n, len) = (self.inputs, tape.ops.len());
         self.adjoint.clear();
         self.adjoint.resize(len, Interval::ZERO);
-        for all in [&mut self.adjoint_of, &mut self.taken_of] {
-            all.clear();
-            all.resize(
-                if self.solver.is_some() { len } else { 0 },
-                Combination::default(),
-            );
-        }
         self.adjoint_slope.clear();
         self.adjoint_slope
             .resize(if with_slopes { len * n } else { 0 }, Interval::ZERO);
-        self.exact_adjoint.clear();
-        if self.solver.is_some() {
-            self.exact_adjoint.resize(len, Exact::ZERO);
-            let one = Exact::point(self.unit_of_adjoints(root));
-            (self.exact_adjoint[root], self.adjoint_of[root].rest) = (one, one);
-        }
         self.adjoint[root] = one();
         for i in (0..=root).rev() {
             let (operands, count) = tape.ops[i].operands();
-            let passed = self.passed(i);
-            let above = match self.exact_adjoint.get(i) {
-                Some(exact) => exact.range,
-                None => self.adjoint[i],
-            };
-            if let Op::Lost(a) = tape.ops[i] {
-                self.taken_of[a] = passed;
-            }
+            let above = self.adjoint[i];
             let flat = !with_slopes
                 || self.adjoint_slope[i * n..(i + 1) * n]
                     .iter()
@@ -242,35 +174,6 @@ impl Pass {
             for (k, a) in operands.iter().copied().enumerate().take(count) {
                 let partial = self.partial[i][k];
                 if !self.noisy[a] {
-                    continue;
-                }
-                if self.solver.is_some() {
-                    let above = self.exact_adjoint[i];
-                    let on_path = |a: Place| self.on_path(a);
-                    // Far out derivatives of quotients underflow, but not these products.
-                    let product = match (tape.ops[i], k) {
-                        (Op::Mul(a, b) | Op::Fma(a, b, _), 0) if a == b => {
-                            above * (on_path(a) + on_path(a))
-                        }
-                        (Op::Mul(a, b) | Op::Fma(a, b, _), 1) if a == b => Exact::ZERO,
-                        (Op::Mul(_, b) | Op::Fma(_, b, _), 0) => above * on_path(b),
-                        (Op::Mul(a, _) | Op::Fma(a, ..), 1) => above * on_path(a),
-                        (Op::Div(_, b), 0) => above.over(on_path(b)),
-                        (Op::Div(_, b), 1) => -(above * on_path(i)).over(on_path(b)),
-                        (Op::Plain(_), _) => above * self.sigma(),
-                        _ => above * Exact::within(partial),
-                    };
-                    self.exact_adjoint[a] = self.exact_adjoint[a] + product;
-                    match partial.is_point() && partial.lo.abs() == 1.0 {
-                        true => {
-                            let by = partial.lo;
-                            self.adjoint_of[a].add(&passed, by, &self.exact_adjoint);
-                        }
-                        false => {
-                            let of = &mut self.adjoint_of[a];
-                            of.rest = of.rest + product;
-                        }
-                    }
                     continue;
                 }
                 self.adjoint[a] = self.adjoint[a] + above * partial;
@@ -285,45 +188,6 @@ impl Pass {
                     let add = self.adjoint_slope[i * n + j] * partial + above * curve;
                     self.adjoint_slope[a * n + j] = self.adjoint_slope[a * n + j] + add;
                 }
-            }
-        }
-    }
-
-    /// What stands for one in derivatives of a number: as it is tiny far out and others are large
-    /// there, they would underflow.
-    pub(super) fn unit_of_adjoints(&self, root: Place) -> f64 {
-        let size = self.value[root].magnitude();
-        let known = self.solver.is_some() && size.is_normal();
-        power_of_two(if known { -exponent(size) } else { 0 }.clamp(-500, 900))
-    }
-
-    /// A solver's number on the path.
-    fn on_path(&self, a: Place) -> Exact {
-        let exact = self.solver.as_ref().map_or(Exact::ZERO, |s| s.exact[a]);
-        exact.widened(self.error[a])
-    }
-
-    /// A derivative for operands: a sum of others, or else one of its own.
-    fn passed(&mut self, i: Place) -> Combination {
-        match self.adjoint_of.get(i) {
-            Some(of) if of.count > 0 && of.rest.is_zero() => {
-                self.exact_adjoint[i] = of.sum(&self.exact_adjoint);
-                *of
-            }
-            _ => Combination::of(i),
-        }
-    }
-
-    /// `∂f/∂δ_i`, less by what is taken back of the error: of a pair of which both parts go into
-    /// one sum nothing is left.
-    pub(super) fn coefficient(&self, i: Place) -> Interval {
-        match self.taken_of.get(i).filter(|t| t.count > 0) {
-            None if self.solver.is_some() => self.exact_adjoint[i].range,
-            None => self.adjoint[i],
-            Some(taken) => {
-                let mut left = self.adjoint_of[i];
-                left.add(taken, -1.0, &self.exact_adjoint);
-                left.sum(&self.exact_adjoint).range
             }
         }
     }

@@ -30,6 +30,19 @@ pub(super) struct Unrounded {
     pub shift: Option<i32>,
 }
 
+impl Unrounded {
+    fn new(ends: Ends, value: Interval, grain: i32, error: f64) -> Unrounded {
+        Unrounded {
+            ends,
+            value,
+            grain,
+            error,
+            is_exact: false,
+            shift: None,
+        }
+    }
+}
+
 impl Ends {
     pub fn new() -> Ends {
         Ends {
@@ -164,15 +177,12 @@ impl Pass {
             (false, _) => v + w,
         };
         let error = sum_up(self.error[a], self.error[b]);
+        let unrounded = Unrounded::new(ends, value, grain, error);
         self.finish(
             op,
             Unrounded {
-                ends,
-                value,
-                grain,
-                error,
                 is_exact,
-                shift: None,
+                ..unrounded
             },
         )
     }
@@ -230,17 +240,8 @@ impl Pass {
             product_up(v.magnitude(), self.error[b]),
             product_up(w.magnitude(), self.error[a]),
         );
-        self.finish(
-            op,
-            Unrounded {
-                ends,
-                value,
-                grain,
-                error,
-                is_exact: false,
-                shift,
-            },
-        )
+        let unrounded = Unrounded::new(ends, value, grain, error);
+        self.finish(op, Unrounded { shift, ..unrounded })
     }
 
     /// The error of a multiplication by a power of two: none but below the normal numbers.
@@ -271,17 +272,12 @@ impl Pass {
             sum_up(self.error[a], product_up(value.magnitude(), self.error[b])),
             w.mignitude(),
         );
-        self.finish(
-            op,
-            Unrounded {
-                ends,
-                value,
-                grain: i32::MIN,
-                error,
-                is_exact: x.is_zero(),
-                shift,
-            },
-        )
+        let unrounded = Unrounded {
+            is_exact: x.is_zero(),
+            shift,
+            ..Unrounded::new(ends, value, i32::MIN, error)
+        };
+        self.finish(op, unrounded)
     }
 
     pub(super) fn root(&mut self, op: Op, a: Place) -> Result<(), Stop> {
@@ -298,15 +294,13 @@ impl Pass {
         // |√x − √y| = |x − y|/(√x + √y), and at most √|x − y|.
         let e = self.error[a];
         let error = quotient_up(e, 2.0 * value.lo).min(sqrt_up(e));
+        let is_exact = x.is_zero();
+        let unrounded = Unrounded::new(ends, value, i32::MIN, error);
         self.finish(
             op,
             Unrounded {
-                ends,
-                value,
-                grain: i32::MIN,
-                error,
-                is_exact: x.is_zero(),
-                shift: None,
+                is_exact,
+                ..unrounded
             },
         )
     }
@@ -332,16 +326,7 @@ impl Pass {
             product_up(v.magnitude(), self.error[b]),
             product_up(w.magnitude(), self.error[a]),
         );
-        self.finish(
-            op,
-            Unrounded {
-                ends,
-                value: both + u,
-                grain,
-                error: sum_up(error, self.error[c]),
-                is_exact: false,
-                shift: None,
-            },
-        )
+        let error = sum_up(error, self.error[c]);
+        self.finish(op, Unrounded::new(ends, both + u, grain, error))
     }
 }

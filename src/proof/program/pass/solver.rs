@@ -6,6 +6,7 @@
 //! derivatives are those of `m + d`.
 
 use super::super::tape::{Op, Place, Tape};
+use super::adjoint::Combination;
 use super::operation::Unrounded;
 use super::{Pass, Stop, stop};
 use crate::exact::Exact;
@@ -27,6 +28,11 @@ pub(crate) struct Solver {
     pub share: Vec<f64>,
     /// What operations themselves add to t.
     pub absolute: Vec<f64>,
+    /// Derivatives by errors, but for what [`Op::Lost`] takes back.
+    pub(super) adjoint: Vec<Exact>,
+    /// Which of them are sums of others; and the derivatives by what is taken back.
+    pub(super) adjoint_of: Vec<Combination>,
+    pub(super) taken_of: Vec<Combination>,
     /// The operation, counted from 1, that truncates.
     pub truncates: Option<u32>,
     /// Operations that rounded.
@@ -51,6 +57,21 @@ struct Number {
     share: f64,
 }
 
+impl Number {
+    /// A number without an error.
+    fn new(exact: Exact, grain: i32) -> Number {
+        Number {
+            exact,
+            noise: 0.0,
+            error: 0.0,
+            tiny: 0.0,
+            small: false,
+            grain,
+            share: f64::INFINITY,
+        }
+    }
+}
+
 impl Solver {
     /// Begins with nothing.
     pub fn clear(&mut self) {
@@ -64,11 +85,6 @@ impl Solver {
 }
 
 impl Pass {
-    /// The range of the small input.
-    pub(super) fn sigma(&self) -> Exact {
-        self.solver.as_ref().map_or(Exact::ZERO, |s| s.sigma)
-    }
-
     fn of_solver(&self) -> &Solver {
         self.solver.as_ref().expect("a solver's tape")
     }
@@ -97,16 +113,10 @@ impl Pass {
     /// Adds an input, or another number without an error: any multiple of `2^grain`.
     pub fn enter(&mut self, exact: Exact, grain: i32, small: bool) {
         let number = Number {
-            exact,
-            noise: 0.0,
-            error: 0.0,
-            tiny: 0.0,
             small,
-            grain,
-            share: f64::INFINITY,
+            ..Number::new(exact, grain)
         };
-        let all = Interval::ALL;
-        self.record_number(all, number);
+        self.record_number(Interval::ALL, number);
     }
 
     /// The numbers that `s (m + d) + t` may be.
@@ -135,25 +145,19 @@ impl Pass {
     pub(super) fn unrounded(&mut self, tape: &Tape, op: Op) -> Result<(), Stop> {
         let s = self.of_solver();
         let same = |a: Place| Number {
-            exact: s.exact[a],
-            noise: 0.0,
             error: self.error[a],
             tiny: s.tiny[a],
             small: s.small[a],
-            grain: self.grain[a],
             share: s.share[a],
+            ..Number::new(s.exact[a], self.grain[a])
         };
         let (float, number) = match op {
             Op::Constant(real, stored, off) => {
                 let error = off.magnitude();
                 let number = Number {
-                    exact: Exact::within(real),
                     noise: error,
                     error,
-                    tiny: 0.0,
-                    small: false,
-                    grain: grain_of_point(stored),
-                    share: f64::INFINITY,
+                    ..Number::new(Exact::within(real), grain_of_point(stored))
                 };
                 (Interval::point(stored), number)
             }
@@ -189,7 +193,7 @@ impl Pass {
                     error: sum_up(self.error[a], noise),
                     tiny: 0.0,
                     share: f64::INFINITY,
-                    grain: self.grain[a].min(grain_of_point(r)),
+                    grain: self.setting.lowest(),
                     ..same(a)
                 };
                 (self.float[a].widened(r), number)
@@ -201,13 +205,10 @@ impl Pass {
                     _ => i32::MIN,
                 };
                 let number = Number {
-                    exact: Exact::ZERO,
-                    noise: 0.0,
                     error: self.noise[a],
                     tiny: s.absolute[a],
                     small: s.small[a],
-                    grain,
-                    share: f64::INFINITY,
+                    ..Number::new(Exact::ZERO, grain)
                 };
                 (Interval::ALL, number)
             }
