@@ -320,7 +320,7 @@ fn formulas_bit_by_bit() {
     ];
     let due = [
         ("names", 0x5db1b567a4d103ca, 13.0),
-        ("bounds", 0xe43ad7215f868b79, 1.769563358723438),
+        ("bounds", 0xbdf4a84d764e4056, 1.2359560045701776),
         ("kept", 0x0000000000000000, 2.0),
     ];
     bit_by_bit(&found, &due);

@@ -31,7 +31,7 @@ fn the_exponential_has_bounds_bit_by_bit() {
         ("boxes", 0, e.boxes as f64),
     ];
     let due = [
-        ("bounds", 0x14ca256601215a65, 4.613202404843298),
+        ("bounds", 0xef2cb8b204bf853c, 4.610867158567034),
         ("boxes", 0x0000000000000000, 43343.0),
     ];
     bit_by_bit(&found, &due);
@@ -198,21 +198,20 @@ fn errors_at_points_are_below_their_bounds() {
     let found = found.expect("not stopped");
     let mut random = ChaCha8Rng::seed_from_u64(3);
     let mut points = 0;
-    for leaf in found
-        .leaves
-        .iter()
-        .filter(|l| l.region != Region::Dominated)
-    {
-        let (a, b) = (
-            between(&mut random, leaf.at.a),
-            between(&mut random, leaf.at.b),
-        );
-        if !is_used(leaf.region, a, b) || !faddeeva(Complex::new(a, -b)).is_finite() {
-            continue;
+    let all = found.leaves.iter();
+    for leaf in all.filter(|l| l.region != Region::Dominated) {
+        for _ in 0..2 {
+            let (a, b) = (
+                between(&mut random, leaf.at.a),
+                between(&mut random, leaf.at.b),
+            );
+            if !is_used(leaf.region, a, b) || !faddeeva(Complex::new(a, -b)).is_finite() {
+                continue;
+            }
+            let off = error(a, -b);
+            assert!(off <= leaf.norm, "{a} {b} {off} {leaf:?}");
+            points += 1;
         }
-        let off = error(a, -b);
-        assert!(off <= leaf.norm, "{a} {b} {off} {leaf:?}");
-        points += 1;
     }
     assert!(points > 2000, "{points}");
 }

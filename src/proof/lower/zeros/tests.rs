@@ -26,7 +26,7 @@ fn bounds_about_zeros_bit_by_bit() {
     ];
     let due = [
         ("zeros", 0x95681be5b92d2498, 12.0),
-        ("bound", 0x94e66b7b37d6c807, 2.499900926033933),
+        ("bound", 0x0bbae64f6ad54afa, 2.4990503538045017),
     ];
     bit_by_bit(&found, &due);
 }

@@ -350,10 +350,10 @@ fn formulas_bit_by_bit() {
         counted("overflow", over),
     ]);
     let due = [
-        ("erf", 0xe467c84b0ba270ec, 0.5020259192592645),
-        ("erfc", 0xd73abba8f0e7e4a1, 1.4889496290529702),
-        ("erfcx", 0x3669ac6926231718, 1.0255446470510665),
-        ("dawson", 0x1d44d7200ff76964, 0.7298588782757869),
+        ("erf", 0x26b1333344471b0d, 0.5020259033620119),
+        ("erfc", 0x6cc992669508dad7, 1.2679136282284749),
+        ("erfcx", 0xcdffb9b2ed1dca24, 1.1220819062517629),
+        ("dawson", 0x1cd6160d931512d0, 1.1220819062517744),
         ("above one", 0x6bf1dfe6c438348e, 75.0),
         ("roundings", 0xf1a8f848acb1b367, 201.0),
         ("underflow", 0x3138881588042297, 5.0),

@@ -128,14 +128,14 @@ fn infinity_begins_where_the_value_is_above_the_range() {
     assert_eq!(error(Function::Erfcx, -f64::next_up(last)), 0.0);
 }
 
-/// An interval of each formula of Taylor series, far from a centre, and last one of an exponential.
+/// An interval of each formula of Taylor series and exponentials, far from a centre.
 const NEAR: [(Function, Interval); 6] = [
     (Function::Erf, at(false, 0.345, 0.346)),
-    (Function::Erfc, at(false, 2.027, 2.0271)),
-    (Function::Erfc, at(true, 0.5268, 0.5269)),
-    (Function::Erfcx, at(true, 0.5345, 0.5346)),
-    (Function::Dawson, at(false, 0.845, 0.846)),
+    (Function::Erfc, at(false, 2.0225, 2.0226)),
+    (Function::Erfc, at(true, 0.5225, 0.5226)),
     (Function::Erfc, at(false, 9.03, 9.031)),
+    (Function::Erfcx, at(true, 0.53, 0.531)),
+    (Function::Dawson, at(false, 0.845, 0.846)),
 ];
 
 const fn at(negative: bool, lo: f64, hi: f64) -> Interval {
@@ -152,13 +152,14 @@ fn with_rows(function: Function, change: impl Fn(&mut [f64])) -> Code {
         change(row);
         let of = match function {
             Function::Dawson => OfRows::Dawson,
-            _ => OfRows::Erf,
+            Function::Erf => OfRows::Erf,
+            _ => OfRows::Erfcx,
         };
         *found = errors(of, row, f64::from_bits(*centre)).expect("decided");
     }
     for found in code.tables.complement.values_mut() {
         change(&mut found.row);
-        *found = ErfcRow::new(found.scaled, found.row, found.centre).expect("decided");
+        *found = ErfcRow::new(found.row, found.centre).expect("decided");
     }
     code
 }
@@ -169,7 +170,7 @@ fn off_by_eight(x: f64) -> f64 {
 
 #[test]
 fn a_coefficient_off_by_eight_units_shows() {
-    for &(function, at) in &NEAR[..5] {
+    for (function, at) in NEAR {
         let sound = worst(&solvers(function), function, &at);
         let faulty = with_rows(function, |row| row[0] = off_by_eight(row[0]));
         assert!(sound <= 0.875, "{function:?} {sound}");
@@ -194,7 +195,7 @@ fn a_coefficient_off_by_eight_units_shows() {
 
 #[test]
 fn a_dropped_term_shows() {
-    for &(function, at) in &NEAR[..5] {
+    for (function, at) in NEAR {
         // The slope, where a row has no more than that.
         let faulty = with_rows(function, |row| row[if row.len() > 8 { 8 } else { 2 }] = 0.0);
         let (sound, faulty) = (
@@ -220,19 +221,19 @@ fn a_dropped_term_shows() {
         assert!(faulty > 5.0 * sound);
         let mut code = solvers(Function::Erfc);
         code.tables.exponential = faulty;
-        let (function, at) = NEAR[5];
+        let (function, at) = NEAR[3];
         assert!(worst(&code, function, &at) > worst(&solvers(function), function, &at) + 0.1);
     }
 }
 
-/// A constant in the row about zero has no part that falls with x, so that nothing is known of erf as
-/// a part of itself.
+/// A constant in the row about zero has no part that falls with x: beside zero it is a part of erf
+/// that counts.
 #[test]
 fn a_value_of_erf_at_zero_shows() {
     let at = at(false, 1e-10, 2e-10);
     let sound = solvers(Function::Erf);
     assert!(worst(&sound, Function::Erf, &at) < 0.6);
-    let faulty = with_rows(Function::Erf, |row| row[1] += 1e-40);
+    let faulty = with_rows(Function::Erf, |row| row[1] += 1e-26);
     assert_eq!(worst(&faulty, Function::Erf, &at), f64::INFINITY);
 }
 
@@ -242,9 +243,11 @@ fn a_moved_limit_shows() {
         match choice(function, negative, x) {
             Formula::Near if x > 0.4 => choice(function, negative, 0.5),
             Formula::Value(_) if function == Function::Erf && x > 5.5 => Formula::Constant,
-            Formula::Value(_) if negative && x > 5.0 => Formula::Exponential,
             Formula::Value(_) if (7.0..9.0).contains(&x) => {
                 Formula::Value(Inner::Series { terms: 14 })
+            }
+            Formula::Difference(_) if function == Function::Erfcx && x > 5.0 => {
+                Formula::Exponential
             }
             formula => formula,
         }
@@ -253,9 +256,9 @@ fn a_moved_limit_shows() {
     for (function, at) in [
         (Function::Dawson, at(false, 0.41, 0.42)),
         (Function::Erf, at(false, 5.6, 5.61)),
-        (Function::Erfcx, at(false, 7.001, 7.002)),
+        (Function::Erfcx, at(false, 7.01, 7.02)),
         (Function::Dawson, at(false, 7.01, 7.02)),
-        (Function::Erfcx, at(true, 5.079, 5.08)),
+        (Function::Erfcx, at(true, 5.1, 5.11)),
     ] {
         let sound = solvers(function);
         let faulty = Code {
@@ -277,7 +280,7 @@ fn products_rounded_before_the_sum_show() {
         let sound = worst(&code, function, &at);
         code.rounding.fma_rounds_twice = true;
         let faulty = worst(&code, function, &at);
-        assert!(faulty > sound + 0.001, "{function:?} {sound} {faulty}");
+        assert!(faulty > sound + 0.002, "{function:?} {sound} {faulty}");
     }
 }
 
@@ -292,7 +295,7 @@ fn one_operation_that_truncates_shows() {
         };
         assert!(with(Rounding::LAST) >= sound + 0.5);
         let most = (1..200).map(with).fold(0.0, f64::max);
-        assert!(most > sound + 2e-6, "{function:?} {sound} {most}");
+        assert!(most > sound + 5e-6, "{function:?} {sound} {most}");
     }
 }
 
@@ -521,13 +524,13 @@ fn leaves_bit_by_bit() {
     found.push(counted("halves", halves));
     let due = [
         ("erf", 0x41629ab6772ff74c, 416.0),
-        ("leaves", 0x6ea7d8b6302b4c35, 419.0),
-        ("erfc", 0x99695a516d7562a4, 2690.0),
-        ("leaves", 0xce95082f6506f920, 419.0),
-        ("erfcx", 0x81d3811d8c72d2f2, 2693.0),
-        ("leaves", 0x895de371a6a4a406, 1619.0),
+        ("leaves", 0x17fec860765feb20, 419.0),
+        ("erfc", 0xe5aa223a44fbb462, 2219.0),
+        ("leaves", 0xfe197c0e815441c7, 419.0),
+        ("erfcx", 0xa47ec3f116e47a92, 985.0),
+        ("leaves", 0x76e48ee437cbcd1a, 1019.0),
         ("dawson", 0x194ca11ff4c22286, 461.0),
-        ("leaves", 0x8e9e0ee85100ccb7, 719.0),
+        ("leaves", 0x6cff277590c197d7, 719.0),
         ("many", 0x4d86ab98c48ea699, 6.0),
         ("binades", 0x748c9d56f0a44b5f, 8.0),
         ("halves", 0x622a5dfaf7dbe33f, 4.0),
