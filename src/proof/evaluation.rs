@@ -9,7 +9,6 @@
 use crate::exact::Exact;
 use crate::grid::{TINIEST, grain_of_point};
 use crate::interval::{Interval, sum_up};
-use crate::program;
 use crate::program::pass::{Pass, Solver, joined};
 use crate::program::tape::{Op, Place, Tape};
 use mechaudit_solvers::faddeeva::proof::ROUND;
@@ -59,6 +58,7 @@ impl<'a> Setting<'a> {
 }
 
 /// The evaluation of this thread.
+#[derive(Default)]
 pub(crate) struct Evaluation {
     constants: Vec<Constant>,
     pub rounding: Rounding,
@@ -77,26 +77,6 @@ pub(crate) struct Evaluation {
     shared: Vec<(Tracked, Tracked, Tracked)>,
     /// What operations lost.
     losses: Vec<(Place, Tracked)>,
-}
-
-impl Default for Evaluation {
-    fn default() -> Evaluation {
-        let mut pass = Pass::new(program::Setting::default(), 0);
-        pass.solver = Some(Solver::default());
-        Evaluation {
-            constants: Vec::new(),
-            rounding: Rounding::default(),
-            tape: Tape::default(),
-            pass,
-            script: Vec::new(),
-            taken: 0,
-            failure: None,
-            multiples: Vec::new(),
-            products: Vec::new(),
-            shared: Vec::new(),
-            losses: Vec::new(),
-        }
-    }
 }
 
 thread_local! {
@@ -550,9 +530,8 @@ pub(crate) fn evaluate<T>(
         e.constants.extend_from_slice(setting.constants);
         e.rounding = setting.rounding;
         e.script.clear();
-        if let Some(solver) = &mut e.pass.solver {
-            (solver.sigma, solver.truncates) = (setting.sigma, setting.rounding.truncates);
-        }
+        let solver = e.pass.solver.get_or_insert_default();
+        (solver.sigma, solver.truncates) = (setting.sigma, setting.rounding.truncates);
     });
     let mut all = Vec::new();
     loop {

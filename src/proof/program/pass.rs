@@ -44,7 +44,7 @@ fn stop<T>(reason: &'static str) -> Result<T, Stop> {
 }
 
 /// Ranges, errors and derivatives over one box; see the [module](self).
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Pass {
     setting: Setting,
     /// The number of inputs.
@@ -95,23 +95,7 @@ impl Pass {
         Pass {
             setting,
             inputs,
-            float: Vec::new(),
-            value: Vec::new(),
-            grain: Vec::new(),
-            noise: Vec::new(),
-            error: Vec::new(),
-            partial: Vec::new(),
-            slope: Vec::new(),
-            curve: Vec::new(),
-            adjoint: Vec::new(),
-            adjoint_slope: Vec::new(),
-            noisy: Vec::new(),
-            open: Vec::new(),
-            given: Vec::new(),
-            narrowing: None,
-            is_narrowed: Vec::new(),
-            is_bent: Vec::new(),
-            solver: None,
+            ..Pass::default()
         }
     }
 

@@ -9,6 +9,7 @@ use crate::exact::Exact;
 use crate::formula::{FAR_ABOVE, TWO_52, lost_units, offsets};
 use crate::grid::{TINIEST, exponent, power_of_two};
 use crate::interval::{Interval as Enclosure, larger, product_up, quotient_up, sum_up};
+use crate::program::pass::joined;
 use crate::tracked::{Constant, Result as Tracks, Rounding, Setting, Tracked, Tracking, evaluate};
 use crate::truncation::ErfcRow;
 use mechaudit_reference::faddeeva;
@@ -321,11 +322,6 @@ fn scaled(ends: [f64; 2]) -> Option<([f64; 2], i32)> {
     let [k, last] = ends.map(exponent);
     let down = power_of_two(-k);
     (k == last).then(|| (ends.map(|x| x * down), k))
-}
-
-/// `(1 + p)(1 + q) − 1`
-fn joined(p: f64, q: f64) -> f64 {
-    sum_up(sum_up(p, q), product_up(p, q))
 }
 
 /// Returns whether the value is above the range all over the interval; it may not be within `2⁻⁵⁰`
