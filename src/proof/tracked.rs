@@ -141,9 +141,11 @@ impl Real for Tracked {
     }
 
     fn magnitude(self) -> Tracked {
+        // The number computed and the one it stands for may have different signs.
         let sign = here(|e| {
-            let range = e.range(self);
-            (range.lo >= 0.0, range.hi <= 0.0)
+            let (range, exact) = (e.range(self), e.solver().exact[self.place()].range);
+            let (lo, hi) = (range.lo.min(exact.lo), range.hi.max(exact.hi));
+            (lo >= 0.0, hi <= 0.0)
         });
         match sign {
             (true, _) => self,

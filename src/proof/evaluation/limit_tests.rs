@@ -2,9 +2,11 @@
 
 use super::tests::{only, setting, ways, x_of};
 use super::*;
-use crate::grid::power_of_two;
-use crate::pinned::{bit_by_bit, counted, digest};
+use crate::bounds::rational;
+use crate::grid::grain_of_point;
+use crate::pinned::units;
 use mechaudit_solvers::faddeeva::proof::Real;
+use rug::Rational;
 
 /// Checks that what a product by a power of two lost below the normal numbers is handed on with
 /// what it lost.
@@ -76,289 +78,154 @@ fn evaluations_are_apart() {
     );
 }
 
-/// All that is known of a number without a look back.
-fn known(x: Tracked) -> String {
-    here(|e| {
-        let (pass, solver, i) = (&e.pass, e.solver(), x.place());
-        let ranges = (solver.exact[i], pass.float[i], pass.value[i]);
-        let errors = (pass.noise[i], pass.error[i], solver.share[i]);
-        let tiny = (solver.tiny[i], solver.absolute[i]);
-        format!(
-            "{ranges:?} {errors:?} {tiny:?} {} {}",
-            solver.small[i], pass.grain[i]
-        )
-    })
+/// Pairs of operations, in both kinds of numbers.
+fn operate<R: Real>(kind: usize, [x, y, z]: [R; 3]) -> [R; 2] {
+    match kind {
+        0 => x.two_sum(y).into(),
+        1 => x.two_prod(y).into(),
+        2 => x.fast_two_sum(y).into(),
+        3 => [x.fma(y, z), x.magnitude()],
+        4 => [x * x.like(2f64.powi(-30)), x.like(3.0) * y],
+        5 => [x - y, -x],
+        _ => [x * x, x.like(-4.0) * y],
+    }
 }
 
-/// Numbers of every kind: zero and other constants, of few and many binades, small, with errors,
-/// next to both ends of the range.
-fn pool() -> Vec<Tracked> {
-    let mut all = [0.0, -0.0, 1.0, 3.0, 0.1, -0.5, 1e-290, 1e300]
-        .map(x_of)
-        .to_vec();
-    all.extend([f64::from_bits(1), f64::MIN_POSITIVE, 2f64.powi(1000)].map(x_of));
+/// The same in exact arithmetic, where nothing is lost.
+fn operate_exactly(kind: usize, [x, y, z]: [&Rational; 3]) -> [Rational; 2] {
+    let of = |c: f64, x: &Rational| rational(c) * x;
+    match kind {
+        0 | 2 => [Rational::from(x + y), Rational::new()],
+        1 => [Rational::from(x * y), Rational::new()],
+        3 => [Rational::from(x * y) + z, x.clone().abs()],
+        4 => [of(2f64.powi(-30), x), of(3.0, y)],
+        5 => [Rational::from(x - y), of(-1.0, x)],
+        _ => [Rational::from(x * x), of(-4.0, y)],
+    }
+}
+
+/// A point of a box, most often an end.
+fn point_of([lo, hi]: [f64; 2], t: f64) -> f64 {
+    match t {
+        t if t < 0.2 => lo,
+        t if t < 0.4 => hi,
+        _ => (lo + (hi - lo) * (t - 0.4) / 0.6).clamp(lo, hi),
+    }
+}
+
+/// Random programs on numbers of every kind: of few and of many binades, on both sides of zero,
+/// small, next to both ends of the range. At points of the box each number is within its bounds.
+#[test]
+fn random_programs_on_hostile_boxes_are_within_their_bounds() {
     let boxes = [
-        [1.0, 1.1],
+        [1.0, 1.001],
         [0.5, 1.0],
         [-1.0, 2.0],
         [0.0, 1.0],
         [-2.0, 0.0],
         [1e-320, 1e-310],
         [0.5e-300, 2e-300],
-        [1e300, 1e307],
+        [1e150, 1e152],
         [1.25, 1.25],
+        [1e-160, 3e-160],
     ];
-    all.extend(
-        boxes
-            .iter()
-            .enumerate()
-            .map(|(i, ends)| Tracked::input(i % 2, *ends)),
-    );
-    let (s, x) = (Tracked::sigma(), all[11]);
-    let (y, low) = (x * all[12], all[17] * all[17]);
-    all.extend([
-        s,
-        s * x,
-        y,
-        y * all[5],
-        low,
-        low * x_of(0.25),
-        x * x_of(8.0),
-    ]);
-    all
-}
-
-/// Every operation with every two numbers of the pool: all that is known of the results.
-#[test]
-fn operations_bit_by_bit() {
-    let constants = [Constant {
-        stored: 0.1,
-        exact: Interval::new(0.099, 0.1),
-        error: Interval::new(0.0, 0.001),
-    }];
-    let mut found = Vec::new();
-    for sigma in [[1e-9, 1e-3], [0.0, 1e-3], [1e-300, 1e-290]] {
+    let sigmas = [
+        [1e-9, 1e-3],
+        [0.0, 1e-3],
+        [1e-300, 1e-290],
+        [1e-320, 1e-308],
+    ];
+    let constants = [0.0, 1.0, 3.0, 0.1, -0.5, 1e-290, f64::MIN_POSITIVE, 5e-324];
+    let mut unit = units(4);
+    let mut pick = |n: usize| (unit() * n as f64) as usize;
+    let mut compared = 0;
+    for round in 0..1500 {
+        let ends = [boxes[pick(10)], boxes[pick(10)], sigmas[pick(4)]];
+        let stored = constants[pick(8)];
+        // Chains of operations: one operand in two is one of the last two numbers.
+        let code: Vec<(usize, [usize; 3])> = (0..6)
+            .map(|i| {
+                let known = 4 + 2 * i;
+                let of = [0, 1, 2].map(|_| match pick(2) {
+                    0 => known - 1 - pick(2),
+                    _ => pick(known),
+                });
+                (pick(7), of)
+            })
+            .collect();
+        let sigma = Exact::within(Interval::new(ends[2][0], ends[2][1]));
         let setting = Setting {
-            sigma: Exact::coordinate(Interval::new(sigma[0], sigma[1]), 0),
-            constants: &constants,
-            rounding: Rounding::default(),
+            sigma,
+            ..setting(Rounding::default())
         };
-        let mut numbers = Vec::new();
-        let ended = evaluate(setting, || {
-            let all = pool();
-            let zero = all[0];
-            for (i, x) in all.iter().enumerate() {
-                let one = [
-                    x.like(0.1),
-                    x.like(-0.1),
-                    -*x,
-                    x.magnitude(),
-                    x.raised(1e-300),
-                    x.raised(0.5),
-                ];
-                numbers.extend(one.map(known));
-                for (j, y) in all.iter().enumerate() {
-                    let ((p, q), (s, t)) = (x.two_prod(*y), x.two_sum(*y));
-                    numbers.extend([p, q, s, t, x.fma(*y, zero)].map(known));
-                    if (i + j) % 3 == 0 {
-                        let (s, t) = x.fast_two_sum(*y);
-                        numbers.extend([s, t, x.fma(*y, all[(i * j) % all.len()])].map(known));
-                    }
-                }
+        let bounds = evaluate(setting, || {
+            let [x, y] = [0, 1].map(|i| Tracked::input(i, ends[i]));
+            let mut all = vec![x, y, Tracked::sigma(), x_of(stored)];
+            for (kind, of) in &code {
+                all.extend(operate(*kind, of.map(|i| all[i])));
             }
-            numbers.len()
+            let floats = all
+                .iter()
+                .map(|x| here(|e| (e.range(*x), e.pass.grain[x.place()])));
+            let floats: Vec<_> = floats.collect();
+            all.into_iter()
+                .map(Tracked::result)
+                .zip(floats)
+                .collect::<Vec<_>>()
         });
-        let count = numbers.len() as f64;
-        found.push(("numbers", digest(numbers), count));
-        let mut quotients = Vec::new();
-        let number = evaluate(setting, || pool().len()).expect("no division")[0];
-        for (i, j) in (0..number).flat_map(|i| (0..number).map(move |j| (i, j))) {
-            if (i + j) % 4 == 1 {
-                quotients.push(evaluate(setting, || {
-                    let all = pool();
-                    known(all[i] / all[j])
-                }));
+        let Ok(mut bounds) = bounds else {
+            continue;
+        };
+        let bounds = bounds.remove(0);
+        for _ in 0..12 {
+            let [x, y, s] = ends.map(|e| point_of(e, pick(1 << 20) as f64 / (1 << 20) as f64));
+            let mut computed = vec![x, y, s, stored];
+            let mut exact: Vec<Rational> = computed.iter().map(|x| rational(*x)).collect();
+            for (kind, of) in &code {
+                let next = operate(*kind, of.map(|i| computed[i]));
+                computed.extend(next);
+                exact.extend(operate_exactly(*kind, of.map(|i| &exact[i])));
             }
-        }
-        found.push((
-            "quotients",
-            digest(&quotients),
-            quotients.iter().flatten().count() as f64,
-        ));
-        found.push(counted("end", [ended]));
-    }
-    let due = [
-        ("numbers", 0x5fcea67f88c613f8, 4536.0),
-        ("quotients", 0xc8bc0ce2891b13c9, 127.0),
-        ("end", 0xc7e7b0ba58a446df, 1.0),
-        ("numbers", 0x609f068b9c7e6d58, 4536.0),
-        ("quotients", 0xe2436ca4b2a2ecdc, 113.0),
-        ("end", 0xc7e7b0ba58a446df, 1.0),
-        ("numbers", 0x4081ad043366bb6e, 4536.0),
-        ("quotients", 0xc041c168ca962dc6, 129.0),
-        ("end", 0xc7e7b0ba58a446df, 1.0),
-    ];
-    bit_by_bit(&found, &due);
-}
-
-/// Products by powers of two and those that share their error, at the ends of what they serve for.
-#[test]
-fn powers_of_two_bit_by_bit() {
-    let setting = Setting {
-        sigma: Exact::coordinate(Interval::new(1e-9, 1e-3), 0),
-        ..setting(Rounding::default())
-    };
-    let powers = [
-        -1074, -1022, -1021, -1000, -500, -30, -1, 0, 1, 30, 500, 1000, 1022, 1023,
-    ];
-    let mut scaled = Vec::new();
-    let ended = evaluate(setting, || {
-        let fine = Tracked::input_on_grid(0, [1.0, 1.9], -60);
-        for x in pool().into_iter().chain([fine]) {
-            for k in powers {
-                scaled.extend([power_of_two(k), -power_of_two(k)].map(|by| known(x * x_of(by))));
-            }
-        }
-    });
-    let mut shared = Vec::new();
-    for size in [0.7e-250, 1e-250, 1.5e-250, 0.7e-9, 1.0] {
-        for wide in [1.001, 1e3] {
-            for k in [-60, -31, -30, -29, -28, -1, 1, 28, 29, 30, 31, 60] {
-                for sign in [1.0, -1.0] {
-                    shared.push(evaluate(setting, || {
-                        let x = Tracked::input(0, [1.0, 1.001]);
-                        let c = Tracked::input(1, [size, size * wide]);
-                        let (p, q) = x.two_prod(c);
-                        let multiple = x * x_of(sign * power_of_two(k));
-                        let (r, s) = multiple.two_prod(c);
-                        let (t, _) = c.two_prod(multiple * x_of(2.0));
-                        [p, q, r, s, t].map(|x| (known(x), x.result()))
-                    }));
+            for ((c, v), (bound, (range, grain))) in computed.iter().zip(&exact).zip(&bounds) {
+                let note = || {
+                    format!(
+                        "{round} {ends:?} {stored:e} {code:?} at {x:e} {y:e} {s:e}: {c:e} {bound:?}"
+                    )
+                };
+                let one = if bound.small {
+                    rational(s)
+                } else {
+                    Rational::from(1)
+                };
+                let tiny = rational(bound.tiny) >> 1075;
+                let off = (rational(*c) - v).abs();
+                compared += 1;
+                assert!(range.lo <= *c && *c <= range.hi, "{range:?} {}", note());
+                assert!(
+                    *c == 0.0 || grain_of_point(*c) >= *grain,
+                    "{grain} {}",
+                    note()
+                );
+                if bound.error.is_finite() {
+                    let most = rational(bound.error) * &one + &tiny;
+                    assert!(off <= most, "{:e} {}", off.to_f64(), note());
                 }
+                if bound.relative.is_finite() {
+                    let most = rational(bound.relative) * v.clone().abs() + tiny;
+                    assert!(off <= most, "a part: {:e} {}", off.to_f64(), note());
+                }
+                let holds = |lo: f64, hi: f64| {
+                    (!lo.is_finite() || rational(lo) * &one <= *v)
+                        && (!hi.is_finite() || *v <= rational(hi) * &one)
+                };
+                assert!(
+                    holds(bound.exact.lo, bound.exact.hi),
+                    "{:e} {}",
+                    v.to_f64(),
+                    note()
+                );
             }
         }
     }
-    let grids = [-969, -970, -971, -1000].map(|k| {
-        evaluate(setting, || {
-            let x = Tracked::input(0, [1.0, 1.1]);
-            let (p, q) = x.two_prod(Tracked::input(1, [1.0, 1.1].map(|c| c * power_of_two(k))));
-            let subnormal =
-                Tracked::input(0, [power_of_two(k), power_of_two(k)]) * x_of(power_of_two(-53));
-            [p, q, subnormal].map(known)
-        })
-    });
-    let found = [
-        counted("scaled", scaled),
-        counted("end", [ended]),
-        counted("shared", shared),
-        counted("grids", grids),
-    ];
-    let due = [
-        ("scaled", 0xa9fafbf140e3e56f, 784.0),
-        ("end", 0xc7e7b0ba58a446df, 1.0),
-        ("shared", 0x0156c1fcbaa45a89, 240.0),
-        ("grids", 0x58a50774a3fdeaa9, 4.0),
-    ];
-    bit_by_bit(&found, &due);
-}
-
-/// Checks what is decided at equality, how far decisions are followed, and what stands for a number
-/// that has failed.
-#[test]
-fn decisions_bit_by_bit() {
-    let of = |lo: f64, hi: f64| {
-        let x = || Tracked::input(0, [lo, hi]);
-        let all = ways(|| {
-            x().fma(x_of(1.0), x_of(ROUND))
-                .constant()
-                .expect("a number")
-                - ROUND
-        });
-        all.map(|w| (w[0], w.len()))
-    };
-    let integers = [
-        of(0.4, 4095.4),
-        of(0.4, 4094.4),
-        of(0.4, 4096.4),
-        of(1e9f64.next_down(), 1e9f64.next_down()),
-        of(1e9, 1e9),
-        of(-2.5, 2.5),
-    ];
-    let chosen = [2, 4096, 4097, 4098].map(|n| ways(|| here(|e| e.choose(n))).map(|w| w.len()));
-    let products = [
-        0.0, 1e-291, 0.75e-290, 1e-290, 1.5e-290, 3e-290, 1e-100, 0.1,
-    ];
-    let products = products
-        .iter()
-        .flat_map(|x| [1.0, 0.5, 0.1].map(|y| exact_product(*x, y)));
-    let sums = [0.0, 1.0, 3.0, -1.0, 0.1, 1e-17, 1e300];
-    let sums = sums.iter().flat_map(|x| sums.map(|y| exact_sum(*x, y)));
-    let mut seen = Vec::new();
-    let failed = ways(|| {
-        let x = Tracked::input(0, [1.0, 2.0]);
-        let y = here(|e| e.fail("planted"));
-        seen.push((known(y), x.is_odd(), x_of(3.0).is_odd()));
-    });
-    let below = [
-        [1.0, 2.0],
-        [2.0, 3.0],
-        [2.5, 3.0],
-        [0.5, 1.0],
-        [1.0, 1.0],
-        [2.0, 2.0],
-    ];
-    let below = below.map(|y| ways(|| Tracked::input(0, [1.0, 2.0]).below(Tracked::input(1, y))));
-    let mixed = Setting {
-        sigma: Exact::coordinate(Interval::new(1e-9, 1e-3), 0),
-        ..setting(Rounding::default())
-    };
-    let alike = evaluate(mixed, || {
-        let all = [
-            Tracked::sigma(),
-            x_of(0.0),
-            Tracked::input(1, [1.0, 2.0]),
-            x_of(2.0),
-        ];
-        let pairs = all.iter().flat_map(|x| all.map(|y| (*x, y)));
-        let both =
-            |(x, y)| here(|e: &mut Evaluation| (e.alike(x, y), e.factors(x, y), e.exact_sum(x, y)));
-        pairs.map(both).collect::<Vec<_>>()
-    });
-    let twice = Setting {
-        rounding: Rounding {
-            fma_rounds_twice: true,
-            truncates: Some(2),
-        },
-        ..mixed
-    };
-    let mut faults = Vec::new();
-    let ended = evaluate(twice, || {
-        let all = pool();
-        let three = all.iter().zip(&all[3..]).zip(&all[7..]);
-        let f = |((x, y), z): ((&Tracked, &Tracked), &Tracked)| [x.fma(*y, *z), x.two_prod(*y).1];
-        faults.extend(three.flat_map(f).map(known));
-    });
-    let found = [
-        counted("integers", integers),
-        counted("chosen", chosen),
-        counted("products", products),
-        counted("sums", sums),
-        counted("failed", [format!("{failed:?} {seen:?}")]),
-        counted("below", below),
-        counted("alike", alike.expect("no division").into_iter().flatten()),
-        counted("faults", faults),
-        counted("end", [ended]),
-    ];
-    let due = [
-        ("integers", 0x1473f3b077d9e67c, 6.0),
-        ("chosen", 0x87e3d6cb428b8f11, 4.0),
-        ("products", 0xda8d4bf1b02dff9b, 24.0),
-        ("sums", 0x6d82bd60f5c26b02, 49.0),
-        ("failed", 0x56288913b6a8a50d, 1.0),
-        ("below", 0x798935e53b8cb608, 6.0),
-        ("alike", 0xcd10db365fb2e98a, 16.0),
-        ("faults", 0x8dc996219b201756, 40.0),
-        ("end", 0xc7e7b0ba58a446df, 1.0),
-    ];
-    bit_by_bit(&found, &due);
+    assert!(compared > 150_000, "{compared}");
 }

@@ -128,14 +128,14 @@ fn infinity_begins_where_the_value_is_above_the_range() {
     assert_eq!(error(Function::Erfcx, -f64::next_up(last)), 0.0);
 }
 
-/// An interval of each formula of Taylor series and exponentials, far from a centre.
+/// An interval of each formula of Taylor series, far from a centre, and last one of an exponential.
 const NEAR: [(Function, Interval); 6] = [
     (Function::Erf, at(false, 0.345, 0.346)),
-    (Function::Erfc, at(false, 2.0225, 2.0226)),
-    (Function::Erfc, at(true, 0.5225, 0.5226)),
-    (Function::Erfc, at(false, 9.03, 9.031)),
-    (Function::Erfcx, at(true, 0.53, 0.531)),
+    (Function::Erfc, at(false, 2.027, 2.0271)),
+    (Function::Erfc, at(true, 0.5268, 0.5269)),
+    (Function::Erfcx, at(true, 0.5345, 0.5346)),
     (Function::Dawson, at(false, 0.845, 0.846)),
+    (Function::Erfc, at(false, 9.03, 9.031)),
 ];
 
 const fn at(negative: bool, lo: f64, hi: f64) -> Interval {
@@ -152,14 +152,13 @@ fn with_rows(function: Function, change: impl Fn(&mut [f64])) -> Code {
         change(row);
         let of = match function {
             Function::Dawson => OfRows::Dawson,
-            Function::Erf => OfRows::Erf,
-            _ => OfRows::Erfcx,
+            _ => OfRows::Erf,
         };
         *found = errors(of, row, f64::from_bits(*centre)).expect("decided");
     }
     for found in code.tables.complement.values_mut() {
         change(&mut found.row);
-        *found = ErfcRow::new(found.row, found.centre).expect("decided");
+        *found = ErfcRow::new(found.scaled, found.row, found.centre).expect("decided");
     }
     code
 }
@@ -170,7 +169,7 @@ fn off_by_eight(x: f64) -> f64 {
 
 #[test]
 fn a_coefficient_off_by_eight_units_shows() {
-    for (function, at) in NEAR {
+    for &(function, at) in &NEAR[..5] {
         let sound = worst(&solvers(function), function, &at);
         let faulty = with_rows(function, |row| row[0] = off_by_eight(row[0]));
         assert!(sound <= 0.875, "{function:?} {sound}");
@@ -195,7 +194,7 @@ fn a_coefficient_off_by_eight_units_shows() {
 
 #[test]
 fn a_dropped_term_shows() {
-    for (function, at) in NEAR {
+    for &(function, at) in &NEAR[..5] {
         // The slope, where a row has no more than that.
         let faulty = with_rows(function, |row| row[if row.len() > 8 { 8 } else { 2 }] = 0.0);
         let (sound, faulty) = (
@@ -221,7 +220,7 @@ fn a_dropped_term_shows() {
         assert!(faulty > 5.0 * sound);
         let mut code = solvers(Function::Erfc);
         code.tables.exponential = faulty;
-        let (function, at) = NEAR[3];
+        let (function, at) = NEAR[5];
         assert!(worst(&code, function, &at) > worst(&solvers(function), function, &at) + 0.1);
     }
 }
@@ -243,11 +242,9 @@ fn a_moved_limit_shows() {
         match choice(function, negative, x) {
             Formula::Near if x > 0.4 => choice(function, negative, 0.5),
             Formula::Value(_) if function == Function::Erf && x > 5.5 => Formula::Constant,
+            Formula::Value(_) if negative && x > 5.0 => Formula::Exponential,
             Formula::Value(_) if (7.0..9.0).contains(&x) => {
                 Formula::Value(Inner::Series { terms: 14 })
-            }
-            Formula::Difference(_) if function == Function::Erfcx && x > 5.0 => {
-                Formula::Exponential
             }
             formula => formula,
         }
@@ -256,9 +253,9 @@ fn a_moved_limit_shows() {
     for (function, at) in [
         (Function::Dawson, at(false, 0.41, 0.42)),
         (Function::Erf, at(false, 5.6, 5.61)),
-        (Function::Erfcx, at(false, 7.01, 7.02)),
+        (Function::Erfcx, at(false, 7.001, 7.002)),
         (Function::Dawson, at(false, 7.01, 7.02)),
-        (Function::Erfcx, at(true, 5.1, 5.11)),
+        (Function::Erfcx, at(true, 5.079, 5.08)),
     ] {
         let sound = solvers(function);
         let faulty = Code {
@@ -280,7 +277,7 @@ fn products_rounded_before_the_sum_show() {
         let sound = worst(&code, function, &at);
         code.rounding.fma_rounds_twice = true;
         let faulty = worst(&code, function, &at);
-        assert!(faulty > sound + 0.002, "{function:?} {sound} {faulty}");
+        assert!(faulty > sound + 0.001, "{function:?} {sound} {faulty}");
     }
 }
 
@@ -295,7 +292,7 @@ fn one_operation_that_truncates_shows() {
         };
         assert!(with(Rounding::LAST) >= sound + 0.5);
         let most = (1..200).map(with).fold(0.0, f64::max);
-        assert!(most > sound + 5e-6, "{function:?} {sound} {most}");
+        assert!(most > sound + 2e-6, "{function:?} {sound} {most}");
     }
 }
 
