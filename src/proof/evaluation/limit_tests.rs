@@ -32,6 +32,22 @@ fn digits_below_the_normal_numbers_are_lost_twice() {
     );
 }
 
+/// What underflowed of both factors counts also where the numbers computed are zero.
+#[test]
+fn what_both_factors_lost_is_multiplied() {
+    let small = Setting {
+        sigma: Exact::within(Interval::new(1e-320, 1e-308)),
+        ..setting(Rounding::default())
+    };
+    let square = evaluate(small, || {
+        let lost = Tracked::input(0, [1e-160, 3e-160]) * Tracked::sigma();
+        let large = lost / Tracked::input(1, [1e-320, 1e-310]);
+        (large * large).result()
+    });
+    // A square of 1e-297, computed as zero.
+    assert!(square.expect("no division by zero")[0].tiny > 1e27);
+}
+
 /// Nothing of an evaluation is left to the next one of the thread.
 #[test]
 fn evaluations_are_apart() {

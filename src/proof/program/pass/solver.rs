@@ -248,7 +248,11 @@ impl Pass {
     pub(super) fn finish_of_solver(&mut self, op: Op, u: Unrounded) -> Result<(), Stop> {
         let s = self.of_solver();
         let product = |a: Place, b: Place| {
-            let size = |t: f64, other: Place| product_up(t, self.float[other].magnitude());
+            // x y = (x − t)(y − u) + t y + u (x − t), with t and u what underflowed.
+            let size = |t: f64, other: Place| {
+                let rest = product_up(s.tiny[other], TINIEST);
+                product_up(t, sum_up(self.float[other].magnitude(), rest))
+            };
             let (p, q) = (
                 self.relative(a, self.error[a]),
                 self.relative(b, self.error[b]),
