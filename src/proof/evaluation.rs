@@ -67,7 +67,7 @@ pub(crate) struct Evaluation {
     /// The decisions to take, and between how many ways.
     script: Vec<(usize, usize)>,
     taken: usize,
-    /// Why no bound is had.
+    /// The reason for which there is no bound.
     failure: Option<&'static str>,
     /// Numbers that are others times a power of two: which, and the power.
     multiples: Vec<(u32, (u32, f64))>,
@@ -75,7 +75,7 @@ pub(crate) struct Evaluation {
     products: Vec<([u32; 2], Tracked)>,
     /// Products that are others times a power of two: which, and the power.
     shared: Vec<(Tracked, Tracked, Tracked)>,
-    /// What operations lost.
+    /// Differences that roundings of operations left over.
     losses: Vec<(Place, Tracked)>,
 }
 
@@ -136,7 +136,7 @@ impl Evaluation {
         chosen
     }
 
-    /// What is known of the numbers.
+    /// Returns the pass's knowledge of the numbers.
     pub fn solver(&self) -> &Solver {
         self.pass.solver.as_ref().expect("a solver's pass")
     }
@@ -187,7 +187,8 @@ impl Evaluation {
         }
     }
 
-    /// What a sum or a product lost, with the sign reversed; zero of one that was there already.
+    /// Returns the part that a sum or a product lost, with the sign reversed; zero of one that was there
+    /// already.
     fn lost(&mut self, x: Tracked, already: usize) -> Tracked {
         if x.place() < already {
             return self.point(0.0);
@@ -517,10 +518,10 @@ pub(crate) fn here<T>(f: impl FnOnce(&mut Evaluation) -> T) -> T {
     HERE.with_borrow_mut(f)
 }
 
-/// The results of `f` on every way through its decisions.
+/// Returns the results of `f` on every way through its decisions.
 ///
 /// # Errors
-/// Why no bound is had.
+/// The reason for which there is no bound.
 pub(crate) fn evaluate<T>(
     setting: Setting<'_>,
     mut f: impl FnMut() -> T,

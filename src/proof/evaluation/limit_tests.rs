@@ -32,7 +32,7 @@ fn digits_below_the_normal_numbers_are_lost_twice() {
     );
 }
 
-/// What underflowed of both factors counts also where the numbers computed are zero.
+/// Checks that underflow of both factors counts also where the numbers computed are zero.
 #[test]
 fn what_both_factors_lost_is_multiplied() {
     let small = Setting {

@@ -485,7 +485,7 @@ fn errors_of_second_order_count() {
     }
 }
 
-/// What a sum lost is in five products, more than are kept apart.
+/// Checks an error that is in five products, more than are kept apart.
 #[test]
 fn all_uses_of_an_error_count() {
     let error = only(|| {

@@ -33,7 +33,7 @@ impl Code {
     /// The solver's.
     ///
     /// # Errors
-    /// If the reference is undecided about a coefficient, or no bound of the exponential is had.
+    /// If the reference is undecided about a coefficient, or there is no bound of the exponential.
     pub fn of_the_solver() -> std::result::Result<Code, ProofError> {
         Ok(Code {
             tables: Tables::of_the_solver()?,

@@ -261,7 +261,7 @@ impl AroundZeros {
     /// The bound around all of them.
     ///
     /// # Errors
-    /// Where none is had.
+    /// Where there is none.
     pub(crate) fn of(
         zeros: &[Zero],
         rounding: Rounding,

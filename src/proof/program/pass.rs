@@ -414,7 +414,7 @@ impl Pass {
 
     /// `Σ |δ_i| |∂f/∂δ_i|`, and not more than the error carried forward.
     ///
-    /// What a solver's constants are off is known: these errors may cancel.
+    /// The errors of a solver's constants are known: they may cancel.
     pub fn total(&self, tape: &Tape, root: Place) -> f64 {
         let (mut sum, mut known) = (0.0, Interval::ZERO);
         for i in 0..=root {

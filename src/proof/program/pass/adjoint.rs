@@ -111,8 +111,8 @@ impl Pass {
         }
     }
 
-    /// What stands for one in derivatives of a number: as it is tiny far out and others are large
-    /// there, they would underflow.
+    /// Returns the number that stands for one in derivatives of a number: where it is tiny and
+    /// others are large, far out, they would underflow.
     pub(super) fn unit_of_adjoints(&self, root: Place) -> f64 {
         let size = self.value[root].magnitude();
         let known = self.solver.is_some() && size.is_normal();

@@ -13,7 +13,7 @@ use crate::exact::Exact;
 use crate::grid::{TINIEST, grain_of_point, power_of_two};
 use crate::interval::{Interval, product_up, quotient_up, sum_up, up};
 
-/// What a pass knows of the numbers of a solver.
+/// The numbers of a solver as a pass knows them.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Solver {
     /// The range of the small input, not negative.
@@ -26,7 +26,7 @@ pub(crate) struct Solver {
     pub small: Vec<bool>,
     /// Bounds of `|d/m|` that sums of numbers of one sign keep; see [`Pass::relative`].
     pub share: Vec<f64>,
-    /// What operations themselves add to t.
+    /// The parts that operations themselves add to t.
     pub absolute: Vec<f64>,
     /// Derivatives by errors, but for what [`Op::Lost`] takes back.
     pub(super) adjoint: Vec<Exact>,
