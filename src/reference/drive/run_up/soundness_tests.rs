@@ -243,11 +243,23 @@ fn motors_that_are_none() {
     assert!(rated(q(2, 1), q(1, 20), q(0, 1)).fault().is_some());
 }
 
-/// Of two branches over the whole turn one comes back as itself and one as another: beyond that
-/// turn it is refused, and so are splines over it, whichever is asked for first.
+/// A turn that ends at another branch's position does not end where it began.
 #[test]
-fn branches_that_exchange_in_a_turn_are_refused() {
-    let bits = 96;
+fn a_branch_comes_back_as_itself_alone() {
+    let (geometry, start) = exchanging();
+    let modes = Linkage::new(&geometry, 96)
+        .modes(&start.to_ball(96))
+        .unwrap();
+    let masses = super::tests::masses("9.81");
+    let own = &modes[0].configuration;
+    let curve = LinkageCurve::new(&geometry, &masses, &start, own, 48, 96);
+    for (k, mode) in modes.iter().enumerate() {
+        assert_eq!(curve.is_back(&mode.configuration).unwrap(), k == 0);
+    }
+}
+
+/// A linkage of four branches, and the crank angle at which they are told apart.
+fn exchanging() -> (Geometry, ExactAngle) {
     let q = |n: i32| Rational::from((n, 64));
     let geometry = Geometry {
         l1: q(26),
@@ -260,7 +272,15 @@ fn branches_that_exchange_in_a_turn_are_refused() {
         o3: [q(-5), q(-36)],
         o5: [q(-60), q(-49)],
     };
-    let start = ExactAngle::Radians(Rational::from((1, 4)));
+    (geometry, ExactAngle::Radians(Rational::from((1, 4))))
+}
+
+/// Of two branches over the whole turn one comes back as itself and one as another: beyond that
+/// turn it is refused, and so are splines over it, whichever is asked for first.
+#[test]
+fn branches_that_exchange_in_a_turn_are_refused() {
+    let bits = 96;
+    let (geometry, start) = exchanging();
     let linkage = Linkage::new(&geometry, bits);
     let modes = linkage.modes(&start.to_ball(bits)).unwrap();
     assert_eq!(modes.len(), 4);

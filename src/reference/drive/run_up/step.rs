@@ -274,7 +274,7 @@ mod tests {
         }
     }
 
-    /// A share keeps both conditions, and twice as large a one does not, unless it is all of the scale.
+    /// A share keeps both conditions; twice as large a one does not, unless it is all of the scale.
     #[test]
     fn shares_are_within_both_conditions() {
         let mut draw = Draw(60);
