@@ -32,6 +32,8 @@
 mod arithmetic;
 #[cfg(feature = "cams")]
 mod cams;
+#[cfg(test)]
+mod draw;
 #[cfg(feature = "run-up")]
 mod drive;
 #[cfg(feature = "formulas")]
@@ -41,8 +43,6 @@ pub mod initial_value;
 mod linear;
 #[cfg(feature = "linkages")]
 mod linkages;
-#[cfg(test)]
-mod pinned;
 #[cfg(feature = "formulas")]
 pub mod quadrature;
 #[cfg(feature = "formulas")]

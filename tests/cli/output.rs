@@ -146,7 +146,7 @@ fn a_full_disk_is_said_of_the_output() {
         "audit tridiagonal --cases 1 --region well-scaled --format csv",
         "audit tridiagonal --cases 1 --region well-scaled --format json",
         "audit tridiagonal --cases 1 --region well-scaled --format html",
-        "paper zinchenko --format csv",
+        "paper pmksweb --format csv",
         &judge,
         &format!("{judge} --format csv"),
     ] {

@@ -135,9 +135,12 @@ fn planted_sign_errors_are_found_and_undone() {
         let right = parse_equation(text).unwrap();
         let signs = edits(&right, &Family::default());
         let mut signs = signs.into_iter().filter(|(e, _)| e.kind == "sign");
-        // The second of every other formula.
+        // Every other formula, of these in turn the first sign and the second.
         formulas += 1;
-        if let Some((_, faulty)) = signs.nth(formulas % 2) {
+        if formulas % 2 == 1 {
+            continue;
+        }
+        if let Some((_, faulty)) = signs.nth(formulas / 2 % 2) {
             planted += 1;
             let bad = Item {
                 printed: Some(Box::leak(faulty.to_string().into_boxed_str())),
@@ -163,7 +166,7 @@ fn planted_sign_errors_are_found_and_undone() {
         }
     }
     println!("{refuted} of {planted} refuted and undone, {senseless} without a value");
-    assert!(planted > 80 && senseless < 5 && refuted * 10 > planted * 8);
+    assert!(planted > 40 && senseless < 3 && refuted * 10 > planted * 8);
 }
 
 /// A corrected form with one sign turned is not accepted in its place.

@@ -104,7 +104,6 @@ impl GaussLegendre {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::pinned::{Answers, pin};
     use rug::Rational;
 
     /// Of `P_2`, whose zeros are ±1/√3, the box decides, and the step is of the size of the
@@ -207,26 +206,5 @@ mod tests {
         assert!((Ball::new(bound.to_float(), Mag::ZERO) - &off).is_positive());
         let small = Ball::new(bound.to_float(), Mag::ZERO) / Ball::integer(128, 1000);
         assert!((small - &off).is_negative(), "{off:?} {bound:?}");
-    }
-
-    #[test]
-    fn nodes_bit_by_bit() {
-        let lines = [40, 64, 200].map(|bits| {
-            Answers::line(bits, |all| {
-                for n in [2, 3, 7, 16] {
-                    let rule = GaussLegendre::new(n, bits).unwrap();
-                    all.add(&rule.nodes);
-                    all.add(&[2, 3, 4].map(|rho| rule.error(Mag::from_f64(0.7), rho)));
-                }
-            })
-        });
-        pin(
-            &[
-                "40: 5ac048fe, 67 to 82 bits",
-                "64: 538d095a, 91 to 106 bits",
-                "200: 2054d93b, 227 to 242 bits",
-            ],
-            lines,
-        );
     }
 }

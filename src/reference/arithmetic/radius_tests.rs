@@ -4,7 +4,7 @@
 use super::ball::{Ball, dot};
 use super::complex::ComplexBall;
 use super::mag::Mag;
-use crate::pinned::Draw;
+use crate::draw::Draw;
 use rug::{Float, Rational};
 
 const P: u32 = 80;

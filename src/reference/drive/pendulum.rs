@@ -162,7 +162,6 @@ impl Turning {
 mod tests {
     use super::*;
     use crate::gauss_legendre::GaussLegendre;
-    use crate::pinned::{Answers, Draw, pin};
 
     const BITS: u32 = 160;
 
@@ -261,35 +260,5 @@ mod tests {
         assert!(wide.period().is_err());
         wide.step();
         assert!(wide.angle(&q(1, 1)).is_err());
-    }
-
-    #[test]
-    fn pendulums_bit_by_bit() {
-        let lines = [30, 64, 160].map(|bits| {
-            Answers::line(bits, |all| {
-                let mut draw = Draw(u64::from(bits));
-                for _ in 0..10 {
-                    let [top, bottom] = [1, 4].map(|k| (draw.fraction() + 1u32) * 10u32 * k);
-                    let turning = Turning::new(&top, &bottom, bits).unwrap();
-                    let turning = turning.expect("it turns over");
-                    all.text(turning.means.len());
-                    all.add(&turning.period());
-                    for _ in 0..4 {
-                        all.add(&turning.angle(&draw.sized(-2, 3)));
-                        let angle = draw.ball(bits, -2, 3);
-                        all.add(&turning.time(&angle));
-                        all.add(&turning.speed(&angle));
-                    }
-                }
-            })
-        });
-        pin(
-            &[
-                "30: 91592772, -1 to 28 bits",
-                "64: 645ef621, 3 to 62 bits",
-                "160: 8282c5c4, 1 to 158 bits",
-            ],
-            lines,
-        );
     }
 }

@@ -8,8 +8,8 @@ use super::set::ErrorSet;
 use super::step::{Failure, Place, Setting};
 use super::variation::{Flow, Scaled, without_tail};
 use super::*;
+use crate::draw::Draw;
 use crate::elementary as real;
-use crate::pinned::Draw;
 use rug::Rational;
 
 const BITS: u32 = 80;

@@ -13,6 +13,9 @@ use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+/// A test that takes longer costs more than the condition of a row is worth.
+const LONG: Duration = Duration::from_secs(5);
+
 /// A condition on which a proof or a verdict rests.
 #[derive(Deserialize)]
 struct Row {
@@ -38,6 +41,8 @@ pub fn check(project: &Path, work: &Path, table: &Path) -> Result<bool> {
     tree.without_vectors()?;
     let packages: BTreeSet<&str> = rows.iter().map(|row| row.package.as_str()).collect();
     let packages: Vec<&str> = packages.into_iter().collect();
+    let start = Instant::now();
+    let told = |done: &str| println!("{:.0} s: {done}", start.elapsed().as_secs_f64());
     let mut left_out = HashSet::new();
     let targets = ["--lib".to_string()];
     // All packages at once, and without a check beforehand: every fault is meant to compile.
@@ -55,6 +60,7 @@ pub fn check(project: &Path, work: &Path, table: &Path) -> Result<bool> {
         let row = &rows[*n as usize];
         bail!("{}: the fault {:?} does not compile", row.file, row.fault);
     }
+    told("built");
     // The program that holds a test, by package and test.
     let mut there: HashMap<(String, String), &Executable> = HashMap::new();
     for e in &executables {
@@ -77,6 +83,12 @@ pub fn check(project: &Path, work: &Path, table: &Path) -> Result<bool> {
         ))
     });
     let sound = sound.collect::<Result<HashMap<_, (&Executable, Option<Duration>)>>>()?;
+    for ((_, test), (_, takes)) in &sound {
+        if let Some(takes) = takes.filter(|takes| *takes > LONG) {
+            println!("{test} takes {:.0} s", takes.as_secs_f64());
+        }
+    }
+    told("every test without a fault");
     let noticed = rows.par_iter().enumerate().map(|(n, row)| {
         let place = format!("{}: {} → {}", row.file, row.code, row.fault);
         let (program, takes) = match sound.get(&named(row)) {
@@ -99,6 +111,7 @@ pub fn check(project: &Path, work: &Path, table: &Path) -> Result<bool> {
         Ok(ended != Ended::Passed)
     });
     let noticed = noticed.collect::<Result<Vec<bool>>>()?;
+    told("every test with its fault");
     let good = noticed.iter().filter(|n| **n).count();
     println!("{good} of {} faults make their tests fail", rows.len());
     Ok(good == rows.len())

@@ -1,7 +1,6 @@
 //! Tests of `ball`.
 
 use super::*;
-use crate::pinned::{Answers, Draw, pin};
 use proptest::prelude::*;
 
 const P: u32 = 60;
@@ -150,48 +149,6 @@ fn exact_stays_exact() {
     assert!((&a * &a).rad().is_zero());
     assert!(Ball::rational(P, &Rational::from((3, 8))).rad().is_zero());
     assert!(!Ball::rational(P, &Rational::from((1, 3))).rad().is_zero());
-}
-
-/// Doubles next to a number, and so much smaller that their significands just fit beside it or no
-/// longer.
-fn doubles_beside(x: f64) -> Vec<f64> {
-    let part = |k: u64| x * f64::from_bits((1023 - k) << 52);
-    let beside = [x, x.next_up(), x * 0.75, part(1), -x, 0.0, 5e-324];
-    (beside.into_iter())
-        .chain([74, 75, 76, 77].map(part))
-        .collect()
-}
-
-#[test]
-fn operations_bit_by_bit() {
-    let lines = [24, 60, 128, 200].map(|bits| {
-        Answers::line(bits, |all| {
-            let mut draw = Draw(u64::from(bits));
-            for _ in 0..60 {
-                let other = [bits, 70, 128][draw.below(3) as usize];
-                let (a, b) = (draw.ball(bits, -3, 3), draw.ball(other, -3, 3));
-                all.add(&[&a + &b, &a - &b, &a * &b, &a / &b, a.square()]);
-                all.add(&[a.atan2(&b), b.atan2(&a), a.union(&b), a.abs().sqrt()]);
-                all.add(&a.sin_cos());
-                all.add(&Ball::between(bits, &a.lower(), &a.upper()));
-                all.add(&[a.with_prec(other), Ball::exact(bits, b.to_f64())]);
-                all.add(&[(a.lower(), a.upper())]);
-                for x in doubles_beside(a.to_f64()) {
-                    let (least, most) = a.distance_from(x);
-                    all.add(&[least, most]);
-                }
-            }
-        })
-    });
-    pin(
-        &[
-            "24: f2722ef3, -6 to 19 bits",
-            "60: cda939c4, -4 to 33 bits",
-            "128: 11155567, -5 to 68 bits",
-            "200: ea2446d1, -8 to 76 bits",
-        ],
-        lines,
-    );
 }
 
 /// Checks that a product below MPFR's least positive number stays inside its ball.

@@ -1,7 +1,7 @@
 //! Tests of `decimal`.
 
 use super::*;
-use crate::pinned::{Answers, Draw, pin};
+use crate::draw::Draw;
 
 #[test]
 fn rational_numbers_are_rounded_once() {
@@ -250,80 +250,6 @@ fn decimals_with_radii_as_text() {
     );
 }
 
-#[test]
-fn texts_bit_by_bit() {
-    let lines = [24, 64, 160].map(|bits| {
-        Answers::line(bits, |all| {
-            let mut draw = Draw(u64::from(bits));
-            for k in 0..60 {
-                let size = [3, 30, 90][k % 3];
-                let x = draw.ball(bits, -size, size);
-                for digits in [1, 2, 5, 17, 30, 45] {
-                    all.text(x.to_decimal(digits));
-                    all.text(x.to_decimal_with_radius(digits));
-                }
-                for places in [0, 1, 7, 20, 24, 30, 40] {
-                    all.text(x.to_fixed(places));
-                }
-            }
-            // Radii that are just allowed, and just not.
-            for digits in 1..40usize {
-                let x = Ball::rational(bits, &draw.between(1, 2));
-                let unit = ((digits as f64 + 2.0) * std::f64::consts::LOG2_10).ceil() as i64;
-                for r in [1.0f64.next_down(), 1.0, 1.0f64.next_up()] {
-                    let r = Mag::from_f64(r).shift(-unit);
-                    all.text(x.widened(r).to_decimal(digits));
-                }
-            }
-            let whole = Ball::integer(bits, 0).widened(Mag::INFINITY);
-            all.text((whole.to_decimal(3), whole.to_fixed(0)));
-            all.text(whole.to_decimal_with_radius(3));
-        })
-    });
-    pin(&["24: 838dd414", "64: b84cb844", "160: 85d10ac0"], lines);
-}
-
-/// On either side of the length from which on a decimal is not written out.
-#[test]
-fn long_texts_bit_by_bit() {
-    let lines = [53, 128].map(|bits| {
-        Answers::line(bits, |all| {
-            let mut draw = Draw(u64::from(bits));
-            for k in [65_535, 65_536, 65_537, 65_538, 131_072, 1_000_000] {
-                for k in [k, -k] {
-                    // From a half to one.
-                    let part = draw.between(1, 2) / 2u32;
-                    let x = Ball::rational(bits, &part).shift(k);
-                    for digits in [1, 3, 15, 16, 17, 25, 40] {
-                        all.text(x.to_decimal_with_radius(digits));
-                    }
-                }
-            }
-        })
-    });
-    pin(&["53: 405ca0e6", "128: 80f9d145"], lines);
-}
-
-/// Units of the last digit, and doubles next to numbers below the normal ones.
-#[test]
-fn readings_bit_by_bit() {
-    let line = Answers::line(53, |all| {
-        for text in [
-            "7", "-0.5", "12.50", "3e0", "3e2", "1.25e1", "1.5e-3", "+.5", "0e5", "75.",
-        ] {
-            let read = Decimal::parse(text).unwrap();
-            all.add(&read.units_off(&Ball::integer(70, 2)));
-            all.text((read.unit(), read));
-        }
-        let mut draw = Draw(53);
-        for _ in 0..60 {
-            let x = draw.sized(-1077, -1020);
-            all.text((nearest_f64(&x), nearest_f64(&draw.sized(1020, 1025))));
-        }
-    });
-    pin(&["53: cf80ec7f, 68 to 69 bits"], [line]);
-}
-
 /// A radius that is just a hundredth of a unit is allowed, and none above it.
 #[test]
 fn a_hundredth_of_a_unit_to_the_last_bit() {
@@ -346,19 +272,15 @@ fn a_hundredth_of_a_unit_to_the_last_bit() {
 /// Half a unit of the last digit, from above, and not by more than its roundings.
 #[test]
 fn halves_of_units() {
-    let lines = [53, 200].map(|bits| {
-        Answers::line(bits, |all| {
-            let mut draw = Draw(u64::from(bits));
-            for digits in 1..50 {
-                let x = Ball::rational(bits, &draw.between(1, 2)).mid().clone();
-                let found = half_a_unit(&x, digits);
-                let power: Float = Float::with_val(400, 10).pow(digits as u32 - 1);
-                let due: Float = Float::with_val(400, &x / &power) / 2u32;
-                let found_float = Float::with_val(400, found.to_float());
-                assert!(found_float >= due && found_float <= due * (1.0 + 1e-15));
-                all.add(&found);
-            }
-        })
-    });
-    pin(&["53: cb8210d4", "200: 9accba5a"], lines);
+    for bits in [53, 200] {
+        let mut draw = Draw(u64::from(bits));
+        for digits in 1..50 {
+            let x = Ball::rational(bits, &draw.between(1, 2)).mid().clone();
+            let found = half_a_unit(&x, digits);
+            let power: Float = Float::with_val(400, 10).pow(digits as u32 - 1);
+            let due: Float = Float::with_val(400, &x / &power) / 2u32;
+            let found = Float::with_val(400, found.to_float());
+            assert!(found >= due && found <= due * (1.0 + 1e-15));
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! Tests of `taylor_model`.
 
 use super::*;
-use crate::pinned::{Answers, Draw, pin};
+use crate::draw::Draw;
 use proptest::prelude::*;
 use rug::Rational;
 
@@ -366,54 +366,4 @@ fn tails_of_cosine_and_sine() {
     }
     let beyond = Ball::exact(P, 0.75).widened(Mag::from_f64(0.5));
     assert!(!TaylorModel::cos_sin(&phi, &beyond, 4).0.rad().is_finite());
-}
-
-#[test]
-fn models_bit_by_bit() {
-    let lines = [53, 64, 120].map(|bits| {
-        Answers::line(bits, |all| {
-            let mut draw = Draw(u64::from(bits));
-            let add = |all: &mut Answers, m: &TaylorModel| {
-                all.add(&m.c);
-                all.add(&m.rad);
-            };
-            for n in [0usize, 1, 2, 5, 9] {
-                for _ in 0..4 {
-                    let mut model = |n: usize| {
-                        let c: Vec<Ball> = (0..n).map(|_| draw.ball(bits, -4, 2)).collect();
-                        TaylorModel::from_balls(&c)
-                    };
-                    let (a, b) = (model(n), model(6));
-                    let x = draw.ball(bits, -1, 0);
-                    let at = Float::with_val(bits, draw.fraction() / 2u32);
-                    for m in [
-                        a.times(&b, 7),
-                        a.times(&a, 5),
-                        a.of_square(9),
-                        a.contracted(&x),
-                        a.shifted(&at, Mag::from_f64(0.3)),
-                        a.with_prec(50),
-                        a.times_x(),
-                        a.integral(),
-                    ] {
-                        add(all, &m);
-                    }
-                    all.add(&[a.eval(&x), a.range()]);
-                    all.add(&[
-                        a.norm(),
-                        a.motion(Mag::from_f64(0.1)),
-                        left_out(&a.c, &b.c, 6),
-                    ]);
-                }
-            }
-        })
-    });
-    pin(
-        &[
-            "53: 106104ad, -8 to 6 bits",
-            "64: 474068ad, -9 to 3 bits",
-            "120: 0e9f245e, -9 to 5 bits",
-        ],
-        lines,
-    );
 }

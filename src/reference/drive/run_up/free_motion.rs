@@ -107,7 +107,7 @@ fn exp(x: &Ball) -> Ball {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::pinned::{Answers, Draw, pin};
+    use crate::draw::Draw;
 
     /// `∫ S/J dw` over −1 … 1 for the models of S and J.
     fn over(slope: &[f64], inertia: &[f64], rad: f64, order: usize) -> Option<Ball> {
@@ -179,46 +179,5 @@ mod tests {
             assert!(e.rad().to_float() <= width * (1.0 + 1e-12), "{x} {r}");
         }
         assert!(exp(&Ball::exact(90, 0.3)).rad() < Mag::power_of_two(-80));
-    }
-
-    /// Inertias that come near to zero within a panel, so that it is halved, and radii of all
-    /// sizes.
-    #[test]
-    fn free_turns_bit_by_bit() {
-        let lines = [48, 64, 120].map(|bits| {
-            Answers::line(bits, |all| {
-                let mut draw = Draw(u64::from(bits));
-                for k in 0..40 {
-                    let mut model = |first: i64, rad: i64| {
-                        let c = (0..5).map(|j| match j {
-                            0 => Ball::integer(bits, first),
-                            _ => Ball::rational(bits, &draw.sized(-4, -1 - k % 3)),
-                        });
-                        let c: Vec<Ball> = c.collect();
-                        let rad = Mag::power_of_two(-rad).mul(Mag::from_f64(1.0 + 0.37));
-                        TaylorModel::from_balls(&c).widened(rad)
-                    };
-                    let rad = [12, 30, i64::from(bits)][k as usize / 2 % 3];
-                    let panel = Panel {
-                        inertia: model(1, rad),
-                        slope: model(0, rad + 5),
-                        moment: model(0, 90),
-                    };
-                    let model = Coefficients::of_panels(vec![panel], bits);
-                    let found = free_motion_factor(&model, &Rational::from((k, 9)));
-                    all.add(&found.map(|f| [f.integral, f.factor]));
-                    let x = draw.ball(bits, -3, 1);
-                    all.add(&[exp(&x), exp(&x.widened(Mag::from_f64(0.7)))]);
-                }
-            })
-        });
-        pin(
-            &[
-                "48: a2ded9b4, -2 to 25 bits",
-                "64: 5cbe8023, -2 to 25 bits",
-                "120: f2b97414, -2 to 24 bits",
-            ],
-            lines,
-        );
     }
 }

@@ -98,7 +98,7 @@ impl LinkageCurve {
 
     /// Returns true if the configuration after one turn touches that of the start and no other of
     /// all assembly modes, which are disjoint.
-    fn is_back(&self, end: &Configuration) -> Result<bool, Undecided> {
+    pub(super) fn is_back(&self, end: &Configuration) -> Result<bool, Undecided> {
         let modes = self.linkage.modes(&self.offset.to_ball(self.bits))?;
         let touched = |by: &Configuration| -> Vec<bool> {
             let touches = |m: &Mode| {

@@ -5,7 +5,6 @@ use super::linkage_panel::Panel;
 use super::tests::LOW;
 use super::*;
 use crate::class_iii::{ExactAngle, Geometry, Linkage};
-use crate::pinned::{Answers, Draw, pin};
 use crate::taylor_model::TaylorModel;
 use crate::{Ball, Mag};
 use rug::{Float, Rational};
@@ -244,11 +243,23 @@ fn motors_that_are_none() {
     assert!(rated(q(2, 1), q(1, 20), q(0, 1)).fault().is_some());
 }
 
-/// Of two branches over the whole turn one comes back as itself and one as another: beyond that
-/// turn it is refused, and so are splines over it, whichever is asked for first.
+/// A turn that ends at another branch's position does not end where it began.
 #[test]
-fn branches_that_exchange_in_a_turn_are_refused() {
-    let bits = 96;
+fn a_branch_comes_back_as_itself_alone() {
+    let (geometry, start) = exchanging();
+    let modes = Linkage::new(&geometry, 96)
+        .modes(&start.to_ball(96))
+        .unwrap();
+    let masses = super::tests::masses("9.81");
+    let own = &modes[0].configuration;
+    let curve = LinkageCurve::new(&geometry, &masses, &start, own, 48, 96);
+    for (k, mode) in modes.iter().enumerate() {
+        assert_eq!(curve.is_back(&mode.configuration).unwrap(), k == 0);
+    }
+}
+
+/// A linkage of four branches, and the crank angle at which they are told apart.
+fn exchanging() -> (Geometry, ExactAngle) {
     let q = |n: i32| Rational::from((n, 64));
     let geometry = Geometry {
         l1: q(26),
@@ -261,7 +272,15 @@ fn branches_that_exchange_in_a_turn_are_refused() {
         o3: [q(-5), q(-36)],
         o5: [q(-60), q(-49)],
     };
-    let start = ExactAngle::Radians(Rational::from((1, 4)));
+    (geometry, ExactAngle::Radians(Rational::from((1, 4))))
+}
+
+/// Of two branches over the whole turn one comes back as itself and one as another: beyond that
+/// turn it is refused, and so are splines over it, whichever is asked for first.
+#[test]
+fn branches_that_exchange_in_a_turn_are_refused() {
+    let bits = 96;
+    let (geometry, start) = exchanging();
     let linkage = Linkage::new(&geometry, bits);
     let modes = linkage.modes(&start.to_ball(bits)).unwrap();
     assert_eq!(modes.len(), 4);
@@ -287,87 +306,4 @@ fn branches_that_exchange_in_a_turn_are_refused() {
         told.push(beyond);
     }
     assert_eq!(told, [false, true]);
-}
-
-/// Steps of runs from rest and not, forward and backward, of an uncertain start, of few terms and
-/// many.
-#[test]
-fn steps_bit_by_bit() {
-    let lines = [56, 100, 160].map(|bits| {
-        Answers::line(bits, |all| {
-            let mut draw = Draw(u64::from(bits));
-            for k in 0..12 {
-                let mut model = |first: i64, size: i32| {
-                    let rest = (1..6).map(|_| Ball::rational(bits, &draw.sized(-6, size)));
-                    let c: Vec<Ball> = [Ball::integer(bits, first)]
-                        .into_iter()
-                        .chain(rest)
-                        .collect();
-                    TaylorModel::from_balls(&c).widened(Mag::power_of_two(4 - i64::from(bits)))
-                };
-                let panel = Panel {
-                    inertia: model(3, -2),
-                    slope: model(0, -1),
-                    moment: model(1, 1),
-                };
-                let model = Coefficients::of_panels(vec![panel], bits);
-                let speed = match k % 4 {
-                    0 => Rational::new(),
-                    1 => draw.between(-9, -5),
-                    _ => draw.between(5, 9) * [1u32, 60][k / 6],
-                };
-                let mut run = start(&speed);
-                run.motor = [
-                    Motor::Constant {
-                        torque: draw.between(5, 20) * [1, -1][k / 4 % 2],
-                    },
-                    Motor::Linear {
-                        standstill: draw.between(20, 30),
-                        slope: draw.between(1, 3),
-                    },
-                    run.motor,
-                ][k % 3]
-                    .clone();
-                run.angle = ExactAngle::Radians(draw.between(2, 3));
-                let order = [7, 12, bits as usize / 2][k % 3];
-                let mut walk = Walk::new(&model, &run, order).unwrap();
-                match k % 5 {
-                    1 => walk.uncertain(Mag::power_of_two(-20)),
-                    2 => walk.displaced(Mag::power_of_two(-25)),
-                    // No longer sure of a step as long as others.
-                    3 if k < 9 => walk.uncertain(Mag::from_f64(1.4)),
-                    3 => walk.displaced(Mag::power_of_two(-3)),
-                    _ => {}
-                }
-                for _ in 0..3 {
-                    let piece = match walk.step() {
-                        Ok(piece) => piece,
-                        Err(why) => {
-                            all.text(why);
-                            break;
-                        }
-                    };
-                    all.add(&piece.x1);
-                    all.add(&[&piece.theta, &piece.duration, &piece.speed]);
-                    all.add(&piece.chi.coefficients().to_vec());
-                    all.add(&[piece.chi_error, piece.time_rate, piece.time.rad()]);
-                    // A little beyond either end: times are balls.
-                    for part in [-1, 0, 1 << 10, 1 << 13, 1 << 14, (1 << 14) + 1] {
-                        let part = Ball::rational(bits, &Rational::from((part, 1 << 14)));
-                        all.add(&piece.at(&(&piece.duration * &part)));
-                    }
-                    let end = &piece.duration + &Ball::integer(bits, 0);
-                    walk.advance(piece, end);
-                }
-            }
-        })
-    });
-    pin(
-        &[
-            "56: 34d2d9e3, 1 to 22 bits",
-            "100: 7ff40b55, 10 to 22 bits",
-            "160: 6cc28dda, 8 to 21 bits",
-        ],
-        lines,
-    );
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::Mag;
-use crate::pinned::Draw;
+use crate::draw::Draw;
 use proptest::prelude::*;
 
 fn q(rows: usize, columns: usize, v: &[i32]) -> Matrix<Rational> {

@@ -2,7 +2,6 @@
 
 use super::tests::{q, zinchenko};
 use super::{Configuration, ExactAngle, Geometry, Linkage};
-use crate::pinned::{Answers, Draw, pin};
 use crate::{Ball, ComplexBall, Mag};
 use rug::{Float, Rational};
 
@@ -296,55 +295,4 @@ fn the_radius_holds_the_second_order() {
             assert!(wide.contains_ball(inside), "{sign}");
         }
     }
-}
-
-/// Modes, and branches that are followed near and far, from guesses good and bad.
-#[test]
-fn branches_bit_by_bit() {
-    let lines = [64, 128, 400].map(|bits: u32| {
-        Answers::line(bits, |all| {
-            let mut draw = Draw(u64::from(bits));
-            let linkage = Linkage::new(&zinchenko(), bits);
-            let add = |all: &mut Answers, c: &Configuration| {
-                all.add(&[
-                    c.e1.clone(),
-                    c.a.clone(),
-                    c.b.clone(),
-                    c.c.clone(),
-                    c.d.clone(),
-                ]);
-            };
-            for (from, angles) in [
-                ("14.426", ["14.5", "19", "130"]),
-                ("100", ["103", "99.99", "215"]),
-            ] {
-                let phi = degrees(from, bits);
-                for mode in linkage.modes(&phi).unwrap() {
-                    all.add(&mode.phi4);
-                    let here = mode.configuration;
-                    add(all, &here);
-                    let guess = coordinates(&here).map(|b| b.mid().to_f64());
-                    for size in [-30, -6, 0, 3] {
-                        let [cx, cy, dx, dy] = guess.map(|x| x + draw.sized(size, size).to_f64());
-                        let found = linkage.near(&phi, [cx, cy], [dx, dy]);
-                        all.text(found.is_some());
-                        found.iter().for_each(|found| add(all, found));
-                    }
-                    for to in &angles[..if bits < 100 { 3 } else { 1 }] {
-                        let found = linkage.follow(&here, &phi, &degrees(to, bits));
-                        all.text(found.is_some());
-                        found.iter().for_each(|found| add(all, found));
-                    }
-                }
-            }
-        })
-    });
-    pin(
-        &[
-            "64: 2ed6127d, 54 to 60 bits",
-            "128: b3392167, 118 to 124 bits",
-            "400: 8790fc8c, 390 to 396 bits",
-        ],
-        lines,
-    );
 }

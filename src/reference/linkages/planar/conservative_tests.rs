@@ -2,9 +2,8 @@
 
 use super::energy::Forces;
 use super::tests::{BITS, ball, cranked, four_bar, guess, meets, origin, oscillator};
-use super::{Attachment, Body, Drive, Joint, Linkage, Mechanism};
+use super::{Attachment, Body, Joint, Mechanism};
 use crate::class_iii::tests::q;
-use crate::pinned::{Answers, pin};
 use crate::{Ball, Mag};
 use rug::Rational;
 
@@ -114,65 +113,4 @@ fn a_four_bar_moves_freely() {
     let slope = inertia[1].to_f64();
     assert!(speed.to_f64() > 0.1 && slope > 1.0, "{speed:?} {slope}");
     meets(&m.energy.shift(1), &(&inertia[0] * &speed.square()));
-}
-
-/// The oscillator and a four-bar under a constant torque and its weight.
-#[test]
-fn motions_from_rest_bit_by_bit() {
-    let lines = [64, 128].map(|bits| {
-        Answers::line(bits, |all| {
-            let number = |text: &str| Ball::rational(bits, &q(text));
-            let (linkage, forces) = oscillator();
-            let drive = Drive::coordinate(1);
-            let oscillator = Linkage::new(linkage.mechanism(), &drive, bits).unwrap();
-            let bars = Linkage::new(&four_bar(), &Drive::coordinate(0), bits).unwrap();
-            let torque = Forces {
-                drive: q("70"),
-                springs: Vec::new(),
-                gravity: [q("0"), q("-1")],
-            };
-            for (linkage, forces, start, near, times) in [
-                (
-                    &oscillator,
-                    &forces,
-                    "0",
-                    &[0.0, 0.0][..],
-                    ["0.1", "0.7", "1.2"],
-                ),
-                (
-                    &bars,
-                    &torque,
-                    "0.9",
-                    &[0.9, 0.5, 1.6],
-                    ["0.05", "0.2", "0.3"],
-                ),
-            ] {
-                let times = times.map(q);
-                let course = linkage.from_rest(&number(start), &guess(near), forces, &times);
-                let course = match course {
-                    Ok(course) => course,
-                    Err(why) => {
-                        all.text(why);
-                        continue;
-                    }
-                };
-                all.add(&course.start.x);
-                all.add(&course.first_acceleration);
-                all.text((course.panels, course.least_force));
-                for m in &course.moments {
-                    all.add(&m.position.x);
-                    all.add(&m.rates.drive);
-                    all.add(&m.multipliers);
-                    all.add(&[&m.drive, &m.energy]);
-                }
-            }
-        })
-    });
-    pin(
-        &[
-            "64: 7b38ac40, -25 to 49 bits",
-            "128: 2a347cf1, -28 to 111 bits",
-        ],
-        lines,
-    );
 }

@@ -181,12 +181,9 @@ pub(super) fn guess(series: &Series, by: &Float) -> Vec<Float> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Drive;
     use super::super::soundness_tests::both;
     use super::super::tests::{cranked, four_bar};
     use super::*;
-    use crate::pinned::{Answers, Draw, pin};
-    use rug::Rational;
 
     /// Checks that what is not a point of the polydisc, be it by less than a bound has bits, has no
     /// bound by its residual.
@@ -212,48 +209,5 @@ mod tests {
                 assert!(disc.bound(&z, &zero).is_none());
             }
         }
-    }
-
-    #[test]
-    fn discs_bit_by_bit() {
-        let lines = [64, 128, 256].map(|bits| {
-            Answers::line(bits, |all| {
-                let mut draw = Draw(u64::from(bits));
-                let linkage = Linkage::new(&four_bar(), &Drive::coordinate(0), bits).unwrap();
-                for _ in 0..3 {
-                    let drive = Ball::rational(bits, &(draw.between(3, 6) / 4u32));
-                    for position in both(&linkage, &drive) {
-                        all.add(&position.x);
-                        for radius in [1e-12, 0.003, 0.05, 0.11, 0.2, 0.3, 0.4, 0.7] {
-                            let disc = linkage.disc(&drive, &position, Mag::from_f64(radius));
-                            all.text(disc.is_some());
-                            let Some(disc) = disc else { continue };
-                            all.add(&disc.centre);
-                            all.add(&disc.factor);
-                            all.add(&disc.r);
-                            all.add(&disc.drive);
-                            let parts = disc.pose.x.iter().chain(&disc.rates);
-                            parts.for_each(|x| all.add(&x.0));
-                            let by = draw.fraction() * Rational::from_f64(radius).unwrap();
-                            let there = &drive + &Ball::rational(bits, &by);
-                            let mut start = position.midpoints();
-                            for size in [-60, -12, -7] {
-                                start[1] += draw.sized(size, size);
-                                let found = linkage.within(&disc, &there, &start);
-                                all.add(&found.map(|p| p.x));
-                            }
-                        }
-                    }
-                }
-            })
-        });
-        pin(
-            &[
-                "64: 3a2d0c39, -3 to 59 bits",
-                "128: 03184135, -4 to 123 bits",
-                "256: 17022572, -3 to 251 bits",
-            ],
-            lines,
-        );
     }
 }

@@ -206,72 +206,6 @@ mod tests {
     use super::super::Drive;
     use super::super::tests::four_bar;
     use super::*;
-    use crate::pinned::{Answers, Draw, pin};
-
-    /// The search as [`Linkage::modes`] goes, box by box.
-    fn searched(all: &mut Answers, linkage: &Linkage, drive: &Ball) {
-        let coarse = drive.with_prec(64);
-        let mut boxes = vec![linkage.coarse.chart(&linkage.linear(&coarse))];
-        all.add(&boxes);
-        while let Some(x) = boxes.pop() {
-            match linkage.look(&x, &coarse) {
-                Look::Empty => all.text("empty"),
-                Look::Single(alone) => all.add(&alone),
-                Look::Smaller(cut) => {
-                    all.add(&cut);
-                    boxes.push(cut);
-                }
-                Look::Open => {
-                    let widest =
-                        (0..x.len()).max_by(|&i, &j| x[i].rad().partial_cmp(&x[j].rad()).unwrap());
-                    let i = widest.unwrap();
-                    for (low, high) in [
-                        (x[i].lower(), x[i].mid().clone()),
-                        (x[i].mid().clone(), x[i].upper()),
-                    ] {
-                        let mut half = x.clone();
-                        half[i] = Ball::between(64, &low, &high);
-                        boxes.push(half);
-                    }
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn searches_bit_by_bit() {
-        let lines = [64, 192].map(|bits| {
-            Answers::line(bits, |all| {
-                let mut draw = Draw(u64::from(bits));
-                let linkage = Linkage::new(&four_bar(), &Drive::coordinate(0), bits).unwrap();
-                for _ in 0..2 {
-                    let drive = Ball::rational(bits, &draw.between(-3, 3));
-                    searched(all, &linkage, &drive);
-                    let modes = linkage.modes(&drive).unwrap();
-                    all.add(&modes.into_iter().map(|m| m.x).collect::<Vec<_>>());
-                }
-                for _ in 0..20 {
-                    let (a, b) = (draw.ball(64, -1, 1), draw.ball(bits, -1, 1));
-                    all.add(&intersection(
-                        &a.widened(b.rad()),
-                        &b.widened(a.magnitude()),
-                    ));
-                }
-            })
-        });
-        pin(
-            &["64: 303857c6, -1 to 4 bits", "192: 2c2541e2, -1 to 5 bits"],
-            lines,
-        );
-    }
-
-    /// The rocker is where crank and coupler are in line: `cos ψ = 7/32`, where two modes meet.
-    fn dead(bits: u32) -> (Linkage, Ball) {
-        let linkage = Linkage::new(&four_bar(), &Drive::coordinate(2), bits).unwrap();
-        let [x, r] = [7, 32].map(|k| Ball::integer(bits, k));
-        let y = (r.square() - x.square()).sqrt();
-        (linkage, y.atan2(&x))
-    }
 
     #[test]
     fn a_search_ends_after_so_many_boxes() {
@@ -311,22 +245,5 @@ mod tests {
         *x = &*x + &Ball::exact(64, 0.25);
         linkage.record(&drive, alone, &mut found).unwrap();
         assert_eq!(found.len(), 2);
-    }
-
-    #[test]
-    fn ends_of_searches_bit_by_bit() {
-        let line = Answers::line(64, |all| {
-            let drive = Ball::exact(64, 0.875);
-            let linkage = Linkage::new(&four_bar(), &Drive::coordinate(0), 64).unwrap();
-            for most in 0..12 {
-                all.text(linkage.modes_within(&drive, most).map(|found| found.len()));
-            }
-            let (linkage, drive) = dead(64);
-            for most in (40..400).step_by(20).chain([MOST_BOXES]) {
-                let found = linkage.modes_within(&drive, most).map(|found| found.len());
-                all.text(found);
-            }
-        });
-        pin(&["64: cd7f1f0c"], [line]);
     }
 }

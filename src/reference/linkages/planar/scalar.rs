@@ -143,7 +143,7 @@ impl Scalar for Round {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::pinned::Draw;
+    use crate::draw::Draw;
 
     /// Points on the circle, by addition theorems in 200 bits, against the disc's cosine, sine and
     /// inverse root.

@@ -149,7 +149,7 @@ fn rests_of_powers_are_exact() {
 /// Sums and products of doubles are rounded to the side asked for.
 #[test]
 fn exponents_are_rounded_to_the_safe_side() {
-    let mut draw = crate::pinned::Draw(5);
+    let mut draw = crate::draw::Draw(5);
     for _ in 0..2000 {
         let [a, b] = [0; 2].map(|_| draw.ball(53, -3, 3).mid().to_f64());
         let exact = |x: f64| rug::Rational::from_f64(x).unwrap();

@@ -143,7 +143,6 @@ pub(super) fn parts(z: &Argument, member: Member, prec: u32) -> ComplexBall {
 mod tests {
     use super::*;
     use crate::faddeeva::argument::Real;
-    use crate::pinned::{Answers, Draw, pin};
     use std::f64::consts::LOG2_E;
 
     /// `log2 (n C^n/(2n+1)!!)`.
@@ -252,31 +251,5 @@ mod tests {
                 }
             }
         }
-    }
-
-    /// Numbers of terms and scales, which the radii of values hide.
-    #[test]
-    fn terms_and_scales_bit_by_bit() {
-        let line = Answers::line(53, |all| {
-            let mut draw = Draw(53);
-            for k in -36i32..12 {
-                let power = (rug::Rational::from(1) << k).to_f64();
-                let part = draw.between(1, 2).to_f64();
-                for size in [power, power.next_up(), power * part, power * (1.0 + 1e-12)] {
-                    all.text(scale(size));
-                }
-                let size = power * part;
-                for bits in [3.0, 40.0, 150.0, 900.0] {
-                    all.text(terms(size, bits));
-                }
-                let [p, q2] = [draw.ball(90, -3, -1), draw.ball(90, -3, -1).abs()];
-                for n in [1, 2, 5, 40] {
-                    all.add(&fixed::sum(&p, &q2, 80, n, |j| {
-                        (3 * j + 1, (2 * j + 3) << (k & 3))
-                    }));
-                }
-            }
-        });
-        pin(&["53: f32e0a8e, 29 to 75 bits"], [line]);
     }
 }

@@ -137,7 +137,6 @@ fn upper(z: &ComplexBall, prec: u32, inner: u32) -> ComplexBall {
 mod tests {
     use super::super::tests::q;
     use super::*;
-    use crate::pinned::{Answers, Draw, pin};
     use std::f64::consts::{LN_2, PI};
 
     /// Both errors of the head, from the step, the nearest node and the first node left out.
@@ -211,38 +210,5 @@ mod tests {
         let due = (-&z.square()).exp().scaled(&Ball::integer(400, 2));
         assert!(due.magnitude().is_finite() && found.overlaps(&due));
         assert!(found.radius() <= due.magnitude().shift(-60));
-    }
-
-    #[test]
-    fn the_rule_bit_by_bit() {
-        let lines = [8, 60, 130].map(|prec| {
-            Answers::line(prec, |all| {
-                let mut draw = Draw(u64::from(prec));
-                for k in 0..24 {
-                    let x = draw.sized(-3, 4);
-                    let y = match k {
-                        0 => Rational::new(),
-                        _ => draw.sized(-3, 4),
-                    };
-                    all.add(&w(&x, &y, prec));
-                }
-                // Beside the border, and small beside large.
-                let a = (4.0 / 3.0 * f64::from(prec + 4) * LN_2).sqrt();
-                for part in [0.7, 0.74, 0.76, 0.8, 1.2] {
-                    let y = Rational::from_f64((part * a * 64.0).round() / 64.0).unwrap();
-                    all.add(&w(&draw.fraction(), &y, prec));
-                    all.add(&w(&draw.sized(-40, -30), &draw.sized(5, 6), prec));
-                    all.add(&w(&draw.sized(5, 6), &draw.sized(-40, -30), prec));
-                }
-            })
-        });
-        pin(
-            &[
-                "8: 3463fb52, -42 to 7 bits",
-                "60: 71ffedeb, 10 to 60 bits",
-                "130: 1576b734, 80 to 129 bits",
-            ],
-            lines,
-        );
     }
 }

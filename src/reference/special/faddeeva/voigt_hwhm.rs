@@ -175,7 +175,6 @@ mod tests {
     use super::super::tests::q;
     use super::*;
     use crate::faddeeva::{voigt_scaled, w_derivative_scaled};
-    use crate::pinned::{Answers, Draw, pin};
 
     /// mpmath 1.3.0: root of `re(exp(-z²) erfc(-iz)) − exp(y²) erfc(y)/2` at 60 digits.
     const BY_MPMATH: [(f64, f64, &str); 5] = [
@@ -305,55 +304,5 @@ mod tests {
             let off: Float = equation.slope(&t, &w) / due.mid() - 1u32;
             assert!(off.abs() < 1e-14, "{y}");
         }
-    }
-
-    #[test]
-    fn widths_bit_by_bit() {
-        let lines = [0, 15, 16, 53, 130].map(|bits| {
-            Answers::line(bits, |all| {
-                let mut draw = Draw(u64::from(bits));
-                for k in [-60, -20, -3, 0, 1, 3, 9, 17, 21, 24, 36, 40, 70] {
-                    let sigma = draw.between(1, 2);
-                    let gamma = draw.between(1, 2) << k;
-                    all.add(&voigt_hwhm(&sigma, &gamma, bits));
-                }
-                let (zero, some) = (Rational::new(), draw.between(1, 2));
-                for (sigma, gamma) in [(&zero, &some), (&some, &zero), (&zero, &zero)] {
-                    all.add(&voigt_hwhm(sigma, gamma, bits));
-                }
-            })
-        });
-        pin(
-            &[
-                "0: 4e004644, 19 to 19 bits",
-                "15: 4c92caa0, 19 to 19 bits",
-                "16: 30881a2d, 19 to 19 bits",
-                "53: e93d7bc2, 56 to 56 bits",
-                "130: 04f81b51, 133 to 133 bits",
-            ],
-            lines,
-        );
-    }
-
-    /// Starts, steps and what they come to, which a certificate hides.
-    #[test]
-    fn approaches_bit_by_bit() {
-        let lines = [64, 100, 200].map(|prec| {
-            Answers::line(prec, |all| {
-                let mut draw = Draw(u64::from(prec));
-                for k in [
-                    -60, -3, 0, 3, 9, 15, 16, 17, 24, 25, 26, 27, 49, 50, 51, 52, 70,
-                ] {
-                    let y = Real::of(&(draw.between(2, 4) << (k - 2)));
-                    let equation = Equation::new(y, prec).unwrap();
-                    all.text(equation.is_far());
-                    all.add(&equation.start());
-                    for bits in [8, 20, 34] {
-                        all.add(&equation.approached(bits));
-                    }
-                }
-            })
-        });
-        pin(&["64: 06c9e49a", "100: 3ab1987c", "200: f797c2f5"], lines);
     }
 }

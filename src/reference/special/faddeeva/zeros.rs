@@ -185,7 +185,6 @@ mod tests {
     use super::super::erf;
     use super::*;
     use crate::Decimal;
-    use crate::pinned::{Answers, pin};
 
     /// Terms of order λ^-3 are left out.
     #[test]
@@ -426,26 +425,5 @@ mod tests {
             let here = (f.at)(&z, 128).unwrap();
             assert!(certificate(f, &z, &here).is_none());
         }
-    }
-
-    #[test]
-    fn zeros_bit_by_bit() {
-        let lines = [10, 40, 100, 300].map(|bits| {
-            Answers::line(bits, |all| {
-                for k in [0, 1, 2, 3, 7, 40, 1000] {
-                    all.add(&zero(k, bits));
-                    all.add(&zero_of_erf(k, bits));
-                }
-            })
-        });
-        pin(
-            &[
-                "10: 94761948, 54 to 79 bits",
-                "40: fe1de71f, 54 to 79 bits",
-                "100: 5e97c006, 99 to 157 bits",
-                "300: d0fb19a3, 312 to 366 bits",
-            ],
-            lines,
-        );
     }
 }

@@ -1,7 +1,6 @@
 //! Tests of `cubic_spline`.
 
 use super::*;
-use crate::pinned::{Answers, Draw, pin};
 
 fn q(v: &[i32]) -> Vec<Rational> {
     v.iter().map(|&v| v.into()).collect()
@@ -197,33 +196,4 @@ fn balls_hold_the_exact_periodic_spline() {
             }
         }
     }
-}
-
-#[test]
-fn periodic_splines_bit_by_bit() {
-    let lines = [24, 64, 128].map(|bits| {
-        Answers::line(bits, |all| {
-            let mut draw = Draw(u64::from(bits));
-            for n in [1, 2, 3, 5, 8] {
-                let values: Vec<Ball> = (0..n).map(|_| draw.ball(bits, -2, 2)).collect();
-                for wide in [24, 64, 90, 150] {
-                    let h = Ball::rational(wide, &draw.between(1, 2));
-                    let spline = periodic_uniform(&values, &h).unwrap();
-                    all.add(&spline.second_derivatives());
-                    for segment in 0..=n {
-                        let k = (draw.fraction() + 1u32) / 2u32;
-                        all.add(&[spline.value(segment, &k), spline.derivative(segment, &k)]);
-                    }
-                }
-            }
-        })
-    });
-    pin(
-        &[
-            "24: bec8c5d6, 1 to 9 bits",
-            "64: 94b4798a, -2 to 7 bits",
-            "128: 8f93f72d, 1 to 23 bits",
-        ],
-        lines,
-    );
 }

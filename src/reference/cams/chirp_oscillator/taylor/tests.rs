@@ -1,8 +1,6 @@
 //! Tests of the remainder of Taylor panels.
 
-use super::super::tests::{drawn, slowed};
 use super::*;
-use crate::pinned::{Answers, Draw, pin};
 
 fn problem(w: (i32, i32)) -> Problem {
     let mut values = [0, 0, 0, 0, 0, 0, 0, 0, 1].map(Rational::from);
@@ -117,67 +115,4 @@ fn panels_hold_integrals_that_cancel() {
             }
         }
     }
-}
-
-#[test]
-fn panels_bit_by_bit() {
-    let lines = [10, 30, 64, 128, 1000, 1800].map(|prec| {
-        Answers::line(prec, |all| {
-            let mut draw = Draw(u64::from(prec));
-            for k in [0, 0, 0, 0, 0, 0, 0, 0, 6, 9, 13, 25, -7] {
-                let mut p = slowed(&drawn(&mut draw), k);
-                if prec > 200 {
-                    p.t /= 8u32;
-                }
-                let found = enclose(&p, prec).unwrap();
-                all.add(&found.components());
-                all.add(&found.amplitude);
-            }
-        })
-    });
-    pin(
-        &[
-            "10: 7093a455, -2 to 6 bits",
-            "30: 8a7344ac, 19 to 27 bits",
-            "64: 14602681, 51 to 59 bits",
-            "128: 7f2c084d, 116 to 125 bits",
-            "1000: 77ee9c8b, 989 to 998 bits",
-            "1800: 724fb309, 1786 to 1798 bits",
-        ],
-        lines,
-    );
-}
-
-/// Numbers of panels and of terms, and bounds, which need no values of the response.
-#[test]
-fn plans_bit_by_bit() {
-    let line = Answers::line(64, |all| {
-        let mut draw = Draw(1);
-        for _ in 0..40 {
-            let [rate, kappa, half] = [9, 6, 2].map(|k| draw.between(0, k));
-            let bits = draw.between(10, 300).to_f64();
-            let (terms, ratio) = plan(rate.to_f64(), kappa.to_f64(), half.to_f64(), bits);
-            all.text((terms, ratio));
-            let mag = |q: &Rational| Mag::from_f64(q.to_f64());
-            let tail = Tail {
-                start: mag(&draw.fraction()),
-                rate: mag(&rate),
-                kappa: mag(&kappa),
-                half: mag(&half),
-                ratio,
-            };
-            all.add(&[8, 40, terms as i64].map(|m| tail.after(m)));
-            let p = drawn(&mut draw);
-            all.add(&growth_rate(&p, &draw.fraction()));
-            let mut z = || ComplexBall::new(draw.ball(64, -3, 3), draw.ball(64, -3, 3));
-            all.add(&norm(&p, &(z(), z())));
-        }
-        // Too many.
-        for t in [20_000_000u64, 30_000_001, 1 << 40] {
-            let mut p = drawn(&mut draw);
-            p.t = Rational::from(t);
-            all.text(enclose(&p, 64).unwrap_err());
-        }
-    });
-    pin(&["64: c4735ee1"], [line]);
 }

@@ -2,7 +2,6 @@
 
 use super::super::motor::{Characteristic, Motor};
 use super::*;
-use crate::pinned::{Answers, Draw, pin};
 use rug::Rational;
 
 const BITS: u32 = 120;
@@ -483,25 +482,4 @@ fn speeds_from_rest_begin_at_zero() {
     assert!(low <= 0.0 && low > -1e-9 && (3.5..3.5 + 1e-9).contains(&high));
     let (low, high) = ends(speeds(&tube, false));
     assert!((2.5 - 1e-9..=2.5).contains(&low) && (3.5..3.5 + 1e-9).contains(&high));
-}
-
-/// Errors that grow and errors that fall, by little and by much.
-#[test]
-fn growths_bit_by_bit() {
-    let line = Answers::line(53, |all| {
-        let mut draw = Draw(53);
-        for rate in [
-            0.0, -0.0, 0.125, -0.125, -0.75, -1.0, -1.5, -20.0, 3.0, 700.0,
-        ] {
-            for rest in [false, true] {
-                for _ in 0..3 {
-                    let [start, defect] = [0, 1].map(|_| draw.sized(-60, -20).to_f64());
-                    let [start, defect] = [start, defect].map(Mag::from_f64);
-                    let growth = growth(rest, rate, start, defect);
-                    all.add(&[growth.end, growth.most, growth.mean]);
-                }
-            }
-        }
-    });
-    pin(&["53: 569c417b"], [line]);
 }

@@ -2,7 +2,7 @@
 
 use super::super::laurent::Laurent;
 use super::*;
-use crate::pinned::Draw;
+use crate::draw::Draw;
 use std::f64::consts::{PI, TAU};
 
 /// `Π (cos(θ − m) − cos d)`, with a zero at every `m ± d`.

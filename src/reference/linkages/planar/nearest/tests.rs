@@ -1,9 +1,8 @@
 //! Which position is nearest is told rightly or not at all.
 
+use super::super::Position;
 use super::super::soundness_tests::{ball, both};
 use super::super::tests::{cranked, four_bar};
-use super::super::{Drive, Linkage, Position};
-use crate::pinned::{Answers, Draw, pin};
 use crate::{Ball, Mag};
 
 /// With two positions nearby, only a guess clearly next to one of them gets it; without any, none.
@@ -114,35 +113,4 @@ fn a_position_has_to_lie_within_reach_as_a_whole() {
     assert!(off > 5e-7 && off < 1e-4, "{off}");
     assert!(linkage.nearest(&phi, &guess, 1.01 * off).unwrap().is_some());
     assert!(linkage.nearest(&phi, &guess, 0.99 * off).is_err());
-}
-
-#[test]
-fn nearest_positions_bit_by_bit() {
-    let lines = [64, 160].map(|bits| {
-        Answers::line(bits, |all| {
-            let mut draw = Draw(u64::from(bits));
-            let linkage = Linkage::new(&four_bar(), &Drive::coordinate(0), bits).unwrap();
-            for _ in 0..6 {
-                let phi = Ball::rational(bits, &(draw.between(3, 6) / 4u32));
-                for size in [-30, -5, -3, -2, -1, 0] {
-                    for position in both(&linkage, &phi) {
-                        let guess = position
-                            .x
-                            .iter()
-                            .map(|x| x.to_f64() + draw.sized(size, size).to_f64());
-                        let guess: Vec<f64> = guess.collect();
-                        let found = linkage.nearest(&phi, &guess, 0.2);
-                        all.add(&found.map(|p| p.map(|p| p.x)));
-                    }
-                }
-            }
-        })
-    });
-    pin(
-        &[
-            "64: 449163da, 60 to 62 bits",
-            "160: b9d609c1, 155 to 158 bits",
-        ],
-        lines,
-    );
 }

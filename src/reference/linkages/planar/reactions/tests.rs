@@ -5,7 +5,6 @@ use super::super::tests::{BITS, ball, cranked, four_bar, guess, meets};
 use super::super::{Attachment, Drive, Joint, Linkage, Position};
 use crate::class_iii::tests::q;
 use crate::dyad;
-use crate::pinned::{Answers, Draw, pin};
 use rug::Rational;
 
 /// The four-bar at a crank angle of 9/10.
@@ -114,41 +113,4 @@ fn forces_are_for_pins_without_springs() {
         .joint_forces(&series, &rates, &forces("0"))
         .unwrap_err();
     assert!(refused.reason.contains("pins alone"), "{refused:?}");
-}
-
-#[test]
-fn forces_bit_by_bit() {
-    let lines = [64, 160].map(|bits| {
-        Answers::line(bits, |all| {
-            let mut draw = Draw(u64::from(bits));
-            for k in 0..3 {
-                let linkage = Linkage::new(&four_bar(), &Drive::coordinate(k), bits).unwrap();
-                let start = position();
-                let drive = &start.x[k].with_prec(bits);
-                let at = linkage.position(drive, &start.midpoints()).unwrap();
-                for order in [2, 4] {
-                    let series = linkage.series(&at, order).unwrap();
-                    let [speed, acceleration] = [0, 1].map(|_| draw.ball(bits, 0, 3));
-                    let rates = linkage.in_time(&at, &speed, &acceleration).unwrap();
-                    all.add(&[
-                        rates.drive.to_vec(),
-                        rates.first.clone(),
-                        rates.second.clone(),
-                    ]);
-                    let forces = forces("3");
-                    all.add(&linkage.multipliers(&at, &rates, &forces));
-                    let found = linkage.joint_forces(&series, &rates, &forces).unwrap();
-                    all.add(&found.pins);
-                    all.add(&found.drive);
-                    all.add(&linkage.reduced_inertia(&series));
-                    all.add(&linkage.reduced_force(&series, &forces));
-                    all.add(&linkage.potential(&at, &forces));
-                }
-            }
-        })
-    });
-    pin(
-        &["64: 97027763, 2 to 46 bits", "160: 422f40b3, 0 to 84 bits"],
-        lines,
-    );
 }
