@@ -30,7 +30,7 @@ mod series;
 pub use germ::Germ;
 pub use growth::Growth;
 
-use crate::{Ball, Ball128, ComplexBall, Mag};
+use crate::{Ball, Ball128, Complex128, ComplexBall, Mag};
 use adaptive::{Budget, Path, Tolerance, Value, adaptive};
 use rug::Float;
 use std::fmt;
@@ -54,6 +54,11 @@ pub trait Integrand {
 
     /// Encloses the value at a number in machine words, where these decide.
     fn enclose_short(&mut self, _: &Ball128) -> Option<Ball128> {
+        None
+    }
+
+    /// Encloses the complex value at a real number in machine words, where these decide.
+    fn enclose_short_complex(&mut self, _: &Ball128) -> Option<Complex128> {
         None
     }
 
@@ -287,6 +292,18 @@ impl Path for Segment<'_> {
         let z = &self.origin + &self.direction.scaled(t);
         let value = self.f.enclose(&z, false, bits)?;
         Some(&value * &self.direction)
+    }
+
+    fn short_sum(&mut self, rule: &nodes::Rule, around: [&Ball; 2]) -> Option<ComplexBall> {
+        if !self.origin.im.is_zero() || !self.direction.im.is_zero() {
+            return None;
+        }
+        let [origin, direction] = [&self.origin.re, &self.direction.re].map(Ball128::of_ball);
+        let (origin, direction) = (origin?, direction?);
+        rule.short_sum(around, |t| {
+            let x = origin.add(&direction.mul(t)?)?;
+            self.f.enclose_short_complex(&x)?.scaled(&direction)
+        })
     }
 
     fn bound(&mut self, t: &ComplexBall, bits: u32) -> Option<Mag> {

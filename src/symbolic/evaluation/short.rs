@@ -1,7 +1,7 @@
-//! Graphs in machine words: real numbers in balls of 128 bits, a first pass, of which most values
-//! are accurate enough; and continuations to rectangles of a complex variable, which are bounded.
+//! Graphs in machine words: numbers in balls of 128 bits, a first pass, of which most values are
+//! accurate enough; and holomorphic functions on rectangles of a complex variable, which are bounded.
 //!
-//! Values that these do not decide, undefined and complex ones among them, are left to [`Balls`].
+//! Values that these do not decide, undefined ones among them, are left to [`Balls`].
 
 use super::adaptive::{Answer, FIRST, Goal};
 use super::angle::Angles;
@@ -14,7 +14,7 @@ use crate::{Constant, Func, Relation};
 use mechaudit_reference::elementary::NoValue;
 use mechaudit_reference::elementary::complex::Rectangle;
 use mechaudit_reference::elementary::words;
-use mechaudit_reference::{Ball, Ball128, ComplexBall};
+use mechaudit_reference::{Ball, Ball128, Complex128, ComplexBall};
 use rug::Rational;
 use std::cmp::Ordering;
 use std::sync::Arc;
@@ -23,30 +23,50 @@ use std::sync::Arc;
 #[derive(Clone, Copy)]
 enum Words {
     Real(Ball128),
+    Complex(Complex128),
     /// As [`Value::Continued`].
     Continued(Rectangle),
+    /// A holomorphic function whose values are complex on the real line, too.
+    Wide(Rectangle),
 }
 
 impl Words {
     fn real(&self) -> Option<&Ball128> {
         match self {
             Words::Real(x) => Some(x),
-            Words::Continued(_) => None,
+            Words::Complex(z) if z.im.is_zero() => Some(&z.re),
+            _ => None,
+        }
+    }
+
+    fn complex(&self) -> Option<Complex128> {
+        match self {
+            Words::Real(x) => Some(Complex128::real(*x)),
+            Words::Complex(z) => Some(*z),
+            _ => None,
         }
     }
 
     fn rectangle(&self) -> Option<Rectangle> {
         match self {
             Words::Real(x) => Rectangle::real(x.doubles()?),
-            Words::Continued(z) => Some(*z),
+            Words::Complex(z) => Rectangle::complex(z.re.doubles()?, z.im.doubles()?),
+            Words::Continued(z) | Words::Wide(z) => Some(*z),
         }
+    }
+
+    /// Returns true if it is complex on the real line.
+    fn is_complex(&self) -> bool {
+        matches!(self, Words::Complex(_) | Words::Wide(_))
     }
 
     /// The same in the balls that functions take.
     fn to_value(self) -> Option<Value> {
         Some(match self {
             Words::Real(x) => Value::Real(x.to_ball()?),
+            Words::Complex(z) => Value::Complex(z.to_ball()?),
             Words::Continued(z) => Value::Continued(z.to_ball()?),
+            Words::Wide(z) => Value::Complex(z.to_ball()?),
         })
     }
 }
@@ -68,32 +88,31 @@ fn decided(found: Option<Ball128>) -> Found {
     found.map(Words::Real).ok_or(LEFT)
 }
 
-fn continued(found: Option<Rectangle>) -> Found {
-    found.map(Words::Continued).ok_or(LEFT)
+fn bound(is_complex: bool, found: Option<Rectangle>) -> Found {
+    let kind = match is_complex {
+        true => Words::Wide,
+        false => Words::Continued,
+    };
+    found.map(kind).ok_or(LEFT)
 }
 
-fn short(value: &Value) -> Found {
-    match value {
-        Value::Real(x) => decided(Ball128::of_ball(x)),
-        Value::Continued(z) => continued(Rectangle::of_ball(z)),
-        _ => Err(LEFT),
-    }
-}
-
-/// An operation on two numbers, of which one may be continued.
+/// An operation on two numbers, of which one may be complex or continued.
 fn pair(
     a: &Words,
     b: &Words,
     real: fn(&Ball128, &Ball128) -> Option<Ball128>,
+    complex: fn(&Complex128, &Complex128) -> Option<Complex128>,
     other: fn(&Rectangle, &Rectangle) -> Option<Rectangle>,
 ) -> Found {
-    match (a, b) {
-        (Words::Real(a), Words::Real(b)) => decided(real(a, b)),
-        _ => {
-            let both = a.rectangle().zip(b.rectangle());
-            continued(both.and_then(|(a, b)| other(&a, &b)))
-        }
+    if let (Words::Real(a), Words::Real(b)) = (a, b) {
+        return decided(real(a, b));
     }
+    if let Some((a, b)) = a.complex().zip(b.complex()) {
+        return complex(&a, &b).map(Words::Complex).ok_or(LEFT);
+    }
+    let both = a.rectangle().zip(b.rectangle());
+    let found = both.and_then(|(a, b)| other(&a, &b));
+    bound(a.is_complex() || b.is_complex(), found)
 }
 
 impl Short {
@@ -114,6 +133,17 @@ impl Short {
     fn is_straight(graph: &Graph) -> bool {
         let is_bound = |id| matches!(graph.node(id), Node::Bound(_) | Node::Last(..));
         !(0..graph.len() as u32).any(is_bound)
+    }
+
+    /// A value of the functions in MPFR: a bound where these have to be holomorphic.
+    fn short(&self, value: &Value) -> Found {
+        match value {
+            Value::Real(x) => decided(Ball128::of_ball(x)),
+            Value::Continued(z) => bound(false, Rectangle::of_ball(z)),
+            Value::Complex(z) if self.balls.holomorphic => bound(true, Rectangle::of_ball(z)),
+            Value::Complex(z) => Complex128::of_ball(z).map(Words::Complex).ok_or(LEFT),
+            _ => Err(LEFT),
+        }
     }
 
     /// A rational number.
@@ -158,6 +188,38 @@ fn in_words(f: Func, x: &[&Words]) -> Option<Ball128> {
     }
 }
 
+/// A function of complex numbers in machine words; none for others, and where these do not serve.
+fn complex_in_words(f: Func, z: &Complex128) -> Option<Words> {
+    let found = match f {
+        Func::Re => return Some(Words::Real(z.re)),
+        Func::Im => return Some(Words::Real(z.im)),
+        Func::Exp => words::complex::exp(z),
+        Func::Log => words::complex::log(z),
+        Func::Sqrt => z.sqrt(),
+        Func::Tgamma => words::complex::tgamma(z),
+        _ => None,
+    };
+    found.map(Words::Complex)
+}
+
+/// A power of numbers that are not both real; `twice` the exponent, where that is an integer.
+fn power_in_words(z: &Words, y: &Words, twice: Option<i64>) -> Option<Words> {
+    let halves = twice.filter(|k| k % 2 != 0).and_then(|k| k.try_into().ok());
+    if let Some((z, y)) = z.complex().zip(y.complex()) {
+        let found = match halves {
+            Some(k) => z.sqrt()?.power(k),
+            None => words::complex::pow(&z, &y),
+        };
+        return found.map(Words::Complex);
+    }
+    let base = z.rectangle()?;
+    let found = match halves {
+        Some(k) => base.sqrt()?.power(k),
+        None => base.log()?.mul(&y.rectangle()?)?.exp(),
+    };
+    bound(z.is_complex() || y.is_complex(), found).ok()
+}
+
 /// A function over a rectangle that doubles bound; none for others.
 fn bounded(f: Func, z: &Rectangle) -> Option<Rectangle> {
     match f {
@@ -186,11 +248,11 @@ impl Interpretation for Short {
     }
 
     fn constant(&mut self, c: Constant) -> Found {
-        short(&Balls::new(128).constant(c)?)
+        self.short(&Balls::new(128).constant(c)?)
     }
 
     fn imaginary_unit(&mut self) -> Found {
-        Err(LEFT)
+        Ok(Words::Complex(Complex128::imaginary_unit()))
     }
 
     fn infinity(&mut self) -> Found {
@@ -200,24 +262,30 @@ impl Interpretation for Short {
     fn neg(&mut self, a: &Words) -> Found {
         Ok(match a {
             Words::Real(x) => Words::Real(x.negative()),
+            Words::Complex(z) => Words::Complex(z.negative()),
             Words::Continued(z) => Words::Continued(z.negative()),
+            Words::Wide(z) => Words::Wide(z.negative()),
         })
     }
 
     fn add(&mut self, a: &Words, b: &Words) -> Found {
-        pair(a, b, Ball128::add, Rectangle::add)
+        pair(a, b, Ball128::add, Complex128::add, Rectangle::add)
     }
 
     fn sub(&mut self, a: &Words, b: &Words) -> Found {
-        pair(a, b, Ball128::sub, |a, b| a.add(&b.negative()))
+        pair(a, b, Ball128::sub, Complex128::sub, |a, b| {
+            a.add(&b.negative())
+        })
     }
 
     fn mul(&mut self, a: &Words, b: &Words) -> Found {
-        pair(a, b, Ball128::mul, Rectangle::mul)
+        pair(a, b, Ball128::mul, Complex128::mul, Rectangle::mul)
     }
 
     fn div(&mut self, a: &Words, b: &Words) -> Found {
-        pair(a, b, Ball128::div, |a, b| a.mul(&b.inverse()?))
+        pair(a, b, Ball128::div, Complex128::div, |a, b| {
+            a.mul(&b.inverse()?)
+        })
     }
 
     fn power(&mut self, a: &Words, k: i32) -> Found {
@@ -225,7 +293,9 @@ impl Interpretation for Short {
             // Zero to the power of zero is for the others to define.
             Words::Real(x) if x.is_zero() => Err(LEFT),
             Words::Real(x) => decided(x.power(k)),
-            Words::Continued(z) => continued(z.power(k)),
+            Words::Complex(z) => z.power(k).map(Words::Complex).ok_or(LEFT),
+            Words::Continued(z) => bound(false, z.power(k)),
+            Words::Wide(z) => bound(true, z.power(k)),
         }
     }
 
@@ -234,17 +304,24 @@ impl Interpretation for Short {
             [Words::Real(a)] => arithmetic(f, &[a]),
             [Words::Real(a), Words::Real(b)] => arithmetic(f, &[a, b]),
             [Words::Real(a), Words::Real(b), Words::Real(c)] => arithmetic(f, &[a, b, c]),
-            [Words::Continued(z), Words::Real(y)] if f == Func::Pow => {
-                let power = || z.log()?.mul(&Rectangle::real(y.doubles()?)?)?.exp();
-                match power() {
-                    Some(found) => return Ok(Words::Continued(found)),
+            [z, y] if f == Func::Pow => {
+                let twice = y.real().map(|y| Words::Real(y.shift(1)));
+                let twice = twice.and_then(|y| self.to_integer(&y));
+                match power_in_words(z, y, twice) {
+                    Some(found) => return Ok(found),
                     None => None,
                 }
             }
-            [Words::Continued(z)] => match bounded(f, z) {
-                Some(found) => return Ok(Words::Continued(found)),
-                None => None,
+            [Words::Complex(z)] => match complex_in_words(f, z) {
+                Some(found) if !self.balls.holomorphic => return Ok(found),
+                _ => None,
             },
+            [z @ (Words::Continued(rectangle) | Words::Wide(rectangle))] => {
+                match bounded(f, rectangle) {
+                    Some(found) => return bound(z.is_complex(), Some(found)),
+                    None => None,
+                }
+            }
             _ => None,
         };
         if let Some(found) = found {
@@ -257,18 +334,26 @@ impl Interpretation for Short {
         let values: Option<Vec<Value>> = x.iter().map(|x| x.to_value()).collect();
         let values = values.ok_or(LEFT)?;
         let operands: Vec<&Value> = values.iter().collect();
-        short(&self.balls.call(f, &operands)?)
+        let found = self.balls.call(f, &operands)?;
+        self.short(&found)
     }
 
     fn inverse(&mut self, f: Func, x: &Words) -> Option<Words> {
-        match (f, x) {
-            (Func::Cosh, Words::Continued(z)) => z.sech().map(Words::Continued),
-            (Func::Cos, Words::Continued(z)) => z.sec().map(Words::Continued),
-            (Func::Tgamma, Words::Continued(z)) => match z.inverse_gamma() {
-                Some(found) => Some(Words::Continued(found)),
-                None => short(&self.balls.inverse(f, &x.to_value()?)?).ok(),
-            },
-            _ => None,
+        let (Words::Continued(z) | Words::Wide(z)) = x else {
+            return None;
+        };
+        let found = match f {
+            Func::Cosh => z.sech(),
+            Func::Cos => z.sec(),
+            Func::Tgamma => z.inverse_gamma(),
+            _ => return None,
+        };
+        match found {
+            None if f == Func::Tgamma => {
+                let found = self.balls.inverse(f, &x.to_value()?)?;
+                self.short(&found).ok()
+            }
+            found => bound(x.is_complex(), found).ok(),
         }
     }
 
@@ -277,6 +362,9 @@ impl Interpretation for Short {
     }
 
     fn compare(&mut self, relation: Relation, a: &Words, b: &Words) -> Result<bool, NoValue> {
+        if a.is_complex() || b.is_complex() {
+            return Err(LEFT);
+        }
         let order = match (a, b) {
             (Words::Real(a), Words::Real(b)) => a.sub(b).and_then(|d| d.sign()),
             _ => {
@@ -321,9 +409,13 @@ impl Pointwise {
         };
         let mut evaluator = Evaluator::new(balls.graph().clone(), meaning);
         for id in leaves(balls.graph(), body, binder) {
-            let known = balls.known[id as usize].as_ref().and_then(Value::real);
-            if let Some(value) = known.and_then(Ball128::of_ball) {
-                evaluator.set(id, Words::Real(value));
+            let value = match &balls.known[id as usize] {
+                Some(Value::Complex(z)) => Complex128::of_ball(z).map(Words::Complex),
+                Some(value) => value.real().and_then(Ball128::of_ball).map(Words::Real),
+                None => None,
+            };
+            if let Some(value) = value {
+                evaluator.set(id, value);
             }
         }
         Pointwise {
@@ -351,10 +443,18 @@ impl Pointwise {
         self.at(Words::Real(*x), rounds)?.real().copied()
     }
 
+    /// The value at a number as a complex one.
+    pub fn complex_value(&mut self, x: &Ball128, rounds: &mut u64) -> Option<Complex128> {
+        self.at(Words::Real(*x), rounds)?.complex()
+    }
+
     /// Encloses the continuation on a rectangle on which it is holomorphic.
     pub fn continuation(&mut self, z: &ComplexBall, rounds: &mut u64) -> Option<ComplexBall> {
         let z = Words::Continued(Rectangle::of_ball(z)?);
-        self.at(z, rounds)?.to_value()?.to_complex()
+        self.evaluator.interpretation.balls.holomorphic = true;
+        let found = self.at(z, rounds);
+        self.evaluator.interpretation.balls.holomorphic = false;
+        found?.to_value()?.to_complex()
     }
 }
 
