@@ -262,6 +262,48 @@ impl Ball128 {
         }
     }
 
+    /// The greatest integer that is at most the number. None if numbers of the ball have several, or
+    /// ones beyond 2^62.
+    pub fn floor(&self) -> Option<i64> {
+        /// Bits of the fraction and of the radius.
+        const PLACES: i64 = 60;
+        if self.is_zero() {
+            return Some(0);
+        }
+        if self.m != 0 && self.e + 128 > 62 {
+            return None;
+        }
+        // The midpoint is between `units` and the next integer, in units of 2^-60; so is the radius.
+        let shift = -PLACES - self.e;
+        let (size, rest) = match shift {
+            0..=127 => (self.m >> shift, self.m & ((1 << shift) - 1)),
+            128.. => (0, self.m),
+            _ => (self.m << -shift, 0),
+        };
+        let units = if self.negative {
+            -(size as i128)
+        } else {
+            size as i128
+        };
+        let [below, above] = match (rest != 0, self.negative) {
+            (false, _) => [0, 0],
+            (true, false) => [0, 1],
+            (true, true) => [1, 0],
+        };
+        // What is cut off an exact number between integers does not bring it to the next one.
+        let whole = |x: i128| (x >> PLACES) as i64;
+        if self.r == 0.0 {
+            return Some(whole(units - below));
+        }
+        let r = self.r * power_of_two(-shift) * UP;
+        if !(r < power_of_two(100)) {
+            return None;
+        }
+        let r = r as i128 + 1;
+        let [low, high] = [whole(units - below - r), whole(units + above + r)];
+        (low == high).then_some(low)
+    }
+
     /// Bits of relative accuracy; the largest number for one that is exact, none if zero is not
     /// excluded.
     pub fn accuracy(&self) -> Option<i64> {

@@ -160,7 +160,11 @@ impl Complex128 {
         }
         let is_right = self.re.sign() != Some(Ordering::Less);
         let size = self.norm()?.sqrt()?;
-        let along = if is_right { self.re } else { self.re.negative() };
+        let along = if is_right {
+            self.re
+        } else {
+            self.re.negative()
+        };
         let s = size.add(&along)?.shift(-1).sqrt()?;
         let other = self.im.div(&s.shift(1))?;
         Some(match (is_right, self.im.sign()) {
@@ -173,4 +177,3 @@ impl Complex128 {
         })
     }
 }
-

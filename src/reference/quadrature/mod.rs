@@ -62,6 +62,23 @@ pub trait Integrand {
         None
     }
 
+    /// Returns true if there are choices, such as the sign under an absolute value or a step, that
+    /// [`Integrand::is_settled`] tells of.
+    fn has_choices(&mut self) -> bool {
+        false
+    }
+
+    /// Returns true if every choice is proved to be the same at all numbers of a real interval.
+    fn is_settled(&mut self, _: &Ball) -> bool {
+        false
+    }
+
+    /// Encloses on a rectangle the function that the choices made at a real number continue to, where
+    /// it is holomorphic.
+    fn enclose_chosen(&mut self, _at: &Ball, _z: &ComplexBall, _bits: u32) -> Option<ComplexBall> {
+        None
+    }
+
     /// Bounds the absolute value next to an end where [`Integrand::enclose_real`] fails or that is
     /// infinite, for all distances `0 < s ≤ 2^−k` (all `|x| ≥ 2^k` at infinity). None where no
     /// bound is proved.

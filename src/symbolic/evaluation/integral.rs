@@ -309,6 +309,23 @@ impl Integrand for Body<'_> {
         pointwise.complex_value(x, rounds)
     }
 
+    fn has_choices(&mut self) -> bool {
+        self.pointwise().is_some_and(|(body, _)| body.has_choices())
+    }
+
+    fn is_settled(&mut self, x: &Ball) -> bool {
+        let known = self.pointwise();
+        known.is_some_and(|(body, rounds)| body.is_settled(x, rounds))
+    }
+
+    fn enclose_chosen(&mut self, at: &Ball, z: &ComplexBall, bits: u32) -> Option<ComplexBall> {
+        if bits > TOLD_APART {
+            return None;
+        }
+        let (pointwise, rounds) = self.pointwise()?;
+        pointwise.chosen(at, z, rounds)
+    }
+
     fn growth(&mut self, end: &End, k: u32) -> Option<Growth> {
         let zero = match end {
             End::Above(a) | End::Below(a) => {

@@ -15,7 +15,7 @@ use mechaudit_reference::elementary::NoValue;
 use mechaudit_reference::elementary::complex::Rectangle;
 use mechaudit_reference::elementary::words;
 use mechaudit_reference::{Ball, Ball128, Complex128, ComplexBall};
-use rug::Rational;
+use rug::{Float, Rational};
 use std::cmp::Ordering;
 use std::sync::Arc;
 
@@ -77,6 +77,34 @@ struct Short {
     balls: Balls,
     /// True if a function of MPFR was called: more bits of it may help.
     has_called: bool,
+    /// The node whose operation is next.
+    current: Id,
+    choosing: Choosing,
+    /// The choices that were kept, by nodes.
+    choices: Vec<Option<Choice>>,
+}
+
+/// Treatment of functions that are holomorphic but for a choice: absolute values, extrema, steps and
+/// comparisons.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Choosing {
+    /// By the operands.
+    Freely,
+    /// By the operands, where the choice is the same for all numbers around them.
+    Settled,
+    /// Likewise, and the choice is kept.
+    Kept,
+    /// As it was kept.
+    Held,
+}
+
+/// What was chosen.
+#[derive(Clone, Copy)]
+enum Choice {
+    /// The order of the operands, or the sign of the one.
+    Order(Ordering),
+    /// The integer of a step.
+    Step(i64),
 }
 
 /// The answer where they do not decide.
@@ -135,6 +163,38 @@ impl Short {
         !(0..graph.len() as u32).any(is_bound)
     }
 
+    fn new(bits: u32) -> Short {
+        Short {
+            balls: Balls::new(bits),
+            has_called: false,
+            current: 0,
+            choosing: Choosing::Freely,
+            choices: Vec::new(),
+        }
+    }
+
+    /// The choice at the current node, which the operands make unless one is held.
+    fn choice(&mut self, of_operands: impl FnOnce() -> Option<Choice>) -> Option<Choice> {
+        let place = self.current as usize;
+        if self.choosing == Choosing::Held {
+            return *self.choices.get(place)?;
+        }
+        let choice = of_operands()?;
+        match self.choosing {
+            Choosing::Freely | Choosing::Held => {}
+            // Beside equal numbers are others.
+            _ if matches!(choice, Choice::Order(Ordering::Equal)) => return None,
+            Choosing::Settled => {}
+            Choosing::Kept => {
+                if self.choices.len() <= place {
+                    self.choices.resize(place + 1, None);
+                }
+                self.choices[place] = Some(choice);
+            }
+        }
+        Some(choice)
+    }
+
     /// A value of the functions in MPFR: a bound where these have to be holomorphic.
     fn short(&self, value: &Value) -> Found {
         match value {
@@ -156,17 +216,51 @@ impl Short {
 fn arithmetic(f: Func, x: &[&Ball128]) -> Option<Option<Ball128>> {
     Some(match (f, x) {
         (Func::Sqrt, [x]) => x.sqrt(),
-        (Func::Abs, [x]) => x.sign().map(|sign| match sign {
-            Ordering::Less => x.negative(),
-            _ => **x,
-        }),
         (Func::Fma, [x, y, z]) => x.mul(y).and_then(|product| product.add(z)),
-        (Func::Fmin | Func::Fmax, [x, y]) => x.sub(y).and_then(|d| d.sign()).map(|order| {
-            let is_first = (order == Ordering::Less) == (f == Func::Fmin);
-            if is_first { **x } else { **y }
-        }),
         _ => return None,
     })
+}
+
+/// Returns true for a function with a choice.
+fn is_choice(f: Func) -> bool {
+    use Func::{Abs, Ceil, Floor, Fmax, Fmin};
+    matches!(f, Abs | Fmin | Fmax | Floor | Ceil)
+}
+
+/// The choice of a function at real numbers; none where it is not decided.
+fn chosen(f: Func, x: &[&Words]) -> Option<Choice> {
+    Some(match (f, x) {
+        (Func::Abs, [Words::Real(x)]) => Choice::Order(x.sign()?),
+        (Func::Fmin | Func::Fmax, [Words::Real(x), Words::Real(y)]) => {
+            Choice::Order(x.sub(y)?.sign()?)
+        }
+        (Func::Floor, [Words::Real(x)]) => Choice::Step(x.floor()?),
+        (Func::Ceil, [Words::Real(x)]) => Choice::Step(-x.negative().floor()?),
+        _ => return None,
+    })
+}
+
+/// The value of a function with a choice.
+fn by_choice(f: Func, x: &[&Words], choice: Choice) -> Option<Words> {
+    Some(match (f, choice, x) {
+        (Func::Abs, Choice::Order(Ordering::Less), [x]) => negative(x),
+        (Func::Abs, Choice::Order(_), [x]) => **x,
+        (Func::Fmin, Choice::Order(Ordering::Less), [x, _]) => **x,
+        (Func::Fmin, Choice::Order(_), [_, y]) => **y,
+        (Func::Fmax, Choice::Order(Ordering::Less), [_, y]) => **y,
+        (Func::Fmax, Choice::Order(_), [x, _]) => **x,
+        (Func::Floor | Func::Ceil, Choice::Step(n), _) => Words::Real(Ball128::integer(n)),
+        _ => return None,
+    })
+}
+
+fn negative(x: &Words) -> Words {
+    match x {
+        Words::Real(x) => Words::Real(x.negative()),
+        Words::Complex(z) => Words::Complex(z.negative()),
+        Words::Continued(z) => Words::Continued(z.negative()),
+        Words::Wide(z) => Words::Wide(z.negative()),
+    }
 }
 
 /// A function of real numbers in machine words; none for others, and where these do not serve.
@@ -239,6 +333,11 @@ fn bounded(f: Func, z: &Rectangle) -> Option<Rectangle> {
 impl Interpretation for Short {
     type V = Words;
 
+    fn at(&mut self, id: Id, _: Node) -> Result<(), NoValue> {
+        self.current = id;
+        Ok(())
+    }
+
     fn number(&mut self, graph: &Graph, place: u32) -> Found {
         decided(self.rational(graph.rational(place)))
     }
@@ -260,12 +359,7 @@ impl Interpretation for Short {
     }
 
     fn neg(&mut self, a: &Words) -> Found {
-        Ok(match a {
-            Words::Real(x) => Words::Real(x.negative()),
-            Words::Complex(z) => Words::Complex(z.negative()),
-            Words::Continued(z) => Words::Continued(z.negative()),
-            Words::Wide(z) => Words::Wide(z.negative()),
-        })
+        Ok(negative(a))
     }
 
     fn add(&mut self, a: &Words, b: &Words) -> Found {
@@ -300,6 +394,13 @@ impl Interpretation for Short {
     }
 
     fn call(&mut self, f: Func, x: &[&Words]) -> Found {
+        if is_choice(f) && !x.iter().any(|x| x.is_complex()) {
+            match self.choice(|| chosen(f, x)) {
+                Some(choice) => return by_choice(f, x, choice).ok_or(LEFT),
+                None if self.choosing != Choosing::Freely => return Err(LEFT),
+                None => {}
+            }
+        }
         let found = match x {
             [Words::Real(a)] => arithmetic(f, &[a]),
             [Words::Real(a), Words::Real(b)] => arithmetic(f, &[a, b]),
@@ -365,6 +466,16 @@ impl Interpretation for Short {
         if a.is_complex() || b.is_complex() {
             return Err(LEFT);
         }
+        if self.choosing != Choosing::Freely {
+            let order = || match (a, b) {
+                (Words::Real(a), Words::Real(b)) => Some(Choice::Order(a.sub(b)?.sign()?)),
+                _ => None,
+            };
+            return match self.choice(order) {
+                Some(Choice::Order(order)) => Ok(relation.holds(order)),
+                _ => Err(LEFT),
+            };
+        }
         let order = match (a, b) {
             (Words::Real(a), Words::Real(b)) => a.sub(b).and_then(|d| d.sign()),
             _ => {
@@ -398,16 +509,30 @@ pub(super) struct Pointwise {
     evaluator: Evaluator<Short>,
     binder: u32,
     body: Id,
+    /// True if functions with choices depend on the variable, each of which is made once.
+    has_choices: bool,
+    /// The number at which choices are kept.
+    chosen_at: Option<Float>,
 }
 
 impl Pointwise {
     /// Takes the values of what does not depend on the variable from another evaluator.
     pub fn new(balls: &Evaluator<Balls>, binder: u32, body: Id) -> Pointwise {
-        let meaning = Short {
-            balls: Balls::new(128),
-            has_called: false,
-        };
-        let mut evaluator = Evaluator::new(balls.graph().clone(), meaning);
+        let graph = balls.graph().clone();
+        let parts = graph.reach(body);
+        // A node under another binder makes many choices.
+        let is_bound = |id: &Id| matches!(graph.node(*id), Node::Bound(_) | Node::Last(..));
+        let is_straight = !parts.iter().any(is_bound);
+        let has_choices = is_straight
+            && parts.into_iter().any(|id| {
+                let is_choice = match graph.node(id) {
+                    Node::Unary(f, _) | Node::Binary(f, ..) => is_choice(f),
+                    Node::Compare(..) => true,
+                    _ => false,
+                };
+                is_choice && graph.depends_on(id, binder)
+            });
+        let mut evaluator = Evaluator::new(graph, Short::new(128));
         for id in leaves(balls.graph(), body, binder) {
             let value = match &balls.known[id as usize] {
                 Some(Value::Complex(z)) => Complex128::of_ball(z).map(Words::Complex),
@@ -422,7 +547,46 @@ impl Pointwise {
             evaluator,
             binder,
             body,
+            has_choices,
+            chosen_at: None,
         }
+    }
+
+    /// Returns true if functions with choices depend on the variable, each of which is made once.
+    pub fn has_choices(&self) -> bool {
+        self.has_choices
+    }
+
+    /// An evaluation with choices.
+    fn choosing(&mut self, how: Choosing, x: Words, rounds: &mut u64) -> Option<Words> {
+        self.evaluator.interpretation.choosing = how;
+        let found = self.at(x, rounds);
+        self.evaluator.interpretation.choosing = Choosing::Freely;
+        found
+    }
+
+    /// Returns true if every choice is the same for all numbers of an interval.
+    pub fn is_settled(&mut self, x: &Ball, rounds: &mut u64) -> bool {
+        let x = Ball128::of_ball(x);
+        x.is_some_and(|x| {
+            let found = self.choosing(Choosing::Settled, Words::Real(x), rounds);
+            found.is_some()
+        })
+    }
+
+    /// Encloses on a rectangle the holomorphic function that the choices at a number make.
+    pub fn chosen(&mut self, at: &Ball, z: &ComplexBall, rounds: &mut u64) -> Option<ComplexBall> {
+        if self.chosen_at.as_ref() != Some(at.mid()) {
+            self.chosen_at = None;
+            self.evaluator.interpretation.choices.clear();
+            let x = Words::Real(Ball128::of_ball(at)?);
+            self.choosing(Choosing::Kept, x, rounds)?;
+            self.chosen_at = Some(at.mid().clone());
+        }
+        self.evaluator.interpretation.choosing = Choosing::Held;
+        let found = self.continuation(z, rounds);
+        self.evaluator.interpretation.choosing = Choosing::Freely;
+        found
     }
 
     /// Returns true if this is the body.
@@ -474,12 +638,8 @@ impl FirstPass {
 
     /// None for a graph that has no values in these balls.
     pub fn new(graph: &Arc<Graph>) -> Option<FirstPass> {
-        let meaning = Short {
-            balls: Balls::new(FIRST),
-            has_called: false,
-        };
         Short::takes(graph).then(|| FirstPass {
-            evaluator: Evaluator::new(graph.clone(), meaning),
+            evaluator: Evaluator::new(graph.clone(), Short::new(FIRST)),
             next: FIRST,
             is_straight: Short::is_straight(graph),
         })

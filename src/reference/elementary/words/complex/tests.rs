@@ -85,9 +85,13 @@ fn values_are_inside_and_close() {
         |z| pow(z, &w),
         |z| due::pow(z, &exponent, P),
     );
-    holds("inverse cube", 9.0, 118, |z| z.power(-3), |z| {
-        due::recip(&(&(z * z) * z), P)
-    });
+    holds(
+        "inverse cube",
+        9.0,
+        118,
+        |z| z.power(-3),
+        |z| due::recip(&(&(z * z) * z), P),
+    );
     holds(
         "1 − z²/(z + i)",
         9.0,
