@@ -265,20 +265,22 @@ impl Ball128 {
     /// The greatest integer that is at most the number. None if numbers of the ball have several, or
     /// ones beyond 2^62.
     pub fn floor(&self) -> Option<i64> {
-        /// Bits of the fraction and of the radius.
-        const PLACES: i64 = 60;
         if self.is_zero() {
             return Some(0);
         }
         if self.m != 0 && self.e + 128 > 62 {
             return None;
         }
-        // The midpoint is between `units` and the next integer, in units of 2^-60; so is the radius.
-        let shift = -PLACES - self.e;
+        // The midpoint is between `units` and the next integer, in units of 2^-places; so is the radius.
+        let places = match self.m {
+            0 => 120,
+            _ => 124 - (self.e + 128).max(0),
+        };
+        let shift = -places - self.e;
         let (size, rest) = match shift {
-            0..=127 => (self.m >> shift, self.m & ((1 << shift) - 1)),
-            128.. => (0, self.m),
-            _ => (self.m << -shift, 0),
+            _ if self.m == 0 => (0, 0),
+            ..=127 => (self.m >> shift, self.m << (128 - shift)),
+            _ => (0, self.m),
         };
         let units = if self.negative {
             -(size as i128)
@@ -291,12 +293,12 @@ impl Ball128 {
             (true, true) => [1, 0],
         };
         // What is cut off an exact number between integers does not bring it to the next one.
-        let whole = |x: i128| (x >> PLACES) as i64;
+        let whole = |x: i128| (x >> places) as i64;
         if self.r == 0.0 {
             return Some(whole(units - below));
         }
         let r = self.r * power_of_two(-shift) * UP;
-        if !(r < power_of_two(100)) {
+        if !(r < power_of_two(122)) {
             return None;
         }
         let r = r as i128 + 1;

@@ -251,6 +251,9 @@ pub(super) const PARTS: [([f64; 2], f64); 5] = [
     ([-0.8, 0.8], 1.0),
 ];
 
+/// Bits by which a rectangle above the real line reaches below it.
+const BELOW: i64 = 20;
+
 /// A panel as a midpoint and half the width.
 struct Around<'a> {
     mid: &'a Ball,
@@ -272,7 +275,9 @@ impl Around<'_> {
         // From −from to `to`, each rounded away from zero.
         let along = Ball::between(bits, (-of(from)).mid(), of(to).mid());
         let across = match P::MIRRORS {
-            true => of(height.shift(-1)).widened(height.shift(-1)),
+            // A little below the axis as well: a function such as √t has a limit from above on its cut,
+            // where it is not real.
+            true => of(height.shift(-1)).widened(height.shift(-1).add(height.shift(-BELOW))),
             false => Ball::integer(bits, 0).widened(height),
         };
         budget.spent += 1;
@@ -538,8 +543,9 @@ fn unsettled<P: Path>(
 ) -> Option<[Float; 2]> {
     let [mut low, mut high] = [&panel.lower, &panel.upper].map(Float::clone);
     'halved: for step in 1.. {
-        // A change at the middle itself leaves both halves unsettled.
-        for eighths in [4u32, 3] {
+        // A change at the middle itself leaves both halves unsettled, and enclosures that are wide
+        // settle shorter parts only.
+        for eighths in [4u32, 3, 5, 1, 7] {
             let bits = 67 + finer(&low, &high);
             let width = (&high - &low).complete(bits);
             let middle = Float::with_val(bits, &low + ((width * eighths) >> 3u32));
