@@ -398,6 +398,9 @@ impl Interpretation for Short {
             match self.choice(|| chosen(f, x)) {
                 Some(choice) => return by_choice(f, x, choice).ok_or(LEFT),
                 None if self.choosing != Choosing::Freely => return Err(LEFT),
+                // Steps have values on both sides.
+                None if matches!(f, Func::Floor | Func::Ceil) => {}
+                None if x.iter().all(|x| matches!(x, Words::Real(_))) => return Err(LEFT),
                 None => {}
             }
         }
