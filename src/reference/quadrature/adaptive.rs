@@ -562,10 +562,10 @@ fn unsettled<P: Path>(
             }
             if step % LOOK == 0 {
                 let bits = 64 + finer(&low, &high);
-                let values = path.value(&Ball::between(bits, &low, &high), bits);
+                // A singularity is no choice.
+                let values = path.value(&Ball::between(bits, &low, &high), bits)?;
                 let width = difference(&high, &low, bits);
-                let error = values.map(|v| v.times(&width).radius());
-                if error.is_some_and(|error| error <= tolerance) {
+                if values.times(&width).radius() <= tolerance {
                     break 'halved;
                 }
             }
@@ -638,6 +638,7 @@ pub(super) fn adaptive<P: Path>(
         }
         if refused.is_some()
             && top.settled.is_none()
+            && top.direct.is_some()
             && has_choices
             && let Some([low, high]) = unsettled(path, &top, tolerance.now, budget)
         {

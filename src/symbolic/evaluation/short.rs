@@ -77,6 +77,8 @@ struct Short {
     balls: Balls,
     /// True if a function of MPFR was called: more bits of it may help.
     has_called: bool,
+    /// True if MPFR evaluated it.
+    has_left: bool,
     /// The node whose operation is next.
     current: Id,
     choosing: Choosing,
@@ -167,6 +169,7 @@ impl Short {
         Short {
             balls: Balls::new(bits),
             has_called: false,
+            has_left: false,
             current: 0,
             choosing: Choosing::Freely,
             choices: Vec::new(),
@@ -438,6 +441,7 @@ impl Interpretation for Short {
         let values: Option<Vec<Value>> = x.iter().map(|x| x.to_value()).collect();
         let values = values.ok_or(LEFT)?;
         let operands: Vec<&Value> = values.iter().collect();
+        self.has_left = true;
         let found = self.balls.call(f, &operands)?;
         self.short(&found)
     }
@@ -514,6 +518,8 @@ pub(super) struct Pointwise {
     body: Id,
     /// True if functions with choices depend on the variable, each of which is made once.
     has_choices: bool,
+    /// True if complex numbers are left to MPFR.
+    is_slow: bool,
     /// The number at which choices are kept.
     chosen_at: Option<Float>,
 }
@@ -551,6 +557,7 @@ impl Pointwise {
             binder,
             body,
             has_choices,
+            is_slow: false,
             chosen_at: None,
         }
     }
@@ -612,15 +619,25 @@ impl Pointwise {
 
     /// The value at a number as a complex one.
     pub fn complex_value(&mut self, x: &Ball128, rounds: &mut u64) -> Option<Complex128> {
-        self.at(Words::Real(*x), rounds)?.complex()
+        if self.is_slow {
+            return None;
+        }
+        self.evaluator.interpretation.has_left = false;
+        let found = self.at(Words::Real(*x), rounds)?.complex();
+        // Functions of MPFR cost as much with more bits, which may be needed.
+        self.is_slow = self.evaluator.interpretation.has_left;
+        found.filter(|_| !self.is_slow)
     }
 
     /// Encloses the continuation on a rectangle on which it is holomorphic.
     pub fn continuation(&mut self, z: &ComplexBall, rounds: &mut u64) -> Option<ComplexBall> {
         let z = Words::Continued(Rectangle::of_ball(z)?);
-        self.evaluator.interpretation.balls.holomorphic = true;
+        // Bounds are doubles in the end.
+        let outside = &mut self.evaluator.interpretation.balls;
+        (outside.prec, outside.holomorphic) = (64, true);
         let found = self.at(z, rounds);
-        self.evaluator.interpretation.balls.holomorphic = false;
+        let outside = &mut self.evaluator.interpretation.balls;
+        (outside.prec, outside.holomorphic) = (128, false);
         found?.to_value()?.to_complex()
     }
 }
