@@ -66,7 +66,7 @@ pub use special::faddeeva;
 pub use splines::cubic_spline;
 
 #[cfg(feature = "formulas")]
-pub use arithmetic::ball128::Ball128;
+pub use arithmetic::{ball128::Ball128, complex128::Complex128};
 pub use ball::{Ball, dot};
 pub use complex::ComplexBall;
 pub use decimal::{Decimal, DecimalError, nearest_f64, with_point};

@@ -262,6 +262,50 @@ impl Ball128 {
         }
     }
 
+    /// The greatest integer that is at most the number. None if numbers of the ball have several, or
+    /// ones beyond 2^62.
+    pub fn floor(&self) -> Option<i64> {
+        if self.is_zero() {
+            return Some(0);
+        }
+        if self.m != 0 && self.e + 128 > 62 {
+            return None;
+        }
+        // The midpoint is between `units` and the next integer, in units of 2^-places; so is the radius.
+        let places = match self.m {
+            0 => 120,
+            _ => 124 - (self.e + 128).max(0),
+        };
+        let shift = -places - self.e;
+        let (size, rest) = match shift {
+            _ if self.m == 0 => (0, 0),
+            ..=127 => (self.m >> shift, self.m << (128 - shift)),
+            _ => (0, self.m),
+        };
+        let units = if self.negative {
+            -(size as i128)
+        } else {
+            size as i128
+        };
+        let [below, above] = match (rest != 0, self.negative) {
+            (false, _) => [0, 0],
+            (true, false) => [0, 1],
+            (true, true) => [1, 0],
+        };
+        // What is cut off an exact number between integers does not bring it to the next one.
+        let whole = |x: i128| (x >> places) as i64;
+        if self.r == 0.0 {
+            return Some(whole(units - below));
+        }
+        let r = self.r * power_of_two(-shift) * UP;
+        if !(r < power_of_two(122)) {
+            return None;
+        }
+        let r = r as i128 + 1;
+        let [low, high] = [whole(units - below - r), whole(units + above + r)];
+        (low == high).then_some(low)
+    }
+
     /// Bits of relative accuracy; the largest number for one that is exact, none if zero is not
     /// excluded.
     pub fn accuracy(&self) -> Option<i64> {

@@ -4,6 +4,8 @@ pub(crate) mod ball;
 #[cfg(feature = "formulas")]
 pub(crate) mod ball128;
 pub(crate) mod complex;
+#[cfg(feature = "formulas")]
+pub(crate) mod complex128;
 pub(crate) mod decimal;
 pub(crate) mod dot;
 pub(crate) mod elementary;

@@ -3,6 +3,8 @@
 //! A guess in doubles is made accurate by one step whose error is of third order. None is given
 //! where an argument is out of reach or much of the accuracy would be lost; MPFR serves there.
 
+pub mod complex;
+
 use super::coarse;
 use crate::{Ball, Ball128};
 use std::sync::OnceLock;

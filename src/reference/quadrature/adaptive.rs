@@ -70,6 +70,17 @@ pub(super) trait Path {
     /// the integrand continues by reflection (Schwarz) to a function that agrees with it on the
     /// line.
     const MIRRORS: bool;
+    /// As those of an [`Integrand`](super::Integrand).
+    fn has_choices(&mut self) -> bool {
+        false
+    }
+    fn is_settled(&mut self, _: &Ball) -> bool {
+        false
+    }
+    /// As [`Path::bound`], of the function that the choices made at a parameter continue to.
+    fn bound_chosen(&mut self, _at: &Float, _t: &ComplexBall, _bits: u32) -> Option<Mag> {
+        None
+    }
     /// Bounds the integrand where it is proved to be holomorphic on the whole rectangle.
     fn bound(&mut self, t: &ComplexBall, bits: u32) -> Option<Mag>;
 }
@@ -113,6 +124,8 @@ struct Panel<V> {
     depth: u32,
     /// The precision of enclosures on rectangles.
     bits: u32,
+    /// A parameter at which every choice is the same as on the whole panel.
+    settled: Option<Float>,
 }
 
 impl<V> Ord for Panel<V> {
@@ -185,6 +198,7 @@ fn panel<P: Path>(
         refused: refused.is_some(),
         depth,
         bits,
+        settled: None,
     }
 }
 
@@ -237,10 +251,14 @@ pub(super) const PARTS: [([f64; 2], f64); 5] = [
     ([-0.8, 0.8], 1.0),
 ];
 
+/// Bits by which a rectangle above the real line reaches below it.
+const BELOW: i64 = 20;
+
 /// A panel as a midpoint and half the width.
 struct Around<'a> {
     mid: &'a Ball,
     reach: Mag,
+    settled: Option<&'a Float>,
 }
 
 impl Around<'_> {
@@ -257,11 +275,18 @@ impl Around<'_> {
         // From −from to `to`, each rounded away from zero.
         let along = Ball::between(bits, (-of(from)).mid(), of(to).mid());
         let across = match P::MIRRORS {
-            true => of(height.shift(-1)).widened(height.shift(-1)),
+            // A little below the axis as well: a function such as √t has a limit from above on its cut,
+            // where it is not real.
+            true => of(height.shift(-1)).widened(height.shift(-1).add(height.shift(-BELOW))),
             false => Ball::integer(bits, 0).widened(height),
         };
         budget.spent += 1;
-        let most = path.bound(&ComplexBall::new(self.mid + &along, across), bits)?;
+        let t = ComplexBall::new(self.mid + &along, across);
+        let chosen = self.settled.and_then(|at| path.bound_chosen(at, &t, bits));
+        let most = match chosen {
+            Some(most) => most,
+            None => path.bound(&t, bits)?,
+        };
         most.is_finite().then_some(most)
     }
 
@@ -286,6 +311,7 @@ impl Around<'_> {
             let part = Around {
                 mid: &middle,
                 reach: half,
+                settled: self.settled,
             };
             let height = minor.mul(Mag::from_f64(height));
             most = most.max(part.bound(path, [Mag::ZERO; 2], height, budget)?);
@@ -329,7 +355,7 @@ fn ellipse<P: Path>(
     budget: &mut Budget,
 ) -> Result<Ellipse, bool> {
     // A jump on the panel itself makes all else futile.
-    if panel.refused {
+    if panel.refused && panel.settled.is_none() {
         let on = [around.reach; 2];
         around.bound(path, on, Mag::ZERO, budget).ok_or(false)?;
     }
@@ -434,6 +460,7 @@ fn gauss<P: Path>(
     let around = Around {
         mid: &mid_of(panel.bits.saturating_sub(finer)),
         reach: half_of(64).magnitude(),
+        settled: panel.settled.as_ref(),
     };
     let found = ellipse(path, panel, &around, tolerance, greatest, hint, budget);
     let Ellipse {
@@ -503,6 +530,52 @@ fn gauss<P: Path>(
     Outcome::Costly
 }
 
+/// Halvings after which the value over what is left is looked at again.
+const LOOK: u32 = 6;
+
+/// The part of a panel on which a choice changes: on either side of it every choice is settled. It
+/// is so short that its error is small, or holds several changes. None where nothing is settled.
+fn unsettled<P: Path>(
+    path: &mut P,
+    panel: &Panel<P::Value>,
+    tolerance: Mag,
+    budget: &mut Budget,
+) -> Option<[Float; 2]> {
+    let [mut low, mut high] = [&panel.lower, &panel.upper].map(Float::clone);
+    'halved: for step in 1.. {
+        // A change at the middle itself leaves both halves unsettled, and enclosures that are wide
+        // settle shorter parts only. Still shorter ones would close in on two changes in vain.
+        for eighths in [4u32, 3, 5] {
+            let bits = 67 + finer(&low, &high);
+            let width = (&high - &low).complete(bits);
+            let middle = Float::with_val(bits, &low + ((width * eighths) >> 3u32));
+            if budget.spent >= budget.limit || !(low < middle && middle < high) {
+                break 'halved;
+            }
+            budget.spent += 2;
+            let mut is_settled = |a: &Float, b: &Float| path.is_settled(&Ball::between(bits, a, b));
+            match (is_settled(&low, &middle), is_settled(&middle, &high)) {
+                (true, true) => return Some([middle.clone(), middle]),
+                (true, false) => low = middle,
+                (false, true) => high = middle,
+                (false, false) => continue,
+            }
+            if step % LOOK == 0 {
+                let bits = 64 + finer(&low, &high);
+                // A singularity is no choice.
+                let values = path.value(&Ball::between(bits, &low, &high), bits)?;
+                let width = difference(&high, &low, bits);
+                if values.times(&width).radius() <= tolerance {
+                    break 'halved;
+                }
+            }
+            continue 'halved;
+        }
+        break;
+    }
+    (low > panel.lower || high < panel.upper).then_some([low, high])
+}
+
 /// Integrates between neighbouring break points, which ascend.
 pub(super) fn adaptive<P: Path>(
     path: &mut P,
@@ -518,6 +591,7 @@ pub(super) fn adaptive<P: Path>(
     let greatest = u32::try_from(60 + tolerance.relative.max(0) / 2).unwrap_or(u32::MAX);
     let lost = u32::try_from(LOST + 4 * tolerance.relative.max(0)).unwrap_or(DEPTH);
     let mut hint = Hint::FIRST;
+    let has_choices = path.has_choices();
     let size = [breaks.first(), breaks.last()].map(|x| x.map_or(0, exponent));
     let size = size[0].max(size[1]).max(0);
     let mut total = P::Value::zero();
@@ -562,9 +636,30 @@ pub(super) fn adaptive<P: Path>(
             }
             continue;
         }
+        if refused.is_some()
+            && top.settled.is_none()
+            && top.direct.is_some()
+            && has_choices
+            && let Some([low, high]) = unsettled(path, &top, tolerance.now, budget)
+        {
+            let mut add = |ends: [&Float; 2], refused, settled: Option<&Float>| {
+                if ends[0] < ends[1] {
+                    let ends = ends.map(Float::clone);
+                    let mut part = panel(path, ends, top.depth + 1, refused, tolerance, budget);
+                    part.settled = settled.cloned();
+                    queue.push(part);
+                }
+            };
+            add([&top.lower, &low], None, Some(&low));
+            add([&low, &high], refused, None);
+            add([&high, &top.upper], None, Some(&high));
+            continue;
+        }
         let halves = [[top.lower, middle.clone()], [middle, top.upper]];
         for ends in halves {
-            queue.push(panel(path, ends, top.depth + 1, refused, tolerance, budget));
+            let mut half = panel(path, ends, top.depth + 1, refused, tolerance, budget);
+            half.settled.clone_from(&top.settled);
+            queue.push(half);
         }
     }
     Sum {

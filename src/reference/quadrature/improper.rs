@@ -36,6 +36,23 @@ impl Path for Line<'_> {
         })
     }
 
+    fn has_choices(&mut self) -> bool {
+        self.f.has_choices()
+    }
+
+    fn is_settled(&mut self, t: &Ball) -> bool {
+        let (x, _) = self.place(t, t.prec());
+        self.f.is_settled(&x)
+    }
+
+    fn bound_chosen(&mut self, at: &Float, t: &ComplexBall, bits: u32) -> Option<Mag> {
+        let at = Ball::new(at.clone(), Mag::ZERO);
+        let (at, _) = self.place(&at, at.prec());
+        let (re, bits) = self.place(&t.re, bits);
+        let z = ComplexBall::new(re, t.im.clone());
+        Some(self.f.enclose_chosen(&at, &z, bits)?.magnitude())
+    }
+
     fn bound(&mut self, t: &ComplexBall, bits: u32) -> Option<Mag> {
         let (re, bits) = self.place(&t.re, bits);
         // A mirrored function is bounded by the same number.

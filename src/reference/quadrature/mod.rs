@@ -30,7 +30,7 @@ mod series;
 pub use germ::Germ;
 pub use growth::Growth;
 
-use crate::{Ball, Ball128, ComplexBall, Mag};
+use crate::{Ball, Ball128, Complex128, ComplexBall, Mag};
 use adaptive::{Budget, Path, Tolerance, Value, adaptive};
 use rug::Float;
 use std::fmt;
@@ -54,6 +54,28 @@ pub trait Integrand {
 
     /// Encloses the value at a number in machine words, where these decide.
     fn enclose_short(&mut self, _: &Ball128) -> Option<Ball128> {
+        None
+    }
+
+    /// Encloses the complex value at a real number in machine words, where these decide.
+    fn enclose_short_complex(&mut self, _: &Ball128) -> Option<Complex128> {
+        None
+    }
+
+    /// Returns true if there are choices, such as the sign under an absolute value or a step, that
+    /// [`Integrand::is_settled`] tells of.
+    fn has_choices(&mut self) -> bool {
+        false
+    }
+
+    /// Returns true if every choice is proved to be the same at all numbers of a real interval.
+    fn is_settled(&mut self, _: &Ball) -> bool {
+        false
+    }
+
+    /// Encloses on a rectangle the function that the choices made at a real number continue to, where
+    /// it is holomorphic.
+    fn enclose_chosen(&mut self, _at: &Ball, _z: &ComplexBall, _bits: u32) -> Option<ComplexBall> {
         None
     }
 
@@ -287,6 +309,18 @@ impl Path for Segment<'_> {
         let z = &self.origin + &self.direction.scaled(t);
         let value = self.f.enclose(&z, false, bits)?;
         Some(&value * &self.direction)
+    }
+
+    fn short_sum(&mut self, rule: &nodes::Rule, around: [&Ball; 2]) -> Option<ComplexBall> {
+        if !self.origin.im.is_zero() || !self.direction.im.is_zero() {
+            return None;
+        }
+        let [origin, direction] = [&self.origin.re, &self.direction.re].map(Ball128::of_ball);
+        let (origin, direction) = (origin?, direction?);
+        rule.short_sum(around, |t| {
+            let x = origin.add(&direction.mul(t)?)?;
+            self.f.enclose_short_complex(&x)?.scaled(&direction)
+        })
     }
 
     fn bound(&mut self, t: &ComplexBall, bits: u32) -> Option<Mag> {

@@ -1,7 +1,7 @@
 //! Gauss–Legendre rules of any degree at any precision, each node and weight enclosed, and their
 //! error.
 
-use crate::{Ball, Ball128, Mag};
+use crate::{Ball, Ball128, Complex128, ComplexBall, Mag};
 use rug::Float;
 use std::cell::{OnceCell, RefCell};
 use std::collections::HashMap;
@@ -22,6 +22,44 @@ pub(super) struct Rule {
 struct ShortRule {
     centre: Option<Ball128>,
     positive: Vec<(Ball128, Ball128)>,
+}
+
+/// Values that are summed in machine words.
+pub(super) trait Short: Copy {
+    /// The same with midpoints in MPFR.
+    type Long;
+    const ZERO: Self;
+    fn plus(&self, other: &Self) -> Option<Self>;
+    fn times(&self, factor: &Ball128) -> Option<Self>;
+    fn to_long(self) -> Option<Self::Long>;
+}
+
+impl Short for Ball128 {
+    type Long = Ball;
+    const ZERO: Ball128 = Ball128::ZERO;
+    fn plus(&self, other: &Ball128) -> Option<Ball128> {
+        self.add(other)
+    }
+    fn times(&self, factor: &Ball128) -> Option<Ball128> {
+        self.mul(factor)
+    }
+    fn to_long(self) -> Option<Ball> {
+        self.to_ball()
+    }
+}
+
+impl Short for Complex128 {
+    type Long = ComplexBall;
+    const ZERO: Complex128 = Complex128::ZERO;
+    fn plus(&self, other: &Complex128) -> Option<Complex128> {
+        self.add(other)
+    }
+    fn times(&self, factor: &Ball128) -> Option<Complex128> {
+        self.scaled(factor)
+    }
+    fn to_long(self) -> Option<ComplexBall> {
+        self.to_ball()
+    }
 }
 
 /// The numbers of nodes in use: `2^(k/4)`, rounded, so that no more than 1.25 times the nodes
@@ -195,11 +233,11 @@ impl Rule {
     }
 
     /// The sum over the nodes between `mid ± half` in machine words.
-    pub fn short_sum(
+    pub fn short_sum<V: Short>(
         &self,
         [mid, half]: [&Ball; 2],
-        mut at: impl FnMut(&Ball128) -> Option<Ball128>,
-    ) -> Option<Ball> {
+        mut at: impl FnMut(&Ball128) -> Option<V>,
+    ) -> Option<V::Long> {
         let of = Ball128::of_ball;
         let make = || {
             let positive = self.positive.iter().map(|(x, w)| Some((of(x)?, of(w)?)));
@@ -214,15 +252,15 @@ impl Rule {
         let rule = self.short.get_or_init(make).as_ref()?;
         let [mid, half] = [of(mid)?, of(half)?];
         let mut sum = match &rule.centre {
-            Some(weight) => at(&mid)?.mul(weight)?,
-            None => Ball128::ZERO,
+            Some(weight) => at(&mid)?.times(weight)?,
+            None => V::ZERO,
         };
         for (x, weight) in &rule.positive {
             let off = x.mul(&half)?;
-            let both = at(&mid.sub(&off)?)?.add(&at(&mid.add(&off)?)?)?;
-            sum = sum.add(&both.mul(weight)?)?;
+            let both = at(&mid.sub(&off)?)?.plus(&at(&mid.add(&off)?)?)?;
+            sum = sum.plus(&both.times(weight)?)?;
         }
-        sum.mul(&half)?.to_ball()
+        sum.times(&half)?.to_long()
     }
 }
 

@@ -8,7 +8,7 @@ use crate::Func;
 use crate::graph::{Graph, Id, Node};
 use mechaudit_reference::elementary::NoValue;
 use mechaudit_reference::quadrature::{self, End, Goal, Growth, Hindrance, Integrand, Limit};
-use mechaudit_reference::{Ball, Ball128, ComplexBall, Mag};
+use mechaudit_reference::{Ball, Ball128, Complex128, ComplexBall, Mag};
 use rug::Float;
 use std::cmp::Ordering;
 
@@ -298,6 +298,32 @@ impl Integrand for Body<'_> {
     fn enclose_short(&mut self, x: &Ball128) -> Option<Ball128> {
         let (pointwise, rounds) = self.pointwise()?;
         pointwise.value(x, rounds)
+    }
+
+    fn enclose_short_complex(&mut self, x: &Ball128) -> Option<Complex128> {
+        // Around a continuation functions that are not holomorphic have no values.
+        if self.evaluator.interpretation.holomorphic {
+            return None;
+        }
+        let (pointwise, rounds) = self.pointwise()?;
+        pointwise.complex_value(x, rounds)
+    }
+
+    fn has_choices(&mut self) -> bool {
+        self.pointwise().is_some_and(|(body, _)| body.has_choices())
+    }
+
+    fn is_settled(&mut self, x: &Ball) -> bool {
+        let known = self.pointwise();
+        known.is_some_and(|(body, rounds)| body.is_settled(x, rounds))
+    }
+
+    fn enclose_chosen(&mut self, at: &Ball, z: &ComplexBall, bits: u32) -> Option<ComplexBall> {
+        if bits > TOLD_APART {
+            return None;
+        }
+        let (pointwise, rounds) = self.pointwise()?;
+        pointwise.chosen(at, z, rounds)
     }
 
     fn growth(&mut self, end: &End, k: u32) -> Option<Growth> {

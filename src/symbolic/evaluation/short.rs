@@ -1,7 +1,7 @@
-//! Graphs in machine words: real numbers in balls of 128 bits, a first pass, of which most values
-//! are accurate enough; and continuations to rectangles of a complex variable, which are bounded.
+//! Graphs in machine words: numbers in balls of 128 bits, a first pass, of which most values are
+//! accurate enough; and holomorphic functions on rectangles of a complex variable, which are bounded.
 //!
-//! Values that these do not decide, undefined and complex ones among them, are left to [`Balls`].
+//! Values that these do not decide, undefined ones among them, are left to [`Balls`].
 
 use super::adaptive::{Answer, FIRST, Goal};
 use super::angle::Angles;
@@ -14,8 +14,8 @@ use crate::{Constant, Func, Relation};
 use mechaudit_reference::elementary::NoValue;
 use mechaudit_reference::elementary::complex::Rectangle;
 use mechaudit_reference::elementary::words;
-use mechaudit_reference::{Ball, Ball128, ComplexBall};
-use rug::Rational;
+use mechaudit_reference::{Ball, Ball128, Complex128, ComplexBall};
+use rug::{Float, Rational};
 use std::cmp::Ordering;
 use std::sync::Arc;
 
@@ -23,30 +23,50 @@ use std::sync::Arc;
 #[derive(Clone, Copy)]
 enum Words {
     Real(Ball128),
+    Complex(Complex128),
     /// As [`Value::Continued`].
     Continued(Rectangle),
+    /// A holomorphic function whose values are complex on the real line, too.
+    Wide(Rectangle),
 }
 
 impl Words {
     fn real(&self) -> Option<&Ball128> {
         match self {
             Words::Real(x) => Some(x),
-            Words::Continued(_) => None,
+            Words::Complex(z) if z.im.is_zero() => Some(&z.re),
+            _ => None,
+        }
+    }
+
+    fn complex(&self) -> Option<Complex128> {
+        match self {
+            Words::Real(x) => Some(Complex128::real(*x)),
+            Words::Complex(z) => Some(*z),
+            _ => None,
         }
     }
 
     fn rectangle(&self) -> Option<Rectangle> {
         match self {
             Words::Real(x) => Rectangle::real(x.doubles()?),
-            Words::Continued(z) => Some(*z),
+            Words::Complex(z) => Rectangle::complex(z.re.doubles()?, z.im.doubles()?),
+            Words::Continued(z) | Words::Wide(z) => Some(*z),
         }
+    }
+
+    /// Returns true if it is complex on the real line.
+    fn is_complex(&self) -> bool {
+        matches!(self, Words::Complex(_) | Words::Wide(_))
     }
 
     /// The same in the balls that functions take.
     fn to_value(self) -> Option<Value> {
         Some(match self {
             Words::Real(x) => Value::Real(x.to_ball()?),
+            Words::Complex(z) => Value::Complex(z.to_ball()?),
             Words::Continued(z) => Value::Continued(z.to_ball()?),
+            Words::Wide(z) => Value::Complex(z.to_ball()?),
         })
     }
 }
@@ -57,6 +77,36 @@ struct Short {
     balls: Balls,
     /// True if a function of MPFR was called: more bits of it may help.
     has_called: bool,
+    /// True if MPFR evaluated it.
+    has_left: bool,
+    /// The node whose operation is next.
+    current: Id,
+    choosing: Choosing,
+    /// The choices that were kept, by nodes.
+    choices: Vec<Option<Choice>>,
+}
+
+/// Treatment of functions that are holomorphic but for a choice: absolute values, extrema, steps and
+/// comparisons.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Choosing {
+    /// By the operands.
+    Freely,
+    /// By the operands, where the choice is the same for all numbers around them.
+    Settled,
+    /// Likewise, and the choice is kept.
+    Kept,
+    /// As it was kept.
+    Held,
+}
+
+/// What was chosen.
+#[derive(Clone, Copy)]
+enum Choice {
+    /// The order of the operands, or the sign of the one.
+    Order(Ordering),
+    /// The integer of a step.
+    Step(i64),
 }
 
 /// The answer where they do not decide.
@@ -68,32 +118,31 @@ fn decided(found: Option<Ball128>) -> Found {
     found.map(Words::Real).ok_or(LEFT)
 }
 
-fn continued(found: Option<Rectangle>) -> Found {
-    found.map(Words::Continued).ok_or(LEFT)
+fn bound(is_complex: bool, found: Option<Rectangle>) -> Found {
+    let kind = match is_complex {
+        true => Words::Wide,
+        false => Words::Continued,
+    };
+    found.map(kind).ok_or(LEFT)
 }
 
-fn short(value: &Value) -> Found {
-    match value {
-        Value::Real(x) => decided(Ball128::of_ball(x)),
-        Value::Continued(z) => continued(Rectangle::of_ball(z)),
-        _ => Err(LEFT),
-    }
-}
-
-/// An operation on two numbers, of which one may be continued.
+/// An operation on two numbers, of which one may be complex or continued.
 fn pair(
     a: &Words,
     b: &Words,
     real: fn(&Ball128, &Ball128) -> Option<Ball128>,
+    complex: fn(&Complex128, &Complex128) -> Option<Complex128>,
     other: fn(&Rectangle, &Rectangle) -> Option<Rectangle>,
 ) -> Found {
-    match (a, b) {
-        (Words::Real(a), Words::Real(b)) => decided(real(a, b)),
-        _ => {
-            let both = a.rectangle().zip(b.rectangle());
-            continued(both.and_then(|(a, b)| other(&a, &b)))
-        }
+    if let (Words::Real(a), Words::Real(b)) = (a, b) {
+        return decided(real(a, b));
     }
+    if let Some((a, b)) = a.complex().zip(b.complex()) {
+        return complex(&a, &b).map(Words::Complex).ok_or(LEFT);
+    }
+    let both = a.rectangle().zip(b.rectangle());
+    let found = both.and_then(|(a, b)| other(&a, &b));
+    bound(a.is_complex() || b.is_complex(), found)
 }
 
 impl Short {
@@ -116,6 +165,50 @@ impl Short {
         !(0..graph.len() as u32).any(is_bound)
     }
 
+    fn new(bits: u32) -> Short {
+        Short {
+            balls: Balls::new(bits),
+            has_called: false,
+            has_left: false,
+            current: 0,
+            choosing: Choosing::Freely,
+            choices: Vec::new(),
+        }
+    }
+
+    /// The choice at the current node, which the operands make unless one is held.
+    fn choice(&mut self, of_operands: impl FnOnce() -> Option<Choice>) -> Option<Choice> {
+        let place = self.current as usize;
+        if self.choosing == Choosing::Held {
+            return *self.choices.get(place)?;
+        }
+        let choice = of_operands()?;
+        match self.choosing {
+            Choosing::Freely | Choosing::Held => {}
+            // Beside equal numbers are others.
+            _ if matches!(choice, Choice::Order(Ordering::Equal)) => return None,
+            Choosing::Settled => {}
+            Choosing::Kept => {
+                if self.choices.len() <= place {
+                    self.choices.resize(place + 1, None);
+                }
+                self.choices[place] = Some(choice);
+            }
+        }
+        Some(choice)
+    }
+
+    /// A value of the functions in MPFR: a bound where these have to be holomorphic.
+    fn short(&self, value: &Value) -> Found {
+        match value {
+            Value::Real(x) => decided(Ball128::of_ball(x)),
+            Value::Continued(z) => bound(false, Rectangle::of_ball(z)),
+            Value::Complex(z) if self.balls.holomorphic => bound(true, Rectangle::of_ball(z)),
+            Value::Complex(z) => Complex128::of_ball(z).map(Words::Complex).ok_or(LEFT),
+            _ => Err(LEFT),
+        }
+    }
+
     /// A rational number.
     fn rational(&self, q: &Rational) -> Option<Ball128> {
         Ball128::dyadic(q).or_else(|| Ball128::of_ball(&ball_of(128, q)))
@@ -126,17 +219,51 @@ impl Short {
 fn arithmetic(f: Func, x: &[&Ball128]) -> Option<Option<Ball128>> {
     Some(match (f, x) {
         (Func::Sqrt, [x]) => x.sqrt(),
-        (Func::Abs, [x]) => x.sign().map(|sign| match sign {
-            Ordering::Less => x.negative(),
-            _ => **x,
-        }),
         (Func::Fma, [x, y, z]) => x.mul(y).and_then(|product| product.add(z)),
-        (Func::Fmin | Func::Fmax, [x, y]) => x.sub(y).and_then(|d| d.sign()).map(|order| {
-            let is_first = (order == Ordering::Less) == (f == Func::Fmin);
-            if is_first { **x } else { **y }
-        }),
         _ => return None,
     })
+}
+
+/// Returns true for a function with a choice.
+fn is_choice(f: Func) -> bool {
+    use Func::{Abs, Ceil, Floor, Fmax, Fmin};
+    matches!(f, Abs | Fmin | Fmax | Floor | Ceil)
+}
+
+/// The choice of a function at real numbers; none where it is not decided.
+fn chosen(f: Func, x: &[&Words]) -> Option<Choice> {
+    Some(match (f, x) {
+        (Func::Abs, [Words::Real(x)]) => Choice::Order(x.sign()?),
+        (Func::Fmin | Func::Fmax, [Words::Real(x), Words::Real(y)]) => {
+            Choice::Order(x.sub(y)?.sign()?)
+        }
+        (Func::Floor, [Words::Real(x)]) => Choice::Step(x.floor()?),
+        (Func::Ceil, [Words::Real(x)]) => Choice::Step(-x.negative().floor()?),
+        _ => return None,
+    })
+}
+
+/// The value of a function with a choice.
+fn by_choice(f: Func, x: &[&Words], choice: Choice) -> Option<Words> {
+    Some(match (f, choice, x) {
+        (Func::Abs, Choice::Order(Ordering::Less), [x]) => negative(x),
+        (Func::Abs, Choice::Order(_), [x]) => **x,
+        (Func::Fmin, Choice::Order(Ordering::Less), [x, _]) => **x,
+        (Func::Fmin, Choice::Order(_), [_, y]) => **y,
+        (Func::Fmax, Choice::Order(Ordering::Less), [_, y]) => **y,
+        (Func::Fmax, Choice::Order(_), [x, _]) => **x,
+        (Func::Floor | Func::Ceil, Choice::Step(n), _) => Words::Real(Ball128::integer(n)),
+        _ => return None,
+    })
+}
+
+fn negative(x: &Words) -> Words {
+    match x {
+        Words::Real(x) => Words::Real(x.negative()),
+        Words::Complex(z) => Words::Complex(z.negative()),
+        Words::Continued(z) => Words::Continued(z.negative()),
+        Words::Wide(z) => Words::Wide(z.negative()),
+    }
 }
 
 /// A function of real numbers in machine words; none for others, and where these do not serve.
@@ -158,6 +285,38 @@ fn in_words(f: Func, x: &[&Words]) -> Option<Ball128> {
     }
 }
 
+/// A function of complex numbers in machine words; none for others, and where these do not serve.
+fn complex_in_words(f: Func, z: &Complex128) -> Option<Words> {
+    let found = match f {
+        Func::Re => return Some(Words::Real(z.re)),
+        Func::Im => return Some(Words::Real(z.im)),
+        Func::Exp => words::complex::exp(z),
+        Func::Log => words::complex::log(z),
+        Func::Sqrt => z.sqrt(),
+        Func::Tgamma => words::complex::tgamma(z),
+        _ => None,
+    };
+    found.map(Words::Complex)
+}
+
+/// A power of numbers that are not both real; `twice` the exponent, where that is an integer.
+fn power_in_words(z: &Words, y: &Words, twice: Option<i64>) -> Option<Words> {
+    let halves = twice.filter(|k| k % 2 != 0).and_then(|k| k.try_into().ok());
+    if let Some((z, y)) = z.complex().zip(y.complex()) {
+        let found = match halves {
+            Some(k) => z.sqrt()?.power(k),
+            None => words::complex::pow(&z, &y),
+        };
+        return found.map(Words::Complex);
+    }
+    let base = z.rectangle()?;
+    let found = match halves {
+        Some(k) => base.sqrt()?.power(k),
+        None => base.log()?.mul(&y.rectangle()?)?.exp(),
+    };
+    bound(z.is_complex() || y.is_complex(), found).ok()
+}
+
 /// A function over a rectangle that doubles bound; none for others.
 fn bounded(f: Func, z: &Rectangle) -> Option<Rectangle> {
     match f {
@@ -177,6 +336,11 @@ fn bounded(f: Func, z: &Rectangle) -> Option<Rectangle> {
 impl Interpretation for Short {
     type V = Words;
 
+    fn at(&mut self, id: Id, _: Node) -> Result<(), NoValue> {
+        self.current = id;
+        Ok(())
+    }
+
     fn number(&mut self, graph: &Graph, place: u32) -> Found {
         decided(self.rational(graph.rational(place)))
     }
@@ -186,11 +350,11 @@ impl Interpretation for Short {
     }
 
     fn constant(&mut self, c: Constant) -> Found {
-        short(&Balls::new(128).constant(c)?)
+        self.short(&Balls::new(128).constant(c)?)
     }
 
     fn imaginary_unit(&mut self) -> Found {
-        Err(LEFT)
+        Ok(Words::Complex(Complex128::imaginary_unit()))
     }
 
     fn infinity(&mut self) -> Found {
@@ -198,26 +362,27 @@ impl Interpretation for Short {
     }
 
     fn neg(&mut self, a: &Words) -> Found {
-        Ok(match a {
-            Words::Real(x) => Words::Real(x.negative()),
-            Words::Continued(z) => Words::Continued(z.negative()),
-        })
+        Ok(negative(a))
     }
 
     fn add(&mut self, a: &Words, b: &Words) -> Found {
-        pair(a, b, Ball128::add, Rectangle::add)
+        pair(a, b, Ball128::add, Complex128::add, Rectangle::add)
     }
 
     fn sub(&mut self, a: &Words, b: &Words) -> Found {
-        pair(a, b, Ball128::sub, |a, b| a.add(&b.negative()))
+        pair(a, b, Ball128::sub, Complex128::sub, |a, b| {
+            a.add(&b.negative())
+        })
     }
 
     fn mul(&mut self, a: &Words, b: &Words) -> Found {
-        pair(a, b, Ball128::mul, Rectangle::mul)
+        pair(a, b, Ball128::mul, Complex128::mul, Rectangle::mul)
     }
 
     fn div(&mut self, a: &Words, b: &Words) -> Found {
-        pair(a, b, Ball128::div, |a, b| a.mul(&b.inverse()?))
+        pair(a, b, Ball128::div, Complex128::div, |a, b| {
+            a.mul(&b.inverse()?)
+        })
     }
 
     fn power(&mut self, a: &Words, k: i32) -> Found {
@@ -225,26 +390,45 @@ impl Interpretation for Short {
             // Zero to the power of zero is for the others to define.
             Words::Real(x) if x.is_zero() => Err(LEFT),
             Words::Real(x) => decided(x.power(k)),
-            Words::Continued(z) => continued(z.power(k)),
+            Words::Complex(z) => z.power(k).map(Words::Complex).ok_or(LEFT),
+            Words::Continued(z) => bound(false, z.power(k)),
+            Words::Wide(z) => bound(true, z.power(k)),
         }
     }
 
     fn call(&mut self, f: Func, x: &[&Words]) -> Found {
+        if is_choice(f) && !x.iter().any(|x| x.is_complex()) {
+            match self.choice(|| chosen(f, x)) {
+                Some(choice) => return by_choice(f, x, choice).ok_or(LEFT),
+                None if self.choosing != Choosing::Freely => return Err(LEFT),
+                // Steps have values on both sides.
+                None if matches!(f, Func::Floor | Func::Ceil) => {}
+                None if x.iter().all(|x| matches!(x, Words::Real(_))) => return Err(LEFT),
+                None => {}
+            }
+        }
         let found = match x {
             [Words::Real(a)] => arithmetic(f, &[a]),
             [Words::Real(a), Words::Real(b)] => arithmetic(f, &[a, b]),
             [Words::Real(a), Words::Real(b), Words::Real(c)] => arithmetic(f, &[a, b, c]),
-            [Words::Continued(z), Words::Real(y)] if f == Func::Pow => {
-                let power = || z.log()?.mul(&Rectangle::real(y.doubles()?)?)?.exp();
-                match power() {
-                    Some(found) => return Ok(Words::Continued(found)),
+            [z, y] if f == Func::Pow => {
+                let twice = y.real().map(|y| Words::Real(y.shift(1)));
+                let twice = twice.and_then(|y| self.to_integer(&y));
+                match power_in_words(z, y, twice) {
+                    Some(found) => return Ok(found),
                     None => None,
                 }
             }
-            [Words::Continued(z)] => match bounded(f, z) {
-                Some(found) => return Ok(Words::Continued(found)),
-                None => None,
+            [Words::Complex(z)] => match complex_in_words(f, z) {
+                Some(found) if !self.balls.holomorphic => return Ok(found),
+                _ => None,
             },
+            [z @ (Words::Continued(rectangle) | Words::Wide(rectangle))] => {
+                match bounded(f, rectangle) {
+                    Some(found) => return bound(z.is_complex(), Some(found)),
+                    None => None,
+                }
+            }
             _ => None,
         };
         if let Some(found) = found {
@@ -257,18 +441,27 @@ impl Interpretation for Short {
         let values: Option<Vec<Value>> = x.iter().map(|x| x.to_value()).collect();
         let values = values.ok_or(LEFT)?;
         let operands: Vec<&Value> = values.iter().collect();
-        short(&self.balls.call(f, &operands)?)
+        self.has_left = true;
+        let found = self.balls.call(f, &operands)?;
+        self.short(&found)
     }
 
     fn inverse(&mut self, f: Func, x: &Words) -> Option<Words> {
-        match (f, x) {
-            (Func::Cosh, Words::Continued(z)) => z.sech().map(Words::Continued),
-            (Func::Cos, Words::Continued(z)) => z.sec().map(Words::Continued),
-            (Func::Tgamma, Words::Continued(z)) => match z.inverse_gamma() {
-                Some(found) => Some(Words::Continued(found)),
-                None => short(&self.balls.inverse(f, &x.to_value()?)?).ok(),
-            },
-            _ => None,
+        let (Words::Continued(z) | Words::Wide(z)) = x else {
+            return None;
+        };
+        let found = match f {
+            Func::Cosh => z.sech(),
+            Func::Cos => z.sec(),
+            Func::Tgamma => z.inverse_gamma(),
+            _ => return None,
+        };
+        match found {
+            None if f == Func::Tgamma => {
+                let found = self.balls.inverse(f, &x.to_value()?)?;
+                self.short(&found).ok()
+            }
+            found => bound(x.is_complex(), found).ok(),
         }
     }
 
@@ -277,6 +470,19 @@ impl Interpretation for Short {
     }
 
     fn compare(&mut self, relation: Relation, a: &Words, b: &Words) -> Result<bool, NoValue> {
+        if a.is_complex() || b.is_complex() {
+            return Err(LEFT);
+        }
+        if self.choosing != Choosing::Freely {
+            let order = || match (a, b) {
+                (Words::Real(a), Words::Real(b)) => Some(Choice::Order(a.sub(b)?.sign()?)),
+                _ => None,
+            };
+            return match self.choice(order) {
+                Some(Choice::Order(order)) => Ok(relation.holds(order)),
+                _ => Err(LEFT),
+            };
+        }
         let order = match (a, b) {
             (Words::Real(a), Words::Real(b)) => a.sub(b).and_then(|d| d.sign()),
             _ => {
@@ -310,27 +516,87 @@ pub(super) struct Pointwise {
     evaluator: Evaluator<Short>,
     binder: u32,
     body: Id,
+    /// True if functions with choices depend on the variable, each of which is made once.
+    has_choices: bool,
+    /// True if complex numbers are left to MPFR.
+    is_slow: bool,
+    /// The number at which choices are kept.
+    chosen_at: Option<Float>,
 }
 
 impl Pointwise {
     /// Takes the values of what does not depend on the variable from another evaluator.
     pub fn new(balls: &Evaluator<Balls>, binder: u32, body: Id) -> Pointwise {
-        let meaning = Short {
-            balls: Balls::new(128),
-            has_called: false,
-        };
-        let mut evaluator = Evaluator::new(balls.graph().clone(), meaning);
+        let graph = balls.graph().clone();
+        let parts = graph.reach(body);
+        // A node under another binder makes many choices.
+        let is_bound = |id: &Id| matches!(graph.node(*id), Node::Bound(_) | Node::Last(..));
+        let is_straight = !parts.iter().any(is_bound);
+        let has_choices = is_straight
+            && parts.into_iter().any(|id| {
+                let is_choice = match graph.node(id) {
+                    Node::Unary(f, _) | Node::Binary(f, ..) => is_choice(f),
+                    Node::Compare(..) => true,
+                    _ => false,
+                };
+                is_choice && graph.depends_on(id, binder)
+            });
+        let mut evaluator = Evaluator::new(graph, Short::new(128));
         for id in leaves(balls.graph(), body, binder) {
-            let known = balls.known[id as usize].as_ref().and_then(Value::real);
-            if let Some(value) = known.and_then(Ball128::of_ball) {
-                evaluator.set(id, Words::Real(value));
+            let value = match &balls.known[id as usize] {
+                Some(Value::Complex(z)) => Complex128::of_ball(z).map(Words::Complex),
+                Some(value) => value.real().and_then(Ball128::of_ball).map(Words::Real),
+                None => None,
+            };
+            if let Some(value) = value {
+                evaluator.set(id, value);
             }
         }
         Pointwise {
             evaluator,
             binder,
             body,
+            has_choices,
+            is_slow: false,
+            chosen_at: None,
         }
+    }
+
+    /// Returns true if functions with choices depend on the variable, each of which is made once.
+    pub fn has_choices(&self) -> bool {
+        self.has_choices
+    }
+
+    /// An evaluation with choices.
+    fn choosing(&mut self, how: Choosing, x: Words, rounds: &mut u64) -> Option<Words> {
+        self.evaluator.interpretation.choosing = how;
+        let found = self.at(x, rounds);
+        self.evaluator.interpretation.choosing = Choosing::Freely;
+        found
+    }
+
+    /// Returns true if every choice is the same for all numbers of an interval.
+    pub fn is_settled(&mut self, x: &Ball, rounds: &mut u64) -> bool {
+        let x = Ball128::of_ball(x);
+        x.is_some_and(|x| {
+            let found = self.choosing(Choosing::Settled, Words::Real(x), rounds);
+            found.is_some()
+        })
+    }
+
+    /// Encloses on a rectangle the holomorphic function that the choices at a number make.
+    pub fn chosen(&mut self, at: &Ball, z: &ComplexBall, rounds: &mut u64) -> Option<ComplexBall> {
+        if self.chosen_at.as_ref() != Some(at.mid()) {
+            self.chosen_at = None;
+            self.evaluator.interpretation.choices.clear();
+            let x = Words::Real(Ball128::of_ball(at)?);
+            self.choosing(Choosing::Kept, x, rounds)?;
+            self.chosen_at = Some(at.mid().clone());
+        }
+        self.evaluator.interpretation.choosing = Choosing::Held;
+        let found = self.continuation(z, rounds);
+        self.evaluator.interpretation.choosing = Choosing::Freely;
+        found
     }
 
     /// Returns true if this is the body.
@@ -351,10 +617,28 @@ impl Pointwise {
         self.at(Words::Real(*x), rounds)?.real().copied()
     }
 
+    /// The value at a number as a complex one.
+    pub fn complex_value(&mut self, x: &Ball128, rounds: &mut u64) -> Option<Complex128> {
+        if self.is_slow {
+            return None;
+        }
+        self.evaluator.interpretation.has_left = false;
+        let found = self.at(Words::Real(*x), rounds)?.complex();
+        // Functions of MPFR cost as much with more bits, which may be needed.
+        self.is_slow = self.evaluator.interpretation.has_left;
+        found.filter(|_| !self.is_slow)
+    }
+
     /// Encloses the continuation on a rectangle on which it is holomorphic.
     pub fn continuation(&mut self, z: &ComplexBall, rounds: &mut u64) -> Option<ComplexBall> {
         let z = Words::Continued(Rectangle::of_ball(z)?);
-        self.at(z, rounds)?.to_value()?.to_complex()
+        // Bounds are doubles in the end.
+        let outside = &mut self.evaluator.interpretation.balls;
+        (outside.prec, outside.holomorphic) = (64, true);
+        let found = self.at(z, rounds);
+        let outside = &mut self.evaluator.interpretation.balls;
+        (outside.prec, outside.holomorphic) = (128, false);
+        found?.to_value()?.to_complex()
     }
 }
 
@@ -374,12 +658,8 @@ impl FirstPass {
 
     /// None for a graph that has no values in these balls.
     pub fn new(graph: &Arc<Graph>) -> Option<FirstPass> {
-        let meaning = Short {
-            balls: Balls::new(FIRST),
-            has_called: false,
-        };
         Short::takes(graph).then(|| FirstPass {
-            evaluator: Evaluator::new(graph.clone(), meaning),
+            evaluator: Evaluator::new(graph.clone(), Short::new(FIRST)),
             next: FIRST,
             is_straight: Short::is_straight(graph),
         })

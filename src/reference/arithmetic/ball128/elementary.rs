@@ -205,6 +205,16 @@ impl Ball128 {
 
     /// `sin x` and `cos x`. None where the argument is too large or too wide, or a value is small.
     pub fn sine_cosine(&self) -> Option<[Ball128; 2]> {
+        let found = self.circle()?;
+        let is_large = |x: &Ball128| x.m != 0 && x.e >= -128 - i64::from(SMALL.leading_zeros());
+        found.iter().all(is_large).then_some(found)
+    }
+
+    /// `sin x` and `cos x`, accurate beside 1. None where the argument is too large or too wide.
+    pub fn circle(&self) -> Option<[Ball128; 2]> {
+        if self.is_zero() {
+            return Some([Ball128::ZERO, Ball128::integer(1)]);
+        }
         let r = self.reach()?;
         let tables = tables();
         let (n, f) = self.reduced(tables.quarter_pi);
@@ -226,14 +236,12 @@ impl Ball128 {
         let small = s - times(s, times(square, series(13)));
         let v = times(square, series(12));
         let sine = (sine - times(sine, v)).checked_add(small - times(rest, small))?;
-        let cosine = (rest + v - times(rest, v))
-            .checked_add(times(tables.waves[(f >> 120) as usize][0], small))?
-            .wrapping_neg();
-        if sine < SMALL || cosine < SMALL {
-            return None;
-        }
+        let rest = (rest + v - times(rest, v))
+            .checked_add(times(tables.waves[(f >> 120) as usize][0], small))?;
+        // One less than 1 where nothing is left: a unit that the error has room for.
+        let cosine = u128::MAX - rest.saturating_sub(1);
         let r = (WAVE_ERROR + r * power_of_two(128)) * UP;
-        let of = |is_negative, m| Ball128::normal(is_negative, m, -128, r);
+        let of = |is_negative, m| Ball128::normal(is_negative && m != 0, m, -128, r);
         // sin(q π/2 ± f) and cos(q π/2 ± f), the lower sign where n is odd.
         let q = n.div_ceil(2) % 4;
         let is_below = self.negative;

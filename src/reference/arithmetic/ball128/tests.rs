@@ -74,6 +74,16 @@ proptest! {
     }
 
     #[test]
+    fn integers_below_are_those_of_all_numbers(a in balls(), s in parts(), k in -70_i64..70) {
+        let a = a.shift(k - a.e - 128);
+        if let Some(n) = a.floor() {
+            prop_assert_eq!(Integer::from(n), inside(&a, s).floor().numer().clone());
+        } else if a.is_exact() {
+            prop_assert!(a.e + 128 > 62, "{:?}", a);
+        }
+    }
+
+    #[test]
     fn quotients_are_enclosed(a in balls(), b in balls(), s in parts(), t in parts()) {
         let (x, y) = (inside(&a, s), inside(&b, t));
         if let Some(found) = a.div(&b) {

@@ -75,6 +75,11 @@ impl Rectangle {
         Rectangle::new(x, [0.0; 2])
     }
 
+    /// The rectangle of the numbers whose parts lie between doubles.
+    pub fn complex(re: Interval, im: Interval) -> Option<Rectangle> {
+        Rectangle::new(re, im)
+    }
+
     /// The ball around it.
     pub fn to_ball(&self) -> Option<ComplexBall> {
         let of = |x: Interval| hull_of_doubles(BITS, x).ok();
@@ -161,10 +166,31 @@ impl Rectangle {
         Rectangle::new(re, im)
     }
 
-    /// The principal square root right of the imaginary axis.
+    /// The side of the real axis of all numbers, where they are off it: 1 above it.
+    fn side(&self) -> Option<f64> {
+        match self.im {
+            [low, _] if low > 0.0 => Some(1.0),
+            [_, high] if high < 0.0 => Some(-1.0),
+            _ => None,
+        }
+    }
+
+    /// The principal square root off its cut.
     pub fn sqrt(&self) -> Option<Rectangle> {
         if self.re[0] < TINY {
-            return None;
+            let side = self.side()?;
+            // √z = ±i √−z, and √z = e^(±iπ/4) √(∓i z), the upper sign above the axis.
+            return match self.re[1] <= -TINY {
+                true => Some(self.negative().sqrt()?.turned_by(side)),
+                false => {
+                    let half = std::f64::consts::FRAC_1_SQRT_2;
+                    let half = [half.next_down(), half.next_up()];
+                    let eighth = Rectangle::new(half, half)?;
+                    let eighth = if side > 0.0 { eighth } else { eighth.conj() };
+                    let aside = self.turned_by(-side);
+                    (aside.re[0] >= TINY).then(|| aside.sqrt()?.mul(&eighth))?
+                }
+            };
         }
         let [re, im] = root_of_doubles([self.re, self.im].map(without_tiny))?;
         Rectangle::new(re, im)
@@ -195,6 +221,21 @@ impl Rectangle {
         Rectangle {
             re: negative(self.im),
             im: self.re,
+        }
+    }
+
+    /// `i z`, or `−i z` for a negative sign.
+    fn turned_by(&self, sign: f64) -> Rectangle {
+        match sign > 0.0 {
+            true => self.turned(),
+            false => self.turned().negative(),
+        }
+    }
+
+    fn conj(&self) -> Rectangle {
+        Rectangle {
+            re: self.re,
+            im: negative(self.im),
         }
     }
 

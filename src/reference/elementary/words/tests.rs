@@ -6,10 +6,10 @@ use crate::elementary::{self as real, Evaluated};
 use rug::Float;
 
 /// A stream of numbers between zero and one.
-struct Draws(u64);
+pub(super) struct Draws(pub(super) u64);
 
 impl Draws {
-    fn bits(&mut self) -> u64 {
+    pub(super) fn bits(&mut self) -> u64 {
         self.0 = self
             .0
             .wrapping_mul(6_364_136_223_846_793_005)
@@ -17,7 +17,7 @@ impl Draws {
         self.0 >> 11
     }
 
-    fn next(&mut self) -> f64 {
+    pub(super) fn next(&mut self) -> f64 {
         self.bits() as f64 / (1_u64 << 53) as f64
     }
 }

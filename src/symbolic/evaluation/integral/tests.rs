@@ -1,6 +1,8 @@
 //! Integrals across jumps and singularities, and under one another.
 
 use super::super::tests::value;
+use mechaudit_reference::Ball;
+use rug::Rational;
 
 /// Evaluations of integrals within integrals are counted together.
 #[test]
@@ -73,5 +75,115 @@ fn integrals_across_singularities() {
         "int(t, 0, 1, abs(t - 0.3)^(-1.25))",
     ] {
         assert!(value(text, (1, 1), 25).starts_with("undecided"), "{text}");
+    }
+}
+
+/// Kinks and jumps at random places: integrals of pieces whose antiderivatives are known.
+#[test]
+fn integrals_of_random_pieces_are_exact() {
+    let mut state = 5_u64;
+    let mut draw = |most: u64| {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        i64::try_from((state >> 33) % most).unwrap()
+    };
+    for _ in 0..12 {
+        // 0 < a/97 < b/97 < 1, and a slope.
+        let a = 1 + draw(60);
+        let b = a + 1 + draw(90 - a as u64);
+        let c = 1 + draw(9);
+        let [p, q] = [a, b].map(|x| Rational::from((x, 97)));
+        let cubic = |x: &Rational| {
+            let square = Rational::from(x * x);
+            let sum = Rational::from(&p + &q);
+            Rational::from(&square * x) / 3 - sum * square / 2 + Rational::from(&p * &q) * x
+        };
+        let [zero, one] = [0, 1].map(Rational::from);
+        let of = |from: &Rational, to: &Rational| cubic(to) - cubic(from);
+        let product = of(&zero, &p) - of(&p, &q) + of(&q, &one);
+        // ∫ max(x, p) = p² + (1 − p²)/2, and ∫ floor(c x + p) is the sum of the lengths above k.
+        let largest = Rational::from(&p * &p) / 2 + Rational::from((1, 2));
+        let steps = (1..=c + 1).map(|k| {
+            let at = Rational::from(k) - &p;
+            (one.clone() - at / c).max(zero.clone())
+        });
+        let floor = steps.fold(zero.clone(), |sum, length| sum + length);
+        let choice = Rational::from(&q * &q) / 2 - (one.clone() - &q);
+        for (text, due) in [
+            (
+                format!("int(t, 0, 1, abs((t - {a}/97)*(t - {b}/97)))"),
+                product,
+            ),
+            (format!("int(t, 0, 1, max(t, {a}/97))"), largest),
+            (format!("int(t, 0, 1, floor({c}*t + {a}/97))"), floor),
+            (format!("int(t, 0, 1, if(97*t < {b}, t, -1))"), choice),
+        ] {
+            let found = value(&text, (1, 1), 25);
+            let due = if due == 0 {
+                "0".into()
+            } else {
+                Ball::rational(200, &due).to_decimal(25).unwrap()
+            };
+            assert_eq!(found, due, "{text}");
+        }
+    }
+}
+
+/// Values by hand and by Arb.
+#[test]
+fn integrals_across_many_choices() {
+    for (text, due) in [
+        (
+            "int(t, 0, 2, abs(abs(t - 1) - 1/3))",
+            "0.5555555555555555555555556",
+        ),
+        (
+            "int(t, 0, pi, max(sin(t), cos(t)))",
+            "2.414213562373095048801689",
+        ),
+        (
+            "int(t, 1, 4, abs(t - 2)*floor(t))",
+            "6.000000000000000000000000",
+        ),
+        (
+            "int(t, 0, 1, abs(t^2 - 1/2)*sqrt(t))",
+            "0.1788965933338516317557143",
+        ),
+        (
+            "im(int(t, -1, 1, i*(-1 + i*t)^(-1/2)))",
+            "0.3947364538712398641592048",
+        ),
+        (
+            "im(int(t, 0, 40, tgamma(1 + i*t)))",
+            "-0.1544796413200427446901885",
+        ),
+        (
+            "re(int(t, 1/10, 2, log(-1 + i*t)/(t + i)))",
+            "2.880943673394016361306927",
+        ),
+    ] {
+        assert_eq!(value(text, (1, 1), 25), due, "{text}");
+    }
+}
+
+/// Functions that have a limit from above on a cut along the real axis, where they are not real: the
+/// interval of integration ends at their branch point. Antiderivatives by hand.
+#[test]
+fn integrals_from_branch_points() {
+    for (text, due) in [
+        ("int(t, 0, 1, sqrt(t))", "0.6666666666666666666666667"),
+        ("int(t, 0, 4, sqrt(t)/2 + t)", "10.66666666666666666666667"),
+        ("int(t, 1, 2, sqrt(t - 1))", "0.6666666666666666666666667"),
+        ("int(t, 0, 1, t^1.5)", "0.4000000000000000000000000"),
+        ("int(t, 0, 1, sqrt(1 - t))", "0.6666666666666666666666667"),
+        ("int(t, 0, 1, atan(sqrt(t)))", "0.5707963267948966192313217"),
+        (
+            "int(t, 0, 1, abs(t^2 - 1/2)*sqrt(t))",
+            "0.1788965933338516317557143",
+        ),
+        ("int(t, 1, 2, acosh(t))", "0.9018649862807561237226464"),
+    ] {
+        assert_eq!(value(text, (1, 1), 25), due, "{text}");
     }
 }

@@ -67,10 +67,22 @@ impl Rectangle {
         [of(0) * (1.0 - 1e-15), of(1) * (1.0 + 1e-15)]
     }
 
-    /// `ln z` right of the imaginary axis.
+    /// `ln z` off its cut.
     pub fn log(&self) -> Option<Rectangle> {
         let sizes = self.sizes();
-        if self.re[0] < TINY || sizes[1] > 1e140 {
+        if self.re[0] < TINY {
+            // ln z = ln(−z) ± iπ, and ln z = ln(∓i z) ± iπ/2, the upper sign above the axis.
+            let side = self.side()?;
+            let (aside, turn) = match self.re[1] <= -TINY {
+                true => (self.negative(), PI),
+                false => (self.turned_by(-side), FRAC_PI_2),
+            };
+            let turn = [turn.next_down(), turn.next_up()];
+            let turn = if side > 0.0 { turn } else { [-turn[1], -turn[0]] };
+            let found = (aside.re[0] >= TINY).then(|| aside.log())??;
+            return found.add(&Rectangle::new([0.0; 2], turn)?);
+        }
+        if sizes[1] > 1e140 {
             return None;
         }
         let [low, high] = sizes.map(coarse::ln);
