@@ -78,7 +78,11 @@ impl Rectangle {
                 false => (self.turned_by(-side), FRAC_PI_2),
             };
             let turn = [turn.next_down(), turn.next_up()];
-            let turn = if side > 0.0 { turn } else { [-turn[1], -turn[0]] };
+            let turn = if side > 0.0 {
+                turn
+            } else {
+                [-turn[1], -turn[0]]
+            };
             let found = (aside.re[0] >= TINY).then(|| aside.log())??;
             return found.add(&Rectangle::new([0.0; 2], turn)?);
         }
