@@ -266,6 +266,21 @@ fn infinite_ends() {
     }
 }
 
+/// A square root has a limit from above on its cut, where it is not real: a panel at its branch
+/// point is not continued by reflection.
+#[test]
+fn branch_points_at_a_limit() {
+    let mut root = Formula {
+        f: |z: &ComplexBall, _: bool, bits: u32| crate::elementary::complex::sqrt(z, bits).ok(),
+        growth: |x: &Germ| x.sqrt(),
+    };
+    for digits in [15, 30] {
+        let found = integrate(&mut root, &number(0), &number(1), &Goal::digits(digits));
+        let due = Ball::rational(4 * digits + 64, &(2, 3).into());
+        reached(&found, &due, i64::from(digits), "sqrt(x)");
+    }
+}
+
 /// Steps and kinks, which are holomorphic between them.
 #[test]
 fn jumps_and_kinks() {
