@@ -137,7 +137,7 @@ pub unsafe extern "C" fn voigt<S: Stored<Wide = f64>>(
         let columns = [0, 1, 2, 3].map(|i| Column::<S>::new(args, steps, i));
         (read(dims).max(0) as usize, columns)
     };
-    if n > 0
+    if n > FEW
         && sigma.step == 0
         && gamma.step == 0
         && let (Some(from), Some(to)) = (x.contiguous(), y.contiguous())
