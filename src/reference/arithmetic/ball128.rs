@@ -292,7 +292,7 @@ impl Ball128 {
             (true, false) => [0, 1],
             (true, true) => [1, 0],
         };
-        // What is cut off an exact number between integers does not bring it to the next one.
+        // An exact number between integers stays between them when its last bits are cut off.
         let whole = |x: i128| (x >> places) as i64;
         if self.r == 0.0 {
             return Some(whole(units - below));

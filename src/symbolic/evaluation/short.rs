@@ -3,21 +3,21 @@
 //!
 //! Values that these do not decide, undefined ones among them, are left to [`Balls`].
 
-use super::adaptive::{Answer, FIRST, Goal};
-use super::angle::Angles;
+mod first_pass;
+mod pointwise;
+
 use super::ball::{Balls, Value, ball_of};
-use super::integral::leaves;
-use super::tuning::{Passes, Size};
 use super::{Evaluator, Interpretation, Stop};
 use crate::graph::{Binding, Graph, Id, Node};
 use crate::{Constant, Func, Relation};
+pub(super) use first_pass::FirstPass;
 use mechaudit_reference::elementary::NoValue;
 use mechaudit_reference::elementary::complex::Rectangle;
 use mechaudit_reference::elementary::words;
-use mechaudit_reference::{Ball, Ball128, Complex128, ComplexBall};
-use rug::{Float, Rational};
+use mechaudit_reference::{Ball128, Complex128};
+pub(super) use pointwise::Pointwise;
+use rug::Rational;
 use std::cmp::Ordering;
-use std::sync::Arc;
 
 /// A value in machine words.
 #[derive(Clone, Copy)]
@@ -100,7 +100,7 @@ enum Choosing {
     Held,
 }
 
-/// What was chosen.
+/// A choice that was made.
 #[derive(Clone, Copy)]
 enum Choice {
     /// The order of the operands, or the sign of the one.
@@ -508,289 +508,5 @@ impl Interpretation for Short {
     fn bound(evaluator: &mut Evaluator<Short>, binder: u32) -> Result<Words, Stop> {
         let node = evaluator.graph().find(Node::Bound(binder)).unwrap_or(0);
         Err(Stop { node, reason: LEFT })
-    }
-}
-
-/// The body of a binder of one variable as a function of numbers in these balls.
-pub(super) struct Pointwise {
-    evaluator: Evaluator<Short>,
-    binder: u32,
-    body: Id,
-    /// True if functions with choices depend on the variable, each of which is made once.
-    has_choices: bool,
-    /// True if complex numbers are left to MPFR.
-    is_slow: bool,
-    /// The number at which choices are kept.
-    chosen_at: Option<Float>,
-}
-
-impl Pointwise {
-    /// Takes the values of what does not depend on the variable from another evaluator.
-    pub fn new(balls: &Evaluator<Balls>, binder: u32, body: Id) -> Pointwise {
-        let graph = balls.graph().clone();
-        let parts = graph.reach(body);
-        // A node under another binder makes many choices.
-        let is_bound = |id: &Id| matches!(graph.node(*id), Node::Bound(_) | Node::Last(..));
-        let is_straight = !parts.iter().any(is_bound);
-        let has_choices = is_straight
-            && parts.into_iter().any(|id| {
-                let is_choice = match graph.node(id) {
-                    Node::Unary(f, _) | Node::Binary(f, ..) => is_choice(f),
-                    Node::Compare(..) => true,
-                    _ => false,
-                };
-                is_choice && graph.depends_on(id, binder)
-            });
-        let mut evaluator = Evaluator::new(graph, Short::new(128));
-        for id in leaves(balls.graph(), body, binder) {
-            let value = match &balls.known[id as usize] {
-                Some(Value::Complex(z)) => Complex128::of_ball(z).map(Words::Complex),
-                Some(value) => value.real().and_then(Ball128::of_ball).map(Words::Real),
-                None => None,
-            };
-            if let Some(value) = value {
-                evaluator.set(id, value);
-            }
-        }
-        Pointwise {
-            evaluator,
-            binder,
-            body,
-            has_choices,
-            is_slow: false,
-            chosen_at: None,
-        }
-    }
-
-    /// Returns true if functions with choices depend on the variable, each of which is made once.
-    pub fn has_choices(&self) -> bool {
-        self.has_choices
-    }
-
-    /// An evaluation with choices.
-    fn choosing(&mut self, how: Choosing, x: Words, rounds: &mut u64) -> Option<Words> {
-        self.evaluator.interpretation.choosing = how;
-        let found = self.at(x, rounds);
-        self.evaluator.interpretation.choosing = Choosing::Freely;
-        found
-    }
-
-    /// Returns true if every choice is the same for all numbers of an interval.
-    pub fn is_settled(&mut self, x: &Ball, rounds: &mut u64) -> bool {
-        let x = Ball128::of_ball(x);
-        x.is_some_and(|x| {
-            let found = self.choosing(Choosing::Settled, Words::Real(x), rounds);
-            found.is_some()
-        })
-    }
-
-    /// Encloses on a rectangle the holomorphic function that the choices at a number make.
-    pub fn chosen(&mut self, at: &Ball, z: &ComplexBall, rounds: &mut u64) -> Option<ComplexBall> {
-        if self.chosen_at.as_ref() != Some(at.mid()) {
-            self.chosen_at = None;
-            self.evaluator.interpretation.choices.clear();
-            let x = Words::Real(Ball128::of_ball(at)?);
-            self.choosing(Choosing::Kept, x, rounds)?;
-            self.chosen_at = Some(at.mid().clone());
-        }
-        self.evaluator.interpretation.choosing = Choosing::Held;
-        let found = self.continuation(z, rounds);
-        self.evaluator.interpretation.choosing = Choosing::Freely;
-        found
-    }
-
-    /// Returns true if this is the body.
-    pub fn is_of(&self, body: Id) -> bool {
-        self.body == body
-    }
-
-    fn at(&mut self, x: Words, rounds: &mut u64) -> Option<Words> {
-        self.evaluator.rounds = *rounds;
-        self.evaluator.set_variables(self.binder, [x]);
-        let found = self.evaluator.value(self.body).ok().copied();
-        *rounds = self.evaluator.rounds;
-        found
-    }
-
-    /// The value at a number; it takes from the rounds of loops that are left.
-    pub fn value(&mut self, x: &Ball128, rounds: &mut u64) -> Option<Ball128> {
-        self.at(Words::Real(*x), rounds)?.real().copied()
-    }
-
-    /// The value at a number as a complex one.
-    pub fn complex_value(&mut self, x: &Ball128, rounds: &mut u64) -> Option<Complex128> {
-        if self.is_slow {
-            return None;
-        }
-        self.evaluator.interpretation.has_left = false;
-        let found = self.at(Words::Real(*x), rounds)?.complex();
-        // Functions of MPFR cost as much with more bits, which may be needed.
-        self.is_slow = self.evaluator.interpretation.has_left;
-        found.filter(|_| !self.is_slow)
-    }
-
-    /// Encloses the continuation on a rectangle on which it is holomorphic.
-    pub fn continuation(&mut self, z: &ComplexBall, rounds: &mut u64) -> Option<ComplexBall> {
-        let z = Words::Continued(Rectangle::of_ball(z)?);
-        // Bounds are doubles in the end.
-        let outside = &mut self.evaluator.interpretation.balls;
-        (outside.prec, outside.holomorphic) = (64, true);
-        let found = self.at(z, rounds);
-        let outside = &mut self.evaluator.interpretation.balls;
-        (outside.prec, outside.holomorphic) = (128, false);
-        found?.to_value()?.to_complex()
-    }
-}
-
-/// Values of the nodes of a graph in these balls, for as far as they decide.
-pub(super) struct FirstPass {
-    evaluator: Evaluator<Short>,
-    next: u32,
-    is_straight: bool,
-}
-
-/// The next precision where nothing is left of a value.
-const CANCELLED: u32 = 512;
-
-impl FirstPass {
-    /// Bits of functions where values at [`FIRST`] are not accurate enough.
-    const MOST: u32 = 120;
-
-    /// None for a graph that has no values in these balls.
-    pub fn new(graph: &Arc<Graph>) -> Option<FirstPass> {
-        Short::takes(graph).then(|| FirstPass {
-            evaluator: Evaluator::new(graph.clone(), Short::new(FIRST)),
-            next: FIRST,
-            is_straight: Short::is_straight(graph),
-        })
-    }
-
-    /// Returns the working precision to name the nearest binary64 of what was left open.
-    pub fn next(&self) -> u32 {
-        self.next
-    }
-
-    /// Returns true if nothing is left of a value.
-    pub fn has_cancelled(&self) -> bool {
-        self.next >= CANCELLED
-    }
-
-    /// Returns true if precisions of nodes save time: the graph has neither loops nor sums, and
-    /// functions are called.
-    pub fn is_tuned(&self) -> bool {
-        self.is_straight && self.has_called()
-    }
-
-    /// Returns true if there are functions that machine words do not evaluate.
-    pub fn has_called(&self) -> bool {
-        self.evaluator.interpretation.has_called
-    }
-
-    /// The precisions of all nodes for a pass with `most` bits; none without sizes to go by.
-    pub fn precisions(&self, roots: &[Id], bits: u32, most: u32) -> Vec<u32> {
-        // The bits of arithmetic cost less than the estimates.
-        if !self.is_tuned() {
-            return Vec::new();
-        }
-        let evaluator = &self.evaluator;
-        let passes = Passes {
-            graph: evaluator.graph(),
-            size: |id: Id| {
-                let value = evaluator.known[id as usize].as_ref();
-                value.and_then(Words::real).map(Size::of_short)
-            },
-            before: evaluator.interpretation.balls.prec,
-            most,
-            wanted: bits,
-        };
-        passes.precisions(roots)
-    }
-
-    /// The answers that are accurate enough.
-    pub fn answers(
-        &mut self,
-        inputs: &[Rational],
-        angles: &Angles,
-        nodes: &[Id],
-        goal: Goal,
-    ) -> Vec<Option<Answer>> {
-        let mut answers = vec![None; nodes.len()];
-        let precisions = match goal {
-            Goal::Nearest => [FIRST, FirstPass::MOST],
-            Goal::Bits(bits) | Goal::Double(bits) => [bits.saturating_add(16), u32::MAX],
-        };
-        self.next = FIRST;
-        for prec in precisions {
-            if prec > FirstPass::MOST || !self.begin(inputs, angles, prec) {
-                break;
-            }
-            // More bits of functions may help.
-            let mut may_help = false;
-            for (node, answer) in nodes.iter().zip(&mut answers) {
-                if answer.is_some() {
-                    continue;
-                }
-                self.evaluator.begin();
-                let Ok(value) = self.evaluator.value(*node) else {
-                    self.next = self.next.max(256);
-                    continue;
-                };
-                let Some(value) = value.real() else { continue };
-                *answer = accepted(value, goal);
-                if answer.is_some() {
-                    continue;
-                }
-                // Where everything cancels, the bits that are missing are unknown, and many.
-                let next = match value.accuracy() {
-                    None => CANCELLED,
-                    Some(bits) if bits < 64 => 192,
-                    Some(_) => FIRST,
-                };
-                may_help |= next == 192;
-                self.next = self.next.max(next);
-            }
-            let hint = self.evaluator.interpretation.balls.hint;
-            if hint > FirstPass::MOST {
-                self.next = hint.next_multiple_of(64);
-                break;
-            }
-            if !may_help || !self.evaluator.interpretation.has_called {
-                break;
-            }
-        }
-        answers
-    }
-
-    /// Prepares an evaluation with functions at a precision; false if the inputs are no such balls.
-    fn begin(&mut self, inputs: &[Rational], angles: &Angles, prec: u32) -> bool {
-        let short = &mut self.evaluator.interpretation;
-        let is_other = short.balls.prec != prec;
-        short.balls.prec = prec;
-        short.balls.hint = 0;
-        self.evaluator.reset(is_other);
-        let of_ball = |x: Ball| Ball128::of_ball(&x).map(Words::Real);
-        let has_angles = angles.set(&mut self.evaluator, |_| prec, of_ball);
-        self.evaluator.interpretation.has_called = has_angles;
-        inputs.iter().enumerate().all(|(k, input)| {
-            let value = self.evaluator.interpretation.rational(input);
-            value
-                .map(|x| self.evaluator.set_input(k, Words::Real(x)))
-                .is_some()
-        })
-    }
-}
-
-/// The answer that a value is, if it is accurate enough.
-fn accepted(x: &Ball128, goal: Goal) -> Option<Answer> {
-    if x.is_zero() {
-        return Some(Answer::Zero);
-    }
-    let is_enough = match goal {
-        Goal::Nearest => x.nearest_f64().is_some(),
-        Goal::Bits(bits) | Goal::Double(bits) => x.accuracy()? >= i64::from(bits),
-    };
-    match is_enough {
-        true => x.to_ball().map(Answer::Number),
-        false => None,
     }
 }
