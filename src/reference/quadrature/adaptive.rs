@@ -57,6 +57,15 @@ fn complex_times(z: &ComplexBall, factor: &Ball) -> ComplexBall {
 value!(Ball, Ball::integer(64, 0), rad, real_times);
 value!(ComplexBall, ComplexBall::zero(64), radius, complex_times);
 
+/// A change of choices between two numbers, as it is guessed from the values there.
+#[derive(Clone, Copy, Debug)]
+pub struct Crossing {
+    /// The share of the way from the one to the other at which the first choice changes.
+    pub share: f64,
+    /// True if one choice changes, once.
+    pub is_single: bool,
+}
+
 /// An integrand over a real parameter.
 pub(super) trait Path {
     type Value: Value;
@@ -76,6 +85,9 @@ pub(super) trait Path {
     }
     fn is_settled(&mut self, _: &Ball) -> bool {
         false
+    }
+    fn crossing(&mut self, _: [&Float; 2]) -> Option<Crossing> {
+        None
     }
     /// As [`Path::bound`], of the function that the choices made at a parameter continue to.
     fn bound_chosen(&mut self, _at: &Float, _t: &ComplexBall, _bits: u32) -> Option<Mag> {
@@ -105,6 +117,19 @@ impl Tolerance {
 pub(super) struct Budget {
     pub spent: u64,
     pub limit: u64,
+    /// Evaluations in machine words that are not counted among the others yet.
+    pub words: u64,
+}
+
+impl Budget {
+    /// Counts evaluations in machine words at or around a number, which are as many times faster than
+    /// others.
+    fn spend_words(&mut self, evaluations: u64) {
+        const FASTER: u64 = 8;
+        self.words += evaluations;
+        self.spent += self.words / FASTER;
+        self.words %= FASTER;
+    }
 }
 
 /// The sum over panels, and the worst panel if the work was not finished.
@@ -126,6 +151,10 @@ struct Panel<V> {
     bits: u32,
     /// A parameter at which every choice is the same as on the whole panel.
     settled: Option<Float>,
+    /// The parameter up to which choices do not change from the lower end on.
+    first: Float,
+    /// True if a choice changes on it that machine words do not place more closely.
+    closed: bool,
 }
 
 impl<V> Ord for Panel<V> {
@@ -169,6 +198,11 @@ fn finer(lower: &Float, upper: &Float) -> u32 {
     resolution(exponent(lower).max(exponent(upper)), lower, upper)
 }
 
+/// A number near the middle of a panel.
+fn middle_of(lower: &Float, upper: &Float) -> Float {
+    (lower + upper).complete(64 + finer(lower, upper)) >> 1u32
+}
+
 fn panel<P: Path>(
     path: &mut P,
     [lower, upper]: [Float; 2],
@@ -191,6 +225,7 @@ fn panel<P: Path>(
         tolerance.see(direct.mignitude());
     }
     Panel {
+        first: lower.clone(),
         lower,
         upper,
         direct,
@@ -199,6 +234,7 @@ fn panel<P: Path>(
         depth,
         bits,
         settled: None,
+        closed: false,
     }
 }
 
@@ -329,8 +365,10 @@ struct Hint {
     capped: bool,
     /// Bits that the nodes of the last panel needed beyond those of its value.
     more: u32,
-    /// True if machine words have been accurate enough, or lacked a few bits.
-    short: bool,
+    /// Panels in a row for which machine words were not accurate enough.
+    missed: u32,
+    /// Panels for which they are not tried.
+    skipped: u32,
 }
 
 impl Hint {
@@ -339,7 +377,8 @@ impl Hint {
         parted: false,
         capped: false,
         more: 0,
-        short: true,
+        missed: 0,
+        skipped: 0,
     };
 }
 
@@ -356,8 +395,9 @@ fn ellipse<P: Path>(
 ) -> Result<Ellipse, bool> {
     // A jump on the panel itself makes all else futile.
     if panel.refused && panel.settled.is_none() {
-        let on = [around.reach; 2];
-        around.bound(path, on, Mag::ZERO, budget).ok_or(false)?;
+        // Without any height an interval of real values would do.
+        let (on, height) = ([around.reach; 2], around.reach.shift(-BELOW));
+        around.bound(path, on, height, budget).ok_or(false)?;
     }
     let mut parted = hint.parted && panel.depth == 0;
     let mut i = hint.index;
@@ -378,7 +418,7 @@ fn ellipse<P: Path>(
         parted,
         capped: lowered,
         more: hint.more,
-        short: hint.short,
+        ..*hint
     };
     while let Some(size) = most {
         let rho = ELLIPSES[i];
@@ -429,8 +469,8 @@ const ATTEMPTS: u32 = 3;
 /// beside their panels, and their sum beside the integral, however many there are.
 const ROUNDING: i64 = 6;
 
-/// Bits that machine words may lack on a panel and are tried again on the next one.
-const LITTLE: i64 = 3;
+/// The binary logarithm of the number of panels after which machine words are tried again.
+const MOST_MISSED: u32 = 6;
 
 /// Bits of the error of a panel below its size that machine words are tried for; its size may be
 /// known badly, and the bits below the greatest panel serve as well.
@@ -476,17 +516,21 @@ fn gauss<P: Path>(
     let (Some(top), Some(bottom)) = (direct.magnitude().exponent(), tolerance.exponent()) else {
         return Outcome::Costly;
     };
-    if hint.short
-        && relative.min(top - bottom) <= i64::from(WORDS)
+    if hint.skipped > 0 {
+        hint.skipped -= 1;
+    } else if relative.min(top - bottom) <= i64::from(WORDS)
         && let Some(rule) = nodes::rule(n, WORDS)
         && let Some(words) = path.short_sum(&rule, [&mid_of(WORDS), &half_of(WORDS)])
     {
         budget.spent += u64::from(n);
         let enough = tolerance.max(words.magnitude().shift(ROUNDING - relative));
         if words.radius() <= enough {
+            hint.missed = 0;
             return Outcome::Done(words.widened(error));
         }
-        hint.short = words.radius() <= enough.shift(LITTLE);
+        // Most integrands lose as many bits on the next panel.
+        hint.missed = (hint.missed + 1).min(MOST_MISSED);
+        hint.skipped = (1 << hint.missed) - 2;
     }
     let mut bits = u32::try_from((top - bottom).max(8)).unwrap_or(u32::MAX / 4) + 16 + n.ilog2();
     // The integrand loses about as many bits to cancellation here as in the panel beside this one.
@@ -530,50 +574,144 @@ fn gauss<P: Path>(
     Outcome::Costly
 }
 
-/// Halvings after which the value over what is left is looked at again.
+/// Steps after which the value over what is left is looked at again.
 const LOOK: u32 = 6;
 
+/// Bits that a guess at the place of a change is tried to gain at first, and at most.
+const GUESSED: [u32; 2] = [3, 48];
+
+/// Returns true if a part of a panel is so short that what machine words tell apart limits it.
+fn is_close([low, high]: [&Float; 2], panel: &Panel<impl Value>) -> bool {
+    const SHORTER: i32 = 60;
+    let width = |a: &Float, b: &Float| exponent(&(b - a).complete(64));
+    width(low, high) < width(&panel.lower, &panel.upper) - SHORTER
+}
+
+/// A number up to which choices seem to change once from a panel's lower end on; none where that is
+/// not told.
+fn next_change<P: Path>(
+    path: &mut P,
+    panel: &Panel<P::Value>,
+    budget: &mut Budget,
+) -> Option<Float> {
+    const TRIED: u32 = 32;
+    let low = &panel.first;
+    let [mut before, mut after] = [low, &panel.upper].map(Float::clone);
+    let mut end = after.clone();
+    for _ in 0..TRIED {
+        budget.spend_words(2);
+        match path.crossing([low, &end]) {
+            Some(crossing) if crossing.is_single => return Some(end),
+            Some(_) => after.clone_from(&end),
+            None if end == panel.upper => return None,
+            None => before.clone_from(&end),
+        }
+        let bits = 64 + finer(&before, &after);
+        let width = (&after - &before).complete(64);
+        end = Float::with_val(bits, &before + (width >> 2u32));
+        if !(before < end && end < after) {
+            break;
+        }
+    }
+    None
+}
+
+/// The parts of an interval on either side of a guess at a change, if every choice is settled on
+/// both.
+fn guessed<P: Path>(
+    path: &mut P,
+    [low, high]: [&Float; 2],
+    gain: u32,
+    budget: &mut Budget,
+) -> Option<[Float; 2]> {
+    budget.spend_words(4);
+    let share = path.crossing([low, high])?.share;
+    let bits = 67 + gain + finer(low, high);
+    let width = (high - low).complete(bits);
+    let place = Float::with_val(bits, &width * share) + low;
+    let reach = width >> gain;
+    let before = Float::with_val(bits, &place - &reach).max(low);
+    let after = Float::with_val(bits, &place + &reach).min(high);
+    let mut is_settled =
+        |a: &Float, b: &Float| a == b || path.is_settled(&Ball::between(bits, a, b));
+    (is_settled(low, &before) && is_settled(&after, high)).then_some([before, after])
+}
+
+/// Half of an interval or a little more or less of it, without a part on which every choice is
+/// settled.
+fn halved<P: Path>(
+    path: &mut P,
+    [low, high]: [&Float; 2],
+    budget: &mut Budget,
+) -> Option<[Float; 2]> {
+    // A change at the middle itself leaves both halves unsettled, and enclosures that are wide settle
+    // shorter parts only. Still shorter ones would close in on two changes in vain.
+    for eighths in [4u32, 3, 5] {
+        let bits = 67 + finer(low, high);
+        let width = (high - low).complete(bits);
+        let middle = Float::with_val(bits, low + ((width * eighths) >> 3u32));
+        if !(*low < middle && middle < *high) {
+            break;
+        }
+        budget.spend_words(2);
+        let mut is_settled = |a: &Float, b: &Float| path.is_settled(&Ball::between(bits, a, b));
+        match (is_settled(low, &middle), is_settled(&middle, high)) {
+            (true, true) => return Some([middle.clone(), middle]),
+            (true, false) => return Some([middle, high.clone()]),
+            (false, true) => return Some([low.clone(), middle]),
+            (false, false) => {}
+        }
+    }
+    None
+}
+
 /// The part of a panel on which a choice changes: on either side of it every choice is settled. It
-/// is so short that its error is small, or holds several changes. None where nothing is settled.
+/// is so short that its error is small, or holds several changes; the other side ends at the third
+/// number, before the next change. None where nothing is settled.
 fn unsettled<P: Path>(
     path: &mut P,
     panel: &Panel<P::Value>,
     tolerance: Mag,
     budget: &mut Budget,
-) -> Option<[Float; 2]> {
-    let [mut low, mut high] = [&panel.lower, &panel.upper].map(Float::clone);
-    'halved: for step in 1.. {
-        // A change at the middle itself leaves both halves unsettled, and enclosures that are wide
-        // settle shorter parts only. Still shorter ones would close in on two changes in vain.
-        for eighths in [4u32, 3, 5] {
-            let bits = 67 + finer(&low, &high);
-            let width = (&high - &low).complete(bits);
-            let middle = Float::with_val(bits, &low + ((width * eighths) >> 3u32));
-            if budget.spent >= budget.limit || !(low < middle && middle < high) {
-                break 'halved;
+) -> Option<[Float; 3]> {
+    let mut low = panel.first.clone();
+    let end = next_change(path, panel, budget).unwrap_or_else(|| panel.upper.clone());
+    let mut high = end.clone();
+    // The error of a guess is of the order of the square of the width.
+    let mut gain = GUESSED[0];
+    let mut step = 0;
+    while budget.spent < budget.limit {
+        step += 1;
+        let found = match guessed(path, [&low, &high], gain, budget) {
+            Some(ends) => {
+                gain = (2 * gain).min(GUESSED[1]);
+                Some(ends)
             }
-            budget.spent += 2;
-            let mut is_settled = |a: &Float, b: &Float| path.is_settled(&Ball::between(bits, a, b));
-            match (is_settled(&low, &middle), is_settled(&middle, &high)) {
-                (true, true) => return Some([middle.clone(), middle]),
-                (true, false) => low = middle,
-                (false, true) => high = middle,
-                (false, false) => continue,
-            }
-            if step % LOOK == 0 {
-                let bits = 64 + finer(&low, &high);
-                // A singularity is no choice.
-                let values = path.value(&Ball::between(bits, &low, &high), bits)?;
-                let width = difference(&high, &low, bits);
-                if values.times(&width).radius() <= tolerance {
-                    break 'halved;
+            None if gain > GUESSED[0] => {
+                gain = (gain / 2).max(GUESSED[0]);
+                if gain <= 2 * GUESSED[0] && is_close([&low, &high], panel) {
+                    break;
                 }
+                continue;
             }
-            continue 'halved;
+            None => halved(path, [&low, &high], budget),
+        };
+        let Some(ends) = found else { break };
+        [low, high] = ends;
+        if low == high {
+            break;
         }
-        break;
+        if step % LOOK == 0 || gain > GUESSED[1] / 2 {
+            let bits = 64 + finer(&low, &high);
+            // A singularity is no choice.
+            let values = path.value(&Ball::between(bits, &low, &high), bits)?;
+            let width = difference(&high, &low, bits);
+            if values.times(&width).radius() <= tolerance {
+                break;
+            }
+        }
     }
-    (low > panel.lower || high < panel.upper).then_some([low, high])
+    (low > panel.first || high < end).then_some([low, high, end])
 }
 
 /// Integrates between neighbouring break points, which ascend.
@@ -604,7 +742,7 @@ pub(super) fn adaptive<P: Path>(
             total = total.plus(direct);
             continue;
         }
-        if budget.spent < budget.limit {
+        if budget.spent < budget.limit && !top.closed {
             match gauss(path, &top, *tolerance, greatest, &mut hint, budget) {
                 Outcome::Done(value) => {
                     tolerance.see(value.mignitude());
@@ -615,8 +753,7 @@ pub(super) fn adaptive<P: Path>(
                 Outcome::Costly => {}
             }
         }
-        let bits = 64 + finer(&top.lower, &top.upper);
-        let middle = (&top.lower + &top.upper).complete(bits) >> 1u32;
+        let middle = middle_of(&top.lower, &top.upper);
         let splits = top.lower < middle && middle < top.upper;
         let deepest = match &top.direct {
             Some(_) => DEPTH,
@@ -640,25 +777,48 @@ pub(super) fn adaptive<P: Path>(
             && top.settled.is_none()
             && top.direct.is_some()
             && has_choices
-            && let Some([low, high]) = unsettled(path, &top, tolerance.now, budget)
+            && let Some([low, high, end]) = unsettled(path, &top, tolerance.now, budget)
         {
-            let mut add = |ends: [&Float; 2], refused, settled: Option<&Float>| {
-                if ends[0] < ends[1] {
-                    let ends = ends.map(Float::clone);
-                    let mut part = panel(path, ends, top.depth + 1, refused, tolerance, budget);
-                    part.settled = settled.cloned();
-                    queue.push(part);
-                }
+            let closed = is_close([&low, &high], &top);
+            let mut add = |[a, b]: [&Float; 2], refused| {
+                let ends = [a, b].map(Float::clone);
+                panel(path, ends, top.depth + 1, refused, tolerance, budget)
             };
-            add([&top.lower, &low], None, Some(&low));
-            add([&low, &high], refused, None);
-            add([&high, &top.upper], None, Some(&high));
+            // The ends may lie too near to a change to be told from it.
+            if top.lower < low {
+                let settled = Some(middle_of(&top.lower, &low));
+                let part = add([&top.lower, &low], None);
+                queue.push(Panel { settled, ..part });
+            }
+            if low < high {
+                let part = add([&low, &high], refused);
+                queue.push(Panel { closed, ..part });
+            }
+            if high < top.upper {
+                let part = match end < top.upper {
+                    true => Panel {
+                        first: end,
+                        ..add([&high, &top.upper], refused)
+                    },
+                    false => Panel {
+                        settled: Some(middle_of(&high, &end)),
+                        ..add([&high, &end], None)
+                    },
+                };
+                queue.push(part);
+            }
             continue;
         }
+        // Beside a jump sizes like those of the whole interval are resolved.
+        let refused = refused.or(top.closed.then_some(size));
         let halves = [[top.lower, middle.clone()], [middle, top.upper]];
         for ends in halves {
             let mut half = panel(path, ends, top.depth + 1, refused, tolerance, budget);
             half.settled.clone_from(&top.settled);
+            half.closed = top.closed;
+            if half.lower < top.first {
+                half.first = top.first.clone().min(&half.upper);
+            }
             queue.push(half);
         }
     }

@@ -1,7 +1,7 @@
 //! Integrals along the real line: limits that are infinite, or where the integrand is singular, are
 //! cut off.
 
-use super::adaptive::{Path, adaptive};
+use super::adaptive::{Crossing, Path, adaptive};
 use super::nodes::Rule;
 use super::{End, Growth, Hindrance, Integrand, Limit, Run};
 use crate::{Ball, ComplexBall, Mag};
@@ -43,6 +43,11 @@ impl Path for Line<'_> {
     fn is_settled(&mut self, t: &Ball) -> bool {
         let (x, _) = self.place(t, t.prec());
         self.f.is_settled(&x)
+    }
+
+    fn crossing(&mut self, between: [&Float; 2]) -> Option<Crossing> {
+        let [a, b] = between.map(|t| self.place(&Ball::new(t.clone(), Mag::ZERO), t.prec()).0);
+        self.f.crossing([&a, &b])
     }
 
     fn bound_chosen(&mut self, at: &Float, t: &ComplexBall, bits: u32) -> Option<Mag> {

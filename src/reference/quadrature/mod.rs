@@ -27,6 +27,7 @@ mod improper;
 mod nodes;
 mod series;
 
+pub use adaptive::Crossing;
 pub use germ::Germ;
 pub use growth::Growth;
 
@@ -71,6 +72,11 @@ pub trait Integrand {
     /// Returns true if every choice is proved to be the same at all numbers of a real interval.
     fn is_settled(&mut self, _: &Ball) -> bool {
         false
+    }
+
+    /// Guesses where between two real numbers choices change. Nothing is proved by it.
+    fn crossing(&mut self, _between: [&Ball; 2]) -> Option<Crossing> {
+        None
     }
 
     /// Encloses on a rectangle the function that the choices made at a real number continue to, where
@@ -255,6 +261,7 @@ fn repeated<V: Value>(goal: &Goal, mut run: impl FnMut(&mut Run) -> Option<V>) -
             budget: Budget {
                 spent,
                 limit: goal.evaluations,
+                words: 0,
             },
             tail: radius.shift(-3),
             hindrance: None,

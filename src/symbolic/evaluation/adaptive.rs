@@ -146,7 +146,7 @@ const MAY_BE_ZERO: &str = "the divisor may be zero";
 const INACCURATE: &str = "a value that is not accurate enough";
 
 /// Evaluations of an integrand before an integral is given up, unless another limit is set.
-const EVALUATIONS: u64 = 1 << 18;
+const EVALUATIONS: u64 = 1 << 19;
 
 /// The highest working precision unless another is set.
 pub const LIMIT: u32 = 16_384;

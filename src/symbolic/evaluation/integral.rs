@@ -7,7 +7,9 @@ use super::{Evaluator, Stop};
 use crate::Func;
 use crate::graph::{Graph, Id, Node};
 use mechaudit_reference::elementary::NoValue;
-use mechaudit_reference::quadrature::{self, End, Goal, Growth, Hindrance, Integrand, Limit};
+use mechaudit_reference::quadrature::{
+    self, Crossing, End, Goal, Growth, Hindrance, Integrand, Limit,
+};
 use mechaudit_reference::{Ball, Ball128, Complex128, ComplexBall, Mag};
 use rug::Float;
 use std::cmp::Ordering;
@@ -36,6 +38,9 @@ const MOST_POLES: u32 = 8;
 const COARSE_BITS: u32 = 8;
 const COARSE_EVALUATIONS: u64 = 1 << 7;
 
+/// Evaluations in machine words that count as one.
+const FASTER: u32 = 8;
+
 /// Bits of a rectangle up to which doubles are tried.
 const TOLD_APART: u32 = 64 + 40;
 
@@ -62,6 +67,8 @@ pub(super) struct Body<'e> {
     zeros: Vec<(Id, Ball)>,
     /// The body in machine words, once it was asked for.
     short: Option<Pointwise>,
+    /// Evaluations in machine words.
+    short_evaluations: u32,
 }
 
 impl<'e> Body<'e> {
@@ -74,6 +81,7 @@ impl<'e> Body<'e> {
             undefined: None,
             zeros: Vec::new(),
             short: None,
+            short_evaluations: 0,
         }
     }
 
@@ -112,7 +120,9 @@ impl<'e> Body<'e> {
     /// The body in machine words and the rounds that it may take, for one evaluation.
     fn pointwise(&mut self) -> Option<(&mut Pointwise, &mut u64)> {
         let (binder, body) = (self.binder, self.body);
-        self.evaluator.evaluations = self.evaluator.evaluations.checked_sub(1)?;
+        self.short_evaluations += 1;
+        let counted = u64::from(self.short_evaluations.is_multiple_of(FASTER));
+        self.evaluator.evaluations = self.evaluator.evaluations.checked_sub(counted)?;
         self.short.take_if(|known| !known.is_of(body));
         let pointwise = self
             .short
@@ -280,8 +290,6 @@ impl Integrand for Body<'_> {
             if let Some(found) = pointwise.continuation(z, rounds) {
                 return Some(found);
             }
-            // It counts once.
-            self.evaluator.evaluations += 1;
         }
         self.value(Value::Continued(z.clone()), true, bits)
             .ok()?
@@ -316,6 +324,11 @@ impl Integrand for Body<'_> {
     fn is_settled(&mut self, x: &Ball) -> bool {
         let known = self.pointwise();
         known.is_some_and(|(body, rounds)| body.is_settled(x, rounds))
+    }
+
+    fn crossing(&mut self, between: [&Ball; 2]) -> Option<Crossing> {
+        let (pointwise, rounds) = self.pointwise()?;
+        pointwise.crossing(between, rounds)
     }
 
     fn enclose_chosen(&mut self, at: &Ball, z: &ComplexBall, bits: u32) -> Option<ComplexBall> {

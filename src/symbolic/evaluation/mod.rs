@@ -143,7 +143,7 @@ pub const ROUNDS: u64 = 20_000;
 
 /// Evaluations of all integrands of a value together: some ten seconds. Integrals within integrals
 /// multiply.
-const ALL_EVALUATIONS: u64 = 1 << 19;
+const ALL_EVALUATIONS: u64 = 1 << 20;
 
 /// A part of a choice that may be needed at none of the points may be undefined there.
 fn undecided(stop: Stop) -> Stop {

@@ -83,7 +83,7 @@ struct Short {
     current: Id,
     choosing: Choosing,
     /// The choices that were kept, by nodes.
-    choices: Vec<Option<Choice>>,
+    choices: Vec<Option<Chosen>>,
 }
 
 /// Treatment of functions that are holomorphic but for a choice: absolute values, extrema, steps and
@@ -107,6 +107,26 @@ enum Choice {
     Order(Ordering),
     /// The integer of a step.
     Step(i64),
+}
+
+/// A choice, and the number that made it: it changes where that number passes zero, or one of the
+/// integers from its own to the next.
+#[derive(Clone, Copy)]
+struct Chosen {
+    choice: Choice,
+    by: Ball128,
+}
+
+impl Chosen {
+    fn order(by: Ball128) -> Option<Chosen> {
+        let choice = Choice::Order(by.sign()?);
+        Some(Chosen { choice, by })
+    }
+
+    fn step(by: Ball128, n: i64) -> Chosen {
+        let choice = Choice::Step(n);
+        Chosen { choice, by }
+    }
 }
 
 /// The answer where they do not decide.
@@ -177,25 +197,25 @@ impl Short {
     }
 
     /// The choice at the current node, which the operands make unless one is held.
-    fn choice(&mut self, of_operands: impl FnOnce() -> Option<Choice>) -> Option<Choice> {
+    fn choice(&mut self, of_operands: impl FnOnce() -> Option<Chosen>) -> Option<Choice> {
         let place = self.current as usize;
         if self.choosing == Choosing::Held {
-            return *self.choices.get(place)?;
+            return self.choices.get(place)?.map(|chosen| chosen.choice);
         }
-        let choice = of_operands()?;
+        let chosen = of_operands()?;
         match self.choosing {
             Choosing::Freely | Choosing::Held => {}
             // Beside equal numbers are others.
-            _ if matches!(choice, Choice::Order(Ordering::Equal)) => return None,
+            _ if matches!(chosen.choice, Choice::Order(Ordering::Equal)) => return None,
             Choosing::Settled => {}
             Choosing::Kept => {
                 if self.choices.len() <= place {
                     self.choices.resize(place + 1, None);
                 }
-                self.choices[place] = Some(choice);
+                self.choices[place] = Some(chosen);
             }
         }
-        Some(choice)
+        Some(chosen.choice)
     }
 
     /// A value of the functions in MPFR: a bound where these have to be holomorphic.
@@ -231,16 +251,18 @@ fn is_choice(f: Func) -> bool {
 }
 
 /// The choice of a function at real numbers; none where it is not decided.
-fn chosen(f: Func, x: &[&Words]) -> Option<Choice> {
-    Some(match (f, x) {
-        (Func::Abs, [Words::Real(x)]) => Choice::Order(x.sign()?),
-        (Func::Fmin | Func::Fmax, [Words::Real(x), Words::Real(y)]) => {
-            Choice::Order(x.sub(y)?.sign()?)
+fn chosen(f: Func, x: &[&Words]) -> Option<Chosen> {
+    match (f, x) {
+        (Func::Abs, [Words::Real(x)]) => Chosen::order(*x),
+        (Func::Fmin | Func::Fmax, [Words::Real(x), Words::Real(y)]) => Chosen::order(x.sub(y)?),
+        (Func::Floor, [Words::Real(x)]) => Some(Chosen::step(*x, x.floor()?)),
+        // It is the floor of the next number but at integers.
+        (Func::Ceil, [Words::Real(x)]) => {
+            let next = x.add(&Ball128::integer(1))?;
+            Some(Chosen::step(next, -x.negative().floor()?))
         }
-        (Func::Floor, [Words::Real(x)]) => Choice::Step(x.floor()?),
-        (Func::Ceil, [Words::Real(x)]) => Choice::Step(-x.negative().floor()?),
-        _ => return None,
-    })
+        _ => None,
+    }
 }
 
 /// The value of a function with a choice.
@@ -475,7 +497,7 @@ impl Interpretation for Short {
         }
         if self.choosing != Choosing::Freely {
             let order = || match (a, b) {
-                (Words::Real(a), Words::Real(b)) => Some(Choice::Order(a.sub(b)?.sign()?)),
+                (Words::Real(a), Words::Real(b)) => Chosen::order(a.sub(b)?),
                 _ => None,
             };
             return match self.choice(order) {

@@ -3,9 +3,10 @@
 use super::super::Evaluator;
 use super::super::ball::{Balls, Value};
 use super::super::integral::leaves;
-use super::{Choosing, Short, Words, is_choice};
+use super::{Choice, Choosing, Chosen, Short, Words, is_choice};
 use crate::graph::{Id, Node};
 use mechaudit_reference::elementary::complex::Rectangle;
+use mechaudit_reference::quadrature::Crossing;
 use mechaudit_reference::{Ball, Ball128, Complex128, ComplexBall};
 use rug::Float;
 
@@ -82,13 +83,49 @@ impl Pointwise {
         })
     }
 
+    /// The choices at a number, by nodes.
+    fn choices_at(&mut self, x: &Ball, rounds: &mut u64) -> Option<&mut Vec<Option<Chosen>>> {
+        self.chosen_at = None;
+        self.evaluator.interpretation.choices.clear();
+        let x = Words::Real(Ball128::of_ball(x)?);
+        self.choosing(Choosing::Kept, x, rounds)?;
+        Some(&mut self.evaluator.interpretation.choices)
+    }
+
+    /// Guesses where between two numbers choices change.
+    pub fn crossing(&mut self, [a, b]: [&Ball; 2], rounds: &mut u64) -> Option<Crossing> {
+        let before = std::mem::take(self.choices_at(a, rounds)?);
+        let after = self.choices_at(b, rounds)?;
+        let change = |(x, y): (&Option<Chosen>, &Option<Chosen>)| {
+            let (x, y) = ((*x)?, (*y)?);
+            let (threshold, is_single) = match (x.choice, y.choice) {
+                (Choice::Order(i), Choice::Order(j)) if i != j => (0, true),
+                (Choice::Step(i), Choice::Step(j)) if i != j => {
+                    (i + i64::from(i < j), i.abs_diff(j) == 1)
+                }
+                _ => return None,
+            };
+            let threshold = Ball128::integer(threshold);
+            let off = |x: &Chosen| {
+                let [low, high] = x.by.sub(&threshold)?.doubles()?;
+                Some(low / 2.0 + high / 2.0)
+            };
+            let (from, to) = (off(&x)?, off(&y)?);
+            let share = from / (from - to);
+            let is_between = (0.0..=1.0).contains(&share);
+            is_between.then_some(Crossing { share, is_single })
+        };
+        let changes = before.iter().zip(after.iter()).filter_map(change);
+        changes.reduce(|a, b| Crossing {
+            share: a.share.min(b.share),
+            is_single: false,
+        })
+    }
+
     /// Encloses on a rectangle the holomorphic function that the choices at a number make.
     pub fn chosen(&mut self, at: &Ball, z: &ComplexBall, rounds: &mut u64) -> Option<ComplexBall> {
         if self.chosen_at.as_ref() != Some(at.mid()) {
-            self.chosen_at = None;
-            self.evaluator.interpretation.choices.clear();
-            let x = Words::Real(Ball128::of_ball(at)?);
-            self.choosing(Choosing::Kept, x, rounds)?;
+            self.choices_at(at, rounds)?;
             self.chosen_at = Some(at.mid().clone());
         }
         self.evaluator.interpretation.choosing = Choosing::Held;
