@@ -3,7 +3,7 @@
 
 use super::adaptive::{Crossing, Path, adaptive};
 use super::nodes::Rule;
-use super::{End, Growth, Hindrance, Integrand, Limit, Run};
+use super::{End, Growth, Hindrance, Integrand, Limit, Run, oscillation};
 use crate::{Ball, ComplexBall, Mag};
 use rug::Float;
 use rug::ops::CompleteRound;
@@ -222,19 +222,78 @@ fn between(mut line: Line, a: &Ball, b: &Ball, inner: &[Float], run: &mut Run) -
     Some(sum.value?.widened(beside))
 }
 
-/// The distance from an end, `2^−k` or `2^k`, at which an integral from an ordinary point is cut
-/// off, and a bound on the rest.
-fn rest(f: &mut dyn Integrand, from: &Ball, end: &End, run: &mut Run) -> Option<(u32, Mag)> {
-    let size = distance(from, end).magnitude().exponent().unwrap_or(0);
+/// The integral next to an end: its distance from the end is `2^−k`, or `2^k` at infinity.
+struct Rest {
+    k: u32,
+    value: Ball,
+}
+
+/// Distances at which a cut is near enough, in bits.
+const NEAR: u32 = 8;
+
+/// Places that are tried for the line on which waves decay.
+const PLACES: u32 = 4;
+
+/// The place next to an end up to which an integral from an ordinary point is summed, and the rest.
+fn rest(f: &mut dyn Integrand, from: &Ball, end: &End, run: &mut Run) -> Option<Rest> {
+    let distance = distance(from, end);
+    let size = distance.magnitude().exponent().unwrap_or(0);
     let is_infinite = matches!(end, End::PlusInfinity | End::MinusInfinity);
     // The bound has to hold up to a place short of the start.
     let nearest = if is_infinite { size + 2 } else { 2 - size };
     let found = proved_growth(f, end, nearest)
         .and_then(|(growth, k)| cut(&growth, is_infinite, k, run.tail));
-    if found.is_none() {
-        run.hindrance.get_or_insert(Hindrance::End(name(end)));
+    if found.is_none_or(|(k, _)| k > NEAR)
+        && let Some(rest) = oscillation(f, &distance, end, run)
+    {
+        return Some(rest);
     }
-    found
+    let Some((k, most)) = found else {
+        run.hindrance.get_or_insert(Hindrance::End(name(end)));
+        return None;
+    };
+    let value = Ball::integer(64, 0).widened(most);
+    Some(Rest { k, value })
+}
+
+/// The integral next to an end at which the integrand oscillates, from a place between a start and
+/// the end on.
+fn oscillation(f: &mut dyn Integrand, start: &Ball, end: &End, run: &mut Run) -> Option<Rest> {
+    let is_infinite = matches!(end, End::PlusInfinity | End::MinusInfinity);
+    let mut waves = f.waves(end)?;
+    let distance = |k: u32| {
+        let one = Float::with_val(64, 1);
+        Ball::new(if is_infinite { one << k } else { one >> k }, Mag::ZERO)
+    };
+    let nearest = match (is_infinite, start.mignitude().exponent()) {
+        (true, _) => start.magnitude().exponent().unwrap_or(0),
+        (false, Some(exponent)) => -exponent,
+        (false, None) => return None,
+    };
+    let nearest = u32::try_from(nearest.max(0)).ok()?;
+    let is_beyond = |k: &u32| {
+        let way = if is_infinite {
+            distance(*k) - start
+        } else {
+            start - distance(*k)
+        };
+        way.lower() >= 0
+    };
+    let mut places = (nearest..=nearest + PLACES).filter(is_beyond);
+    let found = places
+        .find_map(|k| oscillation::integral(&mut *waves, end, k, run).map(|value| (k, value)));
+    let (k, mut value) = found?;
+    if let Some(others) = waves.rest() {
+        let from = match end {
+            End::Above(a) => a + distance(k),
+            End::Below(a) => a - distance(k),
+            End::PlusInfinity => distance(k),
+            End::MinusInfinity => -distance(k),
+        };
+        let rest = rest(others, &from, end, run)?;
+        value = value + towards(others, &from, end, rest, run)?;
+    }
+    Some(Rest { k, value })
 }
 
 /// The coordinate of a point: it grows away from a finite end, and towards an infinite one.
@@ -252,7 +311,7 @@ fn towards(
     f: &mut dyn Integrand,
     from: &Ball,
     end: &End,
-    (k, rest): (u32, Mag),
+    Rest { k, value }: Rest,
     run: &mut Run,
 ) -> Option<Ball> {
     let zero = Ball::integer(64, 0);
@@ -272,10 +331,16 @@ fn towards(
     let bits = from.prec().max(64);
     let main = if infinite {
         let last = Float::with_val(64, 1) << k;
+        if (&start - &Ball::new(last.clone(), Mag::ZERO)).is_zero() {
+            return Some(value);
+        }
         let breaks = geometric(&start.mid().clone(), &last, bits);
         between(line, &start, &Ball::new(last, Mag::ZERO), &breaks, run)?
     } else {
         let first = Float::with_val(64, 1) >> k;
+        if (&start - &Ball::new(first.clone(), Mag::ZERO)).is_zero() {
+            return Some(value);
+        }
         let mut breaks = Vec::new();
         let mut x = (&first << 2u32).complete(64);
         while x < *start.mid() {
@@ -284,7 +349,7 @@ fn towards(
         }
         between(line, &Ball::new(first, Mag::ZERO), &start, &breaks, run)?
     };
-    Some(main.widened(rest))
+    Some(main + value)
 }
 
 /// Break points from a start to a distant end, four times as far from the start each time, if it is

@@ -15,7 +15,8 @@
 //!   2013, Thm 19.3.
 //! * *Singular and infinite ends* are cut off where a proved bound on the integrand ([`Growth`])
 //!   makes the rest negligible; the rest widens the result. The panels next to the end are laid out
-//!   in geometric progression.
+//!   in geometric progression. Up to an end next to which the integrand is a sum of [`Waves`], they
+//!   are integrated along lines in the complex plane on which they decay.
 //! * An integral that does not reach its goal says where ([`Hindrance`]). Its ball holds the
 //!   integral nevertheless.
 
@@ -25,11 +26,13 @@ mod germ;
 mod growth;
 mod improper;
 mod nodes;
+mod oscillation;
 mod series;
 
 pub use adaptive::Crossing;
 pub use germ::Germ;
 pub use growth::Growth;
+pub use oscillation::{Sector, Waves};
 
 use crate::{Ball, Ball128, Complex128, ComplexBall, Mag};
 use adaptive::{Budget, Path, Tolerance, Value, adaptive};
@@ -90,6 +93,11 @@ pub trait Integrand {
     /// bound is proved.
     fn growth(&mut self, end: &End, k: u32) -> Option<Growth> {
         let _ = (end, k);
+        None
+    }
+
+    /// The waves of which the integrand is the sum next to an end, if it oscillates there.
+    fn waves(&mut self, _: &End) -> Option<Box<dyn Waves>> {
         None
     }
 }

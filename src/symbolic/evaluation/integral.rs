@@ -2,13 +2,14 @@
 
 use super::ball::{Balls, Value};
 use super::germ::{Germs, Near};
+use super::oscillation::Oscillation;
 use super::short::Pointwise;
 use super::{Evaluator, Stop};
 use crate::Func;
 use crate::graph::{Graph, Id, Node};
 use mechaudit_reference::elementary::NoValue;
 use mechaudit_reference::quadrature::{
-    self, Crossing, End, Goal, Growth, Hindrance, Integrand, Limit,
+    self, Crossing, End, Goal, Growth, Hindrance, Integrand, Limit, Waves,
 };
 use mechaudit_reference::{Ball, Ball128, Complex128, ComplexBall, Mag};
 use rug::Float;
@@ -85,7 +86,13 @@ impl<'e> Body<'e> {
         }
     }
 
-    fn value(&mut self, variable: Value, holomorphic: bool, bits: u32) -> Result<Value, Stop> {
+    /// The value of the body for a value of its variable.
+    pub(super) fn value(
+        &mut self,
+        variable: Value,
+        holomorphic: bool,
+        bits: u32,
+    ) -> Result<Value, Stop> {
         if self.evaluator.evaluations == 0 {
             return Err(Stop {
                 node: self.body,
@@ -337,6 +344,11 @@ impl Integrand for Body<'_> {
         }
         let (pointwise, rounds) = self.pointwise()?;
         pointwise.chosen(at, z, rounds)
+    }
+
+    fn waves(&mut self, end: &End) -> Option<Box<dyn Waves>> {
+        let found = Oscillation::new(self.evaluator, self.binder, self.body, end)?;
+        Some(Box::new(found))
     }
 
     fn growth(&mut self, end: &End, k: u32) -> Option<Growth> {
