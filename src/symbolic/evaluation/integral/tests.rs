@@ -32,6 +32,14 @@ fn integrals_are_cut_at_jumps() {
     }
 }
 
+/// Fifty-three jumps, which are placed one after the other; the sum of the integrals between them by
+/// mpmath.
+#[test]
+fn many_jumps_are_placed() {
+    let text = "int(t, 0, 4, (exp(t) - floor(exp(t)))*sin(t + exp(t)))";
+    assert_eq!(value(text, (1, 1), 25), "0.1019751191629379748569558");
+}
+
 #[test]
 fn a_part_that_is_zero_inside_is_not_so_at_the_end() {
     let text = "int(t, 0, 1, sqrt(abs(t - 0.3))*log(abs(t - 0.3))/t^0.75)";
