@@ -175,9 +175,11 @@ impl Sector {
     pub fn real_power(&self, q: &Rational) -> Option<Sector> {
         // The argument of w^p h is the sum of those of its factors, which are both at most a right
         // angle.
-        let is_principal = self.power.is_zero()
-            || (self.values.re.is_positive() && Rational::from(self.power.abs_ref()) <= 1);
-        is_principal.then_some(())?;
+        let is_principal =
+            self.values.re.is_positive() && Rational::from(self.power.abs_ref()) <= 1;
+        if !self.power.is_zero() && !is_principal {
+            return None;
+        }
         let exponent = Ball::rational(self.bits(), q);
         let exponent = ComplexBall::new(exponent, Ball::integer(self.bits(), 0));
         Some(Sector {
@@ -407,3 +409,6 @@ pub(super) fn integral(
     // The integrand is real.
     Some(total.re)
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,126 @@
+#!/usr/bin/env python3
+"""Holds certified integrals of random oscillations up to an end against extrapolated sums by mpmath.
+
+    python3 reference/independent/oscillating_integrals.py --binary target/release/mechaudit [--integrals 40] [--seed 1]
+
+An amplitude that tends to zero and a product of sines and cosines are drawn in u, which is the variable up to
+infinity or the inverse of the distance from a finite end. mpmath integrates from zero to zero of the oscillation and
+extrapolates (`quadosc`). Exit 1 if a value is more than a unit of its tenth digit off, or if less than two thirds have
+a value.
+"""
+import argparse
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+
+import mpmath as mp
+
+mp.mp.dps = 25
+DIGITS = 10
+
+AMPLITUDES = [
+    "1/u",
+    "1/(u + 3)",
+    "1/(u^2 + 2)",
+    "u/(u^2 + 1)",
+    "1/((u - 3)^2 + 2)",
+    "1/sqrt(u + 1)",
+    "u^(-3/2)",
+    "u^(-1/3)/(1 + 1/u)",
+    "sqrt(1 + 1/u)/u",
+    "exp(-1/u)/u",
+    "exp(1/(1 + u))/(2*u)",
+    "log(1 + 1/u)",
+    "atan(2/u)",
+    "(sqrt(u^2 + u) - u)/u",
+    "1/(u - 20)^2",
+    "1/((u - 50)^2 + 1)",
+]
+WAVES = [
+    ("sin({w}*u)", 1),
+    ("cos({w}*u)", 1),
+    ("sin({w}*u + 1/(1 + u))", 1),
+    ("cos({w}*u - sqrt(1 + 1/u))", 1),
+    ("sin({w}*u + 1)", 1),
+    ("cos({w}*u)*sin(3*{w}*u)", 4),
+    ("sin({w}*u)^3", 3),
+]
+
+
+def at(text, u):
+    names = {name: getattr(mp, name) for name in ("sin", "cos", "sqrt", "exp", "log", "atan")}
+    exact = "".join(f"mpf({part})" if part.isdigit() else part for part in split(text.replace("^", "**")))
+    return eval(exact, {"u": u, "mpf": mp.mpf, **names})
+
+
+def split(text):
+    """Runs of digits, and what stands between them."""
+    part = ""
+    for character in text:
+        if part and character.isdigit() != part[-1].isdigit():
+            yield part
+            part = ""
+        part += character
+    yield part
+
+
+def drawn(draw):
+    """An integral as a text, and what it has to be."""
+    amplitude = draw.choice(AMPLITUDES)
+    wave, multiple = draw.choice(WAVES)
+    frequency = draw.choice([1, 2, 3])
+    text = f"({amplitude})*{wave.format(w=frequency)}"
+    start = draw.choice([1, 2])
+    # From the wave of the slowest part.
+    omega = frequency * (2 if multiple == 4 else 1)
+    due = mp.quadosc(lambda u: at(text, u), [start, mp.inf], omega=omega)
+    place = draw.choice(["inf", "-inf", "above", "below"])
+    put = lambda u: text.replace("exp", "EXP").replace("u", u).replace("EXP", "exp")
+    if place == "inf":
+        return f"int(t, {start}, inf, {put('t')})", due
+    if place == "-inf":
+        return f"int(t, -inf, -{start}, {put('(-t)')})", due
+    a = draw.choice([0, 1, -2])
+    if place == "above":
+        return f"int(t, {a}, {a} + 1/{start}, {put(f'(1/(t - ({a})))')}/(t - ({a}))^2)", due
+    return f"int(t, {a} - 1/{start}, {a}, {put(f'(1/(({a}) - t))')}/(({a}) - t)^2)", due
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--binary", required=True)
+    parser.add_argument("--integrals", type=int, default=40)
+    parser.add_argument("--seed", type=int, default=1)
+    options = parser.parse_args()
+    draw = random.Random(options.seed)
+    wrong = decided = 0
+    with tempfile.TemporaryDirectory() as folder:
+        study = pathlib.Path(folder) / "integrals.toml"
+        for _ in range(options.integrals):
+            text, due = drawn(draw)
+            study.write_text(
+                '[inputs]\nx = { from = 0, to = 1 }\n[outputs]\n'
+                f'y = {{ is = "{text}", budget = "1 ulp", why = "a random integral" }}\n'
+            )
+            command = [options.binary, "eval", study, "--digits", str(DIGITS + 2)]
+            try:
+                ended = subprocess.run(command, input="0.5\n", capture_output=True, text=True, timeout=120)
+            except subprocess.TimeoutExpired:
+                print(f"no answer: {text}")
+                continue
+            answer = ended.stdout.strip()
+            if answer in ("", "undecided", "nan"):
+                print(f"{answer or ended.stderr.strip()}: {text}")
+                continue
+            decided += 1
+            if abs(mp.mpf(answer) - due) > abs(due) * mp.mpf(10) ** (1 - DIGITS):
+                wrong += 1
+                print(f"wrong: {text} is {mp.nstr(due, 15)}, not {answer}")
+    print(f"{decided} of {options.integrals} integrals have a value, {wrong} of them wrong")
+    sys.exit(wrong > 0 or 3 * decided < 2 * options.integrals)
+
+
+if __name__ == "__main__":
+    main()
