@@ -45,8 +45,8 @@ pub fn check(project: &Path, work: &Path, table: &Path) -> Result<bool> {
     let packages: Vec<&str> = packages.into_iter().collect();
     let mut left_out = HashSet::new();
     let targets = ["--lib".to_string()];
-    // All that `cargo test` tests at once, with the same features, and without a check beforehand: every fault is meant
-    // to compile.
+    // All that `cargo test` tests at once, with the same features, and without a check beforehand:
+    // every fault is meant to compile.
     let first = Step::Build;
     let executables = compile(
         &tree,

@@ -46,11 +46,12 @@ pub struct Built {
 }
 
 impl Tree {
-    /// Copies what has changed since the last copy, and what the project's own tests have compiled of others' packages
-    /// if nothing is built here yet.
+    /// Copies what has changed since the last copy, and what the project's own tests have compiled
+    /// of others' packages if nothing is built here yet.
     ///
-    /// With `only_tests`, also what they have compiled of the project, each time anew. Files keep their times however
-    /// they change, so that cargo compiles nothing but the libraries' tests, of which nothing is copied.
+    /// With `only_tests`, also what they have compiled of the project, each time anew. Files keep
+    /// their times however they change, so that cargo compiles nothing but the libraries' tests, of
+    /// which nothing is copied.
     pub fn new(project: &Path, work: &Path, only_tests: bool) -> Result<Tree> {
         let listed = Command::new("git")
             .current_dir(project)
@@ -173,7 +174,8 @@ impl Tree {
     }
 }
 
-/// Runs the compiler that the arguments begin with. Tests are built without optimisation: they run for seconds.
+/// Runs the compiler that the arguments begin with. Tests are built without optimisation: they run
+/// for seconds.
 ///
 /// The profile could say so only for the libraries they use as well, and all would be built again.
 pub fn compiler() -> Result<ExitCode> {
@@ -191,8 +193,8 @@ pub fn compiler() -> Result<ExitCode> {
     })
 }
 
-/// Takes over what the project's own tests have compiled, if there is any: of others' packages, or all but its tests.
-/// What does not fit is compiled anew.
+/// Takes over what the project's own tests have compiled, if there is any: of others' packages, or
+/// all but its tests. What does not fit is compiled anew.
 fn take_over(from: &Path, to: &Path, own_too: bool) -> Result<()> {
     // Cargo writes a fingerprint when its package is whole.
     for part in [".fingerprint", "build", "deps"] {
@@ -202,7 +204,8 @@ fn take_over(from: &Path, to: &Path, own_too: bool) -> Result<()> {
     Ok(())
 }
 
-/// Copies what belongs to others, or all but tests, with its times, by which cargo tells what is stale.
+/// Copies what belongs to others, or all but tests, with its times, by which cargo tells what is
+/// stale.
 fn copy(from: &Path, to: &Path, own_too: bool) -> io::Result<()> {
     // Another cargo may be at work there.
     let there = |e: io::Error| (e.kind() != io::ErrorKind::NotFound).then_some(e);

@@ -128,7 +128,8 @@ pub(super) fn integrate_within(
         pending = rest;
     }
     let (mut steps, mut largest_radius) = (0, Mag::ZERO);
-    // Times that may lie on either side of the end of a step are read from both steps: the first of those pending.
+    // Times that may lie on either side of the end of a step are read from both steps: the first of
+    // those pending.
     let mut earlier: Vec<Sample> = Vec::new();
     while !pending.is_empty() {
         if steps == most_steps {

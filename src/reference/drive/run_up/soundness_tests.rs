@@ -107,8 +107,8 @@ fn steps_have_a_limit() {
     assert!(within(steps - 1).unwrap_err().reason.contains("steps"));
 }
 
-/// Times about the end of a panel, of none of which is known on what side it is; the acceleration is
-/// another beyond it.
+/// Times about the end of a panel, of none of which is known on what side it is; the acceleration
+/// is another beyond it.
 #[test]
 fn times_at_the_end_of_a_step_are_read_from_both_steps() {
     let model = |bits: u32, inertias: [i64; 2]| {
