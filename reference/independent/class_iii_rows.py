@@ -52,20 +52,18 @@ def centres(phi1, p):
     return {k: o + bodies[k][3] * e(q + bodies[k][4]) for k, (o, q) in s.items()}
 
 
-def energies(phi1, start, h):
-    """I_n and U at phi1 from central differences of order 8 with step h at 110 digits."""
+def energies(n, at, s, h):
+    """I_n and U at the crank angle of number n, from central differences of order 8 with step h at 110 digits."""
     w = {1: mp.mpf(4) / 5, 2: -mp.mpf(1) / 5, 3: mp.mpf(4) / 105, 4: -mp.mpf(1) / 280}
-    at = {k: angles(phi1 + k * h, start) for k in range(-4, 5)}
-    s = {k: centres(phi1 + k * h, at[k]) for k in at}
-    d = lambda f: sum(w[k] * (f(k) - f(-k)) for k in w) / h
+    d = lambda f: sum(w[k] * (f(n + k) - f(n - k)) for k in w) / h
     total = mp.mpf(0)
     for i, link in enumerate((2, 3, 4, 5)):
         m, j, pivot, _, _ = bodies[link]
         omega = d(lambda k: at[k][i])
         v = d(lambda k: s[k][link])
         total += j * omega**2 + (0 if pivot else m * abs(v) ** 2)
-    u = g * sum(bodies[link][0] * s[0][link].imag for link in bodies)
-    return total, u, at[0]
+    u = g * sum(bodies[link][0] * s[n][link].imag for link in bodies)
+    return total, u
 
 
 def table():
@@ -76,8 +74,11 @@ def table():
     lines = ["row,phi2_rad,phi3_rad,phi4_rad,phi5_rad,I_n_kg_m2,dI_n_kg_m2,M_o_N_m,dM_o_N_m"]
     for row in range(48):
         phi1 = (mp.mpf("14.426") + mp.mpf(15) * row / 2) * deg
-        data = {k: energies(phi1 + k * h, start, h) for k in range(-4, 5)}
-        i_n, _, start = data[0]
+        start = angles(phi1, start)
+        at = {k: angles(phi1 + k * h, start) if k else start for k in range(-8, 9)}
+        s = {k: centres(phi1 + k * h, at[k]) for k in at}
+        data = {k: energies(k, at, s, h) for k in range(-4, 5)}
+        i_n = data[0][0]
         d_i = sum(w[k] * (data[k][0] - data[-k][0]) for k in w) / h
         moment = -sum(w[k] * (data[k][1] - data[-k][1]) for k in w) / h
         second = sum(w2[k] * ((data[k][1] + data[-k][1]) if k else data[0][1]) for k in w2) / h**2

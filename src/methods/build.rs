@@ -7,7 +7,8 @@ use std::{env, fs};
 fn main() {
     let folder =
         Path::new(&env::var_os("CARGO_MANIFEST_DIR").expect("set by cargo")).join("reference/hard");
-    println!("cargo::rerun-if-changed={}", folder.display());
+    // Relative, so that it is the same in a copy of the project.
+    println!("cargo::rerun-if-changed=reference/hard");
     let entries = fs::read_dir(&folder).expect("the folder of hard cases");
     let mut files: Vec<PathBuf> = entries
         .map(|entry| entry.expect("an entry of the folder of hard cases").path())

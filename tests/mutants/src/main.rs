@@ -107,9 +107,12 @@ struct Source {
 const ROUNDS: usize = 40;
 
 fn main() -> ExitCode {
-    match audit(&Args::parse()) {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => ExitCode::from(1),
+    let ended = match std::env::var_os(tree::COMPILER) {
+        Some(_) => tree::compiler(),
+        None => audit(&Args::parse()).map(|good| ExitCode::from(u8::from(!good))),
+    };
+    match ended {
+        Ok(code) => code,
         Err(e) => {
             eprintln!("mutants: {e:#}");
             ExitCode::from(2)
@@ -141,7 +144,7 @@ fn audit(args: &Args) -> Result<bool> {
         }
         return Ok(true);
     }
-    let tree = Tree::new(&project, &work, &[])?;
+    let tree = Tree::new(&project, &work, false)?;
     let named = |kind: &str, names: &[String]| -> Vec<String> {
         let each = names.iter();
         each.flat_map(|n| [kind.into(), n.clone()]).collect()

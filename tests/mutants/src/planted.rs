@@ -3,7 +3,7 @@
 use crate::mutate::{Kind, Place};
 use crate::render::Mutant;
 use crate::tests_run::{Ended, LONGEST, limit, names, run};
-use crate::tree::{Executable, Tree, UNOPTIMISED};
+use crate::tree::{Executable, Tree};
 use crate::{Source, Step, compile};
 use anyhow::{Context, Result, bail};
 use rayon::prelude::*;
@@ -37,19 +37,20 @@ pub fn check(project: &Path, work: &Path, table: &Path) -> Result<bool> {
     let rows = reader.deserialize().collect::<Result<Vec<Row>, _>>();
     let rows = rows.with_context(|| table.display().to_string())?;
     let (sources, mutants) = planted(project, &rows)?;
-    let tree = Tree::new(project, work, &UNOPTIMISED)?;
-    tree.without_vectors()?;
-    let packages: BTreeSet<&str> = rows.iter().map(|row| row.package.as_str()).collect();
-    let packages: Vec<&str> = packages.into_iter().collect();
     let start = Instant::now();
     let told = |done: &str| println!("{:.0} s: {done}", start.elapsed().as_secs_f64());
+    let tree = Tree::new(project, work, true)?;
+    told("copied");
+    let packages: BTreeSet<&str> = rows.iter().map(|row| row.package.as_str()).collect();
+    let packages: Vec<&str> = packages.into_iter().collect();
     let mut left_out = HashSet::new();
     let targets = ["--lib".to_string()];
-    // All packages at once, and without a check beforehand: every fault is meant to compile.
+    // All that `cargo test` tests at once, with the same features, and without a check beforehand:
+    // every fault is meant to compile.
     let first = Step::Build;
     let executables = compile(
         &tree,
-        [&packages, &packages],
+        [&packages, &[]],
         &sources,
         &mutants,
         &targets,

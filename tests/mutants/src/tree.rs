@@ -7,24 +7,18 @@ use std::fs;
 use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::{Command, ExitCode, Stdio};
+use std::time::SystemTime;
 
-/// Optimisation of what is built once and runs for seconds.
-pub const UNOPTIMISED: [&str; 6] = [
-    "--config",
-    "profile.dev.opt-level=0",
-    "--config",
-    "profile.dev.package.mechaudit-solvers.opt-level=0",
-    "--config",
-    "profile.dev.package.mechaudit-proof.opt-level=0",
-];
+/// Set where cargo runs this program in place of the compiler.
+pub const COMPILER: &str = "MUTANTS_COMPILER";
 
 /// A copy of the files that git tracks.
 pub struct Tree {
     pub root: PathBuf,
     target: PathBuf,
-    /// Further options of cargo.
-    options: &'static [&'static str],
+    /// True if changes are for the libraries' own tests alone.
+    only_tests: bool,
 }
 
 /// An error of the compiler, or what it names beside one: the file, and the bytes of it.
@@ -52,8 +46,13 @@ pub struct Built {
 }
 
 impl Tree {
-    /// Copies what has changed since the last copy.
-    pub fn new(project: &Path, work: &Path, options: &'static [&'static str]) -> Result<Tree> {
+    /// Copies what has changed since the last copy, and what the project's own tests have compiled
+    /// of others' packages if nothing is built here yet.
+    ///
+    /// With `only_tests`, also what they have compiled of the project, each time anew. Files keep
+    /// their times however they change, so that cargo compiles nothing but the libraries' tests, of
+    /// which nothing is copied.
+    pub fn new(project: &Path, work: &Path, only_tests: bool) -> Result<Tree> {
         let listed = Command::new("git")
             .current_dir(project)
             .args([
@@ -72,42 +71,35 @@ impl Tree {
         for name in String::from_utf8(listed.stdout)?.split_terminator('\0') {
             let from = project.join(name);
             if from.is_file() {
-                write_if_other(&root.join(name), &fs::read(&from)?)?;
+                let to = root.join(name);
+                write_if_other(&to, &fs::read(&from)?)?;
+                if only_tests {
+                    same_time(&to, fs::metadata(&from)?.modified()?)?;
+                }
             }
         }
-        let target = work.join("build");
+        let target = work.join(if only_tests { "tests" } else { "build" });
+        if only_tests && target.exists() {
+            fs::remove_dir_all(&target)?;
+        }
         if !target.exists() {
             let own = env::var_os("CARGO_TARGET_DIR").map_or(project.join("target"), PathBuf::from);
-            take_over(&own.join("debug"), &target.join("debug"))?;
+            take_over(&own.join("debug"), &target.join("debug"), only_tests)?;
         }
         Ok(Tree {
             root,
             target,
-            options,
+            only_tests,
         })
     }
 
     /// Replaces a file.
     pub fn write(&self, name: &str, text: &str) -> Result<()> {
-        write_if_other(&self.root.join(name), text.as_bytes())
-    }
-
-    /// Leaves out the batches by vector instructions, which no condition concerns: half of what the solvers take to
-    /// compile.
-    pub fn without_vectors(&self) -> Result<()> {
-        for (file, from, to) in [
-            (
-                "Cargo.toml",
-                "vectors = [\"mechaudit-solvers/vectors\"]",
-                "vectors = []",
-            ),
-            ("src/solvers/Cargo.toml", ", \"vectors\"]", "]"),
-        ] {
-            let text = fs::read_to_string(self.root.join(file))?;
-            if !text.contains(from) {
-                bail!("{file} does not contain {from}");
-            }
-            self.write(file, &text.replace(from, to))?;
+        let path = self.root.join(name);
+        let time = fs::metadata(&path)?.modified()?;
+        write_if_other(&path, text.as_bytes())?;
+        if self.only_tests {
+            same_time(&path, time)?;
         }
         Ok(())
     }
@@ -137,7 +129,7 @@ impl Tree {
         .collect()
     }
 
-    /// Checks or builds the tests of packages.
+    /// Checks or builds the tests of packages, of those that `cargo test` tests if none are named.
     pub fn cargo(&self, packages: &[&str], targets: &[String], build: bool) -> Result<Built> {
         let mut command = Command::new("cargo");
         command
@@ -148,10 +140,14 @@ impl Tree {
             } else {
                 &["check", "--profile", "test"]
             })
-            .args(self.options)
             .args(["--message-format", "json"])
             .args(packages.iter().flat_map(|p| ["--package", *p]));
         command.args(targets);
+        if self.only_tests {
+            command
+                .env("RUSTC_WRAPPER", env::current_exe()?)
+                .env(COMPILER, "");
+        }
         let out = command.stderr(Stdio::piped()).output().context("cargo")?;
         let mut built = Built {
             executables: Vec::new(),
@@ -178,19 +174,39 @@ impl Tree {
     }
 }
 
-/// Takes over what the project's own tests have compiled of others' packages, if there is any. What
-/// does not fit is compiled anew.
-fn take_over(from: &Path, to: &Path) -> Result<()> {
+/// Runs the compiler that the arguments begin with. Tests are built without optimisation: they run
+/// for seconds.
+///
+/// The profile could say so only for the libraries they use as well, and all would be built again.
+pub fn compiler() -> Result<ExitCode> {
+    let mut arguments: Vec<String> = env::args().skip(1).collect();
+    if arguments.iter().any(|a| a == "--test") {
+        for level in arguments.iter_mut().filter(|a| a.starts_with("opt-level=")) {
+            *level = "opt-level=0".into();
+        }
+    }
+    let (compiler, rest) = arguments.split_first().context("no compiler")?;
+    let status = Command::new(compiler).args(rest).status()?;
+    Ok(match status.success() {
+        true => ExitCode::SUCCESS,
+        false => ExitCode::FAILURE,
+    })
+}
+
+/// Takes over what the project's own tests have compiled, if there is any: of others' packages, or
+/// all but its tests. What does not fit is compiled anew.
+fn take_over(from: &Path, to: &Path, own_too: bool) -> Result<()> {
     // Cargo writes a fingerprint when its package is whole.
     for part in [".fingerprint", "build", "deps"] {
-        copy(&from.join(part), &to.join(part))
+        copy(&from.join(part), &to.join(part), own_too)
             .with_context(|| from.join(part).display().to_string())?;
     }
     Ok(())
 }
 
-/// Copies what belongs to others, with its times, by which cargo tells what is stale.
-fn copy(from: &Path, to: &Path) -> io::Result<()> {
+/// Copies what belongs to others, or all but tests, with its times, by which cargo tells what is
+/// stale.
+fn copy(from: &Path, to: &Path, own_too: bool) -> io::Result<()> {
     // Another cargo may be at work there.
     let there = |e: io::Error| (e.kind() != io::ErrorKind::NotFound).then_some(e);
     let entries = match fs::read_dir(from) {
@@ -203,11 +219,16 @@ fn copy(from: &Path, to: &Path) -> io::Result<()> {
     for entry in entries {
         let path = entry?.path();
         let name = path.file_name().unwrap_or_default();
-        if name.to_string_lossy().contains("mechaudit") || programs && path.extension().is_none() {
+        let text = name.to_string_lossy();
+        let left_out = match own_too {
+            true => text.contains("test-lib-") || text.ends_with(".o"),
+            false => text.contains("mechaudit"),
+        };
+        if left_out || programs && path.extension().is_none() {
             continue;
         }
         let copied = if path.is_dir() {
-            copy(&path, &to.join(name))
+            copy(&path, &to.join(name), own_too)
         } else {
             copy_file(&path, &to.join(name))
         };
@@ -219,7 +240,14 @@ fn copy(from: &Path, to: &Path) -> io::Result<()> {
 fn copy_file(from: &Path, to: &Path) -> io::Result<()> {
     let time = fs::metadata(from)?.modified()?;
     fs::copy(from, to)?;
-    fs::File::open(to)?.set_modified(time)
+    same_time(to, time)
+}
+
+fn same_time(path: &Path, time: SystemTime) -> io::Result<()> {
+    fs::File::options()
+        .append(true)
+        .open(path)?
+        .set_modified(time)
 }
 
 /// The program that a message of cargo tells of.

@@ -128,32 +128,37 @@ pub(super) fn integrate_within(
         pending = rest;
     }
     let (mut steps, mut largest_radius) = (0, Mag::ZERO);
-    // A time that may lie on either side of the end of a step is read from both steps.
-    let mut earlier: Option<Sample> = None;
+    // Times that may lie on either side of the end of a step are read from both steps: the first of
+    // those pending.
+    let mut earlier: Vec<Sample> = Vec::new();
     while !pending.is_empty() {
         if steps == most_steps {
             return Err(undecided("too many steps"));
         }
         let piece = walk.step()?;
         let end = &walk.time + &piece.duration;
-        while let [first, rest @ ..] = pending {
-            let t = Ball::rational(bits, first);
+        let (mut done, mut open) = (0, Vec::new());
+        for (k, time) in pending.iter().enumerate() {
+            let t = Ball::rational(bits, time);
             let left = &end - &t;
             if left.is_negative() {
                 break;
             }
-            let sample = walk.sample(&piece, first, &t);
-            let sample = match earlier.take() {
+            let sample = walk.sample(&piece, time, &t);
+            let sample = match earlier.get(k) {
                 Some(before) => before.union(&sample),
                 None => sample,
             };
-            if !left.is_positive() {
-                earlier = Some(sample);
-                break;
+            if left.is_positive() && open.is_empty() {
+                samples.push(sample);
+                done += 1;
+            } else {
+                open.push(sample);
             }
-            samples.push(sample);
-            pending = rest;
         }
+        open.extend(earlier.drain(..).skip(done + open.len()));
+        earlier = open;
+        pending = &pending[done..];
         steps += 1;
         largest_radius = largest_radius.max(piece.speed.rad());
         walk.advance(piece, end);

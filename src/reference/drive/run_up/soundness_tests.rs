@@ -107,8 +107,8 @@ fn steps_have_a_limit() {
     assert!(within(steps - 1).unwrap_err().reason.contains("steps"));
 }
 
-/// Times about the end of a panel, of which is not known on what side they are; the acceleration is
-/// another beyond it.
+/// Times about the end of a panel, of none of which is known on what side it is; the acceleration
+/// is another beyond it.
 #[test]
 fn times_at_the_end_of_a_step_are_read_from_both_steps() {
     let model = |bits: u32, inertias: [i64; 2]| {
@@ -140,16 +140,16 @@ fn times_at_the_end_of_a_step_are_read_from_both_steps() {
             }
             walk.advance(piece, end.clone());
         }
-        for part in [-0.9, -0.5, 0.1, 0.5, 0.9] {
+        let times = [-0.9, -0.5, 0.1, 0.5, 0.9].map(|part| {
             let t = Float::with_val(200, end.rad().to_float() * part) + end.mid();
-            let times = [t.to_rational().unwrap()];
-            let at = |model, order| {
-                let motion: Motion = integrate_with(model, &run, &times, order).unwrap();
-                motion.samples.into_iter().next().unwrap()
-            };
-            let (found, due) = (at(&coarse, 20), at(&fine, 90));
-            assert!(found.speed.contains_ball(&due.speed), "{inertias:?} {part}");
-            assert!(found.angle.contains_ball(&due.angle), "{inertias:?} {part}");
+            t.to_rational().unwrap()
+        });
+        let at = |model, order| -> Motion { integrate_with(model, &run, &times, order).unwrap() };
+        let (found, due) = (at(&coarse, 20), at(&fine, 90));
+        assert_eq!([found.samples.len(), due.samples.len()], [times.len(); 2]);
+        for (found, due) in found.samples.iter().zip(&due.samples) {
+            assert!(found.speed.contains_ball(&due.speed), "{inertias:?}");
+            assert!(found.angle.contains_ball(&due.angle), "{inertias:?}");
         }
     }
 }
