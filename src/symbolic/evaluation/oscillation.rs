@@ -77,6 +77,10 @@ impl Splitter<'_> {
                 let (order, sign) = self.power_of_distance(base)?;
                 Some((order.checked_mul(k)?, if k % 2 == 0 { 1 } else { sign }))
             }
+            (Node::Neg(a), _) => {
+                let (order, sign) = self.power_of_distance(a)?;
+                Some((order, -sign))
+            }
             (_, None) => (id == self.variable).then_some((1, away)),
             (node, Some(end)) => {
                 let x = self.variable;
@@ -222,6 +226,9 @@ impl Splitter<'_> {
         match self.graph.node(id) {
             Node::Neg(a) => {
                 let mut terms = self.terms(a)?;
+                if self.is_plain(&terms) {
+                    return Some(self.plain(id));
+                }
                 for term in &mut terms {
                     term.factor = &term.factor * &Gauss::real(-1);
                 }
