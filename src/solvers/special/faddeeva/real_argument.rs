@@ -306,8 +306,8 @@ functions! {
 
     /// [`erfi`](super::erfi()) of a real argument.
     ///
-    /// Worst found, 10⁵ arguments of all sizes: 0.55 units in the last place. ±∞ beyond ±26.714, NaN
-    /// for NaN.
+    /// Worst found, 10⁵ arguments: 0.55 units in the last place from 1e-290 on, 0.73 below. ±∞ beyond
+    /// ±26.714, NaN for NaN.
     ///
     /// ```
     /// use mechaudit_solvers::faddeeva::erfi_real;

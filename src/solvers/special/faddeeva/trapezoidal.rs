@@ -45,11 +45,10 @@ const STEPS: f64 = 64.0;
 const PER: f64 = 23.0;
 
 #[inline(always)]
-fn total<R: Real>(parts: [Dd<R>; LANES]) -> Dd<R> {
-    let zero = Dd::ZERO.like(parts[0].hi);
-    let mut sum = zero;
+fn total<R: Real>(first: Dd<R>, parts: &[Dd<R>]) -> Dd<R> {
+    let mut sum = first;
     for part in parts {
-        sum = sum + part;
+        sum = sum + *part;
     }
     sum
 }
@@ -82,14 +81,19 @@ fn sums<R: Real, const PAIRS: usize>(second: R::Mask, r2: Dd<R>, y2: Dd<R>) -> (
             let less = r2.add_f(-t);
             let m = less.square() + y2.mul_f(x.like(4.0) * t);
             let q = Dd::new(high, low).div(m);
-            plus[j] = plus[j] + q * r2.add_f(t);
-            minus[j] = minus[j] + q * less;
+            let (p, n) = (q * r2.add_f(t), q * less);
+            // The sum of zero and a number is that number.
+            (plus[j], minus[j]) = match PAIRS != NODES && block == 0 {
+                true => (p, n),
+                false => (plus[j] + p, minus[j] + n),
+            };
         }
     }
-    let (plus, minus) = (total(plus), total(minus));
     if PAIRS == NODES {
-        return (plus, minus);
+        return (total(zero, &plus), total(zero, &minus));
     }
+    let plus = total(plus[0], &plus[1..]);
+    let minus = total(minus[0], &minus[1..]);
     let (mut p, mut q) = (x.like(0.0), x.like(0.0));
     for k in PAIRS..SHORT[1] {
         let t = x.either(second, [t0[k], t1[k]]);
