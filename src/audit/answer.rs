@@ -86,11 +86,10 @@ impl ReferenceAnswer {
         self,
         signs: impl FnOnce() -> Vec<Option<bool>>,
     ) -> ReferenceAnswer {
-        let signs = match (self.has_zeros(), &self) {
-            (true, _) => signs(),
-            (false, ReferenceAnswer::Expected(..)) => return self,
-            (false, _) => Vec::new(),
-        };
+        if !self.has_zeros() {
+            return self;
+        }
+        let signs = signs();
         let signed =
             |(i, expected): (usize, Expected)| expected.signed(signs.get(i).copied().flatten());
         match self {

@@ -1,7 +1,6 @@
 //! Where a method is audited: named regions with a sampler each, and named check points.
 
-use rand::rngs::ChaCha8Rng;
-use rand::{Rng, SeedableRng};
+use super::stream::{Key, LANES, Stream, blocks, keyed};
 use std::cell::Cell;
 use std::sync::Arc;
 
@@ -11,20 +10,21 @@ use std::sync::Arc;
 /// can be drawn again without drawing those before it. The conversions to floats are written here
 /// so that no dependency's update can change them, and logarithms
 /// and exponentials are those of `libm`, which takes the same steps on every machine.
-pub struct Draw(ChaCha8Rng);
+pub struct Draw(Stream);
 
-/// The key of ChaCha8, expanded from a seed.
-pub(super) type Key = [u8; 32];
+/// The unit of a fraction of 53 bits.
+const UNIT: f64 = 1.0 / (1u64 << 53) as f64;
 
 impl Draw {
     /// The stream of one case.
     pub fn new(seed: u64, method: &str, region: &str, index: u64) -> Draw {
-        Draw::of(&Draw::keyed(seed), Draw::named(method, region), index)
+        let number = Draw::number(Draw::named(method, region), index);
+        Draw::of(&keyed(seed), number)
     }
 
-    /// Returns the key that all streams of a seed share.
-    pub(super) fn keyed(seed: u64) -> Key {
-        ChaCha8Rng::seed_from_u64(seed).get_seed()
+    /// The stream of that number, the seed expanded before.
+    pub(super) fn of(key: &Key, number: u64) -> Draw {
+        Draw(Stream::new(key, number))
     }
 
     /// Returns the hash that the streams of a region share.
@@ -36,16 +36,28 @@ impl Draw {
         hashed(0xcbf2_9ce4_8422_2325, names)
     }
 
-    /// [`Draw::new`], the seed expanded and the names hashed before.
-    pub(super) fn of(keyed: &Key, named: u64, index: u64) -> Draw {
-        let mut rng = ChaCha8Rng::from_seed(*keyed);
-        rng.set_stream(hashed(named, index.to_le_bytes()));
-        Draw(rng)
+    /// Returns the number of the stream of a case.
+    pub(super) fn number(named: u64, index: u64) -> u64 {
+        hashed(named, index.to_le_bytes())
+    }
+
+    /// Calls `each` with the place and the [`Draw`] of each of up to four streams.
+    pub(super) fn several(key: &Key, numbers: &[u64], mut each: impl FnMut(usize, &mut Draw)) {
+        let Some(&first) = numbers.first() else {
+            return;
+        };
+        let streams = std::array::from_fn(|i| *numbers.get(i).unwrap_or(&first));
+        let first_blocks = blocks(key, streams, [0; LANES]);
+        let mut draw = Draw::of(key, first);
+        for (lane, number) in numbers.iter().enumerate() {
+            draw.0.begin(*number, &first_blocks, lane);
+            each(lane, &mut draw);
+        }
     }
 
     /// Uniform on `[0, 1)` with 53 bits.
     pub fn unit(&mut self) -> f64 {
-        (self.0.next_u64() >> 11) as f64 * 2f64.powi(-53)
+        (self.0.next_u64() >> 11) as f64 * UNIT
     }
 
     /// Uniform on `[lo, hi)`.

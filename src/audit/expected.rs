@@ -108,6 +108,67 @@ impl Expected {
     }
 }
 
+/// The values of a reference, where they are.
+#[derive(Clone, Copy)]
+pub(super) enum Values<'a> {
+    Numbers(&'a [Ball]),
+    Expected(&'a [Expected]),
+}
+
+impl<'a> Values<'a> {
+    pub(super) fn len(self) -> usize {
+        match self {
+            Values::Numbers(balls) => balls.len(),
+            Values::Expected(all) => all.len(),
+        }
+    }
+
+    pub(super) fn iter(self) -> impl Iterator<Item = Due<'a>> {
+        (0..self.len()).map(move |i| match self {
+            Values::Numbers(balls) => Due::Number(&balls[i]),
+            Values::Expected(all) => Due::Expected(&all[i]),
+        })
+    }
+}
+
+/// One of them.
+#[derive(Clone, Copy)]
+pub(super) enum Due<'a> {
+    Number(&'a Ball),
+    Expected(&'a Expected),
+}
+
+impl<'a> Due<'a> {
+    /// [`Expected::number`]
+    pub(super) fn number(self) -> Option<&'a Ball> {
+        match self {
+            Due::Number(ball) => Some(ball),
+            Due::Expected(expected) => expected.number(),
+        }
+    }
+
+    /// [`Expected::nearest`]
+    pub(super) fn nearest(self) -> f64 {
+        match self {
+            Due::Number(ball) => ball.to_f64(),
+            Due::Expected(expected) => expected.nearest(),
+        }
+    }
+
+    /// [`Expected::wrong_zero`]
+    pub(super) fn wrong_zero(self, got: f64) -> bool {
+        matches!(self, Due::Expected(expected) if expected.wrong_zero(got))
+    }
+
+    /// [`Expected::distance`]
+    pub(super) fn distance(self, got: f64, format: Format) -> (Mag, Mag) {
+        match self {
+            Due::Number(ball) => distance(got, ball, format),
+            Due::Expected(expected) => expected.distance(got, format),
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -2,14 +2,13 @@
 
 use super::answer::{ReferenceAnswer, SolverAnswer};
 use super::budget::{Limit, NormBudget};
-use super::expected::Expected;
+use super::expected::{Due, Expected, Values};
 use super::kind::Kind;
 use super::method::Output;
 use super::reason::{Fault, Reason, written};
 use super::ulp::Format;
 use mechaudit_reference::{Ball, Mag};
 use serde::{Deserialize, Serialize};
-use std::borrow::Cow;
 
 mod norm;
 
@@ -189,20 +188,15 @@ pub fn judge_by(
         (SolverAnswer::Values(got), R::Refuses(_)) => {
             return Judgement::wrong(Kind::Value, beside(&listed(got), reference));
         }
-        (SolverAnswer::Values(got), R::Values(r)) => {
-            let numbers = r.values.iter().cloned().map(Expected::Number);
-            (got, Cow::Owned(numbers.collect::<Vec<_>>()))
-        }
-        (SolverAnswer::Values(got), R::Expected(expected, _)) => {
-            (got, Cow::Borrowed(expected.as_slice()))
-        }
+        (SolverAnswer::Values(got), R::Values(r)) => (got, Values::Numbers(&r.values)),
+        (SolverAnswer::Values(got), R::Expected(expected, _)) => (got, Values::Expected(expected)),
     };
     if outputs.is_empty() || got.len() != values.len() {
         let reason = format!("{}, expected {}", counted(got.len()), counted(values.len()));
         return Judgement::wrong(Kind::Missing, reason);
     }
     let conditions = conditions.filter(|c| c.len() == values.len());
-    let scales = output_scales(outputs, &values, conditions);
+    let scales = output_scales(outputs, values, conditions);
     let mut components = Vec::with_capacity(got.len());
     let mut worst = (Verdict::Pass, None, None);
     let mut squares = Squares::default();
@@ -374,7 +368,7 @@ struct Place<'a> {
 }
 
 /// Returns the fault of a value that is known to be of the wrong kind.
-fn wrong_kind(got: f64, expected: &Expected) -> Kind {
+fn wrong_kind(got: f64, expected: Due) -> Kind {
     match got {
         g if g.is_nan() => Kind::Nan,
         g if expected.wrong_zero(g) => Kind::WrongZero,
@@ -384,12 +378,7 @@ fn wrong_kind(got: f64, expected: &Expected) -> Kind {
 }
 
 /// Judges a value whose error is between the two bounds.
-fn component(
-    got: f64,
-    expected: &Expected,
-    [lo, hi]: [Mag; 2],
-    place: Place,
-) -> ComponentJudgement {
+fn component(got: f64, expected: Due, [lo, hi]: [Mag; 2], place: Place) -> ComponentJudgement {
     let Place {
         output,
         condition,

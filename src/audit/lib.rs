@@ -8,6 +8,7 @@
 
 mod answer;
 mod budget;
+mod by_integer;
 mod case;
 mod case_report;
 mod comparison;
@@ -44,6 +45,7 @@ mod settings;
 #[cfg(test)]
 mod soundness_tests;
 mod spread;
+mod stream;
 mod tally;
 mod ulp;
 mod variant;
@@ -73,7 +75,7 @@ pub use method::{
 };
 pub use nearest::{did_you_mean, nearest};
 pub use no_such::NoSuch;
-pub use panel::{Answered, Panel};
+pub use panel::{Answered, Drawn, Panel};
 pub use parts::ErrorParts;
 pub use printed::{
     Agreement, EntryJudgement, Printed, PrintedNumber, PrintedUnit, agreement, judge_printed,

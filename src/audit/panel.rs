@@ -2,6 +2,7 @@
 
 use super::answer::SolverAnswer;
 use super::case::Case;
+use super::case_report::CaseReport;
 use super::judged::answer_of;
 use super::method::{Law, Method};
 use super::referee::Judge;
@@ -17,6 +18,9 @@ use std::sync::{Mutex, PoisonError};
 const BLOCK: u64 = 32;
 /// Blocks for each thread, so that none waits long for the last one.
 const BLOCKS: u64 = 8;
+
+/// Cases of these numbers.
+pub type Drawn<'a> = dyn Fn(Range<u64>) -> Vec<Case> + Sync + 'a;
 
 /// Cases of these numbers with the answers to them.
 pub type Answered<'a> = dyn Fn(Range<usize>) -> Vec<(Case, SolverAnswer)> + Sync + 'a;
@@ -82,14 +86,14 @@ impl<'a> Panel<'a> {
     pub fn audit(
         &self,
         total: u64,
-        case: &(dyn Fn(u64) -> Case + Sync),
+        drawn: &Drawn,
         progress: &(dyn Fn(u64) + Sync),
         stop: &AtomicBool,
     ) -> bool {
         let judged = AtomicU64::new(0);
         let go_on = || !stop.load(Ordering::Relaxed);
         Panel::in_blocks(total, |numbers| {
-            let cases: Vec<Case> = numbers.take_while(|_| go_on()).map(case).collect();
+            let cases = if go_on() { drawn(numbers) } else { Vec::new() };
             let answer = |c: &Case| answer_of(self.method, &c.input);
             let answers = cases.iter().take_while(|_| go_on()).map(answer);
             let answers: Vec<SolverAnswer> = answers.collect();
@@ -128,19 +132,23 @@ impl<'a> Panel<'a> {
         with_laws: bool,
     ) -> u64 {
         let laws = if with_laws { &self.laws[..] } else { &[] };
-        let mut counted = 0;
+        // The code of the judge and of the tally, one after the other: the processor's caches hold
+        // either.
+        let judged = answered.take_while(|_| go_on()).map(|(case, answer)| {
+            let report = self.judge.judge(case, answer, false);
+            progress(1);
+            report
+        });
+        let judged: Vec<CaseReport> = judged.collect();
         self.counting(|tally| {
-            for (case, answer) in answered.take_while(|_| go_on()) {
-                let report = self.judge.judge(case, answer, false);
+            for report in &judged {
                 let of = |law: &Law| (law.residual)(&report.case.input);
                 let residuals: Vec<Option<f64>> = laws.iter().map(of).collect();
                 tally.laws(&report.case, &residuals);
-                tally.add(&report);
-                progress(1);
-                counted += 1;
+                tally.add(report);
             }
         });
-        counted
+        judged.len() as u64
     }
 
     /// The findings.

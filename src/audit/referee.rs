@@ -51,8 +51,44 @@ impl<'a> Judge<'a> {
             exact: Exact::new(&case.input),
             judge: self,
             case,
-            references: Vec::new(),
+            references: References::default(),
             conditions: None,
+        }
+    }
+}
+
+/// By precision, doubled from one to the next. The first one decides as a rule: it takes no memory
+/// of its own.
+#[derive(Default)]
+struct References {
+    first: Option<ReferenceAnswer>,
+    more: Vec<ReferenceAnswer>,
+}
+
+impl References {
+    fn len(&self) -> usize {
+        usize::from(self.first.is_some()) + self.more.len()
+    }
+
+    fn push(&mut self, reference: ReferenceAnswer) {
+        match self.first {
+            None => self.first = Some(reference),
+            Some(_) => self.more.push(reference),
+        }
+    }
+
+    fn get(&self, level: usize) -> &ReferenceAnswer {
+        match &self.first {
+            Some(first) if level == 0 => first,
+            _ => &self.more[level - 1],
+        }
+    }
+
+    /// The one of that level, the last use of them.
+    fn take(mut self, level: usize) -> ReferenceAnswer {
+        match self.first {
+            Some(first) if level == 0 => first,
+            _ => self.more.swap_remove(level - 1),
         }
     }
 }
@@ -62,8 +98,7 @@ pub struct Referee<'a> {
     judge: &'a Judge<'a>,
     case: Case,
     exact: Option<Exact>,
-    /// By precision, doubled from one to the next.
-    references: Vec<ReferenceAnswer>,
+    references: References,
     conditions: Option<Vec<f64>>,
 }
 
@@ -88,7 +123,7 @@ impl Referee<'_> {
         let decided = self.decide(answer);
         let reference = decided
             .shows(digits)
-            .then(|| self.references[decided.level].clone());
+            .then(|| self.references.get(decided.level).clone());
         decided.report(self.case.clone(), reference, digits)
     }
 
@@ -97,7 +132,7 @@ impl Referee<'_> {
         let decided = self.decide(answer);
         let reference = decided
             .shows(digits)
-            .then(|| self.references.swap_remove(decided.level));
+            .then(|| self.references.take(decided.level));
         decided.report(self.case, reference, digits)
     }
 
@@ -137,7 +172,8 @@ impl Referee<'_> {
                 (judgement, bits, level) = (closer, 2 * bits, level + 1);
             }
         }
-        if let (SolverAnswer::Values(got), Some(expected)) = (&answer, self.references[level].len())
+        if let (SolverAnswer::Values(got), Some(expected)) =
+            (&answer, self.references.get(level).len())
             && got.len() != expected
             && let Some(reason) = &mut judgement.reason
         {
@@ -166,7 +202,7 @@ impl Referee<'_> {
         let conditions = self.conditions.as_deref();
         match allowed {
             Some(word) => judge_by(rules, answer, &ReferenceAnswer::Refuses(word), conditions),
-            None => judge_by(rules, answer, &self.references[level], conditions),
+            None => judge_by(rules, answer, self.references.get(level), conditions),
         }
     }
 }

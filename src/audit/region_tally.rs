@@ -1,6 +1,7 @@
 //! The findings in one region so far. Counts, bins, exact sums and firsts of a fixed order:
 //! merging is associative and commutative, bit for bit.
 
+use super::by_integer::ByInteger;
 use super::case::Case;
 use super::case_report::CaseReport;
 use super::judge::{ComponentJudgement, Verdict};
@@ -56,6 +57,19 @@ fn by_number(a: &(f64, Case), b: &(f64, Case)) -> Ordering {
     larger((a.0, &a.1), (b.0, &b.1))
 }
 
+/// The exponent of octave number 0, were it not zero's.
+const BELOW: i32 = -1023;
+
+/// The number of an octave of `f64`.
+pub(super) fn number_of(octave: Option<i32>) -> u32 {
+    octave.map_or(0, |k| (k - BELOW) as u32)
+}
+
+/// The octave of that number.
+pub(super) fn octave_of(number: u32) -> Option<i32> {
+    (number > 0).then(|| number as i32 + BELOW)
+}
+
 /// The findings for one output.
 #[derive(Clone, Debug)]
 pub(super) struct OutputTally {
@@ -65,7 +79,8 @@ pub(super) struct OutputTally {
     pub(super) conditioned: SpreadTally,
     pub(super) max_condition: f64,
     pub(super) worst: Largest,
-    pub(super) octaves: BTreeMap<Option<i32>, Largest>,
+    /// By the number of the octave.
+    pub(super) octaves: ByInteger<Largest>,
 }
 
 impl OutputTally {
@@ -77,7 +92,7 @@ impl OutputTally {
             conditioned: (keep.spread)(),
             max_condition: 0.0,
             worst: First::new(1),
-            octaves: BTreeMap::new(),
+            octaves: ByInteger::default(),
         }
     }
 
@@ -97,8 +112,12 @@ impl OutputTally {
         offer(&mut self.worst, c.of_budget, case);
         if c.ulps.is_finite() {
             let ulps = self.ulps.counted(c.ulps);
-            let largest = self.octaves.entry(octave(ulps));
-            offer(largest.or_insert_with(|| First::new(1)), ulps, case);
+            let number = number_of(octave(ulps));
+            offer(
+                self.octaves.or_insert_with(number, || First::new(1)),
+                ulps,
+                case,
+            );
         }
     }
 
@@ -109,8 +128,8 @@ impl OutputTally {
         self.conditioned.merge(&other.conditioned);
         self.max_condition = self.max_condition.max(other.max_condition);
         self.worst.merge(&other.worst, by_number);
-        for (k, largest) in &other.octaves {
-            let own = self.octaves.entry(*k).or_insert_with(|| First::new(1));
+        for (k, largest) in other.octaves.iter() {
+            let own = self.octaves.or_insert_with(k, || First::new(1));
             own.merge(largest, by_number);
         }
     }
@@ -118,7 +137,7 @@ impl OutputTally {
     fn statistics(&self, name: &'static str) -> OutputStatistics {
         let worst = self.worst.kept().first();
         let histogram = self.ulps.octaves().into_iter().filter_map(|(k, count)| {
-            let (_, worst) = self.octaves.get(&k)?.kept().first()?.clone();
+            let (_, worst) = self.octaves.get(number_of(k))?.kept().first()?.clone();
             Some(Octave {
                 exponent: k,
                 count,

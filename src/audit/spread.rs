@@ -1,5 +1,6 @@
 //! The spread of errors: exact counts and sums that can be merged in any order.
 
+use super::by_integer::ByInteger;
 use rug::{Float, Integer};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -32,7 +33,7 @@ pub struct SpreadTally {
     /// Bits of the fraction dropped for percentiles.
     pub(super) dropped: u32,
     /// By the field of the exponent.
-    octaves: BTreeMap<u32, OctaveTally>,
+    octaves: ByInteger<OctaveTally>,
     pub(super) count: u64,
     pub(super) beyond: u64,
     /// The bits of the largest; numbers that are not negative are in the order of their bits.
@@ -155,7 +156,7 @@ impl SpreadTally {
     pub(super) fn dropping(dropped: u32) -> SpreadTally {
         SpreadTally {
             dropped,
-            octaves: BTreeMap::new(),
+            octaves: ByInteger::default(),
             count: 0,
             beyond: 0,
             max: 0,
@@ -177,6 +178,10 @@ impl SpreadTally {
         }
     }
 
+    fn octave(&mut self, field: u32) -> &mut OctaveTally {
+        self.octaves.or_insert_with(field, OctaveTally::default)
+    }
+
     /// One error, which is not negative; NaN is passed over.
     pub fn add(&mut self, value: f64) {
         if value.is_nan() {
@@ -190,8 +195,9 @@ impl SpreadTally {
         let bits = self.counted(value.abs()).to_bits();
         let (field, fraction) = ((bits >> 52) as u32, bits & ((1 << 52) - 1));
         let m = u128::from(fraction | u64::from(field > 0) << 52);
-        let octave = self.octaves.entry(field).or_default();
-        octave.count(self.dropped, (bits >> self.dropped) as Bin, 1);
+        let dropped = self.dropped;
+        let octave = self.octave(field);
+        octave.count(dropped, (bits >> dropped) as Bin, 1);
         octave.squares.add(Squares {
             low: m * m,
             carry: 0,
@@ -206,11 +212,12 @@ impl SpreadTally {
     /// When one of them is coarse and the other is not.
     pub fn merge(&mut self, other: &SpreadTally) {
         assert_eq!(self.dropped, other.dropped, "bins of one width");
-        for (field, more) in &other.octaves {
-            let own = self.octaves.entry(*field).or_default();
+        let dropped = self.dropped;
+        for (field, more) in other.octaves.iter() {
+            let own = self.octave(field);
             own.squares.add(more.squares);
             for (bin, count) in more.bins.counts() {
-                own.count(self.dropped, bin as Bin, count);
+                own.count(dropped, bin as Bin, count);
             }
         }
         self.count += other.count;
@@ -230,14 +237,15 @@ impl SpreadTally {
     /// Sums of squares by exponents, in rising order.
     pub(super) fn squares(&self) -> impl Iterator<Item = (i32, Squares)> + '_ {
         let octaves = self.octaves.iter();
-        octaves.map(|(field, octave)| (exponent(*field), octave.squares))
+        octaves.map(|(field, octave)| (exponent(field), octave.squares))
     }
 
     /// Counts in a bin, of one that was stored; `None` if there is no such bin.
     pub(super) fn count_in_bin(&mut self, bin: Bin, count: u64) -> Option<()> {
         let field = bin >> (52 - self.dropped);
-        let octave = (field < 2047).then(|| self.octaves.entry(field).or_default())?;
-        octave.count(self.dropped, bin, count);
+        let dropped = self.dropped;
+        let octave = (field < 2047).then(|| self.octave(field))?;
+        octave.count(dropped, bin, count);
         Some(())
     }
 
@@ -246,8 +254,8 @@ impl SpreadTally {
         let field = u32::try_from(exponent.checked_add(1075)?).ok()?;
         let zeros = (field == 1)
             .then_some(0)
-            .filter(|k| self.octaves.contains_key(k));
-        self.octaves.get_mut(&zeros.unwrap_or(field))?.squares = squares;
+            .filter(|k| self.octaves.get(*k).is_some());
+        self.octaves.get_mut(zeros.unwrap_or(field))?.squares = squares;
         Some(())
     }
 
@@ -255,7 +263,7 @@ impl SpreadTally {
     /// zeros.
     pub fn octaves(&self) -> Vec<(Option<i32>, u64)> {
         let mut octaves: BTreeMap<Option<i32>, u64> = BTreeMap::new();
-        for (field, tally) in &self.octaves {
+        for (field, tally) in self.octaves.iter() {
             match field {
                 // Zeros and subnormal numbers.
                 0 => tally.bins.counts().for_each(|(k, count)| {
@@ -263,7 +271,7 @@ impl SpreadTally {
                     *octaves.entry(octave(x)).or_default() += count;
                 }),
                 _ => {
-                    let own = octave(f64::from_bits(u64::from(*field) << 52));
+                    let own = octave(f64::from_bits(u64::from(field) << 52));
                     *octaves.entry(own).or_default() += tally.count;
                 }
             }
@@ -275,7 +283,7 @@ impl SpreadTally {
     fn at_rank(&self, rank: u64) -> f64 {
         let mut below = 0;
         let max = f64::from_bits(self.max);
-        for (field, octave) in &self.octaves {
+        for (field, octave) in self.octaves.iter() {
             if below + octave.count < rank {
                 below += octave.count;
                 continue;
@@ -285,7 +293,7 @@ impl SpreadTally {
                 below >= rank
             });
             let Some((bin, _)) = bin else { continue };
-            return match u64::from(*field) << (52 - self.dropped) | bin as u64 {
+            return match u64::from(field) << (52 - self.dropped) | bin as u64 {
                 // Zeros, and subnormal numbers of no interest.
                 0 => 0.0,
                 k => {

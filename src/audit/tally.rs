@@ -21,6 +21,8 @@ pub struct Tally {
     outputs: Vec<&'static str>,
     /// In the order of reports.
     regions: Vec<(&'static str, RegionTally)>,
+    /// The place of the last one that a case was counted in.
+    last: usize,
     /// Those of the domain with their descriptions.
     known: Vec<(&'static str, &'static str)>,
     laws: Vec<LawReport>,
@@ -54,6 +56,7 @@ impl Tally {
             keep: Keep::WHOLE,
             outputs: method.outputs().iter().map(|o| o.name).collect(),
             regions: Vec::new(),
+            last: 0,
             known: NAMED.into_iter().chain(domain).collect(),
             laws: laws.collect(),
             interrupted: false,
@@ -79,17 +82,18 @@ impl Tally {
 
     fn region(&mut self, name: &'static str) -> &mut RegionTally {
         // Cases come region by region.
-        let at = match self.regions.iter().rposition(|r| r.0 == name) {
-            Some(at) => at,
-            None => {
+        let last = self.regions.get(self.last);
+        if last.is_none_or(|r| !std::ptr::eq(r.0, name)) {
+            let found = self.regions.iter().position(|r| r.0 == name);
+            self.last = found.unwrap_or_else(|| {
                 let place = self.place(name);
                 let at = self.regions.partition_point(|r| self.place(r.0) < place);
                 let new = RegionTally::new(&self.outputs, &self.settings, self.keep);
                 self.regions.insert(at, (name, new));
                 at
-            }
-        };
-        &mut self.regions[at].1
+            });
+        }
+        &mut self.regions[self.last].1
     }
 
     /// One case.

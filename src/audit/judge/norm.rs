@@ -2,7 +2,7 @@
 
 use super::Verdict;
 use crate::budget::{Limit, NormBudget};
-use crate::expected::Expected;
+use crate::expected::Values;
 use crate::method::Output;
 use crate::ulp::Format;
 use mechaudit_reference::{Ball, Mag};
@@ -89,7 +89,7 @@ impl Squares {
 /// values for those of the norm. Sums are rounded down and up. Nothing where no limit asks for it.
 pub(super) fn output_scales(
     outputs: &[Output],
-    values: &[Expected],
+    values: Values,
     conditions: Option<&[f64]>,
 ) -> Vec<(Mag, Mag)> {
     let asks = |o: &Output| matches!(o.budget.limit, Limit::Normwise(_) | Limit::OfNorm(_));

@@ -17,7 +17,9 @@ use crate::kept::Kept;
 use crate::kind::{Kind, Kinds};
 use crate::method::Method;
 use crate::ranking::First;
-use crate::region_tally::{EXAMPLES, Largest, OutputTally, RegionTally, WORST};
+use crate::region_tally::{
+    EXAMPLES, Largest, OutputTally, RegionTally, WORST, number_of, octave_of,
+};
 use crate::report::Point;
 use crate::settings::Settings;
 use serde::{Deserialize, Serialize};
@@ -212,7 +214,11 @@ impl StoredRegion {
             own.max_condition = stored.max_condition.0;
             own.worst = one(stored.worst)?;
             for (octave, x, case) in stored.octaves {
-                own.octaves.insert(octave, one(Some((x, case)))?);
+                if octave.is_some_and(|k| !(-1022..1024).contains(&k)) {
+                    return Err(StoredError::Value("an octave"));
+                }
+                let largest = one(Some((x, case)))?;
+                own.octaves.or_insert_with(number_of(octave), || largest);
             }
         }
         t.cases = self.cases;
@@ -252,7 +258,7 @@ impl StoredOutput {
     fn of(name: &str, o: &OutputTally) -> StoredOutput {
         let octaves = o.octaves.iter().filter_map(|(k, of)| {
             let (x, case) = largest(of)?;
-            Some((*k, x, case))
+            Some((octave_of(k), x, case))
         });
         StoredOutput {
             name: name.into(),

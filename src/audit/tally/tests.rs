@@ -464,6 +464,11 @@ fn a_stored_tally_has_its_room() {
     assert_eq!(region.share.room(), 1);
     for output in &region.outputs {
         assert_eq!(output.worst.room(), 1);
-        assert!(output.octaves.values().all(|largest| largest.room() == 1));
+        assert!(
+            output
+                .octaves
+                .iter()
+                .all(|(_, largest)| largest.room() == 1)
+        );
     }
 }

@@ -26,6 +26,11 @@ pub(crate) trait Wide: Simd {
     fn flag(self, mask: Self::m64s, bit: u64) -> Self::u64s {
         self.select_u64s(mask, self.splat_u64s(bit), self.splat_u64s(0))
     }
+    /// The second number where the mask is true, else the first.
+    #[inline(always)]
+    fn either(self, second: Self::m64s, [a, b]: [f64; 2]) -> Self::f64s {
+        self.select_f64s(second, self.splat_f64s(b), self.splat_f64s(a))
+    }
     /// The larger and the smaller of two numbers; the second one if one is not a number.
     fn larger(self, a: Self::f64s, b: Self::f64s) -> Self::f64s;
     fn smaller(self, a: Self::f64s, b: Self::f64s) -> Self::f64s;
@@ -50,6 +55,26 @@ pub(crate) trait Wide: Simd {
         d4: (Pack<Self>, Pack<Self>),
     ) -> Parts<Self> {
         by_columns(self, rows, ends, d4)
+    }
+    /// Four interleaved polynomials of real rows in t⁴; the last coefficients stand at the second of
+    /// the ends.
+    #[inline(always)]
+    fn real_polynomials<const N: usize>(
+        self,
+        rows: &[&[f64; N]; 8],
+        (first, last): (usize, usize),
+        t4: Pack<Self>,
+    ) -> [Pack<Self>; 4] {
+        let mut sums = columns(self, rows, last);
+        let mut at = last;
+        while at > first {
+            at -= 4;
+            let c = columns(self, rows, at);
+            for m in 0..4 {
+                sums[m] = t4.fma(sums[m], c[m]);
+            }
+        }
+        sums
     }
     /// The numbers from `at` on.
     fn load(self, x: &[f64], at: usize) -> Self::f64s;
@@ -147,6 +172,12 @@ impl Wide for V3 {
     fn four(self) -> V3 {
         self
     }
+    /// One instruction, where a choice by a mask takes three.
+    #[inline(always)]
+    fn either(self, second: Self::m64s, [a, b]: [f64; 2]) -> Self::f64s {
+        let pairs: f64x4 = cast([a, b, a, b]);
+        cast(self.avx._mm256_permutevar_pd(cast(pairs), cast(second)))
+    }
     #[inline(always)]
     fn equal(self, bytes: &[u8; 32], k: u8) -> u32 {
         let equal = self.avx2._mm256_cmpeq_epi8(cast(*bytes), cast([k; 32]));
@@ -165,6 +196,26 @@ impl Wide for V3 {
         d4: (Pack<Self>, Pack<Self>),
     ) -> Parts<Self> {
         by_rows(self, rows, ends, d4)
+    }
+    #[inline(always)]
+    fn real_polynomials<const N: usize>(
+        self,
+        rows: &[&[f64; N]; 8],
+        (first, last): (usize, usize),
+        t4: Pack<Self>,
+    ) -> [Pack<Self>; 4] {
+        let t4: [f64; 4] = cast(t4.1);
+        let mut sums = [self.splat_f64x4(0.0); 4];
+        for m in 0..4 {
+            let t4 = self.splat_f64x4(t4[m]);
+            sums[m] = cast(four(rows[m], last));
+            let mut at = last;
+            while at > first {
+                at -= 4;
+                sums[m] = self.mul_add_f64x4(t4, sums[m], cast(four(rows[m], at)));
+            }
+        }
+        transposed(self, sums).map(|v| Pack(self, v))
     }
 }
 
@@ -305,6 +356,10 @@ impl<S: Wide> Real for Pack<S> {
     #[inline(always)]
     fn pick(self, mask: S::m64s, yes: Self, no: Self) -> Self {
         Pack(self.0, self.0.select_f64s(mask, yes.1, no.1))
+    }
+    #[inline(always)]
+    fn either(self, second: S::m64s, numbers: [f64; 2]) -> Self {
+        Pack(self.0, self.0.either(second, numbers))
     }
     #[inline(always)]
     fn all(self, mask: S::m64s) -> bool {

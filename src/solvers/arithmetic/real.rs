@@ -61,6 +61,11 @@ pub trait Real:
     fn or(self, a: Self::Mask, b: Self::Mask) -> Self::Mask;
     /// One or the other.
     fn pick(self, mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// The second constant where the mask is true, else the first.
+    #[inline(always)]
+    fn either(self, second: Self::Mask, [a, b]: [f64; 2]) -> Self {
+        self.pick(second, self.like(b), self.like(a))
+    }
     /// Returns whether the mask is true in every place.
     fn all(self, mask: Self::Mask) -> bool;
     /// 2^k, where `self` is `ROUND + k` and `k` within the normal exponents.

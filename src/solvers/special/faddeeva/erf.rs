@@ -108,23 +108,26 @@ fn quadrant<P: Places>(
         let ((x, x_down), (y, y_down)) = (lifted(x, y), lifted(y, x));
         let beside = x.below(like(STRIP));
         let (strip, away) = (x.both(among, beside), x.except(among, beside));
-        let mut factor = (Dd::ZERO.like(x), Dd::ZERO.like(x));
-        if x.any(strip) {
-            // i (c + i s)(p − i q), p + i q = (2/√π) F(y + i x).
-            factor = dawson_in_strip(places, y, x, strip);
-        }
+        let mut factor = Choose::none(x);
         if x.any(away) {
-            factor = pairs::w::<_, SHORT>(places, y, x, away).or_else(away, factor);
+            factor = pairs::w::<_, SHORT>(places, y, x, away);
+        }
+        let beside = x.any(strip);
+        if beside {
+            // i (c + i s)(p − i q), p + i q = (2/√π) F(y + i x).
+            factor = dawson_in_strip(places, y, x, strip).or_else(strip, factor);
         }
         let (c, s, n) = gaussian(places, x, y);
-        let (a, b, terms) = product((c, s), (factor.0, -factor.1));
-        let (p, q) = (-b, a).or_else(strip, (a, b));
-        let p_term = x.pick(strip, terms[1], terms[0]);
-        let q_term = x.pick(strip, terms[0], terms[1]);
-        let form = (
-            x.pick(strip, forms.of_erf.0, forms.of_erfc.0),
-            x.pick(strip, forms.of_erf.1, forms.of_erfc.1),
-        );
+        let (mut p, mut q, [mut p_term, mut q_term]) = product((c, s), (factor.0, -factor.1));
+        let mut form = forms.of_erfc;
+        if beside {
+            (p, q) = (-q, p).or_else(strip, (p, q));
+            (p_term, q_term) = (x.pick(strip, q_term, p_term), x.pick(strip, p_term, q_term));
+            form = (
+                x.pick(strip, forms.of_erf.0, form.0),
+                x.pick(strip, forms.of_erf.1, form.1),
+            );
+        }
         re = shifted(form, p, n - x_down);
         im = times_power(form.1 * q.value(), n - y_down);
         let part = like(CANCELLED);

@@ -1,9 +1,10 @@
-//! erfc of a positive argument from its value and slope at a centre, and erfcx likewise.
+//! erfc and erfi of a positive argument from value and slope at a centre, and erfcx likewise.
 //!
 //! ```text
 //! erfc(c + t) = erfc c − (2/√π) e^{−c²} t (1 + p)
 //! erfcx(c + t) = e^{2ct + t²} (erfcx c − (2/√π) t (1 + p))
 //! 1 + p = ∫₀¹ e^{us − vs²} ds = Σ_k (−v)^k/k! Σ_m u^m/(m! (m + 2k + 1)),   u = −2ct, v = t²
+//! erfi(c + t) = erfi c + (2/√π) e^{c²} t (1 + p),                          u = 2ct, v = −t²
 //! ```
 //!
 //! With centres as close as here |u| is at most 1/16, and four sums of a few terms give p.
@@ -30,7 +31,18 @@ static ROWS: Rows = {
     let mut rows = [[0.0; 4]; ALL];
     let mut k = 0;
     while k < ALL {
-        rows[k] = row(k as f64 * PITCH);
+        rows[k] = row(k as f64 * PITCH, false);
+        k += 1;
+    }
+    Rows(rows)
+};
+
+/// erfi c (hi, lo) and `(2/√π) e^{c²}` (hi, lo).
+static OF_ERFI: Rows = {
+    let mut rows = [[0.0; 4]; ALL];
+    let mut k = 0;
+    while k < ALL {
+        rows[k] = row(k as f64 * PITCH, true);
         k += 1;
     }
     Rows(rows)
@@ -54,22 +66,30 @@ static OF_ERFCX: Rows = {
 
 /// Value and slope at c by the Taylor series about the next centre of
 /// [`ON_THE_AXIS`], in pairs; `|h| ≤ 1/32`, so that what is left out of `(2ch)ⁿ/n!` is below 2⁻¹⁰⁰.
-const fn row(c: f64) -> [f64; 4] {
+const fn row(c: f64, erfi: bool) -> [f64; 4] {
     let k = (c / REAL_AXIS_PITCH + 0.5) as usize;
     let x = k as f64 * REAL_AXIS_PITCH;
     let h = c - x;
     let at = &ON_THE_AXIS[k];
     let (e, erfcx) = (Dd::new(at[0], at[1]), Dd::new(at[2], at[3]));
-    let (mut value, mut slope) = (product(e, erfcx), minus(product(e, TWO_OVER_SQRT_PI)));
+    let (mut value, mut slope, twice) = match erfi {
+        false => (product(e, erfcx), minus(product(e, TWO_OVER_SQRT_PI)), -2.0),
+        // (2/√π) F = e^{−x²} erfi x.
+        true => (
+            quotient(Dd::new(at[4], at[5]), e),
+            quotient(TWO_OVER_SQRT_PI, e),
+            2.0,
+        ),
+    };
     if h != 0.0 {
-        // d_n = (n + 1) c_{n+1} hⁿ: (n + 1) d_{n+1} = −2h (x d_n + h d_{n−1}).
+        // d_n = (n + 1) c_{n+1} hⁿ: (n + 1) d_{n+1} = ∓2h (x d_n + h d_{n−1}).
         let (mut before, mut last) = (Dd::from(0.0), slope);
         let mut n = 0;
         while n < 24 {
             let term = product(last, Dd::from(h));
             value = sum(value, over(term, (n + 1) as f64));
             let next = sum(product(last, Dd::from(x)), product(before, Dd::from(h)));
-            let next = over(product(next, Dd::from(-2.0 * h)), (n + 1) as f64);
+            let next = over(product(next, Dd::from(twice * h)), (n + 1) as f64);
             slope = sum(slope, next);
             (before, last) = (last, next);
             n += 1;
@@ -92,6 +112,12 @@ pub(super) fn centre<R: Real>(x: R) -> (R, R, R) {
 #[inline(always)]
 pub(super) fn erfc_row(n: f64) -> &'static [f64; 4] {
     entry(&ROWS.0, n.to_bits() as usize & 1023)
+}
+
+/// The row of erfi about centre `n`.
+#[inline(always)]
+pub(super) fn erfi_row(n: f64) -> &'static [f64; 4] {
+    entry(&OF_ERFI.0, n.to_bits() as usize & 1023)
 }
 
 /// The row of erfcx about centre `n` and about its negative.
@@ -138,8 +164,18 @@ fn polynomial<R: Real, const N: usize>(u: R, c: &[f64; N]) -> R {
 
 /// erfc at distance t from centre c with its row.
 #[inline(always)]
-pub(super) fn value<R: Real>([value, low, slope, slope_low]: [R; 4], c: R, t: R) -> Dd<R> {
-    let (u, v) = ((c + c) * -t, t * t);
+pub(super) fn value<R: Real>(row: [R; 4], c: R, t: R) -> Dd<R> {
+    about(row, t, (c + c) * -t, t * t)
+}
+
+/// erfi likewise.
+#[inline(always)]
+pub(super) fn erfi_value<R: Real>(row: [R; 4], c: R, t: R) -> Dd<R> {
+    about(row, t, (c + c) * t, -(t * t))
+}
+
+#[inline(always)]
+fn about<R: Real>([value, low, slope, slope_low]: [R; 4], t: R, u: R, v: R) -> Dd<R> {
     let (k0, k1, k2, k3) = TERMS;
     let inner = (-v).fma(polynomial(u, k3), polynomial(u, k2));
     let inner = (-v).fma(inner, polynomial(u, k1));

@@ -16,8 +16,6 @@ type Coefficients<const N: usize> = (&'static [f64; N], [f64; 2]);
 
 /// erf z = (2/√π) f(z).
 pub(super) const ERF: Coefficients<16> = (&ERF_TERMS, [THIRD_LOW, TENTH_LOW]);
-/// erfi z = (2/√π) f(z): without the signs of the terms of erf.
-pub(super) const ERFI: Coefficients<16> = (&ERFI_TERMS, [-THIRD_LOW, TENTH_LOW]);
 /// Dawson's function.
 pub(super) const DAWSON: Coefficients<18> = (&DAWSON_TERMS, [2.0 * THIRD_LOW, FOUR_FIFTEENTHS_LOW]);
 
@@ -35,17 +33,6 @@ const ERF_TERMS: [f64; 16] = {
     while n < 16 {
         f *= -(n as f64);
         c[n] = 1.0 / (f * (2 * n + 1) as f64);
-        n += 1;
-    }
-    c
-};
-
-/// `1/(n! (2n + 1))`: erfi z = (2/√π) f(z), as −i erf(iz).
-const ERFI_TERMS: [f64; 16] = {
-    let mut c = ERF_TERMS;
-    let mut n = 0;
-    while n < 16 {
-        c[n] = c[n].abs();
         n += 1;
     }
     c

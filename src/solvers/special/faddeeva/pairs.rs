@@ -119,9 +119,11 @@ pub(super) fn w<P: Places, const SUM: u8>(
     let mut value = Choose::none(a);
     if a.any(formulas.in_cell) {
         let [n, dx, dy] = cell(a, b);
-        value = places
-            .summed_rows::<SUM>(cell_row, n, (a - dx, b - dy), (dx, dy))
-            .or_else(formulas.in_cell, value);
+        value = places.summed_rows::<SUM>(cell_row, n, (a - dx, b - dy), (dx, dy));
+        // As a rule, as below.
+        if a.all(formulas.in_cell) {
+            return value;
+        }
     }
     if a.any(formulas.on_imaginary) {
         let (n, t) = on_axis(b);
@@ -141,6 +143,9 @@ pub(super) fn w<P: Places, const SUM: u8>(
         if a.any(formulas.strip) {
             let (c, _, n) = exp_minus_square(a, b);
             parts = (u + pair_times_power(c, n), v).or_else(formulas.strip, parts);
+        }
+        if a.all(formulas.beyond) {
+            return parts;
         }
         value = parts.or_else(formulas.beyond, value);
     }

@@ -91,14 +91,19 @@ impl<R: Real> Choose for (Dd<R>, Dd<R>) {
 
 /// In the places `among` the first of the formulas whose end a number is below; elsewhere anything.
 macro_rules! by_ends {
-    ($number:expr, $among:expr; $($end:expr => $formula:expr),+) => {{
+    ($number:expr, $among:expr; $($end:expr => $formula:expr),+) => {'found: {
         let (number, mut among) = ($number, $among);
         let mut value = $crate::faddeeva::places::Choose::none(number);
         $(
             let inside = number.below(number.like($end));
             let here = number.both(among, inside);
             if number.any(here) {
-                value = $crate::faddeeva::places::Choose::or_else($formula, here, value);
+                let found = $formula;
+                // As a rule.
+                if number.all(here) {
+                    break 'found found;
+                }
+                value = $crate::faddeeva::places::Choose::or_else(found, here, value);
             }
             among = number.except(among, inside);
         )+

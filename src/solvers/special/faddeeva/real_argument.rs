@@ -5,12 +5,12 @@
 
 use super::axis::erf_row;
 use super::branch::{HUGE, modulus_squared};
-use super::erfc_rows::{self, erfc_row, erfcx_row};
+use super::erfc_rows::{self, erfc_row, erfcx_row, erfi_row};
 use super::lengths::{LengthMismatch, same_length};
 use super::pairs::{dawson_right, erfcx_right};
 use super::places::{Number, One, Places};
 use super::real_line::{
-    BEYOND, FAR, ONE, SERIES, dawson_beyond, dawson_near, erfc_left, erfc_right, erfi_near, growth,
+    BEYOND, FAR, ONE, SERIES, dawson_beyond, dawson_near, erfc_left, erfc_right, growth,
 };
 use super::rows::on_real_axis;
 use super::special;
@@ -57,15 +57,20 @@ impl Function for Erfc {
         let b = x.magnitude();
         let positive = like(0.0).below(x);
         let among = b.below(like(BEYOND));
-        let right = x.both(x.except(b.below(like(FAR)), among), positive);
-        // 0 or 2, or NaN.
-        let mut value = (-x).at_least(like(-1.0)).at_most(like(1.0)) + like(1.0);
+        let mut value = b;
         if x.any(among) {
             let (n, c, t) = erfc_rows::centre(b);
             let sum = erfc_rows::value(places.rows(erfc_row, n), c, t);
             let left = erfc_left(sum).value();
-            value = x.pick(among, x.pick(positive, sum.hi, left), value);
+            value = x.pick(positive, sum.hi, left);
+            if x.all(among) {
+                return value;
+            }
         }
+        // 0 or 2, or NaN.
+        let limit = (-x).at_least(like(-1.0)).at_most(like(1.0)) + like(1.0);
+        value = x.pick(among, value, limit);
+        let right = x.both(x.except(b.below(like(FAR)), among), positive);
         if x.any(right) {
             let (t, n) = erfc_right(b, erfcx_right(b, right));
             value = x.pick(right, scaled(t.value(), n), value);
@@ -121,7 +126,7 @@ fn limit_of_erfcx([x]: [f64; 1]) -> f64 {
     special::on_imaginary_axis(x)
 }
 
-/// erfi x, real: `(2/√π) x + …` next to zero, else `(2/√π) e^{x²} F(x)`.
+/// erfi x, real: beyond the rows `(2/√π) e^{x²} F(x)`.
 #[derive(Clone, Copy)]
 struct Erfi;
 
@@ -129,17 +134,22 @@ impl Function for Erfi {
     #[inline(always)]
     fn at<P: Places>(self, places: P, x: Number<P>) -> Number<P> {
         let a = x.magnitude();
-        let near = a.below(x.like(SERIES));
-        let middle = x.except(a.below(x.like(FAR)), near);
-        // NaN stays NaN.
-        let mut value = a + x.like(f64::INFINITY);
-        if x.any(middle) {
-            let (e, n) = growth(a);
-            let p = dawson_right(places, a, middle);
-            value = x.pick(middle, scaled((e * p).value(), n), value);
+        let among = a.below(x.like(BEYOND));
+        let mut value = a;
+        if x.any(among) {
+            let (n, c, t) = erfc_rows::centre(a);
+            value = erfc_rows::erfi_value(places.rows(erfi_row, n), c, t).hi;
+            if x.all(among) {
+                return value.with_sign_of(x);
+            }
         }
-        if x.any(near) {
-            value = x.pick(near, erfi_near(a).value(), value);
+        // NaN stays NaN.
+        value = x.pick(among, value, a + x.like(f64::INFINITY));
+        let right = x.except(a.below(x.like(FAR)), among);
+        if x.any(right) {
+            let (e, n) = growth(a);
+            let p = dawson_right(places, a, right);
+            value = x.pick(right, scaled((e * p).value(), n), value);
         }
         value.with_sign_of(x)
     }
@@ -296,8 +306,8 @@ functions! {
 
     /// [`erfi`](super::erfi()) of a real argument.
     ///
-    /// Worst found, 10⁵ arguments of all sizes: 0.55 units in the last place. ±∞ beyond ±26.714, NaN
-    /// for NaN.
+    /// Worst found, 10⁵ arguments: 0.55 units in the last place from 1e-290 on, 0.73 below. ±∞ beyond
+    /// ±26.714, NaN for NaN.
     ///
     /// ```
     /// use mechaudit_solvers::faddeeva::erfi_real;

@@ -1,15 +1,15 @@
 //! Formulas of erf, erfc, erfcx and Dawson's function of a real argument, for any type of number,
 //! as sums of two that are not rounded to one yet.
 
-use super::constants::{HALF_SQRT_PI, INV_SQRT_PI, TWO_OVER_SQRT_PI};
+use super::constants::{HALF_SQRT_PI, INV_SQRT_PI};
 use super::erfc_rows;
-use super::odd_series::{DAWSON, ERFI, odd_real};
+use super::odd_series::{DAWSON, odd_real};
 use super::rows::REAL_AXIS_PITCH;
 use crate::double_double::{Dd, fast_two_sum, two_prod};
 use crate::exponential::exp;
 use crate::real::Real;
 
-/// |x| below which erfi x and Dawson's function are Maclaurin series.
+/// |x| below which Dawson's function is a Maclaurin series.
 pub(super) const SERIES: f64 = 0.5;
 /// |x| from which |erf x| rounds to 1.
 pub(super) const ONE: f64 = 6.0 - 0.5 * REAL_AXIS_PITCH;
@@ -18,12 +18,6 @@ pub(super) const ONE: f64 = 6.0 - 0.5 * REAL_AXIS_PITCH;
 pub(super) const BEYOND: f64 = erfc_rows::END;
 /// |x| from which erfc x rounds to 0 or 2; beyond it `e^{x²}` overflows.
 pub(super) const FAR: f64 = 30.0;
-
-/// erfi x for `|x| <` [`SERIES`].
-#[inline(always)]
-pub(super) fn erfi_near<R: Real>(x: R) -> Dd<R> {
-    odd_real(ERFI, x) * TWO_OVER_SQRT_PI.like(x)
-}
 
 /// `e^{x²}` as a mantissa and `ROUND` plus the exponent.
 #[inline(always)]

@@ -405,16 +405,7 @@ pub(super) fn axis_rows<S: Wide, const N: usize>(
     rows: &[&[f64; N]; 8],
     t: Pack<S>,
 ) -> Dd<Pack<S>> {
-    let t4 = fourth_power(t);
-    let mut sums = columns(simd, rows, N - 4);
-    let mut at = N - 4;
-    while at > 4 {
-        at -= 4;
-        let c = columns(simd, rows, at);
-        for m in 0..4 {
-            sums[m] = t4.fma(sums[m], c[m]);
-        }
-    }
+    let sums = simd.real_polynomials(rows, (4, N - 4), fourth_power(t));
     axis_sum(columns(simd, rows, 0), t, sums)
 }
 

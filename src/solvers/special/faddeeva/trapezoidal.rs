@@ -44,18 +44,11 @@ pub(super) const CONSTANTS: (Dd, Dd) = (TWO_PI, TWO_PI_OVER_PER);
 const STEPS: f64 = 64.0;
 const PER: f64 = 23.0;
 
-/// The second number where the mask is true, else the first.
 #[inline(always)]
-fn either<R: Real>(second: R::Mask, like: R, [a, b]: [f64; 2]) -> R {
-    like.pick(second, like.like(b), like.like(a))
-}
-
-#[inline(always)]
-fn total<R: Real>(parts: [Dd<R>; LANES]) -> Dd<R> {
-    let zero = Dd::ZERO.like(parts[0].hi);
-    let mut sum = zero;
+fn total<R: Real>(first: Dd<R>, parts: &[Dd<R>]) -> Dd<R> {
+    let mut sum = first;
     for part in parts {
-        sum = sum + part;
+        sum = sum + *part;
     }
     sum
 }
@@ -82,26 +75,31 @@ fn sums<R: Real, const PAIRS: usize>(second: R::Mask, r2: Dd<R>, y2: Dd<R>) -> (
             if k >= PAIRS {
                 continue;
             }
-            let t = either(second, x, [t0[k], t1[k]]);
-            let high = either(second, x, [w0[0][k], w1[0][k]]);
-            let low = either(second, x, [w0[1][k], w1[1][k]]);
+            let t = x.either(second, [t0[k], t1[k]]);
+            let high = x.either(second, [w0[0][k], w1[0][k]]);
+            let low = x.either(second, [w0[1][k], w1[1][k]]);
             let less = r2.add_f(-t);
             let m = less.square() + y2.mul_f(x.like(4.0) * t);
             let q = Dd::new(high, low).div(m);
-            plus[j] = plus[j] + q * r2.add_f(t);
-            minus[j] = minus[j] + q * less;
+            let (p, n) = (q * r2.add_f(t), q * less);
+            // The sum of zero and a number is that number.
+            (plus[j], minus[j]) = match PAIRS != NODES && block == 0 {
+                true => (p, n),
+                false => (plus[j] + p, minus[j] + n),
+            };
         }
     }
-    let (plus, minus) = (total(plus), total(minus));
     if PAIRS == NODES {
-        return (plus, minus);
+        return (total(zero, &plus), total(zero, &minus));
     }
+    let plus = total(plus[0], &plus[1..]);
+    let minus = total(minus[0], &minus[1..]);
     let (mut p, mut q) = (x.like(0.0), x.like(0.0));
     for k in PAIRS..SHORT[1] {
-        let t = either(second, x, [t0[k], t1[k]]);
+        let t = x.either(second, [t0[k], t1[k]]);
         let less = (r2.hi - t) + r2.lo;
         let m = less.fma(less, x.like(4.0) * t * y2.hi);
-        let a = either(second, x, [w0[0][k], w1[0][k]]) / m;
+        let a = x.either(second, [w0[0][k], w1[0][k]]) / m;
         p = a.fma(r2.hi + t, p);
         q = a.fma(less, q);
     }
