@@ -232,7 +232,7 @@ struct Rest {
 const NEAR: u32 = 8;
 
 /// Places that are tried for the line on which waves decay.
-const PLACES: u32 = 4;
+const PLACES: u32 = 8;
 
 /// The place next to an end up to which an integral from an ordinary point is summed, and the rest.
 fn rest(f: &mut dyn Integrand, from: &Ball, end: &End, run: &mut Run) -> Option<Rest> {

@@ -29,8 +29,9 @@ pub trait Waves {
     /// holomorphic: the one function on all of them that A is on the real line.
     fn amplitude(&mut self, wave: usize, x: &ComplexBall, bits: u32) -> Option<ComplexBall>;
 
-    /// The amplitude of a wave on a sector next to the end, where it is proved to be holomorphic.
-    fn beside(&mut self, wave: usize, x: &Sector) -> Option<Sector>;
+    /// The amplitude of a wave on a sector next to the end, where it is proved to be holomorphic, from x
+    /// and its distance from a finite end, or `|x|`.
+    fn beside(&mut self, wave: usize, x: &Sector, distance: &Sector) -> Option<Sector>;
 
     /// The part of the integrand without a wave, if there is one.
     fn rest(&mut self) -> Option<&mut dyn Integrand>;
@@ -43,6 +44,8 @@ pub struct Sector {
     power: Rational,
     values: ComplexBall,
     region: Region,
+    /// The number that a constant is, where it is rational.
+    rational: Option<Rational>,
 }
 
 /// The quarter of the disc with `|w| ≤ reach`.
@@ -72,26 +75,35 @@ impl Region {
 }
 
 impl Sector {
-    fn variable(end: &End, m: u32, region: Region, bits: u32) -> Sector {
-        let of = |power: Rational, n: i64| Sector {
+    /// A power of w.
+    fn power_of_w(power: Rational, region: Region, bits: u32) -> Sector {
+        Sector {
             power,
-            values: ComplexBall::new(Ball::integer(bits, n), Ball::integer(bits, 0)),
+            values: ComplexBall::new(Ball::integer(bits, 1), Ball::integer(bits, 0)),
             region,
-        };
-        let one = Rational::from((1, m));
-        match end {
-            End::PlusInfinity => of(-one, 1),
-            End::MinusInfinity => of(-one, -1),
-            End::Above(a) | End::Below(a) => {
-                let sign = if matches!(end, End::Above(_)) { 1 } else { -1 };
-                let distance = of(one, sign);
-                if a.is_zero() {
-                    return distance;
-                }
-                let at = ComplexBall::new(a.with_prec(bits), Ball::integer(bits, 0));
-                distance.constant(&at).add(&distance)
-            }
+            rational: None,
         }
+    }
+
+    /// x and its distance.
+    fn variable(end: &End, m: u32, region: Region, bits: u32) -> [Sector; 2] {
+        let one = Rational::from((1, m));
+        let power = match end {
+            End::PlusInfinity | End::MinusInfinity => -one,
+            End::Above(_) | End::Below(_) => one,
+        };
+        let distance = Sector::power_of_w(power, region, bits);
+        let at = |a: &Ball| {
+            let at = ComplexBall::new(a.with_prec(bits), Ball::integer(bits, 0));
+            distance.constant(&at)
+        };
+        let x = match end {
+            End::PlusInfinity => distance.clone(),
+            End::MinusInfinity => distance.negative(),
+            End::Above(a) => at(a).add(&distance),
+            End::Below(a) => at(a).add(&distance.negative()),
+        };
+        [x, distance]
     }
 
     /// A constant on the same sector.
@@ -101,7 +113,37 @@ impl Sector {
             power: Rational::new(),
             values: value.clone(),
             region: self.region,
+            rational: None,
         }
+    }
+
+    /// A rational number on the same sector.
+    #[must_use]
+    pub fn rational(&self, q: &Rational) -> Sector {
+        let value = Ball::rational(self.bits(), q);
+        let value = ComplexBall::new(value, Ball::integer(self.bits(), 0));
+        Sector {
+            rational: Some(q.clone()),
+            ..self.constant(&value)
+        }
+    }
+
+    /// The number that a constant is, where that is known to be rational.
+    pub fn to_rational(&self) -> Option<&Rational> {
+        self.rational.as_ref()
+    }
+
+    /// A function `f` with `f(0) = 0` of a function that tends to zero, from the derivative: `f(z)/z`
+    /// is a mean of its values between 0 and z.
+    pub fn vanishing(
+        &self,
+        slope: impl FnOnce(&ComplexBall) -> Option<ComplexBall>,
+    ) -> Option<Sector> {
+        if self.power <= 0 {
+            return None;
+        }
+        let mean = slope(&self.values()?)?;
+        Some(self.mul(&self.constant(&mean)))
     }
 
     /// The bits of the values.
@@ -125,6 +167,7 @@ impl Sector {
             power: low.power.clone(),
             values: &low.values + &term,
             region: self.region,
+            rational: None,
         }
     }
 
@@ -133,6 +176,7 @@ impl Sector {
     pub fn negative(&self) -> Sector {
         Sector {
             values: -&self.values,
+            rational: self.rational.clone().map(|q| -q),
             ..self.clone()
         }
     }
@@ -144,6 +188,7 @@ impl Sector {
             power: Rational::from(&self.power + &other.power),
             values: &self.values * &other.values,
             region: self.region,
+            rational: None,
         }
     }
 
@@ -154,6 +199,7 @@ impl Sector {
             power: Rational::from(-&self.power),
             values: elementary::div(&one, &self.values, self.bits()).ok()?,
             region: self.region,
+            rational: None,
         })
     }
 
@@ -186,6 +232,7 @@ impl Sector {
             power: Rational::from(&self.power * q),
             values: elementary::pow(&self.values, &exponent, self.bits()).ok()?,
             region: self.region,
+            rational: None,
         })
     }
 
@@ -297,8 +344,8 @@ impl<'a> Decaying<'a> {
             below: self.above,
         };
         let (end, m) = (self.coordinate.end, self.coordinate.m);
-        let variable = Sector::variable(end, m, region, BITS);
-        let amplitude = self.waves.beside(self.wave, &variable)?;
+        let [x, distance] = Sector::variable(end, m, region, BITS);
+        let amplitude = self.waves.beside(self.wave, &x, &distance)?;
         // |dx/du| is w^(1 ∓ 1/m)/m.
         let one = Rational::from((1, m));
         let rate = match self.coordinate.is_infinite() {
@@ -319,7 +366,7 @@ impl<'a> Decaying<'a> {
     /// away from the real line.
     fn is_holomorphic_within(&mut self, far: u32) -> Option<()> {
         const BITS: u32 = 64;
-        const MOST: usize = 1 << 11;
+        const MOST: usize = 1 << 9;
         let far = Float::with_val(BITS, 1) << far;
         let zero = Float::with_val(BITS, 0);
         let mut open = VecDeque::from([[self.start.lower(), far.clone(), zero, far]]);

@@ -62,11 +62,7 @@ impl Splitter<'_> {
     }
 
     fn number(&self, id: Id) -> Option<Rational> {
-        match self.graph.node(id) {
-            Node::Number(place) => Some(self.graph.rational(place).clone()),
-            Node::Neg(a) => self.number(a).map(|q| -q),
-            _ => None,
-        }
+        rational(self.graph, id)
     }
 
     /// A power of the distance from a finite end, or of `|x|` next to infinity, and its sign.
@@ -340,6 +336,19 @@ impl Splitter<'_> {
     }
 }
 
+/// The rational number that a node is, of quotients.
+fn rational(graph: &Graph, id: Id) -> Option<Rational> {
+    match graph.node(id) {
+        Node::Number(place) => Some(graph.rational(place).clone()),
+        Node::Neg(a) => rational(graph, a).map(|q| -q),
+        Node::Div(a, b) => {
+            let below = rational(graph, b).filter(|q| !q.is_zero())?;
+            Some(rational(graph, a)? / below)
+        }
+        _ => None,
+    }
+}
+
 /// Adds a term, to one with the same wave and amplitude where there is one.
 fn merge(terms: &mut Vec<Term>, term: Term) {
     let is_same = |x: &&mut Term| x.frequency == term.frequency && x.amplitude == term.amplitude;
@@ -357,6 +366,8 @@ pub(super) struct Oscillation {
     order: u32,
     frequencies: Vec<Ball>,
     amplitudes: Vec<(Gauss, Id)>,
+    /// Nodes that are the distance from the end, and their signs.
+    distances: Vec<(Id, i32)>,
     /// The part that does not oscillate.
     rest: Option<Id>,
 }
@@ -394,6 +405,11 @@ impl Oscillation {
         };
         let terms = splitter.terms(body)?;
         let order = splitter.order?;
+        let of_distance = |id: Id| {
+            let (order, sign) = splitter.power_of_distance(id)?;
+            (order == 1).then_some((id, sign))
+        };
+        let distances = parts.into_iter().filter_map(of_distance).collect();
         let mut rest: Option<Id> = None;
         let mut waves: Vec<Term> = Vec::new();
         for term in terms {
@@ -445,6 +461,7 @@ impl Oscillation {
             order,
             frequencies,
             amplitudes: waves.into_iter().map(|w| (w.factor, w.amplitude)).collect(),
+            distances,
             rest,
         })
     }
@@ -478,7 +495,7 @@ impl Waves for Oscillation {
         Some(self.scaled(wave, &value.to_complex()?, bits))
     }
 
-    fn beside(&mut self, wave: usize, x: &Sector) -> Option<Sector> {
+    fn beside(&mut self, wave: usize, x: &Sector, distance: &Sector) -> Option<Sector> {
         let node = self.amplitudes[wave].1;
         let graph = self.evaluator.graph().clone();
         let mut sectors = Evaluator::new(
@@ -488,10 +505,24 @@ impl Waves for Oscillation {
             },
         );
         for id in leaves(&graph, node, self.binder) {
-            let value = self.evaluator.value(id).ok()?.to_complex()?;
-            sectors.set(id, x.constant(&value));
+            let value = match rational(&graph, id) {
+                Some(q) => x.rational(&q),
+                None => x.constant(&self.evaluator.value(id).ok()?.to_complex()?),
+            };
+            sectors.set(id, value);
         }
         sectors.set_variables(self.binder, [x.clone()]);
+        for (id, sign) in &self.distances {
+            let distance = distance.clone();
+            sectors.set(
+                *id,
+                if *sign > 0 {
+                    distance
+                } else {
+                    distance.negative()
+                },
+            );
+        }
         let amplitude = sectors.value(node).ok()?.clone();
         let factor = &self.amplitudes[wave].0;
         let part = |q: &Rational| Ball::rational(64, q);

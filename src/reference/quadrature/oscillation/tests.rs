@@ -54,7 +54,7 @@ impl Waves for SineWaves {
         Some(&self.sine.amplitude(x, bits)? * &factor(wave))
     }
 
-    fn beside(&mut self, wave: usize, x: &Sector) -> Option<Sector> {
+    fn beside(&mut self, wave: usize, x: &Sector, _: &Sector) -> Option<Sector> {
         let of = |n: i64| x.constant(&number(n, 64));
         let off = x.add(&of(-self.sine.p));
         let below = off.mul(&off).add(&of(self.sine.q * self.sine.q));
@@ -177,14 +177,16 @@ fn sectors_hold_their_functions() {
         );
         let u = elementary::div(&number(1, bits), &w, bits).unwrap();
         let x = Coordinate { end: &end, m }.place(&u, bits).unwrap();
-        let mut all = vec![(Sector::variable(&end, m, region, bits), x)];
+        let [variable, distance] = Sector::variable(&end, m, region, bits);
+        let way = Coordinate { end: &end, m }.distance(&u, bits).unwrap();
+        let mut all = vec![(variable, x), (distance, way)];
         for _ in 0..6 {
             let (f, z) = all[random.random_range(0..all.len())].clone();
             let (g, y) = all[random.random_range(0..all.len())].clone();
             let n = random.random_range(-3..4);
             let q = Rational::from((random.random_range(-3..4), 2));
             let exponent = ComplexBall::new(Ball::rational(bits, &q), Ball::integer(bits, 0));
-            let found = match random.random_range(0..7) {
+            let found = match random.random_range(0..8) {
                 0 => Some((f.add(&g), &z + &y)),
                 1 => Some((f.mul(&g), &z * &y)),
                 2 => Some((f.negative(), -&z)),

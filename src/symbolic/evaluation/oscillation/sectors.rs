@@ -4,9 +4,9 @@ use super::super::ball::{Balls, Value};
 use super::super::{Evaluator, Interpretation, Stop};
 use crate::graph::{Graph, Node};
 use crate::{Constant, Func, Relation};
+use mechaudit_reference::ComplexBall;
 use mechaudit_reference::elementary::NoValue;
 use mechaudit_reference::quadrature::Sector;
-use mechaudit_reference::{Ball, ComplexBall};
 use rug::Rational;
 
 /// The interpretation on a sector next to an end.
@@ -28,6 +28,43 @@ impl Sectors {
         balls
     }
 
+    /// The derivative, over a rectangle around zero, of a function that is zero there.
+    fn slope_at_zero(&self, f: Func, z: &ComplexBall) -> Option<ComplexBall> {
+        let mut balls = self.balls();
+        let z = Value::Complex(z.clone());
+        let one = balls.integer(1);
+        let mut call = |f: Func, z: &Value| balls.call(f, &[z]).ok();
+        let slope = match f {
+            Func::Sin => call(Func::Cos, &z)?,
+            Func::Sinh => call(Func::Cosh, &z)?,
+            Func::Expm1 => call(Func::Exp, &z)?,
+            Func::Tan | Func::Tanh => {
+                let even = if f == Func::Tan {
+                    Func::Cos
+                } else {
+                    Func::Cosh
+                };
+                let root = call(even, &z)?;
+                balls.power(&root, -2).ok()?
+            }
+            Func::Log1p => {
+                let below = balls.add(&one, &z).ok()?;
+                balls.div(&one, &below).ok()?
+            }
+            Func::Arctan | Func::Asinh => {
+                let square = balls.power(&z, 2).ok()?;
+                let below = balls.add(&one, &square).ok()?;
+                let below = match f {
+                    Func::Arctan => below,
+                    _ => balls.call(Func::Sqrt, &[&below]).ok()?,
+                };
+                balls.div(&one, &below).ok()?
+            }
+            _ => return None,
+        };
+        slope.to_complex()
+    }
+
     fn of(&self, value: Result<Value, NoValue>) -> Found {
         let value = value?.to_complex().ok_or(UNKNOWN)?;
         Ok(self.variable.constant(&value))
@@ -38,14 +75,11 @@ impl Interpretation for Sectors {
     type V = Sector;
 
     fn number(&mut self, graph: &Graph, place: u32) -> Found {
-        let value = self.balls().number(graph, place);
-        self.of(value)
+        Ok(self.variable.rational(graph.rational(place)))
     }
 
     fn integer(&mut self, n: i64) -> Sector {
-        let bits = Sectors::BITS;
-        let value = ComplexBall::new(Ball::integer(bits, n), Ball::integer(bits, 0));
-        self.variable.constant(&value)
+        self.variable.rational(&Rational::from(n))
     }
 
     fn constant(&mut self, c: Constant) -> Found {
@@ -94,20 +128,17 @@ impl Interpretation for Sectors {
             (Func::Sqrt, [x]) => x.real_power(&Rational::from((1, 2))).ok_or(UNKNOWN),
             (Func::Cbrt, [x]) => x.real_power(&Rational::from((1, 3))).ok_or(UNKNOWN),
             (Func::Pow, [x, y]) => {
-                let y = y.values().ok_or(UNKNOWN)?;
-                let is_exact = y.im.is_zero() && y.re.rad().is_zero();
-                let exponent =
-                    y.re.mid()
-                        .to_rational()
-                        .filter(|_| is_exact)
-                        .ok_or(UNKNOWN)?;
-                x.real_power(&exponent).ok_or(UNKNOWN)
+                let exponent = y.to_rational().ok_or(UNKNOWN)?;
+                x.real_power(exponent).ok_or(UNKNOWN)
             }
-            (_, [x]) => {
-                let value = Value::Complex(x.values().ok_or(UNKNOWN)?);
-                let value = self.balls().call(f, &[&value]);
-                self.of(value)
-            }
+            (_, [x]) => match x.vanishing(|z| self.slope_at_zero(f, z)) {
+                Some(found) => Ok(found),
+                None => {
+                    let value = Value::Complex(x.values().ok_or(UNKNOWN)?);
+                    let value = self.balls().call(f, &[&value]);
+                    self.of(value)
+                }
+            },
             _ => Err(UNKNOWN),
         }
     }
