@@ -349,8 +349,8 @@ impl<'a> Decaying<'a> {
         // |dx/du| is w^(1 ∓ 1/m)/m.
         let one = Rational::from((1, m));
         let rate = match self.coordinate.is_infinite() {
-            true => Rational::from(1 - one),
-            false => Rational::from(1 + one),
+            true => 1 - one,
+            false => 1 + one,
         };
         let power = Rational::from(&amplitude.power + &rate);
         if power <= 0 {

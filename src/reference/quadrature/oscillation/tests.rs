@@ -2,8 +2,8 @@
 
 use super::super::{Goal, Integral, Limit, integrate};
 use super::*;
-use crate::elementary::{self as real};
-use rand::{Rng, SeedableRng};
+use crate::draw::Draw;
+use crate::elementary as real;
 
 fn number(n: i64, bits: u32) -> ComplexBall {
     ComplexBall::new(Ball::integer(bits, n), Ball::integer(bits, 0))
@@ -150,7 +150,7 @@ fn what_is_not_proved_has_no_value() {
 /// Random expressions on sectors hold their values at random points.
 #[test]
 fn sectors_hold_their_functions() {
-    let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(11);
+    let mut draw = Draw(11);
     let bits = 64;
     let mut held = 0;
     for round in 0..4000 {
@@ -166,10 +166,8 @@ fn sectors_hold_their_functions() {
         };
         let m = 1 + round % 2;
         // A point of the sector.
-        let (size, turn) = (
-            random.random_range(0.001..0.25),
-            random.random_range(0.0..1.57),
-        );
+        let size = 0.001 + draw.below(249) as f64 / 1000.0;
+        let turn = draw.below(157) as f64 / 100.0;
         let turn = if below { -turn } else { turn };
         let w = ComplexBall::new(
             Ball::exact(bits, size * f64::cos(turn)),
@@ -181,12 +179,12 @@ fn sectors_hold_their_functions() {
         let way = Coordinate { end: &end, m }.distance(&u, bits).unwrap();
         let mut all = vec![(variable, x), (distance, way)];
         for _ in 0..6 {
-            let (f, z) = all[random.random_range(0..all.len())].clone();
-            let (g, y) = all[random.random_range(0..all.len())].clone();
-            let n = random.random_range(-3..4);
-            let q = Rational::from((random.random_range(-3..4), 2));
+            let (f, z) = all[draw.below(all.len() as u64) as usize].clone();
+            let (g, y) = all[draw.below(all.len() as u64) as usize].clone();
+            let n = draw.below(7) as i64 - 3;
+            let q = Rational::from((draw.below(7) as i64 - 3, 2));
             let exponent = ComplexBall::new(Ball::rational(bits, &q), Ball::integer(bits, 0));
-            let found = match random.random_range(0..8) {
+            let found = match draw.below(8) {
                 0 => Some((f.add(&g), &z + &y)),
                 1 => Some((f.mul(&g), &z * &y)),
                 2 => Some((f.negative(), -&z)),

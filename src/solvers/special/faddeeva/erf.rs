@@ -25,7 +25,6 @@ use super::quadrant::{
 };
 use super::taylor::SHORT;
 use super::trapezoidal::upper_short;
-use crate::double_double::Dd;
 use crate::exponential::exponent;
 use crate::lanes::Lanes;
 use crate::real::{Masked, ROUND, Real, is_zero, scaled};
