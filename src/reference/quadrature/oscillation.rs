@@ -14,6 +14,7 @@ use super::{End, Integrand, Run, Segment};
 use crate::elementary::complex as elementary;
 use crate::{Ball, ComplexBall, Mag};
 use rug::{Float, Rational};
+use std::cmp::Ordering;
 use std::collections::VecDeque;
 
 /// An integrand next to an end as a sum of waves, `f(x) = Σ e^(iωu) A(x)`, where x is `u^(1/m)` next
@@ -239,11 +240,9 @@ impl Sector {
     /// The values of a function that is bounded on the sector.
     pub fn values(&self) -> Option<ComplexBall> {
         match self.power.cmp0() {
-            std::cmp::Ordering::Less => None,
-            std::cmp::Ordering::Equal => Some(self.values.clone()),
-            std::cmp::Ordering::Greater => {
-                Some(&self.values * &self.region.power(&self.power, self.bits()))
-            }
+            Ordering::Less => None,
+            Ordering::Equal => Some(self.values.clone()),
+            Ordering::Greater => Some(&self.values * &self.region.power(&self.power, self.bits())),
         }
     }
 }
@@ -353,7 +352,7 @@ impl<'a> Decaying<'a> {
             false => 1 + one,
         };
         let power = Rational::from(&amplitude.power + &rate);
-        if power <= 0 {
+        if power.cmp0() != Ordering::Greater {
             return None;
         }
         let most = region.power(&power, BITS).magnitude();
