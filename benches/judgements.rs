@@ -16,7 +16,6 @@ use mechaudit::methods;
 use rug::Rational;
 use rustix::time::{ClockId, clock_gettime};
 use std::hint::black_box;
-use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
@@ -107,9 +106,8 @@ impl Sample {
     }
 
     fn draw(&self) {
-        // As many at a time as an audit.
-        for some in self.numbers.chunks(32) {
-            black_box(self.cases.draw(some.iter().copied()));
+        for i in &self.numbers {
+            black_box(self.cases.get(*i));
         }
     }
 
@@ -145,7 +143,7 @@ impl Sample {
     }
 
     fn audit(&self, panel: &Panel) {
-        let drawn = |some: Range<u64>| self.cases.draw(some.map(|i| self.numbers[i as usize]));
+        let drawn = |i: u64| self.cases.get(self.numbers[i as usize]);
         let stop = AtomicBool::new(false);
         panel.audit(self.numbers.len() as u64, &drawn, &|_| {}, &stop);
     }

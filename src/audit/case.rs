@@ -1,13 +1,12 @@
 //! One input of an audit and where it came from.
 
-use super::domain::{CheckPoint, Domain, Draw};
+use super::domain::{CheckPoint, Domain, Draw, Key};
 use super::hard::HardCase;
 use super::hex_float::hex_float;
 use super::method::Method;
 use super::no_such::NoSuch;
 use super::sampling::Sampling;
 use super::settings::Settings;
-use super::stream::{Key, LANES, keyed};
 use super::ulp::Format;
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
@@ -204,7 +203,7 @@ pub struct Cases {
     /// See [`Method::stream`].
     stream: &'static str,
     domain: Domain,
-    /// See [`keyed`].
+    /// See [`Draw::keyed`].
     keyed: Key,
     /// Of each region, see [`Draw::named`].
     streams: Vec<u64>,
@@ -223,7 +222,7 @@ impl Cases {
         Cases {
             method: method.name(),
             stream,
-            keyed: keyed(settings.seed),
+            keyed: Draw::keyed(settings.seed),
             streams: streams.collect(),
             domain,
             hard: method.hard(),
@@ -279,47 +278,9 @@ impl Cases {
         if i < self.named() {
             return self.hard(i - self.domain.check_points.len());
         }
-        let (region, index) = self.random_place(i);
-        self.random(region, index)
-    }
-
-    /// The cases of those numbers, in their order: in less time than one by one.
-    ///
-    /// # Panics
-    /// From [`Cases::len`] on.
-    pub fn draw(&self, numbers: impl IntoIterator<Item = usize>) -> Vec<Case> {
-        let numbers: Vec<usize> = numbers.into_iter().collect();
-        let mut cases = Vec::with_capacity(numbers.len());
-        let random = |i: &usize| self.sampling == Sampling::Domain && *i >= self.named();
-        for some in numbers.chunks(LANES) {
-            match some.iter().all(random) {
-                true => self.draw_random(some, &mut cases),
-                false => cases.extend(some.iter().map(|i| self.get(*i))),
-            }
-        }
-        cases
-    }
-
-    /// Draws up to four random cases.
-    fn draw_random(&self, numbers: &[usize], cases: &mut Vec<Case>) {
-        let mut places = [(0, 0); LANES];
-        let mut streams = [0; LANES];
-        for (k, i) in numbers.iter().enumerate() {
-            places[k] = self.random_place(*i);
-            streams[k] = Draw::number(self.streams[places[k].0], places[k].1);
-        }
-        Draw::several(&self.keyed, &streams[..numbers.len()], |k, draw| {
-            cases.push(self.drawn(places[k], draw));
-        });
-    }
-
-    /// The region of a random case, and its index there.
-    fn random_place(&self, i: usize) -> (usize, u64) {
         let random = (i - self.named()) as u64;
-        (
-            (random / self.per_region) as usize,
-            random % self.per_region,
-        )
+        let region = (random / self.per_region) as usize;
+        self.random(region, random % self.per_region)
     }
 
     /// The case of that number in the box or about the input that cases are drawn from; `None`
@@ -441,18 +402,11 @@ impl Cases {
     }
 
     fn random(&self, region: usize, index: u64) -> Case {
-        let number = Draw::number(self.streams[region], index);
-        self.drawn((region, index), &mut Draw::of(&self.keyed, number))
-    }
-
-    fn drawn(&self, (region, index): (usize, u64), draw: &mut Draw) -> Case {
+        let (seed, named) = (self.seed, self.streams[region]);
         let region = &self.domain.regions[region];
-        let seed = self.seed;
-        self.case(
-            region.name,
-            (region.sample)(draw),
-            Origin::Random { seed, index },
-        )
+        let mut draw = Draw::of(&self.keyed, named, index);
+        let input = (region.sample)(&mut draw);
+        self.case(region.name, input, Origin::Random { seed, index })
     }
 
     fn check_point(&self, point: &CheckPoint) -> Case {

@@ -1,6 +1,7 @@
 //! Where a method is audited: named regions with a sampler each, and named check points.
 
-use super::stream::{Key, LANES, Stream, blocks, keyed};
+use rand::rngs::ChaCha8Rng;
+use rand::{Rng, SeedableRng};
 use std::cell::Cell;
 use std::sync::Arc;
 
@@ -10,21 +11,20 @@ use std::sync::Arc;
 /// can be drawn again without drawing those before it. The conversions to floats are written here
 /// so that no dependency's update can change them, and logarithms
 /// and exponentials are those of `libm`, which takes the same steps on every machine.
-pub struct Draw(Stream);
+pub struct Draw(ChaCha8Rng);
 
-/// The unit of a fraction of 53 bits.
-const UNIT: f64 = 1.0 / (1u64 << 53) as f64;
+/// The key of ChaCha8, expanded from a seed.
+pub(super) type Key = [u8; 32];
 
 impl Draw {
     /// The stream of one case.
     pub fn new(seed: u64, method: &str, region: &str, index: u64) -> Draw {
-        let number = Draw::number(Draw::named(method, region), index);
-        Draw::of(&keyed(seed), number)
+        Draw::of(&Draw::keyed(seed), Draw::named(method, region), index)
     }
 
-    /// The stream of that number, the seed expanded before.
-    pub(super) fn of(key: &Key, number: u64) -> Draw {
-        Draw(Stream::new(key, number))
+    /// Returns the key that all streams of a seed share.
+    pub(super) fn keyed(seed: u64) -> Key {
+        ChaCha8Rng::seed_from_u64(seed).get_seed()
     }
 
     /// Returns the hash that the streams of a region share.
@@ -36,28 +36,16 @@ impl Draw {
         hashed(0xcbf2_9ce4_8422_2325, names)
     }
 
-    /// Returns the number of the stream of a case.
-    pub(super) fn number(named: u64, index: u64) -> u64 {
-        hashed(named, index.to_le_bytes())
-    }
-
-    /// Calls `each` with the place and the [`Draw`] of each of up to four streams.
-    pub(super) fn several(key: &Key, numbers: &[u64], mut each: impl FnMut(usize, &mut Draw)) {
-        let Some(&first) = numbers.first() else {
-            return;
-        };
-        let streams = std::array::from_fn(|i| *numbers.get(i).unwrap_or(&first));
-        let first_blocks = blocks(key, streams, [0; LANES]);
-        let mut draw = Draw::of(key, first);
-        for (lane, number) in numbers.iter().enumerate() {
-            draw.0.begin(*number, &first_blocks, lane);
-            each(lane, &mut draw);
-        }
+    /// [`Draw::new`], the seed expanded and the names hashed before.
+    pub(super) fn of(keyed: &Key, named: u64, index: u64) -> Draw {
+        let mut rng = ChaCha8Rng::from_seed(*keyed);
+        rng.set_stream(hashed(named, index.to_le_bytes()));
+        Draw(rng)
     }
 
     /// Uniform on `[0, 1)` with 53 bits.
     pub fn unit(&mut self) -> f64 {
-        (self.0.next_u64() >> 11) as f64 * UNIT
+        (self.0.next_u64() >> 11) as f64 * 2f64.powi(-53)
     }
 
     /// Uniform on `[lo, hi)`.

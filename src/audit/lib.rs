@@ -45,7 +45,6 @@ mod settings;
 #[cfg(test)]
 mod soundness_tests;
 mod spread;
-mod stream;
 mod tally;
 mod ulp;
 mod variant;
@@ -75,7 +74,7 @@ pub use method::{
 };
 pub use nearest::{did_you_mean, nearest};
 pub use no_such::NoSuch;
-pub use panel::{Answered, Drawn, Panel};
+pub use panel::{Answered, Panel};
 pub use parts::ErrorParts;
 pub use printed::{
     Agreement, EntryJudgement, Printed, PrintedNumber, PrintedUnit, agreement, judge_printed,

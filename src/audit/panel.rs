@@ -19,9 +19,6 @@ const BLOCK: u64 = 32;
 /// Blocks for each thread, so that none waits long for the last one.
 const BLOCKS: u64 = 8;
 
-/// Cases of these numbers.
-pub type Drawn<'a> = dyn Fn(Range<u64>) -> Vec<Case> + Sync + 'a;
-
 /// Cases of these numbers with the answers to them.
 pub type Answered<'a> = dyn Fn(Range<usize>) -> Vec<(Case, SolverAnswer)> + Sync + 'a;
 
@@ -86,14 +83,14 @@ impl<'a> Panel<'a> {
     pub fn audit(
         &self,
         total: u64,
-        drawn: &Drawn,
+        case: &(dyn Fn(u64) -> Case + Sync),
         progress: &(dyn Fn(u64) + Sync),
         stop: &AtomicBool,
     ) -> bool {
         let judged = AtomicU64::new(0);
         let go_on = || !stop.load(Ordering::Relaxed);
         Panel::in_blocks(total, |numbers| {
-            let cases = if go_on() { drawn(numbers) } else { Vec::new() };
+            let cases: Vec<Case> = numbers.take_while(|_| go_on()).map(case).collect();
             let answer = |c: &Case| answer_of(self.method, &c.input);
             let answers = cases.iter().take_while(|_| go_on()).map(answer);
             let answers: Vec<SolverAnswer> = answers.collect();

@@ -10,7 +10,6 @@ use super::parts::error_parts;
 use super::report::MethodReport;
 use super::settings::Settings;
 use super::tally::Tally;
-use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Audits a method over its whole domain, on all cores. `progress` is called once for each case,
@@ -33,9 +32,9 @@ pub fn audit_method_until(
 ) -> MethodReport {
     let cases = Cases::new(method, settings);
     let panel = Panel::new(method, settings);
-    let drawn = |some: Range<u64>| cases.draw(some.map(|i| i as usize));
+    let case = |i: u64| cases.get(i as usize);
     let tick = |judged: u64| (0..judged).for_each(|_| progress());
-    let whole = panel.audit(cases.len() as u64, &drawn, &tick, stop);
+    let whole = panel.audit(cases.len() as u64, &case, &tick, stop);
     let mut tally = panel.into_tally();
     if !whole {
         tally.interrupt();

@@ -8,7 +8,6 @@ use crate::audit::{Cases, HuntSettings, Method, Panel, Settings, StoredTally, Ta
 use rayon::ThreadPool;
 use serde::{Deserialize, Serialize};
 use std::error::Error;
-use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// A program as it called itself.
@@ -127,8 +126,8 @@ fn audit(
 ) -> Tally {
     let cases = Cases::new(method, settings);
     let panel = Panel::lean(method, settings);
-    let drawn = |some: Range<u64>| cases.draw(some.map(|j| stride.at(j) as usize));
-    pool.install(|| panel.audit(stride.len(), &drawn, progress, stop));
+    let case = |j: u64| cases.get(stride.at(j) as usize);
+    pool.install(|| panel.audit(stride.len(), &case, progress, stop));
     panel.into_tally()
 }
 

@@ -223,31 +223,6 @@ fn cases_are_numbered() {
     assert!(std::panic::catch_unwind(AssertUnwindSafe(|| cases.get(13))).is_err());
 }
 
-/// Together as one by one, whatever the regions, and in the order asked for.
-#[test]
-fn cases_are_drawn_together() {
-    let shown = |all: Vec<Case>| -> Vec<String> {
-        let bits = |c: &Case| c.input.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
-        all.iter()
-            .map(|c| format!("{:?} {:?}", bits(c), c))
-            .collect()
-    };
-    for cases in [
-        Cases::new(&method(), &settings(4)),
-        Cases::new(&in_box("y=5"), &settings(4)),
-        Cases::new(&about("two"), &settings(4)),
-    ] {
-        for step in [1, 2, 3, 5, 7] {
-            let numbers = || (0..cases.len() * step).map(|i| i * step % cases.len());
-            let one_by_one = numbers().map(|i| cases.get(i)).collect();
-            assert_eq!(shown(cases.draw(numbers())), shown(one_by_one));
-        }
-    }
-    let cases = Cases::new(&method(), &settings(4));
-    assert!(cases.draw([]).is_empty());
-    assert!(std::panic::catch_unwind(AssertUnwindSafe(|| cases.draw([12, 13]))).is_err());
-}
-
 #[test]
 fn there_may_be_no_cases() {
     let mut method = method();

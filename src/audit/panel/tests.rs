@@ -21,10 +21,6 @@ fn nth(i: u64) -> Case {
     case(i, &[i as f64 / 1000.0])
 }
 
-fn nths(some: Range<u64>) -> Vec<Case> {
-    some.map(nth).collect()
-}
-
 /// As the cases are counted one after the other.
 fn one_by_one(method: &dyn Method, settings: &Settings, total: u64) -> Tally {
     let mut tally = Tally::lean(method, settings);
@@ -55,7 +51,7 @@ fn how_cases_fall_to_threads_does_not_show() {
             let tell = |n: u64| {
                 told.fetch_add(n, Ordering::Relaxed);
             };
-            assert!(pool(threads).install(|| panel.audit(total, &nths, &tell, &stop)));
+            assert!(pool(threads).install(|| panel.audit(total, &nth, &tell, &stop)));
             assert_eq!(told.into_inner(), total);
             assert!(
                 panel.into_tally().stored() == expected,
@@ -105,7 +101,7 @@ fn a_stop_leaves_the_rest() {
     };
     let settings = Settings::default();
     let panel = Panel::new(&method, &settings);
-    assert!(!pool(1).install(|| panel.audit(100_000, &nths, &|_| {}, &stop)));
+    assert!(!pool(1).install(|| panel.audit(100_000, &nth, &|_| {}, &stop)));
     let report: MethodReport = panel.into_tally().finish(&method);
     let solved = solved.lock().unwrap();
     assert!(solved.values().all(|times| *times == 1));
