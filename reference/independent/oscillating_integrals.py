@@ -36,14 +36,15 @@ AMPLITUDES = [
     "atan(2/u)",
     "1/((u - 50)^2 + 1)",
 ]
+# Waves, and sums of waves of one frequency each that are equal to them: `quadosc` extrapolates these.
 WAVES = [
-    ("sin({w}*u)", 1),
-    ("cos({w}*u)", 1),
-    ("sin({w}*u + 1/(1 + u))", 1),
-    ("cos({w}*u - sqrt(1 + 1/u))", 1),
-    ("sin({w}*u + 1)", 1),
-    ("cos({w}*u)*sin(3*{w}*u)", 4),
-    ("sin({w}*u)^3", 3),
+    ("sin({w}*u)", [("sin({w}*u)", 1)]),
+    ("cos({w}*u)", [("cos({w}*u)", 1)]),
+    ("sin({w}*u + 1/(1 + u))", [("sin({w}*u + 1/(1 + u))", 1)]),
+    ("cos({w}*u - sqrt(1 + 1/u))", [("cos({w}*u - sqrt(1 + 1/u))", 1)]),
+    ("sin({w}*u + 1)", [("sin({w}*u + 1)", 1)]),
+    ("cos({w}*u)*sin(3*{w}*u)", [("sin(4*{w}*u)/2", 4), ("sin(2*{w}*u)/2", 2)]),
+    ("sin({w}*u)^3", [("3*sin({w}*u)/4", 1), ("-sin(3*{w}*u)/4", 3)]),
 ]
 
 
@@ -67,13 +68,14 @@ def split(text):
 def drawn(draw):
     """An integral as a text, and what it has to be."""
     amplitude = draw.choice(AMPLITUDES)
-    wave, multiple = draw.choice(WAVES)
+    wave, parts = draw.choice(WAVES)
     frequency = draw.choice([1, 2, 3])
     text = f"({amplitude})*{wave.format(w=frequency)}"
     start = draw.choice([1, 2])
-    # From the wave of the slowest part.
-    omega = frequency * (2 if multiple == 4 else 1)
-    due = mp.quadosc(lambda u: at(text, u), [start, mp.inf], omega=omega)
+    due = mp.mpf(0)
+    for part, multiple in parts:
+        part = f"({amplitude})*({part.format(w=frequency)})"
+        due += mp.quadosc(lambda u: at(part, u), [start, mp.inf], omega=multiple * frequency)
     place = draw.choice(["inf", "-inf", "above", "below"])
     put = lambda u: text.replace("exp", "EXP").replace("u", u).replace("EXP", "exp")
     if place == "inf":
