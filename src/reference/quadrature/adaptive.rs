@@ -464,6 +464,9 @@ const ATTEMPTS: u32 = 3;
 /// beside their panels, and their sum beside the integral, however many there are.
 const ROUNDING: i64 = 6;
 
+/// Bits that machine words may lack on a panel and are tried again on the next one.
+const LITTLE: i64 = 3;
+
 /// The binary logarithm of the number of panels after which machine words are tried again.
 const MOST_MISSED: u32 = 6;
 
@@ -524,8 +527,10 @@ fn gauss<P: Path>(
             return Outcome::Done(words.widened(error));
         }
         // Most integrands lose as many bits on the next panel.
-        hint.missed = (hint.missed + 1).min(MOST_MISSED);
-        hint.skipped = (1 << hint.missed) - 2;
+        if words.radius() > enough.shift(LITTLE) {
+            hint.missed = (hint.missed + 1).min(MOST_MISSED);
+            hint.skipped = (1 << hint.missed) - 2;
+        }
     }
     let mut bits = u32::try_from((top - bottom).max(8)).unwrap_or(u32::MAX / 4) + 16 + n.ilog2();
     // The integrand loses about as many bits to cancellation here as in the panel beside this one.
