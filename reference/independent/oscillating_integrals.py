@@ -8,15 +8,10 @@ infinity or the inverse of the distance from a finite end. mpmath integrates fro
 extrapolates (`quadosc`). Exit 1 if a value is more than a unit of its tenth digit off, or if less than two thirds have
 a value.
 """
-import argparse
-import pathlib
-import random
-import subprocess
-import sys
-import tempfile
-
 import mpmath as mp
+from random_integrals import check, split
 
+# `random_integrals` needs more.
 mp.mp.dps = 25
 DIGITS = 10
 
@@ -54,17 +49,6 @@ def at(text, u):
     return eval(exact, {"u": u, "mpf": mp.mpf, **names})
 
 
-def split(text):
-    """Runs of digits, and what stands between them."""
-    part = ""
-    for character in text:
-        if part and character.isdigit() != part[-1].isdigit():
-            yield part
-            part = ""
-        part += character
-    yield part
-
-
 def drawn(draw):
     """An integral as a text, and what it has to be."""
     amplitude = draw.choice(AMPLITUDES)
@@ -88,39 +72,5 @@ def drawn(draw):
     return f"int(t, {a} - 1/{start}, {a}, {put(f'(1/(({a}) - t))')}/(({a}) - t)^2)", due
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--binary", required=True)
-    parser.add_argument("--integrals", type=int, default=40)
-    parser.add_argument("--seed", type=int, default=1)
-    options = parser.parse_args()
-    draw = random.Random(options.seed)
-    wrong = decided = 0
-    with tempfile.TemporaryDirectory() as folder:
-        study = pathlib.Path(folder) / "integrals.toml"
-        for _ in range(options.integrals):
-            text, due = drawn(draw)
-            study.write_text(
-                '[inputs]\nx = { from = 0, to = 1 }\n[outputs]\n'
-                f'y = {{ is = "{text}", budget = "1 ulp", why = "a random integral" }}\n'
-            )
-            command = [options.binary, "eval", study, "--digits", str(DIGITS + 2)]
-            try:
-                ended = subprocess.run(command, input="0.5\n", capture_output=True, text=True, timeout=120)
-            except subprocess.TimeoutExpired:
-                print(f"no answer: {text}")
-                continue
-            answer = ended.stdout.strip()
-            if answer in ("", "undecided", "nan"):
-                print(f"{answer or ended.stderr.strip()}: {text}")
-                continue
-            decided += 1
-            if abs(mp.mpf(answer) - due) > abs(due) * mp.mpf(10) ** (1 - DIGITS):
-                wrong += 1
-                print(f"wrong: {text} is {mp.nstr(due, 15)}, not {answer}")
-    print(f"{decided} of {options.integrals} integrals have a value, {wrong} of them wrong")
-    sys.exit(wrong > 0 or 3 * decided < 2 * options.integrals)
-
-
 if __name__ == "__main__":
-    main()
+    check(__doc__, drawn, DIGITS, 40)

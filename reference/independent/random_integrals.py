@@ -89,10 +89,24 @@ def split(text):
     yield part
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def drawn(draw):
+    """An integral as a text, and what it has to be."""
+    a = draw.choice([0, 0, -1, 1])
+    b = a + draw.choice([1, 2, 3])
+    ends = {"a": a, "b": b, "c": f"({a} + {draw.choice([1, 2, 3, 5])}*({b - a})/7)"}
+    due = mp.mpf(0)
+    # An integral that is zero has no first digit.
+    while not abs(due) > mp.mpf(10) ** -10:
+        antiderivative, integrand = formula(draw, draw.choice([0, 0, 1, 1, 2]), ends)
+        due = at(antiderivative, mp.mpf(b)) - at(antiderivative, mp.mpf(a))
+    return f"int(t, {a}, {b}, {integrand})", due
+
+
+def check(description, drawn, digits, integrals):
+    """Holds integrals that are drawn against what they have to be, and ends the program."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--binary", required=True)
-    parser.add_argument("--integrals", type=int, default=60)
+    parser.add_argument("--integrals", type=int, default=integrals)
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
     draw = random.Random(options.seed)
@@ -100,36 +114,28 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         study = pathlib.Path(folder) / "integrals.toml"
         for _ in range(options.integrals):
-            a = draw.choice([0, 0, -1, 1])
-            b = a + draw.choice([1, 2, 3])
-            c = f"({a} + {draw.choice([1, 2, 3, 5])}*({b - a})/7)"
-            ends = {"a": a, "b": b, "c": c}
-            due = mp.mpf(0)
-            # An integral that is zero has no first digit.
-            while not abs(due) > mp.mpf(10) ** -10:
-                antiderivative, integrand = formula(draw, draw.choice([0, 0, 1, 1, 2]), ends)
-                due = at(antiderivative, mp.mpf(b)) - at(antiderivative, mp.mpf(a))
+            text, due = drawn(draw)
             study.write_text(
                 '[inputs]\nx = { from = 0, to = 1 }\n[outputs]\n'
-                f'y = {{ is = "int(t, {a}, {b}, {integrand})", budget = "1 ulp", why = "a random integral" }}\n'
+                f'y = {{ is = "{text}", budget = "1 ulp", why = "a random integral" }}\n'
             )
-            command = [options.binary, "eval", study, "--digits", str(DIGITS)]
+            command = [options.binary, "eval", study, "--digits", str(digits)]
             try:
                 ended = subprocess.run(command, input="0.5\n", capture_output=True, text=True, timeout=120)
             except subprocess.TimeoutExpired:
-                print(f"no answer: int(t, {a}, {b}, {integrand})")
+                print(f"no answer: {text}")
                 continue
             answer = ended.stdout.strip()
             if answer in ("", "undecided", "nan"):
-                print(f"{answer or ended.stderr.strip()}: int(t, {a}, {b}, {integrand})")
+                print(f"{answer or ended.stderr.strip()}: {text}")
                 continue
             decided += 1
-            if abs(mp.mpf(answer) - due) > abs(due) * mp.mpf(10) ** (1 - DIGITS):
+            if abs(mp.mpf(answer) - due) > abs(due) * mp.mpf(10) ** (1 - digits):
                 wrong += 1
-                print(f"wrong: int(t, {a}, {b}, {integrand}) is {mp.nstr(due, 18)}, not {answer}")
+                print(f"wrong: {text} is {mp.nstr(due, digits + 3)}, not {answer}")
     print(f"{decided} of {options.integrals} integrals have a value, {wrong} of them wrong")
     sys.exit(wrong > 0 or 3 * decided < 2 * options.integrals)
 
 
 if __name__ == "__main__":
-    main()
+    check(__doc__, drawn, DIGITS, 60)

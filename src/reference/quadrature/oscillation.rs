@@ -429,7 +429,7 @@ pub(super) fn integral(
         let mut decaying = Decaying::new(&mut *waves, wave, end, start);
         let frequency = decaying.frequency.abs();
         let least = frequency.mignitude();
-        // What is cut off at S ≥ R is at most the bound times e^(−ωS)/ω.
+        // Beyond S ≥ R the integral is at most the bound times e^(−ωS)/ω.
         let bits = most.div(least).div(run.tail).exponent().unwrap_or(0).max(1);
         let length = (bits as f64 * std::f64::consts::LN_2 / least.to_f64()).max(1.0);
         let length = Float::with_val(64, length).max(&(Float::with_val(64, 1) << far));

@@ -193,6 +193,9 @@ fn sectors_hold_their_functions() {
                 1 => Some((f.mul(&g), &z * &y)),
                 2 => Some((f.negative(), -&z)),
                 3 => Some((f.add(&f.constant(&number(n, bits))), &z + &number(n, bits))),
+                6 => f
+                    .vanishing(|z| elementary::exp(z, bits).ok())
+                    .zip(elementary::expm1(&z, bits).ok()),
                 4 => f
                     .inverse()
                     .zip(elementary::div(&number(1, bits), &z, bits).ok()),
