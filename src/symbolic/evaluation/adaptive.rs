@@ -69,6 +69,7 @@ impl Balls {
             goal: prec,
             exact: false,
             holomorphic: false,
+            mirrors: false,
             wide: false,
             has_complex_roots: false,
             places: u32::MAX,
@@ -174,12 +175,23 @@ impl Certified {
             ),
             _ => false,
         };
+        // A part of a complex number that varies with the variable of an integral.
+        let is_part = |id| match graph.node(id) {
+            Node::Unary(Func::Re | Func::Im | Func::Conj | Func::Abs | Func::Arg, z) => {
+                graph.is_complex(z) && graph.is_within(z)
+            }
+            _ => false,
+        };
+        let balls = Balls {
+            mirrors: (0..graph.len() as Id).any(is_part),
+            ..Balls::new(FIRST)
+        };
         Certified {
             exact: (0..graph.len() as Id).any(of_order),
             has_steps: (0..graph.len() as Id).any(is_step),
             first: FirstPass::new(&graph),
             angles: Angles::new(&graph),
-            evaluator: Evaluator::new(graph, Balls::new(FIRST)),
+            evaluator: Evaluator::new(graph, balls),
             limit: limit.max(64),
             constants: (0, false),
             algebra: None,

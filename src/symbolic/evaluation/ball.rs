@@ -1,6 +1,7 @@
 //! Graphs in balls at a working precision.
 
 use super::{Evaluator, Interpretation, Stop};
+use super::mirror::{self, Mirrored};
 use super::{complex, cost, huge};
 use crate::graph::{Binding, Graph, Id, Node};
 use crate::{Constant, Func, Relation};
@@ -24,6 +25,8 @@ pub enum Value {
     /// A function of a real variable, continued to a rectangle of complex values of it, where it is
     /// holomorphic.
     Continued(ComplexBall),
+    /// As [`Value::Continued`], of a function whose values are complex on the real line.
+    Mirrored(Box<Mirrored>),
     /// A number of magnitude `2^exponent` or more, beyond the exponents of MPFR.
     Huge {
         /// True if it is below zero.
@@ -75,6 +78,7 @@ impl Value {
             Value::Real(x) => Some(ComplexBall::new(x.clone(), Ball::integer(x.prec(), 0))),
             Value::Exact(x) => Value::Real(x.ball().clone()).to_complex(),
             Value::Complex(z) | Value::Continued(z) => Some(z.clone()),
+            Value::Mirrored(f) => Some(f.value.clone()),
             Value::Huge { .. } => None,
         }
     }
@@ -91,6 +95,9 @@ pub struct Balls {
     pub exact: bool,
     /// True if values have to be holomorphic functions of the variable that is continued.
     pub holomorphic: bool,
+    /// True if complex functions are continued with their mirror images: a complex value is then a
+    /// constant wherever values have to be holomorphic.
+    pub mirrors: bool,
     /// True if a wide enclosure is of use: of an integrand over an interval.
     pub wide: bool,
     /// True if the square root of a negative number is complex, as in the symbolic algebra, and not
@@ -174,6 +181,11 @@ impl Balls {
             return Err(huge::UNDECIDED);
         };
         let z = of(&x, &y, self.prec)?;
+        if self.is_mirrored(&[a, b]) {
+            let images = a.image().zip(b.image());
+            let image = images.and_then(|(x, y)| of(&x, &y, self.prec).ok());
+            return Ok(Mirrored::value(z, image));
+        }
         Ok(match is_complex {
             true => Value::Complex(z),
             false => Value::Continued(z),
@@ -255,6 +267,7 @@ impl Interpretation for Balls {
             Value::Exact(x) => self.rational(Rational::from(-&x.number)),
             Value::Complex(z) => Value::Complex(-z),
             Value::Continued(z) => Value::Continued(-z),
+            Value::Mirrored(f) => f.map(|z| Ok(-z))?,
             Value::Huge { negative, exponent } => Value::Huge {
                 negative: !negative,
                 exponent: *exponent,
@@ -347,6 +360,7 @@ impl Interpretation for Balls {
             Value::Huge { .. } => huge::power(a, k, self.prec),
             Value::Complex(z) => complex::power(z, k, self.prec).map(Value::Complex),
             Value::Continued(z) => complex::power(z, k, self.prec).map(Value::Continued),
+            Value::Mirrored(f) => f.map(|z| complex::power(z, k, self.prec)),
         }
     }
 
@@ -396,6 +410,8 @@ impl Interpretation for Balls {
                 _ => real::voigt(x, y, z, p),
             }),
             x if x.iter().any(|x| matches!(x, Value::Huge { .. })) => huge::call(f, x, p),
+            x if self.is_mirrored(x) => mirror::call(f, x, self),
+            [Value::Continued(z)] if f == Func::W && self.mirrors => mirror::w(z, p),
             x if x.iter().any(|x| matches!(x, Value::Complex(_))) => complex::call(f, x, self, p),
             x => complex::continued(f, x, p),
         }
@@ -417,6 +433,7 @@ impl Interpretation for Balls {
             (Func::Arg, _, Value::Continued(z)) => Some(!z.re.contains_zero()),
             (_, Some(x), _) => Some(x.is_positive()),
             (_, _, Value::Complex(z)) => Some(complex::is_off_cut(f, z, self.prec)),
+            (_, _, Value::Mirrored(g)) => Some(complex::is_off_cut(f, &g.value, self.prec)),
             _ => Some(false),
         };
         match is_off {

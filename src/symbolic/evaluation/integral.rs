@@ -2,6 +2,7 @@
 
 use super::ball::{Balls, Value};
 use super::germ::{Germs, Near};
+use super::mirror::Mirrored;
 use super::oscillation::Oscillation;
 use super::short::Pointwise;
 use super::{Evaluator, Stop};
@@ -53,6 +54,7 @@ fn known_bits(variable: &Value) -> i64 {
     };
     match variable {
         Value::Continued(z) | Value::Complex(z) => of(&z.re).min(of(&z.im)),
+        Value::Mirrored(f) => of(&f.value.re).min(of(&f.value.im)),
         other => other.real().map_or(i64::MAX, of),
     }
 }
@@ -70,6 +72,8 @@ pub(super) struct Body<'e> {
     short: Option<Pointwise>,
     /// Evaluations in machine words.
     short_evaluations: u32,
+    /// True if the mirror image of the body is integrated.
+    is_image: bool,
 }
 
 impl<'e> Body<'e> {
@@ -83,6 +87,7 @@ impl<'e> Body<'e> {
             zeros: Vec::new(),
             short: None,
             short_evaluations: 0,
+            is_image: false,
         }
     }
 
@@ -135,6 +140,14 @@ impl<'e> Body<'e> {
             .short
             .get_or_insert_with(|| Pointwise::new(self.evaluator, binder, body));
         Some((pointwise, &mut self.evaluator.rounds))
+    }
+
+    /// A value as a complex number, or that of the mirror image.
+    fn complex(&self, value: Value) -> Option<ComplexBall> {
+        match self.is_image {
+            true => value.image(),
+            false => value.to_complex(),
+        }
     }
 
     fn real(&mut self, x: &Ball, bits: u32) -> Option<Value> {
@@ -286,21 +299,21 @@ impl Body<'_> {
 impl Integrand for Body<'_> {
     fn enclose(&mut self, z: &ComplexBall, holomorphic: bool, bits: u32) -> Option<ComplexBall> {
         if z.im.is_zero() && (!holomorphic || z.re.rad().is_zero()) {
-            return self.real(&z.re, bits)?.to_complex();
+            let value = self.real(&z.re, bits)?;
+            return self.complex(value);
         }
         if !holomorphic {
             return None;
         }
         // Doubles do not tell the parts of a short panel apart.
-        if bits <= TOLD_APART {
+        if bits <= TOLD_APART && !self.is_image {
             let (pointwise, rounds) = self.pointwise()?;
             if let Some(found) = pointwise.continuation(z, rounds) {
                 return Some(found);
             }
         }
-        self.value(Value::Continued(z.clone()), true, bits)
-            .ok()?
-            .to_complex()
+        let value = self.value(Value::Continued(z.clone()), true, bits).ok()?;
+        self.complex(value)
     }
 
     fn enclose_real(&mut self, x: &Ball, bits: u32) -> Option<Ball> {
@@ -468,7 +481,8 @@ pub(super) fn integral(
         _ => (COARSE_BITS, COARSE_EVALUATIONS),
     };
     let places = prec.min(balls.places);
-    let is_complex = evaluator.graph().is_complex(body) || is_continued;
+    let (is_real, mirrors) = (!evaluator.graph().is_complex(body), balls.mirrors);
+    let is_complex = !is_real || is_continued;
     let mut integrand = Body::new(evaluator, binder, body);
     // An integral next to zero gets its relative accuracy as the working precision is raised; one of
     // small values has it at once.
@@ -493,11 +507,16 @@ pub(super) fn integral(
         };
         let [a, b] = [a, b].map(|x| ComplexBall::new(x.clone(), Ball::integer(x.prec(), 0)));
         let found = quadrature::integrate_segment(&mut integrand, &a, &b, &goal);
-        let kind = match is_continued {
-            true => Value::Continued,
-            false => Value::Complex,
+        let value = match (is_continued, is_real) {
+            (true, true) => found.value.map(Value::Continued),
+            (true, false) if mirrors => {
+                integrand.is_image = true;
+                let image = quadrature::integrate_segment(&mut integrand, &a, &b, &goal).value;
+                found.value.map(|value| Mirrored::value(value, image))
+            }
+            _ => found.value.map(Value::Complex),
         };
-        (found.value.map(kind), found.hindrance)
+        (value, found.hindrance)
     } else {
         let (value, hindrance) = integrand.between(from, to, &goal, MOST_POLES);
         (value.map(Value::Real), hindrance)

@@ -15,6 +15,7 @@ mod germ;
 mod huge;
 mod initial_value;
 mod integral;
+mod mirror;
 mod oscillation;
 mod root;
 mod short;

@@ -288,6 +288,11 @@ impl Graph {
         self.facts[id as usize].binders.contains(&binder)
     }
 
+    /// Returns true if a node depends on the variable of any binder.
+    pub fn is_within(&self, id: Id) -> bool {
+        !self.facts[id as usize].binders.is_empty()
+    }
+
     /// The node of a rational number.
     pub fn number(&mut self, value: impl Into<Rational>) -> Id {
         let value = value.into();
