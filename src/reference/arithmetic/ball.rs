@@ -8,6 +8,7 @@
 //! operation and rounded up ([`Mag`]).
 
 use super::mag::Mag;
+use super::nearest;
 use gmp_mpfr_sys::gmp::LIMB_BITS;
 use rug::float::{Constant, Round, exp_min};
 use rug::ops::{AddAssignRound, AssignRound, NegAssign};
@@ -289,12 +290,8 @@ impl Ball {
     pub fn sin_cos(&self) -> (Ball, Ball) {
         let p = self.prec();
         let propagated = self.rad.min(Mag::from_f64(2.0));
-        let (mut sine, mut cosine) = (self.mid.clone(), Float::new(p));
-        let (s, c) = sine.sin_cos_round(&mut cosine, Round::Nearest);
-        (
-            Ball::rounded((sine, s), propagated),
-            Ball::rounded((cosine, c), propagated),
-        )
+        let [sine, cosine] = nearest::sin_cos(&self.mid, p).map(|x| Ball::rounded(x, propagated));
+        (sine, cosine)
     }
 
     /// The angle of the point `(x, y)`, `self` being `y`, in `(−π, π]`, continued beyond ±π where
@@ -305,7 +302,7 @@ impl Ball {
     pub fn atan2(&self, x: &Ball) -> Ball {
         let p = self.prec().max(x.prec());
         let rho = self.rad.mul(self.rad).add(x.rad.mul(x.rad)).sqrt();
-        let mid = Float::with_val_round(p, self.mid.atan2_ref(&x.mid), Round::Nearest);
+        let mid = nearest::atan2(&self.mid, &x.mid, p);
         // |z| ≥ max(|x|, |y|) is enough for a bound.
         let away = Mag::below(&self.mid).max(Mag::below(&x.mid));
         if !(rho < away) {

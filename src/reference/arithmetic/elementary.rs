@@ -1,5 +1,6 @@
 //! The exponential of a ball, and complex balls' division.
 
+use super::nearest;
 use crate::{Ball, ComplexBall, Mag};
 use rug::Float;
 use rug::float::Round;
@@ -13,7 +14,7 @@ impl Ball {
         if !self.is_finite() {
             return self.clone();
         }
-        let value = Float::with_val_round(self.prec(), self.mid().exp_ref(), Round::Nearest);
+        let value = nearest::exp(self.mid(), self.prec());
         let r = self.rad();
         if r.is_zero() {
             return Ball::rounded(value, Mag::ZERO);
@@ -37,7 +38,7 @@ impl Ball {
             return Ball::new(self.mid().clone(), Mag::INFINITY);
         }
         let propagated = self.rad().div(self.mignitude());
-        Ball::nearest(self.prec(), self.mid().ln_ref(), propagated)
+        Ball::rounded(nearest::log(self.mid(), self.prec()), propagated)
     }
 }
 

@@ -8,6 +8,7 @@ use super::support::{
 };
 use super::trigonometric::outwards;
 use super::{Evaluated, NoValue};
+use crate::arithmetic::nearest as by_words;
 use crate::{Ball, Mag};
 use rug::Float;
 use rug::ops::Pow;
@@ -51,7 +52,7 @@ fn exponential(
 /// `e^x`. The radius is `e^m (r + r²)` for r ≤ 2^-10.
 pub fn exp(x: &Ball, prec: u32) -> Evaluated {
     let one = Mag::power_of_two(0);
-    let at = |m: &Float| nearest(prec, m.exp_ref());
+    let at = |m: &Float| by_words::exp(m, prec);
     if x.rad() > Mag::power_of_two(NARROW) {
         let [low, high] = doubles(&ends(x, prec));
         if low >= -coarse::EXPONENTS && high <= coarse::EXPONENTS {
@@ -128,7 +129,7 @@ fn logarithm(
 
 /// `ln x`; radius `r/(m − r)` (mean value theorem).
 pub fn log(x: &Ball, prec: u32) -> Evaluated {
-    let at = |m: &Float| nearest(prec, m.ln_ref());
+    let at = |m: &Float| by_words::log(m, prec);
     if !is_narrow(x.rad(), x.mignitude()) {
         let both = doubles(&ends(x, prec));
         if both.iter().all(|x| *x > 0.0 && x.is_normal()) {
@@ -223,7 +224,7 @@ fn is_between_integers([low, high]: &[Float; 2]) -> bool {
 fn positive_power(x: &Ball, y: &Ball, prec: u32) -> Evaluated {
     let (r, s) = (x.rad(), y.rad());
     if r.is_zero() && s.is_zero() {
-        return finish(nearest(prec, x.mid().pow(y.mid())), Mag::ZERO);
+        return finish(by_words::pow(x.mid(), y.mid(), prec), Mag::ZERO);
     }
     let turn = r.div(x.mignitude());
     let mut delta = Mag::above(y.mid()).mul(turn);
@@ -232,7 +233,7 @@ fn positive_power(x: &Ball, y: &Ball, prec: u32) -> Evaluated {
         delta = delta.add(s.mul(above_rounded(&log).add(turn)));
     }
     if delta <= Mag::power_of_two(NARROW) {
-        let value = nearest(prec, x.mid().pow(y.mid()));
+        let value = by_words::pow(x.mid(), y.mid(), prec);
         if value.0.is_finite() {
             let size = above_rounded(&value);
             return finish(value, size.mul(expm1_above(delta)));

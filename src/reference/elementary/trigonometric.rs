@@ -7,9 +7,9 @@ use super::support::{
     finish, hull, hull_of_doubles, increasing, is_narrow, nearest, one_more,
 };
 use super::{Evaluated, NoValue};
+use crate::arithmetic::nearest as by_words;
 use crate::{Ball, Mag};
 use rug::float::{Constant, Round};
-use rug::ops::AssignRound;
 use rug::{Assign, Float};
 use std::cmp::Ordering;
 
@@ -57,7 +57,7 @@ pub fn sin(x: &Ball, prec: u32) -> Evaluated {
     }
     if x.rad() <= Mag::power_of_two(NARROW) {
         let other = || Float::with_val(BITS, x.mid().cos_ref());
-        return wave(nearest(prec, x.mid().sin_ref()), x.rad(), other);
+        return wave(by_words::sin(x.mid(), prec), x.rad(), other);
     }
     let [sine, _] = wide_waves(x, 3.1, sine_cosine, prec);
     hull_of_doubles(prec, sine)
@@ -70,7 +70,7 @@ pub fn cos(x: &Ball, prec: u32) -> Evaluated {
     }
     if x.rad() <= Mag::power_of_two(NARROW) {
         let other = || Float::with_val(BITS, x.mid().sin_ref());
-        return wave(nearest(prec, x.mid().cos_ref()), x.rad(), other);
+        return wave(by_words::cos(x.mid(), prec), x.rad(), other);
     }
     let [_, cosine] = wide_waves(x, 3.1, sine_cosine, prec);
     hull_of_doubles(prec, cosine)
@@ -82,11 +82,11 @@ pub(super) fn sin_cos(x: &Ball, prec: u32) -> Result<[Ball; 2], NoValue> {
         return Ok([unit(prec)?, unit(prec)?]);
     }
     if x.rad() <= Mag::power_of_two(NARROW) {
-        let (mut s, mut c) = (Float::new(prec), Float::new(prec));
-        let (a, b) = (&mut s, &mut c).assign_round(x.mid().sin_cos_ref(), Round::Nearest);
-        let (of_cosine, of_sine) = (Float::with_val(BITS, &c), Float::with_val(BITS, &s));
-        let sine = wave((s, a), x.rad(), || of_cosine)?;
-        return Ok([sine, wave((c, b), x.rad(), || of_sine)?]);
+        let [sine, cosine] = by_words::sin_cos(x.mid(), prec);
+        let other = [&cosine, &sine].map(|x| Float::with_val(BITS, &x.0));
+        let [of_cosine, of_sine] = other;
+        let sine = wave(sine, x.rad(), || of_cosine)?;
+        return Ok([sine, wave(cosine, x.rad(), || of_sine)?]);
     }
     let [sine, cosine] = wide_waves(x, 3.1, sine_cosine, prec);
     Ok([hull_of_doubles(prec, sine)?, hull_of_doubles(prec, cosine)?])
@@ -342,7 +342,7 @@ pub(super) fn outwards([low, high]: [f64; 2]) -> [f64; 2] {
 /// `arctan x`: the derivative is at most `1/(1 + a²)`, with `a` the least |x|.
 pub fn atan(x: &Ball, prec: u32) -> Evaluated {
     if x.rad().is_zero() {
-        return finish(nearest(prec, x.mid().atan_ref()), Mag::ZERO);
+        return finish(by_words::atan(x.mid(), prec), Mag::ZERO);
     }
     let scale = Mag::power_of_two(0).max(Mag::below(x.mid()));
     if !is_narrow(x.rad(), scale) {
@@ -355,7 +355,7 @@ pub fn atan(x: &Ball, prec: u32) -> Evaluated {
     }
     let a = x.mignitude();
     let divisor = Mag::power_of_two(0).add_below(a.mul_below(a));
-    finish(nearest(prec, x.mid().atan_ref()), x.rad().div(divisor))
+    finish(by_words::atan(x.mid(), prec), x.rad().div(divisor))
 }
 
 /// The angle of the point `(x, y)` in `(−π, π]`; zero at the origin.
@@ -379,14 +379,14 @@ pub fn atan2(y: &Ball, x: &Ball, prec: u32) -> Evaluated {
     if certain {
         let (r, s) = (x.rad(), y.rad());
         if r.is_zero() && s.is_zero() {
-            return finish(nearest(prec, y.mid().atan2_ref(x.mid())), Mag::ZERO);
+            return finish(by_words::atan2(y.mid(), x.mid(), prec), Mag::ZERO);
         }
         let (a, b) = (x.mignitude(), y.mignitude());
         let away = a.mul_below(a).add_below(b.mul_below(b));
         let far = a.max(b);
         if is_narrow(r, far) && is_narrow(s, far) {
             let turn = y.magnitude().mul(r).add(x.magnitude().mul(s));
-            let value = nearest(prec, y.mid().atan2_ref(x.mid()));
+            let value = by_words::atan2(y.mid(), x.mid(), prec);
             return finish(value, turn.div(away));
         }
     }

@@ -462,7 +462,7 @@ const ATTEMPTS: u32 = 3;
 
 /// Bits by which rounding errors may lie above the share of a panel of its own size: they are small
 /// beside their panels, and their sum beside the integral, however many there are.
-const ROUNDING: i64 = 6;
+const ROUNDING: i64 = 7;
 
 /// Bits that machine words may lack on a panel and are tried again on the next one.
 const LITTLE: i64 = 3;

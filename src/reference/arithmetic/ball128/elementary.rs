@@ -19,8 +19,8 @@
 //! most `e^x (r + r²)` for r ≤ 1.
 
 use super::{Ball128, HIGHEST, LOW, UP, power_of_two, product};
-use rug::ops::CompleteRound;
-use rug::{Float, Integer};
+use crate::arithmetic::fixed::Fraction;
+use crate::arithmetic::nearest;
 use std::sync::OnceLock;
 
 /// The errors above, in units of the last place.
@@ -52,42 +52,23 @@ struct Tables {
     inverse_factorials: [u128; 14],
 }
 
-/// `x 2^bits` without its fraction.
-fn units(x: &Float, bits: u32) -> u128 {
-    let whole = (x.clone() << bits).to_integer_round(rug::float::Round::Down);
-    whole.and_then(|(n, _)| n.to_u128()).unwrap_or(0)
-}
-
-fn long(x: &Float) -> Long {
-    let high = units(x, 128);
-    let rest = Float::with_val(320, x << 128) - Float::with_val(320, &Integer::from(high));
-    (high, units(&rest, 64) as u64)
+/// The upper half of a fraction of 256 places.
+fn upper(&[_, _, low, high]: &Fraction) -> u128 {
+    u128::from(high) << 64 | u128::from(low)
 }
 
 fn tables() -> &'static Tables {
     static TABLES: OnceLock<Tables> = OnceLock::new();
     TABLES.get_or_init(|| {
-        const BITS: u32 = 320;
-        let of = |n: u32, shift: u32| Float::with_val(BITS, n) >> shift;
-        let pi = Float::with_val(BITS, rug::float::Constant::Pi);
-        let mut factorial = Integer::from(1);
-        let mut inverse_factorials = [0; 14];
-        for (k, place) in inverse_factorials.iter_mut().enumerate().skip(2) {
-            factorial *= k as u32;
-            *place = units(&(of(1, 0) / &factorial), 128);
-        }
+        let all = nearest::tables();
+        let long = |x: &nearest::Long| (upper(&x.high), x.high[1]);
         Tables {
-            ln_2: long(&Float::with_val(BITS, rug::float::Constant::Log2)),
-            quarter_pi: long(&(pi >> 2u32)),
-            powers: (0..178).map(|k| units(&of(k, 8).exp(), 127)).collect(),
-            small_powers: (0..256).map(|k| units(&of(k, 16).exp_m1(), 128)).collect(),
-            waves: (0..202)
-                .map(|k| {
-                    let (sine, cosine) = of(k, 8).sin_cos(Float::new(BITS));
-                    [sine, (1u32 - &cosine).complete(BITS)].map(|x| units(&x, 128))
-                })
-                .collect(),
-            inverse_factorials,
+            ln_2: long(&all.ln_2),
+            quarter_pi: long(&all.quarter_pi),
+            powers: all.powers.iter().map(upper).collect(),
+            small_powers: all.small_powers.iter().map(upper).collect(),
+            waves: all.waves.iter().map(|x| x.each_ref().map(upper)).collect(),
+            inverse_factorials: std::array::from_fn(|k| upper(&all.inverse_factorials[k])),
         }
     })
 }
