@@ -5,8 +5,9 @@
 
 An antiderivative F that is continuous from a to b is drawn: sums, products and functions of t, of powers and roots
 with a branch point at an end (`(t - a)^(1/3)`, `sqrt(b - t)`), and of roots, cube roots and absolute values with a
-singularity between the ends. The integral of its derivative has to be F(b) - F(a). Exit 1 if a value is more than a
-unit of its 15th digit off, or if less than two thirds have a value.
+singularity between the ends. The integral of its derivative has to be F(b) - F(a). Every third integral is of a part
+of a complex function: of the real or imaginary part of F', of the derivative of |F|, or of a part of an integral
+within. Exit 1 if a value is more than a unit of its 15th digit off, or if less than two thirds have a value.
 """
 import argparse
 import pathlib
@@ -52,7 +53,16 @@ ATOMS = [
     ("cbrt(t - ({c}))", "1/(3*cbrt(t - ({c}))^2)"),
     ("fmax(t, {c})", "if(t < {c}, 0, 1)"),
 ]
+# Complex functions of u with two derivatives, holomorphic next to the real line.
+COMPLEX = [
+    ("exp({k}*{u})", "{k}*exp({k}*{u})", "({k})^2*exp({k}*{u})"),
+    ("sin({k}*{u})", "{k}*cos({k}*{u})", "-({k})^2*sin({k}*{u})"),
+    ("1/({u} + {z})", "-1/({u} + {z})^2", "2/({u} + {z})^3"),
+    ("log({u} + {z})", "1/({u} + {z})", "-1/({u} + {z})^2"),
+    ("({u} + {z})^(5/2)", "5/2*({u} + {z})^(3/2)", "15/4*sqrt({u} + {z})"),
+]
 NAMES = {name: getattr(mp, name) for name in ("exp", "sin", "cos", "atan", "tanh", "erf", "asinh", "sqrt", "pi")}
+NAMES |= {"i": mp.j, "re": mp.re, "im": mp.im, "conj": mp.conj}
 NAMES |= {"abs": abs, "fmax": max, "cbrt": lambda x: mp.sign(x) * mp.cbrt(abs(x))}
 # The only logarithm of zero has zero as a factor.
 NAMES |= {"log": lambda x: mp.log(x) if x else x}
@@ -89,16 +99,49 @@ def split(text):
     yield part
 
 
+def complex_atom(draw, u):
+    """A complex function of a real number and its derivatives, as texts."""
+    constants = {"k": draw.choice(["i", "(1 + i)", "(i/2 - 1)", "(2 - i)"])}
+    constants["z"] = draw.choice(["i", "(1 + i)", "(i/2 - 2)", "(1/3 - 2*i)"])
+    return [f"({part.format(u=u, **constants)})" for part in draw.choice(COMPLEX)]
+
+
+def complex_part(draw, a, b):
+    """A part of a complex function as a text, and what its integral has to be."""
+    part = draw.choice(["re", "im", "abs", "within"])
+    if part == "within":
+        # E(b) - E(a) - (b - a) E'(a) is the integral of E'(t) - E'(a).
+        state = draw.getstate()
+        e, de, _ = complex_atom(draw, "t")
+        draw.setstate(state)
+        _, _, dde = complex_atom(draw, f"({a} + s*(t - ({a})))")
+        part = draw.choice(["re", "im"])
+        due = at(e, mp.mpf(b)) - at(e, mp.mpf(a)) - (b - a) * at(de, mp.mpf(a))
+        return f"{part}(int(s, 0, 1, (t - ({a}))*{dde}))", NAMES[part](due)
+    (f, df, _), (g, dg, _) = complex_atom(draw, "t"), complex_atom(draw, "t")
+    if draw.random() < 0.5:
+        f, df = f"({f} + {g})", f"({df} + {dg})"
+    else:
+        f, df = f"({f}*{g})", f"({df}*{g} + {f}*{dg})"
+    ends = [NAMES[part](at(f, mp.mpf(t))) for t in (a, b)]
+    text = f"re(conj({f})*{df})/abs({f})" if part == "abs" else f"{part}({df})"
+    return text, ends[1] - ends[0]
+
+
 def drawn(draw):
     """An integral as a text, and what it has to be."""
     a = draw.choice([0, 0, -1, 1])
     b = a + draw.choice([1, 2, 3])
     ends = {"a": a, "b": b, "c": f"({a} + {draw.choice([1, 2, 3, 5])}*({b - a})/7)"}
     due = mp.mpf(0)
+    is_complex = draw.randrange(3) == 0
     # An integral that is zero has no first digit.
     while not abs(due) > mp.mpf(10) ** -10:
-        antiderivative, integrand = formula(draw, draw.choice([0, 0, 1, 1, 2]), ends)
-        due = at(antiderivative, mp.mpf(b)) - at(antiderivative, mp.mpf(a))
+        if is_complex:
+            integrand, due = complex_part(draw, a, b)
+        else:
+            antiderivative, integrand = formula(draw, draw.choice([0, 0, 1, 1, 2]), ends)
+            due = at(antiderivative, mp.mpf(b)) - at(antiderivative, mp.mpf(a))
     return f"int(t, {a}, {b}, {integrand})", due
 
 

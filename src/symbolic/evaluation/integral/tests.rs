@@ -195,3 +195,45 @@ fn integrals_from_branch_points() {
         assert_eq!(value(text, (1, 1), 25), due, "{text}");
     }
 }
+
+/// Parts of complex functions continue by their mirror images: antiderivatives by hand, and `Si(1)`,
+/// `γ − Ci(1)` and `2 Si(1/2)` by Arb for those of `(e^{it} − 1)/it`.
+#[test]
+fn integrals_of_parts_of_complex_functions() {
+    for (text, due) in [
+        (
+            "int(t, 0, 1, re(exp(i*t)))",
+            "0.8414709848078965066525023",
+        ),
+        (
+            "int(t, 1, 2, im((1 + i)*t + conj(t + i)))",
+            "0.5000000000000000000000000",
+        ),
+        (
+            "int(t, 0, 2, abs(3/5*t + 4/5*i*t + 3 + 4*i))",
+            "12.00000000000000000000000",
+        ),
+        (
+            "int(t, 0, 1, arg(1 + i*t))",
+            "0.4388245731174756549070448",
+        ),
+        (
+            "int(t, 0, 1, re(int(s, 0, 1, exp(i*s*t))))",
+            "0.9460830703671830149413533",
+        ),
+        (
+            "int(t, 0, 1, im(int(s, 0, 1, exp(i*s*t))))",
+            "0.2398117420005647259438659",
+        ),
+        (
+            "int(t, 0, 1, abs(int(s, 0, 1, exp(i*s*t))))",
+            "0.9862148360861333782232534",
+        ),
+        (
+            "int(t, 0, 2, im(W(t + i)))",
+            "0.3464497052904477943784570",
+        ),
+    ] {
+        assert_eq!(value(text, (1, 1), 25), due, "{text}");
+    }
+}
