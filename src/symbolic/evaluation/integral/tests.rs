@@ -227,7 +227,7 @@ fn integrals_of_parts_of_complex_functions() {
         ),
         (
             "int(t, 0, 1, abs(int(s, 0, 1, exp(i*s*t))))",
-            "0.9862148360861333782232534",
+            "0.9862148360861333783232534",
         ),
         (
             "int(t, 0, 2, im(W(t + i)))",
