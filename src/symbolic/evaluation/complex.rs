@@ -1,6 +1,7 @@
 //! Functions of complex balls, and continuations of real functions to complex arguments.
 
-use super::ball::{Balls, Value, unary};
+use super::ball::{Balls, Value};
+use super::real::unary;
 use crate::Func;
 use mechaudit_reference::elementary as real;
 use mechaudit_reference::elementary::{ComplexEvaluated, NoValue};

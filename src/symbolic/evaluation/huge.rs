@@ -3,7 +3,8 @@
 //! They come from overflow, `e^{10^300}`, and lead back to numbers by division or by functions with
 //! limits: `1/(1 + e^{10^300})` is a ball around zero.
 
-use super::ball::{Value, unary, wrap};
+use super::ball::{Value, wrap};
+use super::real::unary;
 use crate::Func;
 use mechaudit_reference::elementary::NoValue;
 use mechaudit_reference::{Ball, Mag};

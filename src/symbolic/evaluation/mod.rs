@@ -17,6 +17,7 @@ mod initial_value;
 mod integral;
 mod mirror;
 mod oscillation;
+mod real;
 mod root;
 mod short;
 mod sum;

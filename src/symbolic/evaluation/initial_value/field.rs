@@ -1,7 +1,7 @@
 //! The smooth field of a problem on the chosen sides of its switches.
 
 use super::InitialValueProblem;
-use crate::evaluation::ball::unary;
+use crate::evaluation::real::unary;
 use crate::evaluation::taylor::{Compiled, Fixed, Side, Switch, Unsupported, compile};
 use crate::evaluation::{Balls, Evaluator, Value};
 use crate::graph::{Id, Node};

@@ -6,7 +6,7 @@ use super::piece::{MOST, Piece, at_rate, carrying, fields_on, gradients};
 use super::quantities::Quantities;
 use super::sliding::Sliding;
 use super::{InitialValueProblem, MotionError};
-use crate::evaluation::ball::unary;
+use crate::evaluation::real::unary;
 use crate::evaluation::taylor::{Side, Switch};
 use crate::evaluation::{Balls, Evaluator};
 use crate::graph::Id;
