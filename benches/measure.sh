@@ -14,7 +14,7 @@ measure() {
 }
 
 { uname -a; grep -m 1 "model name" /proc/cpuinfo; rustc --version; git rev-parse HEAD; } >"$out/machine.txt" || true
-for bench in class_iii planar run_up spline chirp_oscillator judgements faddeeva_reference; do
+for bench in class_iii planar run_up spline chirp_oscillator judgements elementary faddeeva_reference; do
     measure "$bench" cargo bench --bench "$bench"
 done
 measure scipy python3 benches/compare_scipy.py

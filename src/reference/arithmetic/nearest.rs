@@ -1,6 +1,6 @@
 //! Exponential function, logarithm and circular functions of moderate numbers, rounded to nearest.
 //!
-//! They are evaluated to 256 binary places (`u = 2^−256`), which takes a fifth of the time of MPFR.
+//! They are evaluated to 256 binary places (`u = 2^−256`), which takes a tenth to a half of MPFR's time.
 //! None of their values at a rational number, but those at zero and one, has finitely many bits
 //! (Lindemann), so that the value rounded to fewer bits is known as soon as the errors below do not
 //! reach a number halfway between two others, or one of them. Where they may reach it, and for other

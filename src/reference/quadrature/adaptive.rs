@@ -7,6 +7,7 @@ use super::nodes;
 use crate::{Ball, ComplexBall, Mag};
 pub use changes::Crossing;
 use changes::{is_close, unsettled};
+#[cfg(test)]
 pub(super) use ellipse::PARTS;
 use ellipse::{Around, Ellipse, Hint, ellipse};
 use rug::Float;
