@@ -1,10 +1,9 @@
 //! Exponential function, logarithm and circular functions of moderate numbers, rounded to nearest.
 //!
 //! They are evaluated to 256 binary places (`u = 2^−256`), which takes a tenth to a half of MPFR's time.
-//! None of their values at a rational number, but those at zero and one, has finitely many bits
-//! (Lindemann), so that the value rounded to fewer bits is known as soon as the errors below do not
-//! reach a number halfway between two others, or one of them. Where they may reach it, and for other
-//! arguments and precisions, MPFR rounds: the result is the same.
+//! The value rounded to fewer bits is known as soon as neither a number of that many bits nor one
+//! halfway between two of them lies within the errors below. Where one may, and for other arguments and
+//! precisions, MPFR rounds: the result is the same.
 //!
 //! An argument `x` is cut off, and reduced to `x = n c + f` with c = ln 2 or π/4: f is off by less than
 //! 4u. A product is off by less than 5u, a sum is exact, entries of tables and coefficients are off by

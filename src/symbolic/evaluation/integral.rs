@@ -214,7 +214,10 @@ impl Body<'_> {
             .reach(self.body)
             .into_iter()
             .filter_map(|id| match graph.node(id) {
-                Node::Unary(Func::Log | Func::Log2 | Func::Log10 | Func::Abs | Func::Sqrt, x)
+                Node::Unary(
+                    Func::Log | Func::Log2 | Func::Log10 | Func::Abs | Func::Sqrt | Func::Cbrt,
+                    x,
+                )
                 | Node::Binary(Func::Pow, x, _)
                 | Node::Div(_, x) => Some(x),
                 Node::Power(x, k) if k < 0 => Some(x),
