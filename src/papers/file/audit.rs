@@ -73,7 +73,8 @@ impl PaperFile {
         let covered = |e: &&LedgerEntry| !self.stated.iter().any(|s| s.covers(e.id));
         let alone = ledger.entries.iter().filter(covered);
         let stated = |all: &[Stated]| -> Vec<Finding> {
-            all.iter().map(|s| s.finding(ledger, measured)).collect()
+            let findings = all.par_iter().map(|s| s.finding(ledger, measured));
+            findings.collect()
         };
         let mut all = stated(first);
         all.extend(alone.flat_map(|e| [finding(e), dimension(e)]).flatten());

@@ -107,16 +107,27 @@ fn solver_motor(i: RunUpInput) -> Option<Motor> {
 
 /// The motion by the code under test.
 fn motion(i: RunUpInput) -> Result<Motion, &'static str> {
-    let settings = Settings {
+    motion_with(i, settings()).map(|(motion, _)| motion)
+}
+
+fn settings() -> Settings {
+    Settings {
         tolerance: TOLERANCE,
         ..Settings::default()
-    };
-    motion_with(i, settings).map(|(motion, _)| motion)
+    }
 }
 
 /// The motion and the stretches that make it up.
 fn motion_with(i: RunUpInput, settings: Settings) -> Result<(Motion, Vec<Stretch>), &'static str> {
-    let model = solver_model(i)?;
+    motion_of(&*solver_model(i)?, i, settings)
+}
+
+/// The same of a model made before.
+fn motion_of(
+    model: &dyn ReducedModel,
+    i: RunUpInput,
+    settings: Settings,
+) -> Result<(Motion, Vec<Stretch>), &'static str> {
     let motor = solver_motor(i).ok_or("motor")?;
     let none = Inertia::from_kg_m2(0.0);
     let rotor = Inertia::from_kg_m2(i.i1);
@@ -127,7 +138,7 @@ fn motion_with(i: RunUpInput, settings: Settings) -> Result<(Motion, Vec<Stretch
         ..Plan::new(i.phi0, i.duration)
     };
     let (motion, stretches) =
-        run_recorded(&Equation::new(&*model, &drive), &plan).map_err(|_| "no motion")?;
+        run_recorded(&Equation::new(model, &drive), &plan).map_err(|_| "no motion")?;
     // The reference does not follow a crank through standstill.
     let rests = motion.events.iter().any(|e| e.kind == EventKind::Rest);
     match motion.outcome {
@@ -327,20 +338,20 @@ fn energy_law(x: &[f64]) -> Option<f64> {
 
 fn restart_law(x: &[f64]) -> Option<f64> {
     let i = RunUp::unpack(x)?;
-    let whole = motion(i).ok()?.end;
+    let model = solver_model(i).ok()?;
+    let end = |i| Some(motion_of(&*model, i, settings()).ok()?.0.end);
+    let whole = end(i)?;
     let first = RunUpInput {
         duration: 0.5 * i.duration,
         ..i
     };
-    let half = motion(first).ok()?.end;
+    let half = end(first)?;
     let (phi0, psi0) = (half.phi, half.psi);
-    let end = motion(RunUpInput {
+    let end = end(RunUpInput {
         phi0,
         psi0,
         ..first
-    })
-    .ok()?
-    .end;
+    })?;
     let off = |a: f64, b: f64| (a - b).abs() / (1e-10 * a.abs());
     Some(off(whole.phi, end.phi).max(off(whole.psi, end.psi)))
 }

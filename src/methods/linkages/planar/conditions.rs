@@ -3,8 +3,8 @@
 
 use super::flow::{C, Flow, I, Motion, Path, Spot, cross, dot};
 use super::input::{PlanarForcesInput, PlanarLinkageInput};
+use super::inverse::Inverse;
 use crate::methods::inputs::Fields;
-use nalgebra::{DMatrix, DVector};
 
 /// Returns the condition numbers of the motion of a linkage in the method's layout.
 pub(super) fn of_motion(numbers: &[f64]) -> Option<Vec<f64>> {
@@ -30,14 +30,11 @@ fn flow(linkage: &PlanarLinkageInput) -> Option<Flow> {
 }
 
 impl Flow {
-    /// Of nine values a body: angle, centre of mass, with derivatives; infinite at a singular
-    /// position.
+    /// Of nine values a body: angle, centre of mass, with derivatives.
     pub(super) fn of_motion(&self) -> Vec<f64> {
         let mut sum = vec![[0.0; 9]; self.bodies];
         for datum in self.data() {
-            let Some(d) = self.moved(&datum) else {
-                return vec![f64::INFINITY; 9 * self.bodies];
-            };
+            let d = self.moved(&datum);
             for (k, sum) in sum.iter_mut().enumerate() {
                 let path = self.change(self.centre(k), C::default(), &d);
                 let values = d.turn[k + 1]
@@ -114,7 +111,7 @@ impl Flow {
                 .zip(&mut systems)
                 .for_each(|(v, s)| *s += v);
         }
-        let done = self.each(|size, changes, d, _| {
+        self.each(|size, changes, d, _| {
             let mut v = [0.0; 4];
             for (k, ([_, s1, s2], [_, d1, d2])) in paths.iter().zip(changes).enumerate() {
                 let ([_, w, e], [_, dw, de]) = (self.motion.turn[k + 1], d.turn[k + 1]);
@@ -127,10 +124,7 @@ impl Flow {
             add(size, v);
         });
         sum[4] += (total[0] * i.acceleration).abs() + (total[1] * square).abs();
-        match done {
-            Some(()) => sum.iter().zip(systems).map(|(a, b)| a + b).collect(),
-            None => vec![f64::INFINITY; 5],
-        }
+        sum.iter().zip(systems).map(|(a, b)| a + b).collect()
     }
 
     /// Of the forces in the pins; none at a singular position.
@@ -139,22 +133,21 @@ impl Flow {
         let g = C::new(i.gx, i.gy);
         let (square, forward) = (i.speed * i.speed, i.acceleration);
         let arm = |s: &Spot| self.direction[s.body] * (s.at - self.centres[s.body - 1]);
-        let mut matrix = DMatrix::zeros(n, n);
+        let mut matrix = vec![vec![0.0; n]; n];
         for (j, pin) in self.pins.iter().enumerate() {
             for (s, sign) in pin.iter().zip([-1.0, 1.0]) {
                 let Some(k) = s.body.checked_sub(1) else {
                     continue;
                 };
                 let arm = arm(s);
-                matrix[(3 * k, 2 * j)] = sign;
-                matrix[(3 * k + 1, 2 * j + 1)] = sign;
-                matrix[(3 * k + 2, 2 * j)] = -sign * arm.im;
-                matrix[(3 * k + 2, 2 * j + 1)] = sign * arm.re;
+                matrix[3 * k][2 * j] = sign;
+                matrix[3 * k + 1][2 * j + 1] = sign;
+                matrix[3 * k + 2][2 * j] = -sign * arm.im;
+                matrix[3 * k + 2][2 * j + 1] = sign * arm.re;
             }
         }
-        matrix[(2, n - 1)] = 1.0;
-        let sizes = matrix.abs();
-        let lu = matrix.lu();
+        matrix[2][n - 1] = 1.0;
+        let inverse = Inverse::of(matrix.clone())?;
         let due = |mass: f64, by: C, inertia: f64, turn: f64| {
             [mass * by.re, mass * by.im, inertia * turn]
         };
@@ -163,21 +156,19 @@ impl Flow {
         let paths: Vec<Path> = (0..self.bodies)
             .map(|k| self.path(self.centre(k)))
             .collect();
-        let rows = |of: &dyn Fn(usize) -> [f64; 3]| {
-            DVector::from_iterator(n, (0..self.bodies).flat_map(of))
+        let rows = |of: &dyn Fn(usize) -> [f64; 3]| -> Vec<f64> {
+            (0..self.bodies).flat_map(of).collect()
         };
         let right = rows(&|k| {
             let turn = turning(&self.motion.turn[k + 1]);
             due(i.m[k], in_time(&paths[k]) - g, i.j[k], turn)
         });
-        let forces = lu.solve(&right)?;
+        let forces = inverse.times(&right);
         let force = |j: usize| C::new(forces[2 * j], forces[2 * j + 1]);
         let mut sum = vec![0.0; 2 * self.pins.len()];
-        let mut add = |size: f64, right: DVector<f64>| {
-            let Some(change) = lu.solve(&right) else {
-                return;
-            };
-            let pairs = sum.iter_mut().zip(change.iter());
+        let mut add = |size: f64, right: Vec<f64>| {
+            let change = inverse.times(&right);
+            let pairs = sum.iter_mut().zip(&change);
             pairs.for_each(|(s, c)| *s += size * c.abs());
         };
         let only = |at: usize, v: [f64; 3]| rows(&|k| if k == at { v } else { [0.0; 3] });
@@ -216,8 +207,9 @@ impl Flow {
                 }
             }
             add(size, right);
-        })?;
-        let mut right = sizes * forces.abs();
+        });
+        let sizes = |row: &Vec<f64>| row.iter().zip(&forces).map(|(a, x)| (a * x).abs()).sum();
+        let mut right: Vec<f64> = matrix.iter().map(sizes).collect();
         for k in 0..self.bodies {
             let [path, turn] = self.system(k);
             let in_time = |of: [f64; 2]| of[1] * square + of[0] * forward.abs();
@@ -225,7 +217,7 @@ impl Flow {
             right[3 * k + 1] += i.m[k] * in_time(path);
             right[3 * k + 2] += i.j[k] * in_time(turn);
         }
-        let systems = lu.try_inverse()?.abs() * right;
-        Some(sum.iter().zip(systems.iter()).map(|(a, b)| a + b).collect())
+        let systems = inverse.abs().times(&right);
+        Some(sum.iter().zip(systems).map(|(a, b)| a + b).collect())
     }
 }

@@ -18,9 +18,9 @@
 //! that hardly moves among others that do would have to be found without them.
 
 use super::input::PlanarLinkageInput;
-use nalgebra::{Complex, DMatrix, DVector, Dyn, LU};
+use super::inverse::{Inverse, add};
 
-pub(super) type C = Complex<f64>;
+pub(super) type C = num_complex::Complex64;
 
 pub(super) const I: C = C::new(0.0, 1.0);
 
@@ -58,7 +58,7 @@ impl Motion {
     }
 
     /// Sets one order from a solution of the loops.
-    fn set(&mut self, order: usize, q: &DVector<f64>) {
+    fn set(&mut self, order: usize, q: &[f64]) {
         for k in 1..self.turn.len() {
             let at = 3 * (k - 1);
             self.origin[k][order] = C::new(q[at], q[at + 1]);
@@ -92,7 +92,10 @@ pub(super) struct Flow {
     /// `e^{iθ}` of the ground and all bodies.
     pub direction: Vec<C>,
     pub motion: Motion,
-    pub loops: LU<f64, Dyn, Dyn>,
+    /// Gives what a right side of the loops makes of origins and angles.
+    pub loops: Inverse,
+    /// The first and second derivatives that a turn of each body by 1 makes with the loops closed.
+    turned: Vec<[Vec<f64>; 2]>,
     /// Holds what the coefficients of the systems for the first and second derivatives make of
     /// origins and angles.
     pub systems: Vec<[[f64; 2]; 2]>,
@@ -116,20 +119,20 @@ impl Flow {
         let mut direction = vec![C::new(1.0, 0.0)];
         direction.extend(angles.iter().map(|t| C::new(t.cos(), t.sin())));
         let n = 3 * bodies;
-        let mut matrix = DMatrix::zeros(n, n);
+        let mut matrix = vec![vec![0.0; n]; n];
         for (row, pin) in pins.iter().enumerate() {
             for (spot, sign) in pin.iter().zip([1.0, -1.0]) {
                 let Some(k) = spot.body.checked_sub(1) else {
                     continue;
                 };
                 let arm = I * direction[spot.body] * spot.at;
-                matrix[(2 * row, 3 * k)] = sign;
-                matrix[(2 * row + 1, 3 * k + 1)] = sign;
-                matrix[(2 * row, 3 * k + 2)] = sign * arm.re;
-                matrix[(2 * row + 1, 3 * k + 2)] = sign * arm.im;
+                matrix[2 * row][3 * k] = sign;
+                matrix[2 * row + 1][3 * k + 1] = sign;
+                matrix[2 * row][3 * k + 2] = sign * arm.re;
+                matrix[2 * row + 1][3 * k + 2] = sign * arm.im;
             }
         }
-        matrix[(n - 1, 2)] = 1.0;
+        matrix[n - 1][2] = 1.0;
         let mut flow = Flow {
             bodies,
             pins,
@@ -137,19 +140,26 @@ impl Flow {
             phi: i.phi,
             direction,
             motion: Motion::still(bodies),
-            loops: matrix.lu(),
+            loops: Inverse::of(matrix)?,
+            turned: Vec::new(),
             systems: vec![[[0.0; 2]; 2]; bodies + 1],
         };
         flow.place(angles);
-        let mut right = DVector::zeros(n);
-        right[n - 1] = 1.0;
-        flow.motion.set(1, &flow.loops.solve(&right)?);
+        let drive = flow.closed(|_| C::default(), 1.0);
+        flow.motion.set(1, &flow.loops.times(&drive));
         let second = |s: &Spot| {
             let w = flow.motion.turn[s.body][1];
             flow.direction[s.body] * s.at * (w * w)
         };
         let right = flow.closed(second, 0.0);
-        flow.motion.set(2, &flow.loops.solve(&right)?);
+        flow.motion.set(2, &flow.loops.times(&right));
+        let turned = (0..=bodies).map(|k| {
+            let mut d = Motion::still(bodies);
+            d.turn[k][0] = 1.0;
+            let of = |order: usize| flow.closed(|s| -flow.change(*s, C::default(), &d)[order], 0.0);
+            [1, 2].map(|order| flow.loops.times(&of(order)))
+        });
+        flow.turned = turned.collect();
         flow.systems = flow.of_systems()?;
         Some(flow)
     }
@@ -179,7 +189,7 @@ impl Flow {
     /// Returns what the systems make of origins and angles if each loop is closed to within the
     /// largest term of its group, and what errors of rates make of the squared ones on the right.
     fn of_systems(&self) -> Option<Vec<[[f64; 2]; 2]>> {
-        let inverse = self.loops.try_inverse()?.abs();
+        let inverse = self.loops.abs();
         let group = groups(self.bodies, &self.pins)?;
         let of_group = |[a, b]: &[Spot; 2]| group[a.body].max(group[b.body]);
         let mut all = vec![[[0.0; 2]; 2]; self.bodies + 1];
@@ -190,7 +200,7 @@ impl Flow {
                 let most = &mut largest[of_group(pin)];
                 *most = terms.fold(*most, f64::max);
             }
-            let mut right = DVector::zeros(3 * self.bodies);
+            let mut right = vec![0.0; 3 * self.bodies];
             for (row, pin) in self.pins.iter().enumerate() {
                 let squares: f64 = match order {
                     1 => 0.0,
@@ -206,7 +216,7 @@ impl Flow {
                 right[2 * row] = gap;
                 right[2 * row + 1] = gap;
             }
-            let size = &inverse * right;
+            let size = inverse.times(&right);
             for (k, of) in all.iter_mut().skip(1).enumerate() {
                 of[0][order - 1] = size[3 * k].max(size[3 * k + 1]);
                 of[1][order - 1] = size[3 * k + 2];
@@ -239,8 +249,8 @@ impl Flow {
     }
 
     /// The right side with the difference of a pin's two points of `of`, and the drive's.
-    fn closed(&self, of: impl Fn(&Spot) -> C, drive: f64) -> DVector<f64> {
-        let mut right = DVector::zeros(3 * self.bodies);
+    fn closed(&self, of: impl Fn(&Spot) -> C, drive: f64) -> Vec<f64> {
+        let mut right = vec![0.0; 3 * self.bodies];
         for (row, [a, b]) in self.pins.iter().enumerate() {
             let gap = of(a) - of(b);
             right[2 * row] = gap.re;
@@ -275,29 +285,38 @@ impl Flow {
     }
 
     /// How the bodies move with a datum.
-    pub(super) fn moved(&self, datum: &Datum) -> Option<Motion> {
-        let mut d = Motion::still(self.bodies);
+    pub(super) fn moved(&self, datum: &Datum) -> Motion {
+        let still = Motion::still(self.bodies);
+        let mut d = still.clone();
         for order in 0..3 {
-            let mut right = DVector::zeros(3 * self.bodies);
-            for (row, pin) in self.pins.iter().enumerate() {
-                for (side, sign) in [(0, -1.0), (1, 1.0)] {
-                    let by = self.by(datum, row, side);
-                    let gap = self.change(pin[side], by, &d)[order] * sign;
-                    right[2 * row] += gap.re;
-                    right[2 * row + 1] += gap.im;
+            let mut right = vec![0.0; 3 * self.bodies];
+            let gap = match datum.of {
+                Change::Point(pin, side, by) => {
+                    let change = self.change(self.pins[pin][side], by, &still)[order];
+                    Some((pin, if side == 0 { -change } else { change }))
+                }
+                Change::Gap(pin, by) => (order == 0).then_some((pin, by)),
+                Change::Drive => None,
+            };
+            match gap {
+                Some((pin, gap)) => right[2 * pin..][..2].copy_from_slice(&[gap.re, gap.im]),
+                None if order == 0 => right[3 * self.bodies - 1] = 1.0,
+                None => {}
+            }
+            let mut q = self.loops.times(&right);
+            for ([turn, turn1, _], [first, second]) in d.turn.iter().zip(&self.turned) {
+                match order {
+                    1 => add(&mut q, *turn, first),
+                    2 => {
+                        add(&mut q, *turn, second);
+                        add(&mut q, 2.0 * turn1, first);
+                    }
+                    _ => {}
                 }
             }
-            match datum.of {
-                Change::Drive if order == 0 => right[3 * self.bodies - 1] = 1.0,
-                Change::Gap(pin, by) if order == 0 => {
-                    right[2 * pin] += by.re;
-                    right[2 * pin + 1] += by.im;
-                }
-                _ => {}
-            }
-            d.set(order, &self.loops.solve(&right)?);
+            d.set(order, &q);
         }
-        Some(d)
+        d
     }
 
     /// How the datum moves a pin's point in its body.
@@ -356,9 +375,9 @@ impl Flow {
     pub(super) fn each(
         &self,
         mut go: impl FnMut(f64, &[Path], &Motion, &dyn Fn(usize, usize) -> C),
-    ) -> Option<()> {
+    ) {
         for datum in self.data() {
-            let d = self.moved(&datum)?;
+            let d = self.moved(&datum);
             let change = |k| self.change(self.centre(k), C::default(), &d);
             let paths: Vec<Path> = (0..self.bodies).map(change).collect();
             go(datum.size, &paths, &d, &|pin, side| {
@@ -373,7 +392,6 @@ impl Flow {
                 go(size, &paths, &still, &|_, _| C::default());
             }
         }
-        Some(())
     }
 }
 

@@ -4,6 +4,7 @@ mod conditions;
 mod drawn;
 mod flow;
 mod input;
+mod inverse;
 mod kinematics;
 mod laws;
 mod points;

@@ -13,10 +13,13 @@ use crate::symbolic::{Definitions, Expr};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// Working precision of formulas, and the accuracy of integrals and roots in them: both far above
-/// the digits of any figure.
-const BITS: u32 = 256;
-const GOAL: u32 = 128;
+/// A working precision of formulas, and the accuracy of integrals and roots in them.
+type Precision = [u32; 2];
+
+/// Far above the digits of any figure.
+const PRECISE: Precision = [256, 128];
+/// Enough for most conditions: an integral is enclosed in machine words.
+const SHORT: Precision = [128, 80];
 /// The most digits of a number.
 const MOST_DIGITS: u32 = 50;
 
@@ -44,18 +47,19 @@ impl Formula {
     fn evaluated<T>(
         &self,
         of: &Quantities,
+        [bits, goal]: Precision,
         read: impl Fn(&mut Evaluator<Balls>, Id) -> Option<T>,
     ) -> Option<T> {
         let balls = Balls {
             exact: true,
-            goal: GOAL,
-            ..Balls::new(BITS)
+            goal,
+            ..Balls::new(bits)
         };
         let mut evaluator = Evaluator::new(Arc::clone(&self.graph), balls);
         for (k, name) in self.graph.inputs().iter().enumerate() {
             let value = match of.get(name)? {
-                Quantity::Exact(x) => Value::rational(BITS, x.clone()),
-                Quantity::Printed(x) => Value::rational(BITS, x.value.value.clone()),
+                Quantity::Exact(x) => Value::rational(bits, x.clone()),
+                Quantity::Printed(x) => Value::rational(bits, x.value.value.clone()),
                 Quantity::Number(x) => Value::Real(x.clone()),
                 Quantity::Text(_) | Quantity::Figures(_) => return None,
             };
@@ -66,7 +70,9 @@ impl Formula {
 
     /// Returns true if a condition is known to hold.
     fn holds(&self, of: &Quantities) -> bool {
-        self.evaluated(of, |all, id| all.holds(id).ok()) == Some(true)
+        let tried = [SHORT, PRECISE].into_iter();
+        let mut known = tried.filter_map(|p| self.evaluated(of, p, |all, id| all.holds(id).ok()));
+        known.next() == Some(true)
     }
 
     /// The formula in digits.
@@ -76,7 +82,7 @@ impl Formula {
             Some(Quantity::Printed(x)) if form.is_empty() => return Some(x.text.clone()),
             _ => {}
         }
-        self.evaluated(of, |all, id| match (all.value(id).ok()?, form) {
+        self.evaluated(of, PRECISE, |all, id| match (all.value(id).ok()?, form) {
             (Value::Exact(x), "/") => Some(x.number().to_string()),
             (_, "/") => None,
             (value, _) => formed(value.real()?, form),
@@ -185,7 +191,7 @@ impl Scope<'_> {
                 return Err(node.fault("a { without its }"));
             };
             let (formula, form) = field.rsplit_once(':').unwrap_or((field, ""));
-            if form != "/" && formed(&Ball::integer(BITS, 1), form).is_none() {
+            if form != "/" && formed(&Ball::integer(PRECISE[0], 1), form).is_none() {
                 let forms = "a number of digits, .DIGITS or .DIGITSe, with + for a sign, or /";
                 return Err(node.fault(format!("the form {form:?} is none of: {forms}")));
             }

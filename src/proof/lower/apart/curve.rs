@@ -5,6 +5,7 @@ use super::smooth::middle;
 use crate::ProofError;
 use crate::interval::{product_up, quotient_up, sqrt_up, up};
 use mechaudit_reference::{Ball, ComplexBall, Mag};
+use num_complex::Complex64;
 use rug::{Float, Rational};
 
 /// A residual below this part of ζ ends an iteration, at 192 bits and at more.
@@ -14,6 +15,9 @@ const RESIDUAL: [i64; 2] = [-135, -175];
 /// less than half.
 const OF_ZERO: f64 = 1.05;
 const OF_LINE: f64 = 2.0;
+
+/// `ln (2√π)`.
+const LN_2_SQRT_PI: f64 = 1.265_512_123_484_645_4;
 
 fn residual(bits: u32) -> i64 {
     RESIDUAL[usize::from(bits > 200)]
@@ -73,11 +77,17 @@ fn beside_zero(turns: f64) -> [f64; 2] {
     let (mut x, mut p) = (3.0f64, turns);
     for _ in 0..6 {
         (x, p) = (
-            1.265_512_123_484_645_4 + 0.5 * x.hypot(p).ln(),
+            LN_2_SQRT_PI + 0.5 * x.hypot(p).ln(),
             turns - std::f64::consts::FRAC_PI_2 + 0.5 * p.atan2(x),
         );
     }
     [x, p]
+}
+
+/// `G′(ζ)` without powers of 1/ζ from the fifth on, to 2⁻⁵⁰.
+fn slope(zeta: &ComplexBall) -> Complex64 {
+    let q = Complex64::new(middle(&zeta.re), middle(&zeta.im)).inv();
+    q * (0.5 + q * (0.5 + q * (1.25 + q * 4.625)))
 }
 
 /// `−Im z` at zero number m of the equation.
@@ -93,25 +103,46 @@ fn zero_from([x, p]: [f64; 2], turns: &Ball, bits: u32) -> Option<Ball> {
     for _ in 0..60 {
         let (g, _) = g(&zeta, bits);
         let next = ComplexBall::new(g.re, g.im - turns);
+        let off = &next - &zeta;
         let enough = zeta.magnitude().shift(residual(bits));
-        if let Some(radius) = within(&(&next - &zeta), enough, OF_ZERO) {
+        if let Some(radius) = within(&off, enough, OF_ZERO) {
             let found = zeta.widened(radius);
             // a² = (|ζ| + D)/2, b = P/(2a).
             let a = (found.norm_sqr().sqrt() + &found.re).shift(-1).sqrt();
             return Some(-(found.im / &a.shift(1)));
         }
-        zeta = ComplexBall::new(exact(&next.re, bits), exact(&next.im, bits));
+        // Newton's method.
+        let slope = slope(&zeta);
+        let off = Complex64::new(middle(&off.re), middle(&off.im));
+        let more = off * (slope / (1.0 - slope));
+        let moved = |x: Ball, by: f64| exact(&(x + Ball::exact(bits, by)), bits);
+        zeta = ComplexBall::new(moved(next.re, more.re), moved(next.im, more.im));
     }
     None
 }
 
+/// D on the line `a − b = jδ`, `δ = 2^{k−52}`, to 2⁻⁴⁵.
+fn beside_line(k: i32, j: u64) -> f64 {
+    let c = j as f64 * f64::from(k - 52).exp2();
+    let mut d = 11.0 + 0.7 * f64::from(k - 13);
+    for _ in 0..5 {
+        let p = 0.5 * ((d / c).powi(2) - c * c);
+        d += (LN_2_SQRT_PI + 0.5 * d.hypot(p).ln() - d) * d / (d - 1.0);
+    }
+    d
+}
+
 /// S on the line `a − b = jδ`, `δ = 2^{k−52}`.
 pub(super) fn line(k: i32, j: u64, bits: u32) -> Result<Ball, ProofError> {
+    line_from(beside_line(k, j), k, j, bits)
+        .ok_or_else(|| ProofError::Fails(format!("line {j} of binade {k} is not found")))
+}
+
+fn line_from(start: f64, k: i32, j: u64, bits: u32) -> Option<Ball> {
     let unit = |x: Ball, sign: i32| x.shift(sign * (2 * k - 104));
     let number = Ball::rational(bits, &Rational::from(j));
     let square = number.square();
-    // D next to 11 + 0.7 (k − 13).
-    let mut d = Ball::exact(bits, 11.0 + 0.7 * f64::from(k - 13));
+    let mut d = Ball::exact(bits, start);
     for _ in 0..60 {
         let s = unit(&d / &number, -1);
         let p = unit(s.square() - &square, 1).shift(-1);
@@ -119,15 +150,13 @@ pub(super) fn line(k: i32, j: u64, bits: u32) -> Result<Ball, ProofError> {
         let off = g.re - &d;
         let real = ComplexBall::new(off.clone(), Ball::integer(bits, 0));
         if let Some(radius) = within(&real, Mag::power_of_two(residual(bits)), OF_LINE) {
-            return Ok(unit(d.widened(radius) / &number, -1));
+            return Some(unit(d.widened(radius) / &number, -1));
         }
         // Newton's method: Re G is ln D and a constant, nearly.
         let size = middle(&d);
         d = exact(&(d + off * Ball::exact(bits, size / (size - 1.0))), bits);
     }
-    Err(ProofError::Fails(format!(
-        "line {j} of binade {k} is not found"
-    )))
+    None
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ use super::linkage_panel::{Mechanism, Panel};
 use crate::class_iii::{Configuration, ExactAngle, Geometry, Linkage, Masses, Mode};
 use crate::{Ball, Undecided};
 use rug::Rational;
+use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
 
 /// The exact functions of a class-III linkage on one branch, computed where they are asked for.
@@ -20,11 +21,16 @@ pub struct LinkageCurve {
     chain: Mutex<Chain>,
 }
 
-/// The computed centres and panels, forward and backward from the start.
+/// I_n and M_o at equal steps.
+type Nodes = (Vec<Ball>, Vec<Ball>);
+
+/// The computed centres and panels, forward and backward from the start, and the nodes by their
+/// number.
 #[derive(Default)]
 struct Chain {
     forward: Vec<Link>,
     backward: Vec<Link>,
+    nodes: BTreeMap<u32, Nodes>,
     closed: Option<bool>,
 }
 
@@ -165,7 +171,11 @@ impl LinkageCurve {
     ///
     /// # Errors
     /// [`Undecided`] when the linkage cannot be followed over the turn, or is not back after it.
-    pub fn nodes(&self, nodes: u32) -> Result<(Vec<Ball>, Vec<Ball>), Undecided> {
+    pub fn nodes(&self, nodes: u32) -> Result<Nodes, Undecided> {
+        let mut chain = self.chain.lock().unwrap_or_else(|e| e.into_inner());
+        if let Some(known) = chain.nodes.get(&nodes) {
+            return Ok(known.clone());
+        }
         let angle = |j: u32| {
             let part = Rational::from((2 * j, nodes));
             self.offset.to_ball(self.bits) + Ball::pi(self.bits) * Ball::rational(self.bits, &part)
@@ -183,7 +193,6 @@ impl LinkageCurve {
             moment.push(r.moment);
         }
         // The nodes lead around as well as the panels do.
-        let mut chain = self.chain.lock().unwrap_or_else(|e| e.into_inner());
         let closed = match chain.closed {
             Some(known) => known,
             None => {
@@ -192,9 +201,11 @@ impl LinkageCurve {
             }
         };
         chain.closed = Some(closed);
-        match closed {
-            true => Ok((inertia, moment)),
-            false => Err(self.undecided("the linkage is not back after one turn of the crank")),
+        if !closed {
+            return Err(self.undecided("the linkage is not back after one turn of the crank"));
         }
+        let found = (inertia, moment);
+        chain.nodes.insert(nodes, found.clone());
+        Ok(found)
     }
 }

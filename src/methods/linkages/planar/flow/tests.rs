@@ -113,7 +113,7 @@ fn a_point_of_the_crank_turns_with_it() {
     let data = flow.data();
     let drive = data.iter().find(|d| matches!(d.of, Change::Drive)).unwrap();
     assert_eq!(drive.size, 0.5);
-    let change = flow.change(flow.centre(0), C::default(), &flow.moved(drive).unwrap());
+    let change = flow.change(flow.centre(0), C::default(), &flow.moved(drive));
     for (got, due) in change.into_iter().zip([I * due, -due, -I * due]) {
         assert!((got - due).norm() < 1e-13, "{got} {due}");
     }
