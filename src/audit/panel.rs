@@ -2,7 +2,7 @@
 
 use super::answer::SolverAnswer;
 use super::case::Case;
-use super::case_report::CaseReport;
+use super::case_report::Brief;
 use super::judged::answer_of;
 use super::method::{Law, Method};
 use super::referee::Judge;
@@ -131,18 +131,20 @@ impl<'a> Panel<'a> {
         let laws = if with_laws { &self.laws[..] } else { &[] };
         // The code of the judge and of the tally, one after the other: the processor's caches hold
         // either.
-        let judged = answered.take_while(|_| go_on()).map(|(case, answer)| {
-            let report = self.judge.judge(case, answer, false);
+        let judged = answered.take_while(|_| go_on()).map(|(case, mut answer)| {
+            let brief = self.judge.judge_briefly(&case, &mut answer);
             progress(1);
-            report
+            (case, answer, brief)
         });
-        let judged: Vec<CaseReport> = judged.collect();
+        let judged: Vec<(Case, SolverAnswer, Brief)> = judged.collect();
         self.counting(|tally| {
-            for report in &judged {
-                let of = |law: &Law| (law.residual)(&report.case.input);
-                let residuals: Vec<Option<f64>> = laws.iter().map(of).collect();
-                tally.laws(&report.case, &residuals);
-                tally.add(report);
+            for (case, answer, brief) in &judged {
+                if !laws.is_empty() {
+                    let of = |law: &Law| (law.residual)(&case.input);
+                    let residuals: Vec<Option<f64>> = laws.iter().map(of).collect();
+                    tally.laws(case, &residuals);
+                }
+                tally.count(&(case, answer, brief));
             }
         });
         judged.len() as u64
