@@ -248,7 +248,8 @@ impl RegionTally {
     /// Which output value `i` belongs to. Of a table some may be missing.
     fn output(&self, i: usize, c: &ComponentJudgement) -> Option<usize> {
         let cyclic = i % self.names.len();
-        match self.names[cyclic] == c.output {
+        let named = self.names[cyclic];
+        match std::ptr::eq(named, c.output) || named == c.output {
             true => Some(cyclic),
             false => self.names.iter().position(|n| *n == c.output),
         }

@@ -1,17 +1,13 @@
 //! Judgements that are a pass within ulps, in doubles: the usual case, in a part of the time.
 //!
-//! Bit for bit those of [`Mag`], whose operations are those of doubles on significands, each rounded to
+//! Bit for bit those of `Mag`, whose operations are those of doubles on significands, each rounded to
 //! nearest and moved to the next double; see [`mechaudit_reference::Apart`]. Here numbers of units are within 2^±300 and
 //! factors within 2^±100, so that no operation leaves the normal range, squares included.
 
 use super::norm::Squares;
 use super::{ComponentJudgement, Judgement, Rules, Verdict};
-use crate::budget::{Limit, NormBudget};
+use crate::budget::Limit;
 use crate::expected::Values;
-use mechaudit_reference::Mag;
-
-/// The largest distance of two units' exponents at which their numbers are added as doubles.
-const NEAR: i64 = 200;
 
 /// Returns the judgement of values that certainly pass. `None` if they do not, if the reference's
 /// own width is a part of what would be said, or where doubles do not reach.
@@ -23,10 +19,7 @@ pub(super) fn passing(rules: &Rules, got: &[f64], values: Values) -> Option<Judg
     let least_unit = rules.format.least() + precision - 124;
     let outputs = rules.outputs;
     let mut components = Vec::with_capacity(got.len());
-    // Sums of squares in units of 2^first.
-    let mut first = None;
-    let mut near = true;
-    let (mut size, mut error) = (0.0, 0.0);
+    let mut sums = None;
     for i in 0..got.len() {
         let output = &outputs[i % outputs.len()];
         let Limit::Ulps(factor) = output.budget.limit else {
@@ -39,13 +32,15 @@ pub(super) fn passing(rules: &Rules, got: &[f64], values: Values) -> Option<Judg
         if !(ulps <= factor) || wide || found.unit < least_unit || !is_ordinary(factor) {
             return None;
         }
-        let apart = found.unit - *first.get_or_insert(found.unit);
-        near &= apart.abs() <= NEAR;
-        if near {
-            let scale = pow2(apart);
-            size = plus_square(size, found.size * scale);
-            error = plus_square(error, found.most * scale);
-        }
+        let own = Sums {
+            unit: found.unit,
+            size: product(found.size, found.size),
+            error: product(found.most, found.most),
+        };
+        sums = Some(match sums {
+            None => own,
+            Some(sums) => own.added_to(sums)?,
+        });
         components.push(ComponentJudgement {
             output: output.name,
             verdict: Verdict::Pass,
@@ -56,64 +51,65 @@ pub(super) fn passing(rules: &Rules, got: &[f64], values: Values) -> Option<Judg
             condition: f64::NAN,
         });
     }
-    let norm = match near {
-        true => {
-            first?;
-            let size = product(root(size), Squares::below(got.len()));
-            within(rules.norm, size, root(error), precision)
+    let Sums { size, error, .. } = sums?;
+    let size = product(root(size), Squares::below(got.len()));
+    let error_in_u = root(error) * pow2(precision);
+    let mut norm_of_budget = f64::NAN;
+    if let Some(budget) = rules.norm {
+        let allowed = product(budget.factor, size);
+        if !(is_ordinary(budget.factor) && error_in_u <= allowed) {
+            return None;
         }
-        false => norm_of_any_size(rules, &components, values),
-    };
-    let (normwise, norm_of_budget) = norm?;
+        norm_of_budget = ratio(error_in_u, allowed);
+    }
     Some(Judgement {
         verdict: Verdict::Pass,
         kind: None,
         reason: None,
         components,
-        normwise,
+        normwise: ratio(error_in_u, size),
         norm_of_budget,
         wide: false,
     })
 }
 
-/// The error of a norm in units of u and its share of the budget, if it is within that; both in the
-/// same units.
-fn within(
-    budget: Option<&NormBudget>,
+/// Sums of squares in units of `2^(2 unit)`, zero or at least 2⁻¹⁰⁰⁰, the unit that of the largest.
+#[derive(Clone, Copy)]
+struct Sums {
+    unit: i64,
     size: f64,
     error: f64,
-    precision: i64,
-) -> Option<(f64, f64)> {
-    let error_in_u = error * pow2(precision);
-    let normwise = ratio(error_in_u, size);
-    let Some(budget) = budget else {
-        return Some((normwise, f64::NAN));
-    };
-    let allowed = product(budget.factor, size);
-    let fits = is_ordinary(budget.factor) && error_in_u <= allowed;
-    fits.then(|| (normwise, ratio(error_in_u, allowed)))
 }
 
-/// [`within`], of values that are too far apart for doubles.
-fn norm_of_any_size(
-    rules: &Rules,
-    components: &[ComponentJudgement],
-    values: Values,
-) -> Option<(f64, f64)> {
-    let mut squares = Squares::default();
-    for (i, c) in components.iter().enumerate() {
-        let ball = values.get(i).number()?;
-        let ulp = rules.format.ulp_exponent(ball.mid());
-        let error = Mag::from_f64(c.ulps).shift(ulp);
-        squares.add(Some(ball.mignitude()), Mag::ZERO, error);
+impl Sums {
+    /// Adds the sums of others. `None` where doubles do not hold both and neither is next to nothing
+    /// beside the other.
+    #[inline]
+    fn added_to(self, others: Sums) -> Option<Sums> {
+        /// The largest distance of two units' exponents at which doubles hold both.
+        const NEAR: i64 = 200;
+        let (large, small) = match self.unit > others.unit {
+            true => (self, others),
+            false => (others, self),
+        };
+        let apart = large.unit - small.unit;
+        // Beyond, the smaller sums are smaller still.
+        let scale = pow2(-2 * apart.min(NEAR));
+        let add = |large: f64, small: f64| {
+            let scaled = small * scale;
+            match apart <= NEAR {
+                _ if small == 0.0 => Some(large),
+                _ if scaled < pow2(-1000) => None,
+                true => Some(sum(large, scaled)),
+                false => (scaled <= large * pow2(-60)).then_some(up(large)),
+            }
+        };
+        Some(Sums {
+            unit: large.unit,
+            size: add(large.size, small.size)?,
+            error: add(large.error, small.error)?,
+        })
     }
-    let norms = squares.norms(rules.format);
-    let normwise = squares.normwise(norms, rules.format);
-    let Some(budget) = rules.norm else {
-        return Some((normwise, f64::NAN));
-    };
-    let (verdict, share) = squares.verdict(norms, budget, rules.format);
-    (verdict == Verdict::Pass).then_some((normwise, share))
 }
 
 /// `2^k` of a normal number.
@@ -134,31 +130,31 @@ fn up(x: f64) -> f64 {
     f64::from_bits(x.to_bits() + 1)
 }
 
-/// [`Mag::div`]
+/// `Mag::div`
 #[inline]
 fn ratio(a: f64, b: f64) -> f64 {
     if a == 0.0 { 0.0 } else { up(a / b) }
 }
 
-/// [`Mag::mul`]
+/// `Mag::mul`
 #[inline]
 fn product(a: f64, b: f64) -> f64 {
     if a == 0.0 { 0.0 } else { up(a * b) }
 }
 
-/// [`Mag::sqrt`]
+/// `Mag::sqrt`
 #[inline]
 fn root(x: f64) -> f64 {
     if x == 0.0 { 0.0 } else { up(x.sqrt()) }
 }
 
-/// [`Mag::add`] of the square.
+/// `Mag::add`
 #[inline]
-fn plus_square(sum: f64, x: f64) -> f64 {
-    let square = product(x, x);
-    match sum == 0.0 || square == 0.0 {
-        true => sum + square,
-        false => up(sum + square),
+fn sum(a: f64, b: f64) -> f64 {
+    if a == 0.0 || b == 0.0 {
+        a + b
+    } else {
+        up(a + b)
     }
 }
 

@@ -118,7 +118,7 @@ impl Mag {
         let cut = 75u32.saturating_sub(d.leading_zeros());
         let m = (d >> cut) as u64 + u64::from(up && (d >> cut) << cut != d);
         // Less than or equal to 2^53: exact.
-        m as f64 * pow2(i64::from(cut))
+        m as i64 as f64 * pow2(i64::from(cut))
     }
 
     /// A bound on `d · 2^e`, from above or from below.

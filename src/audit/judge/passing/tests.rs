@@ -6,7 +6,7 @@ use crate::expected::Expected;
 use crate::judge::judge_values;
 use crate::method::Output;
 use crate::ulp::Format;
-use mechaudit_reference::Ball;
+use mechaudit_reference::{Ball, Mag};
 use proptest::prelude::*;
 use rug::Float;
 
