@@ -153,8 +153,10 @@ fn distances_in_doubles_are_those_of_bounds() {
             for mid in [third.clone(), below, -third, Float::with_val(bits, 1)] {
                 let mid: Float = mid << k;
                 let near = mid.to_f64();
-                for off in [0.0, 1e-16, -3e-16, 1e-9, -0.25, 0.6, -0.8, 1.1] {
-                    let x = near + near * off;
+                let power = (1.5 * near).to_bits() >> 52 << 52;
+                let moved =
+                    [0.0, 1e-16, -3e-16, 1e-9, -0.25, 0.6, -0.8, 1.1].map(|by| near + near * by);
+                for x in moved.into_iter().chain([f64::from_bits(power)]) {
                     for r in [
                         None,
                         Some(-500),
@@ -189,6 +191,36 @@ fn distances_in_doubles_are_those_of_bounds() {
         }
     }
     assert!(found > 3000, "{found}");
+}
+
+/// The power of two above a number is at the exact distance, however near it is.
+#[test]
+fn the_next_power_of_two_is_at_an_exact_distance() {
+    for bits in [53, 64, 65, 100, 128, 130, 160, 192, 200, 260, 400] {
+        for k in 2..bits as i32 {
+            for and in [None, Some(k + 1), Some(k + 60), Some(bits as i32)] {
+                let mut mid = Float::with_val(bits, 1) - (Float::with_val(bits, 1) >> k);
+                let Some(and) = and.filter(|and| (k..=bits as i32).contains(and)) else {
+                    continue;
+                };
+                mid -= Float::with_val(bits, 1) >> and;
+                for rad in [Mag::ZERO, Mag::power_of_two(-100), Mag::power_of_two(-20)] {
+                    for sign in [1.0, -1.0] {
+                        let ball = Ball::new(mid.clone() * sign, rad);
+                        let Some(apart) = ball.apart_from(sign) else {
+                            // The difference begins below four limbs.
+                            assert!(bits >= 200 && k > 190, "{bits} {k} {and}");
+                            continue;
+                        };
+                        let bound = |x: f64| Mag::from_f64(x).shift(apart.unit);
+                        let found = (bound(apart.least), bound(apart.most));
+                        assert_eq!(found, ball.distance_from(sign), "{bits} {k} {and}");
+                        assert_eq!(bound(apart.size), ball.mignitude());
+                    }
+                }
+            }
+        }
+    }
 }
 
 #[test]
