@@ -89,7 +89,7 @@ impl<'a> Panel<'a> {
         let judged = AtomicU64::new(0);
         let go_on = || !stop.load(Ordering::Relaxed);
         Panel::in_blocks(total, |numbers| {
-            let cases = while_going(&go_on, numbers, |i| case(i));
+            let cases = while_going(&go_on, numbers, case);
             let answer = |c: &Case| answer_of(self.method, &c.input);
             let answers = while_going(&go_on, &cases, answer);
             let counted = self.count(&cases, answers, &go_on, progress, true);
