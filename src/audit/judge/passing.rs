@@ -1,7 +1,7 @@
 //! Judgements that are a pass within ulps, in doubles: the usual case, in a part of the time.
 //!
-//! Bit for bit those of `Mag`, whose operations are those of doubles on significands, each rounded to
-//! nearest and moved to the next double; see [`mechaudit_reference::Apart`]. Here numbers of units are within 2^±300 and
+//! Bit for bit those of `Mag`, whose operations are those of doubles on significands, each rounded
+//! to nearest and moved to the next double; see [`mechaudit_reference::Apart`]. Here numbers of units are within 2^±300 and
 //! factors within 2^±100, so that no operation leaves the normal range, squares included.
 
 use super::norm::Squares;
@@ -73,7 +73,7 @@ pub(super) fn passing(rules: &Rules, got: &[f64], values: Values) -> Option<Judg
     })
 }
 
-/// Sums of squares in units of `2^(2 unit)`, zero or at least 2⁻¹⁰⁰⁰, the unit that of the largest.
+/// Sums of squares in units of `2^(2 unit)`, zero or at least 2⁻¹⁰⁰⁰; the unit of the largest.
 #[derive(Clone, Copy)]
 struct Sums {
     unit: i64,
