@@ -1,8 +1,9 @@
 //! Judgements that are a pass within ulps, in doubles: the usual case, in a part of the time.
 //!
 //! Bit for bit those of `Mag`, whose operations are those of doubles on significands, each rounded
-//! to nearest and moved to the next double; see [`mechaudit_reference::Apart`]. Here numbers of units are within 2^±300 and
-//! factors within 2^±100, so that no operation leaves the normal range, squares included.
+//! to nearest and moved to the next double; see [`mechaudit_reference::Apart`]. Here numbers of
+//! units are within 2^±360 and factors within 2^±100, sums of squares from 2⁻¹⁰⁰⁰ on or zero: no
+//! operation leaves the normal range.
 
 use super::norm::Squares;
 use super::{ComponentJudgement, Judgement, Rules, Verdict};
