@@ -1,6 +1,7 @@
 //! Measures the cost of an audit beside the solver and the certified reference, on one core.
 //!
-//! `cargo bench --bench judgements [-- METHOD | "METHOD REGION"…]`. Microseconds a case. `owed` is
+//! `cargo bench --bench judgements [-- METHOD | "METHOD REGION" | "METHOD *"…]`, `*` for each region
+//! by itself. Microseconds a case, with the allocator of the program. `owed` is
 //! the solver and the reference as the audit asks for it: at every precision until it decides, with
 //! condition numbers where a budget needs them. `audited` draws, solves, judges and counts the same
 //! cases (the laws are not part of it); `solved`, `drawn`, `judged` and `counted` are parts of
@@ -19,14 +20,15 @@ use std::hint::black_box;
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
-/// Methods over all their regions, and W in some.
-const WHERE: [&str; 16] = [
+/// As in the program.
+#[cfg(all(target_os = "linux", target_env = "gnu"))]
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
+/// Methods over all their regions, and W in each.
+const WHERE: [&str; 12] = [
     "faddeeva",
-    "faddeeva mid",
-    "faddeeva far",
-    "faddeeva lower",
-    "faddeeva near-real-axis",
-    "faddeeva small",
+    "faddeeva *",
     "erf",
     "erfc",
     "erfcx",
@@ -190,8 +192,18 @@ fn main() {
     }
     let heads = PARTS.map(|part| format!("{part:>9}")).concat();
     println!("{:<26}{heads}  added", "us a case");
-    for place in asked {
-        let times = Sample::new(place).measure();
+    let each = asked
+        .into_iter()
+        .flat_map(|place| match place.strip_suffix(" *") {
+            Some(name) => {
+                let method = methods::find(name).expect("in the registry");
+                let regions = method.domain().regions.into_iter();
+                regions.map(|r| format!("{name} {}", r.name)).collect()
+            }
+            None => vec![place.to_string()],
+        });
+    for place in each {
+        let times = Sample::new(&place).measure();
         let [.., owed, audited] = times;
         let cells = times.map(|t| format!("{t:>9.2}")).concat();
         println!("{place:<26}{cells}{:>6.0}%", (audited / owed - 1.0) * 100.0);

@@ -404,8 +404,7 @@ impl Cases {
     fn random(&self, region: usize, index: u64) -> Case {
         let (seed, named) = (self.seed, self.streams[region]);
         let region = &self.domain.regions[region];
-        let mut draw = Draw::of(&self.keyed, named, index);
-        let input = (region.sample)(&mut draw);
+        let input = Draw::with(&self.keyed, named, index, |draw| (region.sample)(draw));
         self.case(region.name, input, Origin::Random { seed, index })
     }
 

@@ -43,6 +43,64 @@ impl CaseReport {
     }
 }
 
+/// A judgement that is counted: of most cases no [`CaseReport`] is made.
+#[derive(Clone)]
+pub(super) struct Brief {
+    pub(super) judgement: Judgement,
+    /// The working precision that decided.
+    pub(super) bits: u32,
+    /// The reference, where it is of interest.
+    pub(super) reference: Option<ReferenceAnswer>,
+}
+
+impl Brief {
+    pub(super) fn report(self, case: Case, answer: SolverAnswer) -> CaseReport {
+        CaseReport {
+            case,
+            answer: Some(answer),
+            judgement: self.judgement,
+            bits: self.bits,
+            reference: Vec::new(),
+            radii: Vec::new(),
+            proof: None,
+            branch: None,
+            unwritten: self.reference,
+        }
+    }
+}
+
+/// A case to be counted, with its judgement.
+pub(super) trait Judged {
+    fn case(&self) -> &Case;
+    fn judgement(&self) -> &Judgement;
+    /// Returns it to be kept.
+    fn report(&self) -> CaseReport;
+}
+
+impl Judged for CaseReport {
+    fn case(&self) -> &Case {
+        &self.case
+    }
+    fn judgement(&self) -> &Judgement {
+        &self.judgement
+    }
+    fn report(&self) -> CaseReport {
+        self.clone()
+    }
+}
+
+impl Judged for (&Case, &SolverAnswer, &Brief) {
+    fn case(&self) -> &Case {
+        self.0
+    }
+    fn judgement(&self) -> &Judgement {
+        &self.2.judgement
+    }
+    fn report(&self) -> CaseReport {
+        self.2.clone().report(self.0.clone(), self.1.clone())
+    }
+}
+
 /// The reference's values to 20 digits, their radii, and why they hold.
 pub(super) fn decimals(
     reference: &ReferenceAnswer,

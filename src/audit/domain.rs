@@ -2,7 +2,7 @@
 
 use rand::rngs::ChaCha8Rng;
 use rand::{Rng, SeedableRng};
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::sync::Arc;
 
 /// A value-stable stream of random numbers for one case.
@@ -37,10 +37,39 @@ impl Draw {
     }
 
     /// [`Draw::new`], the seed expanded and the names hashed before.
-    pub(super) fn of(keyed: &Key, named: u64, index: u64) -> Draw {
-        let mut rng = ChaCha8Rng::from_seed(*keyed);
-        rng.set_stream(hashed(named, index.to_le_bytes()));
-        Draw(rng)
+    fn of(keyed: &Key, named: u64, index: u64) -> Draw {
+        let mut draw = Draw(ChaCha8Rng::from_seed(*keyed));
+        draw.restart(named, index);
+        draw
+    }
+
+    /// Begins the stream of another case of the same seed.
+    fn restart(&mut self, named: u64, index: u64) {
+        self.0.set_stream(hashed(named, index.to_le_bytes()));
+    }
+
+    /// Draws from the stream of one case; the generator is kept for the next one of the seed.
+    pub(super) fn with<T>(
+        keyed: &Key,
+        named: u64,
+        index: u64,
+        draw: impl FnOnce(&mut Draw) -> T,
+    ) -> T {
+        thread_local! {
+            static KEPT: RefCell<Option<(Key, Draw)>> = const { RefCell::new(None) };
+        }
+        KEPT.with(|kept| match kept.try_borrow_mut().as_deref_mut() {
+            Ok(Some((key, kept))) if key == keyed => {
+                kept.restart(named, index);
+                draw(kept)
+            }
+            Ok(kept) => {
+                let new = Draw::of(keyed, named, index);
+                draw(&mut kept.insert((*keyed, new)).1)
+            }
+            // A sampler that draws from another stream.
+            Err(_) => draw(&mut Draw::of(keyed, named, index)),
+        })
     }
 
     /// Uniform on `[0, 1)` with 53 bits.
@@ -207,6 +236,25 @@ mod tests {
             }
         }
         assert_eq!(log(1.0), 0.0);
+    }
+
+    /// Streams are the same whichever came before, and inside one another.
+    #[test]
+    fn a_generator_that_is_kept_draws_the_same() {
+        let all = [(1, 0), (1, 1), (2, 1), (2, 0), (1, 0)];
+        let named = Draw::named("method", "region");
+        for words in [1, 3, 40] {
+            for (seed, index) in all {
+                let due = Draw::new(seed, "method", "region", index);
+                let drawn = |d: &mut Draw| -> Vec<f64> { (0..words).map(|_| d.unit()).collect() };
+                let key = Draw::keyed(seed);
+                let (inside, around) = Draw::with(&key, named, index, |d| {
+                    (Draw::with(&key, named, index, drawn), drawn(d))
+                });
+                let due = drawn(&mut { due });
+                assert_eq!((&inside, &around), (&due, &due));
+            }
+        }
     }
 
     #[test]

@@ -123,11 +123,15 @@ impl<'a> Values<'a> {
         }
     }
 
-    pub(super) fn iter(self) -> impl Iterator<Item = Due<'a>> {
-        (0..self.len()).map(move |i| match self {
+    pub(super) fn get(self, i: usize) -> Due<'a> {
+        match self {
             Values::Numbers(balls) => Due::Number(&balls[i]),
             Values::Expected(all) => Due::Expected(&all[i]),
-        })
+        }
+    }
+
+    pub(super) fn iter(self) -> impl Iterator<Item = Due<'a>> {
+        (0..self.len()).map(move |i| self.get(i))
     }
 }
 

@@ -11,8 +11,10 @@ use mechaudit_reference::{Ball, Mag};
 use serde::{Deserialize, Serialize};
 
 mod norm;
+mod passing;
 
 use norm::{Squares, output_scales};
+use passing::passing;
 
 /// The outcome of one comparison. Only [`Verdict::Pass`] passes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -196,6 +198,21 @@ pub fn judge_by(
         return Judgement::wrong(Kind::Missing, reason);
     }
     let conditions = conditions.filter(|c| c.len() == values.len());
+    let passing = match conditions {
+        None => passing(rules, got, values),
+        Some(_) => None,
+    };
+    passing.unwrap_or_else(|| judge_values(rules, got, values, conditions))
+}
+
+/// Judges values, as many as are due.
+fn judge_values(
+    rules: &Rules,
+    got: &[f64],
+    values: Values,
+    conditions: Option<&[f64]>,
+) -> Judgement {
+    let outputs = rules.outputs;
     let scales = output_scales(outputs, values, conditions);
     let mut components = Vec::with_capacity(got.len());
     let mut worst = (Verdict::Pass, None, None);

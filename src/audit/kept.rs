@@ -2,7 +2,7 @@
 
 use super::answer::SolverAnswer;
 use super::case::Case;
-use super::case_report::CaseReport;
+use super::case_report::{CaseReport, Judged};
 use super::judged::judge_case_briefly;
 use super::method::Method;
 use super::settings::Settings;
@@ -18,8 +18,8 @@ pub(super) enum Kept {
 }
 
 impl Kept {
-    pub(super) fn of(report: &CaseReport) -> Kept {
-        Kept::Judged(Box::new(report.clone()))
+    pub(super) fn of(report: &impl Judged) -> Kept {
+        Kept::Judged(Box::new(report.report()))
     }
 
     pub(super) fn case(&self) -> &Case {

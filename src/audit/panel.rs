@@ -2,7 +2,6 @@
 
 use super::answer::SolverAnswer;
 use super::case::Case;
-use super::case_report::CaseReport;
 use super::judged::answer_of;
 use super::method::{Law, Method};
 use super::referee::Judge;
@@ -90,12 +89,10 @@ impl<'a> Panel<'a> {
         let judged = AtomicU64::new(0);
         let go_on = || !stop.load(Ordering::Relaxed);
         Panel::in_blocks(total, |numbers| {
-            let cases: Vec<Case> = numbers.take_while(|_| go_on()).map(case).collect();
+            let cases = while_going(&go_on, numbers, case);
             let answer = |c: &Case| answer_of(self.method, &c.input);
-            let answers = cases.iter().take_while(|_| go_on()).map(answer);
-            let answers: Vec<SolverAnswer> = answers.collect();
-            let answered = cases.into_iter().zip(answers);
-            let counted = self.count(answered, &go_on, progress, true);
+            let answers = while_going(&go_on, &cases, answer);
+            let counted = self.count(&cases, answers, &go_on, progress, true);
             judged.fetch_add(counted, Ordering::Relaxed);
         });
         judged.into_inner() == total
@@ -112,18 +109,20 @@ impl<'a> Panel<'a> {
         let whole = AtomicBool::new(true);
         Panel::in_blocks(total as u64, |numbers| {
             let expected = numbers.end - numbers.start;
-            let block = answered(numbers.start as usize..numbers.end as usize).into_iter();
-            if self.count(block, go_on, &|_| {}, false) < expected {
+            let block = answered(numbers.start as usize..numbers.end as usize);
+            let (cases, answers): (Vec<_>, Vec<_>) = block.into_iter().unzip();
+            if self.count(&cases, answers, go_on, &|_| {}, false) < expected {
                 whole.store(false, Ordering::Relaxed);
             }
         });
         whole.into_inner()
     }
 
-    /// Judges cases and counts them; says how many.
+    /// Judges answers to cases and counts them; says how many.
     fn count(
         &self,
-        answered: impl Iterator<Item = (Case, SolverAnswer)>,
+        cases: &[Case],
+        mut answers: Vec<SolverAnswer>,
         go_on: &(dyn Fn() -> bool + Sync),
         progress: &(dyn Fn(u64) + Sync),
         with_laws: bool,
@@ -131,18 +130,20 @@ impl<'a> Panel<'a> {
         let laws = if with_laws { &self.laws[..] } else { &[] };
         // The code of the judge and of the tally, one after the other: the processor's caches hold
         // either.
-        let judged = answered.take_while(|_| go_on()).map(|(case, answer)| {
-            let report = self.judge.judge(case, answer, false);
+        let answered = cases.iter().zip(&mut answers);
+        let judged = while_going(go_on, answered, |(case, answer)| {
+            let brief = self.judge.judge_briefly(case, answer);
             progress(1);
-            report
+            brief
         });
-        let judged: Vec<CaseReport> = judged.collect();
         self.counting(|tally| {
-            for report in &judged {
-                let of = |law: &Law| (law.residual)(&report.case.input);
-                let residuals: Vec<Option<f64>> = laws.iter().map(of).collect();
-                tally.laws(&report.case, &residuals);
-                tally.add(report);
+            for ((case, answer), brief) in cases.iter().zip(&answers).zip(&judged) {
+                if !laws.is_empty() {
+                    let of = |law: &Law| (law.residual)(&case.input);
+                    let residuals: Vec<Option<f64>> = laws.iter().map(of).collect();
+                    tally.laws(case, &residuals);
+                }
+                tally.count(&(case, answer, brief));
             }
         });
         judged.len() as u64
@@ -156,6 +157,18 @@ impl<'a> Panel<'a> {
         tallies.for_each(|t| sum.merge(t));
         sum
     }
+}
+
+/// Makes something of each item until `go_on` returns false, in room for all of them.
+fn while_going<T, U>(
+    go_on: &(impl Fn() -> bool + ?Sized),
+    items: impl IntoIterator<Item = T>,
+    make: impl FnMut(T) -> U,
+) -> Vec<U> {
+    let items = items.into_iter();
+    let mut made = Vec::with_capacity(items.size_hint().0);
+    made.extend(items.take_while(|_| go_on()).map(make));
+    made
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use super::answer::{ReferenceAnswer, SolverAnswer};
 use super::budget::NormBudget;
 use super::case::Case;
-use super::case_report::CaseReport;
+use super::case_report::{Brief, CaseReport};
 use super::exact::Exact;
 use super::judge::{Judgement, Rules, Verdict, judge_by};
 use super::layout::Layout;
@@ -45,14 +45,105 @@ impl<'a> Judge<'a> {
         self.referee(case).judge_last(answer, digits)
     }
 
+    /// [`Judge::judge`] without digits, in little space: of most cases no more is kept than counts.
+    pub(super) fn judge_briefly(&self, case: &Case, answer: &mut SolverAnswer) -> Brief {
+        self.represent(answer);
+        let mut known = Known::new(&case.input);
+        let decided = self.decide(&case.input, &mut known, answer);
+        let shown = decided.shows(false);
+        Brief {
+            judgement: decided.judgement,
+            bits: decided.bits,
+            reference: shown.then(|| known.references.take(decided.level)),
+        }
+    }
+
     /// For several answers to one case.
     pub fn referee(&self, case: Case) -> Referee<'_> {
         Referee {
-            exact: Exact::new(&case.input),
+            known: Known::new(&case.input),
             judge: self,
             case,
-            references: References::default(),
-            conditions: None,
+        }
+    }
+
+    /// Rounds an answer to the method's format.
+    fn represent(&self, answer: &mut SolverAnswer) {
+        if let SolverAnswer::Values(v) = answer
+            && self.format != Format::Double
+        {
+            v.iter_mut().for_each(|x| *x = self.format.round(*x));
+        }
+    }
+
+    /// Computes the reference at the next precision.
+    fn next(&self, input: &[f64], known: &mut Known, bits: u32) {
+        let method = self.method;
+        let reference = match &known.exact {
+            Some(x) => method.reference(x.numbers(), bits),
+            None => method.reference_not_finite(input),
+        };
+        // A finer reference may give them where this one does not.
+        if known.conditions.is_none() && self.conditional && known.exact.is_some() {
+            known.conditions = method.conditions_beside(input, &reference);
+        }
+        let signs = || method.signs_of_zero(input);
+        known.references.push(reference.with_signs_of_zero(signs));
+    }
+
+    fn decide(&self, input: &[f64], known: &mut Known, answer: &SolverAnswer) -> Decided {
+        let Judge {
+            method,
+            settings,
+            format,
+            ..
+        } = *self;
+        let rules = Rules {
+            outputs: &self.outputs,
+            norm: self.norm.as_ref(),
+            format,
+        };
+        let allowed = answer.refusal().and_then(|word| {
+            let allowed = method.may_refuse(known.exact.as_ref()?.numbers());
+            allowed.filter(|allowed| *allowed == word)
+        });
+        // By the reference with the `level`-th number of bits, or as the refusal that is allowed.
+        let mut judged = |bits: u32, level: usize| {
+            if level == known.references.len() {
+                self.next(input, known, bits);
+            }
+            let conditions = known.conditions.as_deref();
+            match allowed {
+                Some(word) => judge_by(&rules, answer, &ReferenceAnswer::Refuses(word), conditions),
+                None => judge_by(&rules, answer, known.references.get(level), conditions),
+            }
+        };
+        let (mut bits, mut level) = (settings.first_bits, 0);
+        let mut judgement = judged(bits, level);
+        while judgement.verdict == Verdict::Undecided && bits < settings.last_bits {
+            (bits, level) = (2 * bits, level + 1);
+            judgement = judged(bits, level);
+        }
+        // The first reference that decides may be so wide that its own error is what a report would
+        // show.
+        if judgement.wide && judgement.is_measured() && bits < settings.last_bits {
+            let closer = judged(2 * bits, level + 1);
+            if closer.is_measured() {
+                (judgement, bits, level) = (closer, 2 * bits, level + 1);
+            }
+        }
+        if let (SolverAnswer::Values(got), Some(expected)) =
+            (answer, known.references.get(level).len())
+            && got.len() != expected
+            && let Some(reason) = &mut judgement.reason
+        {
+            // Which they are, and in which order.
+            *reason = Reason::Words(format!("{reason}: {}", Layout::new(method).answer()));
+        }
+        Decided {
+            judgement,
+            bits,
+            level,
         }
     }
 }
@@ -93,123 +184,59 @@ impl References {
     }
 }
 
-/// Judges answers to one case: what was computed of the reference serves them all.
-pub struct Referee<'a> {
-    judge: &'a Judge<'a>,
-    case: Case,
+/// The findings about a case, shared by all answers to it.
+struct Known {
     exact: Option<Exact>,
     references: References,
     conditions: Option<Vec<f64>>,
 }
 
-impl Referee<'_> {
-    /// Computes the reference at the next precision.
-    fn next(&mut self, bits: u32) {
-        let (method, input) = (self.judge.method, &self.case.input);
-        let reference = match &self.exact {
-            Some(x) => method.reference(x.numbers(), bits),
-            None => method.reference_not_finite(input),
-        };
-        // A finer reference may give them where this one does not.
-        if self.conditions.is_none() && self.judge.conditional && self.exact.is_some() {
-            self.conditions = method.conditions_beside(input, &reference);
+impl Known {
+    fn new(input: &[f64]) -> Known {
+        Known {
+            exact: Exact::new(input),
+            references: References::default(),
+            conditions: None,
         }
-        self.references
-            .push(reference.with_signs_of_zero(|| method.signs_of_zero(input)));
     }
+}
 
+/// Judges answers to one case: what was computed of the reference serves them all.
+pub struct Referee<'a> {
+    judge: &'a Judge<'a>,
+    case: Case,
+    known: Known,
+}
+
+impl Referee<'_> {
     /// [`Judge::judge`], for an answer after which others may come.
     pub fn judge(&mut self, answer: SolverAnswer, digits: bool) -> CaseReport {
-        let decided = self.decide(answer);
+        let (answer, decided) = self.decide(answer);
         let reference = decided
             .shows(digits)
-            .then(|| self.references.get(decided.level).clone());
-        decided.report(self.case.clone(), reference, digits)
+            .then(|| self.known.references.get(decided.level).clone());
+        decided.report(self.case.clone(), answer, reference, digits)
     }
 
     /// [`Referee::judge`], for the last answer.
     pub fn judge_last(mut self, answer: SolverAnswer, digits: bool) -> CaseReport {
-        let decided = self.decide(answer);
+        let (answer, decided) = self.decide(answer);
         let reference = decided
             .shows(digits)
-            .then(|| self.references.take(decided.level));
-        decided.report(self.case, reference, digits)
+            .then(|| self.known.references.take(decided.level));
+        decided.report(self.case, answer, reference, digits)
     }
 
-    fn decide(&mut self, answer: SolverAnswer) -> Decided {
-        let Judge {
-            method,
-            settings,
-            format,
-            ..
-        } = *self.judge;
-        let answer = match answer {
-            SolverAnswer::Values(v) if format != Format::Double => {
-                SolverAnswer::Values(v.into_iter().map(|x| format.round(x)).collect())
-            }
-            other => other,
-        };
-        let rules = Rules {
-            outputs: &self.judge.outputs,
-            norm: self.judge.norm.as_ref(),
-            format,
-        };
-        let allowed = answer.refusal().and_then(|word| {
-            let allowed = method.may_refuse(self.exact.as_ref()?.numbers());
-            allowed.filter(|allowed| *allowed == word)
-        });
-        let (mut bits, mut level) = (settings.first_bits, 0);
-        let mut judgement = self.judged(&rules, (&answer, allowed), bits, level);
-        while judgement.verdict == Verdict::Undecided && bits < settings.last_bits {
-            (bits, level) = (2 * bits, level + 1);
-            judgement = self.judged(&rules, (&answer, allowed), bits, level);
-        }
-        // The first reference that decides may be so wide that its own error is what a report would
-        // show.
-        if judgement.wide && judgement.is_measured() && bits < settings.last_bits {
-            let closer = self.judged(&rules, (&answer, allowed), 2 * bits, level + 1);
-            if closer.is_measured() {
-                (judgement, bits, level) = (closer, 2 * bits, level + 1);
-            }
-        }
-        if let (SolverAnswer::Values(got), Some(expected)) =
-            (&answer, self.references.get(level).len())
-            && got.len() != expected
-            && let Some(reason) = &mut judgement.reason
-        {
-            // Which they are, and in which order.
-            *reason = Reason::Words(format!("{reason}: {}", Layout::new(method).answer()));
-        }
-        Decided {
-            answer,
-            judgement,
-            bits,
-            level,
-        }
-    }
-
-    /// By the reference with the `level`-th number of bits, or as the refusal that is allowed.
-    fn judged(
-        &mut self,
-        rules: &Rules,
-        (answer, allowed): (&SolverAnswer, Option<&'static str>),
-        bits: u32,
-        level: usize,
-    ) -> Judgement {
-        if level == self.references.len() {
-            self.next(bits);
-        }
-        let conditions = self.conditions.as_deref();
-        match allowed {
-            Some(word) => judge_by(rules, answer, &ReferenceAnswer::Refuses(word), conditions),
-            None => judge_by(rules, answer, self.references.get(level), conditions),
-        }
+    fn decide(&mut self, mut answer: SolverAnswer) -> (SolverAnswer, Decided) {
+        self.judge.represent(&mut answer);
+        let (input, known) = (&self.case.input, &mut self.known);
+        let decided = self.judge.decide(input, known, &answer);
+        (answer, decided)
     }
 }
 
 /// A judgement, and the reference that decided it.
 struct Decided {
-    answer: SolverAnswer,
     judgement: Judgement,
     bits: u32,
     level: usize,
@@ -221,18 +248,19 @@ impl Decided {
         digits || self.judgement.verdict != Verdict::Pass
     }
 
-    fn report(self, case: Case, reference: Option<ReferenceAnswer>, digits: bool) -> CaseReport {
-        let report = CaseReport {
-            case,
-            answer: Some(self.answer),
+    fn report(
+        self,
+        case: Case,
+        answer: SolverAnswer,
+        reference: Option<ReferenceAnswer>,
+        digits: bool,
+    ) -> CaseReport {
+        let brief = Brief {
             judgement: self.judgement,
             bits: self.bits,
-            reference: Vec::new(),
-            radii: Vec::new(),
-            proof: None,
-            branch: None,
-            unwritten: reference,
+            reference,
         };
+        let report = brief.report(case, answer);
         if digits { report.written() } else { report }
     }
 }

@@ -3,7 +3,7 @@
 
 use super::by_integer::ByInteger;
 use super::case::Case;
-use super::case_report::CaseReport;
+use super::case_report::Judged;
 use super::judge::{ComponentJudgement, Verdict};
 use super::kept::Kept;
 use super::kind::{Kind, Kinds};
@@ -201,8 +201,8 @@ impl RegionTally {
     }
 
     /// One case; `recorded` if it fails as is recorded.
-    pub(super) fn add(&mut self, report: &CaseReport, recorded: bool) {
-        let (case, judgement) = (&report.case, &report.judgement);
+    pub(super) fn add(&mut self, report: &impl Judged, recorded: bool) {
+        let (case, judgement) = (report.case(), report.judgement());
         self.cases += 1;
         for (i, c) in judgement.components.iter().enumerate() {
             if let Some(at) = self.output(i, c) {
@@ -248,7 +248,8 @@ impl RegionTally {
     /// Which output value `i` belongs to. Of a table some may be missing.
     fn output(&self, i: usize, c: &ComponentJudgement) -> Option<usize> {
         let cyclic = i % self.names.len();
-        match self.names[cyclic] == c.output {
+        let named = self.names[cyclic];
+        match std::ptr::eq(named, c.output) || named == c.output {
             true => Some(cyclic),
             false => self.names.iter().position(|n| *n == c.output),
         }
@@ -256,11 +257,11 @@ impl RegionTally {
 
     /// The cases with the smallest hashes of their inputs: a sample that does not depend on the
     /// order or on the machine.
-    fn sample(&mut self, report: &CaseReport) {
+    fn sample(&mut self, report: &impl Judged) {
         if self.points.room() == 0 {
             return;
         }
-        let (case, judgement) = (&report.case, &report.judgement);
+        let (case, judgement) = (report.case(), report.judgement());
         let hash = case.hash();
         let outputs = self.names.len();
         let largest = |o: usize| {

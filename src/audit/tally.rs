@@ -1,7 +1,7 @@
 //! The findings, gathered case by case, on one machine or on many.
 
 use super::case::{Case, quoted};
-use super::case_report::CaseReport;
+use super::case_report::{CaseReport, Judged};
 use super::hard::HardCase;
 use super::judge::Verdict;
 use super::judged::complete;
@@ -98,25 +98,31 @@ impl Tally {
 
     /// One case.
     pub fn add(&mut self, report: &CaseReport) {
-        let recorded = self.is_recorded(report);
-        self.region(report.case.region).add(report, recorded);
+        self.count(report);
+    }
+
+    /// One case, of which there may be no report yet.
+    pub(super) fn count(&mut self, judged: &impl Judged) {
+        let recorded = self.is_recorded(judged);
+        self.region(judged.case().region).add(judged, recorded);
     }
 
     /// Returns true if this is a hard case, each output over its budget by no more than is recorded
     /// of it. It is known by its input, which may have come in a file.
-    fn is_recorded(&self, report: &CaseReport) -> bool {
-        if report.judgement.verdict != Verdict::Over {
+    fn is_recorded(&self, judged: &impl Judged) -> bool {
+        let (case, judgement) = (judged.case(), judged.judgement());
+        if judgement.verdict != Verdict::Over {
             return false;
         }
         // A norm over its budget is no value over its own.
-        if report.judgement.norm_of_budget > 1.0 {
+        if judgement.norm_of_budget > 1.0 {
             return false;
         }
         let bits = |x: &f64| x.to_bits();
-        let input = || report.case.input.iter().map(bits);
+        let input = || case.input.iter().map(bits);
         let same = |h: &&HardCase| h.input.iter().map(bits).eq(input());
         let known: Vec<&HardCase> = self.hard.iter().filter(same).collect();
-        let components = report.judgement.components.iter();
+        let components = judgement.components.iter();
         let mut over = components.filter(|c| c.verdict != Verdict::Pass);
         over.all(|c| (known.iter()).any(|h| h.output == c.output && h.allows(c.of_budget)))
     }

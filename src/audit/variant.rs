@@ -201,6 +201,7 @@ impl<'a> Variant<'a> {
 
     fn select_answer(&self, answer: ReferenceAnswer) -> ReferenceAnswer {
         match answer {
+            all if self.selected.is_none() => all,
             ReferenceAnswer::Values(Reference { values, proof }) => {
                 let values: Vec<Ball> = self.select(values);
                 ReferenceAnswer::Values(Reference { values, proof })

@@ -67,7 +67,7 @@ pub use splines::cubic_spline;
 
 #[cfg(feature = "formulas")]
 pub use arithmetic::{ball128::Ball128, complex128::Complex128};
-pub use ball::{Ball, dot};
+pub use ball::{Apart, Ball, dot};
 pub use complex::ComplexBall;
 pub use decimal::{Decimal, DecimalError, nearest_f64, with_point};
 pub use hex_float::{HexFloat, HexFloatError};

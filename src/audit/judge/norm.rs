@@ -42,11 +42,15 @@ impl Squares {
         self.norm = self.norm.add(size.mul(size));
     }
 
-    /// Returns a lower bound on the root of a sum of `n` squares: `Mag` rounds up, by less than
-    /// 2⁻⁵² of the root for each of them and four times that in addition.
+    /// Returns a lower bound on the root of a sum of `n` squares.
     pub(super) fn root_below(sum: Mag, terms: usize) -> Mag {
-        let slack = 2f64.powi(-40) * (terms as f64 / 1024.0).max(1.0);
-        sum.sqrt().mul(Mag::from_f64(1.0 - slack))
+        sum.sqrt().mul(Mag::from_f64(Squares::below(terms)))
+    }
+
+    /// Returns the factor to a lower bound on the root of a sum of so many squares: `Mag` rounds
+    /// up, by less than 2⁻⁵² of the root for each of them and four times that in addition.
+    pub(super) fn below(terms: usize) -> f64 {
+        1.0 - 2f64.powi(-40) * (terms as f64 / 1024.0).max(1.0)
     }
 
     /// Lower and upper bounds on the norms: of the references, but for the smallest normal number,

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::planted::{Planted, case, off, output};
-use crate::{Limit, ReferenceAnswer, SolverAnswer, judge_case_briefly};
+use crate::{CaseReport, Limit, ReferenceAnswer, SolverAnswer, judge_case_briefly};
 
 const NAMES: [&str; 2] = ["x", "y"];
 

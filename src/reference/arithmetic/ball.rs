@@ -9,7 +9,6 @@
 
 use super::mag::Mag;
 use super::nearest;
-use gmp_mpfr_sys::gmp::LIMB_BITS;
 use rug::float::{Constant, Round, exp_min};
 use rug::ops::{AddAssignRound, AssignRound, NegAssign};
 use rug::{Float, Rational};
@@ -118,48 +117,6 @@ impl Ball {
     /// The same number at another precision (a superset when bits are dropped).
     pub fn with_prec(&self, prec: u32) -> Ball {
         Ball::nearest(prec, &self.mid, self.rad)
-    }
-
-    /// Bounds on the distance of this number from an exact and finite `x`: at least, at most.
-    pub fn distance_from(&self, x: f64) -> (Mag, Mag) {
-        if let Some(([low, high], e)) = self.mid_from(x) {
-            let low = Mag::of_integer(low, e, false);
-            let high = Mag::of_integer(high, e, true);
-            return (low.sub_below(self.rad), high.add(self.rad));
-        }
-        let p = self.prec().max(BITS);
-        let difference = Ball::nearest(p, x - &self.mid, self.rad);
-        (difference.mignitude(), difference.magnitude())
-    }
-
-    /// Bounds on `|x − mid|` in units of `2^e`, of which `|mid|` holds 2¹²⁷ or more, where x holds
-    /// a whole number of them: a tenth of the time of a difference in MPFR, which judgements
-    /// consist of.
-    fn mid_from(&self, x: f64) -> Option<([u128; 2], i64)> {
-        /// Bits of the integers beyond those of a double.
-        const SPARE: i64 = u128::BITS as i64 - f64::MANTISSA_DIGITS as i64;
-        let e = i64::from(self.mid.get_exp()?) - 128;
-        let significand = self.mid.get_significand()?;
-        let (mid, rest) = match (significand.as_limbs(), LIMB_BITS) {
-            (&[high], 64) => (u128::from(high) << 64, false),
-            (&[ref rest @ .., low, high], 64) => (
-                u128::from(high) << 64 | u128::from(low),
-                rest.iter().any(|&limb| limb != 0),
-            ),
-            _ => return None,
-        };
-        if self.mid.is_sign_negative() != x.is_sign_negative() || !x.is_normal() {
-            return None;
-        }
-        let bits = x.to_bits();
-        let m = u128::from(bits << 12 >> 12 | 1 << 52);
-        let shift = (bits << 1 >> 53) as i64 - 1075 - e;
-        // No bit is lost.
-        let x = (0..=SPARE).contains(&shift).then(|| m << shift)?;
-        // The part that is cut off of mid is less than a unit.
-        let d = mid.abs_diff(x);
-        let rest = u128::from(rest);
-        Some(([d.saturating_sub(rest), d.checked_add(rest)?], e))
     }
 
     /// An upper bound on the absolute value.
@@ -427,6 +384,10 @@ impl Neg for Ball {
         self
     }
 }
+
+mod distance;
+
+pub use distance::Apart;
 
 #[cfg(test)]
 mod tests;

@@ -112,13 +112,18 @@ impl Mag {
         Mag::normal(m.abs(), i64::from(e))
     }
 
-    /// A bound on `d · 2^e`, from above or from below.
-    pub(super) fn of_integer(d: u128, e: i64, up: bool) -> Mag {
-        let bits = 128 - i64::from(d.leading_zeros());
-        let cut = (bits - 53).max(0);
+    /// `d` to 53 bits, rounded up or down.
+    #[inline]
+    pub(super) fn rounded(d: u128, up: bool) -> f64 {
+        let cut = 75u32.saturating_sub(d.leading_zeros());
         let m = (d >> cut) as u64 + u64::from(up && (d >> cut) << cut != d);
         // Less than or equal to 2^53: exact.
-        Mag::normal(m as f64, e + cut)
+        m as i64 as f64 * pow2(i64::from(cut))
+    }
+
+    /// A bound on `d · 2^e`, from above or from below.
+    pub(super) fn of_integer(d: u128, e: i64, up: bool) -> Mag {
+        Mag::normal(Mag::rounded(d, up), e)
     }
 
     /// Returns true if this is exactly zero.

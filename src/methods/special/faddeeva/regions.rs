@@ -9,7 +9,8 @@ use std::sync::LazyLock;
 
 /// `r e^{iθ}`.
 pub(in crate::methods::special) fn polar(r: f64, theta: f64) -> Vec<f64> {
-    vec![r * libm::cos(theta), r * libm::sin(theta)]
+    let (sin, cos) = libm::sincos(theta);
+    vec![r * cos, r * sin]
 }
 
 pub(in crate::methods::special) fn whole(d: &mut Draw) -> f64 {

@@ -123,7 +123,7 @@ fn distances_are_exact_and_hold_the_radius() {
                     let rad = Mag::power_of_two(i64::from(k) - 60);
                     let truth = (Float::with_val(4000, x) - &mid).abs();
                     let sharp = Ball::new(mid.clone(), Mag::ZERO);
-                    on_integers += u32::from(sharp.mid_from(x).is_some());
+                    on_integers += u32::from(sharp.on_integers(x));
                     let (low, high) = sharp.distance_from(x);
                     assert!(exact(low) <= truth && truth <= exact(high), "{mid} {x}");
                     let gap = exact(high) - exact(low);
@@ -140,6 +140,87 @@ fn distances_are_exact_and_hold_the_radius() {
         }
     }
     assert!(on_integers > 100, "{on_integers}");
+}
+
+/// Bit for bit what bounds with exponents are, in units.
+#[test]
+fn distances_in_doubles_are_those_of_bounds() {
+    let mut found = 0;
+    for bits in [53, 64, 65, 100, 160, 300] {
+        for k in [-1000, -3, 0, 1, 1000] {
+            let third: Float = Float::with_val(bits, 1) / 3;
+            let below = Float::with_val(bits, 1) - (Float::with_val(bits, 1) >> (bits - 1));
+            for mid in [third.clone(), below, -third, Float::with_val(bits, 1)] {
+                let mid: Float = mid << k;
+                let near = mid.to_f64();
+                let power = (1.5 * near).to_bits() >> 52 << 52;
+                let moved =
+                    [0.0, 1e-16, -3e-16, 1e-9, -0.25, 0.6, -0.8, 1.1].map(|by| near + near * by);
+                for x in moved.into_iter().chain([f64::from_bits(power)]) {
+                    for r in [
+                        None,
+                        Some(-500),
+                        Some(-290),
+                        Some(-120),
+                        Some(-53),
+                        Some(-20),
+                        Some(-5),
+                    ] {
+                        let rad =
+                            r.map_or(Mag::ZERO, |r| Mag::from_f64(1.1).shift(r + i64::from(k)));
+                        let ball = Ball::new(mid.clone(), rad);
+                        let Some(apart) = ball.apart_from(x) else {
+                            continue;
+                        };
+                        found += 1;
+                        let bound = |x: f64| Mag::from_f64(x).shift(apart.unit);
+                        let due = (ball.mignitude(), ball.distance_from(x));
+                        let (least, most) = (bound(apart.least), bound(apart.most));
+                        assert_eq!((bound(apart.size), (least, most)), due, "{ball:?} {x}");
+                        let units = Float::with_val(bits, mid.abs_ref()) >> apart.unit as i32;
+                        assert!(units >= 2f64.powi(127) && units < 2f64.powi(128));
+                    }
+                    let none = [Mag::INFINITY, Mag::power_of_two(i64::from(k) - 3)];
+                    let none = none.map(|rad| Ball::new(mid.clone(), rad).apart_from(x));
+                    assert_eq!(none, [None, None]);
+                }
+                let bad = [-near, 0.0, 1e-320, f64::NAN, f64::INFINITY, 4.0 * near];
+                let sharp = Ball::new(mid, Mag::ZERO);
+                assert!(bad.iter().all(|x| sharp.apart_from(*x).is_none()));
+            }
+        }
+    }
+    assert!(found > 3000, "{found}");
+}
+
+/// The power of two above a number is at the exact distance, however near it is.
+#[test]
+fn the_next_power_of_two_is_at_an_exact_distance() {
+    for bits in [53, 64, 65, 100, 128, 130, 160, 192, 200, 260, 400] {
+        for k in 2..bits as i32 {
+            for and in [None, Some(k + 1), Some(k + 60), Some(bits as i32)] {
+                let mut mid = Float::with_val(bits, 1) - (Float::with_val(bits, 1) >> k);
+                let Some(and) = and.filter(|and| (k..=bits as i32).contains(and)) else {
+                    continue;
+                };
+                mid -= Float::with_val(bits, 1) >> and;
+                for rad in [Mag::ZERO, Mag::power_of_two(-100), Mag::power_of_two(-20)] {
+                    for sign in [1.0, -1.0] {
+                        let ball = Ball::new(mid.clone() * sign, rad);
+                        let Some(apart) = ball.apart_from(sign) else {
+                            // The difference begins below four limbs.
+                            assert!(bits >= 200 && k > 190, "{bits} {k} {and}");
+                            continue;
+                        };
+                        let bound = |x: f64| Mag::from_f64(x).shift(apart.unit);
+                        let found = (bound(apart.least), bound(apart.most));
+                        assert_eq!(found, ball.distance_from(sign), "{bits} {k} {and}");
+                        assert_eq!(bound(apart.size), ball.mignitude());
+                    }
+                }
+            }
+        }
+    }
 }
 
 #[test]

@@ -38,3 +38,24 @@ fn named_points_end_with_the_first_zeros() {
         ("zero-2", &[2.0, -1.0][..])
     );
 }
+
+/// Recorded cases are found again: both parts have the bits of a cosine and a sine by themselves.
+#[test]
+fn points_in_a_direction_are_pinned() {
+    let mut draw = Draw::new(1, "faddeeva", "directions", 0);
+    let ends = [0.0, -0.0, PI, -PI, PI / 4.0, PI / 2.0, 1.0f64.next_down()];
+    let small = (-30..-20).flat_map(|k| [1.0, 1.3, 1.7].map(|m| m * 2f64.powi(k)));
+    let angles: Vec<f64> = ends.into_iter().chain(small).collect();
+    let drawn = (0..20_000).map(|_| whole(&mut draw));
+    for theta in angles.into_iter().chain(drawn) {
+        let due = [3.0 * libm::cos(theta), 3.0 * libm::sin(theta)];
+        let found = polar(3.0, theta);
+        assert!(
+            found
+                .iter()
+                .zip(due)
+                .all(|(a, b)| a.to_bits() == b.to_bits()),
+            "{theta}"
+        );
+    }
+}
