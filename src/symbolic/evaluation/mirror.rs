@@ -105,3 +105,6 @@ pub(super) fn w(z: &ComplexBall, p: u32) -> Found {
     let image = real::complex::w(&-z, p).ok();
     Ok(Mirrored::value(real::complex::w(z, p)?, image))
 }
+
+#[cfg(test)]
+mod tests;
