@@ -217,7 +217,12 @@ fn the_rest_is_not_judged() {
         ball: third,
         got: near + 3.0 * 2f64.powi(-54),
     };
-    assert!(!agree(std::slice::from_ref(&off), 4.0, Some(1.0), Format::Double));
+    assert!(!agree(
+        std::slice::from_ref(&off),
+        4.0,
+        Some(1.0),
+        Format::Double
+    ));
     assert!(agree(&[off], 4.0, Some(9.0), Format::Double));
 }
 
