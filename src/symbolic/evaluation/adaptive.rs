@@ -2,11 +2,12 @@
 
 use super::angle::Angles;
 use super::ball::{Balls, MAY_BE_EQUAL, Value, ball_of, bessel};
+use super::integral::CLOSER;
 use super::short::FirstPass;
 use super::tuning::{Passes, Size};
 use super::{Evaluator, Stop, cost, huge};
 use crate::exact::proves_zero;
-use crate::graph::{Graph, Id, Node};
+use crate::graph::{Binding, Graph, Id, Node};
 use crate::{Definitions, Expr, Func};
 use mechaudit_reference::elementary::NoValue;
 use mechaudit_reference::{Ball, Mag};
@@ -114,6 +115,9 @@ pub struct Certified {
     exact: bool,
     /// True if there are functions that jump at rational numbers.
     has_steps: bool,
+    /// Bits that inputs have beyond the working precision: what is uncertain in them is so on every
+    /// panel of an integral.
+    more: u32,
     /// Inputs in a row at which it was asked and proved nothing.
     in_vain: u32,
 }
@@ -175,6 +179,10 @@ impl Certified {
             ),
             _ => false,
         };
+        let is_integral = |id| match graph.node(id) {
+            Node::Bound(b) => matches!(graph.binder(b).binding, Binding::Integral { .. }),
+            _ => false,
+        };
         // A part of a complex number that varies with the variable of an integral.
         let is_part = |id| match graph.node(id) {
             Node::Unary(Func::Re | Func::Im | Func::Conj | Func::Abs | Func::Arg, z) => {
@@ -189,6 +197,10 @@ impl Certified {
         Certified {
             exact: (0..graph.len() as Id).any(of_order),
             has_steps: (0..graph.len() as Id).any(is_step),
+            more: match (0..graph.len() as Id).any(is_integral) {
+                true => CLOSER,
+                false => 0,
+            },
             first: FirstPass::new(&graph),
             angles: Angles::new(&graph),
             evaluator: Evaluator::new(graph, balls),
@@ -453,9 +465,10 @@ impl Certified {
         self.evaluator
             .reset(std::mem::replace(&mut self.constants, constants) != constants);
         for (k, input) in inputs.iter().enumerate() {
+            let bits = prec.saturating_add(self.more);
             let value = match self.evaluator.interpretation.exact {
-                true => Value::rational(prec, input.clone()),
-                false => Value::Real(ball_of(prec, input)),
+                true => Value::rational(bits, input.clone()),
+                false => Value::Real(ball_of(bits, input)),
             };
             self.evaluator.set_input(k, value);
         }

@@ -443,7 +443,7 @@ fn limit(evaluator: &mut Evaluator<Balls>, id: Id) -> Result<Limit, Stop> {
 
 /// Bits by which parts that do not depend on the variable are known more closely than a panel is
 /// due.
-const CLOSER: u32 = 64;
+pub(super) const CLOSER: u32 = 64;
 
 /// Gives parts of a body that do not depend on the variable their values, to more bits: what is
 /// uncertain in them is so on every panel.
