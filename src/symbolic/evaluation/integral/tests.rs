@@ -230,3 +230,12 @@ fn integrals_of_parts_of_complex_functions() {
         assert_eq!(value(text, (1, 1), 25), due, "{text}");
     }
 }
+
+/// A part without values that is never chosen, but may be on a wide interval, does not make an
+/// integral undefined.
+#[test]
+fn a_part_that_is_never_chosen_need_not_be_defined() {
+    let text = "int(t, -1, 1, if(-2 < t*(t - 2), cbrt(t), log(-1 - t^2)))";
+    let found = value(text, (1, 1), 10);
+    assert!(found.starts_with("undecided"), "{found}");
+}
