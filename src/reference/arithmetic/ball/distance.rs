@@ -1,4 +1,4 @@
-//! How far a double is from a ball.
+//! The distance between a double and a ball.
 
 use super::{BITS, Ball};
 use crate::Mag;
