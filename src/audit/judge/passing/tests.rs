@@ -176,7 +176,8 @@ fn numbers_of_every_size_are_added() {
     }
 }
 
-/// Leaves values over their budget, wide references, other limits and extreme exponents to the exact path.
+/// Leaves values over their budget, wide references, other limits and extreme exponents to the
+/// exact path.
 #[test]
 fn the_rest_is_not_judged() {
     let third = Ball::new(Float::with_val(140, 1) / 3, Mag::ZERO);
