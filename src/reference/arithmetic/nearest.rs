@@ -1,7 +1,7 @@
 //! Exponential function, logarithm, powers and circular functions of moderate numbers, and angles,
 //! rounded to nearest.
 //!
-//! They are evaluated to 256 binary places (`u = 2^−256`), which takes a tenth to a half of MPFR's time.
+//! They are evaluated to 256 binary places (`u = 2^−256`), which is faster than MPFR (`benches/README.md`).
 //! The value rounded to fewer bits is known as soon as neither a number of that many bits nor one
 //! halfway between two of them lies within the errors below. Where one may, and for other arguments and
 //! precisions, MPFR rounds: the result is the same.
